@@ -1,0 +1,124 @@
+//! Bodies, the solids they are put together from, and presets.
+
+use crate::arguments::{BodyArgument, SolidArgument, refusal};
+use pyo3::prelude::*;
+use rimroll::{Body, InvalidInput, Solid, presets};
+
+/// (mass, radius, height, transverse_inertia, axial_inertia)
+type BodyNumbers = (f64, f64, f64, f64, f64);
+/// (mass, height, transverse_inertia, axial_inertia)
+type SolidNumbers = (f64, f64, f64, f64);
+
+fn body_numbers(body: Result<Body, InvalidInput>) -> PyResult<BodyNumbers> {
+    let b = body.map_err(refusal)?;
+    Ok((
+        b.mass(),
+        b.radius(),
+        b.height(),
+        b.transverse_inertia(),
+        b.axial_inertia(),
+    ))
+}
+
+fn solid_numbers(solid: Result<Solid, InvalidInput>) -> PyResult<SolidNumbers> {
+    let s = solid.map_err(refusal)?;
+    Ok((s.mass, s.height, s.transverse_inertia, s.axial_inertia))
+}
+
+#[pyfunction]
+pub fn check_body(body: BodyArgument) -> PyResult<()> {
+    body.body().map(|_| ())
+}
+
+#[pyfunction]
+pub fn body_from_solids(radius: f64, solids: Vec<SolidArgument>) -> PyResult<BodyNumbers> {
+    let solids: Vec<Solid> = solids.into_iter().map(Solid::from).collect();
+    body_numbers(Body::from_solids(radius, &solids))
+}
+
+#[pyfunction]
+pub fn cylinder(mass: f64, radius: f64, length: f64, base: f64) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::cylinder(mass, radius, length, base))
+}
+
+#[pyfunction]
+pub fn hollow_cylinder(
+    mass: f64,
+    inner_radius: f64,
+    outer_radius: f64,
+    length: f64,
+    base: f64,
+) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::hollow_cylinder(
+        mass,
+        inner_radius,
+        outer_radius,
+        length,
+        base,
+    ))
+}
+
+#[pyfunction]
+pub fn disc(mass: f64, radius: f64, height: f64) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::disc(mass, radius, height))
+}
+
+#[pyfunction]
+pub fn ring(mass: f64, radius: f64, height: f64) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::ring(mass, radius, height))
+}
+
+#[pyfunction]
+pub fn wall(mass: f64, radius: f64, length: f64, base: f64) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::wall(mass, radius, length, base))
+}
+
+#[pyfunction]
+pub fn filling(density: f64, radius: f64, depth: f64, base: f64) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::filling(density, radius, depth, base))
+}
+
+#[pyfunction]
+pub fn preset_can_2007() -> PyResult<BodyNumbers> {
+    body_numbers(presets::can_2007())
+}
+
+#[pyfunction]
+pub fn preset_soda_can(fill: f64) -> PyResult<BodyNumbers> {
+    body_numbers(presets::soda_can(fill))
+}
+
+#[pyfunction]
+pub fn preset_beer_bottle(fill: f64) -> PyResult<BodyNumbers> {
+    body_numbers(presets::beer_bottle(fill))
+}
+
+#[pyfunction]
+pub fn preset_coin() -> PyResult<BodyNumbers> {
+    body_numbers(presets::coin())
+}
+
+#[pyfunction]
+pub fn preset_battery() -> PyResult<BodyNumbers> {
+    body_numbers(presets::battery())
+}
+
+#[pyfunction]
+pub fn preset_ring(radius: f64) -> PyResult<BodyNumbers> {
+    body_numbers(presets::ring(radius))
+}
+
+#[pyfunction]
+pub fn preset_disk(radius: f64) -> PyResult<BodyNumbers> {
+    body_numbers(presets::disk(radius))
+}
+
+#[pyfunction]
+pub fn preset_euler_disk() -> PyResult<BodyNumbers> {
+    body_numbers(presets::euler_disk())
+}
+
+#[pyfunction]
+pub fn preset_cylinder(radius: f64, length: f64) -> PyResult<BodyNumbers> {
+    body_numbers(presets::cylinder(radius, length))
+}

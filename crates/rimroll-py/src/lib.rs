@@ -1,0 +1,38 @@
+//! The Python boundary of rimroll: it converts numbers and arrays, and computes nothing itself.
+
+mod arguments;
+mod bodies;
+mod motion;
+mod theory;
+
+use pyo3::prelude::*;
+
+/// The compiled half of the Python package, imported there as `rimroll._core`.
+#[pymodule]
+mod _core {
+    use super::*;
+    use rimroll::{LawKind, motion as core};
+
+    #[pymodule_export]
+    use crate::bodies::{
+        body_from_solids, check_body, cylinder, disc, filling, hollow_cylinder, preset_battery,
+        preset_beer_bottle, preset_can_2007, preset_coin, preset_cylinder, preset_disk,
+        preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
+    };
+    #[pymodule_export]
+    use crate::motion::{CoreMotion, simulate};
+    #[pymodule_export]
+    use crate::theory::{
+        CoreNearCollision, CorePasted, balance_tilt, disk_turn_limit, error_law_coefficient,
+        lift_off_rate, needed_friction, point_mass_turn_limit, slip_rate, steady_wobble_rate,
+        tall_turn_limit, turn_limit, turn_limit_with_spin,
+    };
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("COLUMNS", core::COLUMNS)?;
+        module.add("LAWS", LawKind::ALL.map(LawKind::name))?;
+        module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
+    }
+}

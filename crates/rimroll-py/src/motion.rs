@@ -1,0 +1,140 @@
+//! `simulate` and the columns of numbers that describe a motion.
+
+use crate::arguments::{BodyArgument, StateArgument, law, refusal};
+use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+use rimroll::motion::{COLUMNS, Moment, moment};
+use rimroll::state::Coordinates;
+use rimroll::{Options, Status, simulate as simulate_in_core};
+use std::ops::ControlFlow;
+
+/// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
+type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
+
+/// A computed motion, kept in the core; tables have one column a moment and one row a quantity.
+#[pyclass(unsendable)]
+pub struct CoreMotion {
+    motion: rimroll::Motion,
+}
+
+impl CoreMotion {
+    fn table<'py>(
+        &self,
+        py: Python<'py>,
+        moments: impl Iterator<Item = Coordinates<f64>>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows: Vec<Moment> = moments.map(|u| moment(&*self.motion.law, &u)).collect();
+        let count = rows.len();
+        let mut flat = vec![0.0; COLUMNS.len() * count];
+        for (i, row) in rows.iter().enumerate() {
+            for (j, value) in row.iter().enumerate() {
+                flat[j * count + i] = *value;
+            }
+        }
+        let array = flat.into_pyarray(py);
+        numpy::PyArrayMethods::reshape(&array, [COLUMNS.len(), count])
+    }
+}
+
+#[pymethods]
+impl CoreMotion {
+    /// The accepted steps.
+    fn nodes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.table(py, self.motion.track.nodes())
+    }
+
+    /// The accepted steps with samples inside each.
+    fn samples<'py>(
+        &self,
+        py: Python<'py>,
+        per_step: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.table(py, self.motion.track.samples(per_step).into_iter())
+    }
+
+    /// Dense output at any times, s.
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let t = t.as_array();
+        self.table(py, t.iter().map(|&t| self.motion.track.at(t)))
+    }
+
+    /// The kinds of the events and their table.
+    fn events<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Vec<&'static str>, Bound<'py, PyArray2<f64>>)> {
+        let events = &self.motion.events;
+        let kinds = events.iter().map(|event| event.kind.name()).collect();
+        Ok((kinds, self.table(py, events.iter().map(|event| event.at))?))
+    }
+
+    fn turns(&self) -> Vec<TurnNumbers> {
+        let numbers = |turn: &rimroll::motion::Turn| {
+            (
+                turn.angle,
+                turn.min_tilt,
+                turn.t,
+                turn.yaw_rate,
+                turn.start,
+                turn.end,
+                turn.max_tilt,
+            )
+        };
+        self.motion.turns.iter().map(numbers).collect()
+    }
+
+    #[getter]
+    fn status(&self) -> &'static str {
+        self.motion.status.name()
+    }
+
+    #[getter]
+    fn message(&self) -> &str {
+        &self.motion.message
+    }
+
+    /// (steps, rejected, evaluations)
+    #[getter]
+    fn work(&self) -> (usize, usize, usize) {
+        let work = &self.motion.work;
+        (work.steps, work.rejected, work.evaluations)
+    }
+}
+
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub fn simulate(
+    py: Python<'_>,
+    body: BodyArgument,
+    start: StateArgument,
+    law_name: &str,
+    duration: f64,
+    gravity: f64,
+    rtol: f64,
+    topple_tilt: Option<f64>,
+    max_steps: usize,
+) -> PyResult<CoreMotion> {
+    let options = Options {
+        duration,
+        gravity,
+        rtol,
+        topple_tilt,
+        max_steps,
+    };
+    let watch = |_| match py.check_signals() {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(_) => ControlFlow::Break(()),
+    };
+    let law = law(law_name)?;
+    let motion =
+        simulate_in_core(&body.body()?, &start.into(), law, &options, watch).map_err(refusal)?;
+    if motion.status == Status::Interrupted {
+        return Err(PyKeyboardInterrupt::new_err(motion.message));
+    }
+    Ok(CoreMotion { motion })
+}

@@ -1,0 +1,191 @@
+//! Closed forms and the paper's two approximations.
+
+use crate::arguments::{BodyArgument, StateArgument, law, refusal};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+use rimroll::turn::NearCollision;
+use rimroll::{pasted, small_angle, turn};
+
+#[pyfunction]
+pub fn turn_limit(body: BodyArgument, law_name: &str) -> PyResult<f64> {
+    Ok(turn::turn_limit(&body.body()?, law(law_name)?))
+}
+
+#[pyfunction]
+pub fn turn_limit_with_spin(body: BodyArgument, spin: f64, tipping_rate: f64) -> PyResult<f64> {
+    turn::turn_limit_with_spin(&body.body()?, spin, tipping_rate).map_err(refusal)
+}
+
+#[pyfunction]
+pub fn disk_turn_limit(gyration_ratio: f64) -> PyResult<f64> {
+    turn::disk_turn_limit(gyration_ratio).map_err(refusal)
+}
+
+#[pyfunction]
+pub fn tall_turn_limit(body: BodyArgument, law_name: &str) -> PyResult<f64> {
+    Ok(turn::tall_turn_limit(&body.body()?, law(law_name)?))
+}
+
+#[pyfunction]
+pub fn point_mass_turn_limit(radius: f64, height: f64, law_name: &str) -> PyResult<f64> {
+    turn::point_mass_turn_limit(radius, height, law(law_name)?).map_err(refusal)
+}
+
+#[pyfunction]
+pub fn needed_friction(body: BodyArgument) -> PyResult<f64> {
+    Ok(turn::needed_friction(&body.body()?))
+}
+
+#[pyfunction]
+pub fn error_law_coefficient(
+    body: BodyArgument,
+    law_name: &str,
+    tipping_rate: f64,
+    gravity: f64,
+) -> PyResult<f64> {
+    turn::error_law_coefficient(&body.body()?, law(law_name)?, tipping_rate, gravity)
+        .map_err(refusal)
+}
+
+#[pyfunction]
+pub fn steady_wobble_rate(body: BodyArgument, tilt: f64, gravity: f64) -> PyResult<f64> {
+    turn::steady_wobble_rate(&body.body()?, tilt, gravity).map_err(refusal)
+}
+
+#[pyfunction]
+pub fn balance_tilt(body: BodyArgument) -> PyResult<f64> {
+    Ok(body.body()?.balance_tilt())
+}
+
+#[pyfunction]
+pub fn lift_off_rate(body: BodyArgument, gravity: f64) -> PyResult<f64> {
+    turn::lift_off_rate(&body.body()?, gravity).map_err(refusal)
+}
+
+#[pyfunction]
+pub fn slip_rate(body: BodyArgument, gravity: f64) -> PyResult<f64> {
+    turn::slip_rate(&body.body()?, gravity).map_err(refusal)
+}
+
+/// `f` of each time.
+fn map<'py>(
+    py: Python<'py>,
+    t: PyReadonlyArray1<'py, f64>,
+    f: impl Fn(f64) -> f64,
+) -> Bound<'py, PyArray1<f64>> {
+    let values: Vec<f64> = t.as_array().iter().map(|&t| f(t)).collect();
+    values.into_pyarray(py)
+}
+
+/// The near-collision by itself; times from its smallest tilt, s.
+#[pyclass(unsendable)]
+pub struct CoreNearCollision {
+    near: NearCollision,
+}
+
+#[pymethods]
+impl CoreNearCollision {
+    #[new]
+    fn new(
+        body: BodyArgument,
+        law_name: &str,
+        min_tilt: f64,
+        tipping_rate: f64,
+        direction: f64,
+    ) -> PyResult<Self> {
+        let near = NearCollision::new(
+            &body.body()?,
+            law(law_name)?,
+            min_tilt,
+            tipping_rate,
+            direction,
+        );
+        Ok(CoreNearCollision {
+            near: near.map_err(refusal)?,
+        })
+    }
+
+    fn tilt<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> Bound<'py, PyArray1<f64>> {
+        map(py, t, |t| self.near.tilt(t))
+    }
+
+    fn yaw<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> Bound<'py, PyArray1<f64>> {
+        map(py, t, |t| self.near.yaw(t))
+    }
+
+    fn yaw_rate<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> Bound<'py, PyArray1<f64>> {
+        map(py, t, |t| self.near.yaw_rate(t))
+    }
+
+    /// Rows (t, tilt, yaw) of the plane vector's motion, one column a sample.
+    fn lean_vector<'py>(&self, py: Python<'py>, until: f64) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let samples = small_angle::lean_vector(&self.near, until);
+        let flat: Vec<f64> = (0..3)
+            .flat_map(|i| samples.iter().map(move |sample| sample[i]))
+            .collect();
+        flat.into_pyarray(py).reshape([3, samples.len()])
+    }
+}
+
+/// The pendulum pasted to the near-collision; times from the release, s.
+#[pyclass(unsendable)]
+pub struct CorePasted {
+    pasted: pasted::Pasted,
+}
+
+#[pymethods]
+impl CorePasted {
+    #[new]
+    fn new(
+        body: BodyArgument,
+        start: StateArgument,
+        law_name: &str,
+        gravity: f64,
+    ) -> PyResult<Self> {
+        let pasted = pasted::pasted(&body.body()?, &start.into(), law(law_name)?, gravity);
+        Ok(CorePasted {
+            pasted: pasted.map_err(refusal)?,
+        })
+    }
+
+    fn tilt<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> Bound<'py, PyArray1<f64>> {
+        map(py, t, |t| self.pasted.tilt(t))
+    }
+
+    fn yaw<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> Bound<'py, PyArray1<f64>> {
+        map(py, t, |t| self.pasted.yaw(t))
+    }
+
+    /// (time, half_width, min_tilt, tipping_rate, stretch)
+    #[getter]
+    fn numbers(&self) -> (f64, f64, f64, f64, f64) {
+        let near = &self.pasted.near_collision;
+        (
+            self.pasted.time,
+            self.pasted.half_width,
+            near.min_tilt,
+            near.tipping_rate,
+            near.stretch,
+        )
+    }
+}

@@ -1,0 +1,115 @@
+//! What is refused, and how it is said: the field, the value, the bound and the unit.
+
+use thiserror::Error;
+
+/// An input that no motion can be computed from.
+///
+/// `unit` is empty for a pure number. The texts are written for the person who typed the value.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum InvalidInput {
+    /// A number that is not finite.
+    #[error("{field} must be a finite number, got {value}")]
+    NotFinite {
+        /// Its name in the API.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// A number outside its bound, such as a negative mass.
+    #[error("{field} must be {bound}, got {}", with_unit(*value, unit))]
+    OutOfBounds {
+        /// Its name in the API.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What it must be, in words.
+        bound: String,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// Two numbers that no rigid body can have together.
+    #[error(
+        "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {value} kg m2",
+        2.0 * transverse_inertia
+    )]
+    AxialInertiaTooLarge {
+        /// C, kg m².
+        value: f64,
+        /// A, kg m².
+        transverse_inertia: f64,
+    },
+    /// A name that stands for nothing.
+    #[error("unknown {what} {name:?}: choose from {choices}")]
+    UnknownName {
+        /// What kind of thing was named.
+        what: &'static str,
+        /// The name given.
+        name: String,
+        /// The names there are.
+        choices: String,
+    },
+    /// A start whose motion has no near-collision to describe.
+    #[error("this start has no near-collision: {why}")]
+    NoNearCollision {
+        /// Why not.
+        why: String,
+    },
+    /// A body composed of no solids.
+    #[error("solids must name at least one solid, got none")]
+    NoSolids,
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() {
+        format!("{value}")
+    } else {
+        format!("{value} {unit}")
+    }
+}
+
+/// Accepts a finite number.
+pub(crate) fn finite(field: &'static str, value: f64) -> Result<f64, InvalidInput> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(InvalidInput::NotFinite { field, value })
+    }
+}
+
+/// Accepts a finite number for which `holds`; `bound` says in words what that asks.
+pub(crate) fn bounded(
+    field: &'static str,
+    value: f64,
+    holds: impl Fn(f64) -> bool,
+    bound: &str,
+    unit: &'static str,
+) -> Result<f64, InvalidInput> {
+    if holds(finite(field, value)?) {
+        Ok(value)
+    } else {
+        Err(InvalidInput::OutOfBounds {
+            field,
+            value,
+            bound: bound.to_owned(),
+            unit,
+        })
+    }
+}
+
+/// Accepts a finite number above zero.
+pub(crate) fn positive(
+    field: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<f64, InvalidInput> {
+    bounded(field, value, |v| v > 0.0, "> 0", unit)
+}
+
+/// Accepts a finite number that is not negative.
+pub(crate) fn not_negative(
+    field: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<f64, InvalidInput> {
+    bounded(field, value, |v| v >= 0.0, ">= 0", unit)
+}

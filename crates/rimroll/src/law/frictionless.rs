@@ -1,0 +1,80 @@
+//! Sliding without friction: the table only pushes upward.
+//!
+//! Source: Srinivasan & Ruina (2007), Eqs. `generalcyl`, `nofric_eqs` and appendix A, printed
+//! correctly. Row 3 is ṡ = 0 (Eq. `slipangmom`); row 1 is, with l = ψ̇ sin² φ,
+//!
+//! ```text
+//! A l̇/sinφ = C s φ̇            (so A l + C s cosφ, the vertical angular momentum, is conserved)
+//! ```
+//!
+//! and row 2, with w = ψ̇ sin φ,
+//!
+//! ```text
+//! (A + mρ²) φ̈ = A w ψ̇ cosφ − C w s + mρz φ̇² − mgρ
+//! ```
+//!
+//! The centre of mass keeps its horizontal velocity; it is zero in the frame chosen here.
+
+use super::{Contact, Law, Parameters};
+use crate::real::Real;
+use crate::state::Coordinates;
+
+/// The law; made once for a body.
+#[derive(Debug, Clone, Copy)]
+pub struct Frictionless<T> {
+    k: Parameters<T>,
+    /// C/A.
+    c_over_a: T,
+}
+
+impl<T: Real> Frictionless<T> {
+    /// The law for one body under one gravity.
+    pub fn new(k: Parameters<T>) -> Self {
+        Frictionless {
+            k,
+            c_over_a: k.c / k.a,
+        }
+    }
+
+    /// dp/dτ.
+    fn tilt_acceleration(&self, u: &Coordinates<T>) -> T {
+        let k = &self.k;
+        let rho = k.rho(u);
+        let elsewhere = k.m * rho * (k.z(u) * u.p * u.p - k.g) - k.c * u.w * u.s;
+        (k.a * u.w * u.w * u.cos + u.sin * elsewhere) / (k.a + k.m * rho * rho)
+    }
+}
+
+impl<T: Real> Law<T> for Frictionless<T> {
+    fn parameters(&self) -> &Parameters<T> {
+        &self.k
+    }
+
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        let zero = T::from(0.0);
+        Coordinates {
+            yaw: u.w,
+            spin: u.sin * u.s - u.w * u.cos,
+            x: zero,
+            y: zero,
+            t: u.sin,
+            sin: u.sin * u.cos * u.p,
+            cos: -u.sin * u.sin * u.p,
+            p: self.tilt_acceleration(u),
+            w: u.p * (u.sin * self.c_over_a * u.s - u.w * u.cos),
+            s: zero,
+        }
+    }
+
+    fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
+        Contact {
+            along: T::from(0.0),
+            across: T::from(0.0),
+            normal: self.k.normal(u, self.tilt_acceleration(u)),
+        }
+    }
+
+    fn center_velocity(&self, _: &Coordinates<T>) -> [T; 2] {
+        [T::from(0.0), T::from(0.0)]
+    }
+}

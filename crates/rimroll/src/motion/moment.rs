@@ -1,0 +1,64 @@
+//! A moment of a motion in full: what a user reads off the coordinates.
+
+use crate::law::Law;
+use crate::state::Coordinates;
+
+/// What is known at one moment, in SI units and radians. `x`, `y`, `z` are the centre of mass; contact
+/// point and friction are on the table.
+pub const COLUMNS: [&str; 19] = [
+    "t",
+    "tilt",
+    "tilt_rate",
+    "yaw",
+    "yaw_rate",
+    "spin",
+    "spin_rate",
+    "axial_spin",
+    "x",
+    "y",
+    "z",
+    "contact_x",
+    "contact_y",
+    "normal_force",
+    "friction_x",
+    "friction_y",
+    "friction_ratio",
+    "kinetic_energy",
+    "potential_energy",
+];
+
+/// One moment: a number for each of [`COLUMNS`].
+pub type Moment = [f64; COLUMNS.len()];
+
+/// All that is known when a motion under `law` is at `u`.
+pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
+    let k = law.parameters();
+    let state = u.state();
+    let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
+    let rho = k.rho(u);
+    let force = law.contact(u);
+    let (along, across) = (force.along / u.sin, force.across / u.sin);
+    let friction = (force.along * force.along + force.across * force.across).sqrt();
+    let energy = law.energy(u);
+    [
+        u.t,
+        state.tilt,
+        state.tilt_rate,
+        state.yaw,
+        state.yaw_rate,
+        state.spin,
+        state.spin_rate,
+        u.s,
+        u.x,
+        u.y,
+        k.z(u),
+        u.x - rho * cos_yaw,
+        u.y - rho * sin_yaw,
+        force.normal / u.sin,
+        along * cos_yaw - across * sin_yaw,
+        along * sin_yaw + across * cos_yaw,
+        friction / force.normal,
+        energy.kinetic,
+        energy.potential,
+    ]
+}

@@ -1,0 +1,76 @@
+//! The angle of turn: how far the yaw, and with it the contact point, runs from one rest of the
+//! tilt to the next through a near-collision.
+
+use super::events::{Event, EventKind};
+use crate::state::Coordinates;
+
+/// One passage through a near-collision.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// Change of yaw from one tilt maximum (or the release) to the next, rad, with its sign.
+    pub angle: f64,
+    /// Smallest tilt, rad; for a disk on its other face, counted from that face.
+    pub min_tilt: f64,
+    /// Time of the smallest tilt, s.
+    pub t: f64,
+    /// ψ̇ there, rad/s: the largest on the way.
+    pub yaw_rate: f64,
+    /// Time of the tilt maximum (or release) before, s.
+    pub start: f64,
+    /// Time of the tilt maximum after, s.
+    pub end: f64,
+    /// The tilt maximum after, rad.
+    pub max_tilt: f64,
+}
+
+/// How the base stands at an event: nearest to flat, or farthest from it.
+enum Lean {
+    Least,
+    Most,
+}
+
+fn lean(event: &Event) -> Option<Lean> {
+    let on_first_face = event.at.cos > 0.0;
+    match event.kind {
+        EventKind::TiltMin if on_first_face => Some(Lean::Least),
+        EventKind::TiltMax if !on_first_face => Some(Lean::Least),
+        EventKind::TiltMin | EventKind::TiltMax | EventKind::Upright => Some(Lean::Most),
+        EventKind::Topple | EventKind::LiftOff | EventKind::FaceDown => None,
+    }
+}
+
+fn tilt_from_nearest_face(u: &Coordinates<f64>) -> f64 {
+    libm::atan2(u.sin, u.cos.abs())
+}
+
+/// The turns between the events of a motion.
+pub(super) fn turns(start: &Coordinates<f64>, events: &[Event]) -> Vec<Turn> {
+    let mut turns = Vec::new();
+    let mut from = *start;
+    let mut lowest = None;
+    for event in events {
+        match lean(event) {
+            Some(Lean::Least) => lowest = Some(event.at),
+            Some(Lean::Most) => {
+                if let Some(low) = lowest.take() {
+                    turns.push(turn(&from, &low, &event.at));
+                }
+                from = event.at;
+            }
+            None => {}
+        }
+    }
+    turns
+}
+
+fn turn(from: &Coordinates<f64>, low: &Coordinates<f64>, to: &Coordinates<f64>) -> Turn {
+    Turn {
+        angle: to.yaw - from.yaw,
+        min_tilt: tilt_from_nearest_face(low),
+        t: low.t,
+        yaw_rate: low.yaw_rate(),
+        start: from.t,
+        end: to.t,
+        max_tilt: tilt_from_nearest_face(to),
+    }
+}

@@ -1,0 +1,33 @@
+//! The number that the mechanics is written over.
+//!
+//! The same right-hand side runs on plain `f64` and on dual numbers (exact derivatives). Results
+//! must be the same to the last bit on every machine, so an implementation may use + − × ÷ and the
+//! square root, which IEEE 754 defines to the bit, and `libm` for all else; never the platform's
+//! sine, and no fused multiply-add.
+
+mod dual;
+
+pub use dual::Dual;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number, or something that calculates like one.
+pub trait Real:
+    Copy
+    + From<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// (sin x, cos x).
+    fn sin_cos(self) -> (Self, Self);
+}
+
+impl Real for f64 {
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+}

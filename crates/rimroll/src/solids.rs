@@ -1,0 +1,107 @@
+//! Solids of revolution from which a [`Body`](crate::Body) is put together.
+//!
+//! All share the symmetry axis; heights are measured from the table when the body stands upright.
+//! The moments of inertia are the textbook ones (e.g. Landau & Lifshitz, *Mechanics*, §32); the
+//! parallel-axis theorem joins them in [`Body::from_solids`](crate::Body::from_solids).
+
+use crate::error::{InvalidInput, finite, not_negative, positive};
+use core::f64::consts::PI;
+
+/// One part of a body: its mass and its moments about its own centre of mass (SI units).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solid {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Height of its centre of mass above the table, m.
+    pub height: f64,
+    /// Moment of inertia about a horizontal axis through its centre of mass, kg m².
+    pub transverse_inertia: f64,
+    /// Moment of inertia about the symmetry axis, kg m².
+    pub axial_inertia: f64,
+}
+
+impl Solid {
+    /// A solid cylinder of the given mass (kg), radius and length (m), its lower face at `base` (m).
+    ///
+    /// # Errors
+    /// Refuses mass or radius ≤ 0, length < 0, and numbers that are not finite.
+    pub fn cylinder(mass: f64, radius: f64, length: f64, base: f64) -> Result<Solid, InvalidInput> {
+        Solid::hollow_cylinder(mass, 0.0, radius, length, base)
+    }
+
+    /// A cylinder with a coaxial bore: mass (kg), inner and outer radius, length and height of the
+    /// lower face (m). C = m(a² + b²)/2, A = C/2 + m L²/12.
+    ///
+    /// # Errors
+    /// Refuses mass or outer radius ≤ 0, an inner radius outside [0, outer radius], length < 0.
+    pub fn hollow_cylinder(
+        mass: f64,
+        inner_radius: f64,
+        outer_radius: f64,
+        length: f64,
+        base: f64,
+    ) -> Result<Solid, InvalidInput> {
+        positive("mass", mass, "kg")?;
+        positive("outer_radius", outer_radius, "m")?;
+        not_negative("inner_radius", inner_radius, "m")?;
+        if inner_radius > outer_radius {
+            return Err(InvalidInput::OutOfBounds {
+                field: "inner_radius",
+                value: inner_radius,
+                bound: format!("at most outer_radius = {outer_radius} m"),
+                unit: "m",
+            });
+        }
+        not_negative("length", length, "m")?;
+        finite("base", base)?;
+        let axial = 0.5 * mass * (inner_radius * inner_radius + outer_radius * outer_radius);
+        Ok(Solid {
+            mass,
+            height: base + 0.5 * length,
+            transverse_inertia: 0.5 * axial + mass * length * length / 12.0,
+            axial_inertia: axial,
+        })
+    }
+
+    /// A thin disc: mass (kg), radius and height (m).
+    ///
+    /// # Errors
+    /// Refuses mass or radius ≤ 0.
+    pub fn disc(mass: f64, radius: f64, height: f64) -> Result<Solid, InvalidInput> {
+        Solid::cylinder(mass, radius, 0.0, height)
+    }
+
+    /// A thin ring: mass (kg), radius and height (m).
+    ///
+    /// # Errors
+    /// Refuses mass or radius ≤ 0.
+    pub fn ring(mass: f64, radius: f64, height: f64) -> Result<Solid, InvalidInput> {
+        Solid::wall(mass, radius, 0.0, height)
+    }
+
+    /// A thin cylindrical wall, open at both ends: mass (kg), radius, length and height of its lower
+    /// edge (m).
+    ///
+    /// # Errors
+    /// Refuses mass or radius ≤ 0, length < 0.
+    pub fn wall(mass: f64, radius: f64, length: f64, base: f64) -> Result<Solid, InvalidInput> {
+        Solid::hollow_cylinder(mass, radius, radius, length, base)
+    }
+
+    /// A filling of the given density (kg/m³), radius, depth and height of its lower face (m), moving
+    /// with the body as if frozen: a real liquid turns less with the can than this.
+    ///
+    /// # Errors
+    /// Refuses density, radius or depth ≤ 0.
+    pub fn filling(
+        density: f64,
+        radius: f64,
+        depth: f64,
+        base: f64,
+    ) -> Result<Solid, InvalidInput> {
+        positive("density", density, "kg/m3")?;
+        positive("radius", radius, "m")?;
+        positive("depth", depth, "m")?;
+        Solid::cylinder(density * PI * radius * radius * depth, radius, depth, base)
+    }
+}

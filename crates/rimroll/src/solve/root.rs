@@ -1,0 +1,68 @@
+//! Roots of a function of one variable.
+
+/// The root between a and b, where the signs of f differ, to the last bits of x.
+///
+/// Regula falsi with the Illinois weights (Dowell & Jarratt, BIT 11, 1971), with a bisection
+/// whenever three steps have not halved the bracket, so the work is bounded. An end at which f is
+/// zero is the root; without a change of sign the end nearer to zero is returned.
+pub fn bracketed(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let (mut fa, mut fb) = (f(a), f(b));
+    if fa == 0.0 {
+        return a;
+    }
+    if fb == 0.0 {
+        return b;
+    }
+    if (fa < 0.0) == (fb < 0.0) {
+        return if fa.abs() < fb.abs() { a } else { b };
+    }
+    let mut width = (b - a).abs();
+    for round in 1..200 {
+        let mut x = b - fb * (b - a) / (fb - fa);
+        if round % 3 == 0 {
+            if (b - a).abs() > 0.5 * width {
+                x = 0.5 * (a + b);
+            }
+            width = (b - a).abs();
+        }
+        if x == a || x == b || !x.is_finite() {
+            x = 0.5 * (a + b);
+            if x == a || x == b {
+                break;
+            }
+        }
+        let fx = f(x);
+        if fx == 0.0 {
+            return x;
+        }
+        if (fx < 0.0) == (fb < 0.0) {
+            // The end a stays: halve its weight so that the next guess crosses over.
+            fa *= 0.5;
+        } else {
+            a = b;
+            fa = fb;
+        }
+        b = x;
+        fb = fx;
+        if (b - a).abs() <= 2.0 * f64::EPSILON * b.abs().max(a.abs()) {
+            break;
+        }
+    }
+    b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bracketed;
+
+    #[test]
+    fn finds_roots_to_the_last_bits() {
+        let root = bracketed(0.0, 2.0, |x| x * x - 2.0);
+        assert!((root - core::f64::consts::SQRT_2).abs() <= 4e-16);
+        // A function so flat at its root that the secant alone would crawl.
+        let root = bracketed(-1.0, 1.5, |x| x * x * x * x * x);
+        assert!(root.abs() < 1e-15);
+        assert_eq!(bracketed(0.0, 1.0, |x| x), 0.0);
+        assert_eq!(bracketed(0.0, 1.0, |x| x - 1.0), 1.0);
+    }
+}

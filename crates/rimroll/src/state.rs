@@ -1,0 +1,156 @@
+//! Where the body is and how it moves.
+
+use crate::error::{InvalidInput, bounded, finite};
+use crate::real::Real;
+use core::f64::consts::PI;
+
+/// Position and motion in the paper's Euler angles (rad, rad/s): what goes in and comes out.
+///
+/// Yaw ψ about the vertical, tilt −φ about the horizontal axis in the base, spin θ about the
+/// symmetry axis, relative to the frame that yaws and tilts. The contact point is at azimuth ψ + π
+/// as seen from the centre of the base.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct State {
+    /// φ: 0 = upright, base flat on the table.
+    pub tilt: f64,
+    /// φ̇.
+    pub tilt_rate: f64,
+    /// ψ: turns with the contact point.
+    pub yaw: f64,
+    /// ψ̇.
+    pub yaw_rate: f64,
+    /// θ.
+    pub spin: f64,
+    /// θ̇.
+    pub spin_rate: f64,
+}
+
+impl State {
+    /// Checks a start: all numbers finite and the tilt inside (0, π).
+    ///
+    /// # Errors
+    /// Names the first field that is not.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        bounded(
+            "tilt",
+            self.tilt,
+            |tilt| tilt > 0.0 && tilt < PI,
+            "inside (0, pi)",
+            "rad",
+        )?;
+        finite("tilt_rate", self.tilt_rate)?;
+        finite("yaw", self.yaw)?;
+        finite("yaw_rate", self.yaw_rate)?;
+        finite("spin", self.spin)?;
+        finite("spin_rate", self.spin_rate)?;
+        Ok(())
+    }
+}
+
+/// The number of [`Coordinates`].
+pub const COORDINATES: usize = 10;
+
+/// The coordinates that are integrated: regular through the near-collision.
+///
+/// As the base almost slaps the table ψ̇ and θ̇ grow without bound like 1/φ, but the body's angular
+/// velocity (w, −φ̇, s) in the frame e_x2, e_y2, e_z2 stays finite, and the step variable τ with
+/// dt = sin φ dτ stretches the moment so that every coordinate here changes at a bounded rate.
+/// sin φ and cos φ are carried instead of φ: then the right-hand sides are rational, and nothing
+/// cancels down to the smallest tilt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coordinates<T> {
+    /// ψ, rad.
+    pub yaw: T,
+    /// θ, rad.
+    pub spin: T,
+    /// Centre of mass over the table, m.
+    pub x: T,
+    /// Centre of mass over the table, m.
+    pub y: T,
+    /// Time, s.
+    pub t: T,
+    /// sin φ.
+    pub sin: T,
+    /// cos φ.
+    pub cos: T,
+    /// p = φ̇, rad/s.
+    pub p: T,
+    /// w = ψ̇ sin φ, rad/s.
+    pub w: T,
+    /// s = θ̇ + ψ̇ cos φ, rad/s: the spin about the symmetry axis.
+    pub s: T,
+}
+
+impl<T: Copy> Coordinates<T> {
+    /// From the order in which the solver keeps them.
+    pub fn from_array(array: &[T; COORDINATES]) -> Self {
+        let [yaw, spin, x, y, t, sin, cos, p, w, s] = *array;
+        Coordinates {
+            yaw,
+            spin,
+            x,
+            y,
+            t,
+            sin,
+            cos,
+            p,
+            w,
+            s,
+        }
+    }
+
+    /// Into the order in which the solver keeps them.
+    pub fn into_array(self) -> [T; COORDINATES] {
+        [
+            self.yaw, self.spin, self.x, self.y, self.t, self.sin, self.cos, self.p, self.w, self.s,
+        ]
+    }
+}
+
+impl<T: Real> Coordinates<T> {
+    /// ψ̇ = w / sin φ, rad/s.
+    pub fn yaw_rate(&self) -> T {
+        self.w / self.sin
+    }
+
+    /// θ̇ = s − ψ̇ cos φ, rad/s.
+    pub fn spin_rate(&self) -> T {
+        self.s - self.yaw_rate() * self.cos
+    }
+}
+
+impl Coordinates<f64> {
+    /// The start of a motion: t = 0 and the centre of mass over the origin.
+    pub fn from_state(state: &State) -> Self {
+        let (sin, cos) = libm::sincos(state.tilt);
+        Coordinates {
+            yaw: state.yaw,
+            spin: state.spin,
+            x: 0.0,
+            y: 0.0,
+            t: 0.0,
+            sin,
+            cos,
+            p: state.tilt_rate,
+            w: state.yaw_rate * sin,
+            s: state.spin_rate + state.yaw_rate * cos,
+        }
+    }
+
+    /// φ, rad.
+    pub fn tilt(&self) -> f64 {
+        libm::atan2(self.sin, self.cos)
+    }
+
+    /// Back to the paper's Euler angles.
+    pub fn state(&self) -> State {
+        State {
+            tilt: self.tilt(),
+            tilt_rate: self.p,
+            yaw: self.yaw,
+            yaw_rate: self.yaw_rate(),
+            spin: self.spin,
+            spin_rate: self.spin_rate(),
+        }
+    }
+}

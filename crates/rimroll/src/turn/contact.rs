@@ -1,0 +1,70 @@
+//! What the motion asks of the table: friction, weight, and the balance of a steady wobble.
+
+use super::inertias;
+use crate::body::Body;
+use crate::error::{InvalidInput, bounded, positive};
+use crate::law::LawKind;
+
+/// The coefficient of friction needed to roll through the near-collision: μ* = mHR/(A + mH²).
+///
+/// |T|/N tends to it and stays there through the whole near-collision, however violent (the paper sees
+/// "only a finite coefficient" in its simulation figure and gives no formula).
+pub fn needed_friction(body: &Body) -> f64 {
+    body.mass() * body.height() * body.radius() / body.base_inertia()
+}
+
+/// The rate of tipping on arrival, rad/s, above which rolling without slip needs pull instead of push
+/// just before the near-collision: ω = √(gK/(JH)). Infinite for a disk.
+///
+/// # Errors
+/// Refuses gravity ≤ 0.
+pub fn lift_off_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
+    let g = positive("gravity", gravity, "m/s2")?;
+    let (j, k) = inertias(body, LawKind::NoSlip);
+    Ok((g * k / (j * body.height())).sqrt())
+}
+
+/// The rate of tipping on arrival, rad/s, above which the end of the tipping phase needs more friction
+/// than μ*: ω = √(2mgHK/(J(K + mH²))). For a disk it is 0, and its friction is needed elsewhere.
+///
+/// # Errors
+/// Refuses gravity ≤ 0.
+pub fn slip_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
+    let g = positive("gravity", gravity, "m/s2")?;
+    let (j, k) = inertias(body, LawKind::NoSlip);
+    let (m, h) = (body.mass(), body.height());
+    Ok((2.0 * m * g * h * k / (j * (k + m * h * h))).sqrt())
+}
+
+/// The yaw rate, rad/s, at which a body wobbles steadily at a tilt φ with its centre of mass at rest:
+/// ψ̇² = m g R ρ / [sin φ (A R cos φ − C H sin φ)] with ρ = R cos φ − H sin φ. No friction acts, so
+/// every law has this motion; the spin rate that goes with it is s = Hψ̇ sin φ/R, that is
+/// θ̇ = ψ̇ (H sin φ/R − cos φ).
+///
+/// # Errors
+/// Refuses gravity ≤ 0, a tilt outside (0, balance point), and a tilt at which no yaw rate balances
+/// the body (a negative square).
+pub fn steady_wobble_rate(body: &Body, tilt: f64, gravity: f64) -> Result<f64, InvalidInput> {
+    let g = positive("gravity", gravity, "m/s2")?;
+    let balance = body.balance_tilt();
+    bounded(
+        "tilt",
+        tilt,
+        |tilt| tilt > 0.0 && tilt < balance,
+        &format!("inside (0, balance_tilt = {balance} rad)"),
+        "rad",
+    )?;
+    let (sin, cos) = libm::sincos(tilt);
+    let (m, r, h) = (body.mass(), body.radius(), body.height());
+    let rho = r * cos - h * sin;
+    let stiffness = body.transverse_inertia() * r * cos - body.axial_inertia() * h * sin;
+    let square = m * g * r * rho / (sin * stiffness);
+    bounded(
+        "tilt",
+        tilt,
+        |_| square > 0.0 && square.is_finite(),
+        "one at which a steady wobble exists (A R cos(tilt) > C H sin(tilt))",
+        "rad",
+    )?;
+    Ok(square.sqrt())
+}

@@ -1,0 +1,71 @@
+"""How round things fall, rock and roll on the rim of their base.
+
+>>> import numpy as np, rimroll as rr
+>>> can = rr.bodies.can_2007()
+>>> start = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
+>>> motion = rr.simulate(can, start, rr.NoSlip(), duration=2.0, gravity=9.8)
+>>> round(float(np.degrees(motion.turns[1].angle)), 3)
+202.675
+>>> round(float(np.degrees(rr.turn_limit(can, rr.NoSlip()))), 3)
+202.287
+
+SI units and radians throughout. Source of the mechanics: M. Srinivasan and A. Ruina, *Rocking and
+rolling: a can that appears to rock might actually roll* (2007), called "the paper" below.
+"""
+
+from rimroll import bodies, solids
+from rimroll._core import STANDARD_GRAVITY, __version__
+from rimroll.approximations import NearCollision, Pasted, pasted
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+from rimroll.laws import Frictionless, Law, NoSlip
+from rimroll.motion import Event, Moments, Motion, Stats, Turn, simulate
+from rimroll.solids import Solid
+from rimroll.state import State
+from rimroll.theory import (
+    balance_tilt,
+    disk_turn_limit,
+    error_law_coefficient,
+    lift_off_rate,
+    needed_friction,
+    point_mass_turn_limit,
+    slip_rate,
+    steady_wobble_rate,
+    tall_turn_limit,
+    turn_limit,
+    turn_limit_with_spin,
+)
+
+__all__ = [
+    "STANDARD_GRAVITY",
+    "Body",
+    "Event",
+    "Frictionless",
+    "Law",
+    "Moments",
+    "Motion",
+    "NearCollision",
+    "NoSlip",
+    "Pasted",
+    "RimrollError",
+    "Solid",
+    "State",
+    "Stats",
+    "Turn",
+    "__version__",
+    "balance_tilt",
+    "bodies",
+    "disk_turn_limit",
+    "error_law_coefficient",
+    "lift_off_rate",
+    "needed_friction",
+    "pasted",
+    "point_mass_turn_limit",
+    "simulate",
+    "slip_rate",
+    "solids",
+    "steady_wobble_rate",
+    "tall_turn_limit",
+    "turn_limit",
+    "turn_limit_with_spin",
+]

@@ -1,0 +1,121 @@
+"""The paper's approximations: the near-collision alone, and pasted to a pendulum."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+from rimroll.laws import Law
+from rimroll.state import State
+
+Array = NDArray[np.float64]
+
+
+def _times(t: ArrayLike) -> Array:
+    return np.atleast_1d(np.asarray(t, dtype=np.float64))
+
+
+class NearCollision:
+    """The motion close to the smallest tilt, where gravity no longer matters.
+
+    φ² = φ_c² + ω² t² and ψ = ±√(J'/K') arctan(ω t/φ_c), with t (s) and ψ counted from the smallest
+    tilt. Source: the paper, Eqs. ``phiandt`` and ``psidotandphi``.
+
+    Parameters
+    ----------
+    body, law
+        Who rocks, and how its rim meets the table.
+    min_tilt
+        φ_c > 0, rad.
+    tipping_rate
+        ω > 0, rad/s: |dφ/dt| before and after.
+    direction
+        1 or −1: the sign of the turn.
+    """
+
+    def __init__(
+        self, body: Body, law: Law, min_tilt: float, tipping_rate: float, direction: float = 1.0
+    ) -> None:
+        self._core = _core.CoreNearCollision(body, law.name, min_tilt, tipping_rate, direction)
+        self.min_tilt = min_tilt
+        self.tipping_rate = tipping_rate
+
+    def tilt(self, t: ArrayLike) -> Array:
+        """φ(t), rad, shape (n,)."""
+        return self._core.tilt(_times(t))
+
+    def yaw(self, t: ArrayLike) -> Array:
+        """ψ(t), rad, shape (n,)."""
+        return self._core.yaw(_times(t))
+
+    def yaw_rate(self, t: ArrayLike) -> Array:
+        """dψ/dt, rad/s, shape (n,)."""
+        return self._core.yaw_rate(_times(t))
+
+    def lean_vector(self, until: float) -> tuple[Array, Array, Array]:
+        """The paper's heuristic: the lean as a plane vector q, integrated from the smallest tilt.
+
+        q'' = −(1 − K'/J') (q × q')² q/|q|⁴, a central force. Returns the arrays t (s, up to
+        ``until``), φ = |q| and ψ, the angle of q (rad), at the solver's steps.
+        """
+        t, tilt, yaw = self._core.lean_vector(until)
+        return t, tilt, yaw
+
+
+class Pasted:
+    """The uniformly valid approximation: a pendulum pasted to a near-collision.
+
+    φ ≈ φ_pendulum(|t − t_c|) + √(φ_c² + ω²(t − t_c)²) − ω|t − t_c| and
+    ψ ≈ ψ₀ ± √(J'/K') [π/2 + arctan(ω(t − t_c)/φ_c)], with errors of the order φ_c ln φ_c. It covers
+    one rocking, |t − t_c| ≤ ``half_width``. Make it with :func:`pasted`.
+    """
+
+    time: float
+    """t_c, s after the release."""
+    half_width: float
+    """Duration of the pendulum's fall, s."""
+    min_tilt: float
+    """φ_c, rad."""
+    tipping_rate: float
+    """ω, rad/s."""
+
+    def __init__(self, core: _core.CorePasted) -> None:
+        self._core = core
+        self.time, self.half_width, self.min_tilt, self.tipping_rate, _ = core.numbers
+
+    def tilt(self, t: ArrayLike) -> Array:
+        """φ at the times t (s), rad, shape (n,)."""
+        return self._core.tilt(self._inside(t))
+
+    def yaw(self, t: ArrayLike) -> Array:
+        """ψ at the times t (s), rad, shape (n,)."""
+        return self._core.yaw(self._inside(t))
+
+    def _inside(self, t: ArrayLike) -> Array:
+        times = _times(t)
+        away = np.abs(times - self.time)
+        # A few roundings of the end itself are forgiven.
+        if np.any(away > self.half_width * (1 + 1e-9)):
+            first, last = self.time - self.half_width, self.time + self.half_width
+            raise RimrollError(
+                f"t must be inside the rocking that is approximated, {first:.6g} to {last:.6g} s, "
+                f"got {times[np.argmax(away)]} s"
+            )
+        return times
+
+
+def pasted(
+    body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY
+) -> Pasted:
+    """Paste a tipping phase and a near-collision together for a body let go at ``start``.
+
+    Source: the paper's "pasting-together of two qualitatively distinct motions", given there in
+    words. Everything follows from the start alone: the plane pendulum gives t_c and ω, and l = dψ/dt
+    sin²φ, linear in the sideways rates, gives φ_c = |l| √(K'/J')/ω.
+
+    Raises ``RimrollError`` for a start that never comes down or comes down flat.
+    """
+    return Pasted(_core.CorePasted(body, start, law.name, gravity))

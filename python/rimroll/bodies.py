@@ -1,0 +1,105 @@
+"""Bodies that people have at hand.
+
+Each says where its numbers come from. Those made from nominal sizes are typical of their kind, not
+of one specimen: weigh and measure yours, or put it together with :mod:`rimroll.solids`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+
+
+def can_2007() -> Body:
+    """The can of Srinivasan & Ruina: m = 70 g, R = 5.1 cm, H = 6.9 cm, A/m = 5.13e-3 m².
+
+    Source: the paper's section "Quantitative comparisons". C/m = 2.0e-3 m² and not the 8e-3 of its
+    simulation figure, which no can inside its own rim can have (C/m ≤ R² = 2.6e-3 m²); a wall with two
+    discs of that size has 1.3e-3 to 2.2e-3. No limiting angle depends on C.
+    """
+    return Body(*_core.preset_can_2007())
+
+
+def soda_can(fill: float = 0.0) -> Body:
+    """A 330 ml aluminium drinks can, filled to a part between 0 (empty) and 1.
+
+    Derived from nominal sizes: body 66 mm across, 115 mm high, wall 0.10 mm; base 0.30 mm on a rim
+    48 mm across; lid 0.25 mm, 52 mm across; aluminium 2700 kg/m³; the drink as frozen water.
+    """
+    return Body(*_core.preset_soda_can(fill))
+
+
+def beer_bottle(fill: float = 0.0) -> Body:
+    """A 330 ml long-neck glass bottle, its body filled to a part between 0 (empty) and 1.
+
+    Derived from nominal sizes: body 61 mm across and 130 mm high, wall 2.2 mm; shoulder and neck as a
+    wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
+    2500 kg/m³; the beer as frozen water.
+    """
+    return Body(*_core.preset_beer_bottle(fill))
+
+
+def coin() -> Body:
+    """A 1 euro coin as a uniform cylinder: 7.5 g, 23.25 mm across, 2.33 mm thick.
+
+    Source: European Central Bank, technical specifications of the euro coins.
+    """
+    return Body(*_core.preset_coin())
+
+
+def battery() -> Body:
+    """An AA cell as a uniform cylinder: 23 g, 14.5 mm across, 50.5 mm long.
+
+    Source: the largest size that IEC 60086-2 allows for LR6; the mass is typical of alkaline cells.
+    """
+    return Body(*_core.preset_battery())
+
+
+def ring(radius: float = 0.3) -> Body:
+    """A thin ring of mass 1 kg, such as the rim of a bicycle wheel: H = 0, C = mR², A = C/2."""
+    return Body(*_core.preset_ring(radius))
+
+
+def disk(radius: float) -> Body:
+    """A uniform thin disc of mass 1 kg: H = 0, C = mR²/2, A = C/2. No turn depends on its mass."""
+    return Body(*_core.preset_disk(radius))
+
+
+def euler_disk() -> Body:
+    """Euler's disk, the toy: a steel cylinder 75 mm across and 12.7 mm thick, 0.44 kg.
+
+    Derived from these sizes and 7850 kg/m³; it stands on the rim of one face, H = 6.35 mm. For the
+    paper's ideal disk, H = 0, use :func:`disk`.
+    """
+    return Body(*_core.preset_euler_disk())
+
+
+def cylinder(radius: float, length: float) -> Body:
+    """A uniform solid cylinder (m) with the density of water: H = L/2, A = m(R²/4 + L²/12)."""
+    return Body(*_core.preset_cylinder(radius, length))
+
+
+PRESETS: dict[str, Callable[[], Body]] = {
+    "can_2007": can_2007,
+    "soda_can": soda_can,
+    "beer_bottle": beer_bottle,
+    "coin": coin,
+    "battery": battery,
+    "ring": ring,
+    "euler_disk": euler_disk,
+}
+"""The bodies that a name alone stands for."""
+
+
+def by_name(name: str) -> Body:
+    """The preset of that name; ``-`` may stand for ``_``.
+
+    Raises ``RimrollError`` listing the names when there is none such.
+    """
+    preset = PRESETS.get(name.replace("-", "_"))
+    if preset is None:
+        raise RimrollError(f"unknown body {name!r}: choose from {', '.join(PRESETS)}")
+    return preset()

@@ -1,0 +1,380 @@
+"""Whole motions: simulate one, and read everything off it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError, number
+from rimroll.laws import Law
+from rimroll.state import State
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+_ROW = {name: i for i, name in enumerate(_core.COLUMNS)}
+
+UNITS = {
+    "t": "s",
+    "tilt": "rad",
+    "tilt_rate": "rad/s",
+    "yaw": "rad",
+    "yaw_rate": "rad/s",
+    "spin": "rad",
+    "spin_rate": "rad/s",
+    "axial_spin": "rad/s",
+    "x": "m",
+    "y": "m",
+    "z": "m",
+    "contact_x": "m",
+    "contact_y": "m",
+    "normal_force": "N",
+    "friction_x": "N",
+    "friction_y": "N",
+    "friction_ratio": "1",
+    "kinetic_energy": "J",
+    "potential_energy": "J",
+}
+"""The unit of each column of a table of moments."""
+
+
+class Moments:
+    """What is known of a motion at n moments: arrays of shape (n,), or (n, 2), (n, 3) for vectors."""
+
+    def __init__(self, table: Array) -> None:
+        self._table = table
+
+    def __getitem__(self, column: str) -> Array:
+        """One column by its name in :data:`rimroll.motion.UNITS`."""
+        return self._table[_ROW[column]]
+
+    def _vector(self, *columns: str) -> Array:
+        return np.stack([self[column] for column in columns], axis=-1)
+
+    @property
+    def t(self) -> Array:
+        """Time, s."""
+        return self["t"]
+
+    @property
+    def tilt(self) -> Array:
+        """φ, rad."""
+        return self["tilt"]
+
+    @property
+    def tilt_rate(self) -> Array:
+        """dφ/dt, rad/s."""
+        return self["tilt_rate"]
+
+    @property
+    def yaw(self) -> Array:
+        """ψ, rad."""
+        return self["yaw"]
+
+    @property
+    def yaw_rate(self) -> Array:
+        """dψ/dt, rad/s."""
+        return self["yaw_rate"]
+
+    @property
+    def spin(self) -> Array:
+        """θ, rad."""
+        return self["spin"]
+
+    @property
+    def spin_rate(self) -> Array:
+        """dθ/dt, rad/s."""
+        return self["spin_rate"]
+
+    @property
+    def axial_spin(self) -> Array:
+        """s = dθ/dt + dψ/dt cos φ, the angular velocity about the symmetry axis, rad/s."""
+        return self["axial_spin"]
+
+    @property
+    def center(self) -> Array:
+        """Centre of mass (x, y, z), m, shape (n, 3); it starts over the origin."""
+        return self._vector("x", "y", "z")
+
+    @property
+    def contact_path(self) -> Array:
+        """The contact point on the table (x, y), m, shape (n, 2)."""
+        return self._vector("contact_x", "contact_y")
+
+    @property
+    def normal_force(self) -> Array:
+        """N, the table's upward push, N."""
+        return self["normal_force"]
+
+    @property
+    def friction_force(self) -> Array:
+        """T, the table's horizontal force on the rim (x, y), N, shape (n, 2)."""
+        return self._vector("friction_x", "friction_y")
+
+    @property
+    def friction_ratio(self) -> Array:
+        """|T|/N: the friction coefficient that the motion needs."""
+        return self["friction_ratio"]
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """Kinetic energy, J."""
+        return self["kinetic_energy"]
+
+    @property
+    def potential_energy(self) -> Array:
+        """m g (z − H), J: zero when the body stands upright."""
+        return self["potential_energy"]
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy together, J."""
+        return self.kinetic_energy + self.potential_energy
+
+    @property
+    def state(self) -> State:
+        """Euler angles and rates as a :class:`rimroll.State` of arrays."""
+        names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+        return State(**{name: self[name] for name in names})
+
+    def __len__(self) -> int:
+        return self._table.shape[1]
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened.
+
+    ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``upright`` (a disk on its edge),
+    ``topple``, ``lift_off`` or ``face_down``; ``t`` in s; ``state`` as single numbers.
+    """
+
+    kind: str
+    t: float
+    state: State
+
+
+@dataclass(frozen=True)
+class Turn:
+    """One passage through a near-collision; angles in rad, times in s."""
+
+    angle: float
+    """Change of yaw from one tilt maximum (or the release) to the next, with its sign."""
+    min_tilt: float
+    """Smallest tilt; for a disk on its other face, counted from that face."""
+    t: float
+    """Time of the smallest tilt."""
+    yaw_rate: float
+    """dψ/dt there, rad/s: the largest on the way."""
+    start: float
+    """Time of the tilt maximum (or release) before."""
+    end: float
+    """Time of the tilt maximum after."""
+    max_tilt: float
+    """The tilt maximum after."""
+
+
+@dataclass(frozen=True)
+class Stats:
+    """What a motion cost: accepted steps, steps tried again, right-hand sides evaluated."""
+
+    steps: int
+    rejected: int
+    evaluations: int
+
+
+class Motion(Moments):
+    """A computed motion.
+
+    Its arrays are at the solver's accepted steps, close together where the motion is fast. Call it
+    with times for anything in between: ``motion(t)``.
+
+    Attributes
+    ----------
+    body, start, law, gravity, rtol, topple_tilt
+        What it was computed from.
+    status
+        ``finished``, ``toppled``, ``lifted_off``, ``face_down`` or ``failed``.
+    message
+        The same in a sentence.
+    events, turns
+        What happened, in order of time.
+    stats
+        What it cost.
+    """
+
+    def __init__(
+        self,
+        core: _core.CoreMotion,
+        body: Body,
+        start: State,
+        law: Law,
+        gravity: float,
+        rtol: float,
+        topple_tilt: float | None,
+    ) -> None:
+        super().__init__(core.nodes())
+        self._core = core
+        self.body = body
+        self.start = start
+        self.law = law
+        self.gravity = gravity
+        self.rtol = rtol
+        self.topple_tilt = topple_tilt
+        self.status = core.status
+        self.message = core.message
+        self.stats = Stats(*core.work)
+        self.turns = [Turn(*numbers) for numbers in core.turns()]
+        self.events = _events(core)
+
+    def __repr__(self) -> str:
+        turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns)
+        return f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
+
+    def __call__(self, t: ArrayLike) -> State:
+        """Dense output: the state at times t (s, inside the motion), as a State of arrays (n,)."""
+        return self.evaluate(t).state
+
+    def evaluate(self, t: ArrayLike) -> Moments:
+        """Everything at times t (s, shape (n,), inside the motion)."""
+        times = np.atleast_1d(np.asarray(t, dtype=np.float64))
+        last = float(self.t[-1])
+        outside = times[~((times >= 0.0) & (times <= last))]
+        if outside.size:
+            raise RimrollError(
+                f"t must be inside the motion, 0 to {last:.6g} s ({self.status}), got {outside[0]} s"
+            )
+        return Moments(self._core.at(times))
+
+    def samples(self, per_step: int = 4) -> Moments:
+        """Everything at the accepted steps and evenly inside each: for smooth curves."""
+        if per_step < 1:
+            raise RimrollError(f"per_step must be >= 1, got {per_step}")
+        return Moments(self._core.samples(per_step))
+
+    def plot(self) -> Figure:
+        """The paper's nine-panel simulation figure of this motion."""
+        from rimroll.plot import nine_panels
+
+        return nine_panels(self)
+
+    def animate(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        seconds: float | None = None,
+        fps: int = 25,
+        progress: Callable[[int, int], object] | None = None,
+        **options: Any,
+    ) -> None:
+        """Write the motion as a film: GIF, self-contained HTML page or MP4, by the suffix.
+
+        Time is stretched by itself while the contact point races; see
+        :func:`rimroll.animation.animate` for all options.
+        """
+        from rimroll.animation import animate
+
+        animate(self, path, seconds=seconds, fps=fps, progress=progress, **options)
+
+    def to_xarray(self) -> xr.Dataset:
+        """The motion as a dataset over ``t`` with units, and all that it was computed from."""
+        import xarray as xr
+
+        dataset = xr.Dataset(
+            {name: ("t", self[name], {"units": UNITS[name]}) for name in UNITS if name != "t"},
+            coords={"t": ("t", self.t, {"units": "s"})},
+        )
+        return dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+
+    def parameters(self) -> dict[str, Any]:
+        """All that the motion was computed from, as plain numbers and texts."""
+        topple = {} if self.topple_tilt is None else {"topple_tilt": self.topple_tilt}
+        return {
+            "law": self.law.name,
+            **{f"body_{name}": value for name, value in asdict(self.body).items()},
+            **{f"start_{name}": value for name, value in asdict(self.start).items()},
+            "gravity": self.gravity,
+            "rtol": self.rtol,
+            **topple,
+            "rimroll_version": _core.__version__,
+        }
+
+
+def _events(core: _core.CoreMotion) -> list[Event]:
+    kinds, table = core.events()
+    names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+    return [
+        Event(
+            kind,
+            float(table[_ROW["t"], i]),
+            State(**{name: float(table[_ROW[name], i]) for name in names}),
+        )
+        for i, kind in enumerate(kinds)
+    ]
+
+
+def simulate(
+    body: Body,
+    start: State,
+    law: Law,
+    duration: float = 2.0,
+    *,
+    gravity: float = _core.STANDARD_GRAVITY,
+    rtol: float = 1e-10,
+    topple_tilt: float | None = None,
+    max_steps: int = 1_000_000,
+) -> Motion:
+    """Follow a body from a start under a contact law.
+
+    Parameters
+    ----------
+    body, start, law
+        What rolls, from where (single numbers), and how its rim meets the table.
+    duration
+        How long to follow it, s. The motion may end earlier, with a status that says why.
+    gravity
+        m/s²; 9.80665 unless given. The paper used 9.8.
+    rtol
+        The error to aim at over some tens of rockings, relative to each quantity's size, 1e-14 to 1e-3;
+        from 1e-13 on rounding decides.
+    topple_tilt
+        The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
+        meets the table; none for a disk, which may stand on its edge and fall to either face.
+    max_steps
+        Most steps to make before giving up with the status ``failed``.
+
+    Returns
+    -------
+    Motion
+        Whatever happens to a valid start is a status of the motion, not an error. A start with
+        yaw_rate = spin_rate = 0 falls exactly face down and ends there.
+
+    Raises
+    ------
+    RimrollError
+        A number outside its bounds, or a start of arrays.
+    """
+    if start.shape:
+        raise RimrollError(f"simulate follows one start, got arrays of shape {start.shape}")
+    topple = None if topple_tilt is None else number("topple_tilt", topple_tilt)
+    core = _core.simulate(
+        body,
+        start,
+        law.name,
+        number("duration", duration),
+        number("gravity", gravity),
+        number("rtol", rtol),
+        topple,
+        int(max_steps),
+    )
+    return Motion(core, body, start, law, float(gravity), float(rtol), topple)

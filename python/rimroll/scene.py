@@ -1,0 +1,515 @@
+"""Pictures of a body of revolution on the rim of its base, in vectors, on matplotlib axes.
+
+The axes hold lengths in metres as the camera sees them. The body is a mesh of flat facets, painted
+from far to near, those that face away left out, each as bright as Lambert's law makes it. What
+lies on the table (shade, shadow, trail, wedge) is drawn before the body, which always hides it.
+Every ``draw_...`` function returns the artists it added, in drawing order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any, Protocol
+
+import numpy as np
+import numpy.typing as npt
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import to_rgb
+
+Array = npt.NDArray[np.float64]
+Point = tuple[float, float, float]
+
+# Okabe and Ito's palette: told apart whatever the reader's colour vision.
+BLUE, VERMILLION, ORANGE, GREEN, SKY = "#0072B2", "#D55E00", "#E69F00", "#009E73", "#56B4E9"
+INK, METAL, TABLE, SHADOW = "#2b2f33", "#d4d9de", "#e6e8ea", "#1d2733"
+
+
+class RoundBody(Protocol):
+    """What the renderer asks of a body: radius of the rim and height of the centre of mass, m.
+
+    A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disc.
+    """
+
+    @property
+    def radius(self) -> float: ...
+    @property
+    def height(self) -> float: ...
+
+
+class States(Protocol):
+    """A motion at n times: tilt, yaw, spin (n,), rad; centre of mass (n, 3), m."""
+
+    @property
+    def tilt(self) -> Array: ...
+    @property
+    def yaw(self) -> Array: ...
+    @property
+    def spin(self) -> Array: ...
+    @property
+    def center(self) -> Array: ...
+
+
+class Event(Protocol):
+    """What happened, and when (s); pictures heed ``tilt_min``, ``tilt_max`` and ``upright``."""
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def t(self) -> float: ...
+
+
+class Motion(Protocol):
+    """What the pictures ask of a motion: its samples, its dense output and its events."""
+
+    @property
+    def t(self) -> Array: ...
+    @property
+    def body(self) -> RoundBody: ...
+    @property
+    def events(self) -> Sequence[Event]: ...
+    def evaluate(self, t: Array, /) -> States: ...
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where a body is: tilt, yaw, spin (rad) and its centre of mass (m), z up from the table."""
+
+    tilt: float
+    yaw: float
+    spin: float
+    center: Point
+
+    def axes(self) -> Array:
+        """Rows e_x2, e_y1, e_z2: the yaw-tilt frame, in which the contact point is at rest."""
+        c, s = np.cos(self.yaw), np.sin(self.yaw)
+        e_x1, e_y1, e_z = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+        e_x2 = np.cos(self.tilt) * e_x1 + np.sin(self.tilt) * e_z
+        e_z2 = -np.sin(self.tilt) * e_x1 + np.cos(self.tilt) * e_z
+        return np.array([e_x2, e_y1, e_z2])
+
+    def rotation(self) -> Array:
+        """Matrix (3, 3) that takes vectors of the body frame to the frame of the table."""
+        e_x2, e_y1, e_z2 = self.axes()
+        c, s = np.cos(self.spin), np.sin(self.spin)
+        return np.column_stack([c * e_x2 + s * e_y1, c * e_y1 - s * e_x2, e_z2])
+
+    def base_center(self, body: RoundBody) -> Array:
+        """Centre of the base disc, (3,), m."""
+        return np.asarray(self.center - body.height * self.axes()[2])
+
+    def contact(self, body: RoundBody) -> Array:
+        """The rim's lowest point, (3,), m: it lies at azimuth yaw + pi from the base's centre."""
+        return np.asarray(self.base_center(body) - body.radius * self.axes()[0])
+
+    def place(self, points: Array, body: RoundBody) -> Array:
+        """Points (..., 3) of the body, from the centre of its base, to the frame of the table."""
+        return np.asarray(points @ self.rotation().T + self.base_center(body))
+
+
+def pose_at(states: States, k: int) -> Pose:
+    """The ``k``-th pose of a motion's states."""
+    x, y, z = (float(c) for c in states.center[k])
+    return Pose(float(states.tilt[k]), float(states.yaw[k]), float(states.spin[k]), (x, y, z))
+
+
+def contact_path(states: States, body: RoundBody) -> Array:
+    """The contact point on the table, (n, 2), m: behind G by R cos(tilt) - H sin(tilt)."""
+    out = body.radius * np.cos(states.tilt) - body.height * np.sin(states.tilt)
+    way = np.stack([np.cos(states.yaw), np.sin(states.yaw)], axis=-1)
+    return np.asarray(states.center[:, :2] - out[:, None] * way)
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the picture is taken from: azimuth and elevation (rad) of the eye, seen from ``focus``.
+
+    ``distance`` (m) is the eye's distance from the focus; infinity makes the view orthographic.
+    Lengths at the focus are drawn true.
+    """
+
+    azimuth: float = -np.pi / 2
+    elevation: float = 0.0
+    distance: float = np.inf
+    focus: Point = (0.0, 0.0, 0.0)
+
+    @classmethod
+    def side(cls, azimuth: float = -np.pi / 2, focus: Point = (0.0, 0.0, 0.0)) -> Camera:
+        """From the side, orthographic, raised by 7 degrees so that the table has a surface."""
+        return cls(azimuth, np.radians(7.0), np.inf, focus)
+
+    @classmethod
+    def top(cls, azimuth: float = -np.pi / 2, focus: Point = (0.0, 0.0, 0.0)) -> Camera:
+        """From straight above; a viewer standing at ``azimuth`` sees away from him as up."""
+        return cls(azimuth, np.pi / 2, np.inf, focus)
+
+    @classmethod
+    def perspective(
+        cls,
+        azimuth: float = np.radians(-65.0),
+        elevation: float = np.radians(28.0),
+        distance: float = np.inf,
+        focus: Point = (0.0, 0.0, 0.0),
+    ) -> Camera:
+        """From above the table's edge, in perspective if ``distance`` is finite."""
+        return cls(azimuth, elevation, distance, focus)
+
+    def axes(self) -> Array:
+        """Rows: right and up in the picture, and the direction toward the eye."""
+        ca, sa = np.cos(self.azimuth), np.sin(self.azimuth)
+        ce, se = np.cos(self.elevation), np.sin(self.elevation)
+        return np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]])
+
+    def project(self, points: npt.ArrayLike) -> Array:
+        """Points (..., 3) to picture coordinates (..., 2), m at the distance of the focus."""
+        seen = (np.asarray(points, float) - self.focus) @ self.axes().T
+        return np.asarray(seen[..., :2] / (1.0 - seen[..., 2:] / self.distance))
+
+    def depth(self, points: npt.ArrayLike) -> Array:
+        """How near points (..., 3) are: their distance from the focus toward the eye, (...), m."""
+        return np.asarray((np.asarray(points, float) - self.focus) @ self.axes()[2])
+
+    def sight(self, points: Array) -> Array:
+        """Unit vectors from points (..., 3) to the eye."""
+        toward = self.axes()[2]
+        if np.isinf(self.distance):
+            return np.broadcast_to(toward, points.shape)
+        rays = self.focus + self.distance * toward - points
+        return np.asarray(rays / np.linalg.norm(rays, axis=-1, keepdims=True))
+
+    def light(self, elevation: float = np.radians(65.0)) -> Array:
+        """Unit vector to the lamp: high, over the viewer's left shoulder."""
+        azimuth, flat = self.azimuth - np.radians(48.0), np.cos(elevation)
+        return np.array([flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)])
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Outline of a body of revolution: points (r, z), m, from the base's rim up to the top.
+
+    z is counted from the base. ``label`` is the range of z that wears the label's colour.
+    """
+
+    outline: tuple[tuple[float, float], ...]
+    label: tuple[float, float]
+
+    @classmethod
+    def can(cls, radius: float, length: float) -> Profile:
+        """A can: straight wall, a slight neck, a rim and a sunk lid."""
+        r, bead, top = radius, 0.1 * min(radius, length), length
+        outline = (
+            (r, 0.0),
+            (r, top - 2.0 * bead),
+            (r - 0.8 * bead, top - 0.7 * bead),
+            (r - 0.8 * bead, top),
+            (r - 1.3 * bead, top),
+            (r - 1.4 * bead, top - 0.8 * bead),
+        )
+        return cls(outline, (0.9 * bead, top - 2.0 * bead))
+
+    @classmethod
+    def disc(cls, radius: float) -> Profile:
+        """A disc, drawn 0.04 radii thick."""
+        top = 0.04 * radius
+        return cls(((radius, 0.0), (radius, top), (0.9 * radius, top)), (top, top))
+
+    @classmethod
+    def of(cls, body: RoundBody) -> Profile:
+        """The body's own profile; else a can twice as long as G is high, or a disc if H = 0."""
+        own: Profile | None = getattr(body, "profile", None)
+        if own is not None:
+            return own
+        if body.height > 0.0:
+            return cls.can(body.radius, 2.0 * body.height)
+        return cls.disc(body.radius)
+
+    def points(self, count: int = 48) -> Array:
+        """Points (n, 3) of the surface, m, from the base's centre: enough for hulls and limits."""
+        angle = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+        r, z = np.array(self.outline).T[:, :, None]
+        x, y, z = np.broadcast_arrays(r * np.cos(angle), r * np.sin(angle), z)
+        return np.stack([x, y, z], axis=-1).reshape(-1, 3)
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Facets in the body frame: corners (n, 4, 3), outward normals (n, 3), colours (n, 3)."""
+
+    corners: Array
+    normals: Array
+    colors: Array
+
+
+@lru_cache(maxsize=32)
+def mesh(profile: Profile, count: int = 80) -> Mesh:
+    """The profile revolved in ``count`` sectors, with base and lid closed."""
+    r, z = _closed_outline(profile)
+    angle = np.linspace(0.0, 2.0 * np.pi, count + 1)
+    ring = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
+    grid = r[:, None, None] * ring + z[:, None, None] * np.array([0.0, 0.0, 1.0])
+    corners = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2)
+    middle = 0.5 * (angle[1:] + angle[:-1])
+    outward, upward = np.diff(z), -np.diff(r)
+    size = np.hypot(outward, upward)
+    normals = np.empty((len(r) - 1, count, 3))
+    normals[..., 0] = (outward / size)[:, None] * np.cos(middle)
+    normals[..., 1] = (outward / size)[:, None] * np.sin(middle)
+    normals[..., 2] = (upward / size)[:, None]
+    colors = _colors(profile, r, z, middle)
+    return Mesh(corners.reshape(-1, 4, 3), normals.reshape(-1, 3), colors.reshape(-1, 3))
+
+
+def _closed_outline(profile: Profile) -> tuple[Array, Array]:
+    """r and z of the outline from axis to axis, with a point at each edge of the label."""
+    points = [(0.0, profile.outline[0][1]), *profile.outline, (0.0, profile.outline[-1][1])]
+    out = [points[0]]
+    for (r0, z0), (r1, z1) in pairwise(points):
+        cuts = [z for z in profile.label if z0 < z < z1]
+        out += [(r0 + (r1 - r0) * (z - z0) / (z1 - z0), z) for z in cuts]
+        if (r1, z1) != out[-1]:
+            out.append((r1, z1))
+    r, z = np.array(out).T
+    return r, z
+
+
+def _colors(profile: Profile, r: Array, z: Array, angle: Array) -> Array:
+    """Colours (rows, sectors, 3): metal, the label, and the marks that make the spin visible."""
+    low, high = profile.label
+    tolerance = 1e-9 * r.max()
+    worn = (z[:-1] >= low - tolerance) & (z[1:] <= high + tolerance)
+    colors = np.where(worn[:, None, None], to_rgb(GREEN), to_rgb(METAL)) * np.ones((angle.size, 1))
+    away = np.abs((angle + np.pi) % (2.0 * np.pi) - np.pi)
+    wall = worn & (np.diff(z) > 0.0)
+    colors[np.ix_(wall, away < np.radians(14.0))] = to_rgb("white")
+    lid = np.diff(z) == 0.0
+    lid[0] = False
+    colors[np.ix_(lid & (r[1:] == 0.0), away < np.radians(14.0))] = to_rgb(GREEN)
+    if not wall.any():
+        colors[np.ix_(lid, away < np.radians(14.0))] = to_rgb("white")
+    return colors
+
+
+def draw_body(
+    ax: Axes,
+    body: RoundBody,
+    pose: Pose,
+    camera: Camera,
+    *,
+    profile: Profile | None = None,
+    fade: float = 0.0,
+    shadow: bool = True,
+    rim: bool = True,
+    zorder: float = 3.0,
+) -> list[Artist]:
+    """Draw the body, with its shadow on the table and the rim of its base.
+
+    ``profile`` stands in for the body's own; ``fade`` from 0 to 1 pales the body toward white, so
+    that what is drawn over it can be read.
+    """
+    profile = profile or Profile.of(body)
+    artists = draw_shadow(ax, body, pose, camera, profile=profile, fade=fade) if shadow else []
+    polygons, colors = visible_facets(body, pose, camera, profile)
+    paint = PolyCollection(
+        list(polygons),
+        facecolors=colors + fade * (1.0 - colors),
+        edgecolors="face",
+        linewidths=0.75,
+        zorder=zorder,
+    )
+    artists.append(ax.add_collection(paint, autolim=False))
+    if rim:
+        artists += draw_rim(ax, body, pose, camera, zorder=zorder + 0.1)
+    return artists
+
+
+def visible_facets(
+    body: RoundBody, pose: Pose, camera: Camera, profile: Profile
+) -> tuple[Array, Array]:
+    """Facets that face the eye, far to near: polygons (n, 4, 2) in the picture, colours (n, 3)."""
+    shape = mesh(profile)
+    corners = pose.place(shape.corners, body)
+    normals = shape.normals @ pose.rotation().T
+    middle = corners.mean(axis=1)
+    sight = camera.sight(middle)
+    seen = np.flatnonzero(np.einsum("ij,ij->i", normals, sight) > 0.0)
+    seen = seen[np.argsort(camera.depth(middle[seen]), kind="stable")]
+    lamps = camera.light(), camera.light(np.radians(20.0))
+    colors = _lit(shape.colors[seen], normals[seen], sight[seen], *lamps)
+    return camera.project(corners[seen]), colors
+
+
+def _lit(colors: Array, normals: Array, sight: Array, lamp: Array, window: Array) -> Array:
+    """Lambert's law for a lamp and an even sky, with the gleam of a low window."""
+    lambert = np.clip(normals @ lamp, 0.0, None)
+    sky = 0.6 + 0.06 * normals[:, 2]
+    half = window + sight
+    half = half / np.linalg.norm(half, axis=-1, keepdims=True)
+    gleam = 0.2 * np.clip(np.einsum("ij,ij->i", normals, half), 0.0, None) ** 28
+    return np.asarray(np.clip(colors * (sky + 0.5 * lambert)[:, None] + gleam[:, None], 0.0, 1.0))
+
+
+def draw_shadow(
+    ax: Axes,
+    body: RoundBody,
+    pose: Pose,
+    camera: Camera,
+    *,
+    profile: Profile | None = None,
+    fade: float = 0.0,
+    zorder: float = 1.0,
+) -> list[Artist]:
+    """Draw the body's shadow on the table, softer the higher the part that casts it."""
+    points = pose.place((profile or Profile.of(body)).points(), body)
+    angle = np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
+    ways = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    z = np.clip(points[:, 2:], 0.0, None)
+    layers = []
+    for blur in np.linspace(0.14, -0.1, 8):
+        # The hull by its support function; a part at height z casts a half-shade of width z.
+        cast = cast_shadow(points, camera)
+        last = np.argmax(cast @ ways.T + blur * z, axis=0)
+        layers.append(camera.project(_on_table(cast[last] + blur * z[last] * ways)))
+    shade = PolyCollection(
+        layers, facecolors=(*to_rgb(SHADOW), 0.05 * (1.0 - 0.6 * fade)), linewidths=0, zorder=zorder
+    )
+    return [ax.add_collection(shade, autolim=False)]
+
+
+def cast_shadow(points: Array, camera: Camera) -> Array:
+    """Where on the table, (n, 2), the shadows of points (n, 3) fall, m."""
+    light = camera.light()
+    return np.asarray(points[:, :2] - np.clip(points[:, 2:], 0.0, None) * light[:2] / light[2])
+
+
+def draw_rim(
+    ax: Axes, body: RoundBody, pose: Pose, camera: Camera, *, zorder: float = 3.1
+) -> list[Artist]:
+    """Draw the rim of the base: a firm line where it is seen, a faint one where it is hidden."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 121)
+    way = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
+    ring = pose.place(body.radius * way, body)
+    seen = rim_seen(way @ pose.rotation().T, ring, pose, camera)
+    flat = camera.project(ring)
+    lines = np.stack([flat[:-1], flat[1:]], axis=1)
+    alpha = np.where(seen[1:] & seen[:-1], 0.85, 0.16)
+    colors = np.column_stack([np.tile(to_rgb(INK), (lines.shape[0], 1)), alpha])
+    rim = LineCollection(list(lines), colors=colors, linewidths=0.9, zorder=zorder)
+    return [ax.add_collection(rim, autolim=False)]
+
+
+def rim_seen(
+    outward: Array, ring: Array, pose: Pose, camera: Camera, limb: float = 0.0
+) -> npt.NDArray[np.bool_]:
+    """Whether the eye sees points ``ring`` (n, 3) of the rim, where the wall faces ``outward``.
+
+    Points count as seen as far as ``limb`` (sine of an angle) behind the body's edge.
+    """
+    sight = camera.sight(ring)
+    wall = np.einsum("ij,ij->i", outward, sight)
+    return np.asarray((wall > -1e-9 - limb) | (sight @ -pose.axes()[2] > 0.0))
+
+
+def draw_contact(
+    ax: Axes, body: RoundBody, pose: Pose, camera: Camera, *, color: str = VERMILLION
+) -> list[Artist]:
+    """Mark the contact point, dimmed when the body hides it."""
+    spot = pose.contact(body)
+    seen = rim_seen(-pose.axes()[:1], spot[None], pose, camera, limb=0.25)[0]
+    return draw_point(ax, camera, spot, color=color, alpha=1.0 if seen else 0.65)
+
+
+def draw_table(
+    ax: Axes,
+    camera: Camera,
+    *,
+    center: tuple[float, float] = (0.0, 0.0),
+    radius: float,
+    zorder: float = 0.0,
+) -> list[Artist]:
+    """Draw the table as a round patch of ``radius`` (m) that fades out toward its edge."""
+    share = np.linspace(1.0, 0.35, 14)
+    rings = [camera.project(_on_table(_circle(center, radius * k))) for k in share]
+    tone = np.linspace(0.06, 1.0, share.size)[:, None] ** 0.8
+    colors = 1.0 - tone * (1.0 - np.array(to_rgb(TABLE)))
+    table = PolyCollection(rings, facecolors=colors, linewidths=0, zorder=zorder)
+    return [ax.add_collection(table, autolim=False)]
+
+
+def draw_trail(
+    ax: Axes,
+    camera: Camera,
+    path: npt.ArrayLike,
+    *,
+    color: str = VERMILLION,
+    alpha: float = 1.0,
+    zorder: float = 2.0,
+) -> list[Artist]:
+    """Draw the way of the contact point, ``path`` (n, 2) in m on the table."""
+    x, y = camera.project(_on_table(np.asarray(path, float))).T
+    return list(
+        ax.plot(x, y, color=color, alpha=alpha, lw=1.8, solid_capstyle="round", zorder=zorder)
+    )
+
+
+def draw_point(
+    ax: Axes,
+    camera: Camera,
+    spot: Sequence[float] | Array,
+    *,
+    color: str = VERMILLION,
+    size: float = 6.0,
+    alpha: float = 1.0,
+    zorder: float = 5.0,
+) -> list[Artist]:
+    """Mark a point (x, y) or (x, y, z), m: the contact point, as a rule."""
+    x, y = camera.project(np.array([*spot, 0.0][:3]))
+    style: dict[str, Any] = {"marker": "o", "mec": "white", "mew": 0.8, "ms": size, "ls": "none"}
+    return list(ax.plot(x, y, color=color, alpha=alpha, zorder=zorder, **style))
+
+
+def draw_wedge(
+    ax: Axes,
+    camera: Camera,
+    center: Sequence[float] | Array,
+    radius: float,
+    start: float,
+    turn: float,
+    *,
+    color: str = ORANGE,
+    fontsize: float = 9.0,
+    label_at: float | None = 1.22,
+    zorder: float = 1.5,
+) -> list[Artist]:
+    """Draw an angle on the table: a wedge from azimuth ``start`` through ``turn`` (rad, signed).
+
+    Its size in degrees is written at ``label_at`` radii from ``center`` (x, y); None leaves it out.
+    """
+    angle = start + np.linspace(0.0, turn, 2 + int(abs(turn) * 30.0))
+    arc = np.asarray(center)[:2] + radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    edge = camera.project(_on_table(np.vstack([np.asarray(center)[:2], arc])))
+    fill = PolyCollection([edge], facecolors=(*to_rgb(color), 0.28), linewidths=0, zorder=zorder)
+    artists: list[Artist] = [ax.add_collection(fill, autolim=False)]
+    artists += ax.plot(*edge[1:].T, color=color, lw=1.6, zorder=zorder + 0.01)
+    if label_at is not None:
+        middle = start + 0.5 * turn
+        way = np.array([np.cos(middle), np.sin(middle)])
+        x, y = camera.project(_on_table(np.asarray(center)[:2] + label_at * radius * way))
+        text = f"{abs(np.degrees(turn)):.1f}°"
+        artists.append(
+            ax.text(x, y, text, ha="center", va="center", size=fontsize, color=INK, zorder=6.0)
+        )
+    return artists
+
+
+def _circle(center: tuple[float, float], radius: float) -> Array:
+    angle = np.linspace(0.0, 2.0 * np.pi, 120, endpoint=False)
+    return np.asarray(center) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+def _on_table(points: Array) -> Array:
+    """Points (..., 2) of the table as points (..., 3) of space."""
+    return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)

@@ -1,0 +1,77 @@
+"""Where the body is and how it moves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError
+
+Numbers = float | NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class State:
+    """Position and motion in the paper's Euler angles (rad, rad/s).
+
+    Every field is a number or an array; arrays must agree in shape, and numbers stand for all.
+
+    Parameters
+    ----------
+    tilt
+        φ, inside (0, π): 0 is upright, the base flat on the table.
+    tilt_rate
+        dφ/dt; negative while falling toward upright.
+    yaw
+        ψ: turns with the contact point, which is at azimuth ψ + π as seen from the base's centre.
+    yaw_rate
+        dψ/dt.
+    spin
+        θ: about the symmetry axis, relative to the frame that yaws and tilts. A body that just
+        falls over turns yaw and spin oppositely.
+    spin_rate
+        dθ/dt.
+
+    Raises
+    ------
+    RimrollError
+        A value that is not a finite number, a tilt outside (0, π), arrays that differ in shape.
+    """
+
+    tilt: Numbers
+    tilt_rate: Numbers = 0.0
+    yaw: Numbers = 0.0
+    yaw_rate: Numbers = 0.0
+    spin: Numbers = 0.0
+    spin_rate: Numbers = 0.0
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = _finite(field.name, getattr(self, field.name))
+            object.__setattr__(self, field.name, float(value) if value.ndim == 0 else value)
+        shapes = {f.name: np.shape(getattr(self, f.name)) for f in fields(self)}
+        if len({shape for shape in shapes.values() if shape}) > 1:
+            arrays = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+            raise RimrollError(f"the arrays of a State must agree in shape, got {arrays}")
+        outside = np.atleast_1d(self.tilt)
+        outside = outside[(outside <= 0.0) | (outside >= np.pi)]
+        if outside.size:
+            raise RimrollError(f"tilt must be inside (0, pi), got {outside[0]} rad")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the arrays; () when every field is a single number."""
+        return np.broadcast_shapes(*(np.shape(getattr(self, f.name)) for f in fields(self)))
+
+
+def _finite(field: str, value: object) -> NDArray[np.float64]:
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}") from None
+    bad = array[~np.isfinite(array)]
+    if bad.size:
+        raise RimrollError(f"{field} must be finite, got {bad.flat[0]}")
+    return array

@@ -1,0 +1,111 @@
+"""The angle of turn in closed form, how motions approach it, and what they ask of the table.
+
+Symbols: K = A + mH², J = K + mR². SI units and radians. Every function raises ``RimrollError`` for
+numbers outside the bounds that it states.
+"""
+
+from __future__ import annotations
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.laws import Law
+
+
+def turn_limit(body: Body, law: Law) -> float:
+    """Limiting angle of turn, rad, as the motion comes arbitrarily close to a face-down collision.
+
+    No-slip: π √(J/K) = π √((A + mR² + mH²)/(A + mH²)). Frictionless: π √((A + mR²)/A).
+
+    Source: the paper, Eqs. ``noslipangleofturn`` and ``nofricangleofturn``. Erratum: the last two
+    lines of the former print the fraction upside down.
+    """
+    return _core.turn_limit(body, law.name)
+
+
+def turn_limit_with_spin(body: Body, spin: float, tipping_rate: float) -> float:
+    """Limiting angle without slip, rad, for a body that arrives with a spin about its axis.
+
+    √(J/K) [π + 2 arctan(mHR s/(ω √(JK)))], with s = dθ/dt + dψ/dt cos φ (rad/s, positive in the
+    direction of the turn) and ω > 0 the rate of tipping on arrival (rad/s), as long as the rim can
+    push and pull. The paper's "independent of initial conditions" is the case s → 0.
+    """
+    return _core.turn_limit_with_spin(body, spin, tipping_rate)
+
+
+def disk_turn_limit(gyration_ratio: float) -> float:
+    """Limiting angle of a disk, rad: π √(2 + k²)/k for the radius of gyration kR, k > 0.
+
+    Source: the paper, Eq. ``diskangleofturn``. The same with and without friction. Uniform disk:
+    k = 1/√2, π√5; ring: k = 1, π√3; it grows without bound as k → 0.
+    """
+    return _core.disk_turn_limit(gyration_ratio)
+
+
+def tall_turn_limit(body: Body, law: Law) -> float:
+    """Limiting angle of a tall body to first order in R²/H², rad: π + (π/2) mR²/K'.
+
+    K' = A + mH² without slip, A without friction. Above the exact limit by less than
+    (π/8)(mR²/K')². Source: the paper's "Tall thin containers", carried one order further.
+    """
+    return _core.tall_turn_limit(body, law.name)
+
+
+def point_mass_turn_limit(radius: float, height: float, law: Law) -> float:
+    """Limiting angle of a point mass at ``height`` over the base (A → 0), rad: π √(1 + R²/H²).
+
+    Without friction it grows without bound: infinity.
+    """
+    return _core.point_mass_turn_limit(radius, height, law.name)
+
+
+def needed_friction(body: Body) -> float:
+    """Friction coefficient needed to roll through the near-collision: μ* = mHR/(A + mH²).
+
+    |T|/N tends to it, and stays there throughout, however violent the near-collision. The paper
+    shows a finite ratio in its simulation figure and gives no formula.
+    """
+    return _core.needed_friction(body)
+
+
+def error_law_coefficient(
+    body: Body, law: Law, tipping_rate: float, gravity: float = _core.STANDARD_GRAVITY
+) -> float:
+    """Coefficient b of the error law |Δψ| = limit + φ_c (b ln φ_c + a), dimensionless.
+
+    Δψ is the turn from tilt maximum to tilt maximum and φ_c the smallest tilt (rad) between; a is a
+    number of the whole motion. b = −2 √(J'/K') R N_p/(K' ω²), where ω > 0 is the rate of tipping on
+    arrival (rad/s) and N_p the normal force then: no-slip J' = J, K' = K, N_p = m(gK/J − Hω²);
+    frictionless J' = A + mR², K' = A, N_p = mA(g − Hω²)/(A + mR²). So motions approach the limit like
+    ε ln ε, not like a power. Not in the paper.
+    """
+    return _core.error_law_coefficient(body, law.name, tipping_rate, gravity)
+
+
+def steady_wobble_rate(body: Body, tilt: float, gravity: float = _core.STANDARD_GRAVITY) -> float:
+    """Yaw rate of the steady wobble at a tilt with the centre of mass at rest, rad/s.
+
+    ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate that
+    goes with it is ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
+    """
+    return _core.steady_wobble_rate(body, tilt, gravity)
+
+
+def balance_tilt(body: Body) -> float:
+    """Tilt at which the centre of mass is over the rim, rad: arctan(R/H); π/2 for a disk."""
+    return _core.balance_tilt(body)
+
+
+def lift_off_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
+    """Rate of tipping on arrival above which rolling needs pull from the table, rad/s: √(gK/(JH)).
+
+    Infinite for a disk. The paper warns that a flick too fast lifts the can off.
+    """
+    return _core.lift_off_rate(body, gravity)
+
+
+def slip_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
+    """Rate of tipping on arrival above which tipping needs more friction than μ*, rad/s.
+
+    √(2mgHK/(J(K + mH²))): the ratio |T|/N at the end of the tipping phase passes μ* there.
+    """
+    return _core.slip_rate(body, gravity)

@@ -1,0 +1,14 @@
+#!/bin/sh
+# Makes .venv anew and installs the Python packages that rimroll and its tools need, at the
+# versions of constraints.txt. When all is there, .venv/.packages says for which tree.
+set -eu
+cd "$(dirname "$0")/.."
+
+python=$(tools/toolchain.sh)
+rm -rf .venv
+"$python" -m venv .venv
+# pip fetches uv, and uv, which is many times faster, fetches the rest.
+.venv/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt uv
+.venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt \
+    --requirements pyproject.toml --group dev
+pwd -P >.venv/.packages
