@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -27,7 +28,7 @@ from rimroll.scene import Array, Camera, Motion, RoundBody
 
 PACE = 1.1 * np.pi  # rad of yaw in a second of film: as fast as an eye likes to follow the contact
 LONGEST = 1.5  # the runs of the contact point take at most this many times the rest of the film
-WORTH_A_WEDGE = 0.02  # rad
+WORTH_A_WEDGE = 0.1  # rad: less is not yet a turn
 HOLD = 1.2  # s for which the last picture of a film stays
 
 
@@ -161,14 +162,14 @@ class Stage:
         poses = [scene.pose_at(self.states, k) for k in range(self.count)]
         placed = [pose.place(shape, self.body) for pose in poses]
         angle = np.linspace(0.0, 2.0 * np.pi, 24)
-        around = 1.75 * self.body.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], -1)
+        around = 1.8 * self.body.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], -1)
         placed += [around + np.append(turn.center, 0.0) for turn in self.turns]
         seen = self.camera.project(np.concatenate(placed))
         low, high = seen.min(axis=0), seen.max(axis=0)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
-        tall = max(1.2 * half[1], 1.08 * half[0] / aspect)
+        tall = max(1.25 * half[1], 1.08 * half[0] / aspect)
         wide = aspect * tall
-        x, y = float(middle[0]), float(middle[1] + 0.1 * tall)
+        x, y = float(middle[0]), float(middle[1] + 0.08 * tall)
         return (x - wide, x + wide), (y - tall, y + tall)
 
     def shots(self, progress: Callable[[int, int], object] | None = None) -> Iterator[Image.Image]:
@@ -193,15 +194,21 @@ class Stage:
         trail = self.trail[: 6 * k + 1]
         artists = scene.draw_trail(ax, camera, trail)
         artists += scene.draw_trail(ax, camera, trail, alpha=0.22, zorder=4.0)
-        for turn in self.turns:
-            angle = float(self.states.yaw[k]) - turn.yaw
-            if turn.span.start < self.t[k] <= turn.span.end and abs(angle) > WORTH_A_WEDGE:
-                artists += scene.draw_wedge(
-                    ax, camera, turn.center, 1.55 * self.body.radius, turn.yaw + np.pi, angle
-                )
+        artists += self._wedge(k)
         artists += scene.draw_body(ax, self.body, pose, camera)
         artists += scene.draw_contact(ax, self.body, pose, camera)
         return artists + self._captions(k)
+
+    def _wedge(self, k: int) -> list[Artist]:
+        """The angle turned so far, which stays until the next turn is under way."""
+        for turn in reversed(self.turns):
+            angle = float(self.states.yaw[k]) - turn.yaw
+            if self.t[k] > turn.span.end:
+                angle = turn.span.angle
+            if self.t[k] > turn.span.start and abs(angle) > WORTH_A_WEDGE:
+                size, start = 1.55 * self.body.radius, turn.yaw + np.pi
+                return scene.draw_wedge(self.ax, self.camera, turn.center, size, start, angle)
+        return []
 
     def _captions(self, k: int) -> list[Artist]:
         tick = max(1e-12, 1.0 / self.slowdown[k])
@@ -316,7 +323,9 @@ def _write_mp4(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: floa
                 ffmpeg.stdin.write(shot.tobytes())
             ffmpeg.stdin.close()
         except BrokenPipeError:
-            pass
+            # It gave up early; closing may say so again, but the reason is on its error stream.
+            with suppress(BrokenPipeError):
+                ffmpeg.stdin.close()
         except BaseException:
             ffmpeg.kill()
             raise

@@ -184,7 +184,7 @@ def _draw_top(
     _letter(ax, camera, "A", first, marks.first, scene.BLUE)
     if after:
         wedge = (marks.center, 0.55 * radius, marks.first, marks.turn)
-        scene.draw_wedge(ax, camera, *wedge, label_at=2.5, fontsize=7.0, zorder=4.0)
+        scene.draw_wedge(ax, camera, *wedge, label_at=1.0 / 0.55, fontsize=7.0, zorder=4.0)
         second, opposite = marks.spot(last, radius), marks.spot(marks.first + np.pi, radius)
         _line(ax, camera, np.array([marks.center, second]), color=scene.INK, lw=0.9)
         _line(ax, camera, np.array([marks.center, opposite]), color=scene.INK, lw=0.6, ls=":")
@@ -193,7 +193,7 @@ def _draw_top(
         _letter(ax, camera, "B", second, last, scene.VERMILLION)
     scene.draw_point(ax, camera, pose.contact(body)[:2], color=scene.INK, size=2.2, zorder=5.5)
     scene.draw_point(ax, camera, marks.center, color=scene.INK, size=3.0, zorder=4.6)
-    _letter(ax, camera, "O", marks.center, marks.first + 0.5 * marks.turn + np.pi, scene.INK)
+    _letter(ax, camera, "O", marks.center, marks.first - np.copysign(1.75, marks.turn), scene.INK)
 
 
 def _line(ax: Axes, camera: Camera, path: Array, **style: Any) -> None:
@@ -207,21 +207,8 @@ def _ring(ax: Axes, camera: Camera, spot: Array) -> None:
 
 
 def _letter(ax: Axes, camera: Camera, letter: str, spot: Array, azimuth: float, color: str) -> None:
-    """Write a letter beside a spot of the table, on the side toward ``azimuth``."""
-    x, y = camera.project(np.array([*spot, 0.0]))
-    right, up = camera.axes()[:2] @ np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-    ax.annotate(
-        letter,
-        (float(x), float(y)),
-        (7.0 * right, 7.0 * up),
-        textcoords="offset points",
-        color=color,
-        size=7,
-        weight="bold",
-        ha="center",
-        va="center_baseline",
-        zorder=6,
-    )
+    style = {"color": color, "size": 7, "weight": "bold"}
+    scene.write_beside(ax, camera, letter, spot, azimuth, far=(7.0, 7.0), **style)
 
 
 def _legend(figure: Figure, marks: _Marks) -> None:

@@ -56,7 +56,8 @@ class Moments:
 
     def __getitem__(self, column: str) -> Array:
         """One column by its name in :data:`rimroll.motion.UNITS`."""
-        return self._table[_ROW[column]]
+        values: Array = self._table[_ROW[column]]
+        return values
 
     def _vector(self, *columns: str) -> Array:
         return np.stack([self[column] for column in columns], axis=-1)
@@ -148,7 +149,7 @@ class Moments:
         return State(**{name: self[name] for name in names})
 
     def __len__(self) -> int:
-        return self._table.shape[1]
+        return int(self._table.shape[1])
 
 
 @dataclass(frozen=True)

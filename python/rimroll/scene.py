@@ -20,12 +20,14 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
+from matplotlib.patheffects import withStroke
 
 Array = npt.NDArray[np.float64]
 Point = tuple[float, float, float]
 
 # Okabe and Ito's palette: told apart whatever the reader's colour vision.
 BLUE, VERMILLION, ORANGE, GREEN, SKY = "#0072B2", "#D55E00", "#E69F00", "#009E73", "#56B4E9"
+MARK = -0.5 * np.pi  # rad: where the mark is on the body; it faces who looks from there
 INK, METAL, TABLE, SHADOW = "#2b2f33", "#d4d9de", "#e6e8ea", "#1d2733"
 
 
@@ -212,20 +214,20 @@ class Profile:
         return cls(outline, (0.9 * bead, top - 2.0 * bead))
 
     @classmethod
-    def disc(cls, radius: float) -> Profile:
-        """A disc, drawn 0.04 radii thick."""
-        top = 0.04 * radius
+    def disc(cls, radius: float, thickness: float = 0.0) -> Profile:
+        """A disc, drawn at least 0.04 radii thick."""
+        top = max(thickness, 0.04 * radius)
         return cls(((radius, 0.0), (radius, top), (0.9 * radius, top)), (top, top))
 
     @classmethod
     def of(cls, body: RoundBody) -> Profile:
-        """The body's own profile; else a can twice as long as G is high, or a disc if H = 0."""
+        """The body's own profile; else a can, or a disc if flat, twice as long as G is high."""
         own: Profile | None = getattr(body, "profile", None)
         if own is not None:
             return own
-        if body.height > 0.0:
-            return cls.can(body.radius, 2.0 * body.height)
-        return cls.disc(body.radius)
+        length = 2.0 * body.height
+        flat = length < 0.4 * body.radius
+        return cls.disc(body.radius, length) if flat else cls.can(body.radius, length)
 
     def points(self, count: int = 48) -> Array:
         """Points (n, 3) of the surface, m, from the base's centre: enough for hulls and limits."""
@@ -282,7 +284,7 @@ def _colors(profile: Profile, r: Array, z: Array, angle: Array) -> Array:
     tolerance = 1e-9 * r.max()
     worn = (z[:-1] >= low - tolerance) & (z[1:] <= high + tolerance)
     colors = np.where(worn[:, None, None], to_rgb(GREEN), to_rgb(METAL)) * np.ones((angle.size, 1))
-    away = np.abs((angle + np.pi) % (2.0 * np.pi) - np.pi)
+    away = np.abs((angle - MARK + np.pi) % (2.0 * np.pi) - np.pi)
     wall = worn & (np.diff(z) > 0.0)
     colors[np.ix_(wall, away < np.radians(14.0))] = to_rgb("white")
     lid = np.diff(z) == 0.0
@@ -451,7 +453,7 @@ def draw_trail(
     """Draw the way of the contact point, ``path`` (n, 2) in m on the table."""
     x, y = camera.project(_on_table(np.asarray(path, float))).T
     return list(
-        ax.plot(x, y, color=color, alpha=alpha, lw=1.8, solid_capstyle="round", zorder=zorder)
+        ax.plot(x, y, color=color, alpha=alpha, lw=1.5, solid_capstyle="round", zorder=zorder)
     )
 
 
@@ -481,28 +483,67 @@ def draw_wedge(
     *,
     color: str = ORANGE,
     fontsize: float = 9.0,
-    label_at: float | None = 1.22,
+    label_at: float = 1.0,
     zorder: float = 1.5,
 ) -> list[Artist]:
     """Draw an angle on the table: a wedge from azimuth ``start`` through ``turn`` (rad, signed).
 
-    Its size in degrees is written at ``label_at`` radii from ``center`` (x, y); None leaves it out.
+    ``center`` is (x, y), ``radius`` in m. The angle in degrees is written outside the circle of
+    ``label_at`` radii. More than a full turn goes on in a spiral.
     """
-    angle = start + np.linspace(0.0, turn, 2 + int(abs(turn) * 30.0))
-    arc = np.asarray(center)[:2] + radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-    edge = camera.project(_on_table(np.vstack([np.asarray(center)[:2], arc])))
-    fill = PolyCollection([edge], facecolors=(*to_rgb(color), 0.28), linewidths=0, zorder=zorder)
+    swept = np.linspace(0.0, turn, 2 + int(abs(turn) * 30.0))
+    spiral = radius * (1.0 + 0.12 * np.clip(np.abs(swept) - 2.0 * np.pi + 0.5, 0.0, None))
+    arc = _around(center, spiral, start + swept)
+    sector = start + np.clip(swept, -2.0 * np.pi, 2.0 * np.pi)
+    inside = np.vstack([np.asarray(center)[None, :2], _around(center, np.array(radius), sector)])
+    fill = PolyCollection(
+        [camera.project(_on_table(inside))],
+        facecolors=(*to_rgb(color), 0.28),
+        linewidths=0,
+        zorder=zorder,
+    )
     artists: list[Artist] = [ax.add_collection(fill, autolim=False)]
-    artists += ax.plot(*edge[1:].T, color=color, lw=1.6, zorder=zorder + 0.01)
-    if label_at is not None:
-        middle = start + 0.5 * turn
-        way = np.array([np.cos(middle), np.sin(middle)])
-        x, y = camera.project(_on_table(np.asarray(center)[:2] + label_at * radius * way))
-        text = f"{abs(np.degrees(turn)):.1f}°"
-        artists.append(
-            ax.text(x, y, text, ha="center", va="center", size=fontsize, color=INK, zorder=6.0)
-        )
+    edge = camera.project(_on_table(arc))
+    artists += ax.plot(*edge.T, color=color, lw=1.4, zorder=zorder + 0.01)
+    middle = start + np.sign(turn) * min(0.5 * abs(turn), 0.5 * np.pi)
+    spot = _around(center, np.array(label_at * radius), middle)
+    text = f"{abs(np.degrees(turn)):.1f}°"
+    far = (1.9 * fontsize, 0.9 * fontsize)
+    artists += write_beside(ax, camera, text, spot, middle, far=far, color=INK, size=fontsize)
     return artists
+
+
+def write_beside(
+    ax: Axes,
+    camera: Camera,
+    text: str,
+    spot: Array,
+    azimuth: float,
+    *,
+    far: tuple[float, float],
+    **style: Any,
+) -> list[Artist]:
+    """Write beside a spot (x, y) of the table, toward ``azimuth``; ``far`` (x, y) in points."""
+    x, y = camera.project(_on_table(spot))
+    way = camera.axes()[:2] @ np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+    right, up = way / max(float(np.hypot(*way)), 1e-9)
+    words = ax.annotate(
+        text,
+        (float(x), float(y)),
+        (far[0] * right, far[1] * up),
+        textcoords="offset points",
+        ha="center",
+        va="center_baseline",
+        zorder=6.0,
+        path_effects=[withStroke(linewidth=2.0, foreground="white", alpha=0.85)],
+        **style,
+    )
+    return [words]
+
+
+def _around(center: Sequence[float] | Array, radius: Array, azimuth: Array | float) -> Array:
+    way = np.stack([np.cos(azimuth), np.sin(azimuth)], axis=-1)
+    return np.asarray(np.asarray(center)[:2] + radius[..., None] * way)
 
 
 def _circle(center: tuple[float, float], radius: float) -> Array:

@@ -8,6 +8,15 @@ from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True)
+class Table:
+    """A table under a figure: texts only, a row a line."""
+
+    caption: str
+    head: list[str]
+    rows: list[list[str]]
+
+
+@dataclass(frozen=True)
 class Drawing:
     """A drawn figure and what it shows.
 
@@ -20,3 +29,4 @@ class Drawing:
     figure: Figure
     caption: str
     numbers: dict[str, object] = field(default_factory=dict)
+    table: Table | None = None

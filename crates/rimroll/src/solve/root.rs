@@ -2,9 +2,9 @@
 
 /// The root between a and b, where the signs of f differ, to the last bits of x.
 ///
-/// Regula falsi with the Illinois weights (Dowell & Jarratt, BIT 11, 1971), with a bisection
-/// whenever three steps have not halved the bracket, so the work is bounded. An end at which f is
-/// zero is the root; without a change of sign the end nearer to zero is returned.
+/// Regula falsi with the Illinois weights (Dowell & Jarratt, BIT 11, 1971) and a bisection in every
+/// third round, so that the work is bounded. An end at which f is zero is the root; without a change
+/// of sign the end nearer to zero is returned.
 pub fn bracketed(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
@@ -16,16 +16,9 @@ pub fn bracketed(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     if (fa < 0.0) == (fb < 0.0) {
         return if fa.abs() < fb.abs() { a } else { b };
     }
-    let mut width = (b - a).abs();
     for round in 1..200 {
         let mut x = b - fb * (b - a) / (fb - fa);
-        if round % 3 == 0 {
-            if (b - a).abs() > 0.5 * width {
-                x = 0.5 * (a + b);
-            }
-            width = (b - a).abs();
-        }
-        if x == a || x == b || !x.is_finite() {
+        if round % 3 == 0 || x == a || x == b {
             x = 0.5 * (a + b);
             if x == a || x == b {
                 break;

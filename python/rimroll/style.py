@@ -1,0 +1,102 @@
+"""How rimroll's figures look: type, lines, colours by meaning.
+
+Sizes are those of a page 180 mm wide. Colours are Okabe and Ito's, told apart whatever the reader's
+colour vision; line styles and markers differ as well, so that nothing hangs on colour alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rimroll.laws import Law
+
+NO_SLIP = "#0072B2"
+FRICTIONLESS = "#D55E00"
+THEORY = "#000000"
+MEASURED = "#009E73"
+CONTRAST = "#8A8A8A"
+NORMAL_FORCE = "#56B4E9"
+SERIES = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
+"""Colours of things that have no colour of their own, in order."""
+
+COLORS = {"no_slip": NO_SLIP, "frictionless": FRICTIONLESS}
+MARKERS = {"no_slip": "o", "frictionless": "s"}
+
+PAGE_WIDTH = 180.0
+"""Width of the page, mm."""
+
+STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 7.5,
+    "mathtext.fontset": "dejavusans",
+    "axes.titlesize": 8.0,
+    "axes.titlelocation": "left",
+    "axes.titlepad": 4.0,
+    "axes.labelsize": 7.5,
+    "axes.labelpad": 2.5,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": "#333333",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.formatter.use_mathtext": True,
+    "axes.formatter.limits": (-3, 4),
+    "xtick.labelsize": 6.8,
+    "ytick.labelsize": 6.8,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.minor.width": 0.4,
+    "ytick.minor.width": 0.4,
+    "xtick.major.size": 3.0,
+    "ytick.major.size": 3.0,
+    "xtick.minor.size": 1.6,
+    "ytick.minor.size": 1.6,
+    "lines.linewidth": 1.1,
+    "lines.markersize": 3.8,
+    "lines.markeredgewidth": 0.8,
+    "legend.fontsize": 6.8,
+    "legend.frameon": False,
+    "legend.handlelength": 2.0,
+    "legend.borderaxespad": 0.4,
+    "legend.labelspacing": 0.35,
+    "figure.dpi": 150,
+    "figure.facecolor": "white",
+    "figure.constrained_layout.use": False,  # page() asks for it; placed axes must not be moved
+    "figure.constrained_layout.h_pad": 0.05,
+    "figure.constrained_layout.w_pad": 0.05,
+    "savefig.dpi": 150,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "rimroll",  # else the names inside a file differ from run to run
+    "pdf.fonttype": 42,
+}
+
+
+@contextmanager
+def figure_style() -> Iterator[None]:
+    """The style while figures are drawn and saved; whatever was set before comes back after."""
+    with mpl.rc_context(STYLE):
+        yield
+
+
+def page(height: float, width: float = PAGE_WIDTH) -> Figure:
+    """An empty figure of a size in mm that lays out its own axes, free of pyplot's state."""
+    return Figure(figsize=(width / 25.4, height / 25.4), layout="constrained")
+
+
+def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
+    """Name a panel and its axes; ``x`` and ``y`` carry their units."""
+    ax.set_title(f"({letter}) {title}" if letter else title)
+    ax.set_xlabel(x)
+    ax.set_ylabel(y)
+
+
+def look(law: Law) -> dict[str, Any]:
+    """Colour and marker of what was computed under a law; open squares where nothing rubs."""
+    color = COLORS[law.name]
+    face = color if law.name == "no_slip" else "white"
+    return {"color": color, "marker": MARKERS[law.name], "markerfacecolor": face}
