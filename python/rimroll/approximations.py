@@ -107,14 +107,12 @@ class Pasted:
         return times
 
 
-def pasted(
-    body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY
-) -> Pasted:
+def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY) -> Pasted:
     """Paste a tipping phase and a near-collision together for a body let go at ``start``.
 
     Source: the paper's "pasting-together of two qualitatively distinct motions", given there in
-    words. Everything follows from the start alone: the plane pendulum gives t_c and ω, and l = dψ/dt
-    sin²φ, linear in the sideways rates, gives φ_c = |l| √(K'/J')/ω.
+    words. Everything follows from the start alone: the plane pendulum gives t_c and ω, and l =
+    dψ/dt sin²φ, linear in the sideways rates, gives φ_c = |l| √(K'/J')/ω.
 
     Raises ``RimrollError`` for a start that never comes down or comes down flat.
     """

@@ -17,8 +17,8 @@ def can_2007() -> Body:
     """The can of Srinivasan & Ruina: m = 70 g, R = 5.1 cm, H = 6.9 cm, A/m = 5.13e-3 m².
 
     Source: the paper's section "Quantitative comparisons". C/m = 2.0e-3 m² and not the 8e-3 of its
-    simulation figure, which no can inside its own rim can have (C/m ≤ R² = 2.6e-3 m²); a wall with two
-    discs of that size has 1.3e-3 to 2.2e-3. No limiting angle depends on C.
+    simulation figure, which no can inside its own rim can have (C/m ≤ R² = 2.6e-3 m²); a wall with
+    two discs of that size has 1.3e-3 to 2.2e-3. No limiting angle depends on C.
     """
     return Body(*_core.preset_can_2007())
 
@@ -35,8 +35,8 @@ def soda_can(fill: float = 0.0) -> Body:
 def beer_bottle(fill: float = 0.0) -> Body:
     """A 330 ml long-neck glass bottle, its body filled to a part between 0 (empty) and 1.
 
-    Derived from nominal sizes: body 61 mm across and 130 mm high, wall 2.2 mm; shoulder and neck as a
-    wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
+    Derived from nominal sizes: body 61 mm across and 130 mm high, wall 2.2 mm; shoulder and neck as
+    a wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
     2500 kg/m³; the beer as frozen water.
     """
     return Body(*_core.preset_beer_bottle(fill))

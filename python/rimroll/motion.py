@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -49,7 +49,7 @@ UNITS = {
 
 
 class Moments:
-    """What is known of a motion at n moments: arrays of shape (n,), or (n, 2), (n, 3) for vectors."""
+    """What is known of a motion at n moments: arrays (n,), or (n, 2) and (n, 3) for vectors."""
 
     def __init__(self, table: Array) -> None:
         self._table = table
@@ -240,7 +240,9 @@ class Motion(Moments):
 
     def __repr__(self) -> str:
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns)
-        return f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
+        return (
+            f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
+        )
 
     def __call__(self, t: ArrayLike) -> State:
         """Dense output: the state at times t (s, inside the motion), as a State of arrays (n,)."""
@@ -253,7 +255,8 @@ class Motion(Moments):
         outside = times[~((times >= 0.0) & (times <= last))]
         if outside.size:
             raise RimrollError(
-                f"t must be inside the motion, 0 to {last:.6g} s ({self.status}), got {outside[0]} s"
+                f"t must be inside the motion, 0 to {last:.6g} s ({self.status}), "
+                f"got {outside[0]} s"
             )
         return Moments(self._core.at(times))
 
@@ -269,23 +272,15 @@ class Motion(Moments):
 
         return nine_panels(self)
 
-    def animate(
-        self,
-        path: str | os.PathLike[str],
-        *,
-        seconds: float | None = None,
-        fps: int = 25,
-        progress: Callable[[int, int], object] | None = None,
-        **options: Any,
-    ) -> None:
+    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
         """Write the motion as a film: GIF, self-contained HTML page or MP4, by the suffix.
 
-        Time is stretched by itself while the contact point races; see
-        :func:`rimroll.animation.animate` for all options.
+        Time is stretched by itself while the contact point races round the rim. For ``seconds``,
+        ``speed``, ``fps``, ``view`` and the other options see :func:`rimroll.animation.animate`.
         """
         from rimroll.animation import animate
 
-        animate(self, path, seconds=seconds, fps=fps, progress=progress, **options)
+        return animate(self, path, **options)
 
     def to_xarray(self) -> xr.Dataset:
         """The motion as a dataset over ``t`` with units, and all that it was computed from."""
@@ -346,8 +341,8 @@ def simulate(
     gravity
         m/s²; 9.80665 unless given. The paper used 9.8.
     rtol
-        The error to aim at over some tens of rockings, relative to each quantity's size, 1e-14 to 1e-3;
-        from 1e-13 on rounding decides.
+        The error to aim at over some tens of rockings, relative to each quantity's size, 1e-14 to
+        1e-3; from 1e-13 on rounding decides.
     topple_tilt
         The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
         meets the table; none for a disk, which may stand on its edge and fall to either face.

@@ -70,7 +70,9 @@ def _finite(field: str, value: object) -> NDArray[np.float64]:
     try:
         array = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
-        raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}") from None
+        raise RimrollError(
+            f"{field} must be a number or an array of numbers, got {value!r}"
+        ) from None
     bad = array[~np.isfinite(array)]
     if bad.size:
         raise RimrollError(f"{field} must be finite, got {bad.flat[0]}")

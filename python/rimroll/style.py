@@ -11,8 +11,11 @@ from contextlib import contextmanager
 from typing import Any
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from rimroll.laws import Law
 
@@ -38,6 +41,7 @@ STYLE: dict[str, Any] = {
     "axes.titlesize": 8.0,
     "axes.titlelocation": "left",
     "axes.titlepad": 4.0,
+    "axes.titley": 1.0,  # fixed, not sought anew for each picture
     "axes.labelsize": 7.5,
     "axes.labelpad": 2.5,
     "axes.linewidth": 0.6,
@@ -88,6 +92,13 @@ def page(height: float, width: float = PAGE_WIDTH) -> Figure:
     return Figure(figsize=(width / 25.4, height / 25.4), layout="constrained")
 
 
+def settle(figure: Figure) -> Figure:
+    """Lay a page out now and for good, so that saving it to several files does not do it again."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    return figure
+
+
 def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
     """Name a panel and its axes; ``x`` and ``y`` carry their units."""
     ax.set_title(f"({letter}) {title}" if letter else title)
@@ -100,3 +111,26 @@ def look(law: Law) -> dict[str, Any]:
     color = COLORS[law.name]
     face = color if law.name == "no_slip" else "white"
     return {"color": color, "marker": MARKERS[law.name], "markerfacecolor": face}
+
+
+def decades(*axes: Axis) -> None:
+    """Write the ticks of logarithmic axes as powers of ten, in plain text."""
+    for axis in axes:
+        axis.set_major_formatter(lambda value, _: power_of_ten(value))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def power_of_ten(value: float) -> str:
+    """A power of ten as text, 10⁻³; ones, tens and what is no power of ten as they are."""
+    if value == 0.0:
+        return "0"
+    power = float(np.log10(abs(value)))
+    sign = "−" if value < 0.0 else ""
+    if not power.is_integer() or power in (0.0, 1.0):
+        return sign + f"{abs(value):g}"
+    return sign + "10" + superscript(int(power))
+
+
+def superscript(number: int) -> str:
+    """A whole number written high: ⁻¹²."""
+    return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))

@@ -75,8 +75,8 @@ def error_law_coefficient(
     Δψ is the turn from tilt maximum to tilt maximum and φ_c the smallest tilt (rad) between; a is a
     number of the whole motion. b = −2 √(J'/K') R N_p/(K' ω²), where ω > 0 is the rate of tipping on
     arrival (rad/s) and N_p the normal force then: no-slip J' = J, K' = K, N_p = m(gK/J − Hω²);
-    frictionless J' = A + mR², K' = A, N_p = mA(g − Hω²)/(A + mR²). So motions approach the limit like
-    ε ln ε, not like a power. Not in the paper.
+    frictionless J' = A + mR², K' = A, N_p = mA(g − Hω²)/(A + mR²). So motions approach the limit
+    like ε ln ε, not like a power. Not in the paper.
     """
     return _core.error_law_coefficient(body, law.name, tipping_rate, gravity)
 

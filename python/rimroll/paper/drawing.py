@@ -20,8 +20,8 @@ class Table:
 class Drawing:
     """A drawn figure and what it shows.
 
-    ``caption`` is HTML (inline markup only); ``numbers`` are the figure's results by name, in SI units
-    and radians or as the name says, for ``numbers.json``.
+    ``caption`` is HTML (inline markup only); ``numbers`` are the figure's results by name, in SI
+    units and radians or as the name says, for ``numbers.json``.
     """
 
     slug: str

@@ -136,9 +136,7 @@ def _page(claims: dict[str, list[Claim]], pictures: list[Picture], film: str) ->
         sections=list(_sections(pictures)),
         errata=ERRATA,
         film=film,
-        limits={
-            law.name: float(np.degrees(turn_limit(setting.CAN, law))) for law in setting.LAWS
-        },
+        limits={law.name: float(np.degrees(turn_limit(setting.CAN, law))) for law in setting.LAWS},
     )
 
 

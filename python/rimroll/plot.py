@@ -1,0 +1,169 @@
+"""The paper's simulation figure for any motion: nine panels, and the near-collision magnified."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import SymmetricalLogLocator
+
+from rimroll import style
+from rimroll.motion import Array, Moments, Motion
+from rimroll.theory import needed_friction, turn_limit
+
+TIME_UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9), ("ps", 1e-12), ("fs", 1e-15))
+
+MAGNIFIED = 20.0  # the inset shows this many φ_c/ω before and after the smallest tilt
+BRIEF = 0.05  # part of the motion below which the near-collision looks like a step
+DECADES = 30.0  # a curve whose peak passes its usual size this many times gets a logarithmic axis
+
+
+@dataclass(frozen=True)
+class NearCollisionWindow:
+    """A stretch of time around the smallest tilt, s, and the yaw there, rad."""
+
+    t: float
+    half_width: float
+    yaw: float
+
+
+def near_collision_window(motion: Motion) -> NearCollisionWindow | None:
+    """The first near-collision, ±20 φ_c/ω; None if none is too brief to be seen without a lens."""
+    for event in motion.events:
+        rate = abs(float(event.state.yaw_rate))
+        if event.kind != "tilt_min" or rate == 0.0:
+            continue
+        # ψ̇ = √(J'/K') ω/φ_c at the smallest tilt.
+        half = MAGNIFIED * turn_limit(motion.body, motion.law) / (np.pi * rate)
+        resolved = half > 1e4 * np.spacing(event.t)
+        if resolved and 2.0 * half < BRIEF * float(motion.t[-1]):
+            return NearCollisionWindow(event.t, half, float(event.state.yaw))
+    return None
+
+
+def nine_panels(motion: Motion) -> Figure:
+    """Draw tilt, yaw, spin, their rates, the forces, their ratio, and yaw rate against spin rate.
+
+    Time runs along eight of the panels, in s; angles are in rad, forces in N. A lens in the yaw's
+    panel magnifies the first near-collision if it is too brief to be seen. Dashed lines are
+    theory: the limiting angle of turn, the friction μ* = mHR/(A + mH²) needed to roll through, and
+    spin opposite to yaw. Source: the paper's figure ``purerollnumresults``.
+    """
+    moments = motion.samples(4)
+    with style.figure_style():
+        figure = style.page(150.0)
+        panels = figure.subplots(3, 3)
+        color = style.COLORS[motion.law.name]
+        _draw_angles(panels[0], moments, color)
+        _magnify(panels[0, 1], motion, color)
+        _draw_rates(panels[1], motion, moments, color)
+        _draw_forces(panels[2, 0], motion, moments, color)
+        _draw_ratio(panels[2, 1], motion, moments, color)
+        _draw_rate_plane(panels[2, 2], moments, color)
+        for ax in panels.flat[:-1]:
+            ax.set_xlim(0.0, float(motion.t[-1]) or 1.0)
+    return figure
+
+
+def _draw_angles(row: Array, moments: Moments, color: str) -> None:
+    for ax, letter, name, symbol, values in (
+        (row[0], "a", "tilt", "φ", moments.tilt),
+        (row[1], "b", "yaw", "ψ", moments.yaw),
+        (row[2], "c", "spin", "θ", moments.spin),
+    ):
+        ax.plot(moments.t, values, color=color)
+        style.label(ax, letter, name, "time $t$ (s)", f"{symbol} (rad)")
+
+
+def _draw_rates(row: Array, motion: Motion, moments: Moments, color: str) -> None:
+    usual = _evenly(motion)
+    for ax, letter, name, symbol, column in (
+        (row[0], "d", "tilt rate", "φ", "tilt_rate"),
+        (row[1], "e", "yaw rate", "ψ", "yaw_rate"),
+        (row[2], "f", "spin rate", "θ", "spin_rate"),
+    ):
+        ax.plot(moments.t, moments[column], color=color)
+        style.label(ax, letter, name, "time $t$ (s)", f"d{symbol}/d$t$ (rad/s)")
+        _stretch(ax, moments[column], usual[column])
+
+
+def _draw_forces(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
+    friction = np.hypot(*moments.friction_force.T)
+    normal = {"color": style.NORMAL_FORCE, "lw": 0.8, "ls": "-"}
+    ax.plot(moments.t, moments.normal_force, label="normal, $N$", **normal)  # type: ignore[arg-type]
+    ax.plot(moments.t, friction, color=color, label="friction, |$T$|")
+    style.label(ax, "g", "forces on the rim", "time $t$ (s)", "force (N)")
+    _stretch(ax, moments.normal_force, _evenly(motion).normal_force)
+    low, high = ax.get_ylim()
+    if ax.get_yscale() == "symlog":
+        ax.set_ylim(low, high**1.35)
+    else:
+        ax.set_ylim(low, high + 0.25 * (high - low))
+    ax.legend(loc="upper center", ncols=2)
+
+
+def _draw_ratio(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
+    needed = needed_friction(motion.body)
+    ax.axhline(needed, color=style.THEORY, ls="--", lw=0.8, label=f"$μ^*$ = {needed:.4f}")
+    ax.plot(moments.t, moments.friction_ratio, color=color)
+    style.label(ax, "h", "friction/normal", "time $t$ (s)", "|$T$|/$N$ (1)")
+    highest = max(needed, float(moments.friction_ratio.max()), 1e-3)
+    ax.set_ylim(-0.04 * highest, 1.25 * highest)
+    ax.legend(loc="upper right")
+
+
+def _draw_rate_plane(ax: Axes, moments: Moments, color: str) -> None:
+    power = _power(np.append(moments.spin_rate, moments.yaw_rate))
+    unit = f"10{style.superscript(power)} rad/s" if power else "rad/s"
+    spin_rate, yaw_rate = moments.spin_rate / 10.0**power, moments.yaw_rate / 10.0**power
+    ends = np.array([spin_rate.min(), spin_rate.max()])
+    ax.plot(spin_rate, yaw_rate, color=color, lw=2.4, alpha=0.5)
+    ax.plot(ends, -ends, color=style.THEORY, ls="--", lw=0.8, label="dψ/d$t$ = −dθ/d$t$")
+    style.label(ax, "i", "yaw rate, spin rate", f"dθ/d$t$ ({unit})", f"dψ/d$t$ ({unit})")
+    ax.margins(y=0.2)
+    ax.legend(loc="upper right")
+
+
+def _power(values: Array) -> int:
+    """The power of a thousand, as a power of ten, in which the largest value is told."""
+    peak = float(np.abs(values).max())
+    return 3 * int(np.floor(np.log10(peak) / 3.0)) if peak > 0.0 else 0
+
+
+def _evenly(motion: Motion) -> Moments:
+    """The motion at even times: its usual sizes, not those of the moments when it is fast."""
+    return motion.evaluate(np.linspace(0.0, float(motion.t[-1]), 201))
+
+
+def _stretch(ax: Axes, values: Array, usual: Array) -> None:
+    """Make the axis logarithmic beyond the usual size, if the peaks would flatten all else."""
+    peak = float(np.abs(values).max())
+    size = max(float(np.median(np.abs(usual))), 1e-7 * peak)
+    if peak > DECADES * size:
+        ax.set_yscale("symlog", linthresh=10.0 ** np.ceil(np.log10(size)), linscale=0.7)
+        locator = SymmetricalLogLocator(ax.yaxis.get_transform())
+        locator.set_params(numticks=7)
+        ax.yaxis.set_major_locator(locator)
+        style.decades(ax.yaxis)
+
+
+def _magnify(ax: Axes, motion: Motion, color: str) -> None:
+    """Put a lens on the step of the yaw where the staircase leaves room for it."""
+    window = near_collision_window(motion)
+    if window is None:
+        return
+    t = window.t + window.half_width * np.linspace(-1.0, 1.0, 401)
+    unit, second = next((u for u in TIME_UNITS if window.half_width >= u[1]), TIME_UNITS[-1])
+    rises = motion.yaw[-1] >= motion.yaw[0]
+    lens = ax.inset_axes((0.62, 0.22, 0.36, 0.36) if rises else (0.62, 0.62, 0.36, 0.36))
+    half = 0.5 * turn_limit(motion.body, motion.law)
+    for limit in (window.yaw - half, window.yaw + half):
+        lens.axhline(limit, color=style.THEORY, ls="--", lw=0.7)
+    yaw = motion.evaluate(np.clip(t, 0.0, motion.t[-1])).yaw
+    lens.plot((t - window.t) / second, yaw, color=color)
+    lens.set_xlim(*(window.half_width / second * np.array([-1.0, 1.0])))
+    lens.tick_params(labelsize=6.0, pad=1.5, length=2.0)
+    lens.set_xlabel(f"$t$ − {window.t:.3f} s ({unit})", fontsize=6.0, labelpad=1.0)
+    lens.spines[["top", "right"]].set_visible(True)
