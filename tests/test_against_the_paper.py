@@ -1,10 +1,11 @@
 """Whole motions are those of the paper's printed equations, integrated independently.
 
 How close two computed motions can be: the oracle steps with a relative tolerance of 1e-12, and its
-Euler angles lose 1e-16 / (least tilt) to cancellation in each step, which makes a motion early or
-late. So each quantity may differ by `closeness` of its own size and by what it changes in
-`closeness` times sqrt(R/g), where closeness = 1e-11 + 3e-14 / (least tilt): three times what 300
-random motions needed. rimroll's own error at rtol = 1e-13 is far below that.
+Euler angles lose 1e-16 / (least tilt) to cancellation in each of the hundred steps of a
+near-collision; what is lost makes the motion early or late from there on. So each quantity may
+differ by `closeness` of its own size and by what it changes in `closeness` times sqrt(R/g), where
+closeness = 1e-11 + 3e-14 (1 + near-collisions) / (least tilt): twice what the can and 300 random
+motions needed. rimroll's own error at rtol = 1e-13 is far below that.
 """
 
 from dataclasses import dataclass
@@ -52,7 +53,8 @@ def computed_twice(body, start, law, duration, gravity):
     """The printed equations let the rim pull, so they follow only as far as rimroll goes."""
     ours = rr.simulate(body, start, law, duration, gravity=gravity, rtol=ACCURATE)
     theirs = paper.integrate(body, start, law.name, ours.t[-1], gravity=gravity)
-    return Pair(ours, theirs, 1e-11 + 3e-14 / theirs.phi.min())
+    closeness = 1e-11 + 3e-14 * (1 + len(theirs.minima)) / theirs.phi.min()
+    return Pair(ours, theirs, closeness)
 
 
 @pytest.fixture(scope="module", params=LAWS, ids=lambda law: law.name)
@@ -180,15 +182,17 @@ def assert_forces_are_those_of_the_states(pair):
     for k in 0, 1:
         error = np.abs(ours.friction_force[:, k] - theirs.friction_in_world[k])
         np.testing.assert_array_less(error / size, allowed)
+    # Where the rim lifts off the ratio has no bound.
     pressed = theirs.normal > 1e-3 * pair.body.mass * pair.gravity
-    error = np.abs(ours.friction_ratio - theirs.ratio)[pressed]
-    np.testing.assert_array_less(error, 1e3 * allowed[pressed] * (1 + theirs.ratio[pressed]))
+    ratio = np.hypot(*theirs.friction[:, pressed]) / theirs.normal[pressed]
+    error = np.abs(ours.friction_ratio[pressed] - ratio)
+    np.testing.assert_array_less(error, 1e3 * allowed[pressed] * (1 + ratio))
 
 
 def assert_energy_is_that_of_the_states_and_stays(pair):
     """Kinetic and potential energy follow from appendix B, and their sum from the start.
 
-    2T cancels like the forces, but only its small part about the axis does.
+    The printed 2T cancels like the printed forces.
     """
     ours = pair.ours.evaluate(pair.theirs.t)
     states = in_the_paper_s_symbols(ours)
@@ -197,15 +201,16 @@ def assert_energy_is_that_of_the_states_and_stays(pair):
     rates = states.psi_dot, states.phi_dot, states.theta_dot
     kinetic = paper.doubled_kinetic_energy(pair.body, pair.law, states.phi, *rates, np) / 2
     size = upright + total[0]
-    np.testing.assert_allclose(ours.kinetic_energy, kinetic, rtol=0, atol=1e-12 * size)
-    np.testing.assert_allclose(ours.potential_energy, total - kinetic, rtol=0, atol=1e-12 * size)
+    allowed = size * (1e-12 + 3e-14 / ours.tilt)
+    np.testing.assert_array_less(np.abs(ours.kinetic_energy - kinetic), allowed)
+    np.testing.assert_array_less(np.abs(ours.potential_energy - (total - kinetic)), allowed)
     # 1e-13 was asked for.
     np.testing.assert_allclose(pair.ours.energy, ours.energy[0], rtol=0, atol=1e-13 * size)
 
 
 def test_the_can_of_the_paper_moves_as_the_printed_equations_say(can):
     assert can.ours.status == "finished"
-    assert can.closeness < 4e-10
+    assert can.closeness < 2e-9
     assert_same_motion(can)
 
 
@@ -240,12 +245,10 @@ def test_nine_digits_of_the_turns_come_without_asking(can):
 def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
     turns = []
 
-    @settings(max_examples=50, derandomize=True, deadline=None)
+    @settings(max_examples=40, derandomize=True, deadline=None)
     @given(rockings())
     def holds(rocking):
-        pair = computed_twice(
-            rocking.body, rocking.start, law, 1.5 * rocking.time, rocking.gravity
-        )
+        pair = computed_twice(rocking.body, rocking.start, law, 1.5 * rocking.time, rocking.gravity)
         assert pair.ours.status in ("finished", "lifted_off")
         assert_same_motion(pair)
         assert_same_extremes(pair)
@@ -256,4 +259,4 @@ def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
 
     holds()
     # Else the starts would not be what they are meant to be.
-    assert len(turns) > 25
+    assert len(turns) > 20

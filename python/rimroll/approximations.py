@@ -9,13 +9,9 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import Law
-from rimroll.state import State
+from rimroll.state import State, single, times
 
 Array = NDArray[np.float64]
-
-
-def _times(t: ArrayLike) -> Array:
-    return np.atleast_1d(np.asarray(t, dtype=np.float64))
 
 
 class NearCollision:
@@ -45,15 +41,15 @@ class NearCollision:
 
     def tilt(self, t: ArrayLike) -> Array:
         """φ(t), rad, shape (n,)."""
-        return self._core.tilt(_times(t))
+        return self._core.tilt(times(t))
 
     def yaw(self, t: ArrayLike) -> Array:
         """ψ(t), rad, shape (n,)."""
-        return self._core.yaw(_times(t))
+        return self._core.yaw(times(t))
 
     def yaw_rate(self, t: ArrayLike) -> Array:
         """dψ/dt, rad/s, shape (n,)."""
-        return self._core.yaw_rate(_times(t))
+        return self._core.yaw_rate(times(t))
 
     def lean_vector(self, until: float) -> tuple[Array, Array, Array]:
         """The paper's heuristic: the lean as a plane vector q, integrated from the smallest tilt.
@@ -69,8 +65,8 @@ class Pasted:
     """The uniformly valid approximation: a pendulum pasted to a near-collision.
 
     φ ≈ φ_pendulum(|t − t_c|) + √(φ_c² + ω²(t − t_c)²) − ω|t − t_c| and
-    ψ ≈ ψ₀ ± √(J'/K') [π/2 + arctan(ω(t − t_c)/φ_c)], with errors of the order φ_c ln φ_c. It covers
-    one rocking, |t − t_c| ≤ ``half_width``. Make it with :func:`pasted`.
+    ψ ≈ ψ₀ ± √(J'/K') [π/2 + arctan(ω(t − t_c)/φ_c)], with errors of the order φ_c² ln φ_c in φ and
+    φ_c ln φ_c in ψ. It covers one rocking, |t − t_c| ≤ ``half_width``. Make it with :func:`pasted`.
     """
 
     time: float
@@ -95,16 +91,16 @@ class Pasted:
         return self._core.yaw(self._inside(t))
 
     def _inside(self, t: ArrayLike) -> Array:
-        times = _times(t)
-        away = np.abs(times - self.time)
+        moments = times(t)
+        away = np.abs(moments - self.time)
         # A few roundings of the end itself are forgiven.
         if np.any(away > self.half_width * (1 + 1e-9)):
             first, last = self.time - self.half_width, self.time + self.half_width
             raise RimrollError(
                 f"t must be inside the rocking that is approximated, {first:.6g} to {last:.6g} s, "
-                f"got {times[np.argmax(away)]} s"
+                f"got {moments[np.argmax(away)]} s"
             )
-        return times
+        return moments
 
 
 def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY) -> Pasted:
@@ -116,4 +112,4 @@ def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_G
 
     Raises ``RimrollError`` for a start that never comes down or comes down flat.
     """
-    return Pasted(_core.CorePasted(body, start, law.name, gravity))
+    return Pasted(_core.CorePasted(body, single(start), law.name, gravity))

@@ -26,8 +26,9 @@ def can_2007() -> Body:
 def soda_can(fill: float = 0.0) -> Body:
     """A 330 ml aluminium drinks can, filled to a part between 0 (empty) and 1.
 
-    Derived from nominal sizes: body 66 mm across, 115 mm high, wall 0.10 mm; base 0.30 mm on a rim
-    48 mm across; lid 0.25 mm, 52 mm across; aluminium 2700 kg/m³; the drink as frozen water.
+    Derived from nominal sizes: body 66 mm across, 115 mm high, wall 0.10 mm; base 0.30 mm at 5 mm
+    over a rim 48 mm across; lid 0.25 mm, 52 mm across; aluminium 2700 kg/m³: 10.6 g empty. The
+    drink is frozen water, 97 mm deep when full.
     """
     return Body(*_core.preset_soda_can(fill))
 
@@ -37,7 +38,7 @@ def beer_bottle(fill: float = 0.0) -> Body:
 
     Derived from nominal sizes: body 61 mm across and 130 mm high, wall 2.2 mm; shoulder and neck as
     a wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
-    2500 kg/m³; the beer as frozen water.
+    2500 kg/m³: 0.23 kg empty. The beer is frozen water.
     """
     return Body(*_core.preset_beer_bottle(fill))
 

@@ -16,3 +16,7 @@ def number(field: str, value: object) -> float:
         except (TypeError, ValueError):
             pass
     raise RimrollError(f"{field} must be a single number, got {value!r}")
+
+
+class UnitError(RimrollError):
+    """A quantity whose text has no number, an unknown unit, or a unit of another kind."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, astuple, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, number
 from rimroll.laws import Law
-from rimroll.state import State
+from rimroll.state import State, single, times
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -194,6 +194,17 @@ class Stats:
     evaluations: int
 
 
+@dataclass(frozen=True)
+class _Options:
+    """How a motion was simulated, in the order in which the core takes it."""
+
+    duration: float
+    gravity: float
+    rtol: float
+    topple_tilt: float | None
+    max_steps: int
+
+
 class Motion(Moments):
     """A computed motion.
 
@@ -202,7 +213,7 @@ class Motion(Moments):
 
     Attributes
     ----------
-    body, start, law, gravity, rtol, topple_tilt
+    body, start, law, duration, gravity, rtol, topple_tilt, max_steps
         What it was computed from.
     status
         ``finished``, ``toppled``, ``lifted_off``, ``face_down`` or ``failed``.
@@ -220,18 +231,15 @@ class Motion(Moments):
         body: Body,
         start: State,
         law: Law,
-        gravity: float,
-        rtol: float,
-        topple_tilt: float | None,
+        options: _Options,
     ) -> None:
         super().__init__(core.nodes())
         self._core = core
         self.body = body
         self.start = start
         self.law = law
-        self.gravity = gravity
-        self.rtol = rtol
-        self.topple_tilt = topple_tilt
+        self._options = options
+        self.duration, self.gravity, self.rtol, self.topple_tilt, self.max_steps = astuple(options)
         self.status = core.status
         self.message = core.message
         self.stats = Stats(*core.work)
@@ -244,21 +252,25 @@ class Motion(Moments):
             f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
         )
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy is the motion computed again: the same to the last bit."""
+        return _follow, (self.body, self.start, self.law, self._options)
+
     def __call__(self, t: ArrayLike) -> State:
         """Dense output: the state at times t (s, inside the motion), as a State of arrays (n,)."""
         return self.evaluate(t).state
 
     def evaluate(self, t: ArrayLike) -> Moments:
         """Everything at times t (s, shape (n,), inside the motion)."""
-        times = np.atleast_1d(np.asarray(t, dtype=np.float64))
+        moments = times(t)
         last = float(self.t[-1])
-        outside = times[~((times >= 0.0) & (times <= last))]
+        outside = moments[~((moments >= 0.0) & (moments <= last))]
         if outside.size:
             raise RimrollError(
                 f"t must be inside the motion, 0 to {last:.6g} s ({self.status}), "
                 f"got {outside[0]} s"
             )
-        return Moments(self._core.at(times))
+        return Moments(self._core.at(moments))
 
     def samples(self, per_step: int = 4) -> Moments:
         """Everything at the accepted steps and evenly inside each: for smooth curves."""
@@ -294,14 +306,12 @@ class Motion(Moments):
 
     def parameters(self) -> dict[str, Any]:
         """All that the motion was computed from, as plain numbers and texts."""
-        topple = {} if self.topple_tilt is None else {"topple_tilt": self.topple_tilt}
+        options = {k: v for k, v in asdict(self._options).items() if v is not None}
         return {
             "law": self.law.name,
             **{f"body_{name}": value for name, value in asdict(self.body).items()},
             **{f"start_{name}": value for name, value in asdict(self.start).items()},
-            "gravity": self.gravity,
-            "rtol": self.rtol,
-            **topple,
+            **options,
             "rimroll_version": _core.__version__,
         }
 
@@ -360,17 +370,23 @@ def simulate(
     RimrollError
         A number outside its bounds, or a start of arrays.
     """
-    if start.shape:
-        raise RimrollError(f"simulate follows one start, got arrays of shape {start.shape}")
-    topple = None if topple_tilt is None else number("topple_tilt", topple_tilt)
-    core = _core.simulate(
-        body,
-        start,
-        law.name,
+    options = _Options(
         number("duration", duration),
         number("gravity", gravity),
         number("rtol", rtol),
-        topple,
-        int(max_steps),
+        None if topple_tilt is None else number("topple_tilt", topple_tilt),
+        _count("max_steps", max_steps),
     )
-    return Motion(core, body, start, law, float(gravity), float(rtol), topple)
+    return _follow(body, single(start), law, options)
+
+
+def _follow(body: Body, start: State, law: Law, options: _Options) -> Motion:
+    core = _core.simulate(body, start, law.name, *astuple(options))
+    return Motion(core, body, start, law, options)
+
+
+def _count(field: str, value: object) -> int:
+    count = number(field, value)
+    if not (count.is_integer() and 1 <= count < 2**53):
+        raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
+    return int(count)

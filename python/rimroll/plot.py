@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import SymmetricalLogLocator
+from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
 
 from rimroll import style
 from rimroll.motion import Array, Moments, Motion
@@ -18,6 +18,8 @@ TIME_UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9), ("ps", 1e-1
 MAGNIFIED = 20.0  # the inset shows this many φ_c/ω before and after the smallest tilt
 BRIEF = 0.05  # part of the motion below which the near-collision looks like a step
 DECADES = 30.0  # a curve whose peak passes its usual size this many times gets a logarithmic axis
+
+ROUNDING = 1e-9  # rad/s or N: a curve that stays below is zero
 
 
 @dataclass(frozen=True)
@@ -74,7 +76,7 @@ def _draw_angles(row: Array, moments: Moments, color: str) -> None:
         (row[2], "c", "spin", "θ", moments.spin),
     ):
         ax.plot(moments.t, values, color=color)
-        style.label(ax, letter, name, "time $t$ (s)", f"{symbol} (rad)")
+        style.label(ax, letter, name, "time $t$ (s)", f"${symbol}$ (rad)")
 
 
 def _draw_rates(row: Array, motion: Motion, moments: Moments, color: str) -> None:
@@ -85,7 +87,7 @@ def _draw_rates(row: Array, motion: Motion, moments: Moments, color: str) -> Non
         (row[2], "f", "spin rate", "θ", "spin_rate"),
     ):
         ax.plot(moments.t, moments[column], color=color)
-        style.label(ax, letter, name, "time $t$ (s)", f"d{symbol}/d$t$ (rad/s)")
+        style.label(ax, letter, name, "time $t$ (s)", f"d${symbol}$/d$t$ (rad/s)")
         _stretch(ax, moments[column], usual[column])
 
 
@@ -95,13 +97,9 @@ def _draw_forces(ax: Axes, motion: Motion, moments: Moments, color: str) -> None
     ax.plot(moments.t, moments.normal_force, label="normal, $N$", **normal)  # type: ignore[arg-type]
     ax.plot(moments.t, friction, color=color, label="friction, |$T$|")
     style.label(ax, "g", "forces on the rim", "time $t$ (s)", "force (N)")
-    _stretch(ax, moments.normal_force, _evenly(motion).normal_force)
-    low, high = ax.get_ylim()
-    if ax.get_yscale() == "symlog":
-        ax.set_ylim(low, high**1.35)
-    else:
-        ax.set_ylim(low, high + 0.25 * (high - low))
-    ax.legend(loc="upper center", ncols=2)
+    _stretch(ax, moments.normal_force, 0.1 * _evenly(motion).normal_force)
+    _headroom(ax)
+    ax.legend(loc="upper center", ncols=2, handlelength=1.4, columnspacing=1.2)
 
 
 def _draw_ratio(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
@@ -120,9 +118,9 @@ def _draw_rate_plane(ax: Axes, moments: Moments, color: str) -> None:
     spin_rate, yaw_rate = moments.spin_rate / 10.0**power, moments.yaw_rate / 10.0**power
     ends = np.array([spin_rate.min(), spin_rate.max()])
     ax.plot(spin_rate, yaw_rate, color=color, lw=2.4, alpha=0.5)
-    ax.plot(ends, -ends, color=style.THEORY, ls="--", lw=0.8, label="dψ/d$t$ = −dθ/d$t$")
-    style.label(ax, "i", "yaw rate, spin rate", f"dθ/d$t$ ({unit})", f"dψ/d$t$ ({unit})")
-    ax.margins(y=0.2)
+    ax.plot(ends, -ends, color=style.THEORY, ls="--", lw=0.8, label="d$ψ$/d$t$ = −d$θ$/d$t$")
+    style.label(ax, "i", "yaw rate, spin rate", f"d$θ$/d$t$ ({unit})", f"d$ψ$/d$t$ ({unit})")
+    _headroom(ax)
     ax.legend(loc="upper right")
 
 
@@ -140,13 +138,25 @@ def _evenly(motion: Motion) -> Moments:
 def _stretch(ax: Axes, values: Array, usual: Array) -> None:
     """Make the axis logarithmic beyond the usual size, if the peaks would flatten all else."""
     peak = float(np.abs(values).max())
-    size = max(float(np.median(np.abs(usual))), 1e-7 * peak)
+    if peak < ROUNDING:
+        ax.set_ylim(-1.0, 1.0)
+        return
+    size = max(float(np.median(np.abs(usual))), 1e-30 * peak)
     if peak > DECADES * size:
-        ax.set_yscale("symlog", linthresh=10.0 ** np.ceil(np.log10(size)), linscale=0.7)
+        linear = 10.0 ** np.ceil(np.log10(size))
+        linscale = max(0.9, 0.07 * np.log10(peak / linear))
+        ax.set_yscale("symlog", linthresh=linear, linscale=linscale)
         locator = SymmetricalLogLocator(ax.yaxis.get_transform())
         locator.set_params(numticks=7)
         ax.yaxis.set_major_locator(locator)
         style.decades(ax.yaxis)
+
+
+def _headroom(ax: Axes) -> None:
+    """Keep the top of a panel free for its legend."""
+    scale = ax.yaxis.get_transform()
+    low, high = scale.transform(np.array(ax.get_ylim()))
+    ax.set_ylim(top=float(scale.inverted().transform(np.array([high + 0.2 * (high - low)]))[0]))
 
 
 def _magnify(ax: Axes, motion: Motion, color: str) -> None:
@@ -157,13 +167,15 @@ def _magnify(ax: Axes, motion: Motion, color: str) -> None:
     t = window.t + window.half_width * np.linspace(-1.0, 1.0, 401)
     unit, second = next((u for u in TIME_UNITS if window.half_width >= u[1]), TIME_UNITS[-1])
     rises = motion.yaw[-1] >= motion.yaw[0]
-    lens = ax.inset_axes((0.62, 0.22, 0.36, 0.36) if rises else (0.62, 0.62, 0.36, 0.36))
+    lens = ax.inset_axes((0.66, 0.19, 0.34, 0.31) if rises else (0.66, 0.6, 0.34, 0.31))
     half = 0.5 * turn_limit(motion.body, motion.law)
     for limit in (window.yaw - half, window.yaw + half):
         lens.axhline(limit, color=style.THEORY, ls="--", lw=0.7)
     yaw = motion.evaluate(np.clip(t, 0.0, motion.t[-1])).yaw
     lens.plot((t - window.t) / second, yaw, color=color)
     lens.set_xlim(*(window.half_width / second * np.array([-1.0, 1.0])))
+    lens.yaxis.set_major_locator(MaxNLocator(3, integer=True))
     lens.tick_params(labelsize=6.0, pad=1.5, length=2.0)
     lens.set_xlabel(f"$t$ − {window.t:.3f} s ({unit})", fontsize=6.0, labelpad=1.0)
+    lens.set_ylabel("$ψ$ (rad)", fontsize=6.0, labelpad=0.5)
     lens.spines[["top", "right"]].set_visible(True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rimroll.errors import RimrollError
 
@@ -66,14 +66,34 @@ class State:
         return np.broadcast_shapes(*(np.shape(getattr(self, f.name)) for f in fields(self)))
 
 
+def single(start: State) -> State:
+    """The start itself, when it is one; raises ``RimrollError`` for a State of arrays."""
+    if start.shape:
+        raise RimrollError(f"a motion has one start, got arrays of shape {start.shape}")
+    return start
+
+
+def times(t: ArrayLike) -> NDArray[np.float64]:
+    """Times (s) as an array (n,); raises ``RimrollError`` for anything else."""
+    array = np.atleast_1d(_numbers("t", t))
+    if array.ndim > 1:
+        raise RimrollError(f"t must be a number or a flat array, got shape {array.shape}")
+    return array
+
+
 def _finite(field: str, value: object) -> NDArray[np.float64]:
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise RimrollError(
-            f"{field} must be a number or an array of numbers, got {value!r}"
-        ) from None
+    array = _numbers(field, value)
     bad = array[~np.isfinite(array)]
     if bad.size:
         raise RimrollError(f"{field} must be finite, got {bad.flat[0]}")
+    return array
+
+
+def _numbers(field: str, value: object) -> NDArray[np.float64]:
+    """A copy of its own, that nobody can change."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "iuf":
+        raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}")
+    array = array.astype(np.float64)
+    array.flags.writeable = False
     return array

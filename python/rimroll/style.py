@@ -15,7 +15,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import NullFormatter, NullLocator
 
 from rimroll.laws import Law
 
@@ -39,7 +39,6 @@ STYLE: dict[str, Any] = {
     "font.size": 7.5,
     "mathtext.fontset": "dejavusans",
     "axes.titlesize": 8.0,
-    "axes.titlelocation": "left",
     "axes.titlepad": 4.0,
     "axes.titley": 1.0,  # fixed, not sought anew for each picture
     "axes.labelsize": 7.5,
@@ -48,7 +47,6 @@ STYLE: dict[str, Any] = {
     "axes.edgecolor": "#333333",
     "axes.spines.top": False,
     "axes.spines.right": False,
-    "axes.formatter.use_mathtext": True,
     "axes.formatter.limits": (-3, 4),
     "xtick.labelsize": 6.8,
     "ytick.labelsize": 6.8,
@@ -83,7 +81,7 @@ STYLE: dict[str, Any] = {
 @contextmanager
 def figure_style() -> Iterator[None]:
     """The style while figures are drawn and saved; whatever was set before comes back after."""
-    with mpl.rc_context(STYLE):
+    with mpl.rc_context(STYLE):  # type: ignore[arg-type]  # its keys are literals
         yield
 
 
@@ -94,14 +92,16 @@ def page(height: float, width: float = PAGE_WIDTH) -> Figure:
 
 def settle(figure: Figure) -> Figure:
     """Lay a page out now and for good, so that saving it to several files does not do it again."""
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.execute(figure)
+        figure.set_layout_engine("none")
     return figure
 
 
 def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
     """Name a panel and its axes; ``x`` and ``y`` carry their units."""
-    ax.set_title(f"({letter}) {title}" if letter else title)
+    ax.set_title(f"({letter}) {title}" if letter else title, loc="left")
     ax.set_xlabel(x)
     ax.set_ylabel(y)
 
@@ -118,6 +118,7 @@ def decades(*axes: Axis) -> None:
     for axis in axes:
         axis.set_major_formatter(lambda value, _: power_of_ten(value))
         axis.set_minor_formatter(NullFormatter())
+        axis.set_minor_locator(NullLocator())
 
 
 def power_of_ten(value: float) -> str:
@@ -134,3 +135,11 @@ def power_of_ten(value: float) -> str:
 def superscript(number: int) -> str:
     """A whole number written high: ⁻¹²."""
     return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def plain(value: float) -> str:
+    """A small positive number as text with one digit: 0.005, 10⁻⁴, 5×10⁻⁵."""
+    if value >= 1e-3:
+        return f"{value:g}"
+    mantissa, power = f"{value:.0e}".split("e")
+    return ("" if mantissa == "1" else f"{mantissa}×") + "10" + superscript(int(power))

@@ -27,7 +27,8 @@ def turn_limit_with_spin(body: Body, spin: float, tipping_rate: float) -> float:
 
     √(J/K) [π + 2 arctan(mHR s/(ω √(JK)))], with s = dθ/dt + dψ/dt cos φ (rad/s, positive in the
     direction of the turn) and ω > 0 the rate of tipping on arrival (rad/s), as long as the rim can
-    push and pull. The paper's "independent of initial conditions" is the case s → 0.
+    push and pull. The paper's "independent of initial conditions" is the case s → 0. Close to the
+    limit a spin against the turn keeps the rim pressed; with one along it the motion lifts off.
     """
     return _core.turn_limit_with_spin(body, spin, tipping_rate)
 

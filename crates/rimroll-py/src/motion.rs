@@ -2,18 +2,17 @@
 
 use crate::arguments::{BodyArgument, StateArgument, law, refusal};
 use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use rimroll::motion::{COLUMNS, Moment, moment};
 use rimroll::state::Coordinates;
-use rimroll::{Options, Status, simulate as simulate_in_core};
+use rimroll::{Options, simulate as simulate_in_core};
 use std::ops::ControlFlow;
 
 /// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
 type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 
 /// A computed motion, kept in the core; tables have one column a moment and one row a quantity.
-#[pyclass(unsendable)]
+#[pyclass(frozen)]
 pub struct CoreMotion {
     motion: rimroll::Motion,
 }
@@ -126,15 +125,21 @@ pub fn simulate(
         topple_tilt,
         max_steps,
     };
-    let watch = |_| match py.check_signals() {
+    let (body, start, law) = (body.body()?, start.into(), law(law_name)?);
+    // What a signal handler raised, Ctrl-C's KeyboardInterrupt for one.
+    let mut raised = None;
+    let watch = |_| match Python::attach(|py| py.check_signals()) {
         Ok(()) => ControlFlow::Continue(()),
-        Err(_) => ControlFlow::Break(()),
+        Err(error) => {
+            raised = Some(error);
+            ControlFlow::Break(())
+        }
     };
-    let law = law(law_name)?;
-    let motion =
-        simulate_in_core(&body.body()?, &start.into(), law, &options, watch).map_err(refusal)?;
-    if motion.status == Status::Interrupted {
-        return Err(PyKeyboardInterrupt::new_err(motion.message));
+    let motion = py
+        .detach(|| simulate_in_core(&body, &start, law, &options, watch))
+        .map_err(refusal)?;
+    match raised {
+        Some(error) => Err(error),
+        None => Ok(CoreMotion { motion }),
     }
-    Ok(CoreMotion { motion })
 }

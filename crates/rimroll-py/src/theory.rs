@@ -78,7 +78,7 @@ fn map<'py>(
 }
 
 /// The near-collision by itself; times from its smallest tilt, s.
-#[pyclass(unsendable)]
+#[pyclass(frozen)]
 pub struct CoreNearCollision {
     near: NearCollision,
 }
@@ -140,7 +140,7 @@ impl CoreNearCollision {
 }
 
 /// The pendulum pasted to the near-collision; times from the release, s.
-#[pyclass(unsendable)]
+#[pyclass(frozen)]
 pub struct CorePasted {
     pasted: pasted::Pasted,
 }

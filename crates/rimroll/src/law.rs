@@ -159,7 +159,7 @@ impl LawKind {
     }
 
     /// The law for a body under gravity g (m/s²).
-    pub fn of(self, body: &Body, gravity: f64) -> Box<dyn Law<f64>> {
+    pub fn of(self, body: &Body, gravity: f64) -> Box<dyn Law<f64> + Send + Sync> {
         let parameters = Parameters::new(body, gravity);
         match self {
             LawKind::NoSlip => Box::new(NoSlip::new(parameters)),

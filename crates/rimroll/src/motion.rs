@@ -148,7 +148,7 @@ impl Status {
 /// A computed motion.
 pub struct Motion {
     /// The law with the body's numbers, for forces and energy along the way.
-    pub law: Box<dyn Law<f64>>,
+    pub law: Box<dyn Law<f64> + Send + Sync>,
     /// Every accepted step, to be evaluated anywhere.
     pub track: Track,
     /// What happened on the way, in order of time.

@@ -9,7 +9,7 @@
 //! ψ ≈ ψ₀ ± √(J′/K′) [π/2 + arctan(ω (t − t_c)/φ_c)]
 //! ```
 //!
-//! with an error of the order of φ_c ln φ_c in both, everywhere. What the near-collision needs to know,
+//! everywhere with an error of the order of φ_c ln φ_c in ψ and φ_c² ln φ_c in φ. What the near-collision needs to know,
 //! ω and φ_c = |l| √(K′/J′)/ω, comes from the start alone: l = ψ̇ sin² φ and the spin obey linear
 //! equations with the pendulum's tilt as clock.
 

@@ -29,9 +29,9 @@ pub fn can_2007() -> Result<Body, InvalidInput> {
 
 /// A 330 ml aluminium drinks can, filled to a part between 0 (empty) and 1.
 ///
-/// Nominal sizes: body 66 mm across and 115 mm high with a wall of 0.10 mm, a base of 0.30 mm standing
-/// on a rim 48 mm across and a lid of 0.25 mm and 52 mm across; 12 g in all when empty. A filling
-/// moves as if frozen.
+/// Nominal sizes: body 66 mm across and 115 mm high with a wall of 0.10 mm, a base of 0.30 mm at 5 mm
+/// over a rim 48 mm across, a lid of 0.25 mm and 52 mm across; 10.6 g in all when empty. The filling is
+/// water, 97 mm deep when full, and moves as if frozen.
 pub fn soda_can(fill: f64) -> Result<Body, InvalidInput> {
     let fill = part("fill", fill)?;
     let (radius, height) = (0.033, 0.115);
@@ -49,8 +49,8 @@ pub fn soda_can(fill: f64) -> Result<Body, InvalidInput> {
 /// A 330 ml long-neck glass bottle, filled to a part between 0 (empty) and 1 of its body.
 ///
 /// Nominal sizes: body 61 mm across and 130 mm high with a wall of 2.2 mm, shoulder and neck 100 mm long
-/// as a wall of 30 mm across and 2.8 mm, a base 6 mm thick standing on a rim 52 mm across; about
-/// 0.2 kg when empty. A filling moves as if frozen.
+/// as a wall 30 mm across outside and 2.8 mm thick, a base 6 mm thick standing on a rim 52 mm across;
+/// 0.23 kg when empty. The filling is water and moves as if frozen.
 pub fn beer_bottle(fill: f64) -> Result<Body, InvalidInput> {
     let fill = part("fill", fill)?;
     let (radius, body, neck) = (0.0305, 0.130, 0.100);

@@ -9,13 +9,34 @@ mod bodies;
 #[path = "given/motions.rs"]
 mod motions;
 
-use bodies::{any_body, any_coordinates, cases};
+use bodies::{any_body, cases, powers_of_ten};
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{Frictionless, Law, NoSlip, Parameters};
 use rimroll::real::Dual;
 use rimroll::state::Coordinates;
 use rimroll::{Body, LawKind, Motion, Options, State, Status, presets};
+
+/// Anywhere from 1e-12 rad of lying flat to lying on its other face, moving in any way.
+fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
+    let tilt = prop_oneof![powers_of_ten(-12.0, 0.0), 0.1..3.1];
+    let rate = || -20.0..20.0;
+    (tilt, -4.0..4.0, rate(), rate(), rate()).prop_map(|(tilt, yaw, p, w, s)| {
+        let (sin, cos) = libm::sincos(tilt);
+        Coordinates {
+            yaw,
+            spin: 0.0,
+            x: 0.0,
+            y: 0.0,
+            t: 0.0,
+            sin,
+            cos,
+            p,
+            w,
+            s,
+        }
+    })
+}
 
 const ROUNDING: f64 = 1e-12;
 

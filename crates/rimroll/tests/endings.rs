@@ -46,11 +46,11 @@ fn pendulum_rate_squared(body: &Body, law: LawKind, start: &State, tilt: f64) ->
     kinetic / pendulum_inertia(body, law, tilt)
 }
 
-/// ∫ dφ/|φ̇| from flat to the start, s, by Simpson's rule on 2000 intervals: exact to rounding for an
-/// integrand as smooth as this one.
+/// ∫ dφ/|φ̇| from the start to flat, s, by Simpson's rule in x with φ = φ₀ − x², for which the
+/// integrand is smooth though φ̇ is small at first: errs by less than 1e-13 s.
 fn pendulum_time(body: &Body, law: LawKind, start: &State) -> f64 {
-    const INTERVALS: u32 = 2000;
-    let width = start.tilt / f64::from(INTERVALS);
+    const INTERVALS: u32 = 20_000;
+    let width = start.tilt.sqrt() / f64::from(INTERVALS);
     let sum: f64 = (0..=INTERVALS)
         .map(|i| {
             let weight = match i {
@@ -58,8 +58,9 @@ fn pendulum_time(body: &Body, law: LawKind, start: &State) -> f64 {
                 _ if i % 2 == 1 => 4.0,
                 _ => 2.0,
             };
-            let rate = pendulum_rate_squared(body, law, start, width * f64::from(i)).sqrt();
-            weight / rate
+            let x = width * f64::from(i);
+            let rate = pendulum_rate_squared(body, law, start, start.tilt - x * x).sqrt();
+            weight * 2.0 * x / rate
         })
         .sum();
     sum * width / 3.0
@@ -75,8 +76,7 @@ fn without_any_sideways_motion_the_body_falls_face_down_like_a_plane_pendulum() 
             assert_eq!(kinds(&motion), [EventKind::FaceDown]);
             assert!(motion.turns.is_empty());
             let end = motion.track.end();
-            println!("{:e}", end.t - pendulum_time(&body, law, &start));
-            assert!((end.t - pendulum_time(&body, law, &start)).abs() < 1e-11);
+            assert!((end.t - pendulum_time(&body, law, &start)).abs() < 1e-12);
             let rate = pendulum_rate_squared(&body, law, &start, 0.0).sqrt();
             assert!((end.p + rate).abs() < 1e-11 * rate);
             assert_eq!((end.yaw, end.w), (0.0, 0.0));
@@ -145,6 +145,27 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
     }
 }
 
+/// At a loose tolerance the dense output is off, but an extreme is found by a real step.
+#[test]
+fn extremes_of_the_tilt_are_where_its_rate_is_zero_whatever_the_tolerance() {
+    for law in LawKind::ALL {
+        for rtol in [1e-4, 1e-6, 1e-10, 1e-13] {
+            let options = Options { rtol, ..tight(2.0) };
+            let motion = follow(&can(), &paper_start(0.005), law, &options);
+            assert!(motion.events.len() >= 6);
+            for event in &motion.events {
+                // Beside the rates of falling and of yawing.
+                let size = 14.0 + event.at.w.abs();
+                assert!(
+                    event.at.p.abs() < 1e-9 * size,
+                    "{law:?} {rtol:e} {:?}",
+                    event.kind
+                );
+            }
+        }
+    }
+}
+
 /// A flick from 30° that brings the can to the table at a tipping rate.
 fn flick(arrival_rate: f64) -> State {
     let (body, tilt) = (can(), PI / 6.0);
@@ -154,13 +175,14 @@ fn flick(arrival_rate: f64) -> State {
     State {
         tilt,
         tilt_rate: -square.sqrt(),
-        yaw_rate: 1e-7,
+        yaw_rate: 1e-11,
         ..State::default()
     }
 }
 
 /// ω² = gK/(JH), 10.605 rad/s for the can: at the end of the tipping phase the rim would have to be
-/// pulled down. A part in 10⁵ to either side decides.
+/// pulled down. A part in 10⁵ to either side decides: the
+/// near-collision is kept so close that its own push comes later.
 #[test]
 fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
     let limit = lift_off_rate(&can(), PAPER_GRAVITY).expect("valid");
@@ -209,7 +231,7 @@ fn a_fast_disk_on_its_edge_rolls_straight_ahead() {
         // It rolls along e_y1.
         assert!((u.y - disk().radius() * spin_rate * u.t).abs() < 1e-12);
         assert!(u.x.abs() < 1e-14 && u.yaw.abs() < 1e-12);
-        println!("{:e} {:e}", u.tilt() - FRAC_PI_2, u.yaw);
+
         assert!((u.tilt() - FRAC_PI_2).abs() < 1e-12);
     }
 }
@@ -231,20 +253,16 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
     let half_period = PI / (1.6 * rolling).sqrt();
     for motion in [&one, &other] {
         assert_eq!(motion.status, Status::Finished);
+        // The start itself may count as one.
         let uprights: Vec<_> = motion
             .events
             .iter()
-            .filter(|event| event.kind == EventKind::Upright)
+            .filter(|event| event.kind == EventKind::Upright && event.at.t > 0.5 * half_period)
             .map(|event| event.at)
             .collect();
         assert!(uprights.len() >= 16);
         for (nods, upright) in (1..).map(f64::from).zip(&uprights) {
-            println!(
-                "{:e} {:e}",
-                upright.cos,
-                upright.t / (nods * half_period) - 1.0
-            );
-            assert!(upright.cos.abs() < 1e-12);
+            assert!(upright.cos.abs() < 1e-14);
             assert!((upright.t / (nods * half_period) - 1.0).abs() < 1e-4);
         }
     }
@@ -287,7 +305,7 @@ fn a_uniform_disk_that_topples_from_its_edge_without_slip_lifts_off_at_30_degree
         assert_eq!(motion.status, Status::LiftedOff);
         let from = libm::sin(start.tilt);
         let expected = (from + (from * from - 0.75).sqrt()) / 3.0;
-        println!("{:e}", motion.track.end().sin - expected);
+
         assert!((motion.track.end().sin - expected).abs() < 1e-12);
         assert!((libm::asin(expected).to_degrees() - 30.0).abs() < 1e-4);
     }
@@ -317,7 +335,7 @@ fn a_disk_flicked_over_its_edge_turns_on_its_other_face() {
     );
     let far = motion.events[1].at.tilt();
     let turn = motion.turns[0];
-    println!("{turn:?} {}", turn.angle.abs() - turn_limit(&disk(), law));
+
     assert!(far > 3.1 && (turn.min_tilt - (PI - far)).abs() < 1e-15);
     assert!(
         (turn.angle.abs() - turn_limit(&disk(), law)).abs() < 1e-5,

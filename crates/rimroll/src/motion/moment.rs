@@ -39,6 +39,14 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
     let force = law.contact(u);
     let (along, across) = (force.along / u.sin, force.across / u.sin);
     let friction = (force.along * force.along + force.across * force.across).sqrt();
+    // Where nothing presses, no friction is had at any coefficient.
+    let needed = if friction == 0.0 {
+        0.0
+    } else if force.normal > 0.0 {
+        friction / force.normal
+    } else {
+        f64::INFINITY
+    };
     let energy = law.energy(u);
     [
         u.t,
@@ -57,7 +65,7 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
         force.normal / u.sin,
         along * cos_yaw - across * sin_yaw,
         along * sin_yaw + across * cos_yaw,
-        friction / force.normal,
+        needed,
         energy.kinetic,
         energy.potential,
     ]

@@ -206,3 +206,199 @@ pub const DENSE: [Row; 4] = [
         (15, -149.72683625798564),
     ],
 ];
+
+#[cfg(test)]
+mod tests {
+    //! The order conditions of Hairer, Nørsett & Wanner, sections II.1, II.5 and II.10, and the orders
+    //! themselves, measured on a planet.
+
+    use super::super::{Step, System};
+    use super::{ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
+    use core::f64::consts::PI;
+
+    /// Of sums over coefficients as large as 40, each rounded to 16 digits.
+    const ROUNDING: f64 = 3e-13;
+
+    /// The rows of all sixteen stages: the first is the start, the thirteenth the slope at the end.
+    fn rows() -> Vec<Row> {
+        let start: Row = &[];
+        [start]
+            .into_iter()
+            .chain(STAGES)
+            .chain([SOLUTION])
+            .chain(EXTRA_STAGES)
+            .collect()
+    }
+
+    fn sum(row: Row, term: impl Fn(usize) -> f64) -> f64 {
+        row.iter()
+            .map(|&(stage, weight)| weight * term(stage))
+            .sum()
+    }
+
+    fn power(x: f64, k: u32) -> f64 {
+        (0..k).fold(1.0, |product, _| product * x)
+    }
+
+    /// c: the fraction of the step that each stage stands for.
+    fn nodes() -> Vec<f64> {
+        rows().into_iter().map(|row| sum(row, |_| 1.0)).collect()
+    }
+
+    fn near(value: f64, expected: f64) -> bool {
+        (value - expected).abs() < ROUNDING
+    }
+
+    #[test]
+    fn the_nodes_are_those_of_the_method() {
+        let expected = [
+            (0, 0.0),
+            (5, 1.0 / 3.0),
+            (6, 0.25),
+            (7, 4.0 / 13.0),
+            (8, 127.0 / 195.0),
+            (9, 0.6),
+            (10, 6.0 / 7.0),
+            (11, 1.0),
+            (12, 1.0),
+            (13, 0.1),
+            (14, 0.2),
+            (15, 7.0 / 9.0),
+        ];
+        let c = nodes();
+        for (stage, node) in expected {
+            assert!(near(c[stage], node), "stage {stage}");
+        }
+    }
+
+    /// Σ bᵢ cᵢᵏ = 1/(k + 1).
+    #[test]
+    fn the_solution_integrates_polynomials_up_to_the_seventh_degree() {
+        let c = nodes();
+        let integral = |k| sum(SOLUTION, |stage| power(c[stage], k));
+        for k in 0..8 {
+            assert!(near(integral(k), 1.0 / f64::from(k + 1)), "degree {k}");
+        }
+        assert!(!near(integral(8), 1.0 / 9.0));
+    }
+
+    /// Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1): up to k = 2 for the first stages, which the solution leaves out, up
+    /// to 4 for those it uses, and up to 5 for those of the dense output.
+    #[test]
+    fn the_stages_are_themselves_solutions_of_lower_order() {
+        let c = nodes();
+        for (stage, row) in rows().into_iter().enumerate().skip(2) {
+            let degree = match stage {
+                2..=4 => 2,
+                5..=11 => 4,
+                _ => 5,
+            };
+            for k in 1..=degree {
+                let integral = sum(row, |j| power(c[j], k));
+                let expected = power(c[stage], k + 1) / f64::from(k + 1);
+                assert!(near(integral, expected), "stage {stage}, degree {k}");
+            }
+        }
+        assert!(SOLUTION.iter().all(|&(stage, _)| !(1..=4).contains(&stage)));
+    }
+
+    /// Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ): the simplifying assumption that spares the trees which branch at
+    /// their root only once.
+    #[test]
+    fn the_columns_simplify() {
+        let weight = |row: Row, stage: usize| {
+            row.iter()
+                .find(|(other, _)| *other == stage)
+                .map_or(0.0, |(_, weight)| *weight)
+        };
+        let (rows, c) = (rows(), nodes());
+        for (j, node) in c.into_iter().enumerate().take(12) {
+            let column = sum(SOLUTION, |i| weight(rows[i], j));
+            let expected = weight(SOLUTION, j) * (1.0 - node);
+            assert!(near(column, expected), "column {j}");
+        }
+    }
+
+    /// Solution and embedded solution agree for polynomials below the order of the latter.
+    #[test]
+    fn the_error_estimates_have_orders_5_and_3() {
+        let c = nodes();
+        for (estimate, order) in [(ERROR_5, 5), (ERROR_3, 3)] {
+            let moment = |k| sum(estimate, |stage| power(c[stage], k));
+            assert!((0..order).all(|k| near(moment(k), 0.0)));
+            assert!(moment(order).abs() > 1e-4);
+        }
+    }
+
+    /// A planet at unit distance scale: x, y and their rates under the attraction 1/r².
+    struct Planet;
+
+    impl System<4> for Planet {
+        fn rates(&self, u: &[f64; 4]) -> [f64; 4] {
+            let [x, y, vx, vy] = *u;
+            let square = x * x + y * y;
+            let pull = -1.0 / (square * square.sqrt());
+            [vx, vy, pull * x, pull * y]
+        }
+
+        fn scale(&self, _: &[f64; 4]) -> [f64; 4] {
+            [1.0; 4]
+        }
+    }
+
+    const ECCENTRICITY: f64 = 0.3;
+
+    /// Where the planet is at the time t after its perihelion, by Kepler's equation t = E − e sin E.
+    fn planet(t: f64) -> [f64; 4] {
+        let e = ECCENTRICITY;
+        let mut anomaly = t;
+        for _ in 0..20 {
+            let (sin, cos) = libm::sincos(anomaly);
+            anomaly -= (anomaly - e * sin - t) / (1.0 - e * cos);
+        }
+        let (sin, cos) = libm::sincos(anomaly);
+        let (breadth, rate) = ((1.0 - e * e).sqrt(), 1.0 / (1.0 - e * cos));
+        [cos - e, breadth * sin, -sin * rate, breadth * cos * rate]
+    }
+
+    fn distance(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+        a.iter()
+            .zip(b)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max)
+    }
+
+    /// The order that an error shows when the step is halved.
+    fn order(error: impl Fn(u32) -> f64, steps: u32) -> f64 {
+        libm::log2(error(steps) / error(2 * steps))
+    }
+
+    #[test]
+    fn the_solution_converges_with_order_8() {
+        let after_half_a_year = |steps: u32| {
+            let h = PI / f64::from(steps);
+            let end = (0..steps).fold(planet(0.0), |u, _| {
+                Step::take(&Planet, &u, &Planet.rates(&u), h).end
+            });
+            distance(&end, &planet(PI))
+        };
+        let order = order(after_half_a_year, 10);
+        assert!((order - 8.0).abs() < 0.5, "{order}");
+    }
+
+    /// Within one step the error goes with the power 8 of its length: globally, order 7.
+    #[test]
+    fn the_dense_output_converges_with_order_7() {
+        let within_one_step = |steps: u32| {
+            let (start, h) = (0.5, PI / f64::from(steps));
+            let u = planet(start);
+            let dense = Step::take(&Planet, &u, &Planet.rates(&u), h).dense(&Planet);
+            (0..=16)
+                .map(|i| f64::from(i) / 16.0)
+                .map(|x| distance(&dense.at(x), &planet(start + x * h)))
+                .fold(0.0, f64::max)
+        };
+        let order = order(within_one_step, 10);
+        assert!((order - 8.0).abs() < 0.5, "{order}");
+    }
+}

@@ -20,7 +20,8 @@ pub fn turn_limit(body: &Body, law: LawKind) -> f64 {
 /// positive in the direction of the turn) as it arrives with the tipping rate ω (rad/s):
 /// √(J/K) [π + 2 arctan(mHR s / (ω √(JK)))], for as long as the rim can push and pull.
 ///
-/// The paper's "independent of initial conditions" is the case s → 0.
+/// The paper's "independent of initial conditions" is the case s → 0. Close to the limit a spin against
+/// the turn keeps the rim pressed; with one along it the motion lifts off on the way.
 ///
 /// # Errors
 /// Refuses a tipping rate ≤ 0 and a spin that is not finite.

@@ -1,9 +1,8 @@
-//! Random bodies and where they may be, for the property tests.
+//! Random bodies for the property tests.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rimroll::Body;
-use rimroll::state::Coordinates;
 
 /// The same cases every time, so that a test that passes keeps passing; no file is left behind.
 pub fn cases(count: u32) -> ProptestConfig {
@@ -16,7 +15,7 @@ pub fn cases(count: u32) -> ProptestConfig {
 }
 
 /// 10^x for x uniform in a range.
-fn powers_of_ten(low: f64, high: f64) -> impl Strategy<Value = f64> {
+pub fn powers_of_ten(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low..high).prop_map(|x| libm::pow(10.0, x))
 }
 
@@ -36,25 +35,4 @@ pub fn any_body() -> impl Strategy<Value = Body> {
             let a = transverse * mass * radius * radius;
             Body::new(mass, radius, slenderness * radius, a, axial * a).expect("a rigid body")
         })
-}
-
-/// Anywhere from 1e-12 rad of lying flat to lying on its other face, moving in any way.
-pub fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
-    let tilt = prop_oneof![powers_of_ten(-12.0, 0.0), 0.1..3.1];
-    let rate = || -20.0..20.0;
-    (tilt, -4.0..4.0, rate(), rate(), rate()).prop_map(|(tilt, yaw, p, w, s)| {
-        let (sin, cos) = libm::sincos(tilt);
-        Coordinates {
-            yaw,
-            spin: 0.0,
-            x: 0.0,
-            y: 0.0,
-            t: 0.0,
-            sin,
-            cos,
-            p,
-            w,
-            s,
-        }
-    })
 }

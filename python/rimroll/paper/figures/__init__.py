@@ -5,5 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rimroll.paper.drawing import Drawing
+from rimroll.paper.figures import (
+    contact_path,
+    convergence,
+    falling,
+    friction,
+    height,
+    pasted,
+    simulation,
+    small_angle,
+)
 
-FIGURES: tuple[Callable[[], Drawing], ...] = ()
+FIGURES: tuple[Callable[[], Drawing], ...] = (
+    falling.draw,
+    simulation.draw,
+    simulation.draw_frictionless,
+    convergence.draw,
+    height.draw,
+    friction.draw,
+    pasted.draw,
+    small_angle.draw,
+    contact_path.draw,
+)

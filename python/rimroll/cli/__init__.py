@@ -1,0 +1,53 @@
+"""The command line: ``rimroll turn``, ``simulate``, ``reproduce`` and ``bodies``.
+
+What is loaded when: nothing here; typer, rich and numpy for any command; pint, pydantic, xarray and
+matplotlib only by what needs them, so that short answers come at once.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from collections.abc import Sequence
+
+from rimroll.errors import RimrollError
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command with the given arguments, else the program's own; return its exit code.
+
+    0 when all went well, 1 when the solver gave up; with one line on stderr, 2 for what cannot be
+    done and 130 when interrupted.
+    """
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # rather a ? for a ° than no answer
+    try:
+        from rimroll.cli.commands import run
+
+        code = run(arguments)
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        return _complain("interrupted", 130)
+    except RimrollError as error:
+        return _complain(str(error), 2)
+    except OSError as error:
+        _forget_output()
+        place = f"{error.filename}: " if error.filename else ""
+        return _complain(f"{place}{error.strerror or error}", 2)
+    except MemoryError:
+        return _complain("out of memory; ask for fewer points", 2)
+    return code
+
+
+def _complain(message: str, code: int) -> int:
+    print("rimroll:", " ".join(message.split()), file=sys.stderr)
+    return code
+
+
+def _forget_output() -> None:
+    """Drop what stdout cannot take, lest Python complain once more on its way out."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

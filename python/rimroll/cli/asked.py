@@ -1,0 +1,125 @@
+"""What the options of a command amount to, over a scenario file if there is one."""
+
+from __future__ import annotations
+
+import inspect
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rimroll import bodies, laws
+from rimroll.body import Body
+from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions
+from rimroll.errors import RimrollError
+from rimroll.laws import NoSlip
+from rimroll.scenario import UNIT_OF, Options, Scenario, load, presets
+from rimroll.state import State
+from rimroll.units import quantity
+
+NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
+SIZES = (*NUMBERS, "length", "fill")
+DEFAULT = "can_2007"
+
+
+@dataclass(frozen=True)
+class Asked(Scenario):
+    """A scenario, with the name under which its body was asked for."""
+
+    name: str
+
+
+def asked(body: BodyOptions, start: StartOptions, motion: MotionOptions, law: str | None) -> Asked:
+    """Put together what a command asks for.
+
+    Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
+    """
+    file, preset = body.scenario, body.body
+    if preset is not None and _is_file(preset):
+        if file is not None:
+            raise RimrollError(f"{preset} and --scenario {file} are both scenario files: give one")
+        file, preset = Path(preset), None
+    scenario = load(file) if file is not None else None
+    sizes = {name: text for name in SIZES if (text := getattr(body, name)) is not None}
+    return Asked(
+        body=_body(preset, sizes, scenario),
+        start=_start(start, scenario.start if scenario else None),
+        law=laws.by_name(law) if law is not None else scenario.law if scenario else NoSlip(),
+        options=_options(motion, scenario.options if scenario else Options()),
+        name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
+    )
+
+
+def _is_file(name: str) -> bool:
+    """Whether a body's name looks like a file's."""
+    return name.endswith(".toml") or "/" in name or Path(name).is_file()
+
+
+def option(name: str) -> str:
+    """How a field is typed: ``--tilt-rate``."""
+    return "--" + name.replace("_", "-")
+
+
+def _body(preset: str | None, sizes: dict[str, str], scenario: Scenario | None) -> Body:
+    if preset is not None:
+        return preset_body(preset, sizes)
+    for name in sizes:
+        if name not in NUMBERS:
+            raise RimrollError(
+                f"{option(name)} is for a preset: name it, as in cylinder or soda_can"
+            )
+    numbers = {name: quantity(text, UNIT_OF[name], option(name)) for name, text in sizes.items()}
+    if scenario is not None:
+        return replace(scenario.body, **numbers)
+    if not numbers:
+        return bodies.by_name(DEFAULT)
+    missing = [option(name) for name in NUMBERS if name not in numbers]
+    if missing:
+        raise RimrollError(f"a body of your own also needs {', '.join(missing)}")
+    return Body(**numbers)
+
+
+def preset_body(name: str, sizes: dict[str, str]) -> Body:
+    """A preset with the sizes that it takes."""
+    choices = presets()
+    function = choices.get(name.replace("-", "_"))
+    if function is None:
+        raise RimrollError(
+            f"unknown body {name!r}: choose from {', '.join(choices)}, or give a .toml file"
+        )
+    taken = inspect.signature(function).parameters
+    for size in sizes:
+        if size not in taken:
+            takes = ", ".join(map(option, taken)) or "none"
+            raise RimrollError(f"{option(size)} does not go with {name} (its options: {takes})")
+    for size, parameter in taken.items():
+        if parameter.default is parameter.empty and size not in sizes:
+            raise RimrollError(f"{name} needs {option(size)}")
+    return function(
+        **{size: quantity(text, UNIT_OF[size], option(size)) for size, text in sizes.items()}
+    )
+
+
+def _start(options: StartOptions, start: State | None) -> State | None:
+    units = {"tilt": "rad", "tilt_rate": "rad/s", "yaw_rate": "rad/s", "spin_rate": "rad/s"}
+    given = {
+        name: quantity(text, unit, option(name))
+        for name, unit in units.items()
+        if (text := getattr(options, name)) is not None
+    }
+    if start is not None:
+        return replace(start, **given)
+    if given and "tilt" not in given:
+        raise RimrollError("a start needs --tilt, for instance --tilt 30deg")
+    return State(**given) if given else None
+
+
+def _options(motion: MotionOptions, options: Options) -> Options:
+    units = {"duration": "s", "gravity": "m/s^2", "topple_tilt": "rad"}
+    given: dict[str, float] = {
+        name: quantity(text, unit, option(name))
+        for name, unit in units.items()
+        if (text := getattr(motion, name)) is not None
+    }
+    if motion.rtol is not None:
+        given["rtol"] = motion.rtol
+    options = replace(options, **given)  # type: ignore[arg-type]
+    return options if motion.max_steps is None else replace(options, max_steps=motion.max_steps)

@@ -1,0 +1,64 @@
+"""``rimroll bodies``: what there is to roll."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import textwrap
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Any
+
+from rimroll._core import __version__
+from rimroll.body import Body
+from rimroll.cli.asked import NUMBERS, option
+from rimroll.cli.options import JsonOption
+from rimroll.cli.screen import say, show_json, table
+from rimroll.scenario import presets
+
+
+def bodies(json: JsonOption = False) -> int:
+    """List the bodies that have a name, their numbers, and where those come from.
+
+    Example:
+
+    $ rimroll bodies
+
+    Each name can be given to the other commands, as in rimroll turn coin.
+    """
+    if json:
+        listed = {name: _described(preset) for name, preset in presets().items()}
+        show_json({"rimroll_version": __version__, "bodies": listed})
+        return 0
+    numbers = table("body", "m (kg)", "R (m)", "H (m)", "A (kg m²)", "C (kg m²)")
+    for name, preset in presets().items():
+        if (body := _by_name_alone(preset)) is not None:
+            numbers.add_row(name, *(f"{getattr(body, field):.4g}" for field in NUMBERS))
+    say(numbers)
+    for name, preset in presets().items():
+        options = " ".join(option(argument) for argument in inspect.signature(preset).parameters)
+        say(f"{name} {options}".strip())
+        say(textwrap.indent(textwrap.fill(_about(preset), 76), "    "))
+    return 0
+
+
+def _described(preset: Callable[..., Body]) -> dict[str, Any]:
+    body = _by_name_alone(preset)
+    return {
+        **({} if body is None else asdict(body)),
+        "arguments": list(inspect.signature(preset).parameters),
+        "about": _about(preset),
+    }
+
+
+def _by_name_alone(preset: Callable[..., Body]) -> Body | None:
+    """The body of a preset, if it needs no size."""
+    arguments = inspect.signature(preset).parameters.values()
+    needed = [argument for argument in arguments if argument.default is argument.empty]
+    return None if needed else preset()
+
+
+def _about(preset: Callable[..., Body]) -> str:
+    """What a preset's docstring says, in one line."""
+    text = re.sub(r":\w+:`(\w+)`", r"\1", inspect.getdoc(preset) or "")
+    return " ".join(text.split())

@@ -1,0 +1,132 @@
+"""The files of a motion: one format for each suffix."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rimroll.cli.asked import Asked
+from rimroll.cli.screen import Bar, plain, working
+from rimroll.errors import RimrollError
+from rimroll.motion import UNITS, Moments, Motion
+from rimroll.output import writing
+
+ROWS = 4096  # written between two looks at the progress bar
+
+
+@dataclass(frozen=True)
+class Record:
+    """A motion, the moments of it to write down, and what was asked for."""
+
+    motion: Motion
+    moments: Moments
+    asked: Asked
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """All that the motion was computed from."""
+        options = {
+            "duration": self.asked.options.duration,
+            "max_steps": self.asked.options.max_steps,
+        }
+        return {"body": self.asked.name, **self.motion.parameters(), **options}
+
+
+def check_suffixes(files: Sequence[Path]) -> None:
+    """Raise ``RimrollError`` for a file of no known format."""
+    for file in files:
+        if file.suffix.lower() not in _FORMATS:
+            known = ", ".join(_FORMATS)
+            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
+
+
+def write(file: Path, record: Record) -> None:
+    """Write a record in the format of the file's suffix; the file appears when it is whole.
+
+    Raises ``RimrollError`` when it cannot be written, for instance because the disk is full.
+    """
+    form = _FORMATS[file.suffix.lower()]
+    try:
+        with working(f"writing {file.name}") as bar, writing(file) as part:
+            form(part, record, bar)
+    except OSError as error:
+        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
+
+
+def summary(record: Record) -> dict[str, Any]:
+    """What there is to say about a motion, short of its samples."""
+    motion = record.motion
+    return {
+        "parameters": record.parameters,
+        "status": motion.status,
+        "message": motion.message,
+        "stats": asdict(motion.stats),
+        "turns": [asdict(turn) for turn in motion.turns],
+        "events": [asdict(event) for event in motion.events],
+    }
+
+
+def _csv(part: Path, record: Record, bar: Bar) -> None:
+    """Comments with the parameters, one line of ``name[unit]``, and doubles in full."""
+    columns = np.stack([record.moments[name] for name in UNITS], axis=-1)
+    with part.open("w", encoding="utf-8", newline="\n") as file:
+        for name, value in {**record.parameters, "status": record.motion.status}.items():
+            file.write(f"# {name} = {value}\n")
+        file.write(",".join(f"{name}[{unit}]" for name, unit in UNITS.items()) + "\n")
+        for first in range(0, len(columns), ROWS):
+            bar(first, len(columns), "")
+            rows = columns[first : first + ROWS].tolist()
+            file.writelines(",".join(map(repr, row)) + "\n" for row in rows)
+
+
+def _netcdf(part: Path, record: Record, bar: Bar) -> None:
+    import xarray as xr
+
+    whole = record.motion.to_xarray()
+    names = [name for name in UNITS if name != "t"]
+    dataset = xr.Dataset(
+        {name: ("t", record.moments[name], whole[name].attrs) for name in names},
+        coords={"t": ("t", record.moments.t, whole["t"].attrs)},
+        attrs={**whole.attrs, **record.parameters},
+    )
+    dataset.to_netcdf(part, engine="scipy")
+
+
+def _json(part: Path, record: Record, bar: Bar) -> None:
+    content = {
+        **summary(record),
+        "units": UNITS,
+        "samples": {name: record.moments[name] for name in UNITS},
+    }
+    text = json.dumps(plain(content), ensure_ascii=False, allow_nan=False)
+    part.write_text(text + "\n", encoding="utf-8")
+
+
+def _figure(part: Path, record: Record, bar: Bar) -> None:
+    from rimroll.style import figure_style
+
+    figure = record.motion.plot()
+    with figure_style():
+        figure.savefig(part, dpi=150)
+
+
+def _film(part: Path, record: Record, bar: Bar) -> None:
+    record.motion.animate(part, progress=lambda done, total: bar(done, total, ""))
+
+
+_FORMATS: dict[str, Callable[[Path, Record, Bar], None]] = {
+    ".csv": _csv,
+    ".nc": _netcdf,
+    ".json": _json,
+    ".png": _figure,
+    ".svg": _figure,
+    ".pdf": _figure,
+    ".gif": _film,
+    ".html": _film,
+    ".mp4": _film,
+}

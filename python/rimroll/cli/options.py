@@ -1,0 +1,150 @@
+"""The options that commands share."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass, fields, is_dataclass
+from pathlib import Path
+from typing import Annotated, Any, get_type_hints
+
+import typer
+
+from rimroll import laws
+from rimroll.scenario import MOST_STEPS
+
+
+def _option(help: str, metavar: str, panel: str) -> Any:
+    return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
+
+
+@dataclass(frozen=True)
+class BodyOptions:
+    """What rolls: a preset with its arguments, a file, or five numbers."""
+
+    body: Annotated[
+        str | None,
+        typer.Argument(
+            help="A name from [bold]rimroll bodies[/], or a scenario file (.toml); the paper's can,"
+            " can_2007, unless given.",
+            metavar="BODY",
+            show_default=False,
+        ),
+    ] = None
+    scenario: Annotated[
+        Path | None,
+        _option(
+            "Body, start, law and more from a file (TOML); options replace its values.",
+            "FILE",
+            "Body",
+        ),
+    ] = None
+    fill: Annotated[
+        str | None, _option("How full soda_can or beer_bottle is: 0.5 or 50%.", "PART", "Body")
+    ] = None
+    radius: Annotated[
+        str | None,
+        _option("Radius of the rim: of ring, disk, cylinder, or your own body.", "LENGTH", "Body"),
+    ] = None
+    length: Annotated[str | None, _option("Length of cylinder.", "LENGTH", "Body")] = None
+    mass: Annotated[str | None, _option("Your own body: its mass.", "MASS", "Body")] = None
+    height: Annotated[
+        str | None, _option("Height of its centre of mass above the base.", "LENGTH", "Body")
+    ] = None
+    transverse_inertia: Annotated[
+        str | None,
+        _option("A, about an axis through the centre of mass across the body.", "INERTIA", "Body"),
+    ] = None
+    axial_inertia: Annotated[
+        str | None, _option("C, about the symmetry axis.", "INERTIA", "Body")
+    ] = None
+
+
+@dataclass(frozen=True)
+class StartOptions:
+    """From where and how fast."""
+
+    tilt: Annotated[
+        str | None, _option("Tilt at the start; 0 is upright, base flat.", "ANGLE", "Start")
+    ] = None
+    tilt_rate: Annotated[
+        str | None, _option("Negative while falling toward upright. [0]", "RATE", "Start")
+    ] = None
+    yaw_rate: Annotated[
+        str | None, _option("How fast the contact point goes round. [0]", "RATE", "Start")
+    ] = None
+    spin_rate: Annotated[str | None, _option("About the symmetry axis. [0]", "RATE", "Start")] = (
+        None
+    )
+
+
+@dataclass(frozen=True)
+class MotionOptions:
+    """How long and how exactly to follow the motion."""
+
+    duration: Annotated[
+        str | None, _option("How long to follow the motion. [2 s]", "TIME", "Motion")
+    ] = None
+    gravity: Annotated[
+        str | None, _option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", "Motion")
+    ] = None
+    topple_tilt: Annotated[
+        str | None,
+        _option("Tilt that counts as toppled. [90 deg; a disk: none]", "ANGLE", "Motion"),
+    ] = None
+    rtol: Annotated[
+        float | None, _option("Relative error to aim at. [1e-10]", "NUMBER", "Motion")
+    ] = None
+    max_steps: Annotated[
+        int | None,
+        typer.Option(
+            help="Most steps of the solver. [1000000]",
+            metavar="NUMBER",
+            min=1,
+            max=MOST_STEPS,
+            rich_help_panel="Motion",
+        ),
+    ] = None
+
+
+LawOption = Annotated[
+    str | None,
+    typer.Option(
+        help=f"How the rim meets the table: {', '.join(laws.LAWS)}.".replace("_", "-"),
+        metavar="LAW",
+    ),
+]
+
+JsonOption = Annotated[
+    bool, typer.Option("--json", help="Answer in JSON, in SI units and radians.")
+]
+
+
+def unfolded(command: Callable[..., int]) -> Callable[..., int]:
+    """A command whose dataclass parameters are taken apart into an option for each field."""
+    hints = get_type_hints(command, include_extras=True)
+    groups: dict[str, Any] = {name: hint for name, hint in hints.items() if is_dataclass(hint)}
+    parameters = []
+    for name, parameter in inspect.signature(command).parameters.items():
+        single = [(name, hints[name], parameter.default)]
+        for option, hint, default in _options_of(groups[name]) if name in groups else single:
+            kind = inspect.Parameter.KEYWORD_ONLY
+            parameters.append(inspect.Parameter(option, kind, default=default, annotation=hint))
+
+    @functools.wraps(command)
+    def flat(**given: Any) -> int:
+        folded = {
+            name: group(**{field.name: given.pop(field.name) for field in fields(group)})
+            for name, group in groups.items()
+        }
+        return command(**folded, **given)
+
+    flat.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    flat.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    return flat
+
+
+def _options_of(group: Any) -> list[tuple[str, Any, Any]]:
+    hints = get_type_hints(group, include_extras=True)
+    return [(field.name, hints[field.name], field.default) for field in fields(group)]

@@ -1,0 +1,84 @@
+"""What commands show: tables and JSON on stdout, progress on stderr."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from rich import box
+from rich.console import Console
+from rich.table import Table
+
+Bar = Callable[[int, int, str], None]
+"""Takes what is done, what is to do in all, and what comes next."""
+
+
+def say(*what: object) -> None:
+    """Print lines or tables on stdout, in words only: nothing in them is taken for markup."""
+    Console(highlight=False, markup=False, soft_wrap=True).print(*what)
+
+
+def table(*columns: str) -> Table:
+    """A table whose first column is text and the others are numbers."""
+    made = Table(box=box.SIMPLE, show_edge=False, pad_edge=False)
+    for i, column in enumerate(columns):
+        made.add_column(column, justify="right" if i else "left", no_wrap=True)
+    return made
+
+
+def show_json(content: Mapping[str, Any]) -> None:
+    """Print JSON on stdout."""
+    print(json.dumps(plain(content), indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def plain(value: Any) -> Any:
+    """Numbers and arrays as JSON knows them; what is not finite is null."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    if isinstance(value, np.ndarray | np.generic):
+        return plain(value.tolist())
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def angle(radians: float) -> str:
+    """An angle in degrees, to a thousandth; smaller ones to four digits."""
+    degrees = math.degrees(radians)
+    return f"{degrees:.3f}°" if abs(degrees) >= 1.0 or degrees == 0.0 else f"{degrees:.4g}°"
+
+
+def _silent(done: int, total: int, what: str) -> None:
+    """A bar that nobody watches."""
+
+
+@contextmanager
+def working(title: str) -> Iterator[Bar]:
+    """A progress bar on stderr, if that is a terminal, until the block ends."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield _silent
+        return
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
+
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(title, total=None)
+        bar.refresh()  # the work may leave no other thread a chance
+
+        def advance(done: int, total: int, what: str = "") -> None:
+            description = f"{title}: {what}" if what else title
+            bar.update(task, completed=done, total=total, description=description)
+
+        yield advance

@@ -1,0 +1,135 @@
+"""``rimroll simulate``: a whole motion, on the screen and in files."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from rimroll import motion as motions
+from rimroll.cli.asked import Asked, asked
+from rimroll.cli.files import Record, check_suffixes, summary, write
+from rimroll.cli.options import BodyOptions, JsonOption, LawOption, MotionOptions, StartOptions
+from rimroll.cli.screen import angle, say, show_json, working
+from rimroll.cli.turn import body_line, show_turns
+from rimroll.errors import RimrollError
+from rimroll.motion import Moments, Motion
+from rimroll.output import ensure_folder
+from rimroll.units import quantity
+
+MOST_POINTS = 10_000_000
+
+OutputOption = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        help="Write a file; may be repeated. Its suffix says what: .csv, .nc or .json numbers,"
+        " .png, .svg or .pdf nine panels, .gif, .html or .mp4 a film.",
+        metavar="FILE",
+        rich_help_panel="Output",
+    ),
+]
+PointsOption = Annotated[
+    int | None,
+    typer.Option(
+        help="Evenly spaced points in .csv, .nc and .json, instead of the solver's own steps.",
+        metavar="NUMBER",
+        rich_help_panel="Output",
+    ),
+]
+EveryOption = Annotated[
+    str | None,
+    typer.Option(
+        help="The same by their spacing, such as 1ms.", metavar="TIME", rich_help_panel="Output"
+    ),
+]
+
+
+def simulate(
+    body: BodyOptions,
+    start: StartOptions,
+    motion: MotionOptions,
+    law: LawOption = None,
+    output: OutputOption = None,
+    points: PointsOption = None,
+    every: EveryOption = None,
+    json: JsonOption = False,
+) -> int:
+    """Follow a body from a start: how it ends, its turns, its events; files on request.
+
+    It rolls without slip unless another law is given.
+
+    Examples:
+
+    $ rimroll simulate --tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 0.005
+
+    $ rimroll simulate soda_can --tilt 20deg --yaw-rate 1deg/s -o can.png
+
+    $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
+    """
+    files = output or []
+    check_suffixes(files)
+    spacing = None if every is None else quantity(every, "s", "--every")
+    _check_spacing(points, spacing)
+    what = asked(body, start, motion, law)
+    computed = _follow(what, files)
+    record = Record(computed, _moments(computed, points, spacing), what)
+    for file in files:
+        write(file, record)
+    if json:
+        show_json({**summary(record), "files": [str(file) for file in files]})
+    else:
+        _show(record, files)
+    return int(computed.status == "failed")
+
+
+def _check_spacing(points: int | None, every: float | None) -> None:
+    if points is not None and every is not None:
+        raise RimrollError("--points and --every both space the points: give one")
+    if points is not None and not 2 <= points <= MOST_POINTS:
+        raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {points}")
+    if every is not None and not every > 0.0:
+        raise RimrollError(f"--every must be > 0, got {every} s")
+
+
+def _follow(what: Asked, files: list[Path]) -> Motion:
+    if what.start is None:
+        raise RimrollError("a motion needs a start, for instance --tilt 30deg --yaw-rate 0.005")
+    for file in files:  # better now than after a long motion
+        ensure_folder(file.parent)
+    with working(f"following {what.name}"):
+        return motions.simulate(what.body, what.start, what.law, **asdict(what.options))
+
+
+def _moments(motion: Motion, points: int | None, every: float | None) -> Moments:
+    """The motion at its own steps, or evenly spaced."""
+    last = float(motion.t[-1])
+    if points is not None:
+        return motion.evaluate(np.linspace(0.0, last, points))
+    if every is None:
+        return motion
+    count = last / every
+    if count >= MOST_POINTS:
+        raise RimrollError(
+            f"--every {every} s makes more than {MOST_POINTS} points in {last:.6g} s"
+        )
+    return motion.evaluate(np.minimum(every * np.arange(int(count * (1.0 + 1e-12)) + 1), last))
+
+
+def _show(record: Record, files: list[Path]) -> None:
+    motion = record.motion
+    start = motion.start
+    rates = f"tilt {start.tilt_rate:g}, yaw {start.yaw_rate:g}, spin {start.spin_rate:g} rad/s"
+    say(body_line(record.asked.name, motion.body))
+    say(f"from tilt {angle(float(start.tilt))}, rates of {rates}; gravity {motion.gravity:g} m/s²")
+    show_turns(motion)
+    kinds = Counter(event.kind for event in motion.events)
+    if kinds:
+        say("events: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()))
+    for file in files:
+        say(f"wrote {file}")

@@ -1,0 +1,79 @@
+"""Scenario files: a body, a start, a law and how long to follow them, in TOML.
+
+Numbers are SI and radians; texts carry their unit. See ``examples/`` for files that explain
+themselves.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from rimroll import _core, bodies
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+from rimroll.laws import Law
+from rimroll.state import State
+
+MOST_STEPS = 2_000_000_000
+"""The most that max_steps may be: what the files of a motion can still count."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """How to follow a motion; see :func:`rimroll.simulate`, whose defaults these are."""
+
+    duration: float = 2.0
+    gravity: float = _core.STANDARD_GRAVITY
+    rtol: float = 1e-10
+    topple_tilt: float | None = None
+    max_steps: int = 1_000_000
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """What a scenario file says. ``start`` is None where it only describes a body."""
+
+    body: Body
+    start: State | None
+    law: Law
+    options: Options
+
+
+def load(path: str | os.PathLike[str]) -> Scenario:
+    """Read a scenario file.
+
+    Raises ``RimrollError``, in one line that names the file and the field, when the file cannot be
+    read, is no TOML, lacks something, says something unknown or describes nothing possible.
+    """
+    from rimroll.scenario.tables import read, scenario  # pydantic is slow to load
+
+    file = Path(path)
+    try:
+        return scenario(read(file))
+    except RimrollError as error:
+        raise RimrollError(f"{file}: {error}") from None
+
+
+def presets() -> dict[str, Callable[..., Body]]:
+    """All presets by name: those that a name alone stands for, and those that need a size."""
+    return {**bodies.PRESETS, "disk": bodies.disk, "cylinder": bodies.cylinder}
+
+
+UNIT_OF = {
+    "mass": "kg",
+    "radius": "m",
+    "inner_radius": "m",
+    "outer_radius": "m",
+    "height": "m",
+    "length": "m",
+    "depth": "m",
+    "base": "m",
+    "density": "kg/m^3",
+    "transverse_inertia": "kg m^2",
+    "axial_inertia": "kg m^2",
+    "fill": "1",
+}
+"""The SI unit of each number that describes a body or a solid."""

@@ -1,0 +1,147 @@
+"""Quantities with units, as people write them: ``30 deg``, ``5.1cm``, ``-30deg/s``.
+
+Inside there are only SI units and radians; this is the edge where others are turned into them.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from decimal import Decimal
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from rimroll.errors import UnitError
+
+if TYPE_CHECKING:
+    from pint import UnitRegistry
+
+KINDS = {
+    "rad": ("an angle", "30 deg"),
+    "rad/s": ("an angular rate", "-30 deg/s"),
+    "m": ("a length", "5.1 cm"),
+    "kg": ("a mass", "70 g"),
+    "kg m^2": ("a moment of inertia", "359 kg mm^2"),
+    "kg/m^3": ("a density", "1000 kg/m^3"),
+    "s": ("a time", "2 s"),
+    "m/s^2": ("an acceleration", "9.8 m/s^2"),
+    "1": ("a pure number", "0.5"),
+}
+"""What an SI unit measures, in words, and an example of it."""
+
+_EVERYDAY = {
+    ("rad", "rad"): 1.0,
+    ("deg", "rad"): math.pi / 180.0,
+    ("rad/s", "rad/s"): 1.0,
+    ("deg/s", "rad/s"): math.pi / 180.0,
+    ("m", "m"): 1.0,
+    ("cm", "m"): 0.01,
+    ("mm", "m"): 0.001,
+    ("kg", "kg"): 1.0,
+    ("g", "kg"): 0.001,
+    ("s", "s"): 1.0,
+    ("ms", "s"): 0.001,
+    ("m/s^2", "m/s^2"): 1.0,
+    ("%", "1"): 0.01,
+}
+"""Factors that need no registry, which takes longer to load than most motions to compute."""
+
+_NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[\s*]*(.*)", re.DOTALL)
+_NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
+_TOWER = re.compile(r"\d\s*(\*\*|\^)|\d\d")  # of powers, which a parser could climb for ever
+_BARE_POWER = re.compile(r"\b(mm|cm|m|s)(-?[1-9])\b")
+
+
+def quantity(value: object, unit: str, name: str = "the value") -> float:
+    """A quantity in its SI unit, which is one of :data:`KINDS`.
+
+    ``value`` is a number, taken to be in that unit already, or a text with or without a unit;
+    ``name`` is what the message calls it. An angle needs an angle's unit: hertz is no angular rate.
+
+    >>> quantity("6.9 cm", "m")
+    0.069
+
+    Raises ``UnitError`` for anything else, and for numbers that are not finite.
+    """
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        number, factor = float(value), 1.0
+    elif isinstance(value, str):
+        number, factor = _read(value, unit, name)
+    else:
+        raise _refusal(name, unit, value, "neither a number nor a text")
+    if not math.isfinite(number):
+        raise _refusal(name, unit, value, "not a finite number")
+    # Exact decimals, so that 6.9 cm is the same double as 0.069.
+    result = float(Decimal(repr(number)) * Decimal(repr(factor)))
+    if not math.isfinite(result):
+        raise _refusal(name, unit, value, "too large")
+    return result
+
+
+def _read(text: str, unit: str, name: str) -> tuple[float, float]:
+    """The number in a text and the factor that its unit stands for."""
+    plain = text.strip().replace("−", "-")
+    if not plain:
+        raise _refusal(name, unit, text, "an empty text")
+    if _NOT_FINITE.match(plain):
+        raise _refusal(name, unit, text, "not a finite number")
+    parts = _NUMBER.fullmatch(plain)
+    if parts is None:
+        raise _refusal(name, unit, text, "it does not begin with a number")
+    number, given = parts.groups()
+    if given.startswith(","):
+        raise _refusal(name, unit, text, "decimals follow a point, not a comma")
+    return float(number), _factor(given, unit, name, text) if given else 1.0
+
+
+def _factor(given: str, unit: str, name: str, text: str) -> float:
+    """How many ``unit`` a ``given`` unit is."""
+    given = _BARE_POWER.sub(r"\1^\2", given.replace("²", "^2").replace("³", "^3").strip())
+    everyday = _EVERYDAY.get((given.replace("°", "deg"), unit))
+    if everyday is not None:
+        return everyday
+    units = registry()
+    if _TOWER.search(given):
+        raise _refusal(name, unit, text, f'"{given}" is no unit')
+    try:
+        ours = units.parse_units(given)
+    except AttributeError as error:  # pint's UndefinedUnitError
+        unknown = getattr(error, "unit_names", given)
+        first = unknown if isinstance(unknown, str) else next(iter(unknown))
+        raise _refusal(name, unit, text, f'unknown unit "{first}"') from None
+    except Exception:  # pint's parser fails in its own many ways on what is no unit
+        raise _refusal(name, unit, text, f'"{given}" is no unit') from None
+    theirs = units.parse_units("dimensionless" if unit == "1" else unit.replace(" ", "*"))
+    # Root units keep radians apart from pure numbers, as a comparison of dimensions does not.
+    scale: Any
+    scale_si: Any
+    scale, root = units.get_root_units(ours)
+    scale_si, root_si = units.get_root_units(theirs)
+    if root != root_si:
+        kind = KINDS[unit][0]
+        raise _refusal(name, unit, text, f'"{given}" does not measure {kind}')
+    return _tidy(float(scale) / float(scale_si))
+
+
+def _tidy(factor: float) -> float:
+    """A factor without the rounding errors of its making: 1e-06 for 9.999999999999999e-07."""
+    return float(f"{factor:.15g}") if math.isclose(factor, float(f"{factor:.6g}")) else factor
+
+
+def _refusal(name: str, unit: str, value: object, why: str) -> UnitError:
+    kind, example = KINDS[unit]
+    plain = "" if unit == "1" else f" (plain numbers are in {unit})"
+    got = f'"{value}"' if isinstance(value, str) else repr(value)
+    if isinstance(value, str) and not value.strip():
+        return UnitError(f'{name} must be {kind} such as "{example}"{plain}, got {why}')
+    return UnitError(f'{name} must be {kind} such as "{example}"{plain}, got {got}: {why}')
+
+
+@cache
+def registry() -> UnitRegistry[Any]:
+    """The one registry of units, loaded when first needed."""
+    from pint import UnitRegistry
+
+    units: UnitRegistry[Any] = UnitRegistry()
+    units.define("@alias turn = rev")
+    return units

@@ -1,0 +1,278 @@
+"""Whatever is wrong, there is one clear message, no traceback, and no half-written file."""
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import rimroll as rr
+from rimroll import cli
+from rimroll.cli import files
+
+CAN = rr.bodies.can_2007()
+NUMBERS = {
+    "mass": 0.07,
+    "radius": 0.051,
+    "height": 0.069,
+    "transverse_inertia": 3.591e-4,
+    "axial_inertia": 1.4e-4,
+}
+NOT_FINITE = [np.nan, np.inf, -np.inf]
+
+# The API
+
+
+@pytest.mark.parametrize("field", NUMBERS)
+@pytest.mark.parametrize("value", [*NOT_FINITE, "0.07", None, True, [1.0, 2.0]])
+def test_a_body_is_made_of_finite_numbers(field, value):
+    with pytest.raises(rr.RimrollError, match=f"^{field} must be"):
+        rr.Body(**{**NUMBERS, field: value})
+
+
+@pytest.mark.parametrize("field", ["mass", "radius", "transverse_inertia", "axial_inertia"])
+@pytest.mark.parametrize("value", [0.0, -0.05])
+def test_a_body_has_mass_radius_and_inertia(field, value):
+    with pytest.raises(rr.RimrollError, match=f"^{field} must be > 0, got {value:g}"):
+        rr.Body(**{**NUMBERS, field: value})
+
+
+def test_a_centre_of_mass_is_not_under_the_table():
+    with pytest.raises(rr.RimrollError, match=r"^height must be >= 0"):
+        rr.Body(**{**NUMBERS, "height": -0.01})
+
+
+def test_no_rigid_body_has_c_above_2a():
+    with pytest.raises(rr.RimrollError, match=r"^axial_inertia must be at most 2 transverse"):
+        rr.Body(**{**NUMBERS, "axial_inertia": 2.01 * NUMBERS["transverse_inertia"]})
+
+
+@pytest.mark.parametrize("field", ["tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate"])
+@pytest.mark.parametrize("value", [*NOT_FINITE, "half", None, np.array([0.5, np.nan])])
+def test_a_state_is_made_of_finite_numbers(field, value):
+    with pytest.raises(rr.RimrollError, match=f"^{field} must be"):
+        rr.State(**{"tilt": 0.5, field: value})
+
+
+@pytest.mark.parametrize("tilt", [0.0, -0.1, np.pi, 4.0, np.array([0.5, 0.0])])
+def test_a_tilt_is_inside_0_and_pi(tilt):
+    with pytest.raises(rr.RimrollError, match=r"^tilt must be inside \(0, pi\), got"):
+        rr.State(tilt=tilt)
+
+
+def test_arrays_of_a_state_agree_in_shape():
+    with pytest.raises(rr.RimrollError, match=r"agree in shape, got tilt \(2,\), yaw_rate \(3,\)"):
+        rr.State(tilt=np.full(2, 0.5), yaw_rate=np.zeros(3))
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "says"),
+    [
+        *(("duration", value, "duration must be") for value in (*NOT_FINITE, 0.0, -2.0, "2 s")),
+        *(("gravity", value, "gravity must be") for value in (*NOT_FINITE, 0.0, -9.8)),
+        *(("rtol", value, "rtol must be") for value in (*NOT_FINITE, 0.0, -1e-6, 1.0)),
+        *(("topple_tilt", value, "topple_tilt must be") for value in (np.nan, 0.0, 3.0)),
+        ("topple_tilt", 0.4, "tilt must be below topple_tilt"),
+        ("max_steps", 0, "max_steps must be"),
+    ],
+)
+def test_a_simulation_has_a_span_a_pull_and_a_tolerance(option, value, says):
+    with pytest.raises(rr.RimrollError, match=f"^{says}"):
+        rr.simulate(CAN, rr.State(tilt=0.5, yaw_rate=0.1), rr.NoSlip(), **{option: value})
+
+
+def test_simulate_follows_one_start():
+    starts = rr.State(tilt=np.array([0.4, 0.5]))
+    with pytest.raises(rr.RimrollError, match=r"one start, got arrays of shape \(2,\)"):
+        rr.simulate(CAN, starts, rr.NoSlip())
+
+
+def test_unknown_bodies_and_laws_are_told_what_there_is():
+    with pytest.raises(rr.RimrollError, match="unknown body 'soda': choose from can_2007"):
+        rr.bodies.by_name("soda")
+    with pytest.raises(rr.RimrollError, match="unknown law 'sticky': choose from no_slip"):
+        rr.laws.by_name("sticky")
+
+
+# The command line
+
+
+@pytest.fixture
+def complaint(capsys, monkeypatch, tmp_path):
+    """Runs a command that must fail in an empty folder; returns the one line that it says."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(arguments, code=2):
+        before = sorted(tmp_path.rglob("*"))
+        assert cli.main(arguments.split()) == code
+        captured = capsys.readouterr()
+        assert captured.out == ""
+        assert sorted(tmp_path.rglob("*")) == before
+        return one_line(captured.err)
+
+    return run
+
+
+def one_line(text):
+    assert text.startswith("rimroll: ") and text.endswith("\n")
+    assert text.count("\n") == 1
+    assert "Traceback" not in text and "╭" not in text
+    return text.removeprefix("rimroll: ").rstrip("\n")
+
+
+def body(**changed):
+    numbers = {name.replace("_", "-"): value for name, value in {**NUMBERS, **changed}.items()}
+    return " ".join(f"--{name} {value}" for name, value in numbers.items())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ("turn " + body(mass="nan"), '--mass must be a mass such as "70 g"'),
+        ("turn " + body(mass="inf"), "not a finite number"),
+        ("turn " + body(mass="-70g"), "mass must be > 0, got -0.07 kg"),
+        ("turn " + body(radius="0cm"), "radius must be > 0, got 0 m"),
+        ("turn " + body(radius="5.1foo"), 'unknown unit "foo"'),
+        ("turn " + body(radius="70g"), '"g" does not measure a length'),
+        ("turn " + body(axial_inertia="1"), "axial_inertia must be at most 2"),
+        ("turn --mass 70g --radius 5cm", "also needs --height, --transverse-inertia"),
+        ("turn soda", "unknown body 'soda': choose from can_2007"),
+        ("turn can_2007 --fill 0.5", "--fill does not go with can_2007"),
+        ("turn soda_can --fill 150%", "fill must be between 0 and 1, got 1.5"),
+        ("turn soda_can --radius 3cm", "--radius does not go with soda_can (its options: --fill)"),
+        ("turn disk", "disk needs --radius"),
+        ("turn --length 3cm", "--length is for a preset"),
+        ("turn --law sticky", "unknown law 'sticky': choose from no_slip"),
+        ("turn --yaw-rate 1", "a start needs --tilt"),
+        ("turn nothing.toml", "nothing.toml: there is no such file"),
+        ("turn --scenario nothing.toml", "nothing.toml: there is no such file"),
+        ("turn a.toml --scenario b.toml", "give one"),
+        ("turn coin coin", "unexpected extra argument"),
+        ("turn --lawl no-slip", "No such option: --lawl"),
+        ("turn --tilt", "requires an argument"),
+        ("tilt", "No such command 'tilt'"),
+        ("simulate", "a motion needs a start, for instance --tilt 30deg"),
+        ("simulate --tilt 30", "tilt must be inside (0, pi), got 30.0 rad"),
+        ("simulate --tilt 0", "tilt must be inside (0, pi)"),
+        ("simulate --tilt 180deg", "tilt must be inside (0, pi)"),
+        ("simulate --tilt nan", "not a finite number"),
+        ("simulate --tilt 30deg --yaw-rate 3Hz", "does not measure an angular rate"),
+        ("simulate --tilt 30deg --duration 0s", "duration must be > 0, got 0 s"),
+        ("simulate --tilt 30deg --duration -2s", "duration must be > 0, got -2 s"),
+        ("simulate --tilt 30deg --duration inf", "not a finite number"),
+        ("simulate --tilt 30deg --gravity 0", "gravity must be > 0"),
+        ("simulate --tilt 30deg --rtol 1", "rtol must be between 1e-14 and 1e-3, got 1"),
+        ("simulate --tilt 30deg --rtol nan", "rtol must be a finite number"),
+        ("simulate --tilt 30deg --rtol small", "Invalid value for '--rtol'"),
+        ("simulate --tilt 30deg --max-steps 0", "Invalid value for '--max-steps'"),
+        ("simulate --tilt 30deg --max-steps 99999999999999999999", "'--max-steps'"),
+        ("simulate --tilt 30deg --topple-tilt 20deg", "tilt must be below topple_tilt"),
+        ("simulate --tilt 30deg --points 1", "--points must be between 2 and"),
+        ("simulate --tilt 30deg --points 99999999999", "--points must be between 2 and"),
+        ("simulate --tilt 30deg --every 0s", "--every must be > 0"),
+        ("simulate --tilt 30deg --every 1fs", "makes more than 10000000 points"),
+        ("simulate --tilt 30deg --every 1m", "--every must be a time"),
+        ("simulate --tilt 30deg --every 1ms --points 9", "give one"),
+        ("simulate --tilt 30deg -o can.xyz", "its suffix must be one of .csv, .nc, .json, .png"),
+        ("simulate --tilt 30deg -o can", "its suffix must be one of"),
+        ("simulate --tilt 30deg -o /proc/none/can.csv", "cannot make the folder /proc/none"),
+        ("simulate --tilt 30deg -o /proc/can.csv", "cannot write /proc/can.csv"),
+        ("reproduce --output /proc/none", "cannot make the folder /proc/none"),
+    ],
+)
+def test_each_mistake_is_one_line_and_exit_code_2(complaint, arguments, says):
+    assert says in complaint(arguments)
+
+
+def test_a_half_written_scenario_is_named_with_line_and_column(complaint, tmp_path):
+    (tmp_path / "half.toml").write_text('[body]\npreset = "coin"\n[start\n')
+    line = complaint("simulate half.toml")
+    assert line.startswith("half.toml: is not valid TOML: ")
+    assert "line 3, column 7" in line
+
+
+@pytest.mark.parametrize("command", ["simulate --tilt 30deg -o way/can.csv", "reproduce -o way"])
+def test_a_file_in_the_way_of_a_folder(complaint, tmp_path, command):
+    (tmp_path / "way").write_text("mine")
+    assert complaint(command) == "cannot make the folder way: a file is in the way"
+    assert (tmp_path / "way").read_text() == "mine"
+
+
+def test_a_folder_in_the_way_of_a_file(complaint, tmp_path):
+    (tmp_path / "can.csv").mkdir()
+    assert "it is a folder" in complaint("simulate --tilt 30deg -o can.csv")
+
+
+@pytest.mark.parametrize(
+    ("failure", "code", "says"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device"), 2, "can.csv: No space left on device"),
+        (MemoryError(), 2, "out of memory"),
+        (KeyboardInterrupt(), 130, "interrupted"),
+    ],
+)
+def test_a_file_that_fails_half_way_leaves_the_old_one(
+    complaint, monkeypatch, tmp_path, failure, code, says
+):
+    def half(part, record, bar):
+        part.write_text("half")
+        raise failure
+
+    monkeypatch.setitem(files._FORMATS, ".csv", half)
+    (tmp_path / "can.csv").write_text("old")
+    assert says in complaint("simulate --tilt 30deg -o can.csv", code)
+    assert (tmp_path / "can.csv").read_text() == "old"
+
+
+def test_a_full_disk_under_stdout_is_one_line():
+    with open("/dev/full", "w") as full:
+        run = subprocess.run(
+            [sys.executable, "-m", "rimroll.cli", "bodies"],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+    assert run.returncode == 2
+    assert one_line(run.stderr) == "No space left on device"
+
+
+def interrupted(arguments, when, folder):
+    """Runs a command, interrupts it a little after `when()` is true; returns what it says."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "rimroll.cli", *arguments.split()],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        until = time.monotonic() + 20.0
+        while not when() and process.poll() is None and time.monotonic() < until:
+            time.sleep(0.01)
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=20.0)
+    finally:
+        process.kill()
+    assert out == ""
+    assert process.returncode == 130
+    return one_line(err)
+
+
+def test_ctrl_c_in_a_long_motion_is_one_line_and_leaves_nothing(tmp_path):
+    folder = tmp_path / "out"  # made just before the motion is computed
+    endless = "simulate --tilt 30deg --yaw-rate 0.005 --duration 1e6s --max-steps 2000000000"
+    assert interrupted(f"{endless} -o out/can.csv", folder.exists, tmp_path) == "interrupted"
+    assert os.listdir(folder) == []
+
+
+def test_ctrl_c_in_a_report_is_one_line_and_leaves_no_page(tmp_path):
+    folder = tmp_path / "paper"
+    assert interrupted("reproduce -o paper", folder.exists, tmp_path) == "interrupted"
+    names = os.listdir(folder)
+    assert "index.html" not in names
+    assert not [name for name in names if name.startswith(".")]

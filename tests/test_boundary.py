@@ -1,0 +1,90 @@
+"""Where Python and the core meet: threads, copies, signals, and values of the wrong kind."""
+
+import pickle
+import signal
+import threading
+
+import numpy as np
+import pytest
+
+import rimroll as rr
+
+CAN = rr.bodies.can_2007()
+START = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
+
+
+def test_a_motion_can_be_read_in_another_thread():
+    motion = rr.simulate(CAN, START, rr.NoSlip())
+    got = []
+
+    def read():
+        try:
+            got.append(float(motion(0.1).tilt[0]))
+        except BaseException as error:
+            got.append(error)
+
+    thread = threading.Thread(target=read)
+    thread.start()
+    thread.join()
+    assert got == [motion(0.1).tilt[0]]
+
+
+def test_a_motion_survives_pickling():
+    motion = rr.simulate(CAN, START, rr.NoSlip())
+    again = pickle.loads(pickle.dumps(motion))
+    np.testing.assert_array_equal(again.yaw, motion.yaw)
+
+
+def test_parameters_hold_everything_a_motion_was_computed_from():
+    given = rr.simulate(CAN, START, rr.NoSlip(), 1.5, max_steps=40).parameters()
+    assert given["duration"] == 1.5
+    assert given["max_steps"] == 40
+
+
+def test_an_exception_of_a_signal_handler_arrives_as_it_was_raised():
+    def alarm(*_):
+        raise TimeoutError("too long")
+
+    before = signal.signal(signal.SIGALRM, alarm)
+    signal.setitimer(signal.ITIMER_REAL, 0.05)
+    try:
+        with pytest.raises(TimeoutError, match="too long"):
+            rr.simulate(CAN, START, rr.NoSlip(), 1e7)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.parametrize("steps", [-1, 1.5, "many", np.nan, 10**30])
+def test_a_wrong_max_steps_is_refused_with_a_sentence(steps):
+    with pytest.raises(rr.RimrollError, match="max_steps"):
+        rr.simulate(CAN, START, rr.NoSlip(), max_steps=steps)
+
+
+@pytest.mark.parametrize("rate", [-9.5, -11.0])
+def test_friction_ratio_is_never_negative(rate):
+    start = rr.State(tilt=0.3, tilt_rate=rate, yaw_rate=0.005, spin_rate=0.005)
+    assert (rr.simulate(CAN, start, rr.NoSlip()).friction_ratio >= 0.0).all()
+
+
+def test_pasted_refuses_arrays_with_a_sentence():
+    with pytest.raises(rr.RimrollError):
+        rr.pasted(CAN, rr.State(tilt=np.array([0.1, 0.2]), yaw_rate=1e-3), rr.NoSlip())
+
+
+@pytest.mark.parametrize("t", [[[0.0, 1.0]], "soon"])
+def test_odd_times_are_refused_with_a_sentence(t):
+    with pytest.raises(rr.RimrollError):
+        rr.simulate(CAN, START, rr.NoSlip()).evaluate(t)
+
+
+@pytest.mark.parametrize("tilt", ["0.5", True])
+def test_a_state_refuses_what_a_body_refuses(tilt):
+    with pytest.raises(rr.RimrollError):
+        rr.State(tilt=tilt)
+
+
+def test_a_state_does_not_change_with_the_array_it_was_made_from():
+    tilts = np.array([0.1, 0.2])
+    state = rr.State(tilt=tilts)
+    tilts[0] = -1.0
+    assert state.tilt[0] == 0.1

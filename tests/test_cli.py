@@ -1,0 +1,296 @@
+"""The command line answers as the API does, on the screen, in JSON and in files."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import rimroll as rr
+from rimroll.cli import main
+from rimroll.motion import UNITS
+
+CAN = str(Path(__file__).parent.parent / "examples" / "can_2007.toml")
+PAPER = "--tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 0.005 --spin-rate 0.005 --gravity 9.8"
+START = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
+
+
+@pytest.fixture
+def said(capsys):
+    """Runs a command that must succeed, and returns what it says on stdout."""
+
+    def run(arguments):
+        assert main(arguments.split()) == 0
+        captured = capsys.readouterr()
+        assert captured.err == ""
+        return captured.out
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return rr.simulate(rr.bodies.can_2007(), START, rr.NoSlip(), gravity=9.8)
+
+
+def test_the_version_is_the_packages(said):
+    assert said("--version") == f"rimroll {rr.__version__}\n"
+
+
+def test_without_a_command_there_is_help(said):
+    assert "Usage: rimroll" in said("")
+
+
+@pytest.mark.parametrize("command", ["turn", "simulate", "reproduce", "bodies"])
+def test_each_command_has_help_with_an_example(said, command):
+    text = said(f"{command} --help")
+    assert f"$ rimroll {command}" in text
+    assert "Example" in text
+
+
+def test_the_examples_in_the_help_work(said, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    Path("examples").symlink_to(Path(CAN).parent)
+    for command in ("turn", "simulate", "bodies"):
+        lines = said(f"{command} --help").splitlines()
+        examples = [line.split("$ rimroll ")[1] for line in lines if "$ rimroll" in line]
+        assert examples
+        for example in examples:
+            assert said(example)
+
+
+# turn
+
+
+def test_turn_shows_the_papers_limiting_angles(said):
+    text = said("turn")
+    assert "202.287°" in text and "22.287°" in text  # without slip
+    assert "220.969°" in text and "40.969°" in text  # without friction
+    assert "0.3558" in text  # the friction needed
+
+
+def test_turn_in_json_is_the_api(said):
+    can = rr.bodies.can_2007()
+    answer = json.loads(said("turn can-2007 --json"))
+    assert answer["turn_limit"] == {
+        "no_slip": rr.turn_limit(can, rr.NoSlip()),
+        "frictionless": rr.turn_limit(can, rr.Frictionless()),
+    }
+    assert answer["needed_friction"] == rr.needed_friction(can)
+    assert answer["balance_tilt"] == rr.balance_tilt(can)
+    assert answer["lift_off_rate"] == rr.lift_off_rate(can)
+    assert answer["body"]["mass"] == can.mass
+    assert answer["motions"] == {}
+
+
+def test_turn_of_one_law_is_that_law_only(said):
+    assert list(json.loads(said("turn --law no-slip --json"))["turn_limit"]) == ["no_slip"]
+
+
+def test_a_disk_never_lifts_off_which_json_says_as_null(said):
+    answer = json.loads(said("turn disk --radius 4cm --json"))
+    assert answer["lift_off_rate"] is None
+    assert answer["turn_limit"]["no_slip"] == pytest.approx(np.pi * np.sqrt(5))  # the paper
+    assert "never lifts off" in said("turn disk --radius 4cm")
+
+
+def test_turn_with_a_start_sets_the_real_turns_beside_the_limit(said, motion):
+    answer = json.loads(said(f"turn {PAPER} --json"))["motions"]["no_slip"]
+    assert [turn["angle"] for turn in answer["turns"]] == [turn.angle for turn in motion.turns]
+    assert answer["turns"][1]["min_tilt"] == motion.turns[1].min_tilt
+    limit = rr.turn_limit(rr.bodies.can_2007(), rr.NoSlip())
+    assert answer["turns"][1]["beyond_limit"] == motion.turns[1].angle - limit
+    assert "202.675°" in said(f"turn {PAPER}")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "body"),
+    [
+        ("", rr.bodies.can_2007()),
+        ("coin", rr.bodies.coin()),
+        ("soda-can --fill 50%", rr.bodies.soda_can(0.5)),
+        ("cylinder --radius 3cm --length 10cm", rr.bodies.cylinder(0.03, 0.1)),
+        ("ring", rr.bodies.ring()),
+        ("ring --radius 10cm", rr.bodies.ring(0.1)),
+        (
+            "--mass 70g --radius 5.1cm --height 6.9cm --transverse-inertia 3.591e-4"
+            " --axial-inertia 140kg*mm^2",
+            rr.Body(0.07, 0.051, 0.069, 3.591e-4, 1.4e-4),
+        ),
+        (f"{CAN} --mass 80g", rr.Body(0.08, 0.051, 0.069, 3.591e-4, 1.4e-4)),
+        (f"--scenario {CAN}", rr.Body(0.07, 0.051, 0.069, 3.591e-4, 1.4e-4)),
+        (f"coin --scenario {CAN}", rr.bodies.coin()),
+    ],
+)
+def test_a_body_is_a_preset_or_a_file_or_five_numbers(said, arguments, body):
+    answer = json.loads(said(f"turn {arguments} --json"))
+    assert answer["turn_limit"]["no_slip"] == rr.turn_limit(body, rr.NoSlip())
+    assert answer["body"]["mass"] == body.mass
+
+
+# simulate
+
+
+def test_simulate_tells_how_it_ended_its_turns_and_its_events(said):
+    text = said(f"simulate {PAPER}")
+    assert "202.675°" in text
+    assert "followed for the whole 2 s" in text
+    assert "3 tilt_min, 3 tilt_max" in text
+
+
+def test_simulate_in_json_is_the_api(said, motion):
+    answer = json.loads(said(f"simulate {PAPER} --json"))
+    assert answer["status"] == motion.status
+    assert [turn["angle"] for turn in answer["turns"]] == [turn.angle for turn in motion.turns]
+    assert [event["t"] for event in answer["events"]] == [event.t for event in motion.events]
+    assert answer["parameters"].items() >= motion.parameters().items()
+    assert answer["parameters"]["duration"] == 2.0
+
+
+def test_options_replace_what_a_scenario_file_says(said):
+    answer = json.loads(
+        said(f"simulate {CAN} --duration 1s --tilt 20deg --law frictionless --json")
+    )
+    parameters = answer["parameters"]
+    assert parameters["duration"] == 1.0
+    assert parameters["start_tilt"] == np.radians(20)
+    assert parameters["law"] == "frictionless"
+    assert parameters["start_tilt_rate"] == -0.5  # the file's
+    assert parameters["gravity"] == 9.8
+
+
+def test_a_motion_that_topples_or_meets_the_table_flat_says_so(said):
+    assert "toppled" in said("simulate --tilt 40deg --yaw-rate 1")
+    assert "face down" in said("simulate --tilt 30deg")
+    assert json.loads(said("simulate --tilt 30deg --json"))["status"] == "face_down"
+
+
+def test_a_solver_that_gives_up_is_exit_code_1(capsys):
+    assert main(f"simulate {PAPER} --max-steps 5".split()) == 1
+    assert "max_steps = 5" in capsys.readouterr().out
+
+
+def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
+    path = tmp_path / "new" / "can.csv"
+    said(f"simulate {PAPER} -o {path}")
+    lines = path.read_text().splitlines()
+    comments = [line for line in lines if line.startswith("#")]
+    assert "# body_mass = 0.07" in comments
+    assert "# duration = 2.0" in comments
+    assert f"# rimroll_version = {rr.__version__}" in comments
+    header, *rows = lines[len(comments) :]
+    assert header.split(",")[:3] == ["t[s]", "tilt[rad]", "tilt_rate[rad/s]"]
+    table = np.array([row.split(",") for row in rows], dtype=float)
+    for column, name in zip(table.T, UNITS, strict=True):
+        assert np.array_equal(column, motion[name]), name
+
+
+def test_netcdf_opens_again_as_the_same_dataset(said, motion, tmp_path):
+    path = tmp_path / "can.nc"
+    said(f"simulate {PAPER} -o {path}")
+    with xr.open_dataset(path) as read:
+        assert read.equals(motion.to_xarray())
+        assert read["tilt"].attrs["units"] == "rad"
+        assert read.attrs["start_tilt_rate"] == -0.5
+        assert read.attrs["duration"] == 2.0
+
+
+def test_json_files_also_have_the_samples(said, motion, tmp_path):
+    path = tmp_path / "can.json"
+    said(f"simulate {PAPER} -o {path}")
+    read = json.loads(path.read_text())
+    assert read["samples"]["yaw"] == motion.yaw.tolist()
+    assert read["units"]["yaw"] == "rad"
+    assert read["parameters"]["body"] == "can_2007"
+
+
+@pytest.mark.parametrize(
+    ("spacing", "t"),
+    [
+        ("--points 5", np.linspace(0.0, 2.0, 5)),
+        ("--every 500ms", np.linspace(0.0, 2.0, 5)),
+        ("--every 0.6", 0.6 * np.arange(4)),
+        ("--every 3s", [0.0]),
+    ],
+)
+def test_points_can_be_evenly_spaced_in_every_table(said, motion, tmp_path, spacing, t):
+    files = [tmp_path / f"can.{suffix}" for suffix in ("csv", "nc", "json")]
+    said(f"simulate {PAPER} {spacing} " + " ".join(f"-o {file}" for file in files))
+    expected = motion(np.asarray(t)).yaw
+    assert np.array_equal(np.loadtxt(files[0], delimiter=",", skiprows=20, ndmin=2)[:, 3], expected)
+    with xr.open_dataset(files[1]) as read:
+        assert np.array_equal(read["yaw"], expected)
+    assert json.loads(files[2].read_text())["samples"]["yaw"] == expected.tolist()
+
+
+@pytest.mark.parametrize(("name", "begins"), [("can.svg", b"<?xml"), ("can.gif", b"GIF89a")])
+def test_figures_and_films_are_written_by_their_suffix(said, tmp_path, name, begins):
+    said(f"simulate {PAPER} --duration 20ms -o {tmp_path / name}")
+    assert (tmp_path / name).read_bytes().startswith(begins)
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+# bodies and reproduce
+
+
+def test_bodies_lists_every_preset_with_its_numbers_and_origin(said):
+    text = said("bodies")
+    for name in rr.bodies.PRESETS:
+        assert name in text
+    assert "Quantitative comparisons" in text
+    listed = json.loads(said("bodies --json"))["bodies"]
+    assert listed["coin"]["mass"] == 0.0075
+    assert listed["cylinder"]["arguments"] == ["radius", "length"]
+
+
+@pytest.fixture
+def short_report(monkeypatch):
+    """Stands in for the long report: a page of one word."""
+
+    def reproduce(folder, progress=None):
+        progress(0, 1, "the page")
+        folder.mkdir(parents=True, exist_ok=True)
+        page = folder / "index.html"
+        page.write_text("whole")
+        return page
+
+    monkeypatch.setattr("rimroll.paper.reproduce", reproduce)
+
+
+def test_reproduce_says_last_where_the_report_is(said, short_report, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    text = said("reproduce")
+    page = tmp_path / "out" / "paper" / "index.html"
+    assert text.splitlines()[-1] == f"The report is at {page}"
+    assert page.read_text() == "whole"
+    assert json.loads(said("reproduce -o elsewhere --json")) == {
+        "report": str(tmp_path / "elsewhere" / "index.html")
+    }
+
+
+# how it starts and ends
+
+
+def test_a_short_answer_loads_nothing_slow():
+    script = (
+        "import sys; from rimroll.cli import main; main(['turn', '--tilt', '30deg', '--yaw-rate',"
+        " '1deg/s']); print([m for m in ('matplotlib', 'xarray', 'pint', 'jinja2', 'scipy')"
+        " if m in sys.modules])"
+    )
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert run.stdout.splitlines()[-1] == "[]", run.stderr
+
+
+def test_the_package_runs_as_a_module_and_where_there_are_no_degree_signs():
+    run = subprocess.run(
+        [sys.executable, "-m", "rimroll.cli", "turn"],
+        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+        capture_output=True,
+        text=True,
+    )
+    assert (run.returncode, run.stderr) == (0, "")
+    assert "202.287?" in run.stdout
