@@ -88,3 +88,19 @@ def test_a_state_does_not_change_with_the_array_it_was_made_from():
     state = rr.State(tilt=tilts)
     tilts[0] = -1.0
     assert state.tilt[0] == 0.1
+
+
+def test_a_long_motion_reports_how_far_it_is():
+    reached = []
+    rr.simulate(CAN, START, rr.NoSlip(), 100.0, progress=reached.append)
+    assert len(reached) >= 2
+    assert reached == sorted(reached)
+    assert 0.0 < reached[0] < reached[-1] <= 100.0
+
+
+def test_what_the_progress_callback_raises_ends_the_motion():
+    def stop(t):
+        raise LookupError(f"enough at {t:.0f} s")
+
+    with pytest.raises(LookupError, match="enough at"):
+        rr.simulate(CAN, START, rr.NoSlip(), 1e6, progress=stop)

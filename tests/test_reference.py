@@ -29,8 +29,8 @@ def paper_motion(body, law, sideways=0.005, duration=2.0, rtol=1e-13):
 
 
 def sixty_starts():
-    """Rows of tests/data/turns.csv as dicts of floats; its head says how they were computed."""
-    table = Path(__file__).parent / "data/turns.csv"
+    """The core's table of turns as dicts of floats; its head says how they were computed."""
+    table = Path(__file__).parents[1] / "crates/rimroll/tests/given/turns_of_the_can.csv"
     lines = [line for line in table.read_text().splitlines() if not line.startswith("#")]
     return [{name: float(x) for name, x in row.items()} for row in csv.DictReader(lines)]
 

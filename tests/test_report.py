@@ -26,11 +26,11 @@ def test_the_page_carries_all_that_it_shows(folder):
     sources = re.findall(r'src="([^"]{0,40})', page)
     assert len(sources) == len(FIGURES) + 1
     assert all(source.startswith("data:image/") for source in sources)
-    assert "http://" not in page
-    assert "https://" not in page
-    assert "<script" not in page
-    linked = re.findall(r'href="([^"#]+)"', page)
-    assert all((folder / name).is_file() for name in linked)
+    assert not re.search(r"<(script|link|iframe)|url\(|@import", page)
+    linked = set(re.findall(r'href="([^"#]+)"', page))
+    # A reader may follow a reference; the page itself asks for nothing.
+    cited = {link for link in linked if link.startswith("https://arxiv.org/abs/")}
+    assert all((folder / name).is_file() for name in linked - cited)
 
 
 def test_every_figure_is_there_as_svg_and_png(folder):

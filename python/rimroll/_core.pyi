@@ -1,5 +1,6 @@
 """The compiled core: plain numbers and arrays in, plain numbers and arrays out."""
 
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -78,6 +79,7 @@ def simulate(
     rtol: float,
     topple_tilt: float | None,
     max_steps: int,
+    progress: Callable[[float], object] | None,
 ) -> CoreMotion: ...
 def turn_limit(body: _Body, law_name: str) -> float: ...
 def turn_limit_with_spin(body: _Body, spin: float, tipping_rate: float) -> float: ...

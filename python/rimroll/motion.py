@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from dataclasses import asdict, astuple, dataclass
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -239,7 +240,11 @@ class Motion(Moments):
         self.start = start
         self.law = law
         self._options = options
-        self.duration, self.gravity, self.rtol, self.topple_tilt, self.max_steps = astuple(options)
+        self.duration = options.duration
+        self.gravity = options.gravity
+        self.rtol = options.rtol
+        self.topple_tilt = options.topple_tilt
+        self.max_steps = options.max_steps
         self.status = core.status
         self.message = core.message
         self.stats = Stats(*core.work)
@@ -247,7 +252,9 @@ class Motion(Moments):
         self.events = _events(core)
 
     def __repr__(self) -> str:
-        turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns)
+        turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
+        if len(self.turns) > 3:
+            turns += f", {len(self.turns) - 3} more"
         return (
             f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
         )
@@ -339,6 +346,7 @@ def simulate(
     rtol: float = 1e-10,
     topple_tilt: float | None = None,
     max_steps: int = 1_000_000,
+    progress: Callable[[float], object] | None = None,
 ) -> Motion:
     """Follow a body from a start under a contact law.
 
@@ -358,6 +366,8 @@ def simulate(
         meets the table; none for a disk, which may stand on its edge and fall to either face.
     max_steps
         Most steps to make before giving up with the status ``failed``.
+    progress
+        Called now and then in a long motion with the time reached, s.
 
     Returns
     -------
@@ -377,11 +387,27 @@ def simulate(
         None if topple_tilt is None else number("topple_tilt", topple_tilt),
         _count("max_steps", max_steps),
     )
-    return _follow(body, single(start), law, options)
+    return _follow(body, single(start), law, options, progress)
 
 
-def _follow(body: Body, start: State, law: Law, options: _Options) -> Motion:
-    core = _core.simulate(body, start, law.name, *astuple(options))
+def _follow(
+    body: Body,
+    start: State,
+    law: Law,
+    options: _Options,
+    progress: Callable[[float], object] | None = None,
+) -> Motion:
+    core = _core.simulate(
+        body,
+        start,
+        law.name,
+        options.duration,
+        options.gravity,
+        options.rtol,
+        options.topple_tilt,
+        options.max_steps,
+        progress,
+    )
     return Motion(core, body, start, law, options)
 
 

@@ -93,8 +93,7 @@ def _draw_rates(row: Array, motion: Motion, moments: Moments, color: str) -> Non
 
 def _draw_forces(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
     friction = np.hypot(*moments.friction_force.T)
-    normal = {"color": style.NORMAL_FORCE, "lw": 0.8, "ls": "-"}
-    ax.plot(moments.t, moments.normal_force, label="normal, $N$", **normal)  # type: ignore[arg-type]
+    ax.plot(moments.t, moments.normal_force, color=style.NORMAL_FORCE, lw=0.8, label="normal, $N$")
     ax.plot(moments.t, friction, color=color, label="friction, |$T$|")
     style.label(ax, "g", "forces on the rim", "time $t$ (s)", "force (N)")
     _stretch(ax, moments.normal_force, 0.1 * _evenly(motion).normal_force)

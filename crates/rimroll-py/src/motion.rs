@@ -117,6 +117,7 @@ pub fn simulate(
     rtol: f64,
     topple_tilt: Option<f64>,
     max_steps: usize,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<CoreMotion> {
     let options = Options {
         duration,
@@ -126,9 +127,17 @@ pub fn simulate(
         max_steps,
     };
     let (body, start, law) = (body.body()?, start.into(), law(law_name)?);
-    // What a signal handler raised, Ctrl-C's KeyboardInterrupt for one.
+    // What a signal handler or `progress` raised, Ctrl-C's KeyboardInterrupt for one.
     let mut raised = None;
-    let watch = |_| match Python::attach(|py| py.check_signals()) {
+    let report = |t: f64| {
+        Python::attach(|py| {
+            py.check_signals()?;
+            progress
+                .as_ref()
+                .map_or(Ok(()), |call| call.call1(py, (t,)).map(drop))
+        })
+    };
+    let watch = |t| match report(t) {
         Ok(()) => ControlFlow::Continue(()),
         Err(error) => {
             raised = Some(error);

@@ -26,6 +26,7 @@ impl Solid {
     /// # Errors
     /// Refuses mass or radius ≤ 0, length < 0, and numbers that are not finite.
     pub fn cylinder(mass: f64, radius: f64, length: f64, base: f64) -> Result<Solid, InvalidInput> {
+        positive("radius", radius, "m")?;
         Solid::hollow_cylinder(mass, 0.0, radius, length, base)
     }
 
@@ -85,6 +86,7 @@ impl Solid {
     /// # Errors
     /// Refuses mass or radius ≤ 0, length < 0.
     pub fn wall(mass: f64, radius: f64, length: f64, base: f64) -> Result<Solid, InvalidInput> {
+        positive("radius", radius, "m")?;
         Solid::hollow_cylinder(mass, radius, radius, length, base)
     }
 

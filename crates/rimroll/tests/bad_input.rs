@@ -122,7 +122,7 @@ fn solids_need_sizes() {
         ),
         (
             Solid::cylinder(1.0, 0.0, 0.1, 0.0),
-            "outer_radius must be > 0, got 0 m",
+            "radius must be > 0, got 0 m",
         ),
         (
             Solid::cylinder(1.0, 0.1, -0.1, 0.0),
@@ -171,6 +171,8 @@ fn presets_refuse_impossible_fillings_and_sizes() {
         ),
         (presets::cylinder(0.0, 1.0), "radius must be > 0, got 0 m"),
         (presets::cylinder(1.0, -2.0), "length must be > 0, got -2 m"),
+        (presets::disk(-1.0), "radius must be > 0, got -1 m"),
+        (presets::ring(-1.0), "radius must be > 0, got -1 m"),
     ] {
         assert_eq!(refusal(body), message);
     }

@@ -154,7 +154,7 @@ fn extremes_of_the_tilt_are_where_its_rate_is_zero_whatever_the_tolerance() {
             let motion = follow(&can(), &paper_start(0.005), law, &options);
             assert!(motion.events.len() >= 6);
             for event in &motion.events {
-                // Beside the rates of falling and of yawing.
+                // Beside √(g/R) = 14 rad/s, the rate of falling, and the rate of yawing.
                 let size = 14.0 + event.at.w.abs();
                 assert!(
                     event.at.p.abs() < 1e-9 * size,

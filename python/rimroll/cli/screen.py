@@ -75,7 +75,7 @@ def working(title: str) -> Iterator[Bar]:
     )
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(title, total=None)
-        bar.refresh()  # the work may leave no other thread a chance
+        bar.refresh()
 
         def advance(done: int, total: int, what: str = "") -> None:
             description = f"{title}: {what}" if what else title

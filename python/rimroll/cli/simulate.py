@@ -102,8 +102,14 @@ def _follow(what: Asked, files: list[Path]) -> Motion:
         raise RimrollError("a motion needs a start, for instance --tilt 30deg --yaw-rate 0.005")
     for file in files:  # better now than after a long motion
         ensure_folder(file.parent)
-    with working(f"following {what.name}"):
-        return motions.simulate(what.body, what.start, what.law, **asdict(what.options))
+    with working(f"following {what.name}") as bar:
+
+        def progress(t: float) -> None:
+            bar(int(1000 * t / what.options.duration), 1000, "")
+
+        return motions.simulate(
+            what.body, what.start, what.law, **asdict(what.options), progress=progress
+        )
 
 
 def _moments(motion: Motion, points: int | None, every: float | None) -> Moments:

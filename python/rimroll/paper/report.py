@@ -64,7 +64,7 @@ def reproduce(folder: str | os.PathLike[str], progress: Progress | None = None) 
         drawings.append(drawing)
 
     say(total - 2, total, "the film")
-    animate(setting.motion(setting.LAWS[0]), folder / FILM, seconds=8.0)
+    animate(setting.motion(setting.LAWS[0]), folder / FILM, seconds=7.0, fps=20)
 
     say(total - 1, total, "the page")
     _write_numbers(folder / "numbers.json", claims, drawings)
