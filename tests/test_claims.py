@@ -35,7 +35,7 @@ def test_a_verdict_follows_from_the_numbers_alone():
 
 def test_the_printed_no_slip_formula_is_the_only_angle_of_the_can_that_differs(claims):
     differing = [c for c in claims if c.verdict == DIFFERS and c.unit == "°"]
-    assert [c.where for c in differing] == ["Eq. noslipangleofturn", "Disks"]
+    assert [c.where for c in differing] == ["Eq. (15)", "Disks"]
     inverted = find(claims, "as printed")
     k = 5.13e-3 + 0.069**2
     assert inverted.printed == pytest.approx(180 * np.sqrt(k / (k + 0.051**2)), abs=1e-9)

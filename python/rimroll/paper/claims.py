@@ -6,6 +6,7 @@ digit printed, or of what "about" leaves open, which is stated with the claim.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,7 @@ from rimroll.body import Body
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.paper.setting import CAN, GRAVITY, LAWS, motion, start
+from rimroll.style import superscript
 
 AGREES, CUT, DIFFERS, MEASURED = "agrees", "cut, not rounded", "differs", "measured"
 
@@ -42,6 +44,21 @@ class Claim:
             return AGREES
         return CUT if 0 < excess < 2 * self.within else DIFFERS
 
+    @property
+    def printed_text(self) -> str:
+        """The paper's number as it prints it."""
+        return f"{self.printed:g}".replace("-", "−")
+
+    @property
+    def ours_text(self) -> str:
+        """Our number with the claim's digits; in powers of ten when ``digits`` is negative."""
+        if self.ours is None:
+            return "–"
+        if self.digits < 0 and self.ours != 0.0:
+            power = math.floor(math.log10(abs(self.ours)))
+            return f"{self.ours / 10.0**power:.1f} × 10{superscript(power)}"
+        return f"{self.ours:.{max(self.digits, 0)}f}".replace("-", "−")
+
 
 def _limit(body: Body, law: NoSlip | Frictionless) -> float:
     return float(np.degrees(theory.turn_limit(body, law)))
@@ -59,11 +76,11 @@ def angles_of_the_can() -> list[Claim]:
         Claim("Histogram, caption", "frictionless theory: 180 ± 40", 40, "°", sliding - 180, 0.5,
               "220.97 − 180 = 40.97, cut to 40; rounding gives 41."),
         Claim("Histogram, caption", "no-slip theory: 180 ± 22", 22, "°", rolling - 180, 0.5),
-        Claim("Eq. noslipangleofturn", "no-slip formula as printed, π√((A+mH²)/(A+mR²+mH²)), "
+        Claim("Eq. (15)", "no-slip formula as printed, π√((A+mH²)/(A+mR²+mH²)), "
               "put in numbers", printed_formula, "°", rolling, 0.5,
               "The fraction is printed upside down. The right one, π√((A+mR²+mH²)/(A+mH²)), is what the "
               "paper itself evaluated: it gives the 202° of its text."),
-        Claim("Eq. noslipangleofturn, text", "“numerical integrations agree quite well with this "
+        Claim("Eq. (15), text", "“numerical integrations agree quite well with this "
               "formula”: turn of the simulated can at ε = 0.005", rolling, "°",
               float(np.degrees(motion(NoSlip()).turns[1].angle)), 0.5,
               "True of the formula the right way up.", digits=3),

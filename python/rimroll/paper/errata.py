@@ -23,7 +23,7 @@ class Erratum:
 
 ERRATA = (
     Erratum(
-        "Eq. noslipangleofturn, last two lines",
+        "Eq. (15), last two lines",
         "Δψ = π√((A+mH²)/(A+mR²+mH²)), which is 160.17° for the can",
         "<b>Δψ = π√((A+mR²+mH²)/(A+mH²))</b>, 202.29°, as in the paper’s own text and the line before",
         "ψ̇ = b₂/φ² integrated symbolically over all time, and the printed equations of motion "
@@ -56,14 +56,14 @@ ERRATA = (
         "test_erratum_flipped_integration_limits",
     ),
     Erratum(
-        "Eq. eq1atsmallphi",
+        "Eq. (5)",
         "C θ̇ φ",
         "C θ̇ φ̇",
         "Leading order of the exact first row at small tilt.",
         "test_erratum_missing_dot_on_phi_at_small_tilt",
     ),
     Erratum(
-        "Eq. psieqtheta",
+        "Eq. (7)",
         "ψ̇ + θ̇ = 0 is equivalent to the two equations before",
         "it is only their solution with spin s = 0; “independent of initial conditions” needs s → 0 "
         "(no slip, H &gt; 0)",

@@ -127,7 +127,6 @@ def _page(claims: dict[str, list[Claim]], pictures: list[Picture], film: str) ->
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters["value"] = _value
     return environment.get_template("report.html").render(
         version=_core.__version__,
         claims=claims,
@@ -138,16 +137,6 @@ def _page(claims: dict[str, list[Claim]], pictures: list[Picture], film: str) ->
         film=film,
         limits={law.name: float(np.degrees(turn_limit(setting.CAN, law))) for law in setting.LAWS},
     )
-
-
-def _value(claim: Claim, number: float | None) -> str:
-    """A number as the table shows it: with the claim's digits, or in powers of ten (digits < 0)."""
-    if number is None:
-        return "–"
-    if claim.digits < 0:
-        return "0" if number == 0 else f"{number:.1e}"
-    text = f"{number:.{claim.digits}f}"
-    return (text.rstrip("0").rstrip(".") if "." in text else text).replace("-", "−")
 
 
 def _count(claims: dict[str, list[Claim]]) -> dict[str, int]:
