@@ -29,8 +29,9 @@ pub enum InvalidInput {
     },
     /// Two numbers that no rigid body can have together.
     #[error(
-        "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {value} kg m2",
-        2.0 * transverse_inertia
+        "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
+        shown(2.0 * transverse_inertia),
+        shown(*value)
     )]
     AxialInertiaTooLarge {
         /// C, kg m².
@@ -60,10 +61,21 @@ pub enum InvalidInput {
 }
 
 fn with_unit(value: f64, unit: &str) -> String {
+    let shown = shown(value);
     if unit.is_empty() {
+        shown
+    } else {
+        format!("{shown} {unit}")
+    }
+}
+
+/// A number as a person would type it: with an exponent when it is very small or large.
+fn shown(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || (1e-4..1e7).contains(&size) {
         format!("{value}")
     } else {
-        format!("{value} {unit}")
+        format!("{value:e}")
     }
 }
 

@@ -297,7 +297,7 @@ fn options_are_bounded() {
                 rtol: 1e-15,
                 ..usual
             },
-            "rtol must be between 1e-14 and 1e-3, got 0.000000000000001",
+            "rtol must be between 1e-14 and 1e-3, got 1e-15",
         ),
         (
             Options {

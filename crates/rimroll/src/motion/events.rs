@@ -12,7 +12,7 @@ pub enum EventKind {
     TiltMin,
     /// The tilt is largest.
     TiltMax,
-    /// A disk stands on its edge, tilt π/2, on its way from one face to the other.
+    /// The base is vertical, tilt π/2: a disk stands on its edge on its way from one face to the other.
     Upright,
     /// The topple tilt is reached; the motion ends.
     Topple,
