@@ -19,14 +19,14 @@ def test_a_motion_can_be_read_in_another_thread():
 
     def read():
         try:
-            got.append(float(motion(0.1).tilt[0]))
+            got.append(motion(0.1).tilt)
         except BaseException as error:
             got.append(error)
 
     thread = threading.Thread(target=read)
     thread.start()
     thread.join()
-    assert got == [motion(0.1).tilt[0]]
+    assert got == [motion(0.1).tilt]
 
 
 def test_a_motion_survives_pickling():
@@ -104,3 +104,73 @@ def test_what_the_progress_callback_raises_ends_the_motion():
 
     with pytest.raises(LookupError, match="enough at"):
         rr.simulate(CAN, START, rr.NoSlip(), 1e6, progress=stop)
+
+
+@pytest.mark.parametrize(
+    ("body", "start", "law", "words"),
+    [
+        (
+            rr.bodies.can_2007,
+            START,
+            rr.NoSlip(),
+            "body must be a rimroll.Body, got can_2007 itself",
+        ),
+        ("can_2007", START, rr.NoSlip(), "body must be a rimroll.Body, got 'can_2007'"),
+        (CAN, {"tilt": 1.0}, rr.NoSlip(), "start must be a rimroll.State"),
+        (CAN, START, "no_slip", "law must be a rimroll.NoSlip or Frictionless, got 'no_slip'"),
+        (CAN, START, rr.NoSlip, "got NoSlip itself: call it"),
+    ],
+)
+def test_things_of_the_wrong_kind_are_refused_by_name(body, start, law, words):
+    with pytest.raises(rr.RimrollError, match=words):
+        rr.simulate(body, start, law)
+    with pytest.raises(rr.RimrollError, match=words):
+        rr.pasted(body, start, law)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: rr.bodies.soda_can(True),
+        lambda: rr.disk_turn_limit(True),
+        lambda: rr.solids.wall("0.05", 0.1, 0.1),
+        lambda: rr.Body(10**400, 0.05, 0.07, 1e-4, 1e-4),
+        lambda: rr.simulate(CAN, START, rr.NoSlip(), 10**400),
+        lambda: rr.Solid(-1.0, 0.0, 1.0, 1.0),
+        lambda: rr.Solid(1.0, 0.0, 1.0, 3.0),
+        lambda: rr.Body(1e-170, 0.05, 0.07, 1e-173, 1e-173),
+        lambda: rr.State(tilt=0.5, yaw_rate=1e200) and simulate(yaw_rate=1e200),
+        lambda: simulate(yaw=1e12),
+        lambda: rr.pasted(CAN, rr.State(tilt=0.3, yaw_rate=1e5), rr.NoSlip()),
+        lambda: rr.pasted(CAN, START, rr.NoSlip(), gravity=0.0),
+        lambda: rr.pasted(
+            rr.bodies.disk(0.1), rr.State(tilt=2.0, yaw_rate=1e-3), rr.Frictionless()
+        ),
+        *(
+            lambda until=until: rr.NearCollision(CAN, rr.NoSlip(), 1e-4, 2.0).lean_vector(until)
+            for until in (np.nan, np.inf, -1.0)
+        ),
+    ],
+)
+def test_what_cannot_be_computed_is_refused_and_not_guessed(call):
+    with pytest.raises(rr.RimrollError):
+        call()
+
+
+def simulate(**changed):
+    return rr.simulate(CAN, rr.State(tilt=0.5, **changed), rr.NoSlip())
+
+
+def test_a_motion_too_close_to_flat_says_that_the_clock_cannot_tell():
+    start = rr.State(tilt=0.01, yaw_rate=1e-14, spin_rate=1e-14)
+    motion = rr.simulate(CAN, start, rr.NoSlip())
+    assert motion.status == "face_down"
+    assert "larger yaw_rate or spin_rate" in motion.message
+
+
+def test_a_body_of_next_to_no_inertia_slides_without_lifting_off():
+    # N = m (g + z'') would be all rounding here; the body's centre just falls, N -> 0 from above.
+    body = rr.Body(1.0, 0.05, 0.05, 1e-20, 1e-20)
+    motion = rr.simulate(body, rr.State(tilt=0.23, yaw_rate=0.05), rr.Frictionless(), 0.01)
+    assert motion.status == "finished"
+    assert (motion.normal_force > 0.0).all()

@@ -182,11 +182,14 @@ def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
     assert "# body_mass = 0.07" in comments
     assert "# duration = 2.0" in comments
     assert f"# rimroll_version = {rr.__version__}" in comments
-    header, *rows = lines[len(comments) :]
+    header, *rows = [line for line in lines if line not in comments]
     assert header.split(",")[:3] == ["t[s]", "tilt[rad]", "tilt_rate[rad/s]"]
     table = np.array([row.split(",") for row in rows], dtype=float)
     for column, name in zip(table.T, UNITS, strict=True):
         assert np.array_equal(column, motion[name]), name
+    # As the documentation says that one reads it.
+    read = np.genfromtxt(path, delimiter=",", names=True, deletechars="")
+    assert np.array_equal(read["tilt[rad]"], motion.tilt)
 
 
 def test_netcdf_opens_again_as_the_same_dataset(said, motion, tmp_path):

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, expect, number
 from rimroll.laws import Law
 from rimroll.state import State, single, times
 
@@ -35,6 +35,11 @@ class NearCollision:
     def __init__(
         self, body: Body, law: Law, min_tilt: float, tipping_rate: float, direction: float = 1.0
     ) -> None:
+        expect("body", body, Body)
+        expect("law", law, Law)
+        min_tilt = number("min_tilt", min_tilt)
+        tipping_rate = number("tipping_rate", tipping_rate)
+        direction = number("direction", direction)
         self._core = _core.CoreNearCollision(body, law.name, min_tilt, tipping_rate, direction)
         self.min_tilt = min_tilt
         self.tipping_rate = tipping_rate
@@ -57,7 +62,7 @@ class NearCollision:
         q'' = −(1 − K'/J') (q × q')² q/|q|⁴, a central force. Returns the arrays t (s, up to
         ``until``), φ = |q| and ψ, the angle of q (rad), at the solver's steps.
         """
-        t, tilt, yaw = self._core.lean_vector(until)
+        t, tilt, yaw = self._core.lean_vector(number("until", until))
         return t, tilt, yaw
 
 
@@ -112,4 +117,8 @@ def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_G
 
     Raises ``RimrollError`` for a start that never comes down or comes down flat.
     """
+    expect("body", body, Body)
+    expect("start", start, State)
+    expect("law", law, Law)
+    gravity = number("gravity", gravity)
     return Pasted(_core.CorePasted(body, single(start), law.name, gravity))

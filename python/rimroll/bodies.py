@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, number
 
 
 def can_2007() -> Body:
@@ -30,7 +30,7 @@ def soda_can(fill: float = 0.0) -> Body:
     over a rim 48 mm across; lid 0.25 mm, 52 mm across; aluminium 2700 kg/m³: 10.6 g empty. The
     drink is frozen water, 97 mm deep when full.
     """
-    return Body(*_core.preset_soda_can(fill))
+    return Body(*_core.preset_soda_can(number("fill", fill)))
 
 
 def beer_bottle(fill: float = 0.0) -> Body:
@@ -40,7 +40,7 @@ def beer_bottle(fill: float = 0.0) -> Body:
     a wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
     2500 kg/m³: 0.23 kg empty. The beer is frozen water.
     """
-    return Body(*_core.preset_beer_bottle(fill))
+    return Body(*_core.preset_beer_bottle(number("fill", fill)))
 
 
 def coin() -> Body:
@@ -61,12 +61,12 @@ def battery() -> Body:
 
 def ring(radius: float = 0.3) -> Body:
     """A thin ring of mass 1 kg, such as the rim of a bicycle wheel: H = 0, C = mR², A = C/2."""
-    return Body(*_core.preset_ring(radius))
+    return Body(*_core.preset_ring(number("radius", radius)))
 
 
 def disk(radius: float) -> Body:
     """A uniform thin disc of mass 1 kg: H = 0, C = mR²/2, A = C/2. No turn depends on its mass."""
-    return Body(*_core.preset_disk(radius))
+    return Body(*_core.preset_disk(number("radius", radius)))
 
 
 def euler_disk() -> Body:
@@ -80,7 +80,7 @@ def euler_disk() -> Body:
 
 def cylinder(radius: float, length: float) -> Body:
     """A uniform solid cylinder (m) with the density of water: H = L/2, A = m(R²/4 + L²/12)."""
-    return Body(*_core.preset_cylinder(radius, length))
+    return Body(*_core.preset_cylinder(number("radius", radius), number("length", length)))
 
 
 PRESETS: dict[str, Callable[[], Body]] = {

@@ -35,7 +35,7 @@ class Span:
 
 def turn_spans(motion: Motion) -> list[Span]:
     """All turns of a motion, in order of time, told by its events."""
-    highest = ("tilt_max", "upright")
+    highest = ("tilt_max", "on_edge")
     near = [float(event.t) for event in motion.events if event.kind == "tilt_min"]
     high = np.array([float(event.t) for event in motion.events if event.kind in highest])
     first, last = float(motion.t[0]), float(motion.t[-1])

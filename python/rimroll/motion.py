@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, number
+from rimroll.errors import RimrollError, expect, number
 from rimroll.laws import Law
 from rimroll.state import State, single, times
 
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 _ROW = {name: i for i, name in enumerate(_core.COLUMNS)}
+
+MOST_SAMPLES = 10_000_000
+"""Samples at a time: some 1.5 GB."""
 
 UNITS = {
     "t": "s",
@@ -157,7 +161,8 @@ class Moments:
 class Event:
     """Something that happened.
 
-    ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``upright`` (a disk on its edge),
+    ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
+    faces),
     ``topple``, ``lift_off`` or ``face_down``; ``t`` in s; ``state`` as single numbers.
     """
 
@@ -168,7 +173,13 @@ class Event:
 
 @dataclass(frozen=True)
 class Turn:
-    """One passage through a near-collision; angles in rad, times in s."""
+    """From one tilt maximum (or the release) to the next, through a tilt minimum; rad and s.
+
+    When the minimum is a near-collision, ``angle`` is the paper's angle of turn. ``angle``: change
+    of yaw, with its sign. ``min_tilt``, ``t``, ``yaw_rate``: the smallest tilt, its time and the
+    yaw rate then. ``start``, ``end``: times of the maxima (or release) before and after.
+    ``max_tilt``: the maximum after.
+    """
 
     angle: float
     """Change of yaw from one tilt maximum (or the release) to the next, with its sign."""
@@ -177,7 +188,7 @@ class Turn:
     t: float
     """Time of the smallest tilt."""
     yaw_rate: float
-    """dψ/dt there, rad/s: the largest on the way."""
+    """dψ/dt there, rad/s."""
     start: float
     """Time of the tilt maximum (or release) before."""
     end: float
@@ -188,7 +199,7 @@ class Turn:
 
 @dataclass(frozen=True)
 class Stats:
-    """What a motion cost: accepted steps, steps tried again, right-hand sides evaluated."""
+    """What the steps cost: accepted, tried again, right-hand sides evaluated (12 a step)."""
 
     steps: int
     rejected: int
@@ -220,8 +231,8 @@ class Motion(Moments):
         ``finished``, ``toppled``, ``lifted_off``, ``face_down`` or ``failed``.
     message
         The same in a sentence.
-    events, turns
-        What happened, in order of time.
+    turns
+        The turns, in order of time.
     stats
         What it cost.
     """
@@ -249,7 +260,11 @@ class Motion(Moments):
         self.message = core.message
         self.stats = Stats(*core.work)
         self.turns = [Turn(*numbers) for numbers in core.turns()]
-        self.events = _events(core)
+
+    @cached_property
+    def events(self) -> list[Event]:
+        """What happened, in order of time."""
+        return _events(self._core)
 
     def __repr__(self) -> str:
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
@@ -264,8 +279,11 @@ class Motion(Moments):
         return _follow, (self.body, self.start, self.law, self._options)
 
     def __call__(self, t: ArrayLike) -> State:
-        """Dense output: the state at times t (s, inside the motion), as a State of arrays (n,)."""
-        return self.evaluate(t).state
+        """Dense output: the state at a time t (s, inside the motion), or at times (n,)."""
+        states = self.evaluate(t).state
+        if np.ndim(t):
+            return states
+        return State(**{name: float(values[0]) for name, values in vars(states).items()})
 
     def evaluate(self, t: ArrayLike) -> Moments:
         """Everything at times t (s, shape (n,), inside the motion)."""
@@ -281,9 +299,13 @@ class Motion(Moments):
 
     def samples(self, per_step: int = 4) -> Moments:
         """Everything at the accepted steps and evenly inside each: for smooth curves."""
-        if per_step < 1:
-            raise RimrollError(f"per_step must be >= 1, got {per_step}")
-        return Moments(self._core.samples(per_step))
+        count = _count("per_step", per_step)
+        if count * len(self) > MOST_SAMPLES:
+            most = MOST_SAMPLES // len(self)
+            raise RimrollError(
+                f"per_step must be at most {most} for this motion of {len(self)} steps, got {count}"
+            )
+        return Moments(self._core.samples(count))
 
     def plot(self) -> Figure:
         """The paper's nine-panel simulation figure of this motion."""
@@ -365,7 +387,7 @@ def simulate(
         The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
         meets the table; none for a disk, which may stand on its edge and fall to either face.
     max_steps
-        Most steps to make before giving up with the status ``failed``.
+        Most steps to make before giving up with the status ``failed``; a step takes 0.7 kB.
     progress
         Called now and then in a long motion with the time reached, s.
 
@@ -380,6 +402,9 @@ def simulate(
     RimrollError
         A number outside its bounds, or a start of arrays.
     """
+    expect("body", body, Body)
+    expect("start", start, State)
+    expect("law", law, Law)
     options = _Options(
         number("duration", duration),
         number("gravity", gravity),

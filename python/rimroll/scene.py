@@ -57,7 +57,7 @@ class States(Protocol):
 
 
 class Event(Protocol):
-    """What happened, and when (s); pictures heed ``tilt_min``, ``tilt_max`` and ``upright``."""
+    """What happened, and when (s); pictures heed ``tilt_min``, ``tilt_max`` and ``on_edge``."""
 
     @property
     def kind(self) -> str: ...

@@ -6,14 +6,16 @@ metres; masses in kg. Each function raises ``RimrollError`` for a number outside
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, fields
 
 from rimroll import _core
+from rimroll.errors import number
 
 
 @dataclass(frozen=True)
 class Solid:
-    """One part of a body, with the moments about its own centre of mass (SI units).
+    """One part of a body: mass (kg), height of its centre of mass (m), A and C about it (kg m²).
 
     Make it with one of the functions of this module, or give the numbers of a part that none of
     them describes.
@@ -24,32 +26,49 @@ class Solid:
     transverse_inertia: float
     axial_inertia: float
 
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = number(field.name, getattr(self, field.name))
+            object.__setattr__(self, field.name, value)
+        _core.check_solid(self)
+
+
+def _made(solid: Callable[..., tuple[float, float, float, float]], **sizes: object) -> Solid:
+    return Solid(*solid(**{name: number(name, size) for name, size in sizes.items()}))
+
 
 def cylinder(mass: float, radius: float, length: float, base: float = 0.0) -> Solid:
     """A solid cylinder with its lower face at ``base``: C = mR²/2, A = C/2 + mL²/12."""
-    return Solid(*_core.cylinder(mass, radius, length, base))
+    return _made(_core.cylinder, mass=mass, radius=radius, length=length, base=base)
 
 
 def hollow_cylinder(
     mass: float, inner_radius: float, outer_radius: float, length: float, base: float = 0.0
 ) -> Solid:
     """A cylinder with a coaxial bore: C = m(a² + b²)/2, A = C/2 + mL²/12."""
-    return Solid(*_core.hollow_cylinder(mass, inner_radius, outer_radius, length, base))
+    return _made(
+        _core.hollow_cylinder,
+        mass=mass,
+        inner_radius=inner_radius,
+        outer_radius=outer_radius,
+        length=length,
+        base=base,
+    )
 
 
 def disc(mass: float, radius: float, height: float = 0.0) -> Solid:
     """A thin disc at a height: C = mR²/2, A = C/2."""
-    return Solid(*_core.disc(mass, radius, height))
+    return _made(_core.disc, mass=mass, radius=radius, height=height)
 
 
 def ring(mass: float, radius: float, height: float = 0.0) -> Solid:
     """A thin ring at a height: C = mR², A = C/2."""
-    return Solid(*_core.ring(mass, radius, height))
+    return _made(_core.ring, mass=mass, radius=radius, height=height)
 
 
 def wall(mass: float, radius: float, length: float, base: float = 0.0) -> Solid:
     """A thin cylindrical wall, open at both ends, from ``base`` up: C = mR², A = C/2 + mL²/12."""
-    return Solid(*_core.wall(mass, radius, length, base))
+    return _made(_core.wall, mass=mass, radius=radius, length=length, base=base)
 
 
 def filling(density: float, radius: float, depth: float, base: float = 0.0) -> Solid:
@@ -57,4 +76,4 @@ def filling(density: float, radius: float, depth: float, base: float = 0.0) -> S
 
     A real liquid takes less part in the turning than this.
     """
-    return Solid(*_core.filling(density, radius, depth, base))
+    return _made(_core.filling, density=density, radius=radius, depth=depth, base=base)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from rimroll import _core
 from rimroll.body import Body
+from rimroll.errors import expect, number
 from rimroll.laws import Law
 
 
@@ -16,9 +17,11 @@ def turn_limit(body: Body, law: Law) -> float:
 
     No-slip: π √(J/K) = π √((A + mR² + mH²)/(A + mH²)). Frictionless: π √((A + mR²)/A).
 
-    Source: the paper, Eqs. ``noslipangleofturn`` and ``nofricangleofturn``. Erratum: the last two
+    Source: the paper, Eqs. (15) and (19) of the preprint. Erratum: the last two
     lines of the former print the fraction upside down.
     """
+    expect("body", body, Body)
+    expect("law", law, Law)
     return _core.turn_limit(body, law.name)
 
 
@@ -30,16 +33,19 @@ def turn_limit_with_spin(body: Body, spin: float, tipping_rate: float) -> float:
     push and pull. The paper's "independent of initial conditions" is the case s → 0. Close to the
     limit a spin against the turn keeps the rim pressed; with one along it the motion lifts off.
     """
-    return _core.turn_limit_with_spin(body, spin, tipping_rate)
+    expect("body", body, Body)
+    return _core.turn_limit_with_spin(
+        body, number("spin", spin), number("tipping_rate", tipping_rate)
+    )
 
 
 def disk_turn_limit(gyration_ratio: float) -> float:
     """Limiting angle of a disk, rad: π √(2 + k²)/k for the radius of gyration kR, k > 0.
 
-    Source: the paper, Eq. ``diskangleofturn``. The same with and without friction. Uniform disk:
+    Source: the paper, Eq. (23). The same with and without friction. Uniform disk:
     k = 1/√2, π√5; ring: k = 1, π√3; it grows without bound as k → 0.
     """
-    return _core.disk_turn_limit(gyration_ratio)
+    return _core.disk_turn_limit(number("gyration_ratio", gyration_ratio))
 
 
 def tall_turn_limit(body: Body, law: Law) -> float:
@@ -48,6 +54,8 @@ def tall_turn_limit(body: Body, law: Law) -> float:
     K' = A + mH² without slip, A without friction. Above the exact limit by less than
     (π/8)(mR²/K')². Source: the paper's "Tall thin containers", carried one order further.
     """
+    expect("body", body, Body)
+    expect("law", law, Law)
     return _core.tall_turn_limit(body, law.name)
 
 
@@ -56,7 +64,8 @@ def point_mass_turn_limit(radius: float, height: float, law: Law) -> float:
 
     Without friction it grows without bound: infinity.
     """
-    return _core.point_mass_turn_limit(radius, height, law.name)
+    expect("law", law, Law)
+    return _core.point_mass_turn_limit(number("radius", radius), number("height", height), law.name)
 
 
 def needed_friction(body: Body) -> float:
@@ -65,6 +74,7 @@ def needed_friction(body: Body) -> float:
     |T|/N tends to it, and stays there throughout, however violent the near-collision. The paper
     shows a finite ratio in its simulation figure and gives no formula.
     """
+    expect("body", body, Body)
     return _core.needed_friction(body)
 
 
@@ -79,7 +89,11 @@ def error_law_coefficient(
     frictionless J' = A + mR², K' = A, N_p = mA(g − Hω²)/(A + mR²). So motions approach the limit
     like ε ln ε, not like a power. Not in the paper.
     """
-    return _core.error_law_coefficient(body, law.name, tipping_rate, gravity)
+    expect("body", body, Body)
+    expect("law", law, Law)
+    return _core.error_law_coefficient(
+        body, law.name, number("tipping_rate", tipping_rate), number("gravity", gravity)
+    )
 
 
 def steady_wobble_rate(body: Body, tilt: float, gravity: float = _core.STANDARD_GRAVITY) -> float:
@@ -88,11 +102,13 @@ def steady_wobble_rate(body: Body, tilt: float, gravity: float = _core.STANDARD_
     ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate that
     goes with it is ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
     """
-    return _core.steady_wobble_rate(body, tilt, gravity)
+    expect("body", body, Body)
+    return _core.steady_wobble_rate(body, number("tilt", tilt), number("gravity", gravity))
 
 
 def balance_tilt(body: Body) -> float:
     """Tilt at which the centre of mass is over the rim, rad: arctan(R/H); π/2 for a disk."""
+    expect("body", body, Body)
     return _core.balance_tilt(body)
 
 
@@ -101,7 +117,8 @@ def lift_off_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
 
     Infinite for a disk. The paper warns that a flick too fast lifts the can off.
     """
-    return _core.lift_off_rate(body, gravity)
+    expect("body", body, Body)
+    return _core.lift_off_rate(body, number("gravity", gravity))
 
 
 def slip_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
@@ -109,4 +126,5 @@ def slip_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
 
     √(2mgHK/(J(K + mH²))): the ratio |T|/N at the end of the tipping phase passes μ* there.
     """
-    return _core.slip_rate(body, gravity)
+    expect("body", body, Body)
+    return _core.slip_rate(body, number("gravity", gravity))

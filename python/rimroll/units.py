@@ -52,6 +52,21 @@ _TOWER = re.compile(r"\d\s*(\*\*|\^)|\d\d")  # of powers, which a parser could c
 _BARE_POWER = re.compile(r"\b(mm|cm|m|s)(-?[1-9])\b")
 
 
+def tilt_angle(value: object, name: str) -> float:
+    """A tilt, rad, with a hint for whoever meant degrees and wrote a plain number.
+
+    Raises ``UnitError`` as :func:`quantity` does, and for a plain number too large for radians.
+    """
+    angle = quantity(value, "rad", name)
+    plain = not isinstance(value, str) or value.strip()[-1:].isdigit()
+    if plain and abs(angle) >= math.pi:
+        raise UnitError(
+            f"{name}: {value} is read as radians, and a tilt is less than pi; "
+            f"for degrees write {str(value).strip()}deg"
+        )
+    return angle
+
+
 def quantity(value: object, unit: str, name: str = "the value") -> float:
     """A quantity in its SI unit, which is one of :data:`KINDS`.
 

@@ -31,6 +31,11 @@ pub fn check_body(body: BodyArgument) -> PyResult<()> {
 }
 
 #[pyfunction]
+pub fn check_solid(solid: SolidArgument) -> PyResult<()> {
+    Solid::from(solid).check().map_err(refusal)
+}
+
+#[pyfunction]
 pub fn body_from_solids(radius: f64, solids: Vec<SolidArgument>) -> PyResult<BodyNumbers> {
     let solids: Vec<Solid> = solids.into_iter().map(Solid::from).collect();
     body_numbers(Body::from_solids(radius, &solids))

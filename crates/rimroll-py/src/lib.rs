@@ -15,9 +15,9 @@ mod _core {
 
     #[pymodule_export]
     use crate::bodies::{
-        body_from_solids, check_body, cylinder, disc, filling, hollow_cylinder, preset_battery,
-        preset_beer_bottle, preset_can_2007, preset_coin, preset_cylinder, preset_disk,
-        preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
+        body_from_solids, check_body, check_solid, cylinder, disc, filling, hollow_cylinder,
+        preset_battery, preset_beer_bottle, preset_can_2007, preset_coin, preset_cylinder,
+        preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
     };
     #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};

@@ -131,7 +131,7 @@ impl CoreNearCollision {
 
     /// Rows (t, tilt, yaw) of the plane vector's motion, one column a sample.
     fn lean_vector<'py>(&self, py: Python<'py>, until: f64) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let samples = small_angle::lean_vector(&self.near, until);
+        let samples = small_angle::lean_vector(&self.near, until).map_err(refusal)?;
         let flat: Vec<f64> = (0..3)
             .flat_map(|i| samples.iter().map(move |sample| sample[i]))
             .collect();

@@ -1,6 +1,6 @@
 //! What rolls: an axisymmetric rigid body on the circular rim of its base.
 
-use crate::error::{InvalidInput, not_negative, positive};
+use crate::error::{InvalidInput, at_most_twice, moderate, not_negative, within};
 use crate::solids::Solid;
 
 /// An axisymmetric rigid body whose base is a circle (SI units).
@@ -22,8 +22,9 @@ impl Body {
     /// perpendicular to the symmetry axis and C about that axis (kg m²).
     ///
     /// # Errors
-    /// Refuses numbers that are not finite, m, R, A, C ≤ 0, H < 0, and C > 2A, which no rigid body
-    /// has: A = C/2 + ∫z² dm about the centre of mass.
+    /// Refuses numbers that are not finite, m, R, A, C ≤ 0, H < 0, numbers outside 1e-60 to 1e60 (SI; H may
+    /// be smaller),
+    /// and C > 2A, which no rigid body has: A = C/2 + ∫z² dm about the centre of mass.
     pub fn new(
         mass: f64,
         radius: f64,
@@ -32,19 +33,19 @@ impl Body {
         axial_inertia: f64,
     ) -> Result<Body, InvalidInput> {
         let body = Body {
-            mass: positive("mass", mass, "kg")?,
-            radius: positive("radius", radius, "m")?,
-            height: not_negative("height", height, "m")?,
-            transverse_inertia: positive("transverse_inertia", transverse_inertia, "kg m2")?,
-            axial_inertia: positive("axial_inertia", axial_inertia, "kg m2")?,
+            mass: moderate("mass", mass, "kg")?,
+            radius: moderate("radius", radius, "m")?,
+            height: within(
+                "height",
+                not_negative("height", height, "m")?,
+                1e60,
+                "at most 1e60",
+                "m",
+            )?,
+            transverse_inertia: moderate("transverse_inertia", transverse_inertia, "kg m2")?,
+            axial_inertia: moderate("axial_inertia", axial_inertia, "kg m2")?,
         };
-        // A flat body has C = 2A exactly; its A may have been rounded on the way here.
-        if axial_inertia > 2.0 * transverse_inertia * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(InvalidInput::AxialInertiaTooLarge {
-                value: axial_inertia,
-                transverse_inertia,
-            });
-        }
+        at_most_twice(axial_inertia, transverse_inertia)?;
         Ok(body)
     }
 
@@ -56,6 +57,9 @@ impl Body {
     pub fn from_solids(radius: f64, solids: &[Solid]) -> Result<Body, InvalidInput> {
         if solids.is_empty() {
             return Err(InvalidInput::NoSolids);
+        }
+        for solid in solids {
+            solid.check()?;
         }
         let mass: f64 = solids.iter().map(|s| s.mass).sum();
         let height = solids.iter().map(|s| s.mass * s.height).sum::<f64>() / mass;

@@ -70,7 +70,7 @@ fn with_unit(value: f64, unit: &str) -> String {
 }
 
 /// A number as a person would type it: with an exponent when it is very small or large.
-fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-4..1e7).contains(&size) {
         format!("{value}")
@@ -106,6 +106,39 @@ pub(crate) fn bounded(
             unit,
         })
     }
+}
+
+/// Accepts moments of inertia with C ≤ 2A, but for the rounding of a flat body's, where C = 2A.
+pub(crate) fn at_most_twice(axial: f64, transverse: f64) -> Result<(), InvalidInput> {
+    if axial > 2.0 * transverse * (1.0 + 4.0 * f64::EPSILON) {
+        return Err(InvalidInput::AxialInertiaTooLarge {
+            value: axial,
+            transverse_inertia: transverse,
+        });
+    }
+    Ok(())
+}
+
+/// Accepts a finite number no farther from zero than `most`.
+pub(crate) fn within(
+    field: &'static str,
+    value: f64,
+    most: f64,
+    bound: &str,
+    unit: &'static str,
+) -> Result<f64, InvalidInput> {
+    bounded(field, value, |v| v.abs() <= most, bound, unit)
+}
+
+/// Accepts a number above zero of a size that calculations do not overflow with.
+pub(crate) fn moderate(
+    field: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<f64, InvalidInput> {
+    positive(field, value, unit)?;
+    let moderate = |v| (1e-60..=1e60).contains(&v);
+    bounded(field, value, moderate, "between 1e-60 and 1e60", unit)
 }
 
 /// Accepts a finite number above zero.

@@ -12,7 +12,8 @@
 //! * sliding without friction: π √((A + mR²)/A), 220.97°.
 //!
 //! This crate computes the whole motion and these limits. It is pure: no files, no clock, no printing.
-//! SI units and radians throughout. Results are the same to the last bit on every machine.
+//! SI units and radians throughout. Only operations that IEEE 754 defines to the bit, and `libm`, so that
+//! results are the same on every machine (`tests/same_bits.rs`).
 //!
 //! ```
 //! use rimroll::{LawKind, Options, State, presets, simulate, turn::turn_limit};

@@ -14,7 +14,7 @@ pub use track::Track;
 pub use turns::Turn;
 
 use crate::body::Body;
-use crate::error::{InvalidInput, bounded, positive};
+use crate::error::{InvalidInput, bounded, positive, shown};
 use crate::law::{Law, LawKind};
 use crate::solve::{Stepper, Stuck, System, Work};
 use crate::state::{COORDINATES, Coordinates, State};
@@ -25,8 +25,8 @@ use events::Watch;
 /// Standard gravity, m/s² (exact by convention). The paper used 9.8.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Below this tilt (rad) the base is flat on the table as far as double precision can tell: which
-/// way the contact point would run is decided by digits that the start does not have.
+/// Below this tilt (rad) the base counts as flat on the table: the contact point would run round the
+/// rim in less time than the last digit of t can tell.
 pub const FACE_DOWN_TILT: f64 = 1e-16;
 
 /// How to simulate.
@@ -265,29 +265,44 @@ pub fn simulate(
     })
 }
 
+/// A time, s, to the microsecond, or as it is when that would show nothing of it.
+fn moment_of(t: f64) -> String {
+    if t == 0.0 || t >= 1e-3 {
+        format!("{t:.6}")
+    } else {
+        shown(t)
+    }
+}
+
 /// The ending in a sentence.
 fn message(status: Status, track: &Track, options: &Options, work: &Work) -> String {
     let end = track.end();
-    let t = end.t;
+    let t = moment_of(end.t);
     match status {
-        Status::Finished => format!("followed for the whole {t} s"),
+        Status::Finished => format!("followed for the whole {} s", shown(end.t)),
         Status::Toppled => format!(
-            "toppled: the tilt reached {:.6} rad at t = {t:.6} s",
+            "toppled: the tilt reached {:.6} rad at t = {t} s",
             end.tilt()
         ),
         Status::LiftedOff => format!(
-            "lifted off at t = {t:.6} s: to stay on the table the rim would have to be pulled down"
+            "lifted off at t = {t} s: to stay on the table the rim would have to be pulled down"
+        ),
+        Status::FaceDown if end.w == 0.0 && end.s == 0.0 => format!(
+            "face down at t = {t} s: without any sideways motion the whole rim meets the table at once, \
+             and rigid-body mechanics does not say what follows from simultaneous impacts at every point \
+             of it. A start with a yaw_rate or spin_rate, however small beside the others (1e-12 of \
+             them will do), can be followed past this point"
         ),
         Status::FaceDown => format!(
-            "face down at t = {t:.6} s: the whole rim meets the table at once, and rigid-body \
-             mechanics does not say what follows from simultaneous impacts at every point of it. A start \
-             with yaw_rate or spin_rate off zero by 1e-12 rad/s is enough to compute a motion past this point"
+            "face down at t = {t} s: the tilt falls below {FACE_DOWN_TILT:e} rad, where the contact point \
+             would run round the rim in less time than the last digit of t can tell. A start with a \
+             larger yaw_rate or spin_rate can be followed past this point"
         ),
         Status::Failed if work.steps >= options.max_steps => format!(
-            "stopped at t = {t:.6} s after max_steps = {} steps",
+            "stopped at t = {t} s after max_steps = {} steps",
             options.max_steps
         ),
-        Status::Failed => format!("the solver found no step short enough at t = {t:.6} s"),
-        Status::Interrupted => format!("interrupted at t = {t:.6} s"),
+        Status::Failed => format!("the solver found no step short enough at t = {t} s"),
+        Status::Interrupted => format!("interrupted at t = {t} s"),
     }
 }

@@ -14,7 +14,7 @@
 //! equations with the pendulum's tilt as clock.
 
 use crate::body::Body;
-use crate::error::InvalidInput;
+use crate::error::{InvalidInput, positive, shown};
 use crate::law::LawKind;
 use crate::motion::{EventKind, Motion, Options, Status, simulate};
 use crate::state::{Coordinates, State};
@@ -24,6 +24,10 @@ use core::ops::ControlFlow;
 /// Sideways rates are made this small so that their squares vanish beside everything else: what is
 /// left of the full equations is the pendulum and, exactly, its linear companion.
 const INFINITESIMAL: f64 = 1e-100;
+
+/// The smallest tilt may be this part of the largest: beyond, the two motions are not of different
+/// time-scales and the approximation is off by more than a tenth.
+const LARGEST_PART: f64 = 0.1;
 
 /// One rocking, from a tilt maximum (or the release) through the near-collision to its mirror image.
 pub struct Pasted {
@@ -57,14 +61,16 @@ impl Pasted {
 /// (m/s²).
 ///
 /// # Errors
-/// Refuses what [`simulate`] refuses, a start that never comes down, and one without any sideways motion,
-/// which comes down flat.
+/// Refuses what [`simulate`] refuses, a start that never comes down, one without any sideways motion,
+/// which comes down flat, and one with so much of it that it stays far from flat.
 pub fn pasted(
     body: &Body,
     start: &State,
     law: LawKind,
     gravity: f64,
 ) -> Result<Pasted, InvalidInput> {
+    start.check()?;
+    positive("gravity", gravity, "m/s2")?;
     let planar = State {
         yaw: 0.0,
         spin: 0.0,
@@ -88,18 +94,35 @@ pub fn pasted(
         });
     }
     let end: Coordinates<f64> = fall.track.end();
+    if end.cos < 0.0 {
+        return Err(InvalidInput::NoNearCollision {
+            why: "it falls to the disk's other face; turn the disk over, tilt -> pi - tilt"
+                .to_owned(),
+        });
+    }
     let half_width = end.t + end.sin / -end.p;
     let tipping_rate = -end.p;
     let l = end.w * end.sin / INFINITESIMAL;
     if l == 0.0 {
         return Err(InvalidInput::NoNearCollision {
-            why: "without yaw_rate and spin_rate it falls face down".to_owned(),
+            why: "with no yaw_rate and spin_rate to speak of it falls face down".to_owned(),
         });
     }
     let stretch = NearCollision::new(body, law, 1.0, tipping_rate, l.signum())?.stretch;
+    let min_tilt = l / (tipping_rate * stretch);
+    if min_tilt > LARGEST_PART * top.tilt {
+        return Err(InvalidInput::NoNearCollision {
+            why: format!(
+                "the smallest tilt, {} rad, would be no small part of the largest, {} rad; \
+                 reduce yaw_rate and spin_rate",
+                shown(min_tilt),
+                shown(top.tilt)
+            ),
+        });
+    }
     Ok(Pasted {
         near_collision: NearCollision {
-            min_tilt: l / (tipping_rate * stretch),
+            min_tilt,
             tipping_rate,
             stretch,
         },

@@ -14,6 +14,7 @@
 //! Errata: the printed M_G without slip lacks a factor m, and its parts along e_x1 and e_z have the
 //! wrong sign; the printed `M` without friction is the mass m.
 
+use crate::error::{InvalidInput, positive};
 use crate::solve::{Stepper, System};
 use crate::turn::NearCollision;
 
@@ -44,7 +45,11 @@ impl System<PLANE> for InverseCube {
 
 /// Integrates the plane vector from the smallest tilt on, until `until` (s): samples of
 /// (t, φ, ψ − ψ_c) at the solver's steps. The motion before is its mirror image.
-pub fn lean_vector(near: &NearCollision, until: f64) -> Vec<[f64; 3]> {
+///
+/// # Errors
+/// Refuses a time that is not finite or ≤ 0.
+pub fn lean_vector(near: &NearCollision, until: f64) -> Result<Vec<[f64; 3]>, InvalidInput> {
+    positive("until", until, "s")?;
     let sideways = near.tipping_rate * near.stretch;
     let moment = near.min_tilt * sideways;
     let system = InverseCube {
@@ -61,12 +66,12 @@ pub fn lean_vector(near: &NearCollision, until: f64) -> Vec<[f64; 3]> {
             let x = f64::from(i) / 4.0;
             let [[ax, ay, ..], [bx, by, .., t]] = [dense.at(x - 0.25), dense.at(x)];
             if t > until {
-                return samples;
+                return Ok(samples);
             }
             // The angle between neighbours adds up beyond π, which that of one vector would not.
             yaw += libm::atan2(ax * by - ay * bx, ax * bx + ay * by);
             samples.push([t, (bx * bx + by * by).sqrt(), yaw]);
         }
     }
-    samples
+    Ok(samples)
 }

@@ -4,7 +4,7 @@
 //! The moments of inertia are the textbook ones (e.g. Landau & Lifshitz, *Mechanics*, §32); the
 //! parallel-axis theorem joins them in [`Body::from_solids`](crate::Body::from_solids).
 
-use crate::error::{InvalidInput, finite, not_negative, positive};
+use crate::error::{InvalidInput, at_most_twice, finite, not_negative, positive};
 use core::f64::consts::PI;
 
 /// One part of a body: its mass and its moments about its own centre of mass (SI units).
@@ -21,6 +21,18 @@ pub struct Solid {
 }
 
 impl Solid {
+    /// Checks the numbers of a part that was not made by one of the functions below.
+    ///
+    /// # Errors
+    /// Refuses mass ≤ 0, a moment of inertia < 0, C > 2A, and numbers that are not finite.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        positive("mass", self.mass, "kg")?;
+        finite("height", self.height)?;
+        not_negative("transverse_inertia", self.transverse_inertia, "kg m2")?;
+        not_negative("axial_inertia", self.axial_inertia, "kg m2")?;
+        at_most_twice(self.axial_inertia, self.transverse_inertia)
+    }
+
     /// A solid cylinder of the given mass (kg), radius and length (m), its lower face at `base` (m).
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! Where the body is and how it moves.
 
-use crate::error::{InvalidInput, bounded, finite};
+use crate::error::{InvalidInput, bounded, within};
 use crate::real::Real;
 use core::f64::consts::PI;
 
@@ -26,7 +26,7 @@ pub struct State {
 }
 
 impl State {
-    /// Checks a start: all numbers finite and the tilt inside (0, π).
+    /// Checks a start: the tilt inside (0, π), yaw and spin within 1e6 rad, rates within 1e30 rad/s.
     ///
     /// # Errors
     /// Names the first field that is not.
@@ -38,11 +38,16 @@ impl State {
             "inside (0, pi)",
             "rad",
         )?;
-        finite("tilt_rate", self.tilt_rate)?;
-        finite("yaw", self.yaw)?;
-        finite("yaw_rate", self.yaw_rate)?;
-        finite("spin", self.spin)?;
-        finite("spin_rate", self.spin_rate)?;
+        // A larger angle has no digits left for the turn that is added to it.
+        within("yaw", self.yaw, 1e6, "between -1e6 and 1e6", "rad")?;
+        within("spin", self.spin, 1e6, "between -1e6 and 1e6", "rad")?;
+        for (field, rate) in [
+            ("tilt_rate", self.tilt_rate),
+            ("yaw_rate", self.yaw_rate),
+            ("spin_rate", self.spin_rate),
+        ] {
+            within(field, rate, 1e30, "between -1e30 and 1e30", "rad/s")?;
+        }
         Ok(())
     }
 }

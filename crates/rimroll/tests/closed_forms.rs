@@ -425,7 +425,7 @@ proptest! {
     fn the_lean_vector_is_the_near_collision(body in any_body(), min_tilt in 1e-9..1e-3) {
         for law in LawKind::ALL {
             let near = NearCollision::new(&body, law, min_tilt, 5.0, -1.0).expect("valid");
-            let samples = lean_vector(&near, 0.1);
+            let samples = lean_vector(&near, 0.1).unwrap();
             prop_assert!(samples.len() > 20 && samples[samples.len() - 1][0] > 0.02);
             for [t, tilt, yaw] in samples {
                 prop_assert!((tilt / near.tilt(t) - 1.0).abs() < 1e-11);

@@ -257,7 +257,7 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
         let uprights: Vec<_> = motion
             .events
             .iter()
-            .filter(|event| event.kind == EventKind::Upright && event.at.t > 0.5 * half_period)
+            .filter(|event| event.kind == EventKind::OnEdge && event.at.t > 0.5 * half_period)
             .map(|event| event.at)
             .collect();
         assert!(uprights.len() >= 16);
@@ -327,9 +327,9 @@ fn a_disk_flicked_over_its_edge_turns_on_its_other_face() {
     assert_eq!(
         kinds(&motion)[..4],
         [
-            EventKind::Upright,
+            EventKind::OnEdge,
             EventKind::TiltMax,
-            EventKind::Upright,
+            EventKind::OnEdge,
             EventKind::TiltMin
         ]
     );
@@ -523,4 +523,33 @@ fn a_caller_can_stop_a_long_motion() {
     assert_eq!(motion.status, Status::Interrupted);
     assert!(motion.track.end().t > 20.0 && motion.track.end().t < 100.0);
     assert!(motion.message.contains("interrupted at t = "));
+}
+
+/// The topple tilt is passed and left again within one step: only a look inside the step sees it.
+#[test]
+fn a_topple_tilt_just_under_the_maximum_is_not_stepped_over() {
+    let can = presets::can_2007().unwrap();
+    for law in LawKind::ALL {
+        for tilt in [0.30, 0.34, 0.38, 0.42, 0.46, 0.50] {
+            let start = State {
+                tilt,
+                tilt_rate: -0.5,
+                yaw_rate: 0.005,
+                spin_rate: 0.005,
+                ..State::default()
+            };
+            let loose = Options {
+                rtol: 1e-3,
+                ..Options::default()
+            };
+            let free = simulate(&can, &start, law, &loose, |_| ControlFlow::Continue(())).unwrap();
+            let caught = Options {
+                topple_tilt: Some(free.turns[0].max_tilt - 2e-4),
+                ..loose
+            };
+            let motion =
+                simulate(&can, &start, law, &caught, |_| ControlFlow::Continue(())).unwrap();
+            assert_eq!(motion.status, Status::Toppled, "{law:?} from {tilt}");
+        }
+    }
 }

@@ -13,7 +13,7 @@ from rimroll.errors import RimrollError
 from rimroll.laws import NoSlip
 from rimroll.scenario import UNIT_OF, Options, Scenario, load, presets
 from rimroll.state import State
-from rimroll.units import quantity
+from rimroll.units import quantity, tilt_angle
 
 NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 SIZES = (*NUMBERS, "length", "fill")
@@ -98,10 +98,16 @@ def preset_body(name: str, sizes: dict[str, str]) -> Body:
     )
 
 
+def _read(name: str, text: str, unit: str) -> float:
+    if name in ("tilt", "topple_tilt"):
+        return tilt_angle(text, option(name))
+    return quantity(text, unit, option(name))
+
+
 def _start(options: StartOptions, start: State | None) -> State | None:
     units = {"tilt": "rad", "tilt_rate": "rad/s", "yaw_rate": "rad/s", "spin_rate": "rad/s"}
     given = {
-        name: quantity(text, unit, option(name))
+        name: _read(name, text, unit)
         for name, unit in units.items()
         if (text := getattr(options, name)) is not None
     }
@@ -115,7 +121,7 @@ def _start(options: StartOptions, start: State | None) -> State | None:
 def _options(motion: MotionOptions, options: Options) -> Options:
     units = {"duration": "s", "gravity": "m/s^2", "topple_tilt": "rad"}
     given: dict[str, float] = {
-        name: quantity(text, unit, option(name))
+        name: _read(name, text, unit)
         for name, unit in units.items()
         if (text := getattr(motion, name)) is not None
     }

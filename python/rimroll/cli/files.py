@@ -72,12 +72,15 @@ def summary(record: Record) -> dict[str, Any]:
 
 
 def _csv(part: Path, record: Record, bar: Bar) -> None:
-    """Comments with the parameters, one line of ``name[unit]``, and doubles in full."""
+    """One line of ``name[unit]``, comments with the parameters, and doubles in full.
+
+    The names come first, so that ``numpy.genfromtxt(file, delimiter=",", names=True)`` reads it.
+    """
     columns = np.stack([record.moments[name] for name in UNITS], axis=-1)
     with part.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(",".join(f"{name}[{unit}]" for name, unit in UNITS.items()) + "\n")
         for name, value in {**record.parameters, "status": record.motion.status}.items():
             file.write(f"# {name} = {value}\n")
-        file.write(",".join(f"{name}[{unit}]" for name, unit in UNITS.items()) + "\n")
         for first in range(0, len(columns), ROWS):
             bar(first, len(columns), "")
             rows = columns[first : first + ROWS].tolist()

@@ -33,6 +33,8 @@ class Claim:
     within: float
     remark: str = ""
     digits: int = 2
+    stated: bool = True
+    """Whether the paper prints the number; else it follows from what the paper says."""
 
     @property
     def verdict(self) -> str:
@@ -46,8 +48,9 @@ class Claim:
 
     @property
     def printed_text(self) -> str:
-        """The paper's number as it prints it."""
-        return f"{self.printed:g}".replace("-", "−")
+        """The paper's number as it prints it, or in brackets as it follows from what it says."""
+        text = f"{self.printed:g}".replace("-", "−")
+        return text if self.stated else f"({text})"
 
     @property
     def ours_text(self) -> str:
@@ -71,7 +74,7 @@ def angles_of_the_can() -> list[Claim]:
     cut = "The paper cuts 220.97 where rounding gives 221."
     return [
         Claim("Quantitative comparisons", "angle of turn, frictionless: “about 220”", 220, "°",
-              sliding, 1.0, cut),
+              sliding, 0.5, cut),
         Claim("Quantitative comparisons", "angle of turn, no slip: 202", 202, "°", rolling, 0.5),
         Claim("Histogram, caption", "frictionless theory: 180 ± 40", 40, "°", sliding - 180, 0.5,
               "220.97 − 180 = 40.97, cut to 40; rounding gives 41."),

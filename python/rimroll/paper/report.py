@@ -107,7 +107,8 @@ def _write_numbers(path: Path, claims: dict[str, list[Claim]], drawings: list[Dr
         "figures": {drawing.slug: drawing.numbers for drawing in drawings},
     }
     with writing(path) as part:
-        part.write_text(json.dumps(numbers, indent=1, default=_plain, ensure_ascii=False) + "\n")
+        text = json.dumps(numbers, indent=1, default=_plain, ensure_ascii=False, allow_nan=False)
+        part.write_text(text + "\n", encoding="utf-8")
 
 
 def _plain(value: Any) -> Any:

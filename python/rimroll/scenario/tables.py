@@ -27,7 +27,7 @@ from rimroll.errors import RimrollError
 from rimroll.laws import NoSlip
 from rimroll.scenario import MOST_STEPS, UNIT_OF, Options, Scenario, presets
 from rimroll.state import State
-from rimroll.units import quantity
+from rimroll.units import quantity, tilt_angle
 
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,
@@ -50,7 +50,12 @@ def _in(unit: str) -> BeforeValidator:
     return BeforeValidator(read)
 
 
+def _tilt(value: object, info: ValidationInfo) -> float:
+    return tilt_angle(value, info.field_name or "the tilt")
+
+
 Angle = Annotated[float, _in("rad")]
+Tilt = Annotated[float, BeforeValidator(_tilt)]
 AngularRate = Annotated[float, _in("rad/s")]
 
 
@@ -72,7 +77,7 @@ class _File(_Table):
 
 
 class _Start(_Table):
-    tilt: Angle
+    tilt: Tilt
     tilt_rate: AngularRate = 0.0
     yaw: Angle = 0.0
     yaw_rate: AngularRate = 0.0
@@ -84,7 +89,7 @@ class _Simulation(_Table):
     duration: Annotated[float, _in("s")] = Options.duration
     gravity: Annotated[float, _in("m/s^2")] = Options.gravity
     rtol: Annotated[float, _in("1")] = Options.rtol
-    topple_tilt: Annotated[float, _in("rad")] | None = None
+    topple_tilt: Tilt | None = None
     max_steps: Annotated[int, Field(gt=0, le=MOST_STEPS)] = Options.max_steps
 
 

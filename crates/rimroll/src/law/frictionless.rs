@@ -66,11 +66,16 @@ impl<T: Real> Law<T> for Frictionless<T> {
         }
     }
 
+    /// N = m (g + ρ φ̈ − z φ̇²) with row 2 put in for φ̈, so that nothing cancels when A ≪ mR².
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
+        let k = &self.k;
+        let rho = k.rho(u);
+        let falling = k.a * u.sin * (k.g - k.z(u) * u.p * u.p);
+        let turning = rho * u.w * (k.a * u.w * u.cos - k.c * u.sin * u.s);
         Contact {
             along: T::from(0.0),
             across: T::from(0.0),
-            normal: self.k.normal(u, self.tilt_acceleration(u)),
+            normal: k.m * (falling + turning) / (k.a + k.m * rho * rho),
         }
     }
 

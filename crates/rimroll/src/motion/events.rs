@@ -13,7 +13,7 @@ pub enum EventKind {
     /// The tilt is largest.
     TiltMax,
     /// The base is vertical, tilt π/2: a disk stands on its edge on its way from one face to the other.
-    Upright,
+    OnEdge,
     /// The topple tilt is reached; the motion ends.
     Topple,
     /// The normal force is zero and about to turn negative; the motion ends.
@@ -28,7 +28,7 @@ impl EventKind {
         match self {
             EventKind::TiltMin => "tilt_min",
             EventKind::TiltMax => "tilt_max",
-            EventKind::Upright => "upright",
+            EventKind::OnEdge => "on_edge",
             EventKind::Topple => "topple",
             EventKind::LiftOff => "lift_off",
             EventKind::FaceDown => "face_down",
@@ -45,7 +45,8 @@ pub struct Event {
     pub at: Coordinates<f64>,
 }
 
-/// Looked at inside each step, so that two crossings within one step are not missed.
+/// Looked at inside each step, and where the tilt is extreme: a topple tilt is not stepped over, and
+/// the normal force can dip below zero unseen only within a quarter of a step.
 const LOOKS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// What ends a motion, with the sign that its function has before.
@@ -82,6 +83,13 @@ struct Crossing {
     dense: Dense<COORDINATES>,
     from: f64,
     to: f64,
+}
+
+/// Where the tilt rate changes sign between two fractions of a step.
+fn extreme(dense: &Dense<COORDINATES>, from: f64, to: f64) -> Option<f64> {
+    let rate = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
+    let reverses = (rate(&dense.at(from)) < 0.0) != (rate(&dense.at(to)) < 0.0);
+    reverses.then(|| dense.root(from, to, rate))
 }
 
 /// Watches the steps go by.
@@ -138,7 +146,7 @@ impl<'a> Watch<'a> {
         let ending = self.first_ending(&dense);
         let until = ending.map_or(1.0, |(_, x)| x);
         self.note_extremes(&step, &dense, until);
-        self.note_upright(&step, &dense, until);
+        self.note_on_edge(&step, &dense, until);
         let Some((ending, x)) = ending else {
             track.push(dense);
             return None;
@@ -174,7 +182,14 @@ impl<'a> Watch<'a> {
 
     /// The first ending inside a step and the fraction of the step where it is.
     fn first_ending(&self, dense: &Dense<COORDINATES>) -> Option<(Ending, f64)> {
-        for look in LOOKS.windows(2) {
+        let mut looks = LOOKS.to_vec();
+        looks.extend(
+            LOOKS
+                .windows(2)
+                .filter_map(|look| extreme(dense, look[0], look[1])),
+        );
+        looks.sort_by(f64::total_cmp);
+        for look in looks.windows(2) {
             let (from, to) = (look[0], look[1]);
             let there = Coordinates::from_array(&dense.at(to));
             let first = ENDINGS
@@ -251,7 +266,7 @@ impl<'a> Watch<'a> {
         });
     }
 
-    fn note_upright(&mut self, step: &Step<COORDINATES>, dense: &Dense<COORDINATES>, until: f64) {
+    fn note_on_edge(&mut self, step: &Step<COORDINATES>, dense: &Dense<COORDINATES>, until: f64) {
         let cos = |x: f64| Coordinates::from_array(&dense.at(x)).cos;
         for look in LOOKS.windows(2) {
             let (from, to) = (look[0], look[1].min(until));
@@ -259,7 +274,7 @@ impl<'a> Watch<'a> {
                 let x = dense.root(from, to, |u| Coordinates::from_array(u).cos);
                 let at = self.refine(step, dense, x, |_, u| u.cos).end;
                 self.events.push(Event {
-                    kind: EventKind::Upright,
+                    kind: EventKind::OnEdge,
                     at: Coordinates::from_array(&at),
                 });
             }

@@ -4,7 +4,7 @@
 use super::events::{Event, EventKind};
 use crate::state::Coordinates;
 
-/// One passage through a near-collision.
+/// From one tilt maximum to the next, through a minimum: the paper's turn when that is a near-collision.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
     /// Change of yaw from one tilt maximum (or the release) to the next, rad, with its sign.
@@ -13,7 +13,7 @@ pub struct Turn {
     pub min_tilt: f64,
     /// Time of the smallest tilt, s.
     pub t: f64,
-    /// ψ̇ there, rad/s: the largest on the way.
+    /// ψ̇ there, rad/s.
     pub yaw_rate: f64,
     /// Time of the tilt maximum (or release) before, s.
     pub start: f64,
@@ -34,7 +34,7 @@ fn lean(event: &Event) -> Option<Lean> {
     match event.kind {
         EventKind::TiltMin if on_first_face => Some(Lean::Least),
         EventKind::TiltMax if !on_first_face => Some(Lean::Least),
-        EventKind::TiltMin | EventKind::TiltMax | EventKind::Upright => Some(Lean::Most),
+        EventKind::TiltMin | EventKind::TiltMax | EventKind::OnEdge => Some(Lean::Most),
         EventKind::Topple | EventKind::LiftOff | EventKind::FaceDown => None,
     }
 }

@@ -48,7 +48,7 @@ pub fn turn_limit_with_spin(
 /// Refuses k ≤ 0.
 pub fn disk_turn_limit(gyration_ratio: f64) -> Result<f64, InvalidInput> {
     let k = positive("gyration_ratio", gyration_ratio, "")?;
-    Ok(PI * (2.0 + k * k).sqrt() / k)
+    Ok(PI * (1.0 + 2.0 / k / k).sqrt())
 }
 
 /// The tall limit, H ≫ R, to first order: π + (π/2) mR²/K′ (rad) with K′ = A + mH² without slip and

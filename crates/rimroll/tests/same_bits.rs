@@ -1,0 +1,57 @@
+//! The same bits everywhere: the end of a motion, to the last bit, as this crate has always computed it.
+//!
+//! A change of these numbers is a change of every published result: it must be meant, and said in the
+//! changelog.
+
+use rimroll::motion::moment;
+use rimroll::{LawKind, Options, State, presets, simulate};
+use std::ops::ControlFlow;
+
+fn bits_at_the_end(law: LawKind) -> Vec<u64> {
+    let can = presets::can_2007().unwrap();
+    let start = State {
+        tilt: 0.5,
+        tilt_rate: -0.5,
+        yaw_rate: 0.005,
+        spin_rate: 0.005,
+        ..State::default()
+    };
+    let motion = simulate(&can, &start, law, &Options::default(), |_| {
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    moment(&*motion.law, &motion.track.end())[1..8]
+        .iter()
+        .map(|number| number.to_bits())
+        .collect()
+}
+
+#[test]
+fn a_rolling_can_ends_at_the_same_bits() {
+    assert_eq!(bits_at_the_end(LawKind::NoSlip), NO_SLIP);
+}
+
+#[test]
+fn a_sliding_can_ends_at_the_same_bits() {
+    assert_eq!(bits_at_the_end(LawKind::Frictionless), FRICTIONLESS);
+}
+
+const NO_SLIP: [u64; 7] = [
+    4597597934186370055,
+    4614218794681657236,
+    4624152900745588138,
+    4580855927971501829,
+    13847514294883970037,
+    13799707039214953239,
+    4576086345663926541,
+];
+
+const FRICTIONLESS: [u64; 7] = [
+    4598501973039336005,
+    13839589351432114673,
+    4626125526178897964,
+    4577986434586635340,
+    13849491994210338345,
+    13790225995900587780,
+    4576565385061749008,
+];
