@@ -172,12 +172,13 @@ def assert_forces_are_those_of_the_states(pair):
     """The printed formulas, given our states, yield our forces; the states are compared elsewhere.
 
     Compared at equal times instead, forces would show how late a motion is: 1e-11 s changes the
-    peak of the normal force by 1e-6 of itself. The printed formulas cancel by 1e-16 / tilt.
+    peak of the normal force by 1e-6 of itself. The printed sums of terms as large as m R psi_ddot
+    cancel by 1e-16 / tilt times a factor of the body, up to some hundreds.
     """
     ours = pair.ours.evaluate(pair.theirs.t)
     theirs = paper.contact_force(pair.body, in_the_paper_s_symbols(ours), pair.law, pair.gravity)
     size = pair.body.mass * pair.gravity + np.abs(theirs.normal)
-    allowed = 1e-12 + 3e-14 / ours.tilt
+    allowed = 1e-12 + 1e-13 / ours.tilt
     np.testing.assert_array_less(np.abs(ours.normal_force - theirs.normal) / size, allowed)
     for k in 0, 1:
         error = np.abs(ours.friction_force[:, k] - theirs.friction_in_world[k])
@@ -245,7 +246,7 @@ def test_nine_digits_of_the_turns_come_without_asking(can):
 def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
     turns = []
 
-    @settings(max_examples=40, derandomize=True, deadline=None)
+    @settings(max_examples=30, derandomize=True, deadline=None)
     @given(rockings())
     def holds(rocking):
         pair = computed_twice(rocking.body, rocking.start, law, 1.5 * rocking.time, rocking.gravity)
