@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 
 import paper_equations as paper
 import rimroll as rr
@@ -249,7 +249,10 @@ def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
     @settings(max_examples=30, derandomize=True, deadline=None)
     @given(rockings())
     def holds(rocking):
-        pair = computed_twice(rocking.body, rocking.start, law, 1.5 * rocking.time, rocking.gravity)
+        case = rocking.body, rocking.start, law, 1.5 * rocking.time
+        # Closer to the table the printed equations have no digits left to compare with.
+        assume(rr.simulate(*case, gravity=rocking.gravity).tilt.min() > 1e-6)
+        pair = computed_twice(*case, rocking.gravity)
         assert pair.ours.status in ("finished", "lifted_off")
         assert_same_motion(pair)
         assert_same_extremes(pair)
