@@ -117,7 +117,7 @@ def test_what_the_progress_callback_raises_ends_the_motion():
         ),
         ("can_2007", START, rr.NoSlip(), "body must be a rimroll.Body, got 'can_2007'"),
         (CAN, {"tilt": 1.0}, rr.NoSlip(), "start must be a rimroll.State"),
-        (CAN, START, "no_slip", "law must be a rimroll.NoSlip or Frictionless, got 'no_slip'"),
+        (CAN, START, "no_slip", "law must be a rimroll.Law, got 'no_slip'"),
         (CAN, START, rr.NoSlip, "got NoSlip itself: call it"),
     ],
 )

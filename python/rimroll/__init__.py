@@ -18,16 +18,31 @@ from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.errors import RimrollError
-from rimroll.laws import Frictionless, Law, NoSlip
-from rimroll.motion import Event, Moments, Motion, Stats, Turn, simulate
+from rimroll.laws import (
+    AirDrag,
+    Coulomb,
+    Frictionless,
+    Law,
+    NoSlip,
+    PivotingFriction,
+    RollingResistance,
+    Stribeck,
+    Viscous,
+)
+from rimroll.motion import Event, Moments, Motion, Phase, Stats, Turn, simulate
 from rimroll.solids import Solid
 from rimroll.state import State
 from rimroll.theory import (
+    Arrival,
+    Passage,
+    arrival,
     balance_tilt,
     disk_turn_limit,
     error_law_coefficient,
     lift_off_rate,
     needed_friction,
+    painleve_friction,
+    passage,
     point_mass_turn_limit,
     slip_rate,
     steady_wobble_rate,
@@ -38,7 +53,10 @@ from rimroll.theory import (
 
 __all__ = [
     "STANDARD_GRAVITY",
+    "AirDrag",
+    "Arrival",
     "Body",
+    "Coulomb",
     "Event",
     "Frictionless",
     "Law",
@@ -46,19 +64,28 @@ __all__ = [
     "Motion",
     "NearCollision",
     "NoSlip",
+    "Passage",
     "Pasted",
+    "Phase",
+    "PivotingFriction",
     "RimrollError",
+    "RollingResistance",
     "Solid",
     "State",
     "Stats",
+    "Stribeck",
     "Turn",
+    "Viscous",
     "__version__",
+    "arrival",
     "balance_tilt",
     "bodies",
     "disk_turn_limit",
     "error_law_coefficient",
     "lift_off_rate",
     "needed_friction",
+    "painleve_friction",
+    "passage",
     "pasted",
     "point_mass_turn_limit",
     "simulate",

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
-from rimroll.laws import Law
+from rimroll.laws import Law, ideal
 from rimroll.state import State, single, times
 
 Array = NDArray[np.float64]
@@ -36,11 +36,12 @@ class NearCollision:
         self, body: Body, law: Law, min_tilt: float, tipping_rate: float, direction: float = 1.0
     ) -> None:
         expect("body", body, Body)
-        expect("law", law, Law)
         min_tilt = number("min_tilt", min_tilt)
         tipping_rate = number("tipping_rate", tipping_rate)
         direction = number("direction", direction)
-        self._core = _core.CoreNearCollision(body, law.name, min_tilt, tipping_rate, direction)
+        self._core = _core.CoreNearCollision(
+            body, ideal(law).name, min_tilt, tipping_rate, direction
+        )
         self.min_tilt = min_tilt
         self.tipping_rate = tipping_rate
 
@@ -119,6 +120,5 @@ def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_G
     """
     expect("body", body, Body)
     expect("start", start, State)
-    expect("law", law, Law)
     gravity = number("gravity", gravity)
-    return Pasted(_core.CorePasted(body, single(start), law.name, gravity))
+    return Pasted(_core.CorePasted(body, single(start), ideal(law).name, gravity))

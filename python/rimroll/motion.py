@@ -47,8 +47,14 @@ UNITS = {
     "friction_x": "N",
     "friction_y": "N",
     "friction_ratio": "1",
+    "slip_x": "m/s",
+    "slip_y": "m/s",
+    "gap": "m",
     "kinetic_energy": "J",
     "potential_energy": "J",
+    "friction_loss": "J",
+    "resistance_loss": "J",
+    "impact_loss": "J",
 }
 """The unit of each column of a table of moments."""
 
@@ -133,6 +139,16 @@ class Moments:
         return self["friction_ratio"]
 
     @property
+    def slip(self) -> Array:
+        """Horizontal velocity of the rim's lowest point (x, y), m/s, shape (n, 2)."""
+        return self._vector("slip_x", "slip_y")
+
+    @property
+    def gap(self) -> Array:
+        """Height of the rim's lowest point over the table, m: zero but in flight."""
+        return self["gap"]
+
+    @property
     def kinetic_energy(self) -> Array:
         """Kinetic energy, J."""
         return self["kinetic_energy"]
@@ -146,6 +162,26 @@ class Moments:
     def energy(self) -> Array:
         """Kinetic and potential energy together, J."""
         return self.kinetic_energy + self.potential_energy
+
+    @property
+    def friction_loss(self) -> Array:
+        """Energy lost to friction so far, J."""
+        return self["friction_loss"]
+
+    @property
+    def resistance_loss(self) -> Array:
+        """Energy lost so far to rolling resistance, pivoting friction and air, J."""
+        return self["resistance_loss"]
+
+    @property
+    def impact_loss(self) -> Array:
+        """Energy lost in landings so far, J."""
+        return self["impact_loss"]
+
+    @property
+    def energy_budget(self) -> Array:
+        """Energy and all that was lost of it, J: constant, but for the errors of computing."""
+        return self.energy + self.friction_loss + self.resistance_loss + self.impact_loss
 
     @property
     def state(self) -> State:
@@ -162,13 +198,23 @@ class Event:
     """Something that happened.
 
     ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
-    faces),
-    ``topple``, ``lift_off`` or ``face_down``; ``t`` in s; ``state`` as single numbers.
+    faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``) or an ending
+    (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``); ``t`` in s; ``state`` as
+    single numbers.
     """
 
     kind: str
     t: float
     state: State
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A stretch of a motion under one law: ``rolling``, ``sliding`` or ``flying``; times in s."""
+
+    kind: str
+    start: float
+    end: float
 
 
 @dataclass(frozen=True)
@@ -220,15 +266,17 @@ class _Options:
 class Motion(Moments):
     """A computed motion.
 
-    Its arrays are at the solver's accepted steps, close together where the motion is fast. Call it
-    with times for anything in between: ``motion(t)``.
+    Its arrays are at the solver's accepted steps, close together where the motion is fast; a moment
+    at which the contact changes is there twice, as it is before and after. Call it with times for
+    anything in between: ``motion(t)``.
 
     Attributes
     ----------
     body, start, law, duration, gravity, rtol, topple_tilt, max_steps
         What it was computed from.
     status
-        ``finished``, ``toppled``, ``lifted_off``, ``face_down`` or ``failed``.
+        ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
+        ``failed``.
     message
         The same in a sentence.
     turns
@@ -265,6 +313,13 @@ class Motion(Moments):
     def events(self) -> list[Event]:
         """What happened, in order of time."""
         return _events(self._core)
+
+    @cached_property
+    def phases(self) -> list[Phase]:
+        """How the rim met the table, in order of time."""
+        begins = self._core.phases()
+        ends = [start for _, start in begins[1:]] + [float(self.t[-1])]
+        return [Phase(kind, start, end) for (kind, start), end in zip(begins, ends, strict=True)]
 
     def __repr__(self) -> str:
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
@@ -338,6 +393,7 @@ class Motion(Moments):
         options = {k: v for k, v in asdict(self._options).items() if v is not None}
         return {
             "law": self.law.name,
+            **{f"law_{name}": value for name, value in self.law.numbers.items()},
             **{f"body_{name}": value for name, value in asdict(self.body).items()},
             **{f"start_{name}": value for name, value in asdict(self.start).items()},
             **options,
@@ -425,7 +481,7 @@ def _follow(
     core = _core.simulate(
         body,
         start,
-        law.name,
+        law,
         options.duration,
         options.gravity,
         options.rtol,

@@ -6,23 +6,100 @@ numbers outside the bounds that it states.
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import expect, number
-from rimroll.laws import Law
+from rimroll.laws import Law, ideal
+from rimroll.state import State, single
 
 
-def turn_limit(body: Body, law: Law) -> float:
+@dataclass(frozen=True)
+class Arrival:
+    """How a body comes down on the table at the end of its tipping phase; the limit of ε → 0.
+
+    A near-collision under friction depends on slip and spin relative to H ω and ω.
+    """
+
+    tipping_rate: float = 1.0
+    """ω = −dφ/dt, rad/s."""
+    slip: float = 0.0
+    """Velocity of the rim's lowest point, from it toward the base's centre, m/s."""
+    spin: float = 0.0
+    """s = dθ/dt + dψ/dt cos φ, rad/s, positive in the direction of the turn."""
+    friction_ratio: float = math.nan
+    """The largest |T|/N on the way down: what tipping without slip needs. NaN if not known."""
+
+    def _numbers(self) -> tuple[float, float, float, float]:
+        return (
+            number("tipping_rate", self.tipping_rate),
+            number("slip", self.slip),
+            number("spin", self.spin),
+            number("friction_ratio", self.friction_ratio),
+        )
+
+
+@dataclass(frozen=True)
+class Passage:
+    """What a near-collision makes of an arrival, in the limit of ε → 0."""
+
+    turn: float
+    """The limiting angle of turn, rad."""
+    rising_rate: float
+    """dφ/dt of the beginning rise, rad/s."""
+    spin: float
+    """s of it, rad/s, positive in the direction of the turn."""
+    slip: tuple[float, float]
+    """Its slip (m/s), toward the base's centre and across."""
+    loss: float
+    """The part of the kinetic energy that friction takes."""
+
+
+def arrival(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY) -> Arrival:
+    """How a body let go at ``start`` comes down, in the limit of ever smaller sideways rates.
+
+    The start's yaw rate and spin rate are taken for zero. Raises ``RimrollError`` where the base
+    does not come down flat: for a start that topples, a rim that lifts off on the way.
+    """
+    expect("body", body, Body)
+    expect("start", start, State)
+    expect("law", law, Law)
+    return Arrival(*_core.arrival(body, single(start), law, number("gravity", gravity)))
+
+
+def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> float:
     """Limiting angle of turn, rad, as the motion comes arbitrarily close to a face-down collision.
 
     No-slip: π √(J/K) = π √((A + mR² + mH²)/(A + mH²)). Frictionless: π √((A + mR²)/A).
 
     Source: the paper, Eqs. (15) and (19) of the preprint. Erratum: the last two
     lines of the former print the fraction upside down.
+
+    Other laws: the near-collision is computed by itself, to 1e-8 rad. It depends on how the body
+    arrives: at rest on its rim and without spin unless ``arrival`` says otherwise (see
+    :func:`arrival`). For Coulomb friction it lies between the two closed forms: the no-slip angle
+    from μ = ``needed_friction(body)`` on, the frictionless one at μ = 0. Under friction a body goes
+    on turning as it rises, and its whole turn from release to tilt maximum tends to another value.
+
+    Raises ``RimrollError`` when the rim lifts off on the way or Painlevé's paradox is met.
     """
     expect("body", body, Body)
     expect("law", law, Law)
-    return _core.turn_limit(body, law.name)
+    expect("arrival", arrival, Arrival | None)
+    return _core.turn_limit(body, law, (arrival or Arrival())._numbers())
+
+
+def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
+    """The near-collision by itself, computed: its turn, and how the body leaves it.
+
+    ``arrival`` as for :func:`turn_limit`, which has the errors too.
+    """
+    expect("body", body, Body)
+    expect("law", law, Law)
+    expect("arrival", arrival, Arrival | None)
+    return Passage(*_core.passage(body, law, (arrival or Arrival())._numbers()))
 
 
 def turn_limit_with_spin(body: Body, spin: float, tipping_rate: float) -> float:
@@ -55,8 +132,7 @@ def tall_turn_limit(body: Body, law: Law) -> float:
     (π/8)(mR²/K')². Source: the paper's "Tall thin containers", carried one order further.
     """
     expect("body", body, Body)
-    expect("law", law, Law)
-    return _core.tall_turn_limit(body, law.name)
+    return _core.tall_turn_limit(body, ideal(law).name)
 
 
 def point_mass_turn_limit(radius: float, height: float, law: Law) -> float:
@@ -64,8 +140,8 @@ def point_mass_turn_limit(radius: float, height: float, law: Law) -> float:
 
     Without friction it grows without bound: infinity.
     """
-    expect("law", law, Law)
-    return _core.point_mass_turn_limit(number("radius", radius), number("height", height), law.name)
+    name = ideal(law).name
+    return _core.point_mass_turn_limit(number("radius", radius), number("height", height), name)
 
 
 def needed_friction(body: Body) -> float:
@@ -76,6 +152,15 @@ def needed_friction(body: Body) -> float:
     """
     expect("body", body, Body)
     return _core.needed_friction(body)
+
+
+def painleve_friction(body: Body) -> float:
+    """Friction coefficient from which on sliding can meet Painlevé's paradox: 2 √(q (1 + q)).
+
+    q = A/(m (R² + H²)). Below it the normal force is determined however the body slides.
+    """
+    expect("body", body, Body)
+    return _core.painleve_friction(body)
 
 
 def error_law_coefficient(
@@ -90,9 +175,8 @@ def error_law_coefficient(
     like ε ln ε, not like a power. Not in the paper.
     """
     expect("body", body, Body)
-    expect("law", law, Law)
     return _core.error_law_coefficient(
-        body, law.name, number("tipping_rate", tipping_rate), number("gravity", gravity)
+        body, ideal(law).name, number("tipping_rate", tipping_rate), number("gravity", gravity)
     )
 
 

@@ -1,7 +1,8 @@
 //! What Python hands over, read attribute by attribute, and errors on their way back.
 
 use pyo3::prelude::*;
-use rimroll::{Body, InvalidInput, LawKind, Solid, State};
+use rimroll::{Body, IdealLaw, InvalidInput, Solid, State, Surface};
+use std::collections::HashMap;
 
 pyo3::import_exception!(rimroll.errors, RimrollError);
 
@@ -77,7 +78,21 @@ impl From<StateArgument> for State {
     }
 }
 
-/// The name of a law.
-pub fn law(name: &str) -> PyResult<LawKind> {
-    LawKind::from_name(name).map_err(refusal)
+/// The name of an ideal law.
+pub fn ideal_law(name: &str) -> PyResult<IdealLaw> {
+    IdealLaw::from_name(name).map_err(refusal)
+}
+
+/// Any object with the attributes of `rimroll.laws.Law`: what the table is like.
+#[derive(FromPyObject)]
+pub struct SurfaceArgument {
+    name: String,
+    numbers: HashMap<String, f64>,
+}
+
+impl SurfaceArgument {
+    pub fn surface(&self) -> PyResult<Surface> {
+        let numbers: Vec<_> = self.numbers.clone().into_iter().collect();
+        Surface::named(&self.name, &numbers).map_err(refusal)
+    }
 }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     use super::*;
-    use rimroll::{LawKind, motion as core};
+    use rimroll::{FrictionLaw, motion as core};
 
     #[pymodule_export]
     use crate::bodies::{
@@ -23,16 +23,17 @@ mod _core {
     use crate::motion::{CoreMotion, simulate};
     #[pymodule_export]
     use crate::theory::{
-        CoreNearCollision, CorePasted, balance_tilt, disk_turn_limit, error_law_coefficient,
-        lift_off_rate, needed_friction, point_mass_turn_limit, slip_rate, steady_wobble_rate,
-        tall_turn_limit, turn_limit, turn_limit_with_spin,
+        CoreNearCollision, CorePasted, arrival, balance_tilt, check_surface, disk_turn_limit,
+        error_law_coefficient, lift_off_rate, needed_friction, painleve_friction, passage,
+        point_mass_turn_limit, slip_rate, steady_wobble_rate, tall_turn_limit, turn_limit,
+        turn_limit_with_spin,
     };
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
-        module.add("LAWS", LawKind::ALL.map(LawKind::name))?;
+        module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }
 }

@@ -1,10 +1,9 @@
 //! `simulate` and the columns of numbers that describe a motion.
 
-use crate::arguments::{BodyArgument, StateArgument, law, refusal};
+use crate::arguments::{BodyArgument, StateArgument, SurfaceArgument, refusal};
 use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::motion::{COLUMNS, Moment, moment};
-use rimroll::state::Coordinates;
+use rimroll::motion::{COLUMNS, Instant, Moment};
 use rimroll::{Options, simulate as simulate_in_core};
 use std::ops::ControlFlow;
 
@@ -21,9 +20,9 @@ impl CoreMotion {
     fn table<'py>(
         &self,
         py: Python<'py>,
-        moments: impl Iterator<Item = Coordinates<f64>>,
+        moments: impl Iterator<Item = Instant>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows: Vec<Moment> = moments.map(|u| moment(&*self.motion.law, &u)).collect();
+        let rows: Vec<Moment> = moments.map(|at| self.motion.moment(&at)).collect();
         let count = rows.len();
         let mut flat = vec![0.0; COLUMNS.len() * count];
         for (i, row) in rows.iter().enumerate() {
@@ -72,6 +71,12 @@ impl CoreMotion {
         Ok((kinds, self.table(py, events.iter().map(|event| event.at))?))
     }
 
+    /// The phases with the times at which they begin, s.
+    fn phases(&self) -> Vec<(&'static str, f64)> {
+        let phases = self.motion.track.phases();
+        phases.map(|at| (at.phase.name(), at.t)).collect()
+    }
+
     fn turns(&self) -> Vec<TurnNumbers> {
         let numbers = |turn: &rimroll::motion::Turn| {
             (
@@ -111,7 +116,7 @@ pub fn simulate(
     py: Python<'_>,
     body: BodyArgument,
     start: StateArgument,
-    law_name: &str,
+    surface: SurfaceArgument,
     duration: f64,
     gravity: f64,
     rtol: f64,
@@ -126,7 +131,7 @@ pub fn simulate(
         topple_tilt,
         max_steps,
     };
-    let (body, start, law) = (body.body()?, start.into(), law(law_name)?);
+    let (body, start, surface) = (body.body()?, start.into(), surface.surface()?);
     // What a signal handler or `progress` raised, Ctrl-C's KeyboardInterrupt for one.
     let mut raised = None;
     let report = |t: f64| {
@@ -145,7 +150,7 @@ pub fn simulate(
         }
     };
     let motion = py
-        .detach(|| simulate_in_core(&body, &start, law, &options, watch))
+        .detach(|| simulate_in_core(&body, &start, surface, &options, watch))
         .map_err(refusal)?;
     match raised {
         Some(error) => Err(error),

@@ -1,14 +1,81 @@
 //! Closed forms and the paper's two approximations.
 
-use crate::arguments::{BodyArgument, StateArgument, law, refusal};
+use crate::arguments::{BodyArgument, StateArgument, SurfaceArgument, ideal_law, refusal};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::turn::NearCollision;
+use rimroll::turn::{Arrival, NearCollision};
 use rimroll::{pasted, small_angle, turn};
 
+/// (tipping_rate, slip, spin, friction_ratio)
+type ArrivalNumbers = (f64, f64, f64, f64);
+
+fn arrival_of((tipping_rate, slip, spin, friction_ratio): ArrivalNumbers) -> Arrival {
+    Arrival {
+        tipping_rate,
+        slip,
+        spin,
+        friction_ratio,
+    }
+}
+
 #[pyfunction]
-pub fn turn_limit(body: BodyArgument, law_name: &str) -> PyResult<f64> {
-    Ok(turn::turn_limit(&body.body()?, law(law_name)?))
+pub fn check_surface(surface: SurfaceArgument) -> PyResult<()> {
+    surface.surface().map(|_| ())
+}
+
+#[pyfunction]
+pub fn arrival(
+    py: Python<'_>,
+    body: BodyArgument,
+    start: StateArgument,
+    surface: SurfaceArgument,
+    gravity: f64,
+) -> PyResult<ArrivalNumbers> {
+    let (body, start, surface) = (body.body()?, start.into(), surface.surface()?);
+    let arrival = py
+        .detach(|| Arrival::of(&body, &start, &surface, gravity))
+        .map_err(refusal)?;
+    Ok((
+        arrival.tipping_rate,
+        arrival.slip,
+        arrival.spin,
+        arrival.friction_ratio,
+    ))
+}
+
+#[pyfunction]
+pub fn turn_limit(
+    py: Python<'_>,
+    body: BodyArgument,
+    surface: SurfaceArgument,
+    arrival: ArrivalNumbers,
+) -> PyResult<f64> {
+    let (body, friction) = (body.body()?, surface.surface()?.friction);
+    py.detach(|| turn::turn_limit_of(&body, &friction, &arrival_of(arrival)))
+        .map_err(refusal)
+}
+
+/// (turn, rising_rate, spin, (slip along e_x1, along e_y1), loss)
+type PassageNumbers = (f64, f64, f64, [f64; 2], f64);
+
+#[pyfunction]
+pub fn passage(
+    py: Python<'_>,
+    body: BodyArgument,
+    surface: SurfaceArgument,
+    arrival: ArrivalNumbers,
+) -> PyResult<PassageNumbers> {
+    let (body, friction) = (body.body()?, surface.surface()?.friction);
+    let passage = py
+        .detach(|| turn::passage(&body, &friction, &arrival_of(arrival)))
+        .map_err(refusal)?;
+    Ok((
+        passage.turn,
+        passage.rising_rate,
+        passage.spin,
+        passage.slip,
+        passage.loss,
+    ))
 }
 
 #[pyfunction]
@@ -23,17 +90,22 @@ pub fn disk_turn_limit(gyration_ratio: f64) -> PyResult<f64> {
 
 #[pyfunction]
 pub fn tall_turn_limit(body: BodyArgument, law_name: &str) -> PyResult<f64> {
-    Ok(turn::tall_turn_limit(&body.body()?, law(law_name)?))
+    Ok(turn::tall_turn_limit(&body.body()?, ideal_law(law_name)?))
 }
 
 #[pyfunction]
 pub fn point_mass_turn_limit(radius: f64, height: f64, law_name: &str) -> PyResult<f64> {
-    turn::point_mass_turn_limit(radius, height, law(law_name)?).map_err(refusal)
+    turn::point_mass_turn_limit(radius, height, ideal_law(law_name)?).map_err(refusal)
 }
 
 #[pyfunction]
 pub fn needed_friction(body: BodyArgument) -> PyResult<f64> {
     Ok(turn::needed_friction(&body.body()?))
+}
+
+#[pyfunction]
+pub fn painleve_friction(body: BodyArgument) -> PyResult<f64> {
+    Ok(turn::painleve_friction(&body.body()?))
 }
 
 #[pyfunction]
@@ -43,7 +115,7 @@ pub fn error_law_coefficient(
     tipping_rate: f64,
     gravity: f64,
 ) -> PyResult<f64> {
-    turn::error_law_coefficient(&body.body()?, law(law_name)?, tipping_rate, gravity)
+    turn::error_law_coefficient(&body.body()?, ideal_law(law_name)?, tipping_rate, gravity)
         .map_err(refusal)
 }
 
@@ -95,7 +167,7 @@ impl CoreNearCollision {
     ) -> PyResult<Self> {
         let near = NearCollision::new(
             &body.body()?,
-            law(law_name)?,
+            ideal_law(law_name)?,
             min_tilt,
             tipping_rate,
             direction,
@@ -154,7 +226,7 @@ impl CorePasted {
         law_name: &str,
         gravity: f64,
     ) -> PyResult<Self> {
-        let pasted = pasted::pasted(&body.body()?, &start.into(), law(law_name)?, gravity);
+        let pasted = pasted::pasted(&body.body()?, &start.into(), ideal_law(law_name)?, gravity);
         Ok(CorePasted {
             pasted: pasted.map_err(refusal)?,
         })

@@ -4,12 +4,30 @@
 //! respect to the solver's clock τ (dt = sin φ dτ) and the forces on the rim. Symbols and equation
 //! names are the paper's; ρ = R cos φ − H sin φ is the horizontal and z = R sin φ + H cos φ the
 //! vertical distance from the contact point to the centre of mass.
+//!
+//! The paper's two laws, [`NoSlip`] and [`Frictionless`], are the limits. Between them the rim
+//! slides under a friction that depends on its slip: [`Sliding`] with [`Coulomb`], [`Stribeck`] or
+//! [`Viscous`] friction. Dry friction also lets it roll, which is `NoSlip` again, and any contact may
+//! end in [`Flight`]; which holds when is decided in [`motion`](crate::motion).
+//! [`Resisted`] adds rolling resistance, pivoting friction and air drag to any of them.
 
-pub mod frictionless;
-pub mod no_slip;
+mod coulomb;
+mod flight;
+mod frictionless;
+mod no_slip;
+mod resisted;
+mod sliding;
+mod stribeck;
+mod viscous;
 
+pub use coulomb::Coulomb;
+pub use flight::Flight;
 pub use frictionless::Frictionless;
 pub use no_slip::NoSlip;
+pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
+pub use sliding::{Friction, Pull, Sliding};
+pub use stribeck::Stribeck;
+pub use viscous::Viscous;
 
 use crate::body::Body;
 use crate::error::InvalidInput;
@@ -60,11 +78,22 @@ impl<T: Real> Parameters<T> {
     pub(crate) fn normal(&self, u: &Coordinates<T>, dp: T) -> T {
         self.m * (u.sin * self.g + self.rho(u) * dp - u.sin * self.z(u) * u.p * u.p)
     }
+
+    /// How fast a rolling rim carries the centre of mass along e_x1 and e_y1, m/s (appendix A,
+    /// Eq. `vG_noslip`, in the frame that yaws but does not tilt).
+    pub(crate) fn rolling_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
+        [-self.z(u) * u.p, self.r * u.s - self.h * u.w]
+    }
+
+    /// Slip along e_y1 that a sideways force of 1 makes in a second: 1/m + R²/C + H²/A.
+    pub(crate) fn sideways_mobility(&self) -> T {
+        T::from(1.0) / self.m + self.r * self.r / self.c + self.h * self.h / self.a
+    }
 }
 
 /// The force of the table on the rim **times sin φ**, which stays finite where the force does not:
 /// it is the impulse per unit of the solver's clock.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact<T> {
     /// Friction along e_x1, horizontally from the contact point toward the base's centre.
     pub along: T,
@@ -79,7 +108,7 @@ pub struct Contact<T> {
 pub struct Energy<T> {
     /// Of translation and rotation.
     pub kinetic: T,
-    /// m g (z − H): zero when the body stands upright.
+    /// m g (z − H): zero when the body stands upright on the table.
     pub potential: T,
 }
 
@@ -104,41 +133,67 @@ pub trait Law<T: Real> {
     /// Horizontal velocity of the centre of mass along e_x1 and e_y1, m/s.
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2];
 
+    /// Horizontal velocity of the rim's lowest point along e_x1 and e_y1, m/s.
+    fn slip(&self, u: &Coordinates<T>) -> [T; 2] {
+        let [vx, vy] = self.center_velocity(u);
+        let [rolling_x, rolling_y] = self.parameters().rolling_velocity(u);
+        [vx - rolling_x, vy - rolling_y]
+    }
+
+    /// The force along e_y1 by which the table holds the rim in place against moments (times sin φ)
+    /// about e_x2 and e_z2; `None` where it does not hold it.
+    fn hold(&self, _moment: [T; 2]) -> Option<T> {
+        None
+    }
+
+    /// Positive as long as the law and rigidity determine the normal force: 1 − a_x z mρ/(A + mρ²),
+    /// where a_x is the friction along e_x1 that each newton of normal force brings. At zero is
+    /// Painlevé's paradox.
+    fn consistency(&self, _u: &Coordinates<T>) -> T {
+        T::from(1.0)
+    }
+
+    /// Whether slip, gap and losses stay as they are: what [`MOVING`](crate::state::MOVING) counts
+    /// is then all that changes.
+    fn only_moves(&self) -> bool {
+        false
+    }
+
     /// Kinetic energy of a body with angular velocity (w, −φ̇, s) and the law's velocity of its
     /// centre of mass, and potential energy. (Appendix B prints half the potential energy.)
     fn energy(&self, u: &Coordinates<T>) -> Energy<T> {
         let k = self.parameters();
         let [vx, vy] = self.center_velocity(u);
-        let vz = k.rho(u) * u.p;
+        let vz = k.rho(u) * u.p + u.gap_rate;
         let translation = k.m * (vx * vx + vy * vy + vz * vz);
         let rotation = k.a * (u.p * u.p + u.w * u.w) + k.c * u.s * u.s;
         // z − H without cancellation at small tilt: 1 − cos φ = sin² φ / (1 + cos φ).
         let lift = k.r * u.sin - k.h * u.sin * u.sin / (T::from(1.0) + u.cos);
         Energy {
             kinetic: T::from(0.5) * (translation + rotation),
-            potential: k.m * k.g * lift,
+            potential: k.m * k.g * (lift + u.gap),
         }
     }
 }
 
-/// The laws by name, for choosing one at run time.
+/// The paper's two laws, for which there are closed forms: between them lies all friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LawKind {
+pub enum IdealLaw {
     /// [`NoSlip`].
     NoSlip,
     /// [`Frictionless`].
     Frictionless,
 }
 
-impl LawKind {
-    /// Every law, in the order in which they are listed to the user.
-    pub const ALL: [LawKind; 2] = [LawKind::NoSlip, LawKind::Frictionless];
+impl IdealLaw {
+    /// Both, in the order in which they are listed to the user.
+    pub const ALL: [IdealLaw; 2] = [IdealLaw::NoSlip, IdealLaw::Frictionless];
 
     /// The name that a user types.
     pub fn name(self) -> &'static str {
         match self {
-            LawKind::NoSlip => "no_slip",
-            LawKind::Frictionless => "frictionless",
+            IdealLaw::NoSlip => "no_slip",
+            IdealLaw::Frictionless => "frictionless",
         }
     }
 
@@ -146,15 +201,15 @@ impl LawKind {
     ///
     /// # Errors
     /// Lists the names when there is none such.
-    pub fn from_name(name: &str) -> Result<LawKind, InvalidInput> {
+    pub fn from_name(name: &str) -> Result<IdealLaw, InvalidInput> {
         let wanted = name.replace('-', "_");
-        LawKind::ALL
+        IdealLaw::ALL
             .into_iter()
             .find(|law| law.name() == wanted)
             .ok_or_else(|| InvalidInput::UnknownName {
                 what: "law",
                 name: name.to_owned(),
-                choices: LawKind::ALL.map(LawKind::name).join(", "),
+                choices: IdealLaw::ALL.map(IdealLaw::name).join(", "),
             })
     }
 
@@ -162,8 +217,8 @@ impl LawKind {
     pub fn of(self, body: &Body, gravity: f64) -> Box<dyn Law<f64> + Send + Sync> {
         let parameters = Parameters::new(body, gravity);
         match self {
-            LawKind::NoSlip => Box::new(NoSlip::new(parameters)),
-            LawKind::Frictionless => Box::new(Frictionless::new(parameters)),
+            IdealLaw::NoSlip => Box::new(NoSlip::new(parameters)),
+            IdealLaw::Frictionless => Box::new(Frictionless::new(parameters)),
         }
     }
 }

@@ -16,14 +16,14 @@
 //! results are the same on every machine (`tests/same_bits.rs`).
 //!
 //! ```
-//! use rimroll::{LawKind, Options, State, presets, simulate, turn::turn_limit};
+//! use rimroll::{IdealLaw, Options, State, presets, simulate, turn::turn_limit};
 //! use std::ops::ControlFlow;
 //!
 //! let can = presets::can_2007()?;
 //! let start = State { tilt: 0.5236, tilt_rate: -0.5, yaw_rate: 0.005, spin_rate: 0.005, ..State::default() };
-//! let motion = simulate(&can, &start, LawKind::NoSlip, &Options::default(), |_| ControlFlow::Continue(()))?;
+//! let motion = simulate(&can, &start, IdealLaw::NoSlip, &Options::default(), |_| ControlFlow::Continue(()))?;
 //! let turn = motion.turns[1].angle.to_degrees();
-//! let limit = turn_limit(&can, LawKind::NoSlip).to_degrees();
+//! let limit = turn_limit(&can, IdealLaw::NoSlip).to_degrees();
 //! assert!((turn - limit).abs() < 0.5 && (limit - 202.287).abs() < 0.001);
 //! # Ok::<(), rimroll::InvalidInput>(())
 //! ```
@@ -40,6 +40,7 @@
 
 pub mod body;
 pub mod error;
+mod impact;
 pub mod law;
 pub mod motion;
 pub mod pasted;
@@ -49,11 +50,13 @@ pub mod small_angle;
 pub mod solids;
 pub mod solve;
 pub mod state;
+pub mod surface;
 pub mod turn;
 
 pub use body::Body;
 pub use error::InvalidInput;
-pub use law::LawKind;
+pub use law::IdealLaw;
 pub use motion::{Motion, Options, Status, simulate};
 pub use solids::Solid;
 pub use state::State;
+pub use surface::{FrictionLaw, Surface};

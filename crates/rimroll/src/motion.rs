@@ -1,26 +1,37 @@
-//! A whole motion: from the start until time is up or the contact changes its nature.
+//! A whole motion: from the start until time is up or mechanics has no more to say.
 //!
-//! [`simulate`] steps through the [`Coordinates`] by the solver's clock τ, notes the tilt's minima and
-//! maxima on the way, and ends where the law no longer holds: toppled, lifted off, face down.
+//! [`simulate`] steps through the [`Coordinates`] by the solver's clock τ. A motion is made of phases,
+//! rolling, sliding and flying, each smooth and with its own law; events join them without
+//! regularisation: `contacts` says which law holds and what follows, `events` when a phase is over,
+//! `onset` how slip comes out of rest, `run` puts them together.
 
+mod contacts;
 mod events;
+mod mechanics;
 mod moment;
+mod onset;
+mod run;
 mod track;
 mod turns;
 
+pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
 pub use moment::{COLUMNS, Moment, moment};
-pub use track::Track;
+pub(crate) use run::pass_near_collision;
+pub use track::{Instant, Track};
 pub use turns::Turn;
 
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive, shown};
-use crate::law::{Law, LawKind};
-use crate::solve::{Stepper, Stuck, System, Work};
-use crate::state::{COORDINATES, Coordinates, State};
+use crate::law::Law;
+use crate::solve::Work;
+use crate::state::{Coordinates, State};
+use crate::surface::Surface;
+use crate::turn::painleve_friction_at;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
-use events::Watch;
+use events::Goal;
+use run::Run;
 
 /// Standard gravity, m/s² (exact by convention). The paper used 9.8.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -121,10 +132,14 @@ pub enum Status {
     Finished,
     /// The topple tilt was reached.
     Toppled,
-    /// The normal force would have turned negative.
+    /// The normal force would have turned negative, and the law knows no flight.
     LiftedOff,
     /// The whole rim met the table at once.
     FaceDown,
+    /// It lies flat: all but the last 1e-10 of its energy is spent.
+    AtRest,
+    /// Painlevé's paradox: rigid-body mechanics with this friction has no one answer.
+    Painleve,
     /// The solver could not go on.
     Failed,
     /// The caller asked to stop.
@@ -139,6 +154,8 @@ impl Status {
             Status::Toppled => "toppled",
             Status::LiftedOff => "lifted_off",
             Status::FaceDown => "face_down",
+            Status::AtRest => "at_rest",
+            Status::Painleve => "painleve",
             Status::Failed => "failed",
             Status::Interrupted => "interrupted",
         }
@@ -147,8 +164,8 @@ impl Status {
 
 /// A computed motion.
 pub struct Motion {
-    /// The law with the body's numbers, for forces and energy along the way.
-    pub law: Box<dyn Law<f64> + Send + Sync>,
+    /// The laws with the body's numbers, for forces and energy along the way.
+    pub contacts: Contacts,
     /// Every accepted step, to be evaluated anywhere.
     pub track: Track,
     /// What happened on the way, in order of time.
@@ -163,108 +180,52 @@ pub struct Motion {
     pub work: Work,
 }
 
-/// The mechanics as the solver sees them.
-struct Rolling<'a> {
-    law: &'a dyn Law<f64>,
-    radius: f64,
-    /// √(g/R): the rate of falling, a yardstick for rates.
-    falling_rate: f64,
-}
+impl Motion {
+    /// The law that holds at an instant of the motion.
+    pub fn law(&self, at: &Instant) -> &dyn Law<f64> {
+        self.contacts.law(at.phase)
+    }
 
-impl<'a> Rolling<'a> {
-    fn new(law: &'a dyn Law<f64>) -> Self {
-        let k = law.parameters();
-        Rolling {
-            law,
-            radius: k.r,
-            falling_rate: (k.g / k.r).sqrt(),
-        }
+    /// All that is known at an instant of the motion.
+    pub fn moment(&self, at: &Instant) -> Moment {
+        moment(self.law(at), at)
     }
 }
 
-impl System<COORDINATES> for Rolling<'_> {
-    fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
-        self.law.rates(&Coordinates::from_array(u)).into_array()
-    }
-
-    /// w and s obey linear equations and pass through the tipping phase as small as the start made
-    /// them, to become large in the collision; so each is held to its own size, with a floor of what
-    /// the other one feeds into it. sin φ is held to its own size for the same reason.
-    fn scale(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
-        const NEVER_ZERO: f64 = 1e-200;
-        let u = Coordinates::from_array(u);
-        Coordinates {
-            yaw: 1.0,
-            spin: 1.0,
-            x: self.radius,
-            y: self.radius,
-            t: 1.0 / self.falling_rate,
-            sin: u.sin,
-            cos: 1.0,
-            p: u.p.abs() + u.w.abs() + u.sin * self.falling_rate,
-            w: u.w.abs() + u.sin * u.s.abs() + NEVER_ZERO,
-            s: u.s.abs() + u.sin * u.w.abs() + NEVER_ZERO,
-        }
-        .into_array()
-    }
-}
-
-/// Follows a body from a start under a contact law.
+/// Follows a body from a start on a surface. The rim is at rest where it touches the table at the
+/// start; without friction, the centre of mass is.
 ///
 /// `watch` is called now and then with the time reached (s); it can end the work early.
 ///
 /// # Errors
-/// Refuses a start or options outside their bounds. Everything that can happen to a valid start is
-/// not an error but a [`Status`].
+/// Refuses a start, a surface or options outside their bounds. Everything that can happen to a valid
+/// start is not an error but a [`Status`].
 pub fn simulate(
     body: &Body,
     start: &State,
-    law: LawKind,
+    surface: impl Into<Surface>,
     options: &Options,
-    mut watch: impl FnMut(f64) -> ControlFlow<()>,
+    watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
+    let surface = surface.into();
+    surface.check()?;
     let options = options.checked(body, start)?;
-    let law = law.of(body, options.gravity);
-    let rolling = Rolling::new(&*law);
+    let contacts = Contacts::new(body, &surface, options.gravity);
     let start = Coordinates::from_state(start);
-    let rate = start.p.abs() + start.w.abs() + start.s.abs() + rolling.falling_rate;
-    let mut stepper = Stepper::new(
-        &rolling,
-        start.into_array(),
-        0.01 / rate,
-        options.step_tolerance(),
-    );
-    let mut track = Track::new(start);
-    let mut lookout = Watch::new(&rolling, &options, &start);
-
-    let mut ending = lookout.at_start(&start);
-    while ending.is_none() {
-        if stepper.work.steps >= options.max_steps {
-            ending = Some(Status::Failed);
-        } else if stepper.work.steps % 4096 == 4095 && watch(track.end().t).is_break() {
-            ending = Some(Status::Interrupted);
-        } else {
-            match stepper.advance() {
-                Ok(step) => ending = lookout.pass(step, &mut track),
-                Err(Stuck::StepUnderflow) => ending = Some(Status::Failed),
-            }
-        }
-    }
-    let status = ending.unwrap_or(Status::Failed);
-    let work = stepper.work;
-    let events = lookout.into_events();
-    let message = message(status, &track, &options, &work);
+    let goal = Goal::Time(options.duration);
+    let mut run = Run::new(&contacts, &options, goal, start);
+    let status = run.to_the_end(watch);
+    let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),
-        law,
+        message: message(status, &contacts, &track, &options, &work),
+        contacts,
         track,
         events,
         status,
-        message,
         work,
     })
 }
-
 /// A time, s, to the microsecond, or as it is when that would show nothing of it.
 fn moment_of(t: f64) -> String {
     if t == 0.0 || t >= 1e-3 {
@@ -275,7 +236,13 @@ fn moment_of(t: f64) -> String {
 }
 
 /// The ending in a sentence.
-fn message(status: Status, track: &Track, options: &Options, work: &Work) -> String {
+fn message(
+    status: Status,
+    contacts: &Contacts,
+    track: &Track,
+    options: &Options,
+    work: &Work,
+) -> String {
     let end = track.end();
     let t = moment_of(end.t);
     match status {
@@ -297,6 +264,14 @@ fn message(status: Status, track: &Track, options: &Options, work: &Work) -> Str
             "face down at t = {t} s: the tilt falls below {FACE_DOWN_TILT:e} rad, where the contact point \
              would run round the rim in less time than the last digit of t can tell. A start with a \
              larger yaw_rate or spin_rate can be followed past this point"
+        ),
+        Status::AtRest => format!("at rest at t = {t} s: the body lies flat, its energy spent"),
+        Status::Painleve => format!(
+            "ended in Painlevé's paradox at t = {t} s: sliding as it does, the rim would be pressed down by \
+             its own friction, and rigid-body mechanics has no one answer. At the tilt of {:.6} rad this \
+             starts at a friction of {:.4}",
+            end.tilt(),
+            painleve_friction_at(contacts.parameters(), &end)
         ),
         Status::Failed if work.steps >= options.max_steps => format!(
             "stopped at t = {t} s after max_steps = {} steps",

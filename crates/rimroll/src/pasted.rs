@@ -15,9 +15,9 @@
 
 use crate::body::Body;
 use crate::error::{InvalidInput, positive, shown};
-use crate::law::LawKind;
+use crate::law::IdealLaw;
 use crate::motion::{EventKind, Motion, Options, Status, simulate};
-use crate::state::{Coordinates, State};
+use crate::state::State;
 use crate::turn::NearCollision;
 use core::ops::ControlFlow;
 
@@ -66,7 +66,7 @@ impl Pasted {
 pub fn pasted(
     body: &Body,
     start: &State,
-    law: LawKind,
+    law: IdealLaw,
     gravity: f64,
 ) -> Result<Pasted, InvalidInput> {
     start.check()?;
@@ -93,7 +93,7 @@ pub fn pasted(
             why: format!("its plane pendulum does not come down: {}", fall.message),
         });
     }
-    let end: Coordinates<f64> = fall.track.end();
+    let end = fall.track.end();
     if end.cos < 0.0 {
         return Err(InvalidInput::NoNearCollision {
             why: "it falls to the disk's other face; turn the disk over, tilt -> pi - tilt"

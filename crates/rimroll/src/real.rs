@@ -23,11 +23,32 @@ pub trait Real:
 {
     /// (sin x, cos x).
     fn sin_cos(self) -> (Self, Self);
+    /// √x.
+    fn sqrt(self) -> Self;
+    /// eˣ.
+    fn exp(self) -> Self;
+    /// |x|ⁿ with the sign of x, for n ≥ 1.
+    fn odd_power(self, n: f64) -> Self;
 }
 
 impl Real for f64 {
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         libm::sincos(self)
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+
+    #[inline]
+    fn odd_power(self, n: f64) -> Self {
+        libm::pow(self.abs(), n).copysign(self)
     }
 }

@@ -1,13 +1,19 @@
 //! A solver for smooth autonomous systems u′ = f(u): it knows no mechanics.
 //!
 //! [`Stepper`] advances by steps of its own choice; each [`Step`] can be evaluated anywhere inside
-//! (dense output) and asked where a function of the state changes sign (events).
+//! (dense output) and asked where a function of the state changes sign (events). What relaxes too fast
+//! for explicit steps is done by [`Collocation`].
 
+mod collocation;
+mod dense;
 mod dop853;
 mod root;
 mod tableau;
 
-pub use dop853::{Dense, Step};
+pub use collocation::{Collocation, POINTS, RADAU, solved};
+pub use dense::Dense;
+pub use dop853::Step;
+pub use root::bracketed;
 
 /// An autonomous system of N first-order equations.
 pub trait System<const N: usize> {
@@ -16,6 +22,11 @@ pub trait System<const N: usize> {
 
     /// For each component the size that an error is to be compared with.
     fn scale(&self, u: &[f64; N]) -> [f64; N];
+
+    /// How many components change at all: the others come last, and cost nothing.
+    fn changing(&self) -> usize {
+        N
+    }
 }
 
 /// Why no further step could be made.
@@ -34,6 +45,17 @@ pub struct Work {
     pub rejected: usize,
     /// Evaluations of the right-hand side.
     pub evaluations: usize,
+}
+
+impl core::ops::Add for Work {
+    type Output = Work;
+    fn add(self, other: Work) -> Work {
+        Work {
+            steps: self.steps + other.steps,
+            rejected: self.rejected + other.rejected,
+            evaluations: self.evaluations + other.evaluations,
+        }
+    }
 }
 
 /// Steps through a system with the error of each step held below a tolerance.

@@ -53,7 +53,10 @@ impl State {
 }
 
 /// The number of [`Coordinates`].
-pub const COORDINATES: usize = 10;
+pub const COORDINATES: usize = 17;
+
+/// How many of them, the first, say where the body is and how it turns.
+pub const MOVING: usize = 10;
 
 /// The coordinates that are integrated: regular through the near-collision.
 ///
@@ -61,7 +64,8 @@ pub const COORDINATES: usize = 10;
 /// velocity (w, −φ̇, s) in the frame e_x2, e_y2, e_z2 stays finite, and the step variable τ with
 /// dt = sin φ dτ stretches the moment so that every coordinate here changes at a bounded rate.
 /// sin φ and cos φ are carried instead of φ: then the right-hand sides are rational, and nothing
-/// cancels down to the smallest tilt.
+/// cancels down to the smallest tilt. The slip is carried instead of the centre's velocity, because
+/// friction depends on its direction, however small it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coordinates<T> {
     /// ψ, rad.
@@ -84,35 +88,61 @@ pub struct Coordinates<T> {
     pub w: T,
     /// s = θ̇ + ψ̇ cos φ, rad/s: the spin about the symmetry axis.
     pub s: T,
+    /// Horizontal velocity of the rim's lowest point along e_x1, m/s, where the law makes use of it.
+    pub slip_x: T,
+    /// The same along e_y1, m/s.
+    pub slip_y: T,
+    /// Height of the rim's lowest point over the table, m: zero but in flight.
+    pub gap: T,
+    /// Its rate, m/s.
+    pub gap_rate: T,
+    /// Energy lost to friction so far, J.
+    pub friction_loss: T,
+    /// Energy lost to rolling resistance, pivoting friction and air, J.
+    pub resistance_loss: T,
+    /// Energy lost in landings, J.
+    pub impact_loss: T,
 }
 
 impl<T: Copy> Coordinates<T> {
     /// From the order in which the solver keeps them.
+    #[rustfmt::skip]
     pub fn from_array(array: &[T; COORDINATES]) -> Self {
-        let [yaw, spin, x, y, t, sin, cos, p, w, s] = *array;
+        let [
+            yaw, spin, x, y, t, sin, cos, p, w, s, slip_x, slip_y, gap, gap_rate,
+            friction_loss, resistance_loss, impact_loss,
+        ] = *array;
         Coordinates {
-            yaw,
-            spin,
-            x,
-            y,
-            t,
-            sin,
-            cos,
-            p,
-            w,
-            s,
+            yaw, spin, x, y, t, sin, cos, p, w, s, slip_x, slip_y, gap, gap_rate,
+            friction_loss, resistance_loss, impact_loss,
         }
     }
 
     /// Into the order in which the solver keeps them.
+    #[rustfmt::skip]
     pub fn into_array(self) -> [T; COORDINATES] {
         [
             self.yaw, self.spin, self.x, self.y, self.t, self.sin, self.cos, self.p, self.w, self.s,
+            self.slip_x, self.slip_y, self.gap, self.gap_rate,
+            self.friction_loss, self.resistance_loss, self.impact_loss,
         ]
     }
 }
 
+impl Coordinates<f64> {
+    /// This and `factor` times another, coordinate by coordinate.
+    pub(crate) fn plus(&self, factor: f64, other: &Self) -> Self {
+        let (a, b) = (self.into_array(), other.into_array());
+        Coordinates::from_array(&core::array::from_fn(|i| a[i] + factor * b[i]))
+    }
+}
+
 impl<T: Real> Coordinates<T> {
+    /// All zero: rates of nothing.
+    pub fn zero() -> Self {
+        Coordinates::from_array(&[T::from(0.0); COORDINATES])
+    }
+
     /// ψ̇ = w / sin φ, rad/s.
     pub fn yaw_rate(&self) -> T {
         self.w / self.sin
@@ -122,29 +152,51 @@ impl<T: Real> Coordinates<T> {
     pub fn spin_rate(&self) -> T {
         self.s - self.yaw_rate() * self.cos
     }
+
+    /// The rates by the solver's clock τ that follow from the velocities alone, whatever the
+    /// forces: of the angles, of time, and of the centre of mass, which moves with `velocity` (m/s)
+    /// along e_x1 and e_y1. All others are zero.
+    pub fn kinematics(&self, velocity: [T; 2]) -> Self {
+        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
+        let [vx, vy] = velocity;
+        Coordinates {
+            yaw: self.w,
+            spin: self.sin * self.s - self.w * self.cos,
+            x: self.sin * (vx * cos_yaw - vy * sin_yaw),
+            y: self.sin * (vx * sin_yaw + vy * cos_yaw),
+            t: self.sin,
+            sin: self.sin * self.cos * self.p,
+            cos: -self.sin * self.sin * self.p,
+            ..Coordinates::zero()
+        }
+    }
 }
 
 impl Coordinates<f64> {
-    /// The start of a motion: t = 0 and the centre of mass over the origin.
+    /// The start of a motion: t = 0, the centre of mass over the origin, the rim at rest where it
+    /// touches the table.
     pub fn from_state(state: &State) -> Self {
         let (sin, cos) = libm::sincos(state.tilt);
         Coordinates {
             yaw: state.yaw,
             spin: state.spin,
-            x: 0.0,
-            y: 0.0,
-            t: 0.0,
             sin,
             cos,
             p: state.tilt_rate,
             w: state.yaw_rate * sin,
             s: state.spin_rate + state.yaw_rate * cos,
+            ..Coordinates::zero()
         }
     }
 
     /// φ, rad.
     pub fn tilt(&self) -> f64 {
         libm::atan2(self.sin, self.cos)
+    }
+
+    /// Speed of slip, m/s.
+    pub fn slip_speed(&self) -> f64 {
+        libm::hypot(self.slip_x, self.slip_y)
     }
 
     /// Back to the paper's Euler angles.

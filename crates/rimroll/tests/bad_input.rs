@@ -6,7 +6,7 @@ use rimroll::turn::{
     NearCollision, disk_turn_limit, error_law, error_law_coefficient, lift_off_rate,
     point_mass_turn_limit, slip_rate, steady_wobble_rate, turn_limit_with_spin,
 };
-use rimroll::{Body, InvalidInput, LawKind, Options, Solid, State, presets, simulate};
+use rimroll::{Body, IdealLaw, InvalidInput, Options, Solid, State, presets, simulate};
 
 const NAN: f64 = f64::NAN;
 const INFINITE: f64 = f64::INFINITY;
@@ -241,9 +241,13 @@ fn a_start_is_tilted_between_its_two_faces_and_finite() {
     assert_eq!(refusal(start.check()), "accepted");
     for (state, message) in cases {
         assert_eq!(refusal(state.check()), message);
-        let motion = simulate(&can(), &state, LawKind::NoSlip, &Options::default(), |_| {
-            ControlFlow::Continue(())
-        });
+        let motion = simulate(
+            &can(),
+            &state,
+            IdealLaw::NoSlip,
+            &Options::default(),
+            |_| ControlFlow::Continue(()),
+        );
         assert_eq!(refusal(motion), message);
     }
 }
@@ -255,7 +259,7 @@ fn refused_options(options: &Options) -> String {
         yaw_rate: 0.01,
         ..State::default()
     };
-    refusal(simulate(&can(), &start, LawKind::NoSlip, options, |_| {
+    refusal(simulate(&can(), &start, IdealLaw::NoSlip, options, |_| {
         ControlFlow::Continue(())
     }))
 }
@@ -356,9 +360,13 @@ fn a_topple_tilt_keeps_the_centre_of_mass_over_the_table() {
         tilt: 1.6,
         ..State::default()
     };
-    let motion = simulate(&can(), &lying, LawKind::NoSlip, &Options::default(), |_| {
-        ControlFlow::Continue(())
-    });
+    let motion = simulate(
+        &can(),
+        &lying,
+        IdealLaw::NoSlip,
+        &Options::default(),
+        |_| ControlFlow::Continue(()),
+    );
     assert_eq!(
         refusal(motion),
         "tilt must be below topple_tilt = 1.5707963267948966 rad, got 1.6 rad"
@@ -367,12 +375,12 @@ fn a_topple_tilt_keeps_the_centre_of_mass_over_the_table() {
 
 #[test]
 fn a_law_is_known_by_its_name() {
-    for law in LawKind::ALL {
-        assert_eq!(LawKind::from_name(law.name()), Ok(law));
+    for law in IdealLaw::ALL {
+        assert_eq!(IdealLaw::from_name(law.name()), Ok(law));
     }
-    assert_eq!(LawKind::from_name("no-slip"), Ok(LawKind::NoSlip));
+    assert_eq!(IdealLaw::from_name("no-slip"), Ok(IdealLaw::NoSlip));
     assert_eq!(
-        refusal(LawKind::from_name("coulomp")),
+        refusal(IdealLaw::from_name("coulomp")),
         "unknown law \"coulomp\": choose from no_slip, frictionless"
     );
 }
@@ -380,7 +388,7 @@ fn a_law_is_known_by_its_name() {
 #[test]
 fn closed_forms_refuse_what_they_do_not_describe() {
     let body = can();
-    let law = LawKind::NoSlip;
+    let law = IdealLaw::NoSlip;
     let balance = body.balance_tilt();
     let cases = [
         (
@@ -464,7 +472,7 @@ fn no_steady_wobble_where_no_yaw_rate_balances_the_body() {
 #[test]
 fn a_pasted_approximation_needs_a_near_collision() {
     use rimroll::pasted::pasted;
-    let refused = |start: &State| refusal(pasted(&can(), start, LawKind::NoSlip, 9.8).map(|_| ()));
+    let refused = |start: &State| refusal(pasted(&can(), start, IdealLaw::NoSlip, 9.8).map(|_| ()));
     let still = State {
         tilt: 0.5,
         ..State::default()

@@ -13,9 +13,10 @@ use bodies::{any_body, cases, powers_of_ten};
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{Frictionless, Law, NoSlip, Parameters};
+use rimroll::motion::Instant;
 use rimroll::real::Dual;
 use rimroll::state::Coordinates;
-use rimroll::{Body, LawKind, Motion, Options, State, Status, presets};
+use rimroll::{Body, IdealLaw, Motion, Options, State, Status, presets};
 
 /// Anywhere from 1e-12 rad of lying flat to lying on its other face, moving in any way.
 fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
@@ -25,15 +26,12 @@ fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
         let (sin, cos) = libm::sincos(tilt);
         Coordinates {
             yaw,
-            spin: 0.0,
-            x: 0.0,
-            y: 0.0,
-            t: 0.0,
             sin,
             cos,
             p,
             w,
             s,
+            ..Coordinates::zero()
         }
     })
 }
@@ -41,11 +39,11 @@ fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
 const ROUNDING: f64 = 1e-12;
 
 /// The law on numbers that carry their derivative along the motion.
-fn law_on_duals(law: LawKind, body: &Body) -> Box<dyn Law<Dual>> {
+fn law_on_duals(law: IdealLaw, body: &Body) -> Box<dyn Law<Dual>> {
     let parameters = Parameters::new(body, PAPER_GRAVITY);
     match law {
-        LawKind::NoSlip => Box::new(NoSlip::new(parameters)),
-        LawKind::Frictionless => Box::new(Frictionless::new(parameters)),
+        IdealLaw::NoSlip => Box::new(NoSlip::new(parameters)),
+        IdealLaw::Frictionless => Box::new(Frictionless::new(parameters)),
     }
 }
 
@@ -109,7 +107,7 @@ struct NewtonEuler {
 }
 
 impl NewtonEuler {
-    fn new(kind: LawKind, body: &Body, at: &Coordinates<f64>) -> NewtonEuler {
+    fn new(kind: IdealLaw, body: &Body, at: &Coordinates<f64>) -> NewtonEuler {
         let law = kind.of(body, PAPER_GRAVITY);
         let u = along_the_motion(&*law, at);
         let [m, a, c] =
@@ -140,7 +138,7 @@ proptest! {
     /// The rim rolls or slides without friction: in both cases the table does no work.
     #[test]
     fn energy_has_no_rate(body in any_body(), at in any_coordinates()) {
-        for kind in LawKind::ALL {
+        for kind in IdealLaw::ALL {
             let law = kind.of(&body, PAPER_GRAVITY);
             let duals = law_on_duals(kind, &body);
             let all = along_the_motion(&*law, &at).into_array();
@@ -165,7 +163,7 @@ proptest! {
         body in any_body(),
         at in any_coordinates(),
     ) {
-        let law = LawKind::Frictionless.of(&body, PAPER_GRAVITY);
+        let law = IdealLaw::Frictionless.of(&body, PAPER_GRAVITY);
         let u = along_the_motion(&*law, &at);
         // The rate of l = w sin φ is a small difference of large terms: they count by themselves.
         let yaw_part = body.transverse_inertia();
@@ -184,7 +182,7 @@ proptest! {
         body in any_body(),
         at in any_coordinates(),
     ) {
-        for kind in LawKind::ALL {
+        for kind in IdealLaw::ALL {
             let n = NewtonEuler::new(kind, &body, &at);
             let by_frame = cross(n.yawing, values(n.momentum));
             let [force, weight] = [n.force, n.weight].map(|f| f.map(|x| -x));
@@ -198,7 +196,7 @@ proptest! {
         body in any_body(),
         at in any_coordinates(),
     ) {
-        for kind in LawKind::ALL {
+        for kind in IdealLaw::ALL {
             let n = NewtonEuler::new(kind, &body, &at);
             let by_frame = cross(n.yawing, values(n.angular_momentum));
             let moment = cross(n.arm, n.force).map(|x| -x);
@@ -209,14 +207,14 @@ proptest! {
     /// v_P = v_G + Ω × r_GP is zero without slip; without friction only its vertical part is.
     #[test]
     fn the_point_of_contact_is_at_rest_without_slip(body in any_body(), at in any_coordinates()) {
-        for kind in LawKind::ALL {
+        for kind in IdealLaw::ALL {
             let n = NewtonEuler::new(kind, &body, &at);
             let swing = cross(n.angular_velocity, n.arm);
             let velocity = values(n.momentum).map(|p| p / body.mass());
             let size = (body.radius() + body.height()) * (at.p.abs() + at.w.abs() + at.s.abs());
             let held = match kind {
-                LawKind::NoSlip => 0..3,
-                LawKind::Frictionless => 2..3,
+                IdealLaw::NoSlip => 0..3,
+                IdealLaw::Frictionless => 2..3,
             };
             for i in held {
                 prop_assert!((velocity[i] + swing[i]).abs() <= ROUNDING * size, "{kind:?} axis {i}");
@@ -227,7 +225,7 @@ proptest! {
     /// The coordinates x, y, t move as the velocity of the centre of mass and the clock say.
     #[test]
     fn the_centre_of_mass_moves_with_its_velocity(body in any_body(), at in any_coordinates()) {
-        for kind in LawKind::ALL {
+        for kind in IdealLaw::ALL {
             let law = kind.of(&body, PAPER_GRAVITY);
             let rates = law.rates(&at);
             let [vx, vy] = law.center_velocity(&at);
@@ -242,7 +240,7 @@ proptest! {
 
 /// The largest change of the energy along a motion, relative to the energy.
 fn drift(motion: &Motion) -> f64 {
-    let energy = |u: &Coordinates<f64>| motion.law.energy(u).total();
+    let energy = |at: &Instant| motion.law(at).energy(at).total();
     let nodes: Vec<_> = motion.track.nodes().collect();
     let start = energy(&nodes[0]);
     nodes
@@ -254,7 +252,7 @@ fn drift(motion: &Motion) -> f64 {
 #[test]
 fn the_energy_of_the_can_survives_twenty_rockings() {
     let can = presets::can_2007().expect("the paper's can");
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for (rtol, allowed) in [
             (Options::default().rtol, 1e-10),
             (1e-13, 1e-13),
@@ -294,7 +292,7 @@ proptest! {
             rtol: Options::default().rtol,
             ..tight(20.0 / falling_rate)
         };
-        for law in LawKind::ALL {
+        for law in IdealLaw::ALL {
             let motion = follow(&body, &start, law, &options);
             let drift = drift(&motion);
             prop_assert!(motion.status != Status::Failed);

@@ -8,7 +8,7 @@ use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use rimroll::motion::EventKind;
 use rimroll::turn::{lift_off_rate, steady_wobble_rate, turn_limit};
-use rimroll::{Body, LawKind, Motion, Options, State, Status, presets, simulate};
+use rimroll::{Body, IdealLaw, Motion, Options, State, Status, presets, simulate};
 
 fn can() -> Body {
     presets::can_2007().expect("the paper's can")
@@ -29,17 +29,17 @@ fn center_height(body: &Body, tilt: f64) -> f64 {
 }
 
 /// J′(φ) of the plane pendulum, kg m²: J without slip, A + mρ² without friction.
-fn pendulum_inertia(body: &Body, law: LawKind, tilt: f64) -> f64 {
+fn pendulum_inertia(body: &Body, law: IdealLaw, tilt: f64) -> f64 {
     let (sin, cos) = libm::sincos(tilt);
     let rho = body.radius() * cos - body.height() * sin;
     match law {
-        LawKind::NoSlip => body.rim_inertia(),
-        LawKind::Frictionless => body.transverse_inertia() + body.mass() * rho * rho,
+        IdealLaw::NoSlip => body.rim_inertia(),
+        IdealLaw::Frictionless => body.transverse_inertia() + body.mass() * rho * rho,
     }
 }
 
 /// φ̇² of the plane pendulum at a tilt, from the conservation of energy.
-fn pendulum_rate_squared(body: &Body, law: LawKind, start: &State, tilt: f64) -> f64 {
+fn pendulum_rate_squared(body: &Body, law: IdealLaw, start: &State, tilt: f64) -> f64 {
     let drop = center_height(body, start.tilt) - center_height(body, tilt);
     let kinetic = pendulum_inertia(body, law, start.tilt) * start.tilt_rate * start.tilt_rate
         + 2.0 * body.mass() * PAPER_GRAVITY * drop;
@@ -48,7 +48,7 @@ fn pendulum_rate_squared(body: &Body, law: LawKind, start: &State, tilt: f64) ->
 
 /// ∫ dφ/|φ̇| from the start to flat, s, by Simpson's rule in x with φ = φ₀ − x², for which the
 /// integrand is smooth though φ̇ is small at first: errs by less than 1e-13 s.
-fn pendulum_time(body: &Body, law: LawKind, start: &State) -> f64 {
+fn pendulum_time(body: &Body, law: IdealLaw, start: &State) -> f64 {
     const INTERVALS: u32 = 20_000;
     let width = start.tilt.sqrt() / f64::from(INTERVALS);
     let sum: f64 = (0..=INTERVALS)
@@ -69,7 +69,7 @@ fn pendulum_time(body: &Body, law: LawKind, start: &State) -> f64 {
 #[test]
 fn without_any_sideways_motion_the_body_falls_face_down_like_a_plane_pendulum() {
     let start = paper_start(0.0);
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for body in [can(), disk(), presets::coin().expect("a coin")] {
             let motion = follow(&body, &start, law, &tight(2.0));
             assert_eq!(motion.status, Status::FaceDown);
@@ -86,7 +86,7 @@ fn without_any_sideways_motion_the_body_falls_face_down_like_a_plane_pendulum() 
 
 #[test]
 fn face_down_says_why_nothing_follows_and_what_to_do() {
-    let motion = follow(&can(), &paper_start(0.0), LawKind::NoSlip, &tight(2.0));
+    let motion = follow(&can(), &paper_start(0.0), IdealLaw::NoSlip, &tight(2.0));
     for words in [
         "face down at t = 0.243087 s",
         "simultaneous impacts",
@@ -100,7 +100,7 @@ fn face_down_says_why_nothing_follows_and_what_to_do() {
 #[test]
 fn past_its_balance_point_the_can_topples_onto_its_side() {
     let balance = can().balance_tilt();
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for (beyond, status) in [(1e-3, Status::Toppled), (-1e-3, Status::Finished)] {
             let start = State {
                 tilt: balance + beyond,
@@ -122,7 +122,7 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
         spin_rate: -0.2,
         ..State::default()
     };
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for (asked, expected) in [
             (None, FRAC_PI_2),
             (Some(1.5), 1.5),
@@ -148,7 +148,7 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
 /// At a loose tolerance the dense output is off, but an extreme is found by a real step.
 #[test]
 fn extremes_of_the_tilt_are_where_its_rate_is_zero_whatever_the_tolerance() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for rtol in [1e-4, 1e-6, 1e-10, 1e-13] {
             let options = Options { rtol, ..tight(2.0) };
             let motion = follow(&can(), &paper_start(0.005), law, &options);
@@ -190,17 +190,17 @@ fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
         topple_tilt: Some(1.0),
         ..tight(0.5)
     };
-    let below = follow(&can(), &flick(limit * 0.99999), LawKind::NoSlip, &options);
+    let below = follow(&can(), &flick(limit * 0.99999), IdealLaw::NoSlip, &options);
     assert_eq!(below.status, Status::Toppled);
     assert_eq!(kinds(&below), [EventKind::TiltMin, EventKind::Topple]);
 
-    let above = follow(&can(), &flick(limit * 1.00001), LawKind::NoSlip, &options);
+    let above = follow(&can(), &flick(limit * 1.00001), IdealLaw::NoSlip, &options);
     assert_eq!(above.status, Status::LiftedOff);
     assert_eq!(kinds(&above), [EventKind::LiftOff]);
     assert!(above.message.contains("lifted off at t = "));
     let end = above.track.end();
     assert!(end.tilt() < 1e-3 && end.p < 0.0);
-    let contact = above.law.contact(&end);
+    let contact = above.law(&end).contact(&end);
     assert!((contact.normal / end.sin).abs() < 1e-9 * can().mass() * PAPER_GRAVITY);
 }
 
@@ -208,7 +208,7 @@ fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
 #[test]
 fn a_start_already_off_the_table_ends_at_once() {
     let start = flick(30.0);
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let motion = follow(&can(), &start, law, &tight(0.5));
         assert_eq!(motion.status, Status::LiftedOff);
         assert_eq!(motion.track.end().t, 0.0);
@@ -225,7 +225,7 @@ fn a_fast_disk_on_its_edge_rolls_straight_ahead() {
         spin_rate,
         ..State::default()
     };
-    let motion = follow(&disk(), &start, LawKind::NoSlip, &tight(3.0));
+    let motion = follow(&disk(), &start, IdealLaw::NoSlip, &tight(3.0));
     assert_eq!(motion.status, Status::Finished);
     for u in motion.track.samples(4) {
         // It rolls along e_y1.
@@ -248,8 +248,8 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
         spin_rate: rolling.sqrt(),
         ..State::default()
     };
-    let one = follow(&disk(), &start(0.1), LawKind::NoSlip, &tight(3.0));
-    let other = follow(&disk(), &start(-0.1), LawKind::NoSlip, &tight(3.0));
+    let one = follow(&disk(), &start(0.1), IdealLaw::NoSlip, &tight(3.0));
+    let other = follow(&disk(), &start(-0.1), IdealLaw::NoSlip, &tight(3.0));
     let half_period = PI / (1.6 * rolling).sqrt();
     for motion in [&one, &other] {
         assert_eq!(motion.status, Status::Finished);
@@ -279,7 +279,7 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
 #[test]
 fn a_disk_falls_onto_the_face_it_leans_to() {
     let lean = libm::asin(0.8);
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for (tilt, face) in [(lean, 0.0), (PI - lean, PI)] {
             let start = State {
                 tilt,
@@ -301,7 +301,7 @@ fn a_uniform_disk_that_topples_from_its_edge_without_slip_lifts_off_at_30_degree
             tilt: FRAC_PI_2 - towards * 1e-3,
             ..State::default()
         };
-        let motion = follow(&disk(), &start, LawKind::NoSlip, &tight(5.0));
+        let motion = follow(&disk(), &start, IdealLaw::NoSlip, &tight(5.0));
         assert_eq!(motion.status, Status::LiftedOff);
         let from = libm::sin(start.tilt);
         let expected = (from + (from * from - 0.75).sqrt()) / 3.0;
@@ -322,7 +322,7 @@ fn a_disk_flicked_over_its_edge_turns_on_its_other_face() {
         spin_rate: 1e-6,
         ..State::default()
     };
-    let law = LawKind::Frictionless;
+    let law = IdealLaw::Frictionless;
     let motion = follow(&disk(), &start, law, &tight(1.0));
     assert_eq!(
         kinds(&motion)[..4],
@@ -349,7 +349,7 @@ fn a_disk_flicked_over_its_edge_turns_on_its_other_face() {
 /// The can's wobble at 0.3 rad is stable; the tilt drifts by rounding only, 1e-9 rad is to spare.
 #[test]
 fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for (body, tilt) in [(can(), 0.3), (disk(), 0.3), (disk(), 1.2), (can(), 0.01)] {
             let yaw_rate = steady_wobble_rate(&body, tilt, PAPER_GRAVITY).expect("exists");
             let (sin, cos) = libm::sincos(tilt);
@@ -370,7 +370,7 @@ fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
             for u in motion.track.nodes() {
                 assert!((u.tilt() - tilt).abs() < 1e-9);
                 assert!((u.x / body.radius()).abs() < 1e-9 && (u.y / body.radius()).abs() < 1e-9);
-                let contact = motion.law.contact(&u);
+                let contact = motion.law(&u).contact(&u);
                 assert!((contact.normal / u.sin / weight - 1.0).abs() < 1e-8);
                 assert!(libm::hypot(contact.along, contact.across) / u.sin < 1e-8 * weight);
             }
@@ -382,7 +382,7 @@ fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
 
 #[test]
 fn a_motion_lasts_exactly_as_long_as_asked_for() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for duration in [1e-6, 0.1, 0.24308731, 1.0 / 3.0, 2.0] {
             let motion = follow(&can(), &paper_start(0.005), law, &tight(duration));
             assert_eq!(motion.status, Status::Finished);
@@ -398,7 +398,7 @@ fn a_motion_lasts_exactly_as_long_as_asked_for() {
 /// 1e-10, still gives nine digits of the yaw.
 #[test]
 fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let fine = follow(&can(), &paper_start(0.005), law, &tight(1.0));
         let options = Options {
             rtol: Options::default().rtol,
@@ -428,7 +428,7 @@ fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
 #[test]
 fn time_runs_backward_to_the_start() {
     let start = paper_start(0.05);
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let there = follow(&can(), &start, law, &tight(1.3));
         assert!(there.turns.len() >= 2);
         let end = there.track.end().state();
@@ -471,7 +471,7 @@ fn mirror_images_agree_to_the_last_bit() {
         spin_rate: -start.spin_rate,
         ..start
     };
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let one = follow(&can(), &start, law, &tight(2.0));
         let other = follow(&can(), &image, law, &tight(2.0));
         assert_eq!(one.work, other.work);
@@ -493,7 +493,7 @@ fn a_motion_that_runs_out_of_steps_says_so() {
         max_steps: 50,
         ..tight(2.0)
     };
-    let motion = follow(&can(), &paper_start(0.005), LawKind::NoSlip, &options);
+    let motion = follow(&can(), &paper_start(0.005), IdealLaw::NoSlip, &options);
     assert_eq!(motion.status, Status::Failed);
     assert_eq!(motion.work.steps, 50);
     assert!(
@@ -509,7 +509,7 @@ fn a_caller_can_stop_a_long_motion() {
     let motion = simulate(
         &can(),
         &paper_start(0.005),
-        LawKind::NoSlip,
+        IdealLaw::NoSlip,
         &options,
         |t| {
             if t > 20.0 {
@@ -529,7 +529,7 @@ fn a_caller_can_stop_a_long_motion() {
 #[test]
 fn a_topple_tilt_just_under_the_maximum_is_not_stepped_over() {
     let can = presets::can_2007().unwrap();
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for tilt in [0.30, 0.34, 0.38, 0.42, 0.46, 0.50] {
             let start = State {
                 tilt,

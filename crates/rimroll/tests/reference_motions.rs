@@ -7,7 +7,7 @@ mod motions;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use rimroll::motion::Turn;
 use rimroll::turn::{NearCollision, error_law, error_law_coefficient, turn_limit};
-use rimroll::{Body, LawKind, Motion, Options, State, presets};
+use rimroll::{Body, IdealLaw, Motion, Options, State, presets};
 
 /// The numbers of the paper's simulation figure as an independent integration prints them; a test
 /// rounds ours to the same digits.
@@ -49,10 +49,10 @@ const FRICTIONLESS: Figure = Figure {
     normal_force: "1529.4",
 };
 
-fn figure(law: LawKind) -> Figure {
+fn figure(law: IdealLaw) -> Figure {
     match law {
-        LawKind::NoSlip => NO_SLIP,
-        LawKind::Frictionless => FRICTIONLESS,
+        IdealLaw::NoSlip => NO_SLIP,
+        IdealLaw::Frictionless => FRICTIONLESS,
     }
 }
 
@@ -60,7 +60,7 @@ fn can() -> Body {
     presets::can_2007().expect("the paper's can")
 }
 
-fn paper_motion(law: LawKind, rtol: f64) -> Motion {
+fn paper_motion(law: IdealLaw, rtol: f64) -> Motion {
     let options = Options { rtol, ..tight(2.0) };
     follow(&can(), &paper_start(0.005), law, &options)
 }
@@ -71,7 +71,7 @@ fn first_two_turns(motion: &Motion) -> (Turn, Turn) {
 
 #[test]
 fn the_simulation_figure_is_reproduced_to_the_digits_printed() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let expected = figure(law);
         let (first, second) = first_two_turns(&paper_motion(law, 1e-12));
         assert_eq!(format!("{:.8}", first.t), expected.near_collision_time);
@@ -94,11 +94,11 @@ fn the_simulation_figure_is_reproduced_to_the_digits_printed() {
 /// smooth maxima over the motion: 50 samples a step leave less than the last digit printed.
 #[test]
 fn friction_stays_finite_while_the_normal_force_peaks_in_the_near_collision() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let motion = paper_motion(law, 1e-12);
         let (mut ratio, mut normal) = (0.0_f64, 0.0_f64);
         for u in motion.track.samples(50) {
-            let contact = motion.law.contact(&u);
+            let contact = motion.law(&u).contact(&u);
             ratio = ratio.max(libm::hypot(contact.along, contact.across) / contact.normal);
             normal = normal.max(contact.normal / u.sin);
         }
@@ -111,7 +111,7 @@ fn friction_stays_finite_while_the_normal_force_peaks_in_the_near_collision() {
 #[test]
 fn the_default_tolerance_gives_nine_digits() {
     let default = Options::default().rtol;
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let (first, second) = first_two_turns(&paper_motion(law, default));
         let (fine_first, fine_second) = first_two_turns(&paper_motion(law, 1e-13));
         for (turn, fine) in [(first, fine_first), (second, fine_second)] {
@@ -158,8 +158,8 @@ fn sixty_turns_of_the_can_agree_with_128_bit_arithmetic() {
             ..State::default()
         };
         for (law, expected) in [
-            (LawKind::NoSlip, &field[4..7]),
-            (LawKind::Frictionless, &field[7..10]),
+            (IdealLaw::NoSlip, &field[4..7]),
+            (IdealLaw::Frictionless, &field[7..10]),
         ] {
             let motion = follow(&can(), &start, law, &tight(expected[2] + 0.01));
             let turn = motion.turns[0];
@@ -182,7 +182,7 @@ fn sixty_turns_of_the_can_agree_with_128_bit_arithmetic() {
 }
 
 /// |Δψ| from tilt maximum to tilt maximum beyond its limit, rad, and φ_c.
-fn excess(body: &Body, law: LawKind, sideways: f64) -> (f64, f64) {
+fn excess(body: &Body, law: IdealLaw, sideways: f64) -> (f64, f64) {
     let motion = follow(body, &paper_start(sideways), law, &tight(1.5));
     let turn = motion.turns[1];
     (turn.angle.abs() - turn_limit(body, law), turn.min_tilt)
@@ -201,8 +201,8 @@ fn turns_of_the_can_converge_as_tabulated() {
         5.13251e-2, 6.34129e-3, 7.55019e-4, 8.75911e-5, 9.96802e-6, 1.11769e-6, 1.23861e-7,
         1.35954e-8,
     ];
-    converges_as_tabulated(&can(), LawKind::NoSlip, &NO_SLIP);
-    converges_as_tabulated(&can(), LawKind::Frictionless, &FRICTIONLESS);
+    converges_as_tabulated(&can(), IdealLaw::NoSlip, &NO_SLIP);
+    converges_as_tabulated(&can(), IdealLaw::Frictionless, &FRICTIONLESS);
 }
 
 /// As above for a uniform disk and a ring of the can's radius, which come closer to the table: the
@@ -227,11 +227,11 @@ fn turns_of_disk_and_ring_converge_as_tabulated() {
     ];
     let disk = presets::disk(0.051).expect("a disk");
     let ring = presets::ring(0.051).expect("a ring");
-    converges_as_tabulated(&disk, LawKind::NoSlip, &DISK);
-    converges_as_tabulated(&ring, LawKind::Frictionless, &RING);
+    converges_as_tabulated(&disk, IdealLaw::NoSlip, &DISK);
+    converges_as_tabulated(&ring, IdealLaw::Frictionless, &RING);
 }
 
-fn converges_as_tabulated(body: &Body, law: LawKind, tabulated: &[f64]) {
+fn converges_as_tabulated(body: &Body, law: IdealLaw, tabulated: &[f64]) {
     let mut sideways = 1.0;
     for &expected in tabulated {
         sideways /= 10.0;
@@ -251,7 +251,7 @@ fn converges_as_tabulated(body: &Body, law: LawKind, tabulated: &[f64]) {
 fn the_turn_follows_the_error_law_down_to_starts_of_1e_12() {
     let disk = presets::disk(0.051).expect("a disk");
     let ring = presets::ring(0.051).expect("a ring");
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         for body in [can(), disk, ring] {
             let b = b_of_paper_start(&body, law);
             let (known, tilt) = excess(&body, law, 1e-6);
@@ -270,7 +270,7 @@ fn the_turn_follows_the_error_law_down_to_starts_of_1e_12() {
 
 /// b, with the tipping rate on arrival taken from the near-collision itself: ψ̇ = ω √(J′/K′)/φ_c at
 /// the smallest tilt.
-fn b_of_paper_start(body: &Body, law: LawKind) -> f64 {
+fn b_of_paper_start(body: &Body, law: IdealLaw) -> f64 {
     let start = paper_start(1e-12);
     let motion = follow(body, &start, law, &tight(1.0));
     let turn = motion.turns[0];
@@ -285,7 +285,7 @@ fn b_of_paper_start(body: &Body, law: LawKind) -> f64 {
 /// since the clock τ runs like ln(1/φ_c).
 #[test]
 fn steps_grow_no_faster_than_the_logarithm_of_the_near_collision() {
-    for law in LawKind::ALL {
+    for law in IdealLaw::ALL {
         let steps = |sideways: f64| {
             let motion = follow(&can(), &paper_start(sideways), law, &tight(0.4));
             motion.work.steps as f64

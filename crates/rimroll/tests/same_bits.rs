@@ -3,11 +3,10 @@
 //! A change of these numbers is a change of every published result: it must be meant, and said in the
 //! changelog.
 
-use rimroll::motion::moment;
-use rimroll::{LawKind, Options, State, presets, simulate};
+use rimroll::{IdealLaw, Options, State, presets, simulate};
 use std::ops::ControlFlow;
 
-fn bits_at_the_end(law: LawKind) -> Vec<u64> {
+fn bits_at_the_end(law: IdealLaw) -> Vec<u64> {
     let can = presets::can_2007().unwrap();
     let start = State {
         tilt: 0.5,
@@ -20,7 +19,7 @@ fn bits_at_the_end(law: LawKind) -> Vec<u64> {
         ControlFlow::Continue(())
     })
     .unwrap();
-    moment(&*motion.law, &motion.track.end())[1..8]
+    motion.moment(&motion.track.end())[1..8]
         .iter()
         .map(|number| number.to_bits())
         .collect()
@@ -28,12 +27,12 @@ fn bits_at_the_end(law: LawKind) -> Vec<u64> {
 
 #[test]
 fn a_rolling_can_ends_at_the_same_bits() {
-    assert_eq!(bits_at_the_end(LawKind::NoSlip), NO_SLIP);
+    assert_eq!(bits_at_the_end(IdealLaw::NoSlip), NO_SLIP);
 }
 
 #[test]
 fn a_sliding_can_ends_at_the_same_bits() {
-    assert_eq!(bits_at_the_end(LawKind::Frictionless), FRICTIONLESS);
+    assert_eq!(bits_at_the_end(IdealLaw::Frictionless), FRICTIONLESS);
 }
 
 const NO_SLIP: [u64; 7] = [

@@ -11,7 +11,7 @@ from rimroll.body import Body
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.options import BodyOptions, JsonOption, LawOption, MotionOptions, StartOptions
 from rimroll.cli.screen import angle, say, show_json, table, working
-from rimroll.laws import LAWS, Law
+from rimroll.laws import IDEAL, Law
 from rimroll.motion import Motion, simulate
 from rimroll.theory import balance_tilt, lift_off_rate, needed_friction, turn_limit
 
@@ -39,7 +39,7 @@ def turn(
     $ rimroll turn --tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 0.005
     """
     what = asked(body, start, motion, law)
-    chosen = [what.law] if law is not None else list(LAWS.values())
+    chosen = [what.law] if law is not None else list(IDEAL)
     motions = {
         law.name: _motion(replace(what, law=law)) for law in chosen if what.start is not None
     }

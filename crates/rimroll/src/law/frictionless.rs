@@ -51,18 +51,10 @@ impl<T: Real> Law<T> for Frictionless<T> {
     }
 
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        let zero = T::from(0.0);
         Coordinates {
-            yaw: u.w,
-            spin: u.sin * u.s - u.w * u.cos,
-            x: zero,
-            y: zero,
-            t: u.sin,
-            sin: u.sin * u.cos * u.p,
-            cos: -u.sin * u.sin * u.p,
             p: self.tilt_acceleration(u),
             w: u.p * (u.sin * self.c_over_a * u.s - u.w * u.cos),
-            s: zero,
+            ..u.kinematics(self.center_velocity(u))
         }
     }
 
@@ -81,5 +73,9 @@ impl<T: Real> Law<T> for Frictionless<T> {
 
     fn center_velocity(&self, _: &Coordinates<T>) -> [T; 2] {
         [T::from(0.0), T::from(0.0)]
+    }
+
+    fn only_moves(&self) -> bool {
+        true
     }
 }

@@ -79,19 +79,11 @@ impl<T: Real> Law<T> for NoSlip<T> {
 
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let [p, w, s] = self.accelerations(u);
-        let [vx, vy] = self.center_velocity(u);
-        let (sin_yaw, cos_yaw) = u.yaw.sin_cos();
         Coordinates {
-            yaw: u.w,
-            spin: u.sin * u.s - u.w * u.cos,
-            x: u.sin * (vx * cos_yaw - vy * sin_yaw),
-            y: u.sin * (vx * sin_yaw + vy * cos_yaw),
-            t: u.sin,
-            sin: u.sin * u.cos * u.p,
-            cos: -u.sin * u.sin * u.p,
             p,
             w,
             s,
+            ..u.kinematics(self.center_velocity(u))
         }
     }
 
@@ -107,9 +99,22 @@ impl<T: Real> Law<T> for NoSlip<T> {
         }
     }
 
-    /// Appendix A, Eq. `vG_noslip`, in the frame that yaws but does not tilt.
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
-        let NoSlip { k, .. } = self;
-        [-k.z(u) * u.p, k.r * u.s - k.h * u.w]
+        self.k.rolling_velocity(u)
+    }
+
+    fn slip(&self, _: &Coordinates<T>) -> [T; 2] {
+        [T::from(0.0), T::from(0.0)]
+    }
+
+    /// Moments alone would make the rim slip along e_y1 by H L_x/A − R L_z/C in a second.
+    fn hold(&self, moment: [T; 2]) -> Option<T> {
+        let k = &self.k;
+        let slip = k.h * moment[0] / k.a - k.r * moment[1] / k.c;
+        Some(-slip / k.sideways_mobility())
+    }
+
+    fn only_moves(&self) -> bool {
+        true
     }
 }

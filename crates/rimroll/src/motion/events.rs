@@ -1,8 +1,10 @@
-//! What happens on the way: extremes of the tilt, the upright edge, and the ends of the contact.
+//! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
-use super::track::TIME;
-use super::{FACE_DOWN_TILT, Options, Rolling, Status, Track};
-use crate::solve::{Dense, Step};
+use super::contacts::{Contacts, Phase};
+use super::mechanics::Mechanics;
+use super::track::{Instant, TIME};
+use super::{FACE_DOWN_TILT, Options, Track};
+use crate::solve::{Collocation, Dense, Step};
 use crate::state::{COORDINATES, Coordinates};
 
 /// What happened.
@@ -14,12 +16,22 @@ pub enum EventKind {
     TiltMax,
     /// The base is vertical, tilt π/2: a disk stands on its edge on its way from one face to the other.
     OnEdge,
+    /// Friction no longer holds the rim: it begins to slip.
+    Slip,
+    /// The slip has stopped and friction holds the rim: it rolls.
+    Stick,
+    /// The normal force is zero and about to turn negative: the rim leaves the table.
+    LiftOff,
+    /// The rim strikes the table.
+    Land,
     /// The topple tilt is reached; the motion ends.
     Topple,
-    /// The normal force is zero and about to turn negative; the motion ends.
-    LiftOff,
     /// The base lands flat; the motion ends.
     FaceDown,
+    /// All but the last 1e-10 of the energy is spent; the motion ends.
+    Rest,
+    /// Rigid-body mechanics with this friction has no one answer; the motion ends.
+    Painleve,
 }
 
 impl EventKind {
@@ -29,9 +41,14 @@ impl EventKind {
             EventKind::TiltMin => "tilt_min",
             EventKind::TiltMax => "tilt_max",
             EventKind::OnEdge => "on_edge",
-            EventKind::Topple => "topple",
+            EventKind::Slip => "slip",
+            EventKind::Stick => "stick",
             EventKind::LiftOff => "lift_off",
+            EventKind::Land => "land",
+            EventKind::Topple => "topple",
             EventKind::FaceDown => "face_down",
+            EventKind::Rest => "rest",
+            EventKind::Painleve => "painleve",
         }
     }
 }
@@ -42,47 +59,61 @@ pub struct Event {
     /// What.
     pub kind: EventKind,
     /// Where and when.
-    pub at: Coordinates<f64>,
+    pub at: Instant,
 }
 
 /// Looked at inside each step, and where the tilt is extreme: a topple tilt is not stepped over, and
 /// the normal force can dip below zero unseen only within a quarter of a step.
 const LOOKS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// What ends a motion, with the sign that its function has before.
-const ENDINGS: [(Ending, f64); 4] = [
-    (Ending::TimeUp, -1.0),
-    (Ending::Topple, -1.0),
-    (Ending::LiftOff, 1.0),
-    (Ending::FaceDown, 1.0),
-];
+/// The part of the energy at the start at which a motion counts as over.
+const REST_ENERGY: f64 = 1e-10;
 
-#[derive(Clone, Copy)]
-enum Ending {
-    TimeUp,
+/// Painlevé's paradox counts as reached where the normal force has grown this many times.
+const PARADOX: f64 = 1e-6;
+
+/// What a phase ends with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Switch {
+    /// What was to be followed is followed.
+    Done,
     Topple,
+    /// The tilt is zero.
+    Flat,
+    /// The normal force is zero.
     LiftOff,
-    FaceDown,
+    /// Friction can no longer hold the rim.
+    Break,
+    /// Slip has stopped.
+    Stop,
+    Land,
+    Rest,
+    Paradox,
 }
 
-impl Ending {
-    fn outcome(self) -> (Status, Option<EventKind>) {
-        match self {
-            Ending::TimeUp => (Status::Finished, None),
-            Ending::Topple => (Status::Toppled, Some(EventKind::Topple)),
-            Ending::LiftOff => (Status::LiftedOff, Some(EventKind::LiftOff)),
-            Ending::FaceDown => (Status::FaceDown, Some(EventKind::FaceDown)),
-        }
-    }
+/// When a motion has been followed far enough.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Goal {
+    /// At a time, s.
+    Time(f64),
+    /// When it rises again and |w| has fallen to this, rad/s.
+    Passed(f64),
 }
 
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
 /// rounding.
 struct Crossing {
-    step: Step<COORDINATES>,
-    dense: Dense<COORDINATES>,
+    piece: Piece,
+    phase: Phase,
     from: f64,
     to: f64,
+}
+
+/// A finished step; made explicitly or by collocation, when it is only known as a polynomial.
+#[derive(Clone)]
+pub(super) struct Piece {
+    pub dense: Dense<COORDINATES>,
+    pub step: Option<Step<COORDINATES>>,
 }
 
 /// Where the tilt rate changes sign between two fractions of a step.
@@ -92,11 +123,26 @@ fn extreme(dense: &Dense<COORDINATES>, from: f64, to: f64) -> Option<f64> {
     reverses.then(|| dense.root(from, to, rate))
 }
 
+/// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
+/// can be seen to land.
+fn in_the_air(dense: &Dense<COORDINATES>, from: f64, to: f64) -> f64 {
+    let gap = |x: f64| Coordinates::from_array(&dense.at(x)).gap;
+    let halves = (1..40).scan(to - from, |width, _| {
+        *width *= 0.5;
+        Some(from + *width)
+    });
+    if gap(from) > 0.0 {
+        return from;
+    }
+    halves.into_iter().find(|&x| gap(x) > 0.0).unwrap_or(from)
+}
+
 /// Watches the steps go by.
 pub(super) struct Watch<'a> {
-    rolling: &'a Rolling<'a>,
-    duration: f64,
+    contacts: &'a Contacts,
+    goal: Goal,
     topple: Option<(f64, f64)>,
+    rest_energy: f64,
     /// A tilt rate counts as having a sign when it is larger than this part of its scale: a steady
     /// wobble has none.
     significant: f64,
@@ -108,14 +154,17 @@ pub(super) struct Watch<'a> {
 
 impl<'a> Watch<'a> {
     pub(super) fn new(
-        rolling: &'a Rolling<'a>,
+        contacts: &'a Contacts,
         options: &Options,
-        start: &Coordinates<f64>,
+        goal: Goal,
+        start: &Instant,
     ) -> Self {
+        let energy = contacts.law(start.phase).energy(start).total();
         let mut watch = Watch {
-            rolling,
-            duration: options.duration,
+            contacts,
+            goal,
             topple: options.topple_tilt.map(libm::sincos),
+            rest_energy: REST_ENERGY * energy,
             significant: 10.0 * options.rtol,
             direction: 0.0,
             crossing: None,
@@ -130,58 +179,105 @@ impl<'a> Watch<'a> {
         self.events
     }
 
+    pub(super) fn note(&mut self, kind: EventKind, at: Instant) {
+        self.events.push(Event { kind, at });
+    }
+
+    /// A landing may reverse the tilt rate at once.
+    pub(super) fn note_landing(&mut self, at: Instant) {
+        self.note(EventKind::Land, at);
+        let direction = self.sign_of_tilt_rate(&at);
+        if direction != 0.0 && direction != self.direction {
+            if self.direction != 0.0 {
+                self.note(extreme_kind(direction), at);
+            }
+            self.direction = direction;
+        }
+        self.crossing = None;
+    }
+
+    /// What a phase can end with, and the sign that its level has before.
+    fn switches(&self, phase: Phase) -> impl Iterator<Item = (Switch, f64)> + use<> {
+        let dry = self.contacts.dry().is_some();
+        let ideal = !self.contacts.can_fly();
+        let loses = !ideal || self.contacts.surface().resists();
+        let on_table = phase != Phase::Flying;
+        let in_time = matches!(self.goal, Goal::Time(_));
+        [
+            (Switch::Done, -1.0, true),
+            (Switch::Topple, -1.0, self.topple.is_some()),
+            (Switch::LiftOff, 1.0, on_table),
+            (Switch::Flat, 1.0, in_time),
+            (Switch::Break, 1.0, dry && phase == Phase::Rolling),
+            (Switch::Stop, 1.0, dry && phase == Phase::Sliding),
+            (Switch::Paradox, 1.0, !ideal && phase == Phase::Sliding),
+            (Switch::Land, 1.0, !on_table),
+            (Switch::Rest, 1.0, loses && in_time && on_table),
+        ]
+        .into_iter()
+        .filter(|&(.., possible)| possible)
+        .map(|(switch, before, _)| (switch, before))
+    }
+
     /// Whether there is no motion to follow: the start cannot be or must not be left.
-    pub(super) fn at_start(&mut self, start: &Coordinates<f64>) -> Option<Status> {
-        let over = |ending: Ending, before: f64| before * self.level(ending, start) < 0.0;
-        let (ending, _) = ENDINGS
-            .into_iter()
-            .find(|&(ending, before)| over(ending, before))?;
-        Some(self.end_with(ending, *start))
+    pub(super) fn at_start(&self, start: &Instant) -> Option<Switch> {
+        self.switches(start.phase)
+            .filter(|(switch, _)| !matches!(switch, Switch::Break | Switch::Stop | Switch::Land))
+            .find(|&(switch, before)| before * self.level(switch, start.phase, start) < 0.0)
+            .map(|(switch, _)| switch)
     }
 
     /// Takes in an accepted step: notes what happened and adds it to the track, cut short where the
-    /// motion ends.
-    pub(super) fn pass(&mut self, step: Step<COORDINATES>, track: &mut Track) -> Option<Status> {
-        let dense = step.clone().dense(self.rolling);
-        let ending = self.first_ending(&dense);
+    /// phase ends.
+    pub(super) fn pass(
+        &mut self,
+        phase: Phase,
+        piece: &Piece,
+        track: &mut Track,
+    ) -> Option<Switch> {
+        let dense = &piece.dense;
+        let ending = self.first_ending(phase, dense);
         let until = ending.map_or(1.0, |(_, x)| x);
-        self.note_extremes(&step, &dense, until);
-        self.note_on_edge(&step, &dense, until);
-        let Some((ending, x)) = ending else {
-            track.push(dense);
+        self.note_extremes(phase, piece, until);
+        self.note_on_edge(phase, piece, until);
+        let Some((switch, x)) = ending else {
+            track.push(phase, dense.clone());
             return None;
         };
-        let mut last = self.refine(&step, &dense, x, |watch, u| watch.level(ending, u));
-        if matches!(ending, Ending::TimeUp) {
+        let mut last = self.refine(phase, piece, x, |u| self.level(switch, phase, u));
+        if let (Switch::Done, Goal::Time(duration)) = (switch, self.goal) {
             // Not a rounding error short of what was asked for.
-            last.end[TIME] = self.duration;
+            last.end[TIME] = duration;
         }
-        let at = Coordinates::from_array(&last.end);
-        track.push(last.dense(self.rolling));
-        Some(self.end_with(ending, at))
+        track.push(phase, last);
+        Some(switch)
     }
 
-    fn end_with(&mut self, ending: Ending, at: Coordinates<f64>) -> Status {
-        let (status, kind) = ending.outcome();
-        self.events.extend(kind.map(|kind| Event { kind, at }));
-        status
-    }
-
-    /// A function of the coordinates that changes sign where the motion ends.
-    fn level(&self, ending: Ending, u: &Coordinates<f64>) -> f64 {
-        match ending {
-            Ending::TimeUp => u.t - self.duration,
+    /// A function of the coordinates that changes sign where the phase ends.
+    fn level(&self, switch: Switch, phase: Phase, u: &Coordinates<f64>) -> f64 {
+        let law = self.contacts.law(phase);
+        match switch {
+            Switch::Done => match self.goal {
+                Goal::Time(duration) => u.t - duration,
+                Goal::Passed(w) if u.p > 0.0 => w - u.w.abs(),
+                Goal::Passed(_) => -1.0,
+            },
             // sin(φ − φ_topple) has the sign of φ − φ_topple within (0, π).
-            Ending::Topple => self
+            Switch::Topple => self
                 .topple
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
-            Ending::LiftOff => self.rolling.law.contact(u).normal,
-            Ending::FaceDown => u.sin - FACE_DOWN_TILT,
+            Switch::LiftOff => law.contact(u).normal,
+            Switch::Flat => u.sin - FACE_DOWN_TILT,
+            Switch::Break => self.contacts.grip(u),
+            Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
+            Switch::Paradox => law.consistency(u) - PARADOX,
+            Switch::Land => u.gap,
+            Switch::Rest => law.energy(u).total() - self.rest_energy,
         }
     }
 
     /// The first ending inside a step and the fraction of the step where it is.
-    fn first_ending(&self, dense: &Dense<COORDINATES>) -> Option<(Ending, f64)> {
+    fn first_ending(&self, phase: Phase, dense: &Dense<COORDINATES>) -> Option<(Switch, f64)> {
         let mut looks = LOOKS.to_vec();
         looks.extend(
             LOOKS
@@ -192,14 +288,18 @@ impl<'a> Watch<'a> {
         for look in looks.windows(2) {
             let (from, to) = (look[0], look[1]);
             let there = Coordinates::from_array(&dense.at(to));
-            let first = ENDINGS
-                .into_iter()
-                .filter(|&(ending, before)| before * self.level(ending, &there) <= 0.0)
-                .map(|(ending, _)| {
-                    let x = dense.root(from, to, |u| {
-                        self.level(ending, &Coordinates::from_array(u))
-                    });
-                    (ending, x)
+            let first = self
+                .switches(phase)
+                .filter(|&(switch, before)| before * self.level(switch, phase, &there) <= 0.0)
+                .map(|(switch, _)| {
+                    let level = |u: &[f64; COORDINATES]| {
+                        self.level(switch, phase, &Coordinates::from_array(u))
+                    };
+                    let from = match switch {
+                        Switch::Land => in_the_air(dense, from, to),
+                        _ => from,
+                    };
+                    (switch, dense.root(from, to, level))
                 })
                 .min_by(|a, b| a.1.total_cmp(&b.1));
             if first.is_some() {
@@ -211,7 +311,7 @@ impl<'a> Watch<'a> {
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
     fn sign_of_tilt_rate(&self, u: &Coordinates<f64>) -> f64 {
-        let scale = u.p.abs() + u.w.abs() + u.sin * self.rolling.falling_rate;
+        let scale = Mechanics::new(self.contacts.law(Phase::Rolling)).tilt_rate_scale(u);
         if u.p.abs() > self.significant * scale {
             u.p.signum()
         } else {
@@ -219,7 +319,8 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn note_extremes(&mut self, step: &Step<COORDINATES>, dense: &Dense<COORDINATES>, until: f64) {
+    fn note_extremes(&mut self, phase: Phase, piece: &Piece, until: f64) {
+        let dense = &piece.dense;
         for look in LOOKS.windows(2) {
             let (from, to) = (look[0], look[1].min(until));
             if from >= to {
@@ -229,8 +330,8 @@ impl<'a> Watch<'a> {
             let after = Coordinates::from_array(&dense.at(to));
             if (before.p < 0.0) != (after.p < 0.0) {
                 self.crossing = Some(Crossing {
-                    step: step.clone(),
-                    dense: dense.clone(),
+                    piece: piece.clone(),
+                    phase,
                     from,
                     to,
                 });
@@ -249,35 +350,41 @@ impl<'a> Watch<'a> {
 
     fn note_extreme(&mut self, crossing: &Crossing, direction: f64) {
         let Crossing {
-            step,
-            dense,
+            piece,
+            phase,
             from,
             to,
         } = crossing;
-        let x = dense.root(*from, *to, |u| Coordinates::from_array(u).p);
-        let at = self.refine(step, dense, x, |_, u| u.p).end;
-        self.events.push(Event {
-            kind: if direction > 0.0 {
-                EventKind::TiltMin
-            } else {
-                EventKind::TiltMax
-            },
-            at: Coordinates::from_array(&at),
-        });
+        let x = piece
+            .dense
+            .root(*from, *to, |u| Coordinates::from_array(u).p);
+        let at = self.instant(*phase, piece, x, |u| u.p);
+        self.note(extreme_kind(direction), at);
     }
 
-    fn note_on_edge(&mut self, step: &Step<COORDINATES>, dense: &Dense<COORDINATES>, until: f64) {
+    fn note_on_edge(&mut self, phase: Phase, piece: &Piece, until: f64) {
+        let dense = &piece.dense;
         let cos = |x: f64| Coordinates::from_array(&dense.at(x)).cos;
         for look in LOOKS.windows(2) {
             let (from, to) = (look[0], look[1].min(until));
             if from < to && (cos(from) > 0.0) != (cos(to) > 0.0) {
                 let x = dense.root(from, to, |u| Coordinates::from_array(u).cos);
-                let at = self.refine(step, dense, x, |_, u| u.cos).end;
-                self.events.push(Event {
-                    kind: EventKind::OnEdge,
-                    at: Coordinates::from_array(&at),
-                });
+                let at = self.instant(phase, piece, x, |u| u.cos);
+                self.note(EventKind::OnEdge, at);
             }
+        }
+    }
+
+    fn instant(
+        &self,
+        phase: Phase,
+        piece: &Piece,
+        x: f64,
+        level: impl Fn(&Coordinates<f64>) -> f64,
+    ) -> Instant {
+        Instant {
+            phase,
+            u: Coordinates::from_array(&self.refine(phase, piece, x, level).end),
         }
     }
 
@@ -285,21 +392,34 @@ impl<'a> Watch<'a> {
     /// output, which is one order less: x is corrected by the level that a real step finds there.
     fn refine(
         &self,
-        step: &Step<COORDINATES>,
-        dense: &Dense<COORDINATES>,
+        phase: Phase,
+        piece: &Piece,
         x: f64,
-        level: impl Fn(&Self, &Coordinates<f64>) -> f64,
-    ) -> Step<COORDINATES> {
+        level: impl Fn(&Coordinates<f64>) -> f64,
+    ) -> Dense<COORDINATES> {
         const NUDGE: f64 = 1e-3;
-        let level = |u: &[f64; COORDINATES]| level(self, &Coordinates::from_array(u));
+        let Piece { dense, step } = piece;
+        let Some(step) = step else {
+            return Collocation::new().cut(dense, x);
+        };
+        let mechanics = Mechanics::new(self.contacts.law(phase));
+        let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
         let slope = (level(&dense.at(x + NUDGE)) - level(&dense.at(x - NUDGE))) / (2.0 * NUDGE);
-        let first = step.cut(self.rolling, x);
+        let first = step.cut(&mechanics, x);
         let correction = level(&first.end) / slope;
         // A level that only grazes zero has no slope to go by; then x stays.
         if correction.abs() < 0.01 {
-            step.cut(self.rolling, x - correction)
+            step.cut(&mechanics, x - correction).dense(&mechanics)
         } else {
-            first
+            first.dense(&mechanics)
         }
+    }
+}
+
+fn extreme_kind(direction: f64) -> EventKind {
+    if direction > 0.0 {
+        EventKind::TiltMin
+    } else {
+        EventKind::TiltMax
     }
 }

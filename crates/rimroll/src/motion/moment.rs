@@ -4,8 +4,8 @@ use crate::law::Law;
 use crate::state::Coordinates;
 
 /// What is known at one moment, in SI units and radians. `x`, `y`, `z` are the centre of mass; contact
-/// point and friction are on the table.
-pub const COLUMNS: [&str; 19] = [
+/// point (in flight: the point under the rim's lowest), friction and slip are on the table.
+pub const COLUMNS: [&str; 25] = [
     "t",
     "tilt",
     "tilt_rate",
@@ -23,8 +23,14 @@ pub const COLUMNS: [&str; 19] = [
     "friction_x",
     "friction_y",
     "friction_ratio",
+    "slip_x",
+    "slip_y",
+    "gap",
     "kinetic_energy",
     "potential_energy",
+    "friction_loss",
+    "resistance_loss",
+    "impact_loss",
 ];
 
 /// One moment: a number for each of [`COLUMNS`].
@@ -48,6 +54,7 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
         f64::INFINITY
     };
     let energy = law.energy(u);
+    let [slip_along, slip_across] = law.slip(u);
     [
         u.t,
         state.tilt,
@@ -59,14 +66,20 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
         u.s,
         u.x,
         u.y,
-        k.z(u),
+        k.z(u) + u.gap,
         u.x - rho * cos_yaw,
         u.y - rho * sin_yaw,
         force.normal / u.sin,
         along * cos_yaw - across * sin_yaw,
         along * sin_yaw + across * cos_yaw,
         needed,
+        slip_along * cos_yaw - slip_across * sin_yaw,
+        slip_along * sin_yaw + slip_across * cos_yaw,
+        u.gap,
         energy.kinetic,
         energy.potential,
+        u.friction_loss,
+        u.resistance_loss,
+        u.impact_loss,
     ]
 }

@@ -35,7 +35,7 @@ fn lean(event: &Event) -> Option<Lean> {
         EventKind::TiltMin if on_first_face => Some(Lean::Least),
         EventKind::TiltMax if !on_first_face => Some(Lean::Least),
         EventKind::TiltMin | EventKind::TiltMax | EventKind::OnEdge => Some(Lean::Most),
-        EventKind::Topple | EventKind::LiftOff | EventKind::FaceDown => None,
+        _ => None,
     }
 }
 
@@ -47,15 +47,15 @@ fn tilt_from_nearest_face(u: &Coordinates<f64>) -> f64 {
 pub(super) fn turns(start: &Coordinates<f64>, events: &[Event]) -> Vec<Turn> {
     let mut turns = Vec::new();
     let mut from = *start;
-    let mut lowest = None;
+    let mut lowest: Option<Coordinates<f64>> = None;
     for event in events {
         match lean(event) {
-            Some(Lean::Least) => lowest = Some(event.at),
+            Some(Lean::Least) => lowest = Some(event.at.u),
             Some(Lean::Most) => {
                 if let Some(low) = lowest.take() {
                     turns.push(turn(&from, &low, &event.at));
                 }
-                from = event.at;
+                from = event.at.u;
             }
             None => {}
         }

@@ -72,15 +72,31 @@ impl Neg for Dual {
 impl Real for Dual {
     fn sin_cos(self) -> (Dual, Dual) {
         let (sin, cos) = libm::sincos(self.value);
-        (
-            Dual {
-                value: sin,
-                slope: cos * self.slope,
-            },
-            Dual {
-                value: cos,
-                slope: -sin * self.slope,
-            },
-        )
+        (self.chain(sin, cos), self.chain(cos, -sin))
+    }
+
+    fn sqrt(self) -> Dual {
+        let root = self.value.sqrt();
+        self.chain(root, 0.5 / root)
+    }
+
+    fn exp(self) -> Dual {
+        let power = libm::exp(self.value);
+        self.chain(power, power)
+    }
+
+    fn odd_power(self, n: f64) -> Dual {
+        let slope = n * libm::pow(self.value.abs(), n - 1.0);
+        self.chain(self.value.odd_power(n), slope)
+    }
+}
+
+impl Dual {
+    /// f of this number, given f and f′ at its value.
+    fn chain(self, f: f64, derivative: f64) -> Dual {
+        Dual {
+            value: f,
+            slope: derivative * self.slope,
+        }
     }
 }

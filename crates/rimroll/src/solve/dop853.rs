@@ -4,9 +4,8 @@
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sections II.5,
 //! II.6 and II.10. Use it for smooth systems at tolerances from 1e-5 down to rounding.
 
-use super::System;
-use super::root;
 use super::tableau::{DENSE, ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
+use super::{Dense, System};
 
 /// A finished step from `start` to `end`.
 #[derive(Debug, Clone)]
@@ -24,16 +23,27 @@ pub struct Step<const N: usize> {
 }
 
 /// u + h Σ weight · stage, summed in the order of the row.
-fn combine<const N: usize>(u: &[f64; N], h: f64, row: Row, stages: &[[f64; N]]) -> [f64; N] {
-    let sum = weigh(row, stages);
-    core::array::from_fn(|i| u[i] + h * sum[i])
+fn combine<const N: usize>(
+    u: &[f64; N],
+    h: f64,
+    row: Row,
+    stages: &[[f64; N]],
+    changing: usize,
+) -> [f64; N] {
+    let mut end = *u;
+    let sum = weigh(row, stages, changing);
+    for i in 0..changing {
+        end[i] += h * sum[i];
+    }
+    end
 }
 
-fn weigh<const N: usize>(row: Row, stages: &[[f64; N]]) -> [f64; N] {
+fn weigh<const N: usize>(row: Row, stages: &[[f64; N]], changing: usize) -> [f64; N] {
     let mut sum = [0.0; N];
     for &(stage, weight) in row {
-        for i in 0..N {
-            sum[i] += weight * stages[stage][i];
+        let stage = &stages[stage];
+        for i in 0..changing {
+            sum[i] += weight * stage[i];
         }
     }
     sum
@@ -45,12 +55,13 @@ impl<const N: usize> Step<N> {
 
     /// A step of length h from `start`, where the rates are `rates`.
     pub fn take(system: &impl System<N>, start: &[f64; N], rates: &[f64; N], h: f64) -> Step<N> {
+        let changing = system.changing();
         let mut stages = [[0.0; N]; 16];
         stages[0] = *rates;
         for (i, row) in STAGES.iter().enumerate() {
-            stages[i + 1] = system.rates(&combine(start, h, row, &stages));
+            stages[i + 1] = system.rates(&combine(start, h, row, &stages, changing));
         }
-        let end = combine(start, h, SOLUTION, &stages);
+        let end = combine(start, h, SOLUTION, &stages, changing);
         let end_rates = system.rates(&end);
         stages[12] = end_rates;
         Step {
@@ -66,10 +77,11 @@ impl<const N: usize> Step<N> {
     pub(super) fn error(&self, system: &impl System<N>, tolerance: f64) -> f64 {
         let at_start = system.scale(&self.start);
         let at_end = system.scale(&self.end);
-        let fifth = weigh(ERROR_5, &self.stages);
-        let third = weigh(ERROR_3, &self.stages);
+        let changing = system.changing();
+        let fifth = weigh(ERROR_5, &self.stages, changing);
+        let third = weigh(ERROR_3, &self.stages, changing);
         let (mut sum5, mut sum3) = (0.0, 0.0);
-        for i in 0..N {
+        for i in 0..changing {
             let allowed = tolerance * at_start[i].max(at_end[i]);
             sum5 += (fifth[i] / allowed) * (fifth[i] / allowed);
             sum3 += (third[i] / allowed) * (third[i] / allowed);
@@ -77,7 +89,7 @@ impl<const N: usize> Step<N> {
         if sum5 == 0.0 {
             return 0.0;
         }
-        self.h * sum5 / ((sum5 + 0.01 * sum3) * N as f64).sqrt()
+        self.h * sum5 / ((sum5 + 0.01 * sum3) * changing as f64).sqrt()
     }
 
     /// The same step cut at the fraction x: a step of its own, so of the full order, not an
@@ -88,20 +100,22 @@ impl<const N: usize> Step<N> {
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
     pub fn dense(mut self, system: &impl System<N>) -> Dense<N> {
+        let changing = system.changing();
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
-            self.stages[13 + i] = system.rates(&combine(&self.start, self.h, row, &self.stages));
+            let at = combine(&self.start, self.h, row, &self.stages, changing);
+            self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
         let rise: [f64; N] = core::array::from_fn(|i| self.end[i] - self.start[i]);
         let mut coefficients = [[0.0; N]; 7];
-        for i in 0..N {
+        for i in 0..changing {
             let (first, last) = (h * self.stages[0][i], h * self.end_rates[i]);
             coefficients[0][i] = rise[i];
             coefficients[1][i] = first - rise[i];
             coefficients[2][i] = 2.0 * rise[i] - (first + last);
         }
         for (j, row) in DENSE.iter().enumerate() {
-            coefficients[3 + j] = weigh(row, &self.stages).map(|v| h * v);
+            coefficients[3 + j] = weigh(row, &self.stages, changing).map(|v| h * v);
         }
         Dense {
             h,
@@ -109,43 +123,5 @@ impl<const N: usize> Step<N> {
             end: self.end,
             coefficients,
         }
-    }
-}
-
-/// A step that can be evaluated at any fraction x in [0, 1].
-#[derive(Debug, Clone)]
-pub struct Dense<const N: usize> {
-    /// The step's length.
-    pub h: f64,
-    /// State at x = 0.
-    pub start: [f64; N],
-    /// State at x = 1.
-    pub end: [f64; N],
-    coefficients: [[f64; N]; 7],
-}
-
-impl<const N: usize> Dense<N> {
-    /// The state at the fraction x.
-    pub fn at(&self, x: f64) -> [f64; N] {
-        core::array::from_fn(|i| self.component(i, x))
-    }
-
-    /// One component of the state at the fraction x.
-    pub fn component(&self, i: usize, x: f64) -> f64 {
-        let mut sum = 0.0;
-        for (j, coefficient) in self.coefficients.iter().enumerate().rev() {
-            sum = (sum + coefficient[i]) * if j % 2 == 0 { x } else { 1.0 - x };
-        }
-        self.start[i] + sum
-    }
-
-    /// The fraction between `from` and `to` where `function` of the state changes sign.
-    pub fn root(&self, from: f64, to: f64, function: impl Fn(&[f64; N]) -> f64) -> f64 {
-        root::bracketed(from, to, |x| function(&self.at(x)))
-    }
-
-    /// The fraction at which a component that grows over the step has the given value.
-    pub fn where_component(&self, i: usize, value: f64) -> f64 {
-        root::bracketed(0.0, 1.0, |x| self.component(i, x) - value)
     }
 }

@@ -3,7 +3,8 @@
 use super::inertias;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
-use crate::law::LawKind;
+use crate::law::{IdealLaw, Parameters};
+use crate::state::Coordinates;
 
 /// The coefficient of friction needed to roll through the near-collision: μ* = mHR/(A + mH²).
 ///
@@ -20,7 +21,7 @@ pub fn needed_friction(body: &Body) -> f64 {
 /// Refuses gravity ≤ 0.
 pub fn lift_off_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
     let g = positive("gravity", gravity, "m/s2")?;
-    let (j, k) = inertias(body, LawKind::NoSlip);
+    let (j, k) = inertias(body, IdealLaw::NoSlip);
     Ok((g * k / (j * body.height())).sqrt())
 }
 
@@ -31,7 +32,7 @@ pub fn lift_off_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
 /// Refuses gravity ≤ 0.
 pub fn slip_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
     let g = positive("gravity", gravity, "m/s2")?;
-    let (j, k) = inertias(body, LawKind::NoSlip);
+    let (j, k) = inertias(body, IdealLaw::NoSlip);
     let (m, h) = (body.mass(), body.height());
     Ok((2.0 * m * g * h * k / (j * (k + m * h * h))).sqrt())
 }
@@ -67,4 +68,23 @@ pub fn steady_wobble_rate(body: &Body, tilt: f64, gravity: f64) -> Result<f64, I
         "rad",
     )?;
     Ok(square.sqrt())
+}
+
+/// The coefficient of friction from which on a sliding body can meet Painlevé's paradox:
+/// 2 √(q (1 + q)) with q = A/(m (R² + H²)). Below it the normal force is determined at every tilt.
+///
+/// At one tilt the paradox starts at (A + mρ²)/(m|ρ|z) for a slip straight along the lean; with
+/// ρ = L sin α, z = L cos α, L² = R² + H², and α counted from the balance point, that is
+/// q/t + (1 + q) t for t = tan |α|, which is least at t² = q/(1 + q). A tilt with that α always lies
+/// between upright and π/2, on one side of the balance point or the other.
+pub fn painleve_friction(body: &Body) -> f64 {
+    let (r, h) = (body.radius(), body.height());
+    let q = body.transverse_inertia() / (body.mass() * (r * r + h * h));
+    2.0 * (q * (1.0 + q)).sqrt()
+}
+
+/// The same at one tilt, slipping straight along e_x1.
+pub(crate) fn painleve_friction_at(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
+    let (rho, z) = (k.rho(u), k.z(u));
+    ((k.a + k.m * rho * rho) / (k.m * rho * z)).abs()
 }

@@ -3,7 +3,7 @@
 use super::inertias;
 use crate::body::Body;
 use crate::error::{InvalidInput, positive};
-use crate::law::LawKind;
+use crate::law::IdealLaw;
 
 /// The coefficient b of the error law |Δψ| = limit + φ_c (b ln φ_c + a), from tilt maximum to tilt
 /// maximum, where φ_c (rad) is the smallest tilt: b = −2 √(J′/K′) R N_p/(K′ ω²).
@@ -16,7 +16,7 @@ use crate::law::LawKind;
 /// Refuses a tipping rate ≤ 0 and gravity ≤ 0.
 pub fn error_law_coefficient(
     body: &Body,
-    law: LawKind,
+    law: IdealLaw,
     tipping_rate: f64,
     gravity: f64,
 ) -> Result<f64, InvalidInput> {
@@ -26,8 +26,8 @@ pub fn error_law_coefficient(
     let centripetal = body.height() * w * w;
     let normal = body.mass()
         * match law {
-            LawKind::NoSlip => g * k / j - centripetal,
-            LawKind::Frictionless => (g - centripetal) * k / j,
+            IdealLaw::NoSlip => g * k / j - centripetal,
+            IdealLaw::Frictionless => (g - centripetal) * k / j,
         };
     Ok(-2.0 * (j / k).sqrt() * body.radius() * normal / (k * w * w))
 }

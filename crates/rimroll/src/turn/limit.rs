@@ -3,7 +3,7 @@
 use super::inertias;
 use crate::body::Body;
 use crate::error::{InvalidInput, finite, not_negative, positive};
-use crate::law::LawKind;
+use crate::law::IdealLaw;
 use core::f64::consts::PI;
 
 /// The limiting angle of turn, rad: no-slip π √((A + mR² + mH²)/(A + mH²)), frictionless
@@ -11,7 +11,7 @@ use core::f64::consts::PI;
 ///
 /// Source: Srinivasan & Ruina (2007), Eqs. `noslipangleofturn` and `nofricangleofturn`. Erratum: the
 /// last two lines of the former print the fraction upside down.
-pub fn turn_limit(body: &Body, law: LawKind) -> f64 {
+pub fn turn_limit(body: &Body, law: IdealLaw) -> f64 {
     let (j, k) = inertias(body, law);
     PI * (j / k).sqrt()
 }
@@ -32,7 +32,7 @@ pub fn turn_limit_with_spin(
 ) -> Result<f64, InvalidInput> {
     finite("spin", spin)?;
     positive("tipping_rate", tipping_rate, "rad/s")?;
-    let (j, k) = inertias(body, LawKind::NoSlip);
+    let (j, k) = inertias(body, IdealLaw::NoSlip);
     let mhr = body.mass() * body.height() * body.radius();
     let lead = libm::atan(mhr * spin / (tipping_rate * (j * k).sqrt()));
     Ok((j / k).sqrt() * (PI + 2.0 * lead))
@@ -55,7 +55,7 @@ pub fn disk_turn_limit(gyration_ratio: f64) -> Result<f64, InvalidInput> {
 /// K′ = A without friction. It exceeds the exact limit, by less than (π/8) (mR²/K′)².
 ///
 /// Source: the paper's section "Tall thin containers", carried one order further.
-pub fn tall_turn_limit(body: &Body, law: LawKind) -> f64 {
+pub fn tall_turn_limit(body: &Body, law: IdealLaw) -> f64 {
     let (j, k) = inertias(body, law);
     PI + 0.5 * PI * (j - k) / k
 }
@@ -65,11 +65,11 @@ pub fn tall_turn_limit(body: &Body, law: LawKind) -> f64 {
 ///
 /// # Errors
 /// Refuses a radius ≤ 0 and a height < 0.
-pub fn point_mass_turn_limit(radius: f64, height: f64, law: LawKind) -> Result<f64, InvalidInput> {
+pub fn point_mass_turn_limit(radius: f64, height: f64, law: IdealLaw) -> Result<f64, InvalidInput> {
     let r = positive("radius", radius, "m")?;
     let h = not_negative("height", height, "m")?;
     Ok(match law {
-        LawKind::NoSlip => PI * (1.0 + (r / h) * (r / h)).sqrt(),
-        LawKind::Frictionless => f64::INFINITY,
+        IdealLaw::NoSlip => PI * (1.0 + (r / h) * (r / h)).sqrt(),
+        IdealLaw::Frictionless => f64::INFINITY,
     })
 }

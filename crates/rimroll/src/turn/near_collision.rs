@@ -4,7 +4,7 @@
 use super::inertias;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, finite, positive};
-use crate::law::LawKind;
+use crate::law::IdealLaw;
 
 /// The motion close to the smallest tilt φ_c, reached at time 0 with yaw 0:
 /// φ² = φ_c² + ω² t² and ψ = ± √(J′/K′) arctan(ω t/φ_c), where ω is the rate of tipping before and
@@ -28,7 +28,7 @@ impl NearCollision {
     /// Refuses a smallest tilt or tipping rate ≤ 0 and any other direction.
     pub fn new(
         body: &Body,
-        law: LawKind,
+        law: IdealLaw,
         min_tilt: f64,
         tipping_rate: f64,
         direction: f64,

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
-use rimroll::{Body, LawKind, Motion, Options, State, simulate};
+use rimroll::{Body, IdealLaw, Motion, Options, State, simulate};
 
 /// The gravity of Srinivasan & Ruina (2007), m/s².
 pub const PAPER_GRAVITY: f64 = 9.8;
@@ -29,6 +29,6 @@ pub fn tight(duration: f64) -> Options {
 }
 
 /// Follows a start that is known to be valid.
-pub fn follow(body: &Body, start: &State, law: LawKind, options: &Options) -> Motion {
+pub fn follow(body: &Body, start: &State, law: IdealLaw, options: &Options) -> Motion {
     simulate(body, start, law, options, |_| ControlFlow::Continue(())).expect("valid input")
 }

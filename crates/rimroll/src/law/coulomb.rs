@@ -1,0 +1,29 @@
+//! Dry friction (Coulomb, Amontons): as long as the rim slips, T = −μN u/|u|.
+//!
+//! This is one half of the law. A rim that does not slip rolls, which is [`NoSlip`](super::NoSlip),
+//! as long as |T| ≤ μ_s N; the halves are joined by events, without regularisation (see
+//! [`motion`](crate::motion)).
+
+use super::{Friction, Pull};
+use crate::real::Real;
+
+/// The friction of a rim that slips.
+#[derive(Debug, Clone, Copy)]
+pub struct Coulomb<T> {
+    /// μ, of slipping.
+    pub friction: T,
+}
+
+impl<T: Real> Coulomb<T> {
+    /// The friction on a slip in the direction of a unit vector, however small.
+    pub fn against(&self, direction: [T; 2]) -> Pull<T> {
+        Pull::per_normal(direction, self.friction)
+    }
+}
+
+impl<T: Real> Friction<T> for Coulomb<T> {
+    fn pull(&self, slip: [T; 2]) -> Pull<T> {
+        let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
+        self.against([slip[0] / speed, slip[1] / speed])
+    }
+}

@@ -1,0 +1,209 @@
+//! What wears a motion down besides friction: moments that can be added to any law.
+//!
+//! * [`RollingResistance`]: the contact point works the rim as it runs along it at R|θ̇|. Generalised
+//!   force on θ alone, Q = −(k N R + c R² |θ̇|) sgn θ̇; being felt by no turn about the vertical, it is the
+//!   moment Q about e_z2 and −Q cos φ/sin φ about e_x2. (The "contour friction" of R. I. Leine,
+//!   Arch. Appl. Mech. 79 (2009), and the "rolling friction" of the Euler's-disk literature.)
+//! * [`PivotingFriction`]: a moment −k N sgn ω_z about the vertical, of a contact of finite size.
+//! * [`AirDrag`]: a moment about e_x2 against the wobble, of power k |ψ̇|ⁿ.
+//!
+//! Let a disk lie nearly flat at the tilt α, wobbling at Ω² = 4g/(Rα) (uniform disk), and lose a power
+//! ~ Ω^λ: then α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous λ = 2, air λ = n.
+//!
+//! sgn is smoothed to x/√(x² + x₀²) with x₀ = √(g/R)/1000, so that a rate may pass through zero.
+
+use super::{Contact, Law, Parameters};
+use crate::real::Real;
+use crate::state::Coordinates;
+
+/// Resistance to the contact point's running along the rim.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RollingResistance {
+    /// k: the resisting force for each newton of normal force.
+    pub dry: f64,
+    /// c, N s/m: the resisting force for each m/s.
+    pub viscous: f64,
+}
+
+/// Resistance to turning about the vertical on the spot.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PivotingFriction {
+    /// k, m: the moment for each newton of normal force.
+    pub length: f64,
+}
+
+/// Resistance of the air between base and table to the wobble.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AirDrag {
+    /// k, W (s/rad)ⁿ.
+    pub coefficient: f64,
+    /// n: 4 for a viscous film (Moffatt, Nature 404, 2000), 5/2 for boundary layers (Bildsten,
+    /// Phys. Rev. E 66, 2002).
+    pub exponent: f64,
+}
+
+impl Default for AirDrag {
+    fn default() -> Self {
+        AirDrag {
+            coefficient: 0.0,
+            exponent: 4.0,
+        }
+    }
+}
+
+/// All that is added to a law.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Resistance {
+    /// To rolling.
+    pub rolling: RollingResistance,
+    /// To pivoting.
+    pub pivoting: PivotingFriction,
+    /// Of the air.
+    pub air: AirDrag,
+}
+
+impl Resistance {
+    /// Whether there is none.
+    pub fn is_none(&self) -> bool {
+        let none = Resistance::default();
+        self.rolling == none.rolling
+            && self.pivoting == none.pivoting
+            && self.air.coefficient == 0.0
+    }
+
+    /// The moments about e_x2 and e_z2 times sin φ, under the force N = `normal`/sin φ.
+    fn moment<T: Real>(&self, k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> [T; 2] {
+        let smooth = T::from(1e-3) * (k.g / k.r).sqrt();
+        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth);
+        let [pivoting_x, pivoting_z] = self.pivoting.moment(u, normal, smooth);
+        [
+            rolling_x + pivoting_x + self.air.moment(u),
+            rolling_z + pivoting_z,
+        ]
+    }
+}
+
+impl RollingResistance {
+    fn moment<T: Real>(
+        &self,
+        k: &Parameters<T>,
+        u: &Coordinates<T>,
+        normal: T,
+        smooth: T,
+    ) -> [T; 2] {
+        // θ̇ sin φ, which stays finite.
+        let running = u.sin * u.s - u.w * u.cos;
+        let floor = u.sin * smooth;
+        let sign = running / (running * running + floor * floor).sqrt();
+        let dry = T::from(self.dry) * k.r * normal * sign;
+        let viscous = T::from(self.viscous) * k.r * k.r * running;
+        let resisting = dry + viscous;
+        [resisting * u.cos / u.sin, -resisting]
+    }
+}
+
+impl PivotingFriction {
+    fn moment<T: Real>(&self, u: &Coordinates<T>, normal: T, smooth: T) -> [T; 2] {
+        let turning = u.w * u.sin + u.s * u.cos;
+        let sign = turning / (turning * turning + smooth * smooth).sqrt();
+        let vertical = T::from(self.length) * normal * sign;
+        [-vertical * u.sin, -vertical * u.cos]
+    }
+}
+
+impl AirDrag {
+    fn moment<T: Real>(&self, u: &Coordinates<T>) -> T {
+        T::from(-self.coefficient) * u.yaw_rate().odd_power(self.exponent - 1.0)
+    }
+}
+
+/// A law with resistance added.
+pub struct Resisted<L> {
+    law: L,
+    resistance: Resistance,
+}
+
+impl<L> Resisted<L> {
+    /// `law` with `resistance`.
+    pub fn new(law: L, resistance: Resistance) -> Self {
+        Resisted { law, resistance }
+    }
+
+    /// The law without it.
+    pub(crate) fn law(&self) -> &L {
+        &self.law
+    }
+
+    /// Rates under moments beside the law's forces, given those without.
+    pub(crate) fn resist<T: Real>(
+        &self,
+        u: &Coordinates<T>,
+        mut rates: Coordinates<T>,
+        normal: T,
+    ) -> Coordinates<T>
+    where
+        L: Law<T>,
+    {
+        if self.resistance.is_none() {
+            return rates;
+        }
+        let k = self.law.parameters();
+        let [about_x, about_z] = self.resistance.moment(k, u, normal);
+        let held = self.law.hold([about_x, about_z]);
+        let across = held.unwrap_or(T::from(0.0));
+        let dw = (about_x + k.h * across) / k.a;
+        let ds = (about_z - k.r * across) / k.c;
+        rates.w = rates.w + dw;
+        rates.s = rates.s + ds;
+        if held.is_none() {
+            rates.slip_y = rates.slip_y + k.h * dw - k.r * ds;
+        }
+        rates.resistance_loss = -(about_x * u.w + about_z * u.s);
+        rates
+    }
+}
+
+impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
+    fn parameters(&self) -> &Parameters<T> {
+        self.law.parameters()
+    }
+
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        if self.resistance.is_none() {
+            return self.law.rates(u);
+        }
+        self.resist(u, self.law.rates(u), self.law.contact(u).normal)
+    }
+
+    fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
+        let mut contact = self.law.contact(u);
+        if !self.resistance.is_none() {
+            let moment = self
+                .resistance
+                .moment(self.law.parameters(), u, contact.normal);
+            let held = self.law.hold(moment).unwrap_or(T::from(0.0));
+            contact.across = contact.across + held;
+        }
+        contact
+    }
+
+    fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
+        self.law.center_velocity(u)
+    }
+
+    fn slip(&self, u: &Coordinates<T>) -> [T; 2] {
+        self.law.slip(u)
+    }
+
+    fn hold(&self, moment: [T; 2]) -> Option<T> {
+        self.law.hold(moment)
+    }
+
+    fn consistency(&self, u: &Coordinates<T>) -> T {
+        self.law.consistency(u)
+    }
+
+    fn only_moves(&self) -> bool {
+        self.resistance.is_none() && self.law.only_moves()
+    }
+}

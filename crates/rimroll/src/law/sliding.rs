@@ -1,0 +1,177 @@
+//! Sliding under a friction that depends on the slip: what the paper's two laws have between them.
+//!
+//! Newton's and Euler's equations with the table's force (T_x, T_y, N) on the rim, in the frame
+//! e_x1, e_y1, e_z that yaws; w = ψ̇ sin φ, and (u_x, u_y) is the slip:
+//!
+//! ```text
+//! A (ẇ + ψ̇ φ̇ cosφ) = C φ̇ s + H T_y
+//! A φ̈ = A w ψ̇ cosφ − C w s − N ρ + T_x z,     C ṡ = −R T_y
+//! N = m (g + ρ φ̈ − z φ̇²)
+//! u̇_x =  ψ̇ (u_y + R s − H w) + ρ φ̇² + z φ̈ + T_x/m
+//! u̇_y = −ψ̇ u_x + R w φ̇ + (HC/A) φ̇ s + T_y (1/m + R²/C + H²/A)
+//! ```
+//!
+//! The friction is linear in the normal force, T = N a(u) + b(u), so with η = ρ − a_x z
+//!
+//! ```text
+//! (A + mρη) N = m (A (g − z φ̇²) + ρ (A w ψ̇ cosφ − C w s + b_x z))
+//! ```
+//!
+//! which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox).
+//! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
+
+use super::{Contact, Law, Parameters};
+use crate::real::Real;
+use crate::state::Coordinates;
+
+/// The force T = N a + b of a table on a rim that slips.
+#[derive(Debug, Clone, Copy)]
+pub struct Pull<T> {
+    /// a: for each newton of normal force, along e_x1 and e_y1.
+    pub per_normal: [T; 2],
+    /// b: whatever the normal force, N.
+    pub own: [T; 2],
+}
+
+impl<T: Real> Pull<T> {
+    /// Friction −factor · slip for each newton of normal force.
+    pub fn per_normal(slip: [T; 2], factor: T) -> Self {
+        Pull {
+            per_normal: [-factor * slip[0], -factor * slip[1]],
+            own: [T::from(0.0), T::from(0.0)],
+        }
+    }
+}
+
+/// How friction answers slip.
+pub trait Friction<T: Real> {
+    /// The friction at a slip (m/s, along e_x1 and e_y1).
+    fn pull(&self, slip: [T; 2]) -> Pull<T>;
+}
+
+/// The law of a rim that slides under the friction `F`.
+#[derive(Debug, Clone, Copy)]
+pub struct Sliding<T, F> {
+    k: Parameters<T>,
+    friction: F,
+    /// 1/m + R²/C + H²/A.
+    sideways_mobility: T,
+}
+
+/// The accelerations times sin φ.
+struct Accelerations<T> {
+    p: T,
+    w: T,
+    s: T,
+    slip: [T; 2],
+}
+
+impl<T: Real, F: Friction<T>> Sliding<T, F> {
+    /// The law for one body under one gravity.
+    pub fn new(k: Parameters<T>, friction: F) -> Self {
+        Sliding {
+            k,
+            friction,
+            sideways_mobility: k.sideways_mobility(),
+        }
+    }
+
+    /// The friction at a slip.
+    pub(crate) fn friction(&self) -> &F {
+        &self.friction
+    }
+
+    /// The table's force, and φ̈ times sin φ.
+    fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
+        let k = &self.k;
+        let (rho, z) = (k.rho(u), k.z(u));
+        let Pull { per_normal, own } = pull;
+        let eta = rho - per_normal[0] * z;
+        let turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s) + u.sin * own[0] * z;
+        let pressing = u.sin * (k.g - z * u.p * u.p);
+        let inertia = k.a + k.m * rho * eta;
+        let normal = k.m * (k.a * pressing + rho * turning) / inertia;
+        let contact = Contact {
+            along: normal * per_normal[0] + u.sin * own[0],
+            across: normal * per_normal[1] + u.sin * own[1],
+            normal,
+        };
+        (contact, (turning - k.m * pressing * eta) / inertia)
+    }
+
+    fn accelerations(&self, u: &Coordinates<T>, contact: &Contact<T>, dp: T) -> Accelerations<T> {
+        let k = &self.k;
+        let Contact { along, across, .. } = *contact;
+        let spun = u.sin * (k.c / k.a) * u.p * u.s;
+        let carried = u.slip_y + k.r * u.s - k.h * u.w;
+        Accelerations {
+            p: dp,
+            w: spun + k.h * across / k.a - u.w * u.p * u.cos,
+            s: -k.r * across / k.c,
+            slip: [
+                u.w * carried + u.sin * k.rho(u) * u.p * u.p + k.z(u) * dp + along / k.m,
+                u.sin * k.r * u.w * u.p - u.w * u.slip_x
+                    + k.h * spun
+                    + across * self.sideways_mobility,
+            ],
+        }
+    }
+
+    /// The rates under a friction that is given rather than found from the slip.
+    pub(crate) fn rates_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> Coordinates<T> {
+        let (contact, dp) = self.forces(u, pull);
+        let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
+        Coordinates {
+            p,
+            w,
+            s,
+            slip_x: slip[0],
+            slip_y: slip[1],
+            friction_loss: -(contact.along * u.slip_x + contact.across * u.slip_y),
+            ..u.kinematics(self.center_velocity(u))
+        }
+    }
+
+    /// The table's force (times sin φ) under a friction that is given.
+    pub(crate) fn contact_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> Contact<T> {
+        self.forces(u, pull).0
+    }
+
+    /// [`Law::consistency`] under a friction that is given.
+    pub(crate) fn consistency_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
+        let k = &self.k;
+        let (rho, z) = (k.rho(u), k.z(u));
+        T::from(1.0) - k.m * rho * z * pull.per_normal[0] / (k.a + k.m * rho * rho)
+    }
+
+    fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
+        self.friction.pull([u.slip_x, u.slip_y])
+    }
+}
+
+impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
+    fn parameters(&self) -> &Parameters<T> {
+        &self.k
+    }
+
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        self.rates_under(u, &self.pull(u))
+    }
+
+    fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
+        self.contact_under(u, &self.pull(u))
+    }
+
+    fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
+        let [vx, vy] = self.k.rolling_velocity(u);
+        [vx + u.slip_x, vy + u.slip_y]
+    }
+
+    fn slip(&self, u: &Coordinates<T>) -> [T; 2] {
+        [u.slip_x, u.slip_y]
+    }
+
+    fn consistency(&self, u: &Coordinates<T>) -> T {
+        self.consistency_under(u, &self.pull(u))
+    }
+}

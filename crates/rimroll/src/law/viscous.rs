@@ -1,0 +1,21 @@
+//! Viscous friction: T = −c u, as of a rim on a film of oil that is as thick under any load.
+
+use super::{Friction, Pull};
+use crate::real::Real;
+
+/// The friction of a film.
+#[derive(Debug, Clone, Copy)]
+pub struct Viscous<T> {
+    /// c, N s/m.
+    pub coefficient: T,
+}
+
+impl<T: Real> Friction<T> for Viscous<T> {
+    fn pull(&self, slip: [T; 2]) -> Pull<T> {
+        let zero = T::from(0.0);
+        Pull {
+            per_normal: [zero, zero],
+            own: [-self.coefficient * slip[0], -self.coefficient * slip[1]],
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The mechanics of one phase as the solver sees it.
+
+use crate::law::Law;
+use crate::solve::System;
+use crate::state::{COORDINATES, Coordinates, MOVING};
+
+/// A law, and the sizes that errors are compared with.
+pub(super) struct Mechanics<'a> {
+    pub law: &'a dyn Law<f64>,
+    mass: f64,
+    radius: f64,
+    /// √(g/R): the rate of falling, a yardstick for rates.
+    pub falling_rate: f64,
+    changing: usize,
+}
+
+impl<'a> Mechanics<'a> {
+    pub(super) fn new(law: &'a dyn Law<f64>) -> Self {
+        let k = law.parameters();
+        Mechanics {
+            law,
+            mass: k.m,
+            radius: k.r,
+            falling_rate: (k.g / k.r).sqrt(),
+            changing: if law.only_moves() {
+                MOVING
+            } else {
+                COORDINATES
+            },
+        }
+    }
+
+    /// A rate (rad/s) to compare the tilt rate with.
+    pub(super) fn tilt_rate_scale(&self, u: &Coordinates<f64>) -> f64 {
+        u.p.abs() + u.w.abs() + u.sin * self.falling_rate
+    }
+}
+
+impl System<COORDINATES> for Mechanics<'_> {
+    fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
+        self.law.rates(&Coordinates::from_array(u)).into_array()
+    }
+
+    /// w and s obey linear equations and pass through the tipping phase as small as the start made
+    /// them, to become large in the collision; so each is held to its own size, with a floor of what
+    /// the other one feeds into it. sin φ is held to its own size for the same reason. The slip
+    /// across e_x1 is fed by w; a slow slip is about to begin or to end, and its direction matters less
+    /// the slower it is.
+    fn scale(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
+        const NEVER_ZERO: f64 = 1e-200;
+        let u = Coordinates::from_array(u);
+        let tilting = self.tilt_rate_scale(&u);
+        let speed = u.slip_speed() + 1e-3 * self.radius * tilting;
+        let fallen = self.falling_rate * self.falling_rate;
+        let energy = self.mass
+            * self.radius
+            * self.radius
+            * (tilting * tilting + u.s * u.s + u.sin * fallen);
+        Coordinates {
+            yaw: 1.0,
+            spin: 1.0,
+            x: self.radius,
+            y: self.radius,
+            t: 1.0 / self.falling_rate,
+            sin: u.sin + NEVER_ZERO,
+            cos: 1.0,
+            p: tilting,
+            w: u.w.abs() + u.sin * u.s.abs() + NEVER_ZERO,
+            s: u.s.abs() + u.sin * u.w.abs() + NEVER_ZERO,
+            slip_x: speed,
+            slip_y: u.slip_y.abs() + speed * u.w.abs() / tilting + NEVER_ZERO,
+            gap: u.gap.abs() + 1e-6 * self.radius,
+            gap_rate: u.gap_rate.abs() + 1e-6 * self.radius * self.falling_rate,
+            friction_loss: energy,
+            resistance_loss: energy,
+            impact_loss: energy,
+        }
+        .into_array()
+    }
+
+    fn changing(&self) -> usize {
+        self.changing
+    }
+}

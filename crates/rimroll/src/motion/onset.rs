@@ -1,0 +1,324 @@
+//! Slow slip under dry friction, above all as it begins out of rest.
+//!
+//! At first the slip u = r e is so small that its direction e follows the forces at once: with
+//! e turned by δ from where it set out,
+//!
+//! ```text
+//! r δ′ = (u′ across e),    r′ = (u′ along e)
+//! ```
+//!
+//! where the first is stiff without bound as r → 0 (and r = 0 is where it starts; r grows like t²
+//! when the friction is just exceeded). So r and δ are carried instead of the slip's components, and
+//! steps are made by collocation: Newton's method for δ, simple iteration for everything else. Once
+//! explicit steps can follow, they take over.
+
+use super::contacts::{DrySliding, turned};
+use super::mechanics::Mechanics;
+use crate::solve::{Collocation, Dense, POINTS, System, solved};
+use crate::state::{COORDINATES, Coordinates};
+
+/// Explicit steps can follow a direction that relaxes this many times in a step.
+const FOLLOWED: f64 = 40.0;
+
+const MOST_STEPS: usize = 400;
+
+/// The steps of an onset and a length for the next one.
+pub(super) struct Onset {
+    /// From the first slip on; empty when no slip grows from here.
+    pub steps: Vec<Dense<COORDINATES>>,
+    /// A first guess for the explicit step that follows.
+    pub h: f64,
+}
+
+/// The coordinates with their slip in polar form.
+#[derive(Clone, Copy)]
+struct Polar {
+    /// Its slip is not used.
+    at: Coordinates<f64>,
+    speed: f64,
+    /// δ, from the direction in which the slip began.
+    turn: f64,
+}
+
+/// Rates at a point: r′ takes the place of the slip's rates.
+#[derive(Clone, Copy)]
+struct Rates {
+    at: [f64; COORDINATES],
+    speed: f64,
+    /// r δ′.
+    sideways: f64,
+    /// Its derivative by δ.
+    slope: f64,
+}
+
+struct Beginning<'a> {
+    dry: &'a DrySliding,
+    mechanics: &'a Mechanics<'a>,
+    direction: [f64; 2],
+    method: Collocation,
+    tolerance: f64,
+}
+
+/// A step with its error, over what is tolerated, and how often δ relaxes in a step as long.
+struct Found {
+    step: Dense<COORDINATES>,
+    end: Polar,
+    error: f64,
+    relaxation: f64,
+}
+
+/// Follows a slip in a direction (unit vector), from rest or from the slip that there is, until
+/// explicit steps can; `h` is a first guess for the length of a step.
+pub(super) fn begin(
+    dry: &DrySliding,
+    mechanics: &Mechanics<'_>,
+    start: &Coordinates<f64>,
+    direction: [f64; 2],
+    h: f64,
+    tolerance: f64,
+) -> Onset {
+    let beginning = Beginning {
+        dry,
+        mechanics,
+        direction,
+        method: Collocation::new(),
+        tolerance,
+    };
+    let mut at = Polar {
+        at: *start,
+        speed: start.slip_speed(),
+        turn: 0.0,
+    };
+    let mut onset = Onset {
+        steps: Vec::new(),
+        h,
+    };
+    if at.speed > 0.0 && h * beginning.rates(&at).slope.abs() < FOLLOWED * at.speed {
+        return onset;
+    }
+    let least = 1e-12 * h;
+    let mut h = h;
+    while onset.steps.len() < MOST_STEPS && h > least {
+        match beginning.step(&at, h) {
+            Some(found) if found.error <= 1.0 => {
+                onset.steps.push(found.step);
+                at = found.end;
+                let grow = (0.8 / libm::pow(found.error.max(1e-9), 1.0 / 7.0)).clamp(0.3, 4.0);
+                onset.h = h / found.relaxation.max(1.0);
+                if found.relaxation * grow < FOLLOWED {
+                    break;
+                }
+                h *= grow;
+            }
+            Some(found) => h *= (0.8 / libm::pow(found.error, 1.0 / 7.0)).clamp(0.1, 0.5),
+            None => h *= 0.25,
+        }
+    }
+    onset
+}
+
+impl Beginning<'_> {
+    fn direction(&self, turn: f64) -> [f64; 2] {
+        turned(self.direction, turn)
+    }
+
+    /// The coordinates with their slip put in.
+    fn whole(&self, polar: &Polar) -> Coordinates<f64> {
+        let e = self.direction(polar.turn);
+        Coordinates {
+            slip_x: polar.speed * e[0],
+            slip_y: polar.speed * e[1],
+            ..polar.at
+        }
+    }
+
+    /// (rates, r′, r δ′)
+    fn accelerations(&self, polar: &Polar) -> (Coordinates<f64>, f64, f64) {
+        let e = self.direction(polar.turn);
+        let u = self.whole(polar);
+        let sliding = self.dry.law();
+        let pull = sliding.friction().against(e);
+        let normal = sliding.contact_under(&u, &pull).normal;
+        let rates = self.dry.resist(&u, sliding.rates_under(&u, &pull), normal);
+        let forward = rates.slip_x * e[0] + rates.slip_y * e[1];
+        let sideways = rates.slip_y * e[0] - rates.slip_x * e[1];
+        (rates, forward, sideways)
+    }
+
+    fn rates(&self, polar: &Polar) -> Rates {
+        const NUDGE: f64 = 1e-5;
+        let (rates, speed, sideways) = self.accelerations(polar);
+        let beside = |nudge: f64| {
+            let turn = polar.turn + nudge;
+            self.accelerations(&Polar { turn, ..*polar }).2
+        };
+        Rates {
+            at: Coordinates {
+                slip_x: 0.0,
+                slip_y: 0.0,
+                ..rates
+            }
+            .into_array(),
+            speed,
+            sideways,
+            slope: (beside(NUDGE) - beside(-NUDGE)) / (2.0 * NUDGE),
+        }
+    }
+
+    /// A step of length h; none where the iteration does not settle or the slip does not last.
+    fn step(&self, start: &Polar, h: f64) -> Option<Found> {
+        const MOST_ROUNDS: usize = 60;
+        let first = self.rates(start);
+        let mut points = crate::solve::RADAU.map(|c| self.moved(start, &first, c * h));
+        let mut rates = points.map(|point| self.rates(&point));
+        let mut last_change = f64::INFINITY;
+        for round in 0..MOST_ROUNDS {
+            let turns = self.turn_rates(start, &points, &rates, h);
+            let next = self.integrated(start, &rates, &turns, h);
+            let change = self.change(&points, &next);
+            points = next;
+            if round > 0 && points.iter().any(|point| point.speed <= 0.0) {
+                return None;
+            }
+            if change <= 0.02 * self.tolerance {
+                return Some(self.found(start, &points, &rates, &turns, h));
+            }
+            // Rounding keeps the last changes from getting smaller.
+            if round > 8 && change > 0.5 * last_change {
+                let settled = change <= 4.0 * self.tolerance;
+                return settled.then(|| self.found(start, &points, &rates, &turns, h));
+            }
+            last_change = change;
+            rates = points.map(|point| self.rates(&point));
+        }
+        None
+    }
+
+    fn moved(&self, start: &Polar, rates: &Rates, h: f64) -> Polar {
+        let from = start.at.into_array();
+        let at = core::array::from_fn(|i| from[i] + h * rates.at[i]);
+        Polar {
+            at: Coordinates::from_array(&at),
+            speed: (start.speed + h * rates.speed).max(0.0),
+            turn: start.turn,
+        }
+    }
+
+    /// δ′ at the points, from r δ′ = sideways + slope · (change of δ), which is linear in them.
+    fn turn_rates(
+        &self,
+        start: &Polar,
+        points: &[Polar; POINTS],
+        rates: &[Rates; POINTS],
+        h: f64,
+    ) -> [f64; POINTS] {
+        let mut matrix = [[0.0; POINTS]; POINTS];
+        let mut right = [0.0; POINTS];
+        for i in 0..POINTS {
+            let slope = rates[i].slope;
+            for j in 0..POINTS {
+                matrix[i][j] = -slope * h * self.method.integral[i][j];
+            }
+            matrix[i][i] += points[i].speed;
+            right[i] = rates[i].sideways + slope * (start.turn - points[i].turn);
+        }
+        // Exactly in a plane there is nothing to turn.
+        if right == [0.0; POINTS] {
+            return right;
+        }
+        solved(matrix, right)
+    }
+
+    fn integrated(
+        &self,
+        start: &Polar,
+        rates: &[Rates; POINTS],
+        turns: &[f64; POINTS],
+        h: f64,
+    ) -> [Polar; POINTS] {
+        let from = start.at.into_array();
+        self.method.integral.map(|row| {
+            let mut at = from;
+            let (mut speed, mut turn) = (start.speed, start.turn);
+            for (j, weight) in row.into_iter().enumerate() {
+                let weight = h * weight;
+                for i in 0..COORDINATES {
+                    at[i] += weight * rates[j].at[i];
+                }
+                speed += weight * rates[j].speed;
+                turn += weight * turns[j];
+            }
+            Polar {
+                at: Coordinates::from_array(&at),
+                speed,
+                turn,
+            }
+        })
+    }
+
+    /// The largest change of the points, each coordinate by its own size.
+    fn change(&self, before: &[Polar; POINTS], after: &[Polar; POINTS]) -> f64 {
+        let sizes = self.sizes(after);
+        let mut change: f64 = 0.0;
+        for (a, b) in before.iter().zip(after) {
+            let (x, y) = (a.at.into_array(), b.at.into_array());
+            for i in 0..COORDINATES {
+                change = change.max((x[i] - y[i]).abs() / sizes.at[i]);
+            }
+            change = change.max((a.speed - b.speed).abs() / sizes.speed);
+            change = change.max((a.turn - b.turn).abs() / sizes.turn);
+        }
+        change
+    }
+
+    fn sizes(&self, points: &[Polar; POINTS]) -> Sizes {
+        const NEVER_ZERO: f64 = 1e-200;
+        let end = self.whole(&points[POINTS - 1]);
+        let at = self.mechanics.scale(&end.into_array());
+        let turn = points.iter().map(|point| point.turn.abs());
+        Sizes {
+            speed: Coordinates::from_array(&at).slip_x,
+            at,
+            turn: turn.fold(self.direction[1].abs() + NEVER_ZERO, f64::max),
+        }
+    }
+
+    fn found(
+        &self,
+        start: &Polar,
+        points: &[Polar; POINTS],
+        rates: &[Rates; POINTS],
+        turns: &[f64; POINTS],
+        h: f64,
+    ) -> Found {
+        let sizes = self.sizes(points);
+        let states = points.map(|point| self.whole(&point).into_array());
+        let step = self
+            .method
+            .through(h, &self.whole(start).into_array(), &states);
+        // What the highest power contributes bounds what those left out do.
+        let of_highest = |value: &dyn Fn(usize) -> f64, size: f64| {
+            let coefficient: f64 = (0..POINTS).map(|j| self.method.last[j] * value(j)).sum();
+            (0.05 * h * coefficient / size).abs()
+        };
+        let mut error: f64 =
+            of_highest(&|j| rates[j].speed, sizes.speed).max(of_highest(&|j| turns[j], sizes.turn));
+        for i in 0..COORDINATES {
+            error = error.max(of_highest(&|j| rates[j].at[i], sizes.at[i]));
+        }
+        let end = points[POINTS - 1];
+        Found {
+            step,
+            error: error / self.tolerance,
+            relaxation: h * rates[POINTS - 1].slope.abs() / end.speed,
+            end,
+        }
+    }
+}
+
+/// What to compare changes with.
+struct Sizes {
+    at: [f64; COORDINATES],
+    speed: f64,
+    turn: f64,
+}

@@ -1,0 +1,310 @@
+//! The phases of a motion, one after another.
+
+use super::contacts::{Contacts, Next, Phase};
+use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
+use super::mechanics::Mechanics;
+use super::track::{Instant, Track};
+use super::{FACE_DOWN_TILT, Options, Status, onset};
+use crate::solve::{Stepper, Work};
+use crate::state::Coordinates;
+use core::f64::consts::PI;
+use core::ops::ControlFlow;
+
+/// So many phases of no length one after another are no motion.
+const MOST_EMPTY_PHASES: usize = 30;
+
+/// What follows a phase.
+enum Then {
+    Phase(Phase, Begin),
+    End(Status),
+}
+
+/// How a phase begins: where, and a slip from rest in which direction.
+struct Begin {
+    u: Coordinates<f64>,
+    direction: Option<[f64; 2]>,
+}
+
+/// What ends a phase.
+enum Over {
+    By(Switch),
+    For(Status),
+}
+
+/// A motion in the making.
+pub(super) struct Run<'a> {
+    contacts: &'a Contacts,
+    options: &'a Options,
+    watch: Watch<'a>,
+    track: Track,
+    work: Work,
+    next: Then,
+    empty_phases: usize,
+}
+
+impl<'a> Run<'a> {
+    pub(super) fn new(
+        contacts: &'a Contacts,
+        options: &'a Options,
+        goal: Goal,
+        start: Coordinates<f64>,
+    ) -> Self {
+        let next = contacts.settle(&start);
+        let phase = match next {
+            Next::Roll => Phase::Rolling,
+            Next::Fly => Phase::Flying,
+            Next::Slide | Next::BeginToSlip(_) | Next::Paradox => Phase::Sliding,
+        };
+        let first = Instant { phase, u: start };
+        let mut run = Run {
+            contacts,
+            options,
+            watch: Watch::new(contacts, options, goal, &first),
+            track: Track::new(first),
+            work: Work::default(),
+            next: Then::End(Status::Failed),
+            empty_phases: 0,
+        };
+        run.next = match run.watch.at_start(&first) {
+            Some(switch) => run.after(switch, &first),
+            None => run.going_on(next, start),
+        };
+        run
+    }
+
+    /// Follows the motion to its end.
+    pub(super) fn to_the_end(&mut self, mut report: impl FnMut(f64) -> ControlFlow<()>) -> Status {
+        loop {
+            match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
+                Then::End(status) => return status,
+                Then::Phase(phase, begin) => {
+                    self.next = match self.follow(phase, &begin, &mut report) {
+                        Over::By(switch) => self.after(switch, &self.track.end()),
+                        Over::For(status) => Then::End(status),
+                    }
+                }
+            }
+        }
+    }
+
+    pub(super) fn into_parts(self) -> (Track, Vec<Event>, Work) {
+        (self.track, self.watch.into_events(), self.work)
+    }
+
+    /// Follows one phase to its end.
+    fn follow(
+        &mut self,
+        phase: Phase,
+        begin: &Begin,
+        report: &mut impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Over {
+        let contacts = self.contacts;
+        let mechanics = Mechanics::new(contacts.law(phase));
+        let (start, h) = match self.slip_slowly(&mechanics, phase, begin) {
+            ControlFlow::Continue(begun) => begun,
+            ControlFlow::Break(over) => return over,
+        };
+        let tolerance = self.options.step_tolerance();
+        let mut stepper = Stepper::new(&mechanics, start.into_array(), h, tolerance);
+        let before = self.work;
+        loop {
+            if self.work.steps >= self.options.max_steps {
+                return Over::For(Status::Failed);
+            }
+            if self.work.steps % 4096 == 4095 && report(self.track.end().t).is_break() {
+                return Over::For(Status::Interrupted);
+            }
+            let Ok(step) = stepper.advance() else {
+                return Over::For(Status::Failed);
+            };
+            self.work = before + stepper.work;
+            let dense = step.clone().dense(&mechanics);
+            let h = dense.h;
+            let piece = Piece {
+                dense,
+                step: Some(step),
+            };
+            if let Some(switch) = self.watch.pass(phase, &piece, &mut self.track) {
+                return self.over_by(switch, h);
+            }
+            self.empty_phases = 0;
+        }
+    }
+
+    /// Refuses to turn on the spot for ever.
+    fn over_by(&mut self, switch: Switch, step: f64) -> Over {
+        if self.track.last_step() > 1e-9 * step {
+            self.empty_phases = 0;
+        } else {
+            self.empty_phases += 1;
+        }
+        if self.empty_phases > MOST_EMPTY_PHASES {
+            return Over::For(Status::Failed);
+        }
+        Over::By(switch)
+    }
+
+    /// The part of a phase in which dry slip is too slow for explicit steps: from where they can go on,
+    /// and with what step.
+    fn slip_slowly(
+        &mut self,
+        mechanics: &Mechanics<'_>,
+        phase: Phase,
+        begin: &Begin,
+    ) -> ControlFlow<Over, (Coordinates<f64>, f64)> {
+        let h = first_step(mechanics, &begin.u);
+        let Some(dry) = self.contacts.dry().filter(|_| phase == Phase::Sliding) else {
+            return ControlFlow::Continue((begin.u, h));
+        };
+        let tolerance = self.options.step_tolerance();
+        let speed = begin.u.slip_speed();
+        let direction = begin
+            .direction
+            .unwrap_or_else(|| [begin.u.slip_x / speed, begin.u.slip_y / speed]);
+        let slow = onset::begin(dry, mechanics, &begin.u, direction, 10.0 * h, tolerance);
+        if slow.steps.is_empty() {
+            return if begin.direction.is_some() {
+                // A slip that was to begin does not grow.
+                ControlFlow::Break(Over::For(Status::Failed))
+            } else {
+                ControlFlow::Continue((begin.u, h))
+            };
+        }
+        for dense in slow.steps {
+            self.work.steps += 1;
+            let piece = Piece { dense, step: None };
+            if let Some(switch) = self.watch.pass(Phase::Sliding, &piece, &mut self.track) {
+                return ControlFlow::Break(Over::By(switch));
+            }
+        }
+        ControlFlow::Continue((self.track.end().u, slow.h))
+    }
+
+    /// What follows the switch at which a phase has ended.
+    fn after(&mut self, switch: Switch, at: &Instant) -> Then {
+        let end = |run: &mut Self, kind, status| {
+            run.watch.note(kind, *at);
+            Then::End(status)
+        };
+        match switch {
+            Switch::Done => Then::End(Status::Finished),
+            Switch::Topple => end(self, EventKind::Topple, Status::Toppled),
+            Switch::Rest => end(self, EventKind::Rest, Status::AtRest),
+            Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
+            Switch::Flat if at.phase == Phase::Flying => {
+                let begin = Begin {
+                    u: past_upright(at),
+                    direction: None,
+                };
+                Then::Phase(Phase::Flying, begin)
+            }
+            Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
+            Switch::LiftOff if !self.contacts.can_fly() => {
+                end(self, EventKind::LiftOff, Status::LiftedOff)
+            }
+            Switch::LiftOff => self.going_on(Next::Fly, at.u),
+            Switch::Break => {
+                let next = self.contacts.begin_to_slip(at);
+                self.going_on(next, at.u)
+            }
+            Switch::Stop => {
+                let stopped = stopped(&Mechanics::new(self.contacts.law(at.phase)), at);
+                let next = self.contacts.settle(&stopped);
+                self.going_on(next, stopped)
+            }
+            Switch::Land => {
+                let (landed, next) = self.contacts.land(at);
+                let phase = match next {
+                    Next::Fly => Phase::Flying,
+                    Next::Roll => Phase::Rolling,
+                    _ => Phase::Sliding,
+                };
+                self.watch.note_landing(Instant { phase, u: landed });
+                self.going_on(next, landed)
+            }
+        }
+    }
+
+    /// Begins the phase that is next, at `u`, and notes that the contact changes.
+    fn going_on(&mut self, next: Next, u: Coordinates<f64>) -> Then {
+        let before = self.track.end().phase;
+        let (phase, kind) = match next {
+            Next::Roll => (Phase::Rolling, EventKind::Stick),
+            Next::Slide | Next::BeginToSlip(_) => (Phase::Sliding, EventKind::Slip),
+            Next::Fly => (Phase::Flying, EventKind::LiftOff),
+            Next::Paradox => {
+                let phase = Phase::Sliding;
+                self.watch.note(EventKind::Painleve, Instant { phase, u });
+                return Then::End(Status::Painleve);
+            }
+        };
+        if phase != before {
+            self.watch.note(kind, Instant { phase, u });
+        }
+        let direction = match next {
+            Next::BeginToSlip(direction) => Some(direction),
+            _ => None,
+        };
+        Then::Phase(phase, Begin { u, direction })
+    }
+}
+
+/// A first guess for the length of a step.
+fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
+    let rate = u.p.abs() + u.w.abs() + u.s.abs() + mechanics.falling_rate;
+    let h = 0.01 / rate;
+    if u.gap_rate > 0.0 {
+        // A bounce lasts 2v/g or so.
+        let g = mechanics.law.parameters().g;
+        return h.min(0.1 * u.gap_rate / (g * u.sin));
+    }
+    h
+}
+
+/// The end of a slip: the last 1e-12 of it go at the rate at which it stops.
+fn stopped(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Coordinates<f64> {
+    let rates = mechanics.law.rates(at);
+    let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y) / at.slip_speed();
+    let h = if stopping > 0.0 {
+        at.slip_speed() / stopping
+    } else {
+        0.0
+    };
+    Coordinates {
+        slip_x: 0.0,
+        slip_y: 0.0,
+        ..at.plus(h, &rates)
+    }
+}
+
+/// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
+/// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides.
+fn past_upright(u: &Coordinates<f64>) -> Coordinates<f64> {
+    Coordinates {
+        yaw: u.yaw + PI,
+        spin: u.spin - PI,
+        sin: FACE_DOWN_TILT,
+        p: -u.p,
+        w: -u.w,
+        slip_x: -u.slip_x,
+        slip_y: -u.slip_y,
+        ..*u
+    }
+}
+
+/// Follows the near-collision by itself, where sin φ = 0 and time stands still: from `start` until |w|
+/// has fallen to `faded` (rad/s) as the body rises.
+pub(crate) fn pass_near_collision(
+    contacts: &Contacts,
+    start: Coordinates<f64>,
+    faded: f64,
+    rtol: f64,
+) -> (Track, Status) {
+    let options = Options {
+        rtol,
+        ..Options::default()
+    };
+    let mut run = Run::new(contacts, &options, Goal::Passed(faded), start);
+    let status = run.to_the_end(|_| ControlFlow::Continue(()));
+    (run.track, status)
+}

@@ -1,0 +1,42 @@
+//! A finished step as a polynomial: dense output.
+
+use super::root;
+
+/// A step that can be evaluated at any fraction x in [0, 1].
+#[derive(Debug, Clone)]
+pub struct Dense<const N: usize> {
+    /// The step's length.
+    pub h: f64,
+    /// State at x = 0.
+    pub start: [f64; N],
+    /// State at x = 1.
+    pub end: [f64; N],
+    /// c₀ … c₆ of the rise x (c₀ + (1 − x) (c₁ + x (c₂ + (1 − x) (c₃ + …)))).
+    pub(super) coefficients: [[f64; N]; 7],
+}
+
+impl<const N: usize> Dense<N> {
+    /// The state at the fraction x.
+    pub fn at(&self, x: f64) -> [f64; N] {
+        core::array::from_fn(|i| self.component(i, x))
+    }
+
+    /// One component of the state at the fraction x.
+    pub fn component(&self, i: usize, x: f64) -> f64 {
+        let mut sum = 0.0;
+        for (j, coefficient) in self.coefficients.iter().enumerate().rev() {
+            sum = (sum + coefficient[i]) * if j % 2 == 0 { x } else { 1.0 - x };
+        }
+        self.start[i] + sum
+    }
+
+    /// The fraction between `from` and `to` where `function` of the state changes sign.
+    pub fn root(&self, from: f64, to: f64, function: impl Fn(&[f64; N]) -> f64) -> f64 {
+        root::bracketed(from, to, |x| function(&self.at(x)))
+    }
+
+    /// The fraction at which a component that grows over the step has the given value.
+    pub fn where_component(&self, i: usize, value: f64) -> f64 {
+        root::bracketed(0.0, 1.0, |x| self.component(i, x) - value)
+    }
+}

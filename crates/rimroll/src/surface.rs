@@ -1,0 +1,243 @@
+//! What the table is like: its friction, how bodies rebound from it, and what resists their rolling.
+
+use crate::error::{InvalidInput, bounded, not_negative, positive};
+use crate::law::{AirDrag, IdealLaw, PivotingFriction, Resistance, RollingResistance};
+
+/// Friction between rim and table, with its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FrictionLaw {
+    /// The rim never slips.
+    NoSlip,
+    /// The table only pushes upward.
+    Frictionless,
+    /// Dry friction: the rim sticks while |T| ≤ μ_s N, and slips under |T| = μN against the slip.
+    Coulomb {
+        /// μ.
+        friction: f64,
+        /// μ_s ≥ μ.
+        static_friction: f64,
+    },
+    /// T = −c u.
+    Viscous {
+        /// c, N s/m.
+        coefficient: f64,
+    },
+    /// Dry friction made smooth, falling from static to kinetic (see [`Stribeck`](crate::law::Stribeck)).
+    Stribeck {
+        /// μ_k.
+        friction: f64,
+        /// μ_s ≥ μ_k.
+        static_friction: f64,
+        /// v_s, m/s.
+        stribeck_speed: f64,
+        /// v₀, m/s.
+        creep_speed: f64,
+    },
+}
+
+impl FrictionLaw {
+    /// The names that a user types, in the order in which they are listed.
+    pub const NAMES: [&str; 5] = ["no_slip", "frictionless", "coulomb", "viscous", "stribeck"];
+
+    /// Dry friction with one coefficient for sticking and slipping.
+    pub fn coulomb(friction: f64) -> Self {
+        FrictionLaw::Coulomb {
+            friction,
+            static_friction: friction,
+        }
+    }
+
+    /// The name that a user types.
+    pub fn name(&self) -> &'static str {
+        match self {
+            FrictionLaw::NoSlip => "no_slip",
+            FrictionLaw::Frictionless => "frictionless",
+            FrictionLaw::Coulomb { .. } => "coulomb",
+            FrictionLaw::Viscous { .. } => "viscous",
+            FrictionLaw::Stribeck { .. } => "stribeck",
+        }
+    }
+
+    /// The ideal law that this is, if it is one.
+    pub fn ideal(&self) -> Option<IdealLaw> {
+        match self {
+            FrictionLaw::NoSlip => Some(IdealLaw::NoSlip),
+            FrictionLaw::Frictionless => Some(IdealLaw::Frictionless),
+            _ => None,
+        }
+    }
+
+    /// The friction in a landing: none where friction is no part of the weight.
+    pub(crate) fn friction_in_impact(&self) -> f64 {
+        match *self {
+            FrictionLaw::Coulomb { friction, .. } | FrictionLaw::Stribeck { friction, .. } => {
+                friction
+            }
+            FrictionLaw::Viscous { .. } | FrictionLaw::NoSlip | FrictionLaw::Frictionless => 0.0,
+        }
+    }
+
+    fn check(&self) -> Result<(), InvalidInput> {
+        match *self {
+            FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
+            FrictionLaw::Viscous { coefficient } => {
+                not_negative("coefficient", coefficient, "N s/m")?;
+            }
+            FrictionLaw::Coulomb {
+                friction,
+                static_friction,
+            } => check_coefficients(friction, static_friction)?,
+            FrictionLaw::Stribeck {
+                friction,
+                static_friction,
+                stribeck_speed,
+                creep_speed,
+            } => {
+                check_coefficients(friction, static_friction)?;
+                positive("stribeck_speed", stribeck_speed, "m/s")?;
+                positive("creep_speed", creep_speed, "m/s")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_coefficients(friction: f64, static_friction: f64) -> Result<(), InvalidInput> {
+    const MOST: f64 = 1e6;
+    let sensible = |f: f64| (0.0..=MOST).contains(&f);
+    bounded("friction", friction, sensible, "between 0 and 1e6", "")?;
+    bounded(
+        "static",
+        static_friction,
+        |f| (friction..=MOST).contains(&f),
+        &format!("between friction = {friction} and 1e6"),
+        "",
+    )?;
+    Ok(())
+}
+
+impl From<IdealLaw> for FrictionLaw {
+    fn from(law: IdealLaw) -> Self {
+        match law {
+            IdealLaw::NoSlip => FrictionLaw::NoSlip,
+            IdealLaw::Frictionless => FrictionLaw::Frictionless,
+        }
+    }
+}
+
+/// All that a motion needs to know of the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface {
+    /// Friction on the rim.
+    pub friction: FrictionLaw,
+    /// e of a landing after flight: the part e² of the work done in compressing the contact comes back
+    /// (W. J. Stronge's energetic coefficient). The two ideal laws know no flight: their
+    /// motions end where the rim would lift off.
+    pub restitution: f64,
+    /// What wears the motion down besides.
+    pub resistance: Resistance,
+}
+
+impl<F: Into<FrictionLaw>> From<F> for Surface {
+    fn from(friction: F) -> Self {
+        Surface {
+            friction: friction.into(),
+            restitution: 0.0,
+            resistance: Resistance::default(),
+        }
+    }
+}
+
+impl Surface {
+    /// A surface from the name of its friction law and its numbers by name, as users write them:
+    /// `friction`, `static` (the same as `friction` unless given), `coefficient`, `stribeck_speed`,
+    /// `creep_speed`, `restitution`, `rolling_dry`, `rolling_viscous`, `pivoting_length`,
+    /// `air_coefficient`, `air_exponent`. What is not given is 0.
+    ///
+    /// # Errors
+    /// Refuses an unknown name and what [`Surface::check`] refuses.
+    pub fn named(law: &str, numbers: &[(String, f64)]) -> Result<Surface, InvalidInput> {
+        let given = |name: &str| numbers.iter().find(|(n, _)| n == name).map(|&(_, v)| v);
+        let number = |name: &str| given(name).unwrap_or(0.0);
+        let friction = number("friction");
+        let static_friction = given("static").unwrap_or(friction);
+        let friction = match law.replace('-', "_").as_str() {
+            "no_slip" => FrictionLaw::NoSlip,
+            "frictionless" => FrictionLaw::Frictionless,
+            "coulomb" => FrictionLaw::Coulomb {
+                friction,
+                static_friction,
+            },
+            "viscous" => FrictionLaw::Viscous {
+                coefficient: number("coefficient"),
+            },
+            "stribeck" => FrictionLaw::Stribeck {
+                friction,
+                static_friction,
+                stribeck_speed: number("stribeck_speed"),
+                creep_speed: number("creep_speed"),
+            },
+            _ => {
+                return Err(InvalidInput::UnknownName {
+                    what: "law",
+                    name: law.to_owned(),
+                    choices: FrictionLaw::NAMES.join(", "),
+                });
+            }
+        };
+        let surface = Surface {
+            friction,
+            restitution: number("restitution"),
+            resistance: Resistance {
+                rolling: RollingResistance {
+                    dry: number("rolling_dry"),
+                    viscous: number("rolling_viscous"),
+                },
+                pivoting: PivotingFriction {
+                    length: number("pivoting_length"),
+                },
+                air: AirDrag {
+                    coefficient: number("air_coefficient"),
+                    exponent: given("air_exponent").unwrap_or(AirDrag::default().exponent),
+                },
+            },
+        };
+        surface.check()?;
+        Ok(surface)
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// Names the first that is out of bounds: coefficients of friction from 0 to 1e6 and the static
+    /// one not below the other, restitution from 0 to 1, everything else not negative, exponents of
+    /// air drag from 1.5 to 8.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        self.friction.check()?;
+        let unit = |e: f64| (0.0..=1.0).contains(&e);
+        bounded("restitution", self.restitution, unit, "between 0 and 1", "")?;
+        let Resistance {
+            rolling,
+            pivoting,
+            air,
+        } = self.resistance;
+        not_negative("rolling_resistance dry", rolling.dry, "")?;
+        not_negative("rolling_resistance viscous", rolling.viscous, "N s/m")?;
+        not_negative("pivoting_friction", pivoting.length, "m")?;
+        not_negative("air_drag", air.coefficient, "W (s/rad)^exponent")?;
+        let moderate = |n: f64| (1.5..=8.0).contains(&n);
+        bounded(
+            "air_drag exponent",
+            air.exponent,
+            moderate,
+            "between 1.5 and 8",
+            "",
+        )?;
+        Ok(())
+    }
+
+    /// Whether a motion on this table loses energy to a resistance.
+    pub(crate) fn resists(&self) -> bool {
+        !self.resistance.is_none()
+    }
+}

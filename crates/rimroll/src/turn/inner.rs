@@ -1,0 +1,258 @@
+//! The limiting turn under any friction: the near-collision by itself, computed.
+//!
+//! As ε → 0 the near-collision happens in no time and at no tilt. Gravity and the gyroscopic terms,
+//! everything with a factor sin φ, vanish beside the rest; what is left are the equations of motion at
+//! sin φ = 0, cos φ = 1, on the clock τ (′ = φ d/dt). They know no tilt and no time: an orbit from
+//! (φ̇, φψ̇) = (−ω, 0), the end of the tipping phase, to (φ̇_out, 0), the beginning of the rise. The turn
+//! is all the yaw on the way. So the limit comes from the same laws, phases and steps as every
+//! motion.
+//!
+//! It depends on the body and the friction, and on the slip and the spin with which the body arrives,
+//! relative to Hω and ω. For Coulomb friction μ ≥ μ* = mHR/(A + mH²) and a body that arrives at
+//! rest on its rim, it is the no-slip limit; for μ = 0 the frictionless one.
+
+use super::{needed_friction, turn_limit, turn_limit_with_spin};
+use crate::body::Body;
+use crate::error::{InvalidInput, finite, positive};
+use crate::law::IdealLaw;
+use crate::motion::{Contacts, Options, Status, pass_near_collision, simulate};
+use crate::state::{Coordinates, State};
+use crate::surface::{FrictionLaw, Surface};
+use core::ops::ControlFlow;
+
+/// How a body comes down on the table, at the end of its tipping phase.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arrival {
+    /// ω = −φ̇, rad/s.
+    pub tipping_rate: f64,
+    /// u, m/s: velocity of the rim's lowest point along e_x1, from it toward the base's centre.
+    pub slip: f64,
+    /// s, rad/s: about the symmetry axis, positive in the direction of the turn.
+    pub spin: f64,
+    /// The largest |T|/N on the way down: the friction that tipping without slip needs; NaN where it
+    /// is not known.
+    pub friction_ratio: f64,
+}
+
+impl Arrival {
+    /// At rest on the rim, without spin.
+    pub fn at_rest() -> Self {
+        Arrival {
+            tipping_rate: 1.0,
+            slip: 0.0,
+            spin: 0.0,
+            friction_ratio: f64::NAN,
+        }
+    }
+
+    /// How a body that is let go without any sideways motion arrives: the tipping phase of `start`,
+    /// whose yaw rate and spin rate are not used, in its limit ε → 0.
+    ///
+    /// # Errors
+    /// Refuses what [`simulate`] refuses, and a start from which the base does not come down flat.
+    pub fn of(
+        body: &Body,
+        start: &State,
+        surface: &Surface,
+        gravity: f64,
+    ) -> Result<Arrival, InvalidInput> {
+        let start = State {
+            yaw_rate: 0.0,
+            spin_rate: 0.0,
+            ..*start
+        };
+        let options = Options {
+            duration: 1e3,
+            gravity,
+            rtol: 1e-12,
+            ..Options::default()
+        };
+        let fall = simulate(body, &start, *surface, &options, |_| {
+            ControlFlow::Continue(())
+        })?;
+        if fall.status != Status::FaceDown {
+            return Err(InvalidInput::NoNearCollision {
+                why: format!("the tipping phase does not end flat: {}", fall.message),
+            });
+        }
+        let end = fall.track.end();
+        let ratio = |contact: crate::law::Contact<f64>| {
+            libm::hypot(contact.along, contact.across) / contact.normal
+        };
+        let ratios = fall
+            .track
+            .nodes()
+            .map(|at| ratio(fall.law(&at).contact(&at)));
+        Ok(Arrival {
+            tipping_rate: -end.p,
+            slip: fall.law(&end).slip(&end)[0],
+            spin: 0.0,
+            friction_ratio: ratios.fold(0.0, f64::max),
+        })
+    }
+
+    fn check(&self) -> Result<(), InvalidInput> {
+        positive("tipping_rate", self.tipping_rate, "rad/s")?;
+        finite("slip", self.slip)?;
+        finite("spin", self.spin)?;
+        Ok(())
+    }
+}
+
+/// What the near-collision makes of an arrival.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passage {
+    /// The limiting angle of turn, rad.
+    pub turn: f64,
+    /// φ̇ of the beginning rise, rad/s.
+    pub rising_rate: f64,
+    /// s of it, rad/s, positive in the direction of the turn: what makes the yaw drift on.
+    pub spin: f64,
+    /// Slip of it along e_x1 and e_y1, m/s.
+    pub slip: [f64; 2],
+    /// The part of the kinetic energy (of tipping, spin and slip) that friction takes.
+    pub loss: f64,
+}
+
+/// The limiting angle of turn, rad, on any surface (restitution and resistance do not enter: the
+/// first needs a flight, the second time to act). Closed forms where there are any, else the
+/// near-collision computed, good to 1e-8 rad.
+///
+/// # Errors
+/// Refuses an arrival with a tipping rate ≤ 0 or numbers that are not finite, and one whose
+/// near-collision does not pass: when the rim lifts off on the way, or meets Painlevé's paradox.
+pub fn turn_limit_of(
+    body: &Body,
+    friction: &FrictionLaw,
+    arrival: &Arrival,
+) -> Result<f64, InvalidInput> {
+    arrival.check()?;
+    let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
+    match *friction {
+        FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
+        // In no time a viscous force does nothing.
+        FrictionLaw::Frictionless | FrictionLaw::Viscous { .. } => {
+            Ok(turn_limit(body, IdealLaw::Frictionless))
+        }
+        FrictionLaw::Coulomb { friction, .. } if friction == 0.0 => {
+            Ok(turn_limit(body, IdealLaw::Frictionless))
+        }
+        FrictionLaw::Coulomb {
+            static_friction, ..
+        } if gentle && static_friction >= needed_friction(body) => {
+            Ok(turn_limit(body, IdealLaw::NoSlip))
+        }
+        FrictionLaw::Coulomb { friction, .. } if gentle => just_below_rolling(body, friction),
+        _ => Ok(passage(body, friction, arrival)?.turn),
+    }
+}
+
+/// For dry friction and a gentle arrival. Just below μ* the slip is so slow that its direction is
+/// ever stiffer to follow, and the turn is as good as linear in μ.
+fn just_below_rolling(body: &Body, friction: f64) -> Result<f64, InvalidInput> {
+    const CLOSE: f64 = 1e-4;
+    let turn = |friction| {
+        let law = FrictionLaw::coulomb(friction);
+        Ok(passage(body, &law, &Arrival::at_rest())?.turn)
+    };
+    let needed = needed_friction(body);
+    let close = needed * (1.0 - CLOSE);
+    if friction <= close {
+        return turn(friction);
+    }
+    let limit = turn_limit(body, IdealLaw::NoSlip);
+    Ok(limit + (turn(close)? - limit) * (needed - friction) / (needed - close))
+}
+
+/// Computes the near-collision by itself.
+///
+/// # Errors
+/// As [`turn_limit_of`].
+pub fn passage(
+    body: &Body,
+    friction: &FrictionLaw,
+    arrival: &Arrival,
+) -> Result<Passage, InvalidInput> {
+    // The sideways rate from which and to which it is followed, over ω: what is left out is this
+    // small to the third order.
+    const FAINT: f64 = 1e-3;
+    const RTOL: f64 = 1e-11;
+    const NO_GRAVITY: f64 = 1e-100;
+    arrival.check()?;
+    let surface = Surface::from(*friction);
+    surface.check()?;
+    let contacts = Contacts::new(body, &surface, NO_GRAVITY);
+    let rate = arrival.tipping_rate;
+    let flat = Coordinates {
+        cos: 1.0,
+        p: -rate,
+        w: FAINT * rate,
+        s: arrival.spin,
+        slip_x: arrival.slip,
+        ..Coordinates::zero()
+    };
+    let linear = linear_departure(body, &flat, rate);
+    let near = flat.plus(1.0, &linear);
+    let rates = contacts.first_rates(&near);
+    let start = near.plus(1.0, &quadratic_departure(&rates, &linear, &flat, rate));
+    let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, RTOL);
+    let end = track.end();
+    if status != Status::Finished {
+        let why = match status {
+            Status::Painleve => "with this friction it meets Painlevé's paradox",
+            _ => "the rim lifts off on the way through it, or falls back flat",
+        };
+        return Err(InvalidInput::NoNearCollision {
+            why: why.to_owned(),
+        });
+    }
+    let kinetic = |u: &crate::motion::Instant| contacts.law(u.phase).energy(u).kinetic;
+    let (before, after) = (kinetic(&track.start()), kinetic(&end));
+    let law = contacts.law(end.phase);
+    let [slip_x, slip_y] = law.slip(&end);
+    let end = Coordinates {
+        slip_x,
+        slip_y,
+        ..end.u
+    };
+    let linear = linear_departure(body, &end, -end.p);
+    let quadratic = quadratic_departure(&law.rates(&end), &linear, &end, -end.p);
+    let last = end.plus(-1.0, &linear).plus(-1.0, &quadratic);
+    Ok(Passage {
+        turn: last.yaw,
+        rising_rate: last.p,
+        spin: last.s,
+        slip: [last.slip_x, last.slip_y],
+        loss: (before - after) / before,
+    })
+}
+
+/// Close to a fixed point, where w ~ e^{κτ}: how far the orbit at `u` has departed from it in the first
+/// power of w. The frame has yawed by w/κ, and velocities have not turned with it.
+fn linear_departure(body: &Body, u: &Coordinates<f64>, kappa: f64) -> Coordinates<f64> {
+    let yaw = u.w / kappa;
+    Coordinates {
+        yaw,
+        slip_x: yaw * (u.slip_y + body.radius() * u.s),
+        slip_y: -yaw * u.slip_x,
+        ..Coordinates::zero()
+    }
+}
+
+/// The same in the second power: what is left of the rates grows like e^{2κτ}.
+fn quadratic_departure(
+    rates: &Coordinates<f64>,
+    linear: &Coordinates<f64>,
+    u: &Coordinates<f64>,
+    kappa: f64,
+) -> Coordinates<f64> {
+    let half = |rate: f64, linear: f64| 0.5 * (rate / kappa - linear);
+    Coordinates {
+        yaw: -half(rates.w, u.w) / kappa,
+        p: half(rates.p, 0.0),
+        s: half(rates.s, 0.0),
+        slip_x: half(rates.slip_x, linear.slip_x),
+        slip_y: half(rates.slip_y, linear.slip_y),
+        ..Coordinates::zero()
+    }
+}
