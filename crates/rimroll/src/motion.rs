@@ -40,6 +40,10 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 /// rim in less time than the last digit of t can tell.
 pub const FACE_DOWN_TILT: f64 = 1e-16;
 
+/// The same (rad) where rolling resistance or air wear the motion down: the rim is then over the table
+/// by less than an atom's width.
+pub const FLAT_TILT_WITH_RESISTANCE: f64 = 1e-9;
+
 /// How to simulate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
@@ -76,7 +80,7 @@ impl Options {
     /// Errors of the energy add up from step to step, so a step is held to a fiftieth of `rtol`:
     /// measured over 20 rockings of the can, the energy then keeps to 0.2 rtol. Below 5e-15 rounding
     /// would be taken for error.
-    fn step_tolerance(&self) -> f64 {
+    pub(crate) fn step_tolerance(&self) -> f64 {
         (0.02 * self.rtol).max(5e-15)
     }
 
@@ -136,7 +140,7 @@ pub enum Status {
     LiftedOff,
     /// The whole rim met the table at once.
     FaceDown,
-    /// It lies flat: all but the last 1e-10 of its energy is spent.
+    /// Its energy is spent, and it lies flat.
     AtRest,
     /// Painlevé's paradox: rigid-body mechanics with this friction has no one answer.
     Painleve,
@@ -210,7 +214,7 @@ pub fn simulate(
     let surface = surface.into();
     surface.check()?;
     let options = options.checked(body, start)?;
-    let contacts = Contacts::new(body, &surface, options.gravity);
+    let contacts = Contacts::new(body, &surface, options.gravity, options.step_tolerance());
     let start = Coordinates::from_state(start);
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
@@ -260,12 +264,25 @@ fn message(
              of it. A start with a yaw_rate or spin_rate, however small beside the others (1e-12 of \
              them will do), can be followed past this point"
         ),
+        Status::FaceDown if contacts.surface().resists() => format!(
+            "face down at t = {t} s: resistance has stopped the contact point on the rim, and the base comes \
+             down flat, tilting at {} rad/s and spinning about its axis at {} rad/s. Rigid-body \
+             mechanics does not say what follows from simultaneous impacts at every point of it",
+            shown(end.p),
+            shown(end.s)
+        ),
         Status::FaceDown => format!(
             "face down at t = {t} s: the tilt falls below {FACE_DOWN_TILT:e} rad, where the contact point \
              would run round the rim in less time than the last digit of t can tell. A start with a \
              larger yaw_rate or spin_rate can be followed past this point"
         ),
-        Status::AtRest => format!("at rest at t = {t} s: the body lies flat, its energy spent"),
+        Status::AtRest => {
+            let energy = |at: &Instant| contacts.law(at.phase).energy(at).total();
+            let left = energy(&end) / energy(&track.start());
+            format!(
+                "at rest at t = {t} s: the base lies flat, and the last {left:.1e} of the energy goes with it"
+            )
+        }
         Status::Painleve => format!(
             "ended in Painlevé's paradox at t = {t} s: sliding as it does, the rim would be pressed down by \
              its own friction, and rigid-body mechanics has no one answer. At the tilt of {:.6} rad this \

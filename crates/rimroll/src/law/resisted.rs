@@ -10,7 +10,9 @@
 //! Let a disk lie nearly flat at the tilt α, wobbling at Ω² = 4g/(Rα) (uniform disk), and lose a power
 //! ~ Ω^λ: then α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous λ = 2, air λ = n.
 //!
-//! sgn is smoothed to x/√(x² + x₀²) with x₀ = √(g/R)/1000, so that a rate may pass through zero.
+//! sgn is smoothed to x/√(x² + x₀²), so that a rate may pass through zero: x is the angular velocity
+//! about the vertical or, for rolling, about the horizontal through the contact point and the centre of
+//! the base, θ̇ sin φ; x₀ = √(g/R)/1000.
 
 use super::{Contact, Law, Parameters};
 use crate::real::Real;
@@ -91,10 +93,9 @@ impl RollingResistance {
         normal: T,
         smooth: T,
     ) -> [T; 2] {
-        // θ̇ sin φ, which stays finite.
+        // θ̇ sin φ, the angular velocity about −e_x1, which stays finite.
         let running = u.sin * u.s - u.w * u.cos;
-        let floor = u.sin * smooth;
-        let sign = running / (running * running + floor * floor).sqrt();
+        let sign = running / (running * running + smooth * smooth).sqrt();
         let dry = T::from(self.dry) * k.r * normal * sign;
         let viscous = T::from(self.viscous) * k.r * k.r * running;
         let resisting = dry + viscous;

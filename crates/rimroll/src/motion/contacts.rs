@@ -57,21 +57,25 @@ pub(super) enum Next {
     Paradox,
 }
 
-/// Below this part of the velocities at hand a slip or a rebound counts as none.
-const STOPPED: f64 = 1e-14;
+/// A slip that is only said to begin in a direction, relative to the velocities at hand: nothing, but
+/// for its direction.
+const NOTHING: f64 = 1e-140;
 
 /// The laws of a body on a surface.
 pub struct Contacts {
     parameters: Parameters<f64>,
     surface: Surface,
+    /// Below this part of the velocities at hand a slip counts as none.
+    stopped: f64,
     rolling: Resisted<NoSlip<f64>>,
     sliding: SlidingLaw,
     flying: Flight<f64>,
 }
 
 impl Contacts {
-    /// The laws of a body on a surface under gravity g (m/s²).
-    pub fn new(body: &Body, surface: &Surface, gravity: f64) -> Self {
+    /// The laws of a body on a surface under gravity g (m/s²), for steps that may err by `tolerance`:
+    /// slower than a tenth of that, relative to the velocities at hand, no slip is followed.
+    pub(crate) fn new(body: &Body, surface: &Surface, gravity: f64, tolerance: f64) -> Self {
         let parameters = Parameters::new(body, gravity);
         let resistance = surface.resistance;
         let dry = |friction| {
@@ -112,6 +116,7 @@ impl Contacts {
         Contacts {
             parameters,
             surface: *surface,
+            stopped: 0.1 * tolerance,
             rolling: Resisted::new(NoSlip::new(parameters), resistance),
             sliding,
             flying: Flight::new(parameters),
@@ -167,7 +172,7 @@ impl Contacts {
     pub(super) fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
         let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
-        STOPPED * k.r * rate
+        self.stopped * k.r * rate
     }
 
     /// How a rim on the table goes on.
@@ -229,6 +234,16 @@ impl Contacts {
         }
     }
 
+    /// The same coordinates with a slip that is nothing but a direction.
+    pub(super) fn slipping(&self, u: &Coordinates<f64>, e: [f64; 2]) -> Coordinates<f64> {
+        let speed = NOTHING * self.parameters.r * u.p.abs().max(1.0);
+        Coordinates {
+            slip_x: speed * e[0],
+            slip_y: speed * e[1],
+            ..*u
+        }
+    }
+
     /// The rates at the start of a motion, by the law that then holds.
     pub(crate) fn first_rates(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         match (self.settle(u), self.dry()) {
@@ -252,7 +267,7 @@ impl Contacts {
         let friction = self.surface.friction.friction_in_impact();
         let restitution = self.surface.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
-        let rest = 1e3 * self.stopped_speed(u);
+        let rest = self.stopped_speed(u);
         let after = impact::land(&self.parameters, u, friction, restitution, rest);
         if after.gap_rate > 0.0 {
             return (after, Next::Fly);

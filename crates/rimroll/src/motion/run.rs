@@ -50,6 +50,10 @@ impl<'a> Run<'a> {
         start: Coordinates<f64>,
     ) -> Self {
         let next = contacts.settle(&start);
+        let start = match next {
+            Next::BeginToSlip(e) => contacts.slipping(&start, e),
+            _ => start,
+        };
         let phase = match next {
             Next::Roll => Phase::Rolling,
             Next::Fly => Phase::Flying,
@@ -198,6 +202,7 @@ impl<'a> Run<'a> {
                 };
                 Then::Phase(Phase::Flying, begin)
             }
+            Switch::Flat if self.watch.rests(at) => end(self, EventKind::Rest, Status::AtRest),
             Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
             Switch::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)
@@ -241,11 +246,14 @@ impl<'a> Run<'a> {
         if phase != before {
             self.watch.note(kind, Instant { phase, u });
         }
-        let direction = match next {
-            Next::BeginToSlip(direction) => Some(direction),
-            _ => None,
+        let begin = match next {
+            Next::BeginToSlip(e) => Begin {
+                u: self.contacts.slipping(&u, e),
+                direction: Some(e),
+            },
+            _ => Begin { u, direction: None },
         };
-        Then::Phase(phase, Begin { u, direction })
+        Then::Phase(phase, begin)
     }
 }
 
@@ -298,13 +306,9 @@ pub(crate) fn pass_near_collision(
     contacts: &Contacts,
     start: Coordinates<f64>,
     faded: f64,
-    rtol: f64,
+    options: &Options,
 ) -> (Track, Status) {
-    let options = Options {
-        rtol,
-        ..Options::default()
-    };
-    let mut run = Run::new(contacts, &options, Goal::Passed(faded), start);
+    let mut run = Run::new(contacts, options, Goal::Passed(faded), start);
     let status = run.to_the_end(|_| ControlFlow::Continue(()));
     (run.track, status)
 }

@@ -181,7 +181,11 @@ pub fn passage(
     arrival.check()?;
     let surface = Surface::from(*friction);
     surface.check()?;
-    let contacts = Contacts::new(body, &surface, NO_GRAVITY);
+    let options = Options {
+        rtol: RTOL,
+        ..Options::default()
+    };
+    let contacts = Contacts::new(body, &surface, NO_GRAVITY, options.step_tolerance());
     let rate = arrival.tipping_rate;
     let flat = Coordinates {
         cos: 1.0,
@@ -195,7 +199,7 @@ pub fn passage(
     let near = flat.plus(1.0, &linear);
     let rates = contacts.first_rates(&near);
     let start = near.plus(1.0, &quadratic_departure(&rates, &linear, &flat, rate));
-    let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, RTOL);
+    let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, &options);
     let end = track.end();
     if status != Status::Finished {
         let why = match status {
