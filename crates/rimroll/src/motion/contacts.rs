@@ -214,8 +214,8 @@ impl Contacts {
         } else {
             [1.0, 0.0]
         };
-        if self.direction_is_kept(dry, u, against) {
-            return Next::BeginToSlip(against);
+        if let Some(angle) = kept_angle(dry, u, against) {
+            return Next::BeginToSlip(turned(against, angle));
         }
         const LOOKS: u32 = 64;
         let angle = |i: u32| TAU * (f64::from(i) / f64::from(LOOKS) - 0.5);
@@ -225,10 +225,11 @@ impl Contacts {
             let (from, to) = (angle(i), angle(i + 1));
             let attracts = sideways(from) >= 0.0 && sideways(to) < 0.0;
             let root = attracts.then(|| crate::solve::bracketed(from, to, sideways))?;
-            onset(dry, u, against, root).is_possible().then_some(root)
+            let e = turned(against, root);
+            kept_angle(dry, u, e).map(|more| (root.abs(), turned(e, more)))
         });
-        match kept.min_by(|a, b| a.abs().total_cmp(&b.abs())) {
-            Some(angle) => Next::BeginToSlip(turned(against, angle)),
+        match kept.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((_, e)) => Next::BeginToSlip(e),
             None if self.flying.rates(u).gap_rate > 0.0 => Next::Fly,
             None => Next::Paradox,
         }
@@ -254,12 +255,6 @@ impl Contacts {
             }
             _ => self.law(Phase::Sliding).rates(u),
         }
-    }
-
-    /// Whether a slip that begins in this direction keeps it.
-    fn direction_is_kept(&self, dry: &DrySliding, u: &Coordinates<f64>, e: [f64; 2]) -> bool {
-        let there = onset(dry, u, e, 0.0);
-        there.sideways.abs() <= 1e-9 * there.size && there.is_possible()
     }
 
     /// The coordinates after a landing, and how the rim goes on.
@@ -292,6 +287,27 @@ impl Onset {
     fn is_possible(&self) -> bool {
         self.forward >= -1e-9 * self.size && self.normal > 0.0 && self.consistency > 0.0
     }
+}
+
+/// The direction close by, as an angle from `base`, that a slip which begins in it keeps: to the
+/// last digit, since any other is left at once. By Newton's method.
+fn kept_angle(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
+    const NUDGE: f64 = 1e-5;
+    const CLOSE_BY: f64 = 0.3;
+    let sideways = |angle: f64| onset(dry, u, base, angle).sideways;
+    let mut angle = 0.0;
+    for _ in 0..20 {
+        let slope = (sideways(angle + NUDGE) - sideways(angle - NUDGE)) / (2.0 * NUDGE);
+        let correction = -sideways(angle) / slope;
+        angle += correction;
+        if !(slope < 0.0 && angle.abs() < CLOSE_BY) {
+            return None;
+        }
+        if correction.abs() <= 4.0 * f64::EPSILON * angle.abs() {
+            break;
+        }
+    }
+    onset(dry, u, base, angle).is_possible().then_some(angle)
 }
 
 fn onset(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {

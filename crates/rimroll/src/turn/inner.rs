@@ -195,10 +195,11 @@ pub fn passage(
         slip_x: arrival.slip,
         ..Coordinates::zero()
     };
-    let linear = linear_departure(body, &flat, rate);
+    let first_rates = |u: &Coordinates<f64>| contacts.first_rates(u);
+    let linear = linear_departure(first_rates, &flat, rate);
     let near = flat.plus(1.0, &linear);
-    let rates = contacts.first_rates(&near);
-    let start = near.plus(1.0, &quadratic_departure(&rates, &linear, &flat, rate));
+    let quadratic = quadratic_departure(&contacts.first_rates(&near), &linear, &flat, rate);
+    let start = near.plus(1.0, &quadratic);
     let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, &options);
     let end = track.end();
     if status != Status::Finished {
@@ -219,7 +220,7 @@ pub fn passage(
         slip_y,
         ..end.u
     };
-    let linear = linear_departure(body, &end, -end.p);
+    let linear = linear_departure(|u| law.rates(u), &end, -end.p);
     let quadratic = quadratic_departure(&law.rates(&end), &linear, &end, -end.p);
     let last = end.plus(-1.0, &linear).plus(-1.0, &quadratic);
     Ok(Passage {
@@ -233,13 +234,22 @@ pub fn passage(
 
 /// Close to a fixed point, where w ~ e^{κτ}: how far the orbit at `u` has departed from it in the first
 /// power of w. The frame has yawed by w/κ, and velocities have not turned with it.
-fn linear_departure(body: &Body, u: &Coordinates<f64>, kappa: f64) -> Coordinates<f64> {
-    let yaw = u.w / kappa;
+fn linear_departure(
+    rates: impl Fn(&Coordinates<f64>) -> Coordinates<f64>,
+    u: &Coordinates<f64>,
+    kappa: f64,
+) -> Coordinates<f64> {
+    // Here the second power is nothing beside the first.
+    const CLOSER: f64 = 1e-7;
+    let closer = Coordinates {
+        w: CLOSER * u.w,
+        ..*u
+    };
+    let nothing = Coordinates::zero();
+    let departure = nothing.plus(1.0 / (CLOSER * kappa), &rates(&closer));
     Coordinates {
-        yaw,
-        slip_x: yaw * (u.slip_y + body.radius() * u.s),
-        slip_y: -yaw * u.slip_x,
-        ..Coordinates::zero()
+        w: 0.0,
+        ..departure
     }
 }
 
@@ -253,8 +263,8 @@ fn quadratic_departure(
     let half = |rate: f64, linear: f64| 0.5 * (rate / kappa - linear);
     Coordinates {
         yaw: -half(rates.w, u.w) / kappa,
-        p: half(rates.p, 0.0),
-        s: half(rates.s, 0.0),
+        p: half(rates.p, linear.p),
+        s: half(rates.s, linear.s),
         slip_x: half(rates.slip_x, linear.slip_x),
         slip_y: half(rates.slip_y, linear.slip_y),
         ..Coordinates::zero()
