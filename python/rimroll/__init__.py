@@ -18,6 +18,7 @@ from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Event, Moments, Motion, Stats, Turn, simulate
 from rimroll.solids import Solid
@@ -39,8 +40,10 @@ from rimroll.theory import (
 __all__ = [
     "STANDARD_GRAVITY",
     "Body",
+    "Collision",
     "Event",
     "Frictionless",
+    "ImperfectRim",
     "Law",
     "Moments",
     "Motion",
@@ -57,6 +60,7 @@ __all__ = [
     "bodies",
     "disk_turn_limit",
     "error_law_coefficient",
+    "imperfect_rim",
     "lift_off_rate",
     "needed_friction",
     "pasted",

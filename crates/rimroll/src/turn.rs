@@ -18,7 +18,7 @@ use crate::law::LawKind;
 
 /// The two moments of inertia whose ratio J′/K′ decides the turn: without slip J and K (about the
 /// rim and about the centre of the base), without friction A + mR² and A.
-fn inertias(body: &Body, law: LawKind) -> (f64, f64) {
+pub(crate) fn inertias(body: &Body, law: LawKind) -> (f64, f64) {
     let mrr = body.mass() * body.radius() * body.radius();
     let k = match law {
         LawKind::NoSlip => body.base_inertia(),
