@@ -11,6 +11,7 @@ from rimroll.paper.figures import (
     falling,
     friction,
     height,
+    imperfection,
     pasted,
     simulation,
     small_angle,
@@ -26,4 +27,5 @@ FIGURES: tuple[Callable[[], Drawing], ...] = (
     pasted.draw,
     small_angle.draw,
     contact_path.draw,
+    imperfection.draw,
 )
