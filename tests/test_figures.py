@@ -21,6 +21,7 @@ from rimroll.paper.figures import (
     disks_against_friction,
     friction,
     height,
+    imperfection,
     pasted,
     turn_against_friction,
 )
@@ -40,6 +41,7 @@ SLUGS = [
     "pasted",
     "small_angle",
     "contact_path",
+    "imperfection",
 ]
 
 
@@ -121,7 +123,8 @@ def test_numbers_are_finite_and_can_be_written_down(drawings, slug):
 
 
 @pytest.mark.parametrize(
-    "slug", ["convergence", "height", "turn_against_friction", "disks_against_friction"]
+    "slug",
+    ["convergence", "height", "turn_against_friction", "disks_against_friction", "imperfection"],
 )
 def test_tables_are_rectangular(drawings, slug):
     table = drawings[slug].table
@@ -356,3 +359,42 @@ def test_paths_are_cusped_where_the_rolling_turns_back():
         spin_rate = path.moments().spin_rate
         turns_back = np.any(spin_rate > 1e-6) and np.any(spin_rate < -1e-6)
         assert turns_back == cusped, path.name
+
+
+def test_random_imperfections_do_not_give_the_measured_falls(drawings):
+    for law in setting.LAWS:
+        numbers = drawings["imperfection"].numbers[law.name]
+        # No mixture of places has a mean off 180° beyond the largest.
+        assert np.degrees(numbers["largest_deviation"]) < min(height.MEASURED)[0] - 180.0
+        assert numbers["chance_of_none_near_180"] < 1e-12
+        least, mean, most = numbers["energy_lost_least_mean_most"]
+        assert 0.39 < least < mean < most < 0.9
+        # A plastic collision opposite to the contact: 1 − ((K' − mR²)/J')².
+        k, j = (np.pi / rr.turn_limit(CAN, law)) ** 2, 1.0
+        assert most == pytest.approx(1.0 - ((2.0 * k - j) / j) ** 2, abs=1e-6)
+
+
+def test_a_flick_that_just_topples_the_can_does_not_after_an_imperfection(drawings):
+    for law in setting.LAWS:
+        numbers = drawings["imperfection"].numbers[law.name]
+        assert numbers["toppling_flick_least_most"][0] > 1.25 * numbers["toppling_flick_lossless"]
+    rising = {law.name: imperfection.topples(law).mean() for law in setting.LAWS}
+    assert rising["no_slip"] == 1.0 and 0.4 < rising["frictionless"] < 0.5
+
+
+def test_the_flick_that_lifts_the_can_over_its_rim_is_that_of_the_simulation():
+    for law in setting.LAWS:
+        just = imperfection.lossless_flick(law)
+        ends = []
+        for rate in (0.999 * just, 1.001 * just):
+            start = rr.State(tilt=1e-6, tilt_rate=rate)
+            motion = rr.simulate(CAN, start, law, 3.0, gravity=setting.GRAVITY)
+            ends.append(motion.status)
+        assert ends == ["face_down", "toppled"]
+
+
+def test_falls_counted_from_all_places_of_the_imperfection_add_up(drawings):
+    for law in setting.LAWS:
+        directions = imperfection.directions(law)
+        assert directions.min() > imperfection.BINS[0] and directions.max() < imperfection.BINS[-1]
+        assert directions + directions[::-1] == pytest.approx(360.0, abs=1e-9)

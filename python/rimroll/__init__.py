@@ -18,6 +18,7 @@ from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -56,9 +57,11 @@ __all__ = [
     "AirDrag",
     "Arrival",
     "Body",
+    "Collision",
     "Coulomb",
     "Event",
     "Frictionless",
+    "ImperfectRim",
     "Law",
     "Moments",
     "Motion",
@@ -82,6 +85,7 @@ __all__ = [
     "bodies",
     "disk_turn_limit",
     "error_law_coefficient",
+    "imperfect_rim",
     "lift_off_rate",
     "needed_friction",
     "painleve_friction",

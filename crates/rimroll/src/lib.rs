@@ -32,7 +32,8 @@
 //! [`body`] and [`solids`]: what rolls. [`state`]: where it is and how it moves, and the coordinates
 //! that stay regular through the near-collision. [`law`]: the equations of motion, one file a law.
 //! [`solve`]: a solver that knows no mechanics. [`motion`]: [`simulate`]. [`turn`]: closed forms.
-//! [`pasted`] and [`small_angle`]: the paper's two approximations.
+//! [`pasted`] and [`small_angle`]: the paper's two approximations. [`imperfection`]: the theory that it
+//! rejects.
 //!
 //! # What it does not do
 //! Friction between the two limits, flight and landing. A motion that leaves the law's domain ends
@@ -41,6 +42,7 @@
 pub mod body;
 pub mod error;
 mod impact;
+pub mod imperfection;
 pub mod law;
 pub mod motion;
 pub mod pasted;

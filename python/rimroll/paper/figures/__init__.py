@@ -12,6 +12,7 @@ from rimroll.paper.figures import (
     falling,
     friction,
     height,
+    imperfection,
     pasted,
     simulation,
     small_angle,
@@ -30,4 +31,5 @@ FIGURES: tuple[Callable[[], Drawing], ...] = (
     pasted.draw,
     small_angle.draw,
     contact_path.draw,
+    imperfection.draw,
 )
