@@ -4,6 +4,7 @@ use super::contacts::{Contacts, Phase};
 use super::mechanics::Mechanics;
 use super::track::{Instant, TIME};
 use super::{FACE_DOWN_TILT, Options, Track};
+use crate::law::Law;
 use crate::solve::{Collocation, Dense, Step};
 use crate::state::{COORDINATES, Coordinates};
 
@@ -159,7 +160,7 @@ impl<'a> Watch<'a> {
         goal: Goal,
         start: &Instant,
     ) -> Self {
-        let energy = contacts.law(start.phase).energy(start).total();
+        let energy = energy_above_rest(contacts.law(start.phase), start);
         let mut watch = Watch {
             contacts,
             goal,
@@ -272,7 +273,7 @@ impl<'a> Watch<'a> {
             Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
             Switch::Land => u.gap,
-            Switch::Rest => law.energy(u).total() - self.rest_energy,
+            Switch::Rest => energy_above_rest(law, u) - self.rest_energy,
         }
     }
 
@@ -282,7 +283,9 @@ impl<'a> Watch<'a> {
         looks.extend(
             LOOKS
                 .windows(2)
-                .filter_map(|look| extreme(dense, look[0], look[1])),
+                .filter_map(|look| extreme(dense, look[0], look[1]))
+                // A release from rest has its extreme where it begins: nothing has happened yet.
+                .filter(|&look| look > 0.0),
         );
         looks.sort_by(f64::total_cmp);
         for look in looks.windows(2) {
@@ -414,6 +417,13 @@ impl<'a> Watch<'a> {
             first.dense(&mechanics)
         }
     }
+}
+
+/// Energy that a body lying flat has lost. One that leans far may have its centre of mass lower yet,
+/// and is not at rest for that.
+fn energy_above_rest(law: &dyn Law<f64>, u: &Coordinates<f64>) -> f64 {
+    let energy = law.energy(u);
+    energy.kinetic + energy.potential.abs()
 }
 
 fn extreme_kind(direction: f64) -> EventKind {

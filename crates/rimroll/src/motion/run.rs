@@ -55,6 +55,7 @@ impl<'a> Run<'a> {
             Next::Fly => Phase::Flying,
             Next::Slide | Next::BeginToSlip(_) | Next::Paradox => Phase::Sliding,
         };
+        let start = departing(next, start);
         let first = Instant { phase, u: start };
         let mut run = Run {
             contacts,
@@ -172,9 +173,10 @@ impl<'a> Run<'a> {
         }
         for dense in slow.steps {
             self.work.steps += 1;
+            let h = dense.h;
             let piece = Piece { dense, step: None };
             if let Some(switch) = self.watch.pass(Phase::Sliding, &piece, &mut self.track) {
-                return ControlFlow::Break(Over::By(switch));
+                return ControlFlow::Break(self.over_by(switch, h));
             }
         }
         ControlFlow::Continue((self.track.end().u, slow.h))
@@ -228,6 +230,7 @@ impl<'a> Run<'a> {
     /// Begins the phase that is next, at `u`, and notes that the contact changes.
     fn going_on(&mut self, next: Next, u: Coordinates<f64>) -> Then {
         let before = self.track.end().phase;
+        let u = departing(next, u);
         let (phase, kind) = match next {
             Next::Roll => (Phase::Rolling, EventKind::Stick),
             Next::Slide | Next::BeginToSlip(_) => (Phase::Sliding, EventKind::Slip),
@@ -246,6 +249,20 @@ impl<'a> Run<'a> {
             _ => None,
         };
         Then::Phase(phase, Begin { u, direction })
+    }
+}
+
+/// The coordinates where a slip begins tell its direction, and with it the forces there: they get a
+/// slip that is too small to move anything.
+fn departing(next: Next, u: Coordinates<f64>) -> Coordinates<f64> {
+    const NO_SPEED: f64 = 1e-150;
+    match next {
+        Next::BeginToSlip([slip_x, slip_y]) => Coordinates {
+            slip_x: NO_SPEED * slip_x,
+            slip_y: NO_SPEED * slip_y,
+            ..u
+        },
+        _ => u,
     }
 }
 
