@@ -210,7 +210,7 @@ impl Contacts {
             [1.0, 0.0]
         };
         if self.direction_is_kept(dry, u, against) {
-            return Next::BeginToSlip(against);
+            return Next::BeginToSlip(polished(dry, u, against));
         }
         const LOOKS: u32 = 64;
         let angle = |i: u32| TAU * (f64::from(i) / f64::from(LOOKS) - 0.5);
@@ -223,7 +223,7 @@ impl Contacts {
             onset(dry, u, against, root).is_possible().then_some(root)
         });
         match kept.min_by(|a, b| a.abs().total_cmp(&b.abs())) {
-            Some(angle) => Next::BeginToSlip(turned(against, angle)),
+            Some(angle) => Next::BeginToSlip(polished(dry, u, turned(against, angle))),
             None if self.flying.rates(u).gap_rate > 0.0 => Next::Fly,
             None => Next::Paradox,
         }
@@ -303,6 +303,27 @@ fn onset(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> 
         normal: contact.normal,
         consistency: sliding.consistency_under(&at_rest, &pull),
     }
+}
+
+/// A direction that slip nearly keeps, turned to the one that it keeps: by Newton's method, as long as
+/// that helps. In a motion that is almost plane the smallest angle counts.
+fn polished(dry: &DrySliding, u: &Coordinates<f64>, e: [f64; 2]) -> [f64; 2] {
+    const NUDGE: f64 = 1e-5;
+    let sideways = |e: [f64; 2]| onset(dry, u, e, 0.0).sideways;
+    let mut kept = (e, sideways(e));
+    for _ in 0..5 {
+        let (e, now) = kept;
+        let slope = (sideways(turned(e, NUDGE)) - sideways(turned(e, -NUDGE))) / (2.0 * NUDGE);
+        let next = turned(e, -now / slope);
+        let then = sideways(next);
+        // Written so that a NaN does not help.
+        if then.abs() < now.abs() {
+            kept = (next, then);
+        } else {
+            break;
+        }
+    }
+    kept.0
 }
 
 /// A unit vector turned by an angle.

@@ -5,6 +5,7 @@ use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
 use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
+use crate::law::Parameters;
 use crate::solve::{Stepper, Work};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
@@ -195,7 +196,7 @@ impl<'a> Run<'a> {
             Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
             Switch::Flat if at.phase == Phase::Flying => {
                 let begin = Begin {
-                    u: past_upright(at),
+                    u: past_upright(self.contacts.parameters(), at),
                     direction: None,
                 };
                 Then::Phase(Phase::Flying, begin)
@@ -295,8 +296,9 @@ fn stopped(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Coordinates<f64>
 }
 
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
-/// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides.
-fn past_upright(u: &Coordinates<f64>) -> Coordinates<f64> {
+/// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides, and its
+/// velocity with it.
+fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     Coordinates {
         yaw: u.yaw + PI,
         spin: u.spin - PI,
@@ -304,7 +306,8 @@ fn past_upright(u: &Coordinates<f64>) -> Coordinates<f64> {
         p: -u.p,
         w: -u.w,
         slip_x: -u.slip_x,
-        slip_y: -u.slip_y,
+        slip_y: -u.slip_y - 2.0 * k.r * u.s,
+        gap_rate: u.gap_rate + 2.0 * k.rho(u) * u.p,
         ..*u
     }
 }
