@@ -57,10 +57,6 @@ pub(super) enum Next {
     Paradox,
 }
 
-/// A slip that is only said to begin in a direction, relative to the velocities at hand: nothing, but
-/// for its direction.
-const NOTHING: f64 = 1e-140;
-
 /// The laws of a body on a surface.
 pub struct Contacts {
     parameters: Parameters<f64>,
@@ -232,16 +228,6 @@ impl Contacts {
             Some((_, e)) => Next::BeginToSlip(e),
             None if self.flying.rates(u).gap_rate > 0.0 => Next::Fly,
             None => Next::Paradox,
-        }
-    }
-
-    /// The same coordinates with a slip that is nothing but a direction.
-    pub(super) fn slipping(&self, u: &Coordinates<f64>, e: [f64; 2]) -> Coordinates<f64> {
-        let speed = NOTHING * self.parameters.r * u.p.abs().max(1.0);
-        Coordinates {
-            slip_x: speed * e[0],
-            slip_y: speed * e[1],
-            ..*u
         }
     }
 

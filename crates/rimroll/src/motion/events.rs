@@ -4,6 +4,7 @@ use super::contacts::{Contacts, Phase};
 use super::mechanics::Mechanics;
 use super::track::{Instant, TIME};
 use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track};
+use crate::law::Law;
 use crate::solve::{Collocation, Dense, Step};
 use crate::state::{COORDINATES, Coordinates};
 
@@ -166,7 +167,7 @@ impl<'a> Watch<'a> {
         goal: Goal,
         start: &Instant,
     ) -> Self {
-        let energy = contacts.law(start.phase).energy(start).total();
+        let energy = energy_above_rest(contacts.law(start.phase), start);
         let mut watch = Watch {
             contacts,
             goal,
@@ -206,7 +207,7 @@ impl<'a> Watch<'a> {
 
     /// Whether a body whose base has come down flat has no energy to speak of any more.
     pub(super) fn rests(&self, at: &Instant) -> bool {
-        let energy = self.contacts.law(at.phase).energy(at).total();
+        let energy = energy_above_rest(self.contacts.law(at.phase), at);
         self.contacts.surface().resists() && energy < REST_ENERGY_FLAT * self.start_energy
     }
 
@@ -286,7 +287,7 @@ impl<'a> Watch<'a> {
             Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
             Switch::Land => u.gap,
-            Switch::Rest => law.energy(u).total() - REST_ENERGY * self.start_energy,
+            Switch::Rest => energy_above_rest(law, u) - REST_ENERGY * self.start_energy,
         }
     }
 
@@ -296,7 +297,9 @@ impl<'a> Watch<'a> {
         looks.extend(
             LOOKS
                 .windows(2)
-                .filter_map(|look| extreme(dense, look[0], look[1])),
+                .filter_map(|look| extreme(dense, look[0], look[1]))
+                // A release from rest has its extreme where it begins: nothing has happened yet.
+                .filter(|&look| look > 0.0),
         );
         looks.sort_by(f64::total_cmp);
         for look in looks.windows(2) {
@@ -437,6 +440,13 @@ fn flat_tilt(contacts: &Contacts) -> f64 {
     } else {
         FACE_DOWN_TILT
     }
+}
+
+/// Energy that a body lying flat has lost. One that leans far may have its centre of mass lower yet,
+/// and is not at rest for that.
+fn energy_above_rest(law: &dyn Law<f64>, u: &Coordinates<f64>) -> f64 {
+    let energy = law.energy(u);
+    energy.kinetic + energy.potential.abs()
 }
 
 fn extreme_kind(direction: f64) -> EventKind {

@@ -5,6 +5,7 @@ use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
 use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
+use crate::law::Parameters;
 use crate::solve::{Stepper, Work};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
@@ -50,15 +51,12 @@ impl<'a> Run<'a> {
         start: Coordinates<f64>,
     ) -> Self {
         let next = contacts.settle(&start);
-        let start = match next {
-            Next::BeginToSlip(e) => contacts.slipping(&start, e),
-            _ => start,
-        };
         let phase = match next {
             Next::Roll => Phase::Rolling,
             Next::Fly => Phase::Flying,
             Next::Slide | Next::BeginToSlip(_) | Next::Paradox => Phase::Sliding,
         };
+        let start = departing(next, start);
         let first = Instant { phase, u: start };
         let mut run = Run {
             contacts,
@@ -176,9 +174,10 @@ impl<'a> Run<'a> {
         }
         for dense in slow.steps {
             self.work.steps += 1;
+            let h = dense.h;
             let piece = Piece { dense, step: None };
             if let Some(switch) = self.watch.pass(Phase::Sliding, &piece, &mut self.track) {
-                return ControlFlow::Break(Over::By(switch));
+                return ControlFlow::Break(self.over_by(switch, h));
             }
         }
         ControlFlow::Continue((self.track.end().u, slow.h))
@@ -197,7 +196,7 @@ impl<'a> Run<'a> {
             Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
             Switch::Flat if at.phase == Phase::Flying => {
                 let begin = Begin {
-                    u: past_upright(at),
+                    u: past_upright(self.contacts.parameters(), at),
                     direction: None,
                 };
                 Then::Phase(Phase::Flying, begin)
@@ -233,6 +232,7 @@ impl<'a> Run<'a> {
     /// Begins the phase that is next, at `u`, and notes that the contact changes.
     fn going_on(&mut self, next: Next, u: Coordinates<f64>) -> Then {
         let before = self.track.end().phase;
+        let u = departing(next, u);
         let (phase, kind) = match next {
             Next::Roll => (Phase::Rolling, EventKind::Stick),
             Next::Slide | Next::BeginToSlip(_) => (Phase::Sliding, EventKind::Slip),
@@ -246,14 +246,25 @@ impl<'a> Run<'a> {
         if phase != before {
             self.watch.note(kind, Instant { phase, u });
         }
-        let begin = match next {
-            Next::BeginToSlip(e) => Begin {
-                u: self.contacts.slipping(&u, e),
-                direction: Some(e),
-            },
-            _ => Begin { u, direction: None },
+        let direction = match next {
+            Next::BeginToSlip(direction) => Some(direction),
+            _ => None,
         };
-        Then::Phase(phase, begin)
+        Then::Phase(phase, Begin { u, direction })
+    }
+}
+
+/// The coordinates where a slip begins tell its direction, and with it the forces there: they get a
+/// slip that is too small to move anything.
+fn departing(next: Next, u: Coordinates<f64>) -> Coordinates<f64> {
+    const NO_SPEED: f64 = 1e-150;
+    match next {
+        Next::BeginToSlip([slip_x, slip_y]) => Coordinates {
+            slip_x: NO_SPEED * slip_x,
+            slip_y: NO_SPEED * slip_y,
+            ..u
+        },
+        _ => u,
     }
 }
 
@@ -286,8 +297,9 @@ fn stopped(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Coordinates<f64>
 }
 
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
-/// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides.
-fn past_upright(u: &Coordinates<f64>) -> Coordinates<f64> {
+/// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides, and its
+/// velocity with it.
+fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     Coordinates {
         yaw: u.yaw + PI,
         spin: u.spin - PI,
@@ -295,7 +307,8 @@ fn past_upright(u: &Coordinates<f64>) -> Coordinates<f64> {
         p: -u.p,
         w: -u.w,
         slip_x: -u.slip_x,
-        slip_y: -u.slip_y,
+        slip_y: -u.slip_y - 2.0 * k.r * u.s,
+        gap_rate: u.gap_rate + 2.0 * k.rho(u) * u.p,
         ..*u
     }
 }
