@@ -251,6 +251,25 @@ fn message(
     let t = moment_of(end.t);
     match status {
         Status::Finished => format!("followed for the whole {} s", shown(end.t)),
+        Status::Toppled if end.phase == Phase::Lying => {
+            let k = contacts.parameters();
+            let speed = contacts.law(end.phase).slip(&end);
+            let rolling =
+                (k.r * end.s).abs() + libm::hypot(speed[0], speed[1]) + (k.r * end.w).abs();
+            let still = rolling < 1e-3 * (k.g * k.r).sqrt();
+            let on = if still {
+                "comes to rest".to_owned()
+            } else {
+                format!(
+                    "rolls on, spinning about its axis at {:.3} rad/s and turning on the spot at {:.3} rad/s",
+                    end.s, end.w
+                )
+            };
+            format!(
+                "toppled: the tilt reached pi/2 at t = {t} s, where its side meets the table; landing there \
+                 without rebound it {on}"
+            )
+        }
         Status::Toppled => format!(
             "toppled: the tilt reached {:.6} rad at t = {t} s",
             end.tilt()

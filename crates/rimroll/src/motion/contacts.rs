@@ -1,6 +1,7 @@
 //! How the rim can meet the table on a given surface, and what follows when one way gives over to
 //! another.
 
+use super::track::Instant;
 use crate::body::Body;
 use crate::impact;
 use crate::law::{
@@ -8,7 +9,7 @@ use crate::law::{
 };
 use crate::state::Coordinates;
 use crate::surface::{FrictionLaw, Surface};
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// How the rim meets the table at a moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,6 +20,8 @@ pub enum Phase {
     Sliding,
     /// It is off the table.
     Flying,
+    /// The body lies on its side: the end of a motion that topples.
+    Lying,
 }
 
 impl Phase {
@@ -28,6 +31,7 @@ impl Phase {
             Phase::Rolling => "rolling",
             Phase::Sliding => "sliding",
             Phase::Flying => "flying",
+            Phase::Lying => "lying",
         }
     }
 }
@@ -125,7 +129,8 @@ impl Contacts {
             (Phase::Rolling, _) | (Phase::Sliding, SlidingLaw::Never) => &self.rolling,
             (Phase::Sliding, SlidingLaw::Dry(law)) => law,
             (Phase::Sliding, SlidingLaw::Smooth(law)) => &**law,
-            (Phase::Flying, _) => &self.flying,
+            // Of a body that lies nothing is asked but its energy.
+            (Phase::Flying | Phase::Lying, _) => &self.flying,
         }
     }
 
@@ -229,6 +234,31 @@ impl Contacts {
             None if self.flying.rates(u).gap_rate > 0.0 => Next::Fly,
             None => Next::Paradox,
         }
+    }
+
+    /// Whether toppling here means that the side of the body meets the table; the two ideal laws, which
+    /// know no landing, leave it at that.
+    pub(super) fn falls_on_its_side(&self, at: &Coordinates<f64>) -> bool {
+        self.can_fly() && self.parameters.h > 0.0 && (at.tilt() - FRAC_PI_2).abs() < 1e-9
+    }
+
+    /// The body after its side has met the table without rebound: neither tilting nor rising, and
+    /// with the horizontal momentum that it had. Where along the side the table has pushed does not
+    /// matter. What is left rolls on its side.
+    pub(super) fn fallen_on_its_side(&self, at: &Instant) -> Instant {
+        let law = self.law(at.phase);
+        let [slip_x, slip_y] = law.slip(at);
+        let before = law.energy(at).kinetic;
+        let mut u = Coordinates {
+            p: 0.0,
+            slip_x: slip_x - self.parameters.z(at) * at.p,
+            slip_y,
+            gap_rate: 0.0,
+            ..at.u
+        };
+        let phase = Phase::Lying;
+        u.impact_loss += before - self.law(phase).energy(&u).kinetic;
+        Instant { phase, u }
     }
 
     /// The rates at the start of a motion, by the law that then holds.

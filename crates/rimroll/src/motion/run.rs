@@ -191,7 +191,13 @@ impl<'a> Run<'a> {
         };
         match switch {
             Switch::Done => Then::End(Status::Finished),
-            Switch::Topple => end(self, EventKind::Topple, Status::Toppled),
+            Switch::Topple => {
+                self.watch.note(EventKind::Topple, *at);
+                if self.contacts.falls_on_its_side(at) {
+                    self.track.push_jump(self.contacts.fallen_on_its_side(at));
+                }
+                Then::End(Status::Toppled)
+            }
             Switch::Rest => end(self, EventKind::Rest, Status::AtRest),
             Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
             Switch::Flat if at.phase == Phase::Flying => {
