@@ -219,7 +219,7 @@ pub fn simulate(
     let start = Coordinates::from_state(start);
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
-    let status = run.to_the_end(watch);
+    let status = run.follow_to_the_end(watch);
     let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),

@@ -441,6 +441,7 @@ fn events_agree(motion: &Motion, found: &mut Found) {
                         Phase::Rolling => matches!(event.kind, EventKind::Stick),
                         Phase::Sliding => matches!(event.kind, EventKind::Slip),
                         Phase::Flying => event.kind == EventKind::LiftOff,
+                        Phase::Lying => event.kind == EventKind::Topple,
                     }
             });
             if !said {

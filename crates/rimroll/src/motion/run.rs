@@ -75,7 +75,10 @@ impl<'a> Run<'a> {
     }
 
     /// Follows the motion to its end.
-    pub(super) fn to_the_end(&mut self, mut report: impl FnMut(f64) -> ControlFlow<()>) -> Status {
+    pub(super) fn follow_to_the_end(
+        &mut self,
+        mut report: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Status {
         loop {
             match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
                 Then::End(status) => return status,
@@ -328,6 +331,6 @@ pub(crate) fn pass_near_collision(
     options: &Options,
 ) -> (Track, Status) {
     let mut run = Run::new(contacts, options, Goal::Passed(faded), start);
-    let status = run.to_the_end(|_| ControlFlow::Continue(()));
+    let status = run.follow_to_the_end(|_| ControlFlow::Continue(()));
     (run.track, status)
 }

@@ -131,10 +131,9 @@ pub fn turn_limit_of(
     match *friction {
         FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
         // In no time a viscous force does nothing.
-        FrictionLaw::Frictionless | FrictionLaw::Viscous { .. } => {
-            Ok(turn_limit(body, IdealLaw::Frictionless))
-        }
-        FrictionLaw::Coulomb { friction, .. } if friction == 0.0 => {
+        FrictionLaw::Frictionless
+        | FrictionLaw::Viscous { .. }
+        | FrictionLaw::Coulomb { friction: 0.0, .. } => {
             Ok(turn_limit(body, IdealLaw::Frictionless))
         }
         FrictionLaw::Coulomb {
