@@ -141,26 +141,8 @@ pub fn turn_limit_of(
         } if gentle && static_friction >= needed_friction(body) => {
             Ok(turn_limit(body, IdealLaw::NoSlip))
         }
-        FrictionLaw::Coulomb { friction, .. } if gentle => just_below_rolling(body, friction),
         _ => Ok(passage(body, friction, arrival)?.turn),
     }
-}
-
-/// For dry friction and a gentle arrival. Just below μ* the slip is so slow that its direction is
-/// ever stiffer to follow, and the turn is as good as linear in μ.
-fn just_below_rolling(body: &Body, friction: f64) -> Result<f64, InvalidInput> {
-    const CLOSE: f64 = 1e-4;
-    let turn = |friction| {
-        let law = FrictionLaw::coulomb(friction);
-        Ok(passage(body, &law, &Arrival::at_rest())?.turn)
-    };
-    let needed = needed_friction(body);
-    let close = needed * (1.0 - CLOSE);
-    if friction <= close {
-        return turn(friction);
-    }
-    let limit = turn_limit(body, IdealLaw::NoSlip);
-    Ok(limit + (turn(close)? - limit) * (needed - friction) / (needed - close))
 }
 
 /// Computes the near-collision by itself.
@@ -168,6 +150,45 @@ fn just_below_rolling(body: &Body, friction: f64) -> Result<f64, InvalidInput> {
 /// # Errors
 /// As [`turn_limit_of`].
 pub fn passage(
+    body: &Body,
+    friction: &FrictionLaw,
+    arrival: &Arrival,
+) -> Result<Passage, InvalidInput> {
+    let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
+    let needed = needed_friction(body);
+    match *friction {
+        FrictionLaw::Coulomb {
+            static_friction, ..
+        } if gentle && static_friction >= needed => {
+            computed_passage(body, &FrictionLaw::NoSlip, arrival)
+        }
+        FrictionLaw::Coulomb { friction, .. } if gentle && friction > needed * (1.0 - CLOSE) => {
+            just_below_rolling(body, arrival, (needed - friction) / (needed * CLOSE))
+        }
+        _ => computed_passage(body, friction, arrival),
+    }
+}
+
+/// How close to μ*, relative to it, friction has to be to count as just below.
+const CLOSE: f64 = 1e-4;
+
+/// Just below μ* the slip is so slow that its direction is ever stiffer to follow, and everything is as
+/// good as linear in μ. `part` is 0 at μ* and 1 where the computation can do it.
+fn just_below_rolling(body: &Body, arrival: &Arrival, part: f64) -> Result<Passage, InvalidInput> {
+    let close = FrictionLaw::coulomb(needed_friction(body) * (1.0 - CLOSE));
+    let sliding = computed_passage(body, &close, arrival)?;
+    let rolling = computed_passage(body, &FrictionLaw::NoSlip, arrival)?;
+    let between = |rolling: f64, sliding: f64| rolling + part * (sliding - rolling);
+    Ok(Passage {
+        turn: between(rolling.turn, sliding.turn),
+        rising_rate: between(rolling.rising_rate, sliding.rising_rate),
+        spin: between(rolling.spin, sliding.spin),
+        slip: core::array::from_fn(|i| between(rolling.slip[i], sliding.slip[i])),
+        loss: between(rolling.loss, sliding.loss),
+    })
+}
+
+fn computed_passage(
     body: &Body,
     friction: &FrictionLaw,
     arrival: &Arrival,

@@ -165,7 +165,7 @@ def draw() -> Drawing:
         figure,
         _caption(),
         _numbers(),
-        _table(),
+        table(),
     )
 
 
@@ -344,7 +344,8 @@ def _numbers() -> dict[str, object]:
     }
 
 
-def _table() -> Table:
+def table() -> Table:
+    """Limiting turns and whole turns for frictions from none to what rolling needs."""
     rows = []
     for friction in map(float, [*CHECKED[CHECKED < NEEDED], NEEDED]):
         turns = [near_collision(friction, start) for start in (None, *STARTS)]
