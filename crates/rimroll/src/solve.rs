@@ -8,12 +8,14 @@ mod collocation;
 mod dense;
 mod dop853;
 mod root;
+mod stiff;
 mod tableau;
 
 pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense::Dense;
 pub use dop853::Step;
 pub use root::bracketed;
+pub use stiff::Implicit;
 
 /// An autonomous system of N first-order equations.
 pub trait System<const N: usize> {

@@ -6,13 +6,16 @@ use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
 use crate::law::Parameters;
-use crate::solve::{Stepper, Work};
+use crate::solve::{Implicit, Stepper, Work};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
 
 /// So many phases of no length one after another are no motion.
 const MOST_EMPTY_PHASES: usize = 30;
+
+/// After so many explicit steps it is asked whether implicit ones would do better.
+const STIFF_AFTER: usize = 64;
 
 /// What follows a phase.
 enum Then {
@@ -111,13 +114,10 @@ impl<'a> Run<'a> {
         };
         let tolerance = self.options.step_tolerance();
         let mut stepper = Stepper::new(&mechanics, start.into_array(), h, tolerance);
-        let before = self.work;
+        let mut before = self.work;
         loop {
-            if self.work.steps >= self.options.max_steps {
-                return Over::For(Status::Failed);
-            }
-            if self.work.steps % 4096 == 4095 && report(self.track.end().t).is_break() {
-                return Over::For(Status::Interrupted);
+            if let Some(over) = self.out_of_steps(report) {
+                return over;
             }
             let Ok(step) = stepper.advance() else {
                 return Over::For(Status::Failed);
@@ -133,6 +133,75 @@ impl<'a> Run<'a> {
                 return self.over_by(switch, h);
             }
             self.empty_phases = 0;
+            if stepper.work.steps % STIFF_AFTER == 0 {
+                match self.relax(&mechanics, phase, h, report) {
+                    ControlFlow::Break(over) => return over,
+                    ControlFlow::Continue(None) => {}
+                    ControlFlow::Continue(Some(h)) => {
+                        let u = self.track.end().u.into_array();
+                        stepper = Stepper::new(&mechanics, u, h, tolerance);
+                        before = self.work;
+                    }
+                }
+            }
+        }
+    }
+
+    fn out_of_steps(&self, report: &mut impl FnMut(f64) -> ControlFlow<()>) -> Option<Over> {
+        if self.work.steps >= self.options.max_steps {
+            return Some(Over::For(Status::Failed));
+        }
+        if self.work.steps % 4096 == 4095 && report(self.track.end().t).is_break() {
+            return Some(Over::For(Status::Interrupted));
+        }
+        None
+    }
+
+    /// Where something relaxes so fast that it alone keeps explicit steps as short as `h`, goes on with
+    /// implicit ones; gives a length for the next explicit step.
+    fn relax(
+        &mut self,
+        mechanics: &Mechanics<'_>,
+        phase: Phase,
+        h: f64,
+        report: &mut impl FnMut(f64) -> ControlFlow<()>,
+    ) -> ControlFlow<Over, Option<f64>> {
+        // Explicit steps are stable up to some 6 relaxations.
+        const STIFF: f64 = 2.0;
+        const WORTH_IT: f64 = 20.0;
+        let implicit = Implicit::new(mechanics, self.options.step_tolerance());
+        let mut u = self.track.end().u.into_array();
+        if mechanics.law.only_moves() || h * implicit.relaxation(&u) < STIFF {
+            return ControlFlow::Continue(None);
+        }
+        let mut next = None;
+        let mut h = WORTH_IT * h;
+        loop {
+            if let Some(over) = self.out_of_steps(report) {
+                return ControlFlow::Break(over);
+            }
+            let found = implicit.step(&u, h);
+            let error = found.as_ref().map_or(f64::INFINITY, |found| found.error);
+            if let Some(found) = found.filter(|found| found.error <= 1.0) {
+                self.work.steps += 1;
+                u = found.dense.end;
+                let piece = Piece {
+                    dense: found.dense,
+                    step: None,
+                };
+                if let Some(switch) = self.watch.pass(phase, &piece, &mut self.track) {
+                    return ControlFlow::Break(self.over_by(switch, h));
+                }
+                next = Some(h);
+            } else {
+                self.work.rejected += 1;
+            }
+            h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, 4.0);
+            let explicit = STIFF / implicit.relaxation(&u);
+            // Written so that a NaN ends it.
+            if !(h > WORTH_IT * explicit) {
+                return ControlFlow::Continue(next.map(|_| explicit));
+            }
         }
     }
 

@@ -28,6 +28,8 @@ pub struct Collocation {
     pub integral: Matrix,
     /// From values at the points to the Legendre coefficient of degree 6.
     pub last: [f64; POINTS],
+    /// From rises at the points over a step of length 1 to the same coefficient of the slope.
+    pub last_of_rises: [f64; POINTS],
     /// From rises at the points to the coefficients of [`Dense`].
     to_dense: Matrix,
 }
@@ -62,9 +64,12 @@ impl Collocation {
                 value
             })
         });
+        let integral = product(&integrals, &to_legendre);
+        let last = to_legendre[POINTS - 1];
         Collocation {
-            integral: product(&integrals, &to_legendre),
-            last: to_legendre[POINTS - 1],
+            last_of_rises: product(&[last; POINTS], &inverse(&integral))[0],
+            integral,
+            last,
             to_dense: inverse(&dense_basis),
         }
     }
