@@ -25,9 +25,9 @@ def run_down(law, tilt=0.1):
 def exponent(motion):
     """Slope of ln α over ln(t₀ − t) while the tilt falls from a half to a tenth of the first.
 
-    t₀ is the motion's end, which is later than that of the power law by some 1e-5 of the time. Over
-    this window the law of the wobble, above, holds to 1e-2 at its beginning; and the slower the loss
-    the less the disk nutates. Hence a tolerance of 0.004.
+    t₀ is the motion's end. At the beginning of the window the law of the wobble, above, is off by
+    some 1e-3, and at its end the disk no longer goes down slowly beside its wobble. Hence a
+    tolerance of 0.004.
     """
     t = np.linspace(0.0, motion.t[-1], 20_001)
     tilt = motion.evaluate(t).tilt

@@ -13,7 +13,7 @@ SI units and radians throughout. Source of the mechanics: M. Srinivasan and A. R
 rolling: a can that appears to rock might actually roll* (2007), called "the paper" below.
 """
 
-from rimroll import bodies, solids
+from rimroll import bodies, solids, surfaces
 from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
@@ -96,6 +96,7 @@ __all__ = [
     "slip_rate",
     "solids",
     "steady_wobble_rate",
+    "surfaces",
     "tall_turn_limit",
     "turn_limit",
     "turn_limit_with_spin",

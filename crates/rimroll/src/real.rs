@@ -27,6 +27,8 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
+    /// Whether x < 0.
+    fn is_negative(self) -> bool;
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
 }
@@ -45,6 +47,11 @@ impl Real for f64 {
     #[inline]
     fn exp(self) -> Self {
         libm::exp(self)
+    }
+
+    #[inline]
+    fn is_negative(self) -> bool {
+        self < 0.0
     }
 
     #[inline]

@@ -33,6 +33,11 @@ pub trait System<const N: usize> {
     fn only_first(&self) -> bool {
         false
     }
+
+    /// How many components change.
+    fn changing(&self) -> usize {
+        if self.only_first() { Self::FIRST } else { N }
+    }
 }
 
 /// Why no further step could be made.

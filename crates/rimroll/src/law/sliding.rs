@@ -85,12 +85,24 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let Pull { per_normal, own } = pull;
+        let Pull {
+            per_normal,
+            mut own,
+        } = *pull;
         let eta = rho - per_normal[0] * z;
-        let turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s) + u.sin * own[0] * z;
-        let pressing = u.sin * (k.g - z * u.p * u.p);
         let inertia = k.a + k.m * rho * eta;
-        let normal = k.m * (k.a * pressing + rho * turning) / inertia;
+        let mut turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
+        let pressing = u.sin * (k.g - z * u.p * u.p);
+        let unaided = k.m * (k.a * pressing + rho * turning) / inertia;
+        let lifting = -(k.m * rho * u.sin * own[0] * z) / inertia;
+        let mut normal = unaided - lifting;
+        if normal.is_negative() && !unaided.is_negative() {
+            // It would lift the rim that it needs to touch: it gives way until nothing presses.
+            let part = unaided / lifting;
+            own = [part * own[0], part * own[1]];
+            normal = T::from(0.0);
+        }
+        turning = turning + u.sin * own[0] * z;
         let contact = Contact {
             along: normal * per_normal[0] + u.sin * own[0],
             across: normal * per_normal[1] + u.sin * own[1],

@@ -193,13 +193,19 @@ impl Contacts {
                 let law = self.law(Phase::Sliding);
                 if law.consistency(u) <= 0.0 {
                     Next::Paradox
-                } else if law.contact(u).normal >= 0.0 {
+                } else if self.pressing(u) >= 0.0 {
                     Next::Slide
                 } else {
                     Next::Fly
                 }
             }
         }
+    }
+
+    /// Positive where a rim that slides is pressed to the table: where, without the table, it would go
+    /// through it.
+    pub(super) fn pressing(&self, u: &Coordinates<f64>) -> f64 {
+        -self.flying.rates(u).gap_rate
     }
 
     /// How a rim at rest that friction cannot hold begins to slip: in the direction in which it then
@@ -231,7 +237,7 @@ impl Contacts {
         });
         match kept.min_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((_, e)) => Next::BeginToSlip(e),
-            None if self.flying.rates(u).gap_rate > 0.0 => Next::Fly,
+            None if self.pressing(u) < 0.0 => Next::Fly,
             None => Next::Paradox,
         }
     }

@@ -281,6 +281,7 @@ impl<'a> Watch<'a> {
             Switch::Topple => self
                 .topple
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
+            Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
             Switch::LiftOff => law.contact(u).normal,
             Switch::Flat => u.sin - self.flat,
             Switch::Break => self.contacts.grip(u),

@@ -85,6 +85,10 @@ impl Real for Dual {
         self.chain(power, power)
     }
 
+    fn is_negative(self) -> bool {
+        self.value < 0.0
+    }
+
     fn odd_power(self, n: f64) -> Dual {
         let slope = n * libm::pow(self.value.abs(), n - 1.0);
         self.chain(self.value.odd_power(n), slope)

@@ -88,7 +88,7 @@ impl<const N: usize> Step<N> {
         let at_end = system.scale(&self.end);
         let fifth = weigh(system, ERROR_5, &self.stages);
         let third = weigh(system, ERROR_3, &self.stages);
-        let count = if system.only_first() { S::FIRST } else { N };
+        let count = system.changing();
         let (mut sum5, mut sum3) = (0.0, 0.0);
         for i in 0..count {
             let allowed = tolerance * at_start[i].max(at_end[i]);
