@@ -1,6 +1,7 @@
 //! How the rim can meet the table on a given surface, and what follows when one way gives over to
 //! another.
 
+use super::mechanics::Mechanics;
 use super::track::Instant;
 use crate::body::Body;
 use crate::impact;
@@ -131,6 +132,16 @@ impl Contacts {
             (Phase::Sliding, SlidingLaw::Smooth(law)) => &**law,
             // Of a body that lies nothing is asked but its energy.
             (Phase::Flying | Phase::Lying, _) => &self.flying,
+        }
+    }
+
+    /// The law that holds in a phase, as the solver sees it.
+    pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_> {
+        let law = self.law(phase);
+        if phase == Phase::Sliding && self.dry().is_some() {
+            Mechanics::slowing_with_slip(law)
+        } else {
+            Mechanics::new(law)
         }
     }
 
