@@ -264,7 +264,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
     let rate = falling_rate(b);
     let mut said = [false; 5];
     for at in motion.track.nodes() {
-        if at.gap < -1e-12 * b.radius() && !core::mem::replace(&mut said[0], true) {
+        if at.gap < -(1e-12 + 1e-7 * case.options.rtol) * b.radius() && !core::mem::replace(&mut said[0], true) {
             found.complaints.push(format!("gap = {:e} at t = {:e}", at.gap, at.t));
         }
         found.under = found.under.max(-at.gap / b.radius());
@@ -436,7 +436,10 @@ fn census() {
         };
         *statuses.entry((format!("{:?}", motion.status), case.surface.friction.name())).or_insert(0) += 1;
         steps.push(motion.work.steps);
-        if took > 0.5 || motion.work.steps > 10_000 { found.complaints.push(format!("slow: {} steps {} rejected {took:.2} s", motion.work.steps, motion.work.rejected)); }
+        let (mut natural, mut last) = (0.0, motion.track.start());
+        for at in motion.track.nodes() { natural += (at.yaw - last.yaw).abs() + (at.tilt() - last.tilt()).abs() + (at.s * (at.t - last.t)).abs(); last = at; }
+        let per = (motion.work.steps + motion.work.rejected) as f64 / (100.0 + natural);
+        if per > 30.0 { found.complaints.push(format!("slow: {} steps {} rejected {took:.2} s natural {natural:.0}", motion.work.steps, motion.work.rejected)); }
         worst.budget = worst.budget.max(found.budget);
         worst.rise = worst.rise.max(found.rise);
         worst.pull = worst.pull.max(found.pull);

@@ -58,7 +58,7 @@ pub(super) enum Next {
 }
 
 /// Below this part of the velocities at hand a slip or a rebound counts as none.
-const STOPPED: f64 = 1e-14;
+pub(super) const STOPPED: f64 = 1e-14;
 
 /// The laws of a body on a surface.
 pub struct Contacts {
@@ -163,11 +163,15 @@ impl Contacts {
         static_friction * contact.normal - libm::hypot(contact.along, contact.across)
     }
 
-    /// A speed (m/s) below which a slip or a rebound counts as none.
-    pub(super) fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
+    /// A speed (m/s) to compare a slip or a rebound with.
+    pub(super) fn slip_scale(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
-        STOPPED * k.r * rate
+        k.r * (u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt())
+    }
+
+    /// A speed (m/s) below which a slip or a rebound counts as none.
+    fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
+        STOPPED * self.slip_scale(u)
     }
 
     /// How a rim on the table goes on.
@@ -241,10 +245,14 @@ impl Contacts {
         }
     }
 
-    /// Whether a slip that begins in this direction keeps it.
+    /// Whether a slip that begins in this direction keeps it: beside it, it is turned toward it.
     fn direction_is_kept(&self, dry: &DrySliding, u: &Coordinates<f64>, e: [f64; 2]) -> bool {
+        const BESIDE: f64 = 1e-4;
         let there = onset(dry, u, e, 0.0);
-        there.sideways.abs() <= 1e-9 * there.size && there.is_possible()
+        let beside = |angle: f64| onset(dry, u, e, angle).sideways;
+        there.sideways.abs() <= 1e-9 * there.size
+            && there.is_possible()
+            && beside(BESIDE) < beside(-BESIDE)
     }
 
     /// The coordinates after a landing, and how the rim goes on.

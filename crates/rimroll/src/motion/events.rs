@@ -1,6 +1,6 @@
 //! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
-use super::contacts::{Contacts, Phase};
+use super::contacts::{Contacts, Phase, STOPPED};
 use super::mechanics::Mechanics;
 use super::track::{Instant, TIME};
 use super::{FACE_DOWN_TILT, Options, Track};
@@ -144,6 +144,9 @@ pub(super) struct Watch<'a> {
     goal: Goal,
     topple: Option<(f64, f64)>,
     rest_energy: f64,
+    /// A slip counts as none below this part of its scale: well under the error of a step, or steps
+    /// would leap to and fro over the rest.
+    stopped: f64,
     /// A tilt rate counts as having a sign when it is larger than this part of its scale: a steady
     /// wobble has none.
     significant: f64,
@@ -166,6 +169,7 @@ impl<'a> Watch<'a> {
             goal,
             topple: options.topple_tilt.map(libm::sincos),
             rest_energy: REST_ENERGY * energy,
+            stopped: STOPPED.max(1e-3 * options.step_tolerance()),
             significant: 10.0 * options.rtol,
             direction: 0.0,
             crossing: None,
@@ -270,7 +274,7 @@ impl<'a> Watch<'a> {
             Switch::LiftOff => law.contact(u).normal,
             Switch::Flat => u.sin - FACE_DOWN_TILT,
             Switch::Break => self.contacts.grip(u),
-            Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
+            Switch::Stop => u.slip_speed() - self.stopped * self.contacts.slip_scale(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
             Switch::Land => u.gap,
             Switch::Rest => energy_above_rest(law, u) - self.rest_energy,
