@@ -23,6 +23,8 @@ pub trait Real:
 {
     /// (sin x, cos x).
     fn sin_cos(self) -> (Self, Self);
+    /// x < 0.
+    fn is_below_zero(self) -> bool;
     /// √x.
     fn sqrt(self) -> Self;
     /// eˣ.
@@ -35,6 +37,11 @@ impl Real for f64 {
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         libm::sincos(self)
+    }
+
+    #[inline]
+    fn is_below_zero(self) -> bool {
+        self < 0.0
     }
 
     #[inline]

@@ -10,6 +10,8 @@
 //! Let a disk lie nearly flat at the tilt α, wobbling at Ω² = 4g/(Rα) (uniform disk), and lose a power
 //! ~ Ω^λ: then α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous λ = 2, air λ = n.
 //!
+//! The viscous part and the air's fade out where less than some hundredths of the weight press.
+//!
 //! sgn is smoothed to x/√(x² + x₀²) with x₀ = √(g/R)/1000, so that a rate may pass through zero.
 
 use super::{Contact, Law, Parameters};
@@ -74,13 +76,26 @@ impl Resistance {
     /// The moments about e_x2 and e_z2 times sin φ, under the force N = `normal`/sin φ.
     fn moment<T: Real>(&self, k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> [T; 2] {
         let smooth = T::from(1e-3) * (k.g / k.r).sqrt();
-        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth);
+        let touching = touching(k, u, normal);
+        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth, touching);
         let [pivoting_x, pivoting_z] = self.pivoting.moment(u, normal, smooth);
         [
-            rolling_x + pivoting_x + self.air.moment(u),
+            rolling_x + pivoting_x + touching * self.air.moment(u),
             rolling_z + pivoting_z,
         ]
     }
+}
+
+/// How much there is of a resistance that does not grow with the load: all of it but where hardly
+/// anything presses any more. In flight there is none, and were it to end at once, the rim could be held
+/// on the table by what ends as it leaves.
+fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
+    const SOFT: f64 = 100.0;
+    if normal.is_below_zero() {
+        return T::from(0.0);
+    }
+    let load = normal / (k.m * k.g * u.sin);
+    T::from(1.0) - (T::from(-SOFT) * load).exp()
 }
 
 impl RollingResistance {
@@ -90,13 +105,14 @@ impl RollingResistance {
         u: &Coordinates<T>,
         normal: T,
         smooth: T,
+        touching: T,
     ) -> [T; 2] {
         // θ̇ sin φ, which stays finite.
         let running = u.sin * u.s - u.w * u.cos;
         let floor = u.sin * smooth;
         let sign = running / (running * running + floor * floor).sqrt();
         let dry = T::from(self.dry) * k.r * normal * sign;
-        let viscous = T::from(self.viscous) * k.r * k.r * running;
+        let viscous = touching * T::from(self.viscous) * k.r * k.r * running;
         let resisting = dry + viscous;
         [resisting * u.cos / u.sin, -resisting]
     }

@@ -163,6 +163,17 @@ impl Contacts {
         static_friction * contact.normal - libm::hypot(contact.along, contact.across)
     }
 
+    /// What keeps the rim on the table, N sin φ: where friction has given way so far that nothing presses,
+    /// the force that would be had without it.
+    pub(super) fn pressing(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
+        let normal = self.law(phase).contact(u).normal;
+        if normal > 0.0 || phase == Phase::Rolling {
+            normal
+        } else {
+            -self.parameters.m * self.flying.rates(u).gap_rate
+        }
+    }
+
     /// A speed (m/s) to compare a slip or a rebound with.
     pub(super) fn slip_scale(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
@@ -191,7 +202,7 @@ impl Contacts {
                 let law = self.law(Phase::Sliding);
                 if law.consistency(u) <= 0.0 {
                     Next::Paradox
-                } else if law.contact(u).normal >= 0.0 {
+                } else if self.pressing(Phase::Sliding, u) >= 0.0 {
                     Next::Slide
                 } else {
                     Next::Fly

@@ -271,7 +271,7 @@ impl<'a> Watch<'a> {
             Switch::Topple => self
                 .topple
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
-            Switch::LiftOff => law.contact(u).normal,
+            Switch::LiftOff => self.contacts.pressing(phase, u),
             Switch::Flat => u.sin - FACE_DOWN_TILT,
             Switch::Break => self.contacts.grip(u),
             Switch::Stop => u.slip_speed() - self.stopped * self.contacts.slip_scale(u),

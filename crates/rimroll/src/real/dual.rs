@@ -75,6 +75,10 @@ impl Real for Dual {
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
+    fn is_below_zero(self) -> bool {
+        self.value < 0.0
+    }
+
     fn sqrt(self) -> Dual {
         let root = self.value.sqrt();
         self.chain(root, 0.5 / root)

@@ -129,7 +129,8 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
                 .map(|j| self.method.last_of_rises[j] * (states[j][i] - start[i]))
                 .sum();
             let size = at_start[i].max(at_end[i]);
-            error = error.max((0.05 * highest / size).abs());
+            let part = (0.05 * highest / size).abs();
+            error = error.max(if part.is_nan() { f64::INFINITY } else { part });
         }
         Found {
             dense: self.method.through(h, start, states),
@@ -226,8 +227,7 @@ impl Newton {
                     None => (wanted[j][i] - state[i]) / sizes[i],
                 };
                 state[i] += by * sizes[i];
-                // A NaN is kept.
-                change = if by.abs() <= change { change } else { by.abs() };
+                change = change.max(if by.is_nan() { f64::INFINITY } else { by.abs() });
             }
         }
         change
