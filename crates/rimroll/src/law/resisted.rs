@@ -10,7 +10,7 @@
 //! Let a disk lie nearly flat at the tilt α, wobbling at Ω² = 4g/(Rα) (uniform disk), and lose a power
 //! ~ Ω^λ: then α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous λ = 2, air λ = n.
 //!
-//! The viscous part and the air's fade out where less than some hundredths of the weight press.
+//! The viscous part and the air's fade out where less than some thousandths of the weight press.
 //!
 //! sgn is smoothed to x/√(x² + x₀²) with x₀ = √(g/R)/1000, so that a rate may pass through zero.
 
@@ -90,11 +90,12 @@ impl Resistance {
 /// anything presses any more. In flight there is none, and were it to end at once, the rim could be held
 /// on the table by what ends as it leaves.
 fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
-    const SOFT: f64 = 100.0;
+    const SOFT: f64 = 1000.0;
     if normal.is_below_zero() {
         return T::from(0.0);
     }
-    let load = normal / (k.m * k.g * u.sin);
+    let thrown = (k.r + k.h) * (u.p * u.p + u.s * u.s);
+    let load = normal / (k.m * u.sin * (k.g + thrown));
     T::from(1.0) - (T::from(-SOFT) * load).exp()
 }
 

@@ -158,7 +158,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 /// How much there is of a friction of its own, which turns the body and so adds `by_own` to the normal
 /// force: it cannot pull the rim up, and gives way where it would.
 fn part_kept<T: Real>(without: T, by_own: T) -> T {
-    if !(without + by_own).is_below_zero() {
+    if !(without + by_own).is_below_zero() || !by_own.is_below_zero() {
         T::from(1.0)
     } else if without.is_below_zero() {
         T::from(0.0)

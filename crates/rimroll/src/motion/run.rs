@@ -1,6 +1,6 @@
 //! The phases of a motion, one after another.
 
-use super::contacts::{Contacts, Next, Phase};
+use super::contacts::{Contacts, Next, Phase, STOPPED};
 use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
 use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
@@ -234,12 +234,19 @@ impl<'a> Run<'a> {
             .unwrap_or_else(|| [begin.u.slip_x / speed, begin.u.slip_y / speed]);
         let slow = onset::begin(dry, mechanics, &begin.u, direction, 10.0 * h, tolerance);
         if slow.steps.is_empty() {
-            return if begin.direction.is_some() {
-                // A slip that was to begin does not grow.
-                ControlFlow::Break(Over::For(Status::Failed))
-            } else {
-                ControlFlow::Continue((begin.u, h))
+            let from = match begin.direction {
+                // What cannot be followed from nothing may be from next to nothing.
+                Some([x, y]) => {
+                    let faint = 100.0 * STOPPED * self.contacts.slip_scale(&begin.u);
+                    Coordinates {
+                        slip_x: faint * x,
+                        slip_y: faint * y,
+                        ..begin.u
+                    }
+                }
+                None => begin.u,
             };
+            return ControlFlow::Continue((from, h));
         }
         for dense in slow.steps {
             self.work.steps += 1;
@@ -276,7 +283,11 @@ impl<'a> Run<'a> {
             }
             Switch::LiftOff => self.going_on(Next::Fly, at.u),
             Switch::Break => {
-                let next = self.contacts.begin_to_slip(at);
+                let next = match self.contacts.begin_to_slip(at) {
+                    // It was only just about to.
+                    Next::Paradox if self.contacts.grip(at) > 0.0 => Next::Roll,
+                    next => next,
+                };
                 self.going_on(next, at.u)
             }
             Switch::Stop => {

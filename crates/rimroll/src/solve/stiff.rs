@@ -67,7 +67,7 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
                 return Some(self.found(start, &states, h));
             }
             // Rounding keeps the last changes from getting smaller. Written so that a NaN ends it.
-            let shrinks = change <= 0.5 * last_change;
+            let shrinks = change <= 0.8 * last_change;
             if round > 4 && !shrinks {
                 let settled = change <= 4.0 * self.tolerance;
                 return settled.then(|| self.found(start, &states, h));
