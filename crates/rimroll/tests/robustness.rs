@@ -453,7 +453,7 @@ fn census() {
                 for e in &motion.events { println!("   {:?} t={:e} {:?} tilt={:e} p={:e} w={:e} s={:e} slip={:e},{:e} gap={:e}", e.kind, e.at.t, e.at.phase, e.at.tilt(), e.at.p, e.at.w, e.at.s, e.at.slip_x, e.at.slip_y, e.at.gap); }
                 let e = motion.track.end(); println!("   END {:?} {:?} energy {:e} of {:e}", e.phase, e.u, motion.law(&e).energy(&e).total(), motion.law(&motion.track.start()).energy(&motion.track.start()).total());
                 let nodes: Vec<_> = motion.track.nodes().collect();
-                for at in nodes.iter().rev().take(5) { println!("   near end: t={:e} {:?} tilt={:e} p={:e} w={:e} s={:e} slip={:e},{:e}", at.t, at.phase, at.tilt(), at.p, at.w, at.s, at.slip_x, at.slip_y); }
+                for at in nodes.iter().rev().take(std::env::var("LAST").ok().and_then(|v| v.parse().ok()).unwrap_or(5)) { println!("   near end: t={:e} {:?} tilt={:e} p={:e} w={:e} s={:e} slip={:e},{:e}", at.t, at.phase, at.tilt(), at.p, at.w, at.s, at.slip_x, at.slip_y); }
             }
         }
     }

@@ -76,6 +76,7 @@ pub(super) fn begin(
     mechanics: &Mechanics<'_>,
     start: &Coordinates<f64>,
     direction: [f64; 2],
+    from_rest: bool,
     h: f64,
     tolerance: f64,
 ) -> Onset {
@@ -99,8 +100,10 @@ pub(super) fn begin(
     if at.speed > 0.0 && h * beginning.rates(&at).slope.abs() < FOLLOWED * at.speed {
         return onset;
     }
-    // Friction is exceeded where the phase begins, but for rounding: then slip does not begin backward.
-    beginning.push = (-beginning.rates(&at).speed).max(0.0);
+    if from_rest {
+        // Friction is exceeded where the phase begins, but for rounding: slip does not begin backward.
+        beginning.push = (-beginning.rates(&at).speed).max(0.0);
+    }
     let least = 1e-12 * h;
     let mut h = h;
     while onset.steps.len() < MOST_STEPS && h > least {

@@ -195,8 +195,7 @@ impl<'a> Run<'a> {
             }
             h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, 4.0);
             let explicit = STIFF / implicit.relaxation(&u);
-            // Written so that a NaN ends it.
-            if !(h > WORTH_IT * explicit) {
+            if h.is_nan() || h <= WORTH_IT * explicit {
                 return ControlFlow::Continue(next.map(|_| explicit));
             }
         }
@@ -232,7 +231,9 @@ impl<'a> Run<'a> {
         let direction = begin
             .direction
             .unwrap_or_else(|| [begin.u.slip_x / speed, begin.u.slip_y / speed]);
-        let slow = onset::begin(dry, mechanics, &begin.u, direction, 10.0 * h, tolerance);
+        let from_rest = begin.direction.is_some();
+        let h = 10.0 * h;
+        let slow = onset::begin(dry, mechanics, &begin.u, direction, from_rest, h, tolerance);
         if slow.steps.is_empty() {
             let from = match begin.direction {
                 // What cannot be followed from nothing may be from next to nothing.
@@ -246,7 +247,7 @@ impl<'a> Run<'a> {
                 }
                 None => begin.u,
             };
-            return ControlFlow::Continue((from, h));
+            return ControlFlow::Continue((from, 0.1 * h));
         }
         for dense in slow.steps {
             self.work.steps += 1;

@@ -55,6 +55,8 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
     /// A step of length h; none where Newton's method does not settle.
     pub fn step(&self, start: &[f64; N], h: f64) -> Option<Found<N>> {
         const MOST_ROUNDS: usize = 30;
+        // So far from the start the equations may have another solution.
+        const FARTHEST: f64 = 10.0;
         let slopes = self.slopes(start);
         let newton = Newton::new(&self.method, &slopes, h)?;
         let mut states = [*start; POINTS];
@@ -65,6 +67,9 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
             let change = newton.correct(&slopes, &wanted, &mut states);
             if change <= 0.02 * self.tolerance {
                 return Some(self.found(start, &states, h));
+            }
+            if change > FARTHEST {
+                return None;
             }
             // Rounding keeps the last changes from getting smaller. Written so that a NaN ends it.
             let shrinks = change <= 0.8 * last_change;
