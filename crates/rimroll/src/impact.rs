@@ -81,9 +81,16 @@ pub(crate) fn land(
         work: 0.0,
     };
     mobility.press(&mut now, friction, Until::Compressed);
+    let compressed = now;
     if restitution > 0.0 {
         let back = now.work * (1.0 - restitution * restitution);
         mobility.press(&mut now, friction, Until::Restored(back));
+    }
+    if now.v <= rest {
+        now = Striking {
+            v: 0.0,
+            ..compressed
+        };
     }
     let [px, py, pn] = now.impulse;
     let mut after = *u;
@@ -92,7 +99,7 @@ pub(crate) fn land(
     after.s -= k.r * py / k.c;
     [after.slip_x, after.slip_y] = now.slip;
     after.gap = 0.0;
-    after.gap_rate = if now.v > rest { now.v } else { 0.0 };
+    after.gap_rate = now.v;
     after.impact_loss += kinetic(k, u) - kinetic(k, &after);
     after
 }

@@ -167,8 +167,10 @@ pub trait Law<T: Real> {
         let vz = k.rho(u) * u.p + u.gap_rate;
         let translation = k.m * (vx * vx + vy * vy + vz * vz);
         let rotation = k.a * (u.p * u.p + u.w * u.w) + k.c * u.s * u.s;
-        // z − H without cancellation at small tilt: 1 − cos φ = sin² φ / (1 + cos φ).
-        let lift = k.r * u.sin - k.h * u.sin * u.sin / (T::from(1.0) + u.cos);
+        // z − H without cancellation at small tilt: 1 − cos φ = sin² φ / (1 + cos φ). A disk may lie on
+        // its other face, where that would be 0/0.
+        const NEVER_ZERO: f64 = 1e-300;
+        let lift = k.r * u.sin - k.h * u.sin * u.sin / (T::from(1.0) + u.cos + T::from(NEVER_ZERO));
         Energy {
             kinetic: T::from(0.5) * (translation + rotation),
             potential: k.m * k.g * (lift + u.gap),

@@ -10,6 +10,8 @@
 //! Let a disk lie nearly flat at the tilt α, wobbling at Ω² = 4g/(Rα) (uniform disk), and lose a power
 //! ~ Ω^λ: then α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous λ = 2, air λ = n.
 //!
+//! The viscous part and the air's fade out where less than some thousandths of the weight press.
+//!
 //! sgn is smoothed to x/√(x² + x₀²), so that a rate may pass through zero: x is the angular velocity
 //! about the vertical or, for rolling, about the horizontal through the contact point and the centre of
 //! the base, θ̇ sin φ; x₀ = √(g/R)/1000.
@@ -76,13 +78,27 @@ impl Resistance {
     /// The moments about e_x2 and e_z2 times sin φ, under the force N = `normal`/sin φ.
     fn moment<T: Real>(&self, k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> [T; 2] {
         let smooth = T::from(1e-3) * (k.g / k.r).sqrt();
-        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth);
+        let touching = touching(k, u, normal);
+        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth, touching);
         let [pivoting_x, pivoting_z] = self.pivoting.moment(u, normal, smooth);
         [
-            rolling_x + pivoting_x + self.air.moment(u),
+            rolling_x + pivoting_x + touching * self.air.moment(u),
             rolling_z + pivoting_z,
         ]
     }
+}
+
+/// How much there is of a resistance that does not grow with the load: all of it but where hardly
+/// anything presses any more. In flight there is none, and were it to end at once, the rim could be held
+/// on the table by what ends as it leaves.
+fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
+    const SOFT: f64 = 1000.0;
+    if normal.is_negative() {
+        return T::from(0.0);
+    }
+    let thrown = (k.r + k.h) * (u.p * u.p + u.s * u.s);
+    let load = normal / (k.m * u.sin * (k.g + thrown));
+    T::from(1.0) - (T::from(-SOFT) * load).exp()
 }
 
 impl RollingResistance {
@@ -92,12 +108,13 @@ impl RollingResistance {
         u: &Coordinates<T>,
         normal: T,
         smooth: T,
+        touching: T,
     ) -> [T; 2] {
         // θ̇ sin φ, the angular velocity about −e_x1, which stays finite.
         let running = u.sin * u.s - u.w * u.cos;
         let sign = running / (running * running + smooth * smooth).sqrt();
         let dry = T::from(self.dry) * k.r * normal * sign;
-        let viscous = T::from(self.viscous) * k.r * k.r * running;
+        let viscous = touching * T::from(self.viscous) * k.r * k.r * running;
         let resisting = dry + viscous;
         [resisting * u.cos / u.sin, -resisting]
     }

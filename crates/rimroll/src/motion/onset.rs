@@ -57,6 +57,8 @@ struct Beginning<'a> {
     direction: [f64; 2],
     method: Collocation,
     tolerance: f64,
+    /// What is added to r′.
+    push: f64,
 }
 
 /// A step with its error, over what is tolerated, and how often δ relaxes in a step as long.
@@ -74,15 +76,17 @@ pub(super) fn begin(
     mechanics: &Mechanics<'_>,
     start: &Coordinates<f64>,
     direction: [f64; 2],
+    from_rest: bool,
     h: f64,
     tolerance: f64,
 ) -> Onset {
-    let beginning = Beginning {
+    let mut beginning = Beginning {
         dry,
         mechanics,
         direction,
         method: Collocation::new(),
         tolerance,
+        push: 0.0,
     };
     let mut at = Polar {
         at: *start,
@@ -95,6 +99,10 @@ pub(super) fn begin(
     };
     if at.speed > 0.0 && h * beginning.rates(&at).slope.abs() < FOLLOWED * at.speed {
         return onset;
+    }
+    if from_rest {
+        // Friction is exceeded where the phase begins, but for rounding: slip does not begin backward.
+        beginning.push = (-beginning.rates(&at).speed).max(0.0);
     }
     let least = 1e-12 * h;
     let mut h = h;
@@ -159,7 +167,7 @@ impl Beginning<'_> {
                 ..rates
             }
             .into_array(),
-            speed,
+            speed: speed + self.push,
             sideways,
             slope: (beside(NUDGE) - beside(-NUDGE)) / (2.0 * NUDGE),
         }
@@ -305,6 +313,9 @@ impl Beginning<'_> {
             error = error.max(of_highest(&|j| rates[j].at[i], sizes.at[i]));
         }
         let end = points[POINTS - 1];
+        if !step.end.iter().all(|x| x.is_finite()) {
+            error = f64::INFINITY;
+        }
         Found {
             step,
             error: error / self.tolerance,

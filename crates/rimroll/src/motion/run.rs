@@ -199,8 +199,7 @@ impl<'a> Run<'a> {
             }
             h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, 4.0);
             let explicit = STIFF / implicit.relaxation(&u);
-            // Written so that a NaN ends it.
-            if !(h > WORTH_IT * explicit) {
+            if h.is_nan() || h <= WORTH_IT * explicit {
                 return ControlFlow::Continue(next.map(|_| explicit));
             }
         }
@@ -236,14 +235,23 @@ impl<'a> Run<'a> {
         let direction = begin
             .direction
             .unwrap_or_else(|| [begin.u.slip_x / speed, begin.u.slip_y / speed]);
-        let slow = onset::begin(dry, mechanics, &begin.u, direction, 10.0 * h, tolerance);
+        let from_rest = begin.direction.is_some();
+        let h = 10.0 * h;
+        let slow = onset::begin(dry, mechanics, &begin.u, direction, from_rest, h, tolerance);
         if slow.steps.is_empty() {
-            return if begin.direction.is_some() {
-                // A slip that was to begin does not grow.
-                ControlFlow::Break(Over::For(Status::Failed))
-            } else {
-                ControlFlow::Continue((begin.u, h))
+            let from = match begin.direction {
+                // What cannot be followed from nothing may be from next to nothing.
+                Some([x, y]) => {
+                    let faint = 10.0 * self.contacts.stopped_speed(&begin.u);
+                    Coordinates {
+                        slip_x: faint * x,
+                        slip_y: faint * y,
+                        ..begin.u
+                    }
+                }
+                None => begin.u,
             };
+            return ControlFlow::Continue((from, 0.1 * h));
         }
         for dense in slow.steps {
             self.work.steps += 1;
@@ -287,7 +295,11 @@ impl<'a> Run<'a> {
             }
             Switch::LiftOff => self.going_on(Next::Fly, at.u),
             Switch::Break => {
-                let next = self.contacts.begin_to_slip(at);
+                let next = match self.contacts.begin_to_slip(at) {
+                    // It was only just about to.
+                    Next::Paradox if self.contacts.grip(at) > 0.0 => Next::Roll,
+                    next => next,
+                };
                 self.going_on(next, at.u)
             }
             Switch::Stop => {

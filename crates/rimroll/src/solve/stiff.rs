@@ -55,6 +55,8 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
     /// A step of length h; none where Newton's method does not settle.
     pub fn step(&self, start: &[f64; N], h: f64) -> Option<Found<N>> {
         const MOST_ROUNDS: usize = 30;
+        // So far from the start the equations may have another solution.
+        const FARTHEST: f64 = 10.0;
         let slopes = self.slopes(start);
         let newton = Newton::new(&self.method, &slopes, h)?;
         let mut states = [*start; POINTS];
@@ -66,8 +68,11 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
             if change <= 0.02 * self.tolerance {
                 return Some(self.found(start, &states, h));
             }
+            if change > FARTHEST {
+                return None;
+            }
             // Rounding keeps the last changes from getting smaller. Written so that a NaN ends it.
-            let shrinks = change <= 0.5 * last_change;
+            let shrinks = change <= 0.8 * last_change;
             if round > 4 && !shrinks {
                 let settled = change <= 4.0 * self.tolerance;
                 return settled.then(|| self.found(start, &states, h));
@@ -129,7 +134,8 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
                 .map(|j| self.method.last_of_rises[j] * (states[j][i] - start[i]))
                 .sum();
             let size = at_start[i].max(at_end[i]);
-            error = error.max((0.05 * highest / size).abs());
+            let part = (0.05 * highest / size).abs();
+            error = error.max(if part.is_nan() { f64::INFINITY } else { part });
         }
         Found {
             dense: self.method.through(h, start, states),
@@ -226,8 +232,7 @@ impl Newton {
                     None => (wanted[j][i] - state[i]) / sizes[i],
                 };
                 state[i] += by * sizes[i];
-                // A NaN is kept.
-                change = if by.abs() <= change { change } else { by.abs() };
+                change = change.max(if by.is_nan() { f64::INFINITY } else { by.abs() });
             }
         }
         change
