@@ -253,10 +253,12 @@ impl Contacts {
         }
     }
 
-    /// Whether toppling here means that the side of the body meets the table; the two ideal laws, which
-    /// know no landing, leave it at that.
-    pub(super) fn falls_on_its_side(&self, at: &Coordinates<f64>) -> bool {
-        self.can_fly() && self.parameters.h > 0.0 && (at.tilt() - FRAC_PI_2).abs() < 1e-9
+    /// Whether toppling here means that the side of the body meets the table: not in the air, and the two
+    /// ideal laws, which know no landing, leave it at that.
+    pub(super) fn falls_on_its_side(&self, at: &Instant) -> bool {
+        let on_table = at.phase != Phase::Flying;
+        let upright_base = (at.tilt() - FRAC_PI_2).abs() < 1e-9;
+        self.can_fly() && self.parameters.h > 0.0 && on_table && upright_base
     }
 
     /// The body after its side has met the table without rebound: neither tilting nor rising, and
