@@ -35,7 +35,7 @@ def test_a_verdict_follows_from_the_numbers_alone():
 
 def test_the_printed_no_slip_formula_is_the_only_angle_of_the_can_that_differs(claims):
     differing = [c for c in claims if c.verdict == DIFFERS and c.unit == "°"]
-    assert [c.where for c in differing] == ["Eq. (15)", "Disks"]
+    assert [c.where for c in differing] == ["Eq. (15)", "Disks", "Disks"]
     inverted = find(claims, "as printed")
     k = 5.13e-3 + 0.069**2
     assert inverted.printed == pytest.approx(180 * np.sqrt(k / (k + 0.051**2)), abs=1e-9)
@@ -55,6 +55,17 @@ def test_the_can_of_the_caption_taken_literally_topples_instead_of_rocking(claim
     assert claim.ours == pytest.approx(1.5, abs=1e-9)
     assert "t = 2.129" in claim.remark
     assert "182.99° and 183.18°" in claim.remark
+
+
+def test_the_step_of_disks_depends_on_no_friction_but_the_turn_to_the_tilt_maximum_does(claims):
+    assert find(claims, "form of the friction law").verdict == AGREES
+    whole = find(claims, "uniform disk at μ = 0.8")
+    assert whole.verdict == DIFFERS
+    assert whole.ours == pytest.approx(399.07 - 402.49, abs=0.02)
+
+
+def test_starts_do_not_matter_at_the_paper_s_two_limits(claims):
+    assert find(claims, "does not depend on the initial conditions").verdict == AGREES
 
 
 @pytest.mark.parametrize("erratum", ERRATA, ids=lambda e: e.test)

@@ -45,7 +45,7 @@ def test_without_a_command_there_is_help(said):
     assert "Usage: rimroll" in said("")
 
 
-@pytest.mark.parametrize("command", ["turn", "simulate", "reproduce", "bodies"])
+@pytest.mark.parametrize("command", ["turn", "simulate", "compare", "reproduce", "bodies"])
 def test_each_command_has_help_with_an_example(said, command):
     text = said(f"{command} --help")
     assert f"$ rimroll {command}" in text
@@ -55,7 +55,7 @@ def test_each_command_has_help_with_an_example(said, command):
 def test_the_examples_in_the_help_work(said, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     Path("examples").symlink_to(Path(CAN).parent)
-    for command in ("turn", "simulate", "bodies"):
+    for command in ("turn", "simulate", "compare", "bodies"):
         lines = said(f"{command} --help").splitlines()
         examples = [line.split("$ rimroll ")[1] for line in lines if "$ rimroll" in line]
         assert examples
@@ -132,6 +132,124 @@ def test_a_body_is_a_preset_or_a_file_or_five_numbers(said, arguments, body):
     assert answer["body"]["mass"] == body.mass
 
 
+FRICTION = "--friction 0.2 --tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 1e-5"
+FLICK = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=1e-5)
+CAN_2007 = rr.bodies.can_2007()
+
+
+def test_turn_with_friction_sets_its_limit_beside_the_ideal_ones(said):
+    answer = json.loads(said("turn --friction 0.2 --json"))
+    assert answer["turn_limit"] == {
+        "no_slip": rr.turn_limit(CAN_2007, rr.NoSlip()),
+        "frictionless": rr.turn_limit(CAN_2007, rr.Frictionless()),
+        "coulomb": rr.turn_limit(CAN_2007, rr.Coulomb(0.2)),
+    }
+    assert answer["arrivals"] == {} and answer["motions"] == {}
+    text = said("turn --friction 0.2")
+    assert "coulomb, friction 0.2" in text and "no-slip" in text
+    assert "What depends on the arrival" in text
+
+
+def test_turn_with_friction_and_a_start_has_the_limit_of_its_arrival(said):
+    arrival = rr.arrival(CAN_2007, FLICK, rr.Coulomb(0.2))
+    answer = json.loads(said(f"turn {FRICTION} --json"))
+    assert answer["arrivals"]["coulomb"] == {
+        "turn_limit": rr.turn_limit(CAN_2007, rr.Coulomb(0.2), arrival),
+        "tipping_rate": arrival.tipping_rate,
+        "slip": arrival.slip,
+        "spin": arrival.spin,
+        "friction_ratio": arrival.friction_ratio,
+    }
+    assert list(answer["motions"]) == ["coulomb"]
+    assert "beyond_limit" not in answer["motions"]["coulomb"]["turns"][0]
+    text = said(f"turn {FRICTION}")
+    assert "210.784°" in text  # from this start
+    assert "209.800°" in text  # arriving without slip
+    assert "slipping outward at 3.05 cm/s" in text
+
+
+def test_turn_from_a_start_that_topples_still_has_the_ideal_limits(said):
+    text = said("turn --friction 0.2 --tilt 50deg")
+    assert "202.287°" in text and "209.800°" in text
+    assert "this start has no near-collision" in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "law"),
+    [
+        ("", rr.NoSlip()),
+        ("--law noslip", rr.NoSlip()),
+        ("--law no_slip", rr.NoSlip()),
+        ("--law No-Slip", rr.NoSlip()),
+        ("--friction 0.2", rr.Coulomb(0.2)),
+        ("--friction 20%", rr.Coulomb(0.2)),
+        (
+            "--friction 0.2 --static-friction 0.25 --restitution 0.5",
+            rr.Coulomb(0.2, 0.25, 0.5),
+        ),
+        ("--law coulomb --friction 0.2", rr.Coulomb(0.2)),
+        ("--surface ice", rr.Coulomb(0.03)),
+        ("--surface Wood --static-friction 0.5", rr.Coulomb(0.3, 0.5)),
+        ("--law coulomb --surface rubber", rr.Coulomb(0.8)),
+        ("--viscous-coefficient 2mN*s/mm", rr.Viscous(2.0)),
+        ("--law viscous --viscous-coefficient 3", rr.Viscous(3.0)),
+        ("--law stribeck --friction 0.2", rr.Stribeck(0.2)),
+        (
+            "--friction 0.2 --stribeck-speed 2cm/s --creep-speed 0.5mm/s",
+            rr.Stribeck(0.2, stribeck_speed=0.02, creep_speed=5e-4),
+        ),
+        (
+            "--rolling-resistance 1e-5 --rolling-viscous 1e-9 --pivoting-friction 0.1mm",
+            rr.NoSlip() + rr.RollingResistance(1e-5, 1e-9) + rr.PivotingFriction(1e-4),
+        ),
+        ("--air-drag 1e-15", rr.NoSlip() + rr.AirDrag(1e-15)),
+        ("--air-drag 1e-15 --air-exponent 2.5", rr.NoSlip() + rr.AirDrag(1e-15, 2.5)),
+        ("--air-drag film", rr.NoSlip() + rr.AirDrag.film(0.051)),
+    ],
+)
+def test_options_are_the_laws_of_the_api(said, arguments, law):
+    start = "--tilt 30deg --yaw-rate 0.005 --duration 50ms"
+    parameters = json.loads(said(f"simulate {start} {arguments} --json"))["parameters"]
+    assert parameters["law"] == law.name
+    given = {name: value for name, value in parameters.items() if name.startswith("law_")}
+    assert given == {f"law_{name}": value for name, value in law.numbers.items()}
+
+
+@pytest.fixture
+def sticky(tmp_path):
+    """A scenario with a law of its own."""
+    path = tmp_path / "sticky.toml"
+    path.write_text(
+        '[body]\npreset = "can_2007"\n[start]\ntilt = "30 deg"\nyaw_rate = 0.005\n[law]\n'
+        'kind = "coulomb"\nfriction = 0.2\nstatic = 0.3\n[law.rolling_resistance]\ndry = 1e-6\n'
+        '[simulation]\nduration = "50 ms"'
+    )
+    return path
+
+
+@pytest.mark.parametrize(
+    ("arguments", "law"),
+    [
+        ("", rr.Coulomb(0.2, 0.3) + rr.RollingResistance(1e-6)),
+        ("--friction 0.1", rr.Coulomb(0.1, 0.3) + rr.RollingResistance(1e-6)),
+        ("--restitution 1", rr.Coulomb(0.2, 0.3, 1.0) + rr.RollingResistance(1e-6)),
+        ("--law no-slip", rr.NoSlip() + rr.RollingResistance(1e-6)),
+        ("--surface ice", rr.Coulomb(0.03) + rr.RollingResistance(1e-6)),
+        ("--rolling-viscous 1e-9", rr.Coulomb(0.2, 0.3) + rr.RollingResistance(1e-6, 1e-9)),
+        ("--rolling-resistance 0", rr.Coulomb(0.2, 0.3) + rr.RollingResistance(0.0)),
+    ],
+)
+def test_options_replace_the_numbers_of_a_files_law(said, sticky, arguments, law):
+    parameters = json.loads(said(f"simulate {sticky} {arguments} --json"))["parameters"]
+    assert parameters["law"] == law.name
+    given = {name: value for name, value in parameters.items() if name.startswith("law_")}
+    assert given == {f"law_{name}": value for name, value in law.numbers.items()}
+
+
+def test_turn_of_a_file_with_friction_shows_its_limit(said, sticky):
+    assert "coulomb, friction 0.2, static 0.3" in said(f"turn {sticky}")
+
+
 # simulate
 
 
@@ -196,7 +314,7 @@ def test_netcdf_opens_again_as_the_same_dataset(said, motion, tmp_path):
     path = tmp_path / "can.nc"
     said(f"simulate {PAPER} -o {path}")
     with xr.open_dataset(path) as read:
-        assert read.equals(motion.to_xarray())
+        assert read.drop_vars(["phase_kind", "phase_start", "phase_end"]).equals(motion.to_xarray())
         assert read["tilt"].attrs["units"] == "rad"
         assert read.attrs["start_tilt_rate"] == -0.5
         assert read.attrs["duration"] == 2.0
@@ -209,6 +327,47 @@ def test_json_files_also_have_the_samples(said, motion, tmp_path):
     assert read["samples"]["yaw"] == motion.yaw.tolist()
     assert read["units"]["yaw"] == "rad"
     assert read["parameters"]["body"] == "can_2007"
+
+
+def test_simulate_with_friction_tells_phases_and_losses(said):
+    motion = rr.simulate(CAN_2007, FLICK, rr.Coulomb(0.3))
+    rolling = [phase for phase in motion.phases if phase.kind == "rolling"]
+    sliding = [phase for phase in motion.phases if phase.kind == "sliding"]
+    text = said(f"simulate {FRICTION} --friction 0.3")
+    assert f"phases: {len(rolling)} rolling" in text and f"{len(sliding)} sliding" in text
+    assert f"lost {1e3 * motion.friction_loss[-1]:.4g} mJ to friction" in text
+    assert f"{len(rolling) - 1} stick" in text
+    rolled = said(f"simulate {PAPER}")
+    assert "phases" not in rolled and "lost" not in rolled
+
+
+def test_files_have_the_phases_the_losses_and_repeated_times(said, tmp_path):
+    motion = rr.simulate(CAN_2007, FLICK, rr.Coulomb(0.3))
+    files = [tmp_path / f"can.{suffix}" for suffix in ("csv", "nc", "json")]
+    said(f"simulate {FRICTION} --friction 0.3 " + " ".join(f"-o {file}" for file in files))
+    changes = len(motion.phases) - 1
+    assert changes > 0
+
+    header, *rest = files[0].read_text().splitlines()
+    assert "slip_x[m/s]" in header and "friction_loss[J]" in header
+    assert any(
+        line.startswith("# t = ") and "once as before, once as after" in line for line in rest
+    )
+    t = [line.split(",")[0] for line in rest if not line.startswith("#")]
+    assert 0 < len(t) - len(set(t)) <= changes
+
+    with xr.open_dataset(files[1]) as read:
+        assert [str(kind) for kind in read["phase_kind"].values] == [p.kind for p in motion.phases]
+        assert read["phase_start"].values.tolist() == [p.start for p in motion.phases]
+        assert read["phase_end"].values.tolist() == [p.end for p in motion.phases]
+        assert "once as before, once as after" in read["t"].attrs["comment"]
+        assert np.array_equal(read["slip_x"], motion["slip_x"])
+
+    read = json.loads(files[2].read_text())
+    assert [phase["kind"] for phase in read["phases"]] == [phase.kind for phase in motion.phases]
+    assert read["losses"]["friction"] == motion.friction_loss[-1]
+    assert read["samples"]["friction_loss"] == motion.friction_loss.tolist()
+    assert "once as before, once as after" in read["comments"]["t"]
 
 
 @pytest.mark.parametrize(
@@ -235,6 +394,55 @@ def test_figures_and_films_are_written_by_their_suffix(said, tmp_path, name, beg
     said(f"simulate {PAPER} --duration 20ms -o {tmp_path / name}")
     assert (tmp_path / name).read_bytes().startswith(begins)
     assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+# compare
+
+
+def test_compare_alone_shows_the_papers_flick_on_ice_wood_and_rubber(said):
+    lines = said("compare").splitlines()
+    ice, wood, rubber = (
+        next(line for line in lines if line.startswith(name)) for name in ("ice", "wood", "rubber")
+    )
+    assert "0.03" in ice and "tipping" in ice
+    assert "collision" in wood
+    assert "202.287°" in rubber and "nowhere" in rubber
+    assert any("rolling needs friction 0.2516 while tipping, 0.3558" in line for line in lines)
+
+
+def test_compare_in_json_is_the_api(said):
+    answer = json.loads(said(f"compare {FRICTION[15:]} --on ice,0.2,no-slip,frictionless --json"))
+    laws = [rr.Coulomb(0.03), rr.Coulomb(0.2), rr.NoSlip(), rr.Frictionless()]
+    assert [one["table"] for one in answer["outcomes"]] == ["ice", "0.2", "no-slip", "frictionless"]
+    for one, law in zip(answer["outcomes"], laws, strict=True):
+        motion = rr.simulate(CAN_2007, FLICK, law)
+        arrival = rr.arrival(CAN_2007, FLICK, law)
+        assert one["turn"]["angle"] == motion.turns[0].angle
+        assert one["turn_limit"] == rr.turn_limit(CAN_2007, law, arrival)
+        assert one["arrival"]["slip"] == arrival.slip
+        lost = motion.evaluate(motion.turns[0].end).friction_loss[0] / motion.energy[0]
+        assert one["energy_lost"] == pytest.approx(lost, abs=1e-12)
+    assert [one["slips_while_tipping"] for one in answer["outcomes"]] == [True, True, False, True]
+    assert [one["slips"] for one in answer["outcomes"]] == [True, True, False, True]
+
+
+def test_compare_takes_a_files_body_and_start_and_resistances_but_not_its_friction(said, sticky):
+    answer = json.loads(said(f"compare {sticky} --on 0.5 --json"))["outcomes"][0]["parameters"]
+    assert answer["start_tilt_rate"] == 0.0 and answer["duration"] == 0.05
+    assert (answer["law_friction"], answer["law_rolling_dry"]) == (0.5, 1e-6)
+    assert "law_static" not in answer
+
+
+def test_compare_of_a_flick_that_topples_says_so(said):
+    text = said("compare --tilt 50deg")
+    assert text.count("toppled") >= 3 and "no near-collision" in text
+
+
+@pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
+def test_compare_draws_itself(said, tmp_path, suffix):
+    path = tmp_path / "new" / f"compare.{suffix}"
+    assert f"wrote {path}" in said(f"compare --on 0.1,rubber -o {path}")
+    assert path.read_bytes()[:4] in (b"<?xm", b"\x89PNG", b"%PDF")
 
 
 # bodies and reproduce

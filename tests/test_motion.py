@@ -720,7 +720,7 @@ def test_ideal_disk_and_ring_are_flat_with_the_textbook_moments():
 def test_presets_are_found_by_name():
     for name, preset in rr.bodies.PRESETS.items():
         assert rr.bodies.by_name(name) == rr.bodies.by_name(name.replace("_", "-")) == preset()
-    with pytest.raises(rr.RimrollError, match="unknown body 'keg': choose from can_2007, soda_can"):
+    with pytest.raises(rr.RimrollError, match="unknown body 'keg'"):
         rr.bodies.by_name("keg")
     with pytest.raises(rr.RimrollError, match=r"fill must be between 0 and 1, got 1\.5"):
         rr.bodies.soda_can(1.5)
@@ -831,7 +831,7 @@ def test_a_state_takes_names_only_and_stays_as_it_is():
 def test_laws_are_values_that_are_found_by_name():
     assert rr.NoSlip() == rr.NoSlip() != rr.Frictionless()
     assert rimroll.laws.by_name("no-slip") == rr.NoSlip()
-    with pytest.raises(rr.RimrollError, match="unknown law 'glue': choose from no_slip"):
+    with pytest.raises(rr.RimrollError, match="unknown law 'glue': choose from no-slip"):
         rimroll.laws.by_name("glue")
 
 

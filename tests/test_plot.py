@@ -10,7 +10,11 @@ import pytest
 
 import rimroll as rr
 from rimroll import plot, style
+from rimroll.cli.asked import Asked
+from rimroll.cli.outcomes import outcome, tables
+from rimroll.cli.side_by_side import side_by_side
 from rimroll.paper import setting
+from rimroll.scenario import Options
 
 CAN = setting.CAN
 
@@ -20,6 +24,10 @@ def wobble(tilt):
     yaw_rate = rr.steady_wobble_rate(CAN, tilt)
     spin_rate = yaw_rate * (CAN.height / CAN.radius * np.sin(tilt) - np.cos(tilt))
     return rr.State(tilt=tilt, yaw_rate=yaw_rate, spin_rate=spin_rate)
+
+
+def simulate(law):
+    return rr.simulate(CAN, setting.start(), law, 1.0)
 
 
 MOTIONS = {
@@ -35,6 +43,18 @@ MOTIONS = {
     ),
     "a steady wobble": lambda: rr.simulate(CAN, wobble(0.3), rr.NoSlip()),
     "falling face down": lambda: rr.simulate(CAN, rr.State(tilt=0.5), rr.NoSlip()),
+    "sticking and slipping": lambda: simulate(rr.Coulomb(0.2)),
+    "sticking more than slipping": lambda: simulate(rr.Coulomb(0.3, static=0.33)),
+    "an oil film": lambda: simulate(rr.Viscous(0.1)),
+    "smoothed friction": lambda: simulate(rr.Stribeck(0.2)),
+    "flying": lambda: rr.simulate(
+        CAN,
+        rr.State(tilt=0.3, tilt_rate=-12.0, yaw_rate=0.005, spin_rate=0.005),
+        rr.Coulomb(0.8, restitution=0.5),
+    ),
+    "lifting off": lambda: rr.simulate(
+        CAN, rr.State(tilt=0.3, tilt_rate=-9.5, yaw_rate=0.005, spin_rate=0.005), rr.NoSlip()
+    ),
     "over at once": lambda: rr.simulate(CAN, rr.State(tilt=1.5, tilt_rate=9.0), rr.Frictionless()),
 }
 
@@ -68,6 +88,8 @@ def test_every_motion_has_its_nine_panels_with_units(name):
         ("a disk rolling", False),  # its yaw is no step
         ("a steady wobble", False),
         ("falling face down", False),
+        ("sticking and slipping", True),
+        ("an oil film", True),
     ],
 )
 def test_a_lens_is_there_when_the_near_collision_looks_like_a_step(name, lens):
@@ -102,6 +124,28 @@ def test_the_dashed_line_of_the_friction_panel_is_the_closed_form():
     )
     assert ax.lines[0].get_ydata()[0] == pytest.approx(needed, rel=1e-14)
     assert needed * 0.995 < ax.lines[1].get_ydata().max() < needed
+
+
+def test_dotted_lines_are_the_friction_that_there_is():
+    for name, expected in (
+        ("sticking and slipping", [0.2]),
+        ("sticking more than slipping", [0.3, 0.33]),
+        ("smoothed friction", [0.2]),
+        ("an oil film", []),
+        ("the paper's", []),
+    ):
+        ax = plot.nine_panels(MOTIONS[name]()).axes[7]
+        dotted = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == ":"]
+        assert dotted == expected
+
+
+def test_sliding_is_shaded_where_it_alternates_with_rolling():
+    motion = MOTIONS["sticking and slipping"]()
+    sliding = [phase for phase in motion.phases if phase.kind == "sliding"]
+    for ax in plot.nine_panels(motion).axes[6:8]:
+        assert len(ax.patches) == len(sliding)
+        assert ax.patches[0].get_x() == sliding[0].start
+    assert not plot.nine_panels(MOTIONS["the paper's"]()).axes[6].patches
 
 
 def test_rates_and_forces_of_a_near_collision_are_drawn_on_stretched_axes_and_gentle_ones_are_not():
@@ -146,5 +190,39 @@ def test_small_numbers_are_written_plainly(value, text):
 
 
 def test_the_laws_differ_in_marker_as_well_as_in_colour():
-    rolling, sliding = (style.look(law) for law in setting.LAWS)
-    assert rolling["color"] != sliding["color"] and rolling["marker"] != sliding["marker"]
+    laws = (*setting.LAWS, rr.Coulomb(0.2), rr.Viscous(1.0), rr.Stribeck(0.2))
+    looks = [style.look(law) for law in laws]
+    assert len({look["color"] for look in looks}) == len(laws)
+    assert len({look["marker"] for look in looks}) == len(laws)
+
+
+def outcomes(arguments):
+    """What the command compares, told as on the command line."""
+    what = Asked(CAN, arguments.get("start", setting.start()), rr.NoSlip(), Options(), "can")
+    return [
+        outcome(what, name, law)
+        for name, law in tables(arguments.get("on", "ice,0.2"), 0.0).items()
+    ]
+
+
+def test_the_comparison_has_units_on_its_axes_and_a_path_for_each_table():
+    figure = side_by_side(outcomes({"on": "ice,0.2,no-slip"}))
+    titles = [ax.get_title(loc="left") for ax in figure.axes]
+    assert len(titles) == 8 + 3
+    assert [title[:3] for title in titles] == [f"({letter})" for letter in "abcdefghijk"]
+    assert all(ax.get_ylabel().endswith(")") for ax in figure.axes)
+    labelled = [ax.get_xlabel() for ax in figure.axes if ax.get_xlabel()]
+    assert labelled == ["time $t$ (s)", "time from the smallest tilt (µs)", "$x$ (cm)"]
+
+
+def test_the_comparison_under_its_lens_turns_by_nearly_the_limit():
+    one, other = outcomes({"on": "rubber,no-slip"})
+    panels = side_by_side([one, other]).axes
+    for line, told in zip(panels[3].lines, (one, other), strict=True):
+        limit = np.degrees(told.limit.from_start)
+        assert 0.9 * limit < np.ptp(line.get_ydata()) < limit
+
+
+def test_the_comparison_of_what_topples_has_no_lens():
+    start = rr.State(tilt=0.9, yaw_rate=0.01)
+    assert len(side_by_side(outcomes({"start": start})).axes) == 4 + 2

@@ -117,6 +117,62 @@ def test_a_law_and_all_options_are_read(written):
     assert read.options == expected
 
 
+@pytest.mark.parametrize(
+    ("text", "law"),
+    [
+        ('law = "no_slip"', rr.NoSlip()),
+        ('law = "noslip"', rr.NoSlip()),
+        ('law = "Frictionless"', rr.Frictionless()),
+        ('[law]\nkind = "no-slip"', rr.NoSlip()),
+        ('[law]\nkind = "coulomb"\nfriction = 0.2', rr.Coulomb(0.2)),
+        (
+            '[law]\nkind = "coulomb"\nfriction = "20%"\nstatic = 0.25\nrestitution = 0.5',
+            rr.Coulomb(0.2, 0.25, 0.5),
+        ),
+        ('[law]\nkind = "viscous"\ncoefficient = "2 mN s/mm"', rr.Viscous(2.0)),
+        (
+            '[law]\nkind = "stribeck"\nfriction = 0.2\nstribeck_speed = "2 cm/s"',
+            rr.Stribeck(0.2, stribeck_speed=0.02),
+        ),
+        ('[law]\nsurface = "ice"\nstatic = 0.1', rr.Coulomb(0.03, 0.1)),
+        (
+            '[law]\nkind = "no-slip"\n[law.rolling_resistance]\ndry = 1e-3\nviscous = "1 mN s/m"\n'
+            '[law.pivoting_friction]\nlength = "1mm"\n[law.air_drag]\ncoefficient = 1e-9\n'
+            "exponent = 2.5",
+            rr.NoSlip()
+            + rr.RollingResistance(1e-3, 1e-3)
+            + rr.PivotingFriction(1e-3)
+            + rr.AirDrag(1e-9, 2.5),
+        ),
+        (
+            '[law]\nkind = "no-slip"\n[law.air_drag]\ncoefficient = "film"\n'
+            "[simulation]\ngravity = 9.8",
+            rr.NoSlip() + rr.AirDrag.film(0.01162500, gravity=9.8),
+        ),
+    ],
+)
+def test_laws_are_names_or_tables_with_units(written, text, law):
+    body = '[body]\npreset = "coin"\n'
+    given = f"{text}\n{body}" if text.startswith("law") else body + text
+    assert load(written(given)).law == law
+
+
+def test_the_example_on_wood_slips_in_the_near_collision_and_turns_by_more_than_rolling():
+    wood = load(EXAMPLES / "wood.toml")
+    assert wood.law == rr.Coulomb(0.3)
+    motion = rr.simulate(wood.body, wood.start, wood.law, 0.8, gravity=9.8)
+    assert [phase.kind for phase in motion.phases][:2] == ["rolling", "sliding"]
+    assert motion.turns[0].angle > rr.turn_limit(wood.body, rr.NoSlip())
+
+
+def test_the_example_of_eulers_disk_runs_through_to_rest():
+    disk = load(EXAMPLES / "euler_disk.toml")
+    motion = rr.simulate(disk.body, disk.start, disk.law, disk.options.duration)
+    assert motion.status == "at_rest"
+    assert 10.0 < motion.t[-1] < 40.0
+    assert motion.resistance_loss[-1] > 0.9 * motion.energy[0]
+
+
 COIN = '[body]\npreset = "coin"\n'
 WALL = '[body]\nradius = 1\n[[body.solids]]\nkind = "wall"\nmass = 1\nradius = 1\n'
 
@@ -129,8 +185,99 @@ BAD = {
     "empty body": ("[body]", r"\[body\] is empty"),
     "unknown table": (COIN + "[simulaton]", "'simulaton': did you mean 'simulation'"),
     "body is a number": ("body = 3", "body must be a table, got 3"),
-    "unknown law": ('law = "sticky"\n' + COIN, "unknown law 'sticky': choose from no_slip"),
-    "law is a number": ("law = 1\n" + COIN, "law must be a text, got 1"),
+    "unknown law": ('law = "sticky"\n' + COIN, "unknown law 'sticky': did you mean 'stribeck'"),
+    "law is a number": ("law = 1\n" + COIN, "law must be a text or a table, got 1"),
+    "law without its number": (
+        'law = "coulomb"\n' + COIN,
+        "law = \"coulomb\" lacks 'friction': write a table .law. with kind",
+    ),
+    "law of no kind": (COIN + "[law]\nfriction = 0.2", r"\[law\] lacks 'kind': one of no-slip, fr"),
+    "law of a wrong kind": (COIN + "[law]\nkind = 1", r"\[law\] kind must be a text, got 1"),
+    "law of an unknown kind": (
+        COIN + '[law]\nkind = "colomb"',
+        r"\[law\] unknown law 'colomb': did you mean 'coulomb'",
+    ),
+    "law with unknown key": (
+        COIN + '[law]\nkind = "coulomb"\nfricton = 0.2',
+        r"\[law\] of kind \"coulomb\" has an unknown key 'fricton': did you mean 'friction'",
+    ),
+    "no-slip with friction": (
+        COIN + '[law]\nkind = "no-slip"\nfriction = 0.2',
+        r"\[law\] of kind \"no-slip\" has an unknown key 'friction'",
+    ),
+    "friction missing": (
+        COIN + '[law]\nkind = "coulomb"\nstatic = 0.2',
+        r"\[law\] coulomb needs friction",
+    ),
+    "friction negative": (
+        COIN + '[law]\nkind = "coulomb"\nfriction = -0.2',
+        r"\[law\] friction must be between 0 and 1e6, got -0.2",
+    ),
+    "friction nan": (COIN + '[law]\nkind = "coulomb"\nfriction = nan', "not a finite number"),
+    "friction is a list": (
+        COIN + '[law]\nkind = "coulomb"\nfriction = [0.2]',
+        r"\[law\] of kind \"coulomb\" friction must be a pure number .*neither",
+    ),
+    "static below friction": (
+        COIN + '[law]\nkind = "coulomb"\nfriction = 0.3\nstatic = 0.2',
+        r"\[law\] static must be between friction = 0.3",
+    ),
+    "restitution 2": (
+        COIN + '[law]\nkind = "viscous"\ncoefficient = 1\nrestitution = 2',
+        r"\[law\] restitution must be between 0 and 1",
+    ),
+    "coefficient in cm": (
+        COIN + '[law]\nkind = "viscous"\ncoefficient = "1 cm"',
+        "coefficient must be a viscous resistance",
+    ),
+    "unknown surface": (
+        COIN + '[law]\nsurface = "woof"',
+        r"\[law\] unknown surface 'woof': did you",
+    ),
+    "surface and kind": (
+        COIN + '[law]\nsurface = "ice"\nkind = "coulomb"',
+        r"\[law\] has both a kind and a surface: give one",
+    ),
+    "surface with friction": (
+        COIN + '[law]\nsurface = "ice"\nfriction = 0.2',
+        r"\[law\] of surface \"ice\" has an unknown key 'friction'",
+    ),
+    "resistance of nothing": (
+        COIN + '[law]\nkind = "no-slip"\n[law.rolling_resistance]',
+        r"\[law.rolling_resistance\] lacks 'dry' or 'viscous'",
+    ),
+    "resistance is a number": (
+        COIN + '[law]\nkind = "no-slip"\nair_drag = 3',
+        r"\[law\] air_drag must be a table, got 3",
+    ),
+    "resistance negative": (
+        COIN + '[law]\nkind = "no-slip"\n[law.rolling_resistance]\ndry = -1',
+        r"\[law\] rolling_resistance dry must be >= 0",
+    ),
+    "resistance misspelt": (
+        COIN + '[law]\nkind = "no-slip"\n[law.pivoting_friction]\nlenght = 1',
+        r"\[law.pivoting_friction\] has an unknown key 'lenght': did you mean 'length'",
+    ),
+    "resistance unknown": (
+        COIN + '[law]\nkind = "no-slip"\n[law.pivotin_friction]\nlength = 1',
+        "did you mean 'pivoting_friction'",
+    ),
+    "air drag without number": (
+        COIN + '[law]\nkind = "no-slip"\n[law.air_drag]\nexponent = 4',
+        r"\[law.air_drag\] lacks 'coefficient'",
+    ),
+    "air drag of another exponent": (
+        COIN + '[law]\nkind = "no-slip"\n[law.air_drag]\ncoefficient = "1 W"',
+        r"\[law.air_drag\] coefficient must be a coefficient of air drag",
+    ),
+    "air drag out of bounds": (
+        COIN + '[law]\nkind = "no-slip"\n[law.air_drag]\ncoefficient = 1\nexponent = 9',
+        r"\[law\] air_drag exponent must be between 1.5 and 8",
+    ),
+    "film with exponent": (
+        COIN + '[law]\nkind = "no-slip"\n[law.air_drag]\ncoefficient = "film"\nexponent = 4',
+        r"\[law.air_drag\] a film has its own exponent",
+    ),
     "unknown preset": ('[body]\npreset = "soda_cam"', r"\[body\] .*did you mean 'soda_can'"),
     "preset is a number": ("[body]\npreset = 1", r"\[body\] preset must be a text"),
     "unknown argument": (COIN + "fill = 1", r"\[body\] .*unknown key 'fill'"),

@@ -13,11 +13,12 @@ SI units and radians throughout. Source of the mechanics: M. Srinivasan and A. R
 rolling: a can that appears to rock might actually roll* (2007), called "the paper" below.
 """
 
-from rimroll import bodies, solids
+from rimroll import bodies, solids, surfaces
 from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -56,9 +57,11 @@ __all__ = [
     "AirDrag",
     "Arrival",
     "Body",
+    "Collision",
     "Coulomb",
     "Event",
     "Frictionless",
+    "ImperfectRim",
     "Law",
     "Moments",
     "Motion",
@@ -82,6 +85,7 @@ __all__ = [
     "bodies",
     "disk_turn_limit",
     "error_law_coefficient",
+    "imperfect_rim",
     "lift_off_rate",
     "needed_friction",
     "painleve_friction",
@@ -92,6 +96,7 @@ __all__ = [
     "slip_rate",
     "solids",
     "steady_wobble_rate",
+    "surfaces",
     "tall_turn_limit",
     "turn_limit",
     "turn_limit_with_spin",

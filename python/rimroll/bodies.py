@@ -10,7 +10,8 @@ from collections.abc import Callable
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, number
+from rimroll.errors import number
+from rimroll.names import choose
 
 
 def can_2007() -> Body:
@@ -98,9 +99,6 @@ PRESETS: dict[str, Callable[[], Body]] = {
 def by_name(name: str) -> Body:
     """The preset of that name; ``-`` may stand for ``_``.
 
-    Raises ``RimrollError`` listing the names when there is none such.
+    Raises ``RimrollError`` with the nearest name, and listing all, when there is none such.
     """
-    preset = PRESETS.get(name.replace("-", "_"))
-    if preset is None:
-        raise RimrollError(f"unknown body {name!r}: choose from {', '.join(PRESETS)}")
-    return preset()
+    return choose("body", name, PRESETS)()

@@ -13,6 +13,7 @@ from typing import ClassVar, Self
 
 from rimroll import _core
 from rimroll.errors import RimrollError, expect, number
+from rimroll.names import choose, typed
 
 
 class _Numbered:
@@ -21,7 +22,8 @@ class _Numbered:
     def _read(self) -> None:
         for item in fields(self):  # type: ignore[arg-type]
             value = getattr(self, item.name)
-            if item.name != "resistances" and value is not None:
+            left_out = value is None and item.default is None
+            if item.name != "resistances" and not left_out:
                 object.__setattr__(self, item.name, number(item.name, value))
 
     def __repr__(self) -> str:
@@ -222,23 +224,35 @@ def ideal(law: object) -> Law:
     return law
 
 
+def kind(name: str) -> type[Law]:
+    """The class of law of that name, typed like ``no-slip`` or ``no_slip``.
+
+    Raises ``RimrollError`` with the nearest name when there is none such.
+    """
+    return choose("law", name, {typed(known): law for known, law in LAWS.items()})
+
+
+def numbers_of(law: type[Law]) -> dict[str, bool]:
+    """The numbers that a law takes by name, and whether it cannot do without."""
+    return {
+        item.name: item.default is MISSING for item in fields(law) if item.name != "resistances"
+    }
+
+
 def by_name(name: str, numbers: Mapping[str, float] | None = None) -> Law:
     """The law of that name with these numbers; ``-`` may stand for ``_``.
 
-    Raises ``RimrollError`` listing the names when there is none such, and naming the number that is
-    missing or does not belong to the law.
+    Raises ``RimrollError`` with the nearest name when there is none such, and naming the number
+    that is missing or does not belong to the law.
     """
     numbers = numbers or {}
-    law = LAWS.get(name.replace("-", "_"))
-    if law is None:
-        raise RimrollError(f"unknown law {name!r}: choose from {', '.join(LAWS)}")
-    takes = {item.name: item for item in fields(law) if item.name != "resistances"}
+    law = kind(name)
+    takes = numbers_of(law)
     for given in numbers:
         if given not in takes:
             choices = ", ".join(takes) or "no numbers"
-            raise RimrollError(f"{law.name} takes {choices}, got {given}")
-    for item in takes.values():
-        if item.default is MISSING and item.name not in numbers:
-            raise RimrollError(f"{law.name} needs {item.name}")
-    made: Law = law(**numbers)  # type: ignore[arg-type]
-    return made
+            raise RimrollError(f"{typed(law.name)} takes {choices}, got {given}")
+    for number_name, needed in takes.items():
+        if needed and number_name not in numbers:
+            raise RimrollError(f"{typed(law.name)} needs {number_name}")
+    return law(**numbers)  # type: ignore[arg-type]

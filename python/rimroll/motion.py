@@ -318,7 +318,7 @@ class Motion(Moments):
     def phases(self) -> list[Phase]:
         """How the rim met the table, in order of time."""
         begins = self._core.phases()
-        ends = [start for _, start in begins[1:]] + [float(self.t[-1])]
+        ends = [*(start for _, start in begins[1:]), float(self.t[-1])][: len(begins)]
         return [Phase(kind, start, end) for (kind, start), end in zip(begins, ends, strict=True)]
 
     def __repr__(self) -> str:

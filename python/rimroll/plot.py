@@ -10,12 +10,14 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
 
 from rimroll import style
+from rimroll.laws import IDEAL, Coulomb, NoSlip, Stribeck
 from rimroll.motion import Array, Moments, Motion
 from rimroll.theory import needed_friction, turn_limit
 
 TIME_UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9), ("ps", 1e-12), ("fs", 1e-15))
 
 MAGNIFIED = 20.0  # the inset shows this many φ_c/ω before and after the smallest tilt
+LENS = (0.34, 0.31)  # its width and height in parts of the panel
 BRIEF = 0.05  # part of the motion below which the near-collision looks like a step
 DECADES = 30.0  # a curve whose peak passes its usual size this many times gets a logarithmic axis
 
@@ -37,12 +39,18 @@ def near_collision_window(motion: Motion) -> NearCollisionWindow | None:
         rate = abs(float(event.state.yaw_rate))
         if event.kind != "tilt_min" or rate == 0.0:
             continue
-        # ψ̇ = √(J'/K') ω/φ_c at the smallest tilt.
-        half = MAGNIFIED * turn_limit(motion.body, motion.law) / (np.pi * rate)
+        # ψ̇ = √(J'/K') ω/φ_c at the smallest tilt; under friction, nearly.
+        ideal = motion.law if _is_ideal(motion) else NoSlip()
+        half = MAGNIFIED * turn_limit(motion.body, ideal) / (np.pi * rate)
         resolved = half > 1e4 * np.spacing(event.t)
         if resolved and 2.0 * half < BRIEF * float(motion.t[-1]):
             return NearCollisionWindow(event.t, half, float(event.state.yaw))
     return None
+
+
+def _is_ideal(motion: Motion) -> bool:
+    """Whether the law has its limit in closed form."""
+    return type(motion.law) in map(type, IDEAL)
 
 
 def nine_panels(motion: Motion) -> Figure:
@@ -50,8 +58,10 @@ def nine_panels(motion: Motion) -> Figure:
 
     Time runs along eight of the panels, in s; angles are in rad, forces in N. A lens in the yaw's
     panel magnifies the first near-collision if it is too brief to be seen. Dashed lines are
-    theory: the limiting angle of turn, the friction μ* = mHR/(A + mH²) needed to roll through, and
-    spin opposite to yaw. Source: the paper's figure ``purerollnumresults``.
+    theory: the limiting angle of turn of the ideal laws, the friction μ* = mHR/(A + mH²) needed to
+    roll through, and spin opposite to yaw. Under friction, dotted lines are what there is of it,
+    and the rim slides where the panels of the forces are shaded, flies where they are hatched.
+    Source: the paper's figure ``purerollnumresults``.
     """
     moments = motion.samples(4)
     with style.figure_style():
@@ -66,6 +76,8 @@ def nine_panels(motion: Motion) -> Figure:
         _draw_rate_plane(panels[2, 2], moments, color)
         for ax in panels.flat[:-1]:
             ax.set_xlim(0.0, float(motion.t[-1]) or 1.0)
+        for ax in panels[2, :2]:
+            shade_phases(ax, motion)
     return figure
 
 
@@ -95,20 +107,49 @@ def _draw_forces(ax: Axes, motion: Motion, moments: Moments, color: str) -> None
     friction = np.hypot(*moments.friction_force.T)
     ax.plot(moments.t, moments.normal_force, color=style.NORMAL_FORCE, lw=0.8, label="normal, $N$")
     ax.plot(moments.t, friction, color=color, label="friction, |$T$|")
-    style.label(ax, "g", "forces on the rim", "time $t$ (s)", "force (N)")
+    title = "forces on the rim" + (", sliding shaded" if len(motion.phases) > 1 else "")
+    style.label(ax, "g", title, "time $t$ (s)", "force (N)")
     _stretch(ax, moments.normal_force, 0.1 * _evenly(motion).normal_force)
     _headroom(ax)
     ax.legend(loc="upper center", ncols=2, handlelength=1.4, columnspacing=1.2)
 
 
+def shade_phases(ax: Axes, motion: Motion) -> None:
+    """Colour the stretches of a motion with stick and slip in which the rim slides, or flies."""
+    if len(motion.phases) < 2:
+        return
+    for phase in motion.phases:
+        if phase.kind == "sliding":
+            ax.axvspan(phase.start, phase.end, color=style.SLIDING, alpha=0.25, lw=0, zorder=0)
+        elif phase.kind == "flying":
+            ax.axvspan(phase.start, phase.end, fc="none", ec="#CCCCCC", hatch="////", lw=0)
+
+
 def _draw_ratio(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
     needed = needed_friction(motion.body)
     ax.axhline(needed, color=style.THEORY, ls="--", lw=0.8, label=f"$μ^*$ = {needed:.4f}")
-    ax.plot(moments.t, moments.friction_ratio, color=color)
+    there_is = _friction_there_is(motion)
+    for symbol, friction in there_is.items():
+        ax.axhline(friction, color=style.THEORY, ls=":", lw=1.0, label=f"{symbol} = {friction:g}")
+    ratio = np.where(np.isfinite(moments.friction_ratio), moments.friction_ratio, np.nan)
+    ax.plot(moments.t, ratio, color=color)
     style.label(ax, "h", "friction/normal", "time $t$ (s)", "|$T$|/$N$ (1)")
-    highest = max(needed, float(moments.friction_ratio.max()), 1e-3)
-    ax.set_ylim(-0.04 * highest, 1.25 * highest)
-    ax.legend(loc="upper right")
+    usual = np.nanmax(ratio, initial=0.0)
+    highest = max(needed, *there_is.values(), min(float(usual), 10.0 * needed + 1.0), 1e-3)
+    lines = 1 + len(there_is) // 2
+    ax.set_ylim(-0.04 * highest, (1.1 + 0.15 * lines) * highest)
+    ax.legend(loc="upper right", ncols=2, columnspacing=1.2, handlelength=1.5)
+
+
+def _friction_there_is(motion: Motion) -> dict[str, float]:
+    """The coefficients of a law of dry friction by their symbols."""
+    law = motion.law
+    if not isinstance(law, Coulomb | Stribeck):
+        return {}
+    if law.static in (None, law.friction):
+        return {"$μ$": law.friction}
+    assert law.static is not None
+    return {"$μ$": law.friction, "$μ_s$": law.static}
 
 
 def _draw_rate_plane(ax: Axes, moments: Moments, color: str) -> None:
@@ -158,6 +199,25 @@ def _headroom(ax: Axes) -> None:
     ax.set_ylim(top=float(scale.inverted().transform(np.array([high + 0.2 * (high - low)]))[0]))
 
 
+def _room(ax: Axes, motion: Motion) -> tuple[float, float]:
+    """Where in the yaw's panel the curve leaves the most room for a lens, in parts of the panel."""
+    even = _evenly(motion)
+    x = even.t / float(motion.t[-1])
+    low, high = ax.get_ylim()
+    y = (even.yaw - low) / (high - low)
+    rises = motion.yaw[-1] >= motion.yaw[0]
+    corners = [(0.66, 0.19), (0.66, 0.6), (0.16, 0.6), (0.16, 0.19)]
+    if not rises:
+        corners[:2] = corners[1::-1]
+
+    def covered(corner: tuple[float, float]) -> int:
+        left, bottom = corner
+        beside = (x > left - 0.1) & (x < left + LENS[0])
+        return int(np.sum(beside & (y > bottom - 0.2) & (y < bottom + LENS[1])))
+
+    return min(corners, key=covered)
+
+
 def _magnify(ax: Axes, motion: Motion, color: str) -> None:
     """Put a lens on the step of the yaw where the staircase leaves room for it."""
     window = near_collision_window(motion)
@@ -165,11 +225,11 @@ def _magnify(ax: Axes, motion: Motion, color: str) -> None:
         return
     t = window.t + window.half_width * np.linspace(-1.0, 1.0, 401)
     unit, second = next((u for u in TIME_UNITS if window.half_width >= u[1]), TIME_UNITS[-1])
-    rises = motion.yaw[-1] >= motion.yaw[0]
-    lens = ax.inset_axes((0.66, 0.19, 0.34, 0.31) if rises else (0.66, 0.6, 0.34, 0.31))
-    half = 0.5 * turn_limit(motion.body, motion.law)
-    for limit in (window.yaw - half, window.yaw + half):
-        lens.axhline(limit, color=style.THEORY, ls="--", lw=0.7)
+    lens = ax.inset_axes((*_room(ax, motion), *LENS))
+    if _is_ideal(motion):
+        half = 0.5 * turn_limit(motion.body, motion.law)
+        for limit in (window.yaw - half, window.yaw + half):
+            lens.axhline(limit, color=style.THEORY, ls="--", lw=0.7)
     yaw = motion.evaluate(np.clip(t, 0.0, motion.t[-1])).yaw
     lens.plot((t - window.t) / second, yaw, color=color)
     lens.set_xlim(*(window.half_width / second * np.array([-1.0, 1.0])))

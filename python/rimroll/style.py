@@ -28,8 +28,16 @@ NORMAL_FORCE = "#56B4E9"
 SERIES = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 """Colours of things that have no colour of their own, in order."""
 
-COLORS = {"no_slip": NO_SLIP, "frictionless": FRICTIONLESS}
-MARKERS = {"no_slip": "o", "frictionless": "s"}
+COLORS = {
+    "no_slip": NO_SLIP,
+    "frictionless": FRICTIONLESS,
+    "coulomb": "#CC79A7",
+    "viscous": "#E69F00",
+    "stribeck": "#009E73",
+}
+MARKERS = {"no_slip": "o", "frictionless": "s", "coulomb": "D", "viscous": "v", "stribeck": "^"}
+SLIDING = "#F0E442"
+"""Behind the stretches of time in which the rim slides; drawn faintly."""
 
 PAGE_WIDTH = 180.0
 """Width of the page, mm."""
@@ -107,9 +115,9 @@ def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
 
 
 def look(law: Law) -> dict[str, Any]:
-    """Colour and marker of what was computed under a law; open squares where nothing rubs."""
+    """Colour and marker of what was computed under a law; filled where the rim can stick."""
     color = COLORS[law.name]
-    face = color if law.name == "no_slip" else "white"
+    face = color if law.name in ("no_slip", "coulomb") else "white"
     return {"color": color, "marker": MARKERS[law.name], "markerfacecolor": face}
 
 

@@ -24,7 +24,9 @@ KINDS = {
     "kg m^2": ("a moment of inertia", "359 kg mm^2"),
     "kg/m^3": ("a density", "1000 kg/m^3"),
     "s": ("a time", "2 s"),
+    "m/s": ("a speed", "1 cm/s"),
     "m/s^2": ("an acceleration", "9.8 m/s^2"),
+    "N s/m": ("a viscous resistance", "0.5 N s/m"),
     "1": ("a pure number", "0.5"),
 }
 """What an SI unit measures, in words, and an example of it."""
@@ -41,7 +43,11 @@ _EVERYDAY = {
     ("g", "kg"): 0.001,
     ("s", "s"): 1.0,
     ("ms", "s"): 0.001,
+    ("m/s", "m/s"): 1.0,
+    ("cm/s", "m/s"): 0.01,
+    ("mm/s", "m/s"): 0.001,
     ("m/s^2", "m/s^2"): 1.0,
+    ("N s/m", "N s/m"): 1.0,
     ("%", "1"): 0.01,
 }
 """Factors that need no registry, which takes longer to load than most motions to compute."""
@@ -67,8 +73,13 @@ def tilt_angle(value: object, name: str) -> float:
     return angle
 
 
+def air_unit(exponent: float) -> str:
+    """The SI unit of the coefficient of air drag of an exponent."""
+    return f"W (s/rad)^{exponent:g}"
+
+
 def quantity(value: object, unit: str, name: str = "the value") -> float:
-    """A quantity in its SI unit, which is one of :data:`KINDS`.
+    """A quantity in its SI unit, one of :data:`KINDS` or an :func:`air_unit`.
 
     ``value`` is a number, taken to be in that unit already, or a text with or without a unit;
     ``name`` is what the message calls it. An angle needs an angle's unit: hertz is no angular rate.
@@ -133,7 +144,7 @@ def _factor(given: str, unit: str, name: str, text: str) -> float:
     scale, root = units.get_root_units(ours)
     scale_si, root_si = units.get_root_units(theirs)
     if root != root_si:
-        kind = KINDS[unit][0]
+        kind = _kind(unit)[0]
         raise _refusal(name, unit, text, f'"{given}" does not measure {kind}')
     return _tidy(float(scale) / float(scale_si))
 
@@ -143,8 +154,12 @@ def _tidy(factor: float) -> float:
     return float(f"{factor:.15g}") if math.isclose(factor, float(f"{factor:.6g}")) else factor
 
 
+def _kind(unit: str) -> tuple[str, str]:
+    return KINDS.get(unit) or ("a coefficient of air drag", f"1e-9 {unit}")
+
+
 def _refusal(name: str, unit: str, value: object, why: str) -> UnitError:
-    kind, example = KINDS[unit]
+    kind, example = _kind(unit)
     plain = "" if unit == "1" else f" (plain numbers are in {unit})"
     got = f'"{value}"' if isinstance(value, str) else repr(value)
     if isinstance(value, str) and not value.strip():

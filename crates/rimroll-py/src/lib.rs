@@ -2,6 +2,7 @@
 
 mod arguments;
 mod bodies;
+mod imperfection;
 mod motion;
 mod theory;
 
@@ -19,6 +20,8 @@ mod _core {
         preset_battery, preset_beer_bottle, preset_can_2007, preset_coin, preset_cylinder,
         preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
     };
+    #[pymodule_export]
+    use crate::imperfection::imperfect_rim;
     #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};
     #[pymodule_export]

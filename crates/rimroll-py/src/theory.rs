@@ -56,7 +56,7 @@ pub fn turn_limit(
 }
 
 /// (turn, rising_rate, spin, (slip along e_x1, along e_y1), loss)
-type PassageNumbers = (f64, f64, f64, [f64; 2], f64);
+type PassageNumbers = (f64, f64, f64, (f64, f64), f64);
 
 #[pyfunction]
 pub fn passage(
@@ -73,7 +73,7 @@ pub fn passage(
         passage.turn,
         passage.rising_rate,
         passage.spin,
-        passage.slip,
+        (passage.slip[0], passage.slip[1]),
         passage.loss,
     ))
 }

@@ -28,19 +28,26 @@
 //! # Ok::<(), rimroll::InvalidInput>(())
 //! ```
 //!
+//! Between these limits lies dry friction, for which there is no closed form: the same crate computes
+//! it, with exact phases of rolling, sliding and flight.
+//!
 //! # Reading order
-//! [`body`] and [`solids`]: what rolls. [`state`]: where it is and how it moves, and the coordinates
-//! that stay regular through the near-collision. [`law`]: the equations of motion, one file a law.
-//! [`solve`]: a solver that knows no mechanics. [`motion`]: [`simulate`]. [`turn`]: closed forms.
-//! [`pasted`] and [`small_angle`]: the paper's two approximations.
+//! [`body`] and [`solids`]: what rolls. [`surface`]: what it rolls on. [`state`]: where it is and how it
+//! moves, and the coordinates that stay regular through the near-collision. [`law`]: the equations of
+//! motion, one file a law. [`solve`]: a solver that knows no mechanics. [`motion`]: [`simulate`], phases
+//! joined by events. [`turn`]: closed forms, and the near-collision by itself under any friction.
+//! [`pasted`] and [`small_angle`]: the paper's two approximations. [`imperfection`]: the theory that it
+//! rejects.
 //!
 //! # What it does not do
-//! Friction between the two limits, flight and landing. A motion that leaves the law's domain ends
-//! there with a [`Status`] that says so.
+//! A body is its mass, its moments of inertia and its rim: what else of it might touch the table, it
+//! does not know. A motion that leaves mechanics, or the law's domain, ends there with a [`Status`] that
+//! says so.
 
 pub mod body;
 pub mod error;
 mod impact;
+pub mod imperfection;
 pub mod law;
 pub mod motion;
 pub mod pasted;

@@ -8,6 +8,7 @@
 mod contacts;
 mod events;
 mod mechanics;
+mod message;
 mod moment;
 mod onset;
 mod run;
@@ -22,15 +23,15 @@ pub use track::{Instant, Track};
 pub use turns::Turn;
 
 use crate::body::Body;
-use crate::error::{InvalidInput, bounded, positive, shown};
+use crate::error::{InvalidInput, bounded, positive};
 use crate::law::Law;
 use crate::solve::Work;
 use crate::state::{Coordinates, State};
 use crate::surface::Surface;
-use crate::turn::painleve_friction_at;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use events::Goal;
+use message::message;
 use run::Run;
 
 /// Standard gravity, m/s² (exact by convention). The paper used 9.8.
@@ -39,6 +40,10 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 /// Below this tilt (rad) the base counts as flat on the table: the contact point would run round the
 /// rim in less time than the last digit of t can tell.
 pub const FACE_DOWN_TILT: f64 = 1e-16;
+
+/// The same (rad) where rolling resistance or air wear the motion down: the rim is then over the table
+/// by less than an atom's width.
+pub const FLAT_TILT_WITH_RESISTANCE: f64 = 1e-9;
 
 /// How to simulate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +81,7 @@ impl Options {
     /// Errors of the energy add up from step to step, so a step is held to a fiftieth of `rtol`:
     /// measured over 20 rockings of the can, the energy then keeps to 0.2 rtol. Below 5e-15 rounding
     /// would be taken for error.
-    fn step_tolerance(&self) -> f64 {
+    pub(crate) fn step_tolerance(&self) -> f64 {
         (0.02 * self.rtol).max(5e-15)
     }
 
@@ -136,7 +141,7 @@ pub enum Status {
     LiftedOff,
     /// The whole rim met the table at once.
     FaceDown,
-    /// It lies flat: all but the last 1e-10 of its energy is spent.
+    /// Its energy is spent, and it lies flat.
     AtRest,
     /// Painlevé's paradox: rigid-body mechanics with this friction has no one answer.
     Painleve,
@@ -210,11 +215,11 @@ pub fn simulate(
     let surface = surface.into();
     surface.check()?;
     let options = options.checked(body, start)?;
-    let contacts = Contacts::new(body, &surface, options.gravity);
+    let contacts = Contacts::new(body, &surface, options.gravity, options.step_tolerance());
     let start = Coordinates::from_state(start);
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
-    let status = run.to_the_end(watch);
+    let status = run.follow_to_the_end(watch);
     let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),
@@ -225,59 +230,4 @@ pub fn simulate(
         status,
         work,
     })
-}
-/// A time, s, to the microsecond, or as it is when that would show nothing of it.
-fn moment_of(t: f64) -> String {
-    if t == 0.0 || t >= 1e-3 {
-        format!("{t:.6}")
-    } else {
-        shown(t)
-    }
-}
-
-/// The ending in a sentence.
-fn message(
-    status: Status,
-    contacts: &Contacts,
-    track: &Track,
-    options: &Options,
-    work: &Work,
-) -> String {
-    let end = track.end();
-    let t = moment_of(end.t);
-    match status {
-        Status::Finished => format!("followed for the whole {} s", shown(end.t)),
-        Status::Toppled => format!(
-            "toppled: the tilt reached {:.6} rad at t = {t} s",
-            end.tilt()
-        ),
-        Status::LiftedOff => format!(
-            "lifted off at t = {t} s: to stay on the table the rim would have to be pulled down"
-        ),
-        Status::FaceDown if end.w == 0.0 && end.s == 0.0 => format!(
-            "face down at t = {t} s: without any sideways motion the whole rim meets the table at once, \
-             and rigid-body mechanics does not say what follows from simultaneous impacts at every point \
-             of it. A start with a yaw_rate or spin_rate, however small beside the others (1e-12 of \
-             them will do), can be followed past this point"
-        ),
-        Status::FaceDown => format!(
-            "face down at t = {t} s: the tilt falls below {FACE_DOWN_TILT:e} rad, where the contact point \
-             would run round the rim in less time than the last digit of t can tell. A start with a \
-             larger yaw_rate or spin_rate can be followed past this point"
-        ),
-        Status::AtRest => format!("at rest at t = {t} s: the body lies flat, its energy spent"),
-        Status::Painleve => format!(
-            "ended in Painlevé's paradox at t = {t} s: sliding as it does, the rim would be pressed down by \
-             its own friction, and rigid-body mechanics has no one answer. At the tilt of {:.6} rad this \
-             starts at a friction of {:.4}",
-            end.tilt(),
-            painleve_friction_at(contacts.parameters(), &end)
-        ),
-        Status::Failed if work.steps >= options.max_steps => format!(
-            "stopped at t = {t} s after max_steps = {} steps",
-            options.max_steps
-        ),
-        Status::Failed => format!("the solver found no step short enough at t = {t} s"),
-        Status::Interrupted => format!("interrupted at t = {t} s"),
-    }
 }

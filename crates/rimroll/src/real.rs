@@ -23,12 +23,12 @@ pub trait Real:
 {
     /// (sin x, cos x).
     fn sin_cos(self) -> (Self, Self);
-    /// x < 0.
-    fn is_below_zero(self) -> bool;
     /// √x.
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
+    /// Whether x < 0.
+    fn is_negative(self) -> bool;
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
 }
@@ -40,11 +40,6 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn is_below_zero(self) -> bool {
-        self < 0.0
-    }
-
-    #[inline]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
@@ -52,6 +47,11 @@ impl Real for f64 {
     #[inline]
     fn exp(self) -> Self {
         libm::exp(self)
+    }
+
+    #[inline]
+    fn is_negative(self) -> bool {
+        self < 0.0
     }
 
     #[inline]

@@ -25,9 +25,18 @@ pub trait System<const N: usize> {
     /// For each component the size that an error is to be compared with.
     fn scale(&self, u: &[f64; N]) -> [f64; N];
 
-    /// How many components change at all: the others come last, and cost nothing.
+    /// How many components, the first, change in every case: the others cost nothing where
+    /// [`System::only_first`] says so.
+    const FIRST: usize = N;
+
+    /// Whether only the first components change.
+    fn only_first(&self) -> bool {
+        false
+    }
+
+    /// How many components change.
     fn changing(&self) -> usize {
-        N
+        if self.only_first() { Self::FIRST } else { N }
     }
 }
 

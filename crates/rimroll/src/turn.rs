@@ -23,7 +23,7 @@ use crate::law::IdealLaw;
 
 /// The two moments of inertia whose ratio J′/K′ decides the turn: without slip J and K (about the
 /// rim and about the centre of the base), without friction A + mR² and A.
-fn inertias(body: &Body, law: IdealLaw) -> (f64, f64) {
+pub(crate) fn inertias(body: &Body, law: IdealLaw) -> (f64, f64) {
     let mrr = body.mass() * body.radius() * body.radius();
     let k = match law {
         IdealLaw::NoSlip => body.base_inertia(),

@@ -6,11 +6,18 @@ import inspect
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from rimroll import bodies, laws
+from rimroll import bodies
 from rimroll.body import Body
-from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions
+from rimroll.cli.contact import law_asked, option, with_resistances
+from rimroll.cli.options import (
+    BodyOptions,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
 from rimroll.errors import RimrollError
-from rimroll.laws import NoSlip
+from rimroll.names import choose
 from rimroll.scenario import UNIT_OF, Options, Scenario, load, presets
 from rimroll.state import State
 from rimroll.units import quantity, tilt_angle
@@ -27,8 +34,15 @@ class Asked(Scenario):
     name: str
 
 
-def asked(body: BodyOptions, start: StartOptions, motion: MotionOptions, law: str | None) -> Asked:
-    """Put together what a command asks for.
+def asked(
+    body: BodyOptions,
+    start: StartOptions,
+    motion: MotionOptions,
+    law: LawOptions,
+    resistances: ResistanceOptions,
+    usual: State | None = None,
+) -> Asked:
+    """Put together what a command asks for; ``usual`` is the start that options change.
 
     Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
     """
@@ -39,11 +53,17 @@ def asked(body: BodyOptions, start: StartOptions, motion: MotionOptions, law: st
         file, preset = Path(preset), None
     scenario = load(file) if file is not None else None
     sizes = {name: text for name in SIZES if (text := getattr(body, name)) is not None}
+    what = _body(preset, sizes, scenario)
+    options = _options(motion, scenario.options if scenario else Options())
+    of_file = scenario.law if scenario else None
+    contact = law_asked(law, resistances, of_file)
+    if of_file is not None:
+        contact = replace(contact, resistances=of_file.resistances)
     return Asked(
-        body=_body(preset, sizes, scenario),
-        start=_start(start, scenario.start if scenario else None),
-        law=laws.by_name(law) if law is not None else scenario.law if scenario else NoSlip(),
-        options=_options(motion, scenario.options if scenario else Options()),
+        body=what,
+        start=_start(start, (scenario.start if scenario else None) or usual),
+        law=with_resistances(contact, resistances, what, options.gravity),
+        options=options,
         name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
     )
 
@@ -51,11 +71,6 @@ def asked(body: BodyOptions, start: StartOptions, motion: MotionOptions, law: st
 def _is_file(name: str) -> bool:
     """Whether a body's name looks like a file's."""
     return name.endswith(".toml") or "/" in name or Path(name).is_file()
-
-
-def option(name: str) -> str:
-    """How a field is typed: ``--tilt-rate``."""
-    return "--" + name.replace("_", "-")
 
 
 def _body(preset: str | None, sizes: dict[str, str], scenario: Scenario | None) -> Body:
@@ -79,12 +94,10 @@ def _body(preset: str | None, sizes: dict[str, str], scenario: Scenario | None) 
 
 def preset_body(name: str, sizes: dict[str, str]) -> Body:
     """A preset with the sizes that it takes."""
-    choices = presets()
-    function = choices.get(name.replace("-", "_"))
-    if function is None:
-        raise RimrollError(
-            f"unknown body {name!r}: choose from {', '.join(choices)}, or give a .toml file"
-        )
+    try:
+        function = choose("body", name, presets())
+    except RimrollError as error:
+        raise RimrollError(f"{error}, or give a .toml file") from None
     taken = inspect.signature(function).parameters
     for size in sizes:
         if size not in taken:

@@ -10,6 +10,7 @@ from typer.main import get_command
 
 from rimroll._core import __version__
 from rimroll.cli.bodies import bodies
+from rimroll.cli.compare import compare
 from rimroll.cli.options import unfolded
 from rimroll.cli.reproduce import reproduce
 from rimroll.cli.simulate import simulate
@@ -22,7 +23,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (turn, simulate, reproduce, bodies):
+for command in (turn, simulate, compare, reproduce, bodies):
     app.command()(unfolded(command))
 
 # typer keeps the base class of the errors in what was typed to itself.
@@ -41,6 +42,8 @@ def rimroll(
     A first try:
 
     $ rimroll turn soda_can
+
+    $ rimroll compare --on ice,wood,rubber
 
     $ rimroll simulate --tilt 30deg --yaw-rate 0.005 -o can.gif
 

@@ -16,6 +16,9 @@ from rimroll.errors import RimrollError
 from rimroll.motion import UNITS, Moments, Motion
 from rimroll.output import writing
 
+TWICE = "times may repeat where the contact changes: once as before, once as after"
+"""What there is to know about the times in the files."""
+
 ROWS = 4096  # written between two looks at the progress bar
 
 
@@ -68,6 +71,12 @@ def summary(record: Record) -> dict[str, Any]:
         "stats": asdict(motion.stats),
         "turns": [asdict(turn) for turn in motion.turns],
         "events": [asdict(event) for event in motion.events],
+        "phases": [asdict(phase) for phase in motion.phases],
+        "losses": {
+            "friction": float(motion.friction_loss[-1]),
+            "resistance": float(motion.resistance_loss[-1]),
+            "impact": float(motion.impact_loss[-1]),
+        },
     }
 
 
@@ -79,7 +88,8 @@ def _csv(part: Path, record: Record, bar: Bar) -> None:
     columns = np.stack([record.moments[name] for name in UNITS], axis=-1)
     with part.open("w", encoding="utf-8", newline="\n") as file:
         file.write(",".join(f"{name}[{unit}]" for name, unit in UNITS.items()) + "\n")
-        for name, value in {**record.parameters, "status": record.motion.status}.items():
+        comments = {**record.parameters, "status": record.motion.status, "t": TWICE}
+        for name, value in comments.items():
             file.write(f"# {name} = {value}\n")
         for first in range(0, len(columns), ROWS):
             bar(first, len(columns), "")
@@ -92,9 +102,16 @@ def _netcdf(part: Path, record: Record, bar: Bar) -> None:
 
     whole = record.motion.to_xarray()
     names = [name for name in UNITS if name != "t"]
+    phases = record.motion.phases
+    in_seconds = {"units": "s"}
     dataset = xr.Dataset(
-        {name: ("t", record.moments[name], whole[name].attrs) for name in names},
-        coords={"t": ("t", record.moments.t, whole["t"].attrs)},
+        {
+            **{name: ("t", record.moments[name], whole[name].attrs) for name in names},
+            "phase_kind": ("phase", [phase.kind for phase in phases]),
+            "phase_start": ("phase", [phase.start for phase in phases], in_seconds),
+            "phase_end": ("phase", [phase.end for phase in phases], in_seconds),
+        },
+        coords={"t": ("t", record.moments.t, {**whole["t"].attrs, "comment": TWICE})},
         attrs={**whole.attrs, **record.parameters},
     )
     dataset.to_netcdf(part, engine="scipy")
@@ -104,6 +121,7 @@ def _json(part: Path, record: Record, bar: Bar) -> None:
     content = {
         **summary(record),
         "units": UNITS,
+        "comments": {"t": TWICE},
         "samples": {name: record.moments[name] for name in UNITS},
     }
     text = json.dumps(plain(content), ensure_ascii=False, allow_nan=False)

@@ -11,7 +11,8 @@ from typing import Annotated, Any, get_type_hints
 
 import typer
 
-from rimroll import laws
+from rimroll import laws, surfaces
+from rimroll.names import typed
 from rimroll.scenario import MOST_STEPS
 
 
@@ -108,13 +109,80 @@ class MotionOptions:
     ] = None
 
 
-LawOption = Annotated[
-    str | None,
-    typer.Option(
-        help=f"How the rim meets the table: {', '.join(laws.LAWS)}.".replace("_", "-"),
-        metavar="LAW",
-    ),
-]
+_CHOICES = ", ".join(map(typed, laws.LAWS))
+
+
+@dataclass(frozen=True)
+class LawOptions:
+    """How the rim meets the table."""
+
+    law: Annotated[
+        str | None,
+        _option(f"{_CHOICES}. \\[no-slip; with --friction: coulomb]", "LAW", "Table"),
+    ] = None
+    surface: Annotated[
+        str | None,
+        _option(
+            f"Dry friction of metal on {', '.join(surfaces.SURFACES)}: typical values.",
+            "NAME",
+            "Table",
+        ),
+    ] = None
+    friction: Annotated[
+        str | None,
+        _option("Friction over normal force while the rim slides.", "NUMBER", "Table"),
+    ] = None
+    static_friction: Annotated[
+        str | None,
+        _option("The most of it while the rim sticks. \\[the same]", "NUMBER", "Table"),
+    ] = None
+    viscous_coefficient: Annotated[
+        str | None,
+        _option('Of viscous: friction over slip speed, such as "0.5 N s/m".', "NUMBER", "Table"),
+    ] = None
+    stribeck_speed: Annotated[
+        str | None,
+        _option("Of stribeck: static friction wears off about here. [1 cm/s]", "SPEED", "Table"),
+    ] = None
+    creep_speed: Annotated[
+        str | None,
+        _option("Of stribeck: what should stick creeps up to here. [1 mm/s]", "SPEED", "Table"),
+    ] = None
+
+
+@dataclass(frozen=True)
+class ResistanceOptions:
+    """How bodies rebound from the table, and what wears their motion down besides friction."""
+
+    restitution: Annotated[
+        str | None,
+        _option("Of a landing after flight, 0 to 1; not of no-slip. [0]", "NUMBER", "Table"),
+    ] = None
+    rolling_resistance: Annotated[
+        str | None,
+        _option("Resisting force over normal force, against rolling along.", "NUMBER", "Table"),
+    ] = None
+    rolling_viscous: Annotated[
+        str | None,
+        _option("Resisting force over rolling speed, in N s/m.", "NUMBER", "Table"),
+    ] = None
+    pivoting_friction: Annotated[
+        str | None,
+        _option("Resisting moment over normal force, against turning.", "LENGTH", "Table"),
+    ] = None
+    air_drag: Annotated[
+        str | None,
+        _option(
+            "Power over (yaw rate)^exponent, in W (s/rad)^exponent, or [bold]film[/]: a film of"
+            " air under the base.",
+            "NUMBER",
+            "Table",
+        ),
+    ] = None
+    air_exponent: Annotated[
+        str | None, _option("1.5 to 8; a viscous film has 4. [4]", "NUMBER", "Table")
+    ] = None
+
 
 JsonOption = Annotated[
     bool, typer.Option("--json", help="Answer in JSON, in SI units and radians.")

@@ -13,9 +13,16 @@ import typer
 from rimroll import motion as motions
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.files import Record, check_suffixes, summary, write
-from rimroll.cli.options import BodyOptions, JsonOption, LawOption, MotionOptions, StartOptions
-from rimroll.cli.screen import angle, say, show_json, working
-from rimroll.cli.turn import body_line, show_turns
+from rimroll.cli.options import (
+    BodyOptions,
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
+from rimroll.cli.screen import say, show_json, working
+from rimroll.cli.turn import body_line, show_turns, start_line
 from rimroll.errors import RimrollError
 from rimroll.motion import Moments, Motion
 from rimroll.output import ensure_folder
@@ -54,7 +61,8 @@ def simulate(
     body: BodyOptions,
     start: StartOptions,
     motion: MotionOptions,
-    law: LawOption = None,
+    law: LawOptions,
+    resistances: ResistanceOptions,
     output: OutputOption = None,
     points: PointsOption = None,
     every: EveryOption = None,
@@ -63,6 +71,7 @@ def simulate(
     """Follow a body from a start: how it ends, its turns, its events; files on request.
 
     It rolls without slip unless another law is given.
+    In files, times may repeat where the contact changes: once as before, once as after.
 
     Examples:
 
@@ -70,13 +79,15 @@ def simulate(
 
     $ rimroll simulate soda_can --tilt 20deg --yaw-rate 1deg/s -o can.png
 
+    $ rimroll simulate --friction 0.2 --tilt 30deg --yaw-rate 0.005
+
     $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
     """
     files = output or []
     check_suffixes(files)
     spacing = None if every is None else quantity(every, "s", "--every")
     _check_spacing(points, spacing)
-    what = asked(body, start, motion, law)
+    what = asked(body, start, motion, law, resistances)
     computed = _follow(what, files)
     record = Record(computed, _moments(computed, points, spacing), what)
     for file in files:
@@ -129,13 +140,36 @@ def _moments(motion: Motion, points: int | None, every: float | None) -> Moments
 
 def _show(record: Record, files: list[Path]) -> None:
     motion = record.motion
-    start = motion.start
-    rates = f"tilt {start.tilt_rate:g}, yaw {start.yaw_rate:g}, spin {start.spin_rate:g} rad/s"
     say(body_line(record.asked.name, motion.body))
-    say(f"from tilt {angle(float(start.tilt))}, rates of {rates}; gravity {motion.gravity:g} m/s²")
+    say(start_line(motion))
     show_turns(motion)
+    if len(motion.phases) > 1:
+        say("phases: " + ", ".join(_phases(motion)))
+    _show_losses(motion)
     kinds = Counter(event.kind for event in motion.events)
     if kinds:
         say("events: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()))
     for file in files:
         say(f"wrote {file}")
+
+
+def _phases(motion: Motion) -> list[str]:
+    """How often and how long the rim rolled, slid and flew."""
+    said = []
+    for kind in ("rolling", "sliding", "flying"):
+        spans = [phase.end - phase.start for phase in motion.phases if phase.kind == kind]
+        if spans:
+            said.append(f"{len(spans)} {kind} ({sum(spans):.4g} s in all)")
+    return said
+
+
+def _show_losses(motion: Motion) -> None:
+    """The energy at the start and what took of it; nothing if nothing did."""
+    losses = {
+        "friction": motion.friction_loss[-1],
+        "resistance": motion.resistance_loss[-1],
+        "landing": motion.impact_loss[-1],
+    }
+    lost = [f"{1e3 * loss:.4g} mJ to {to}" for to, loss in losses.items() if loss > 0.0]
+    if lost:
+        say(f"energy: {1e3 * motion.energy[0]:.4g} mJ at the start; lost " + ", ".join(lost))

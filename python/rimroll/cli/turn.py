@@ -3,32 +3,55 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, replace
+import textwrap
+from dataclasses import asdict, dataclass, replace
 from typing import Any
+
+from rich.table import Table
 
 from rimroll._core import __version__
 from rimroll.body import Body
 from rimroll.cli.asked import Asked, asked
-from rimroll.cli.options import BodyOptions, JsonOption, LawOption, MotionOptions, StartOptions
+from rimroll.cli.contact import in_words
+from rimroll.cli.options import (
+    BodyOptions,
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
 from rimroll.cli.screen import angle, say, show_json, table, working
-from rimroll.laws import IDEAL, Law
+from rimroll.errors import RimrollError
+from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
 from rimroll.motion import Motion, simulate
-from rimroll.theory import balance_tilt, lift_off_rate, needed_friction, turn_limit
+from rimroll.names import typed
+from rimroll.theory import (
+    Arrival,
+    arrival,
+    balance_tilt,
+    lift_off_rate,
+    needed_friction,
+    turn_limit,
+)
 
 SHOWN = 4  # turns of a motion
+WIDTH = 79  # of a paragraph
 
 
 def turn(
     body: BodyOptions,
     start: StartOptions,
     motion: MotionOptions,
-    law: LawOption = None,
+    law: LawOptions,
+    resistances: ResistanceOptions,
     json: JsonOption = False,
 ) -> int:
     """By what angle a body turns in a near-collision.
 
     The limiting angle is that of motions ever closer to a face-down collision.
     With a start, the angles of the real motion from there stand beside it.
+    Under friction the limit depends on how the body arrives at the table.
 
     Examples:
 
@@ -37,50 +60,106 @@ def turn(
     $ rimroll turn cylinder --radius 3cm --length 10cm --law no-slip
 
     $ rimroll turn --tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 0.005
+
+    $ rimroll turn --friction 0.2 --tilt 30deg --yaw-rate 0.005
     """
-    what = asked(body, start, motion, law)
-    chosen = [what.law] if law is not None else list(IDEAL)
+    what = asked(body, start, motion, law, resistances)
+    limits = _limits(what, named=law.law is not None)
     motions = {
-        law.name: _motion(replace(what, law=law)) for law in chosen if what.start is not None
+        limit.law.name: _motion(replace(what, law=limit.law))
+        for limit in limits
+        if what.start is not None and (is_ideal(limit.law) == is_ideal(what.law))
     }
     if json:
-        show_json(_answer(what, chosen, motions))
+        show_json(_answer(what, limits, motions))
     else:
-        _show_limits(what, chosen)
+        _show_limits(what, limits)
         for computed in motions.values():
             show_turns(computed)
     return int(any(computed.status == "failed" for computed in motions.values()))
 
 
+@dataclass(frozen=True)
+class Limit:
+    """The limiting angle of turn under a law, arriving in one way or another.
+
+    ``from_start`` and ``arrival`` belong to the start that was asked for, if there is one and it
+    has a near-collision; if it has none, ``why_not`` says why.
+    """
+
+    law: Law
+    angle: float | None
+    arrival: Arrival | None = None
+    from_start: float | None = None
+    why_not: str = ""
+
+
+def is_ideal(law: Law) -> bool:
+    """Whether there is a closed form of the limit, whatever the arrival without spin."""
+    return type(law) in map(type, IDEAL)
+
+
+def limit_of(what: Asked, law: Law) -> Limit:
+    """The limit under a law, and of the start that was asked for."""
+    try:
+        limit = Limit(law, turn_limit(what.body, law))
+    except RimrollError as error:
+        limit = Limit(law, None, why_not=str(error))
+    if what.start is None:
+        return limit
+    try:
+        comes = arrival(what.body, what.start, law, what.options.gravity)
+        limit = replace(limit, arrival=comes)
+        return replace(limit, from_start=turn_limit(what.body, law, comes))
+    except RimrollError as error:
+        return replace(limit, why_not=str(error))
+
+
+def _limits(what: Asked, named: bool) -> list[Limit]:
+    """Those of the two ideal laws, of a law named with ``--law``, or of all three."""
+    ideals = [replace(law, resistances=what.law.resistances) for law in IDEAL]
+    if not is_ideal(what.law):
+        laws: list[Law] = [*ideals, what.law]
+    else:
+        laws = [what.law] if named else ideals
+    return [limit_of(what, law) for law in laws]
+
+
 def _motion(what: Asked) -> Motion:
     assert what.start is not None
-    with working(f"following the motion ({typed(what.law)})"):
+    with working(f"following the motion ({typed(what.law.name)})"):
         return simulate(what.body, what.start, what.law, **asdict(what.options))
 
 
-def _answer(what: Asked, chosen: list[Law], motions: dict[str, Motion]) -> dict[str, Any]:
+def _answer(what: Asked, limits: list[Limit], motions: dict[str, Motion]) -> dict[str, Any]:
     body = what.body
+    of_law = {limit.law.name: limit for limit in limits}
     return {
         "rimroll_version": __version__,
         "body": {"name": what.name, **asdict(body)},
-        "turn_limit": {law.name: turn_limit(body, law) for law in chosen},
+        "turn_limit": {name: limit.angle for name, limit in of_law.items()},
+        "arrivals": {
+            name: {"turn_limit": limit.from_start, **asdict(limit.arrival)}
+            for name, limit in of_law.items()
+            if limit.arrival is not None
+        },
         "needed_friction": needed_friction(body),
         "balance_tilt": balance_tilt(body),
         "lift_off_rate": lift_off_rate(body, what.options.gravity),
         "gravity": what.options.gravity,
-        "motions": {name: _turns(motion) for name, motion in motions.items()},
+        "motions": {name: _turns(motion, of_law[name]) for name, motion in motions.items()},
     }
 
 
-def _turns(motion: Motion) -> dict[str, Any]:
-    limit = turn_limit(motion.body, motion.law)
+def _turns(motion: Motion, limit: Limit) -> dict[str, Any]:
+    turns = [asdict(turn) for turn in motion.turns]
+    if is_ideal(motion.law) and limit.angle is not None:
+        turns = [{**turn, "beyond_limit": abs(turn["angle"]) - limit.angle} for turn in turns]
     return {
         "parameters": motion.parameters(),
         "status": motion.status,
         "message": motion.message,
-        "turns": [
-            {**asdict(turn), "beyond_limit": abs(turn.angle) - limit} for turn in motion.turns
-        ],
+        "turns": turns,
     }
 
 
@@ -92,20 +171,28 @@ def body_line(name: str, body: Body) -> str:
     )
 
 
-def typed(law: Law) -> str:
-    """A law as it is typed: ``no-slip``."""
-    return law.name.replace("_", "-")
+def start_line(motion: Motion) -> str:
+    """A start and the gravity in one line."""
+    start = motion.start
+    rates = f"tilt {start.tilt_rate:g}, yaw {start.yaw_rate:g}, spin {start.spin_rate:g} rad/s"
+    tilt = angle(float(start.tilt))
+    return f"from tilt {tilt}, rates of {rates}; gravity {motion.gravity:g} m/s²"
 
 
-def _show_limits(what: Asked, chosen: list[Law]) -> None:
+def _show_limits(what: Asked, limits: list[Limit]) -> None:
     body = what.body
-    limits = table("law", "limiting angle of turn", "beyond 180°")
-    for law in chosen:
-        limit = turn_limit(body, law)
-        limits.add_row(typed(law), angle(limit), angle(limit - math.pi))
+    angles = table("law", "limiting angle of turn", "beyond 180°")
+    for limit in limits:
+        plain = in_words(replace(limit.law, resistances=()))
+        if is_ideal(limit.law):
+            _row(angles, plain, limit.angle)
+        else:
+            _row(angles, plain, limit.angle)
+            if limit.from_start is not None:
+                _row(angles, "    arriving from this start", limit.from_start)
     say(body_line(what.name, body))
     say()
-    say(limits)
+    say(angles)
     say()
     say(f"friction needed to roll through   {needed_friction(body):.4g}")
     say(f"balance tilt                      {angle(balance_tilt(body))}")
@@ -113,21 +200,69 @@ def _show_limits(what: Asked, chosen: list[Law]) -> None:
     faster = "arriving faster, it would need a pull from the table to roll on"
     known = f"{rate:.4g} rad/s ({faster})" if math.isfinite(rate) else "none: it never lifts off"
     say(f"lift-off rate                     {known}")
+    for limit in limits:
+        if not is_ideal(limit.law):
+            _show_arrival(what, limit)
+    if what.law.resistances:
+        say()
+        say("The limits leave the resistances out; the motion has them.")
+
+
+def _row(rows: Table, law: str, limit: float | None) -> None:
+    if limit is None:
+        rows.add_row(law, "none", "")
+    else:
+        rows.add_row(law, angle(limit), angle(limit - math.pi))
+
+
+def _show_arrival(what: Asked, limit: Limit) -> None:
+    """How the body arrives, and what of the limits depends on it."""
+    name = typed(limit.law.name)
+    if limit.arrival is not None:
+        say(f"arrival from this start           {arrival_words(limit.arrival)}")
+    say()
+    if limit.why_not:
+        say(f"{name}: {limit.why_not}")
+    say(_depends(limit.law, needed_friction(what.body)))
+
+
+def arrival_words(comes: Arrival) -> str:
+    """How a body arrives, in one line."""
+    way = "outward" if comes.slip < 0.0 else "inward"
+    slip = f"slipping {way} at {100 * abs(comes.slip):.3g} cm/s" if comes.slip else "without slip"
+    return f"tipping at {comes.tipping_rate:.4g} rad/s, {slip}"
+
+
+def _depends(law: Law, needed: float) -> str:
+    """What of a limit depends on the arrival."""
+    name = typed(law.name)
+    if isinstance(law, Viscous):
+        said = f"Viscous friction does nothing in the limit: it has no time to. So {name}, too, has"
+        said += " one limit for all arrivals without spin, the frictionless one."
+        return textwrap.fill(said, WIDTH)
+    speeds = ", and with its speeds on that rate itself" if isinstance(law, Stribeck) else ""
+    said = (
+        "What depends on the arrival: no-slip and frictionless have one limit for all starts"
+        f" without spin. That of {name} changes with the slip and spin of the arrival, relative to"
+        f" its tipping rate{speeds}; the first line is for neither."
+    )
+    if isinstance(law, Coulomb):
+        said += f" Arriving so, the body rolls through if static friction is {needed:.4g} or more."
+    return textwrap.fill(said, WIDTH)
 
 
 def show_turns(motion: Motion) -> None:
-    """How a motion ended, and its first turns beside their limit."""
-    limit = turn_limit(motion.body, motion.law)
+    """How a motion ended, and its first turns, beside their limit if it is that of each."""
     say()
-    say(f"{typed(motion.law)}: {motion.message}")
+    say(f"{in_words(motion.law)}: {motion.message}")
     if not motion.turns:
         return
-    turns = table("turn", "angle", "beyond the limit", "smallest tilt", "at t")
+    limit = turn_limit(motion.body, motion.law) if is_ideal(motion.law) else None
+    beyond = [] if limit is None else ["beyond the limit"]
+    turns = table("turn", "angle", *beyond, "smallest tilt", "at t")
     for i, turn in enumerate(motion.turns[:SHOWN], 1):
-        beyond = abs(turn.angle) - limit
-        turns.add_row(
-            str(i), angle(turn.angle), angle(beyond), angle(turn.min_tilt), f"{turn.t:.6f} s"
-        )
+        excess = [] if limit is None else [angle(abs(turn.angle) - limit)]
+        turns.add_row(str(i), angle(turn.angle), *excess, angle(turn.min_tilt), f"{turn.t:.6f} s")
     say(turns)
     if len(motion.turns) > SHOWN:
         say(f"and {len(motion.turns) - SHOWN} more, which --json lists")

@@ -15,6 +15,8 @@ from rimroll import bodies, theory
 from rimroll.body import Body
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Motion, simulate
+from rimroll.paper.figures import disks_against_friction as disks
+from rimroll.paper.figures import turn_against_friction as dry
 from rimroll.paper.setting import CAN, GRAVITY, LAWS, motion, start
 from rimroll.style import superscript
 
@@ -87,7 +89,22 @@ def angles_of_the_can() -> list[Claim]:
               "formula”: turn of the simulated can at ε = 0.005", rolling, "°",
               float(np.degrees(motion(NoSlip()).turns[1].angle)), 0.5,
               "True of the formula the right way up.", digits=3),
+        Claim("Quantitative comparisons", "the limiting angle “does not depend on the initial conditions”: "
+              "largest difference between two starts, at no slip and at no friction, ε = 10⁻⁶ rad/s", 0, "°",
+              _largest_difference_between_starts(), 0.01, "So it is at the paper’s two limits. Under dry friction "
+              f"of μ = 0.1 the same starts give {dry.near_collision(0.1, dry.ROCKED):.2f}° and "
+              f"{dry.near_collision(0.1, dry.FLICKED):.2f}°: one comes down sliding faster than the other.",
+              digits=-1, stated=False),
     ]  # fmt: skip
+
+
+def _largest_difference_between_starts() -> float:
+    """Of the near-collision's turn in whole motions that roll (μ over μ*) or do not rub, degrees."""
+    turns = [
+        [dry.measured_step(dry.motion(friction, start, dry.CLOSEST)) for start in dry.STARTS]
+        for friction in (0.0, 0.5)
+    ]
+    return float(np.max(np.ptp(turns, axis=1)))
 
 
 def disks_and_rings() -> list[Claim]:
@@ -96,6 +113,7 @@ def disks_and_rings() -> list[Claim]:
     ring = _limit(bodies.ring(0.1), NoSlip())
     both = "The same to the last digit without friction."
     straight_back = (2 / 3) ** 0.5
+    dragged = disks.whole_turn("uniform disk", 0.8, dry.ROCKED) - disk
     return [
         Claim("Disks", "homogeneous disk: π√5 ≈ 2.23 π", 2.23, "π", disk / 180, 0.005,
               "√5 = 2.236, cut to 2.23; rounding gives 2.24. " + both, digits=4),
@@ -107,6 +125,13 @@ def disks_and_rings() -> list[Claim]:
         Claim("Disks", "between ring and disk (k from 0.707 to 1) one bounces straight back: its turn",
               360, "°", float(np.degrees(theory.disk_turn_limit(straight_back))), 1e-9,
               f"k = √(2/3) = {straight_back:.4f}."),
+        Claim("Disks", "“no dependence … on the form of the friction law or the magnitude of the friction”: "
+              "largest difference of the near-collision from π√(2+k²)/k", 0, "°", disks.spread_of_the_step(), 1e-6,
+              f"Disk and ring under {len(disks.LAWS)} laws, each from two starts.", digits=-1, stated=False),
+        Claim("Disks", "… the same of the turn from the release to the next tilt maximum: uniform disk at μ = 0.8",
+              0, "°", dragged, 0.5, "Sliding on the way down leaves slip and spin behind, which turn the disk on "
+              "as it rises: so much less than the limit, however close the near-collision. The step itself is as "
+              "the paper says.", stated=False),
         Claim("Abstract; Tall thin containers", "tall containers: tends to π (here H = 100 R)", 180, "°",
               _limit(bodies.cylinder(0.01, 2.0), Frictionless()), 0.5,
               "Solid cylinder without friction; no slip comes still closer.", digits=3),
@@ -119,7 +144,11 @@ def experiment() -> list[Claim]:
 
     def between(angle: float) -> str:
         part = (angle - rolling) / (sliding - rolling)
-        return f"{100 * part:.0f} % of the way from no slip to frictionless."
+        rest, slid = dry.friction_for(angle), dry.friction_for(angle, dry.ROCKED)
+        return (
+            f"{100 * part:.0f} % of the way from no slip to frictionless. Dry friction of μ = {rest:.3f} turns "
+            f"the near-collision so if the rim comes down at rest, of {slid:.3f} if let go at {dry.ROCKED.name}."
+        )
 
     where = "Histogram and text"
     return [

@@ -14,7 +14,7 @@ from pathlib import Path
 from rimroll import _core, bodies
 from rimroll.body import Body
 from rimroll.errors import RimrollError
-from rimroll.laws import Law
+from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
 from rimroll.state import State
 
 MOST_STEPS = 2_000_000_000
@@ -77,3 +77,23 @@ UNIT_OF = {
     "fill": "1",
 }
 """The SI unit of each number that describes a body or a solid."""
+
+LAW_UNIT_OF = {
+    "friction": "1",
+    "static": "1",
+    "restitution": "1",
+    "coefficient": "N s/m",
+    "stribeck_speed": "m/s",
+    "creep_speed": "m/s",
+}
+"""The SI unit of each number of a law."""
+
+RESISTANCES: dict[str, type[Resistance]] = {
+    "rolling_resistance": RollingResistance,
+    "pivoting_friction": PivotingFriction,
+    "air_drag": AirDrag,
+}
+"""What can be added to a law, by the name of its table."""
+
+FILM = "film"
+"""In place of a coefficient of air drag: that of Moffatt's viscous film under the body."""

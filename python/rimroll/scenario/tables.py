@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import tomllib
-from collections.abc import Callable, Mapping
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
@@ -21,13 +20,23 @@ from pydantic import (
 )
 from pydantic_core import ErrorDetails
 
-from rimroll import laws, solids
+from rimroll import laws, solids, surfaces
 from rimroll.body import Body
 from rimroll.errors import RimrollError
-from rimroll.laws import NoSlip
-from rimroll.scenario import MOST_STEPS, UNIT_OF, Options, Scenario, presets
+from rimroll.laws import AirDrag, Law, NoSlip, PivotingFriction, Resistance, RollingResistance
+from rimroll.names import choose, nearest, typed
+from rimroll.scenario import (
+    FILM,
+    LAW_UNIT_OF,
+    MOST_STEPS,
+    RESISTANCES,
+    UNIT_OF,
+    Options,
+    Scenario,
+    presets,
+)
 from rimroll.state import State
-from rimroll.units import quantity, tilt_angle
+from rimroll.units import air_unit, quantity, tilt_angle
 
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,
@@ -72,7 +81,7 @@ TableT = TypeVar("TableT", bound=_Table)
 class _File(_Table):
     body: dict[str, Any]
     start: dict[str, Any] | None = None
-    law: str = NoSlip.name
+    law: Any = NoSlip.name
     simulation: dict[str, Any] = {}
 
 
@@ -99,6 +108,20 @@ class _Numbers(_Table):
     height: Annotated[float, _in("m")]
     transverse_inertia: Annotated[float, _in("kg m^2")]
     axial_inertia: Annotated[float, _in("kg m^2")]
+
+
+class _Rolling(_Table):
+    dry: Annotated[float, _in("1")] = 0.0
+    viscous: Annotated[float, _in("N s/m")] = 0.0
+
+
+class _Pivoting(_Table):
+    length: Annotated[float, _in("m")]
+
+
+class _AirDrag(_Table):
+    coefficient: Any
+    exponent: Annotated[float, _in("1")] = AirDrag.exponent
 
 
 class _Composed(_Table):
@@ -143,12 +166,85 @@ def scenario(content: dict[str, Any]) -> Scenario:
         table = _checked(_Start, file.start, "[start]")
         start = _made("[start]", lambda: State(**table.model_dump()))
     simulation = _checked(_Simulation, file.simulation, "[simulation]")
+    body = _body(file.body)
     return Scenario(
-        body=_body(file.body),
+        body=body,
         start=start,
-        law=laws.by_name(file.law),
+        law=_law(file.law, body, simulation.gravity),
         options=Options(**simulation.model_dump()),
     )
+
+
+def _law(given: object, body: Body, gravity: float) -> Law:
+    """The law of a name or of a table, with its resistances."""
+    if isinstance(given, str):
+        kind = laws.kind(given)
+        missing = [name for name, needed in laws.numbers_of(kind).items() if needed]
+        if missing:
+            table = f'a table [law] with kind = "{typed(kind.name)}" and {missing[0]}'
+            raise RimrollError(f'law = "{given}" lacks {missing[0]!r}: write {table}')
+        return kind()
+    if not isinstance(given, dict):
+        raise RimrollError(f"law must be a text or a table, got {given!r}")
+    law = _contact({key: value for key, value in given.items() if key not in RESISTANCES})
+    for name in RESISTANCES:
+        if name in given:
+            resistance = _resistance(name, given[name], body, gravity)
+            law = _made("[law]", partial(law.__add__, resistance))
+    return law
+
+
+def _contact(table: dict[str, Any]) -> Law:
+    """The law of a table by its kind or its surface."""
+    if "kind" in table and "surface" in table:
+        raise RimrollError("[law] has both a kind and a surface: give one")
+    key = "surface" if "surface" in table else "kind"
+    choices = ", ".join(map(typed, laws.LAWS))
+    if key not in table:
+        raise RimrollError(f"[law] lacks 'kind': one of {choices}; or a surface")
+    name = table[key]
+    if not isinstance(name, str):
+        raise RimrollError(f"[law] {key} must be a text, got {name!r}")
+    rest = {other: value for other, value in table.items() if other != key}
+    where = f'[law] of {key} "{name}"'
+    if key == "surface":
+        surface = _made("[law]", lambda: choose("surface", name, surfaces.SURFACES))
+        sticking = _checked(_numbers_of_law(("static", "restitution")), rest, where, *RESISTANCES)
+        return _made("[law]", lambda: surface(**sticking.model_dump(exclude_unset=True)))
+    kind = _made("[law]", lambda: laws.kind(name))
+    numbers = _checked(_numbers_of_law(tuple(laws.numbers_of(kind))), rest, where, *RESISTANCES)
+    given = numbers.model_dump(exclude_unset=True)
+    return _made("[law]", lambda: laws.by_name(name, given))
+
+
+@cache
+def _numbers_of_law(names: tuple[str, ...]) -> type[_Table]:
+    """A table with these numbers of a law."""
+    fields: dict[str, Any] = {
+        name: (Annotated[float | None, _in(LAW_UNIT_OF[name])], None) for name in names
+    }
+    return create_model("law", __base__=_Table, **fields)
+
+
+def _resistance(name: str, given: object, body: Body, gravity: float) -> Resistance:
+    where = f"[law.{name}]"
+    if not isinstance(given, dict):
+        raise RimrollError(f"[law] {name} must be a table, got {given!r}")
+    if name == "pivoting_friction":
+        return _made(where, lambda: PivotingFriction(_checked(_Pivoting, given, where).length))
+    if name == "rolling_resistance":
+        rolling = _checked(_Rolling, given, where)
+        if not rolling.model_fields_set:
+            raise RimrollError(f"{where} lacks 'dry' or 'viscous'")
+        return _made(where, lambda: RollingResistance(**rolling.model_dump()))
+    drag = _checked(_AirDrag, given, where)
+    if drag.coefficient == FILM:
+        if "exponent" in drag.model_fields_set:
+            raise RimrollError(f"{where} a film has its own exponent, 4: leave it out")
+        return AirDrag.film(body.radius, gravity=gravity)
+    unit = air_unit(drag.exponent)
+    coefficient = _made(where, lambda: quantity(drag.coefficient, unit, "coefficient"))
+    return AirDrag(coefficient, drag.exponent)
 
 
 def _body(table: dict[str, Any]) -> Body:
@@ -156,7 +252,7 @@ def _body(table: dict[str, Any]) -> Body:
         name = table["preset"]
         if not isinstance(name, str):
             raise RimrollError(f"[body] preset must be a text, got {name!r}")
-        function = _made("[body]", lambda: _choice("preset", name.replace("-", "_"), presets()))
+        function = _made("[body]", lambda: choose("preset", name, presets()))
         rest = {key: value for key, value in table.items() if key != "preset"}
         arguments = _checked(_arguments_of(function), rest, f'[body] with preset "{name}"')
         return _made("[body]", lambda: function(**arguments.model_dump()))
@@ -174,16 +270,10 @@ def _solid(table: dict[str, Any], where: str) -> solids.Solid:
     kind = table.get("kind")
     if not isinstance(kind, str):
         raise RimrollError(f"{where} needs a kind: one of {', '.join(SOLIDS)}")
-    function = _made(where, lambda: _choice("kind", kind, SOLIDS))
+    function = _made(where, lambda: choose("kind", kind, SOLIDS))
     rest = {key: value for key, value in table.items() if key != "kind"}
     arguments = _checked(_arguments_of(function), rest, f'{where} of kind "{kind}"')
     return _made(where, lambda: function(**arguments.model_dump()))
-
-
-def _choice(what: str, name: str, choices: Mapping[str, T]) -> T:
-    if name not in choices:
-        raise RimrollError(f"{what} {name!r} is unknown{_nearest(name, choices)}")
-    return choices[name]
 
 
 def _made(where: str, make: Callable[[], T]) -> T:
@@ -210,7 +300,7 @@ def _problem(found: ErrorDetails, known: list[str]) -> str:
     key = ".".join(str(part) for part in found["loc"])
     match found["type"]:
         case "extra_forbidden":
-            return f"has an unknown key {key!r}{_nearest(key, known)}"
+            return f"has an unknown key {key!r}{nearest(key, known)}"
         case "missing":
             return f"lacks {key!r}"
         case "value_error":  # a quantity's own refusal, which names the field
@@ -227,10 +317,3 @@ _KINDS = {
     "string_type": "text",
     "int_type": "whole number",
 }
-
-
-def _nearest(name: str, known: Mapping[str, object] | list[str]) -> str:
-    """A suggestion, and all that would be known."""
-    near = difflib.get_close_matches(name, list(known), n=1)
-    choices = ", ".join(known) or "none"
-    return f": did you mean {near[0]!r}? Known: {choices}" if near else f": choose from {choices}"

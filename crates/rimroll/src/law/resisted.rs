@@ -12,7 +12,9 @@
 //!
 //! The viscous part and the air's fade out where less than some thousandths of the weight press.
 //!
-//! sgn is smoothed to x/√(x² + x₀²) with x₀ = √(g/R)/1000, so that a rate may pass through zero.
+//! sgn is smoothed to x/√(x² + x₀²), so that a rate may pass through zero: x is the angular velocity
+//! about the vertical or, for rolling, about the horizontal through the contact point and the centre of
+//! the base, θ̇ sin φ; x₀ = √(g/R)/1000.
 
 use super::{Contact, Law, Parameters};
 use crate::real::Real;
@@ -91,7 +93,7 @@ impl Resistance {
 /// on the table by what ends as it leaves.
 fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
     const SOFT: f64 = 1000.0;
-    if normal.is_below_zero() {
+    if normal.is_negative() {
         return T::from(0.0);
     }
     let thrown = (k.r + k.h) * (u.p * u.p + u.s * u.s);
@@ -108,10 +110,9 @@ impl RollingResistance {
         smooth: T,
         touching: T,
     ) -> [T; 2] {
-        // θ̇ sin φ, which stays finite.
+        // θ̇ sin φ, the angular velocity about −e_x1, which stays finite.
         let running = u.sin * u.s - u.w * u.cos;
-        let floor = u.sin * smooth;
-        let sign = running / (running * running + floor * floor).sqrt();
+        let sign = running / (running * running + smooth * smooth).sqrt();
         let dry = T::from(self.dry) * k.r * normal * sign;
         let viscous = touching * T::from(self.viscous) * k.r * k.r * running;
         let resisting = dry + viscous;

@@ -1,4 +1,7 @@
 //! Viscous friction: T = −c u, as of a rim on a film of oil that is as thick under any load.
+//!
+//! Where so much of it would lift the rim off the film it gives way, T = −λ c u with the λ < 1 at which
+//! nothing presses.
 
 use super::{Friction, Pull};
 use crate::real::Real;

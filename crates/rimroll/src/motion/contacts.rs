@@ -1,6 +1,7 @@
 //! How the rim can meet the table on a given surface, and what follows when one way gives over to
 //! another.
 
+use super::track::Instant;
 use crate::body::Body;
 use crate::impact;
 use crate::law::{
@@ -8,7 +9,7 @@ use crate::law::{
 };
 use crate::state::Coordinates;
 use crate::surface::{FrictionLaw, Surface};
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// How the rim meets the table at a moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,6 +20,8 @@ pub enum Phase {
     Sliding,
     /// It is off the table.
     Flying,
+    /// The body lies on its side: the end of a motion that topples.
+    Lying,
 }
 
 impl Phase {
@@ -28,6 +31,7 @@ impl Phase {
             Phase::Rolling => "rolling",
             Phase::Sliding => "sliding",
             Phase::Flying => "flying",
+            Phase::Lying => "lying",
         }
     }
 }
@@ -57,21 +61,21 @@ pub(super) enum Next {
     Paradox,
 }
 
-/// Below this part of the velocities at hand a slip or a rebound counts as none.
-pub(super) const STOPPED: f64 = 1e-14;
-
 /// The laws of a body on a surface.
 pub struct Contacts {
     parameters: Parameters<f64>,
     surface: Surface,
+    /// Below this part of the velocities at hand a slip counts as none.
+    stopped: f64,
     rolling: Resisted<NoSlip<f64>>,
     sliding: SlidingLaw,
     flying: Flight<f64>,
 }
 
 impl Contacts {
-    /// The laws of a body on a surface under gravity g (m/s²).
-    pub fn new(body: &Body, surface: &Surface, gravity: f64) -> Self {
+    /// The laws of a body on a surface under gravity g (m/s²), for steps that may err by `tolerance`:
+    /// slower than a tenth of that, relative to the velocities at hand, no slip is followed.
+    pub(crate) fn new(body: &Body, surface: &Surface, gravity: f64, tolerance: f64) -> Self {
         let parameters = Parameters::new(body, gravity);
         let resistance = surface.resistance;
         let dry = |friction| {
@@ -112,6 +116,7 @@ impl Contacts {
         Contacts {
             parameters,
             surface: *surface,
+            stopped: 0.1 * tolerance,
             rolling: Resisted::new(NoSlip::new(parameters), resistance),
             sliding,
             flying: Flight::new(parameters),
@@ -124,7 +129,8 @@ impl Contacts {
             (Phase::Rolling, _) | (Phase::Sliding, SlidingLaw::Never) => &self.rolling,
             (Phase::Sliding, SlidingLaw::Dry(law)) => law,
             (Phase::Sliding, SlidingLaw::Smooth(law)) => &**law,
-            (Phase::Flying, _) => &self.flying,
+            // Of a body that lies nothing is asked but its energy.
+            (Phase::Flying | Phase::Lying, _) => &self.flying,
         }
     }
 
@@ -163,26 +169,11 @@ impl Contacts {
         static_friction * contact.normal - libm::hypot(contact.along, contact.across)
     }
 
-    /// What keeps the rim on the table, N sin φ: where friction has given way so far that nothing presses,
-    /// the force that would be had without it.
-    pub(super) fn pressing(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        let normal = self.law(phase).contact(u).normal;
-        if normal > 0.0 || phase == Phase::Rolling {
-            normal
-        } else {
-            -self.parameters.m * self.flying.rates(u).gap_rate
-        }
-    }
-
-    /// A speed (m/s) to compare a slip or a rebound with.
-    pub(super) fn slip_scale(&self, u: &Coordinates<f64>) -> f64 {
-        let k = &self.parameters;
-        k.r * (u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt())
-    }
-
     /// A speed (m/s) below which a slip or a rebound counts as none.
-    fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
-        STOPPED * self.slip_scale(u)
+    pub(super) fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
+        let k = &self.parameters;
+        let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
+        self.stopped * k.r * rate
     }
 
     /// How a rim on the table goes on.
@@ -202,13 +193,19 @@ impl Contacts {
                 let law = self.law(Phase::Sliding);
                 if law.consistency(u) <= 0.0 {
                     Next::Paradox
-                } else if self.pressing(Phase::Sliding, u) >= 0.0 {
+                } else if self.pressing(u) >= 0.0 {
                     Next::Slide
                 } else {
                     Next::Fly
                 }
             }
         }
+    }
+
+    /// Positive where a rim that slides is pressed to the table: where, without the table, it would go
+    /// through it.
+    pub(super) fn pressing(&self, u: &Coordinates<f64>) -> f64 {
+        -self.flying.rates(u).gap_rate
     }
 
     /// How a rim at rest that friction cannot hold begins to slip: in the direction in which it then
@@ -224,8 +221,8 @@ impl Contacts {
         } else {
             [1.0, 0.0]
         };
-        if self.direction_is_kept(dry, u, against) {
-            return Next::BeginToSlip(polished(dry, u, against));
+        if let Some(angle) = kept_angle(dry, u, against) {
+            return Next::BeginToSlip(turned(against, angle));
         }
         const LOOKS: u32 = 64;
         let angle = |i: u32| TAU * (f64::from(i) / f64::from(LOOKS) - 0.5);
@@ -235,13 +232,39 @@ impl Contacts {
             let (from, to) = (angle(i), angle(i + 1));
             let attracts = sideways(from) >= 0.0 && sideways(to) < 0.0;
             let root = attracts.then(|| crate::solve::bracketed(from, to, sideways))?;
-            onset(dry, u, against, root).is_possible().then_some(root)
+            let e = turned(against, root);
+            kept_angle(dry, u, e).map(|more| (root.abs(), turned(e, more)))
         });
-        match kept.min_by(|a, b| a.abs().total_cmp(&b.abs())) {
-            Some(angle) => Next::BeginToSlip(polished(dry, u, turned(against, angle))),
-            None if self.flying.rates(u).gap_rate > 0.0 => Next::Fly,
+        match kept.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((_, e)) => Next::BeginToSlip(e),
+            None if self.pressing(u) < 0.0 => Next::Fly,
             None => Next::Paradox,
         }
+    }
+
+    /// Whether toppling here means that the side of the body meets the table; the two ideal laws, which
+    /// know no landing, leave it at that.
+    pub(super) fn falls_on_its_side(&self, at: &Coordinates<f64>) -> bool {
+        self.can_fly() && self.parameters.h > 0.0 && (at.tilt() - FRAC_PI_2).abs() < 1e-9
+    }
+
+    /// The body after its side has met the table without rebound: neither tilting nor rising, and
+    /// with the horizontal momentum that it had. Where along the side the table has pushed does not
+    /// matter. What is left rolls on its side.
+    pub(super) fn fallen_on_its_side(&self, at: &Instant) -> Instant {
+        let law = self.law(at.phase);
+        let [slip_x, slip_y] = law.slip(at);
+        let before = law.energy(at).kinetic;
+        let mut u = Coordinates {
+            p: 0.0,
+            slip_x: slip_x - self.parameters.z(at) * at.p,
+            slip_y,
+            gap_rate: 0.0,
+            ..at.u
+        };
+        let phase = Phase::Lying;
+        u.impact_loss += before - self.law(phase).energy(&u).kinetic;
+        Instant { phase, u }
     }
 
     /// The rates at the start of a motion, by the law that then holds.
@@ -256,22 +279,12 @@ impl Contacts {
         }
     }
 
-    /// Whether a slip that begins in this direction keeps it: beside it, it is turned toward it.
-    fn direction_is_kept(&self, dry: &DrySliding, u: &Coordinates<f64>, e: [f64; 2]) -> bool {
-        const BESIDE: f64 = 1e-4;
-        let there = onset(dry, u, e, 0.0);
-        let beside = |angle: f64| onset(dry, u, e, angle).sideways;
-        there.sideways.abs() <= 1e-9 * there.size
-            && there.is_possible()
-            && beside(BESIDE) < beside(-BESIDE)
-    }
-
     /// The coordinates after a landing, and how the rim goes on.
     pub(super) fn land(&self, u: &Coordinates<f64>) -> (Coordinates<f64>, Next) {
         let friction = self.surface.friction.friction_in_impact();
         let restitution = self.surface.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
-        let rest = 1e3 * self.stopped_speed(u);
+        let rest = self.stopped_speed(u);
         let after = impact::land(&self.parameters, u, friction, restitution, rest);
         if after.gap_rate > 0.0 {
             return (after, Next::Fly);
@@ -298,6 +311,27 @@ impl Onset {
     }
 }
 
+/// The direction close by, as an angle from `base`, that a slip which begins in it keeps: to the
+/// last digit, since any other is left at once. By Newton's method.
+fn kept_angle(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
+    const NUDGE: f64 = 1e-5;
+    const CLOSE_BY: f64 = 0.3;
+    let sideways = |angle: f64| onset(dry, u, base, angle).sideways;
+    let mut angle = 0.0;
+    for _ in 0..20 {
+        let slope = (sideways(angle + NUDGE) - sideways(angle - NUDGE)) / (2.0 * NUDGE);
+        let correction = -sideways(angle) / slope;
+        angle += correction;
+        if !(slope < 0.0 && angle.abs() < CLOSE_BY) {
+            return None;
+        }
+        if correction.abs() <= 4.0 * f64::EPSILON * angle.abs() {
+            break;
+        }
+    }
+    onset(dry, u, base, angle).is_possible().then_some(angle)
+}
+
 fn onset(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {
     let e = turned(base, angle);
     let at_rest = Coordinates {
@@ -322,27 +356,6 @@ fn onset(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> 
         normal: contact.normal,
         consistency: sliding.consistency_under(&at_rest, &pull),
     }
-}
-
-/// A direction that slip nearly keeps, turned to the one that it keeps: by Newton's method, as long as
-/// that helps. In a motion that is almost plane the smallest angle counts.
-fn polished(dry: &DrySliding, u: &Coordinates<f64>, e: [f64; 2]) -> [f64; 2] {
-    const NUDGE: f64 = 1e-5;
-    let sideways = |e: [f64; 2]| onset(dry, u, e, 0.0).sideways;
-    let mut kept = (e, sideways(e));
-    for _ in 0..5 {
-        let (e, now) = kept;
-        let slope = (sideways(turned(e, NUDGE)) - sideways(turned(e, -NUDGE))) / (2.0 * NUDGE);
-        let next = turned(e, -now / slope);
-        let then = sideways(next);
-        // Written so that a NaN does not help.
-        if then.abs() < now.abs() {
-            kept = (next, then);
-        } else {
-            break;
-        }
-    }
-    kept.0
 }
 
 /// A unit vector turned by an angle.

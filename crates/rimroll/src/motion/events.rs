@@ -1,9 +1,9 @@
 //! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
-use super::contacts::{Contacts, Phase, STOPPED};
+use super::contacts::{Contacts, Phase};
 use super::mechanics::Mechanics;
 use super::track::{Instant, TIME};
-use super::{FACE_DOWN_TILT, Options, Track};
+use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track};
 use crate::law::Law;
 use crate::solve::{Collocation, Dense, Step};
 use crate::state::{COORDINATES, Coordinates};
@@ -29,7 +29,8 @@ pub enum EventKind {
     Topple,
     /// The base lands flat; the motion ends.
     FaceDown,
-    /// All but the last 1e-10 of the energy is spent; the motion ends.
+    /// The energy is spent: all but the last 1e-10 of it or, where the base has come down flat under
+    /// a resistance, all but the last hundredth. The motion ends.
     Rest,
     /// Rigid-body mechanics with this friction has no one answer; the motion ends.
     Painleve,
@@ -69,6 +70,10 @@ const LOOKS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// The part of the energy at the start at which a motion counts as over.
 const REST_ENERGY: f64 = 1e-10;
+
+/// The same where a resistance has worn the motion down until the base lies flat: what is left is
+/// spent in the last slap.
+const REST_ENERGY_FLAT: f64 = 1e-2;
 
 /// Painlevé's paradox counts as reached where the normal force has grown this many times.
 const PARADOX: f64 = 1e-6;
@@ -143,10 +148,9 @@ pub(super) struct Watch<'a> {
     contacts: &'a Contacts,
     goal: Goal,
     topple: Option<(f64, f64)>,
-    rest_energy: f64,
-    /// A slip counts as none below this part of its scale: well under the error of a step, or steps
-    /// would leap to and fro over the rest.
-    stopped: f64,
+    start_energy: f64,
+    /// The sine of the tilt below which the base counts as flat on the table.
+    flat: f64,
     /// A tilt rate counts as having a sign when it is larger than this part of its scale: a steady
     /// wobble has none.
     significant: f64,
@@ -168,8 +172,8 @@ impl<'a> Watch<'a> {
             contacts,
             goal,
             topple: options.topple_tilt.map(libm::sincos),
-            rest_energy: REST_ENERGY * energy,
-            stopped: STOPPED.max(1e-3 * options.step_tolerance()),
+            start_energy: energy,
+            flat: flat_tilt(contacts),
             significant: 10.0 * options.rtol,
             direction: 0.0,
             crossing: None,
@@ -199,6 +203,12 @@ impl<'a> Watch<'a> {
             self.direction = direction;
         }
         self.crossing = None;
+    }
+
+    /// Whether a body whose base has come down flat has no energy to speak of any more.
+    pub(super) fn rests(&self, at: &Instant) -> bool {
+        let energy = energy_above_rest(self.contacts.law(at.phase), at);
+        self.contacts.surface().resists() && energy < REST_ENERGY_FLAT * self.start_energy
     }
 
     /// What a phase can end with, and the sign that its level has before.
@@ -271,13 +281,15 @@ impl<'a> Watch<'a> {
             Switch::Topple => self
                 .topple
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
-            Switch::LiftOff => self.contacts.pressing(phase, u),
-            Switch::Flat => u.sin - FACE_DOWN_TILT,
+            Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
+            Switch::LiftOff => law.contact(u).normal,
+            Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
+            Switch::Flat => u.sin - self.flat,
             Switch::Break => self.contacts.grip(u),
-            Switch::Stop => u.slip_speed() - self.stopped * self.contacts.slip_scale(u),
+            Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
             Switch::Land => u.gap,
-            Switch::Rest => energy_above_rest(law, u) - self.rest_energy,
+            Switch::Rest => energy_above_rest(law, u) - REST_ENERGY * self.start_energy,
         }
     }
 
@@ -420,6 +432,15 @@ impl<'a> Watch<'a> {
         } else {
             first.dense(&mechanics)
         }
+    }
+}
+
+/// Resistance grows without bound as the tilt goes to zero, and needs ever shorter steps.
+fn flat_tilt(contacts: &Contacts) -> f64 {
+    if contacts.surface().resists() {
+        FLAT_TILT_WITH_RESISTANCE
+    } else {
+        FACE_DOWN_TILT
     }
 }
 

@@ -11,7 +11,7 @@ pub(super) struct Mechanics<'a> {
     radius: f64,
     /// √(g/R): the rate of falling, a yardstick for rates.
     pub falling_rate: f64,
-    changing: usize,
+    only_moves: bool,
 }
 
 impl<'a> Mechanics<'a> {
@@ -22,11 +22,7 @@ impl<'a> Mechanics<'a> {
             mass: k.m,
             radius: k.r,
             falling_rate: (k.g / k.r).sqrt(),
-            changing: if law.only_moves() {
-                MOVING
-            } else {
-                COORDINATES
-            },
+            only_moves: law.only_moves(),
         }
     }
 
@@ -78,7 +74,9 @@ impl System<COORDINATES> for Mechanics<'_> {
         .into_array()
     }
 
-    fn changing(&self) -> usize {
-        self.changing
+    const FIRST: usize = MOVING;
+
+    fn only_first(&self) -> bool {
+        self.only_moves
     }
 }

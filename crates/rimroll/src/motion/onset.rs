@@ -224,9 +224,7 @@ impl Beginning<'_> {
         let mut right = [0.0; POINTS];
         for i in 0..POINTS {
             let slope = rates[i].slope;
-            for j in 0..POINTS {
-                matrix[i][j] = -slope * h * self.method.integral[i][j];
-            }
+            matrix[i] = self.method.integral[i].map(|weight| -slope * h * weight);
             matrix[i][i] += points[i].speed;
             right[i] = rates[i].sideways + slope * (start.turn - points[i].turn);
         }
@@ -250,8 +248,8 @@ impl Beginning<'_> {
             let (mut speed, mut turn) = (start.speed, start.turn);
             for (j, weight) in row.into_iter().enumerate() {
                 let weight = h * weight;
-                for i in 0..COORDINATES {
-                    at[i] += weight * rates[j].at[i];
+                for (coordinate, rate) in at.iter_mut().zip(&rates[j].at) {
+                    *coordinate += weight * rate;
                 }
                 speed += weight * rates[j].speed;
                 turn += weight * turns[j];

@@ -1,10 +1,10 @@
 //! The phases of a motion, one after another.
 
-use super::contacts::{Contacts, Next, Phase, STOPPED};
+use super::contacts::{Contacts, Next, Phase};
 use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
 use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
-use super::{FACE_DOWN_TILT, Options, Status, onset};
+use super::{Options, Status, onset};
 use crate::law::Parameters;
 use crate::solve::{Implicit, Stepper, Work};
 use crate::state::Coordinates;
@@ -13,6 +13,9 @@ use core::ops::ControlFlow;
 
 /// So many phases of no length one after another are no motion.
 const MOST_EMPTY_PHASES: usize = 30;
+
+/// A body in flight, level, and no farther from the table than this part of its radius lands flat.
+const TOUCHING: f64 = 1e-12;
 
 /// After so many explicit steps it is asked whether implicit ones would do better.
 const STIFF_AFTER: usize = 64;
@@ -78,7 +81,10 @@ impl<'a> Run<'a> {
     }
 
     /// Follows the motion to its end.
-    pub(super) fn to_the_end(&mut self, mut report: impl FnMut(f64) -> ControlFlow<()>) -> Status {
+    pub(super) fn follow_to_the_end(
+        &mut self,
+        mut report: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Status {
         loop {
             match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
                 Then::End(status) => return status,
@@ -238,7 +244,7 @@ impl<'a> Run<'a> {
             let from = match begin.direction {
                 // What cannot be followed from nothing may be from next to nothing.
                 Some([x, y]) => {
-                    let faint = 100.0 * STOPPED * self.contacts.slip_scale(&begin.u);
+                    let faint = 10.0 * self.contacts.stopped_speed(&begin.u);
                     Coordinates {
                         slip_x: faint * x,
                         slip_y: faint * y,
@@ -268,16 +274,26 @@ impl<'a> Run<'a> {
         };
         match switch {
             Switch::Done => Then::End(Status::Finished),
-            Switch::Topple => end(self, EventKind::Topple, Status::Toppled),
+            Switch::Topple => {
+                self.watch.note(EventKind::Topple, *at);
+                if self.contacts.falls_on_its_side(at) {
+                    self.track.push_jump(self.contacts.fallen_on_its_side(at));
+                }
+                Then::End(Status::Toppled)
+            }
             Switch::Rest => end(self, EventKind::Rest, Status::AtRest),
             Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
             Switch::Flat if at.phase == Phase::Flying => {
-                let begin = Begin {
-                    u: past_upright(self.contacts.parameters(), at),
-                    direction: None,
-                };
-                Then::Phase(Phase::Flying, begin)
+                let k = self.contacts.parameters();
+                let u = past_upright(k, at);
+                // The other side of the rim comes down on the table just as this one leaves it.
+                if u.gap < TOUCHING * k.r && u.gap_rate < 0.0 {
+                    return end(self, EventKind::FaceDown, Status::FaceDown);
+                }
+                let direction = None;
+                Then::Phase(Phase::Flying, Begin { u, direction })
             }
+            Switch::Flat if self.watch.rests(at) => end(self, EventKind::Rest, Status::AtRest),
             Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
             Switch::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)
@@ -383,7 +399,6 @@ fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     Coordinates {
         yaw: u.yaw + PI,
         spin: u.spin - PI,
-        sin: FACE_DOWN_TILT,
         p: -u.p,
         w: -u.w,
         slip_x: -u.slip_x,
@@ -399,13 +414,9 @@ pub(crate) fn pass_near_collision(
     contacts: &Contacts,
     start: Coordinates<f64>,
     faded: f64,
-    rtol: f64,
+    options: &Options,
 ) -> (Track, Status) {
-    let options = Options {
-        rtol,
-        ..Options::default()
-    };
-    let mut run = Run::new(contacts, &options, Goal::Passed(faded), start);
-    let status = run.to_the_end(|_| ControlFlow::Continue(()));
+    let mut run = Run::new(contacts, options, Goal::Passed(faded), start);
+    let status = run.follow_to_the_end(|_| ControlFlow::Continue(()));
     (run.track, status)
 }

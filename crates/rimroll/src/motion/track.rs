@@ -43,6 +43,12 @@ impl Track {
         self.steps.push((phase, step));
     }
 
+    /// Ends the motion with a sudden change.
+    pub(super) fn push_jump(&mut self, to: Instant) {
+        let still = Dense::still(to.u.into_array());
+        self.steps.push((to.phase, still));
+    }
+
     /// Where the motion began.
     pub fn start(&self) -> Instant {
         self.start

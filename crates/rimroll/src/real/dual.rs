@@ -75,10 +75,6 @@ impl Real for Dual {
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
-    fn is_below_zero(self) -> bool {
-        self.value < 0.0
-    }
-
     fn sqrt(self) -> Dual {
         let root = self.value.sqrt();
         self.chain(root, 0.5 / root)
@@ -87,6 +83,10 @@ impl Real for Dual {
     fn exp(self) -> Dual {
         let power = libm::exp(self.value);
         self.chain(power, power)
+    }
+
+    fn is_negative(self) -> bool {
+        self.value < 0.0
     }
 
     fn odd_power(self, n: f64) -> Dual {

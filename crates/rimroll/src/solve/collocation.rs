@@ -136,12 +136,13 @@ pub fn solved(mut matrix: Matrix, mut right: [f64; POINTS]) -> [f64; POINTS] {
         }
         matrix.swap(i, pivot);
         right.swap(i, pivot);
-        for row in i + 1..POINTS {
-            let factor = matrix[row][i] / matrix[i][i];
-            for k in i..POINTS {
-                matrix[row][k] -= factor * matrix[i][k];
+        let (done, below) = matrix.split_at_mut(i + 1);
+        for (row, value) in below.iter_mut().zip(i + 1..) {
+            let factor = row[i] / done[i][i];
+            for (element, above) in row.iter_mut().zip(&done[i]) {
+                *element -= factor * above;
             }
-            right[row] -= factor * right[i];
+            right[value] -= factor * right[i];
         }
     }
     for i in (0..POINTS).rev() {

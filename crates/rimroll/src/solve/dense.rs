@@ -16,6 +16,16 @@ pub struct Dense<const N: usize> {
 }
 
 impl<const N: usize> Dense<N> {
+    /// A step of no length.
+    pub fn still(state: [f64; N]) -> Self {
+        Dense {
+            h: 0.0,
+            start: state,
+            end: state,
+            coefficients: [[0.0; N]; 7],
+        }
+    }
+
     /// The state at the fraction x.
     pub fn at(&self, x: f64) -> [f64; N] {
         core::array::from_fn(|i| self.component(i, x))

@@ -23,26 +23,36 @@ pub struct Step<const N: usize> {
 }
 
 /// u + h Σ weight · stage, summed in the order of the row.
-fn combine<const N: usize>(
+fn combine<S: System<N>, const N: usize>(
+    system: &S,
     u: &[f64; N],
     h: f64,
     row: Row,
     stages: &[[f64; N]],
-    changing: usize,
 ) -> [f64; N] {
     let mut end = *u;
-    let sum = weigh(row, stages, changing);
-    for i in 0..changing {
+    let sum = weigh(system, row, stages);
+    for i in 0..N {
         end[i] += h * sum[i];
     }
     end
 }
 
-fn weigh<const N: usize>(row: Row, stages: &[[f64; N]], changing: usize) -> [f64; N] {
+fn weigh<S: System<N>, const N: usize>(system: &S, row: Row, stages: &[[f64; N]]) -> [f64; N] {
+    // Each with a count that is known when it is compiled.
+    if system.only_first() {
+        weigh_first(S::FIRST, row, stages)
+    } else {
+        weigh_first(N, row, stages)
+    }
+}
+
+#[inline(always)]
+fn weigh_first<const N: usize>(count: usize, row: Row, stages: &[[f64; N]]) -> [f64; N] {
     let mut sum = [0.0; N];
     for &(stage, weight) in row {
         let stage = &stages[stage];
-        for i in 0..changing {
+        for i in 0..count {
             sum[i] += weight * stage[i];
         }
     }
@@ -55,13 +65,12 @@ impl<const N: usize> Step<N> {
 
     /// A step of length h from `start`, where the rates are `rates`.
     pub fn take(system: &impl System<N>, start: &[f64; N], rates: &[f64; N], h: f64) -> Step<N> {
-        let changing = system.changing();
         let mut stages = [[0.0; N]; 16];
         stages[0] = *rates;
         for (i, row) in STAGES.iter().enumerate() {
-            stages[i + 1] = system.rates(&combine(start, h, row, &stages, changing));
+            stages[i + 1] = system.rates(&combine(system, start, h, row, &stages));
         }
-        let end = combine(start, h, SOLUTION, &stages, changing);
+        let end = combine(system, start, h, SOLUTION, &stages);
         let end_rates = system.rates(&end);
         stages[12] = end_rates;
         Step {
@@ -74,14 +83,14 @@ impl<const N: usize> Step<N> {
     }
 
     /// The estimated error over what the tolerance allows: the step is good when this is ≤ 1.
-    pub(super) fn error(&self, system: &impl System<N>, tolerance: f64) -> f64 {
+    pub(super) fn error<S: System<N>>(&self, system: &S, tolerance: f64) -> f64 {
         let at_start = system.scale(&self.start);
         let at_end = system.scale(&self.end);
-        let changing = system.changing();
-        let fifth = weigh(ERROR_5, &self.stages, changing);
-        let third = weigh(ERROR_3, &self.stages, changing);
+        let fifth = weigh(system, ERROR_5, &self.stages);
+        let third = weigh(system, ERROR_3, &self.stages);
+        let count = system.changing();
         let (mut sum5, mut sum3) = (0.0, 0.0);
-        for i in 0..changing {
+        for i in 0..count {
             let allowed = tolerance * at_start[i].max(at_end[i]);
             sum5 += (fifth[i] / allowed) * (fifth[i] / allowed);
             sum3 += (third[i] / allowed) * (third[i] / allowed);
@@ -89,7 +98,7 @@ impl<const N: usize> Step<N> {
         if sum5 == 0.0 {
             return 0.0;
         }
-        self.h * sum5 / ((sum5 + 0.01 * sum3) * changing as f64).sqrt()
+        self.h * sum5 / ((sum5 + 0.01 * sum3) * count as f64).sqrt()
     }
 
     /// The same step cut at the fraction x: a step of its own, so of the full order, not an
@@ -100,22 +109,21 @@ impl<const N: usize> Step<N> {
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
     pub fn dense(mut self, system: &impl System<N>) -> Dense<N> {
-        let changing = system.changing();
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
-            let at = combine(&self.start, self.h, row, &self.stages, changing);
+            let at = combine(system, &self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
         let rise: [f64; N] = core::array::from_fn(|i| self.end[i] - self.start[i]);
         let mut coefficients = [[0.0; N]; 7];
-        for i in 0..changing {
+        for i in 0..N {
             let (first, last) = (h * self.stages[0][i], h * self.end_rates[i]);
             coefficients[0][i] = rise[i];
             coefficients[1][i] = first - rise[i];
             coefficients[2][i] = 2.0 * rise[i] - (first + last);
         }
         for (j, row) in DENSE.iter().enumerate() {
-            coefficients[3 + j] = weigh(row, &self.stages, changing).map(|v| h * v);
+            coefficients[3 + j] = weigh(system, row, &self.stages).map(|v| h * v);
         }
         Dense {
             h,

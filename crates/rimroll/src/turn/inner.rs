@@ -131,10 +131,9 @@ pub fn turn_limit_of(
     match *friction {
         FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
         // In no time a viscous force does nothing.
-        FrictionLaw::Frictionless | FrictionLaw::Viscous { .. } => {
-            Ok(turn_limit(body, IdealLaw::Frictionless))
-        }
-        FrictionLaw::Coulomb { friction, .. } if friction == 0.0 => {
+        FrictionLaw::Frictionless
+        | FrictionLaw::Viscous { .. }
+        | FrictionLaw::Coulomb { friction: 0.0, .. } => {
             Ok(turn_limit(body, IdealLaw::Frictionless))
         }
         FrictionLaw::Coulomb {
@@ -142,26 +141,8 @@ pub fn turn_limit_of(
         } if gentle && static_friction >= needed_friction(body) => {
             Ok(turn_limit(body, IdealLaw::NoSlip))
         }
-        FrictionLaw::Coulomb { friction, .. } if gentle => just_below_rolling(body, friction),
         _ => Ok(passage(body, friction, arrival)?.turn),
     }
-}
-
-/// For dry friction and a gentle arrival. Just below μ* the slip is so slow that its direction is
-/// ever stiffer to follow, and the turn is as good as linear in μ.
-fn just_below_rolling(body: &Body, friction: f64) -> Result<f64, InvalidInput> {
-    const CLOSE: f64 = 1e-4;
-    let turn = |friction| {
-        let law = FrictionLaw::coulomb(friction);
-        Ok(passage(body, &law, &Arrival::at_rest())?.turn)
-    };
-    let needed = needed_friction(body);
-    let close = needed * (1.0 - CLOSE);
-    if friction <= close {
-        return turn(friction);
-    }
-    let limit = turn_limit(body, IdealLaw::NoSlip);
-    Ok(limit + (turn(close)? - limit) * (needed - friction) / (needed - close))
 }
 
 /// Computes the near-collision by itself.
@@ -169,6 +150,45 @@ fn just_below_rolling(body: &Body, friction: f64) -> Result<f64, InvalidInput> {
 /// # Errors
 /// As [`turn_limit_of`].
 pub fn passage(
+    body: &Body,
+    friction: &FrictionLaw,
+    arrival: &Arrival,
+) -> Result<Passage, InvalidInput> {
+    let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
+    let needed = needed_friction(body);
+    match *friction {
+        FrictionLaw::Coulomb {
+            static_friction, ..
+        } if gentle && static_friction >= needed => {
+            computed_passage(body, &FrictionLaw::NoSlip, arrival)
+        }
+        FrictionLaw::Coulomb { friction, .. } if gentle && friction > needed * (1.0 - CLOSE) => {
+            just_below_rolling(body, arrival, (needed - friction) / (needed * CLOSE))
+        }
+        _ => computed_passage(body, friction, arrival),
+    }
+}
+
+/// How close to μ*, relative to it, friction has to be to count as just below.
+const CLOSE: f64 = 1e-4;
+
+/// Just below μ* the slip is so slow that its direction is ever stiffer to follow, and everything is as
+/// good as linear in μ. `part` is 0 at μ* and 1 where the computation can do it.
+fn just_below_rolling(body: &Body, arrival: &Arrival, part: f64) -> Result<Passage, InvalidInput> {
+    let close = FrictionLaw::coulomb(needed_friction(body) * (1.0 - CLOSE));
+    let sliding = computed_passage(body, &close, arrival)?;
+    let rolling = computed_passage(body, &FrictionLaw::NoSlip, arrival)?;
+    let between = |rolling: f64, sliding: f64| rolling + part * (sliding - rolling);
+    Ok(Passage {
+        turn: between(rolling.turn, sliding.turn),
+        rising_rate: between(rolling.rising_rate, sliding.rising_rate),
+        spin: between(rolling.spin, sliding.spin),
+        slip: core::array::from_fn(|i| between(rolling.slip[i], sliding.slip[i])),
+        loss: between(rolling.loss, sliding.loss),
+    })
+}
+
+fn computed_passage(
     body: &Body,
     friction: &FrictionLaw,
     arrival: &Arrival,
@@ -181,7 +201,11 @@ pub fn passage(
     arrival.check()?;
     let surface = Surface::from(*friction);
     surface.check()?;
-    let contacts = Contacts::new(body, &surface, NO_GRAVITY);
+    let options = Options {
+        rtol: RTOL,
+        ..Options::default()
+    };
+    let contacts = Contacts::new(body, &surface, NO_GRAVITY, options.step_tolerance());
     let rate = arrival.tipping_rate;
     let flat = Coordinates {
         cos: 1.0,
@@ -191,11 +215,12 @@ pub fn passage(
         slip_x: arrival.slip,
         ..Coordinates::zero()
     };
-    let linear = linear_departure(body, &flat, rate);
+    let first_rates = |u: &Coordinates<f64>| contacts.first_rates(u);
+    let linear = linear_departure(first_rates, &flat, rate);
     let near = flat.plus(1.0, &linear);
-    let rates = contacts.first_rates(&near);
-    let start = near.plus(1.0, &quadratic_departure(&rates, &linear, &flat, rate));
-    let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, RTOL);
+    let quadratic = quadratic_departure(&contacts.first_rates(&near), &linear, &flat, rate);
+    let start = near.plus(1.0, &quadratic);
+    let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, &options);
     let end = track.end();
     if status != Status::Finished {
         let why = match status {
@@ -215,7 +240,7 @@ pub fn passage(
         slip_y,
         ..end.u
     };
-    let linear = linear_departure(body, &end, -end.p);
+    let linear = linear_departure(|u| law.rates(u), &end, -end.p);
     let quadratic = quadratic_departure(&law.rates(&end), &linear, &end, -end.p);
     let last = end.plus(-1.0, &linear).plus(-1.0, &quadratic);
     Ok(Passage {
@@ -229,13 +254,22 @@ pub fn passage(
 
 /// Close to a fixed point, where w ~ e^{κτ}: how far the orbit at `u` has departed from it in the first
 /// power of w. The frame has yawed by w/κ, and velocities have not turned with it.
-fn linear_departure(body: &Body, u: &Coordinates<f64>, kappa: f64) -> Coordinates<f64> {
-    let yaw = u.w / kappa;
+fn linear_departure(
+    rates: impl Fn(&Coordinates<f64>) -> Coordinates<f64>,
+    u: &Coordinates<f64>,
+    kappa: f64,
+) -> Coordinates<f64> {
+    // Here the second power is nothing beside the first.
+    const CLOSER: f64 = 1e-7;
+    let closer = Coordinates {
+        w: CLOSER * u.w,
+        ..*u
+    };
+    let nothing = Coordinates::zero();
+    let departure = nothing.plus(1.0 / (CLOSER * kappa), &rates(&closer));
     Coordinates {
-        yaw,
-        slip_x: yaw * (u.slip_y + body.radius() * u.s),
-        slip_y: -yaw * u.slip_x,
-        ..Coordinates::zero()
+        w: 0.0,
+        ..departure
     }
 }
 
@@ -249,8 +283,8 @@ fn quadratic_departure(
     let half = |rate: f64, linear: f64| 0.5 * (rate / kappa - linear);
     Coordinates {
         yaw: -half(rates.w, u.w) / kappa,
-        p: half(rates.p, 0.0),
-        s: half(rates.s, 0.0),
+        p: half(rates.p, linear.p),
+        s: half(rates.s, linear.s),
         slip_x: half(rates.slip_x, linear.slip_x),
         slip_y: half(rates.slip_y, linear.slip_y),
         ..Coordinates::zero()

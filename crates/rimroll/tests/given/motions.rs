@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
-use rimroll::{Body, IdealLaw, Motion, Options, State, simulate};
+use rimroll::{Body, Motion, Options, State, Surface, simulate};
 
 /// The gravity of Srinivasan & Ruina (2007), m/s².
 pub const PAPER_GRAVITY: f64 = 9.8;
@@ -29,6 +29,11 @@ pub fn tight(duration: f64) -> Options {
 }
 
 /// Follows a start that is known to be valid.
-pub fn follow(body: &Body, start: &State, law: IdealLaw, options: &Options) -> Motion {
-    simulate(body, start, law, options, |_| ControlFlow::Continue(())).expect("valid input")
+pub fn follow(
+    body: &Body,
+    start: &State,
+    surface: impl Into<Surface>,
+    options: &Options,
+) -> Motion {
+    simulate(body, start, surface, options, |_| ControlFlow::Continue(())).expect("valid input")
 }

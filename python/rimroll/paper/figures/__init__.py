@@ -8,12 +8,15 @@ from rimroll.paper.drawing import Drawing
 from rimroll.paper.figures import (
     contact_path,
     convergence,
+    disks_against_friction,
     falling,
     friction,
     height,
+    imperfection,
     pasted,
     simulation,
     small_angle,
+    turn_against_friction,
 )
 
 FIGURES: tuple[Callable[[], Drawing], ...] = (
@@ -23,7 +26,10 @@ FIGURES: tuple[Callable[[], Drawing], ...] = (
     convergence.draw,
     height.draw,
     friction.draw,
+    turn_against_friction.draw,
+    disks_against_friction.draw,
     pasted.draw,
     small_angle.draw,
     contact_path.draw,
+    imperfection.draw,
 )

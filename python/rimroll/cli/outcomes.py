@@ -1,0 +1,127 @@
+"""How the same flick turns out on one table and on another."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from rimroll import surfaces
+from rimroll.cli.asked import Asked
+from rimroll.cli.turn import Limit, limit_of
+from rimroll.errors import RimrollError
+from rimroll.laws import IDEAL, Coulomb, Frictionless, Law
+from rimroll.motion import Motion, Turn, simulate
+from rimroll.names import choose, typed
+from rimroll.units import quantity
+
+IDEALS: dict[str, Law] = {typed(law.name): law for law in IDEAL}
+"""The laws that need no number: a table, too."""
+
+_NUMBER = re.compile(r"[+-]?(\.?\d|nan|inf)", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A table by its name, the limit on it as the body arrives there, and the motion on it."""
+
+    name: str
+    limit: Limit
+    motion: Motion
+
+    @property
+    def friction(self) -> float | None:
+        """The coefficient of friction; None where nothing bounds it."""
+        law = self.motion.law
+        if isinstance(law, Coulomb):
+            return law.friction
+        return 0.0 if isinstance(law, Frictionless) else None
+
+    @property
+    def turn(self) -> Turn | None:
+        """The first turn, from the release."""
+        return self.motion.turns[0] if self.motion.turns else None
+
+    @property
+    def slips_while_tipping(self) -> bool | None:
+        """Whether the rim slips before the near-collision; None where there is none."""
+        arrival, law = self.limit.arrival, self.motion.law
+        if arrival is None:
+            return None
+        if not isinstance(law, Coulomb):
+            return isinstance(law, Frictionless)
+        holds = law.friction if law.static is None else law.static
+        return arrival.slip != 0.0 or arrival.friction_ratio > holds * (1.0 - 1e-9)
+
+    @property
+    def slips(self) -> bool:
+        """Whether the rim slips anywhere up to the first tilt maximum."""
+        until = self.turn.end if self.turn else float(self.motion.t[-1])
+        phases = self.motion.phases
+        return any(phase.kind == "sliding" and phase.start < until for phase in phases)
+
+    @property
+    def lost(self) -> float:
+        """The part of the energy at the start that is lost up to the first tilt maximum."""
+        until = self.turn.end if self.turn else float(self.motion.t[-1])
+        moment = self.motion.evaluate(until)
+        return 1.0 - float(moment.energy[0] / self.motion.energy[0])
+
+    def answer(self) -> dict[str, Any]:
+        """The outcome as plain numbers, SI units and radians."""
+        limit = self.limit
+        return {
+            "table": self.name,
+            "friction": self.friction,
+            "parameters": self.motion.parameters(),
+            "turn_limit": limit.from_start,
+            "why_no_limit": limit.why_not or None,
+            "arrival": None if limit.arrival is None else asdict(limit.arrival),
+            "slips_while_tipping": self.slips_while_tipping,
+            "slips": self.slips,
+            "turn": None if self.turn is None else asdict(self.turn),
+            "energy_at_start": float(self.motion.energy[0]),
+            "energy_lost": self.lost,
+            "status": self.motion.status,
+            "message": self.motion.message,
+            "t": float(self.motion.t[-1]),
+        }
+
+
+def tables(text: str, restitution: float) -> dict[str, Law]:
+    """The tables of a list such as ``ice,wood,0.5,no-slip``, by name.
+
+    Raises ``RimrollError`` for what is neither a surface nor a coefficient of friction.
+    """
+    found: dict[str, Law] = {}
+    for item in text.split(","):
+        name = item.strip()
+        law = _table(name, restitution)
+        if law in found.values():
+            raise RimrollError(f"--on has {name!r} twice")
+        found[name] = law
+    return found
+
+
+def _table(name: str, restitution: float) -> Law:
+    if not name:
+        raise RimrollError("--on must be a list such as ice,wood,0.5, got a gap in it")
+    if _NUMBER.match(name):
+        return Coulomb(quantity(name, "1", "--on"), restitution=restitution)
+    known: dict[str, Callable[[], Law]] = {
+        **{other: lambda law=law: law for other, law in IDEALS.items()},  # type: ignore[misc]
+        **{
+            other: lambda make=make: make(restitution=restitution)  # type: ignore[misc]
+            for other, make in surfaces.SURFACES.items()
+        },
+    }
+    return choose("surface", name, known)()
+
+
+def outcome(what: Asked, name: str, law: Law) -> Outcome:
+    """What becomes of a flick on a table."""
+    assert what.start is not None
+    law = replace(law, resistances=what.law.resistances)
+    motion = simulate(what.body, what.start, law, **asdict(what.options))
+    return Outcome(name, limit_of(what, law), motion)

@@ -1,0 +1,102 @@
+"""The theory that the paper rejects: a rim, or a table, with an imperfection."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import expect, number
+from rimroll.laws import Law, ideal
+
+
+@dataclass(frozen=True)
+class Collision:
+    """A plastic collision of one more point of the rim, while another rests on the table.
+
+    Azimuths are counted round the rim from the point A on which the body came down, in the
+    direction of the imperfection's angle, rad between 0 and 2π.
+    """
+
+    azimuth: float
+    """Of the point that strikes."""
+    scaled_tilt: float
+    """The tilt at which it happens, in units of (height of the imperfection)/R."""
+    impulse: float
+    """The table's upward impulse at the point that strikes, N s."""
+    held_impulse: float
+    """The same at the point that rested on the table, N s: 0 when it lifts off."""
+    lean_azimuth: float | None
+    """Where the lean moves to right after it; None for a body that stops dead."""
+    lean_rate: float
+    """How fast, rad/s."""
+    rise_rate: float
+    """Upward velocity of the centre of mass right after it, m/s; negative while the body sinks."""
+    energy_kept: float
+    """The part of the kinetic energy on arrival that is left."""
+
+
+@dataclass(frozen=True)
+class ImperfectRim:
+    """What becomes of a body that falls on its rim's imperfection; see :func:`imperfect_rim`."""
+
+    turn: float | None
+    """The angle between the leans before and after, rad; None for a body that stops dead."""
+    tipping_rate: float
+    """The rate of tipping with which it rises again, rad/s."""
+    energy_kept: float
+    """The part of the kinetic energy on arrival that is left."""
+    collisions: tuple[Collision, ...]
+    """Its collisions, one or two."""
+
+
+def imperfect_rim(body: Body, angle: float, law: Law, tipping_rate: float = 1.0) -> ImperfectRim:
+    """Let a body fall exactly face down on a rim with one imperfection.
+
+    The body tips about the point A of its rim. The point B at ``angle`` (β) round the rim from A,
+    or the table under it, stands out a little and strikes first. All collisions are plastic: what
+    strikes comes to rest without rebound, and the table never pulls. The outcome is the limit of a
+    small imperfection on a rim that is perfect elsewhere, where neither its height nor gravity
+    matters. With K' = A + mH² without slip, A without friction, and J' = K' + mR²:
+
+    * B strikes. When K' + mR² cos β ≥ 0, A lifts off, and the part mR² K' (1 − cos β)²/J'² of the
+      energy is lost; else A and B both hold. Not to slip asks for :func:`rimroll.needed_friction`.
+    * The body rotates about B until a point C of the rim strikes, at χ from B with
+      cot(χ/2) = (K' − mR²)/J' tan(β/2).
+    * For K' ≥ mR² (all but flat bodies) B lifts off and the rim rolls on from C, as in the
+      near-collision. For K' < mR² the body rocks over the chord BC first, and the turn is β plus a
+      number of the body, for β < π.
+
+    At β = π the turn is π and the tipping rate falls by the factor (K' − mR²)/(K' + mR²), as of a
+    rocking block; bodies with K' ≤ mR² stop dead.
+
+    Source: the paper's "Candidate theories for symmetry breaking" names this theory and rejects it
+    without computing it: the outcome depends on where the imperfection is. (The other theory named
+    there is the whole base slapping the table at once, which no rigid-body law decides.)
+
+    Parameters
+    ----------
+    body, law
+        Who falls, and how its rim meets the table.
+    angle
+        β, rad, inside (0, 2π). The turn is counted in the same direction.
+    tipping_rate
+        ω > 0, rad/s: |dφ/dt| on arrival. Rates and impulses are in proportion to it.
+
+    Raises
+    ------
+    RimrollError
+        An angle outside (0, 2π), a tipping rate outside 1e-60 to 1e60.
+
+    Examples
+    --------
+    >>> import numpy as np, rimroll as rr
+    >>> fall = rr.imperfect_rim(rr.bodies.can_2007(), np.radians(120.0), rr.NoSlip())
+    >>> round(float(np.degrees(fall.turn)), 2), round(fall.energy_kept, 3)
+    (195.53, 0.553)
+    """
+    expect("body", body, Body)
+    turn, rate, energy_kept, collisions = _core.imperfect_rim(
+        body, number("angle", angle), ideal(law).name, number("tipping_rate", tipping_rate)
+    )
+    return ImperfectRim(turn, rate, energy_kept, tuple(Collision(*c) for c in collisions))
