@@ -96,11 +96,16 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         let unaided = k.m * (k.a * pressing + rho * turning) / inertia;
         let lifting = -(k.m * rho * u.sin * own[0] * z) / inertia;
         let mut normal = unaided - lifting;
-        if normal.is_negative() && !unaided.is_negative() {
-            // It would lift the rim that it needs to touch: it gives way until nothing presses.
-            let part = unaided / lifting;
-            own = [part * own[0], part * own[1]];
-            normal = T::from(0.0);
+        if normal.is_negative() && !lifting.is_negative() {
+            // It would lift the rim that it needs to touch: it gives way until nothing presses, and
+            // altogether where nothing would without it.
+            let kept = if unaided.is_negative() {
+                T::from(0.0)
+            } else {
+                unaided / lifting
+            };
+            own = [kept * own[0], kept * own[1]];
+            normal = unaided - kept * lifting;
         }
         turning = turning + u.sin * own[0] * z;
         let contact = Contact {
