@@ -17,7 +17,6 @@
 //! (A + mρη) N = m (A (g − z φ̇²) + ρ (A w ψ̇ cosφ − C w s + b_x z))
 //! ```
 //!
-//! where less than all of b is had if N would be negative with it but not without, and
 //! which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox).
 //! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
 
@@ -86,22 +85,34 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let Pull { per_normal, own } = pull;
+        let Pull {
+            per_normal,
+            mut own,
+        } = *pull;
         let eta = rho - per_normal[0] * z;
         let inertia = k.a + k.m * rho * eta;
+        let mut turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
         let pressing = u.sin * (k.g - z * u.p * u.p);
-        let spinning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
-        let without = k.m * (k.a * pressing + rho * spinning) / inertia;
-        let by_own = k.m * rho * u.sin * own[0] * z / inertia;
-        let kept = part_kept(without, by_own);
-        let own = own.map(|b| kept * u.sin * b);
-        let normal = without + kept * by_own;
+        let unaided = k.m * (k.a * pressing + rho * turning) / inertia;
+        let lifting = -(k.m * rho * u.sin * own[0] * z) / inertia;
+        let mut normal = unaided - lifting;
+        if normal.is_negative() && !lifting.is_negative() {
+            // It would lift the rim that it needs to touch: it gives way until nothing presses, and
+            // altogether where nothing would without it.
+            let kept = if unaided.is_negative() {
+                T::from(0.0)
+            } else {
+                unaided / lifting
+            };
+            own = [kept * own[0], kept * own[1]];
+            normal = unaided - kept * lifting;
+        }
+        turning = turning + u.sin * own[0] * z;
         let contact = Contact {
-            along: normal * per_normal[0] + own[0],
-            across: normal * per_normal[1] + own[1],
+            along: normal * per_normal[0] + u.sin * own[0],
+            across: normal * per_normal[1] + u.sin * own[1],
             normal,
         };
-        let turning = spinning + own[0] * z;
         (contact, (turning - k.m * pressing * eta) / inertia)
     }
 
@@ -152,18 +163,6 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 
     fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
         self.friction.pull([u.slip_x, u.slip_y])
-    }
-}
-
-/// How much there is of a friction of its own, which turns the body and so adds `by_own` to the normal
-/// force: it cannot pull the rim up, and gives way where it would.
-fn part_kept<T: Real>(without: T, by_own: T) -> T {
-    if !(without + by_own).is_negative() || !by_own.is_negative() {
-        T::from(1.0)
-    } else if without.is_negative() {
-        T::from(0.0)
-    } else {
-        -without / by_own
     }
 }
 

@@ -283,6 +283,7 @@ impl<'a> Watch<'a> {
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
             Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
             Switch::LiftOff => law.contact(u).normal,
+            Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
             Switch::Flat => u.sin - self.flat,
             Switch::Break => self.contacts.grip(u),
             Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),

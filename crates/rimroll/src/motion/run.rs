@@ -4,7 +4,7 @@ use super::contacts::{Contacts, Next, Phase};
 use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
 use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
-use super::{FACE_DOWN_TILT, Options, Status, onset};
+use super::{Options, Status, onset};
 use crate::law::Parameters;
 use crate::solve::{Implicit, Stepper, Work};
 use crate::state::Coordinates;
@@ -13,6 +13,9 @@ use core::ops::ControlFlow;
 
 /// So many phases of no length one after another are no motion.
 const MOST_EMPTY_PHASES: usize = 30;
+
+/// A body in flight, level, and no farther from the table than this part of its radius lands flat.
+const TOUCHING: f64 = 1e-12;
 
 /// After so many explicit steps it is asked whether implicit ones would do better.
 const STIFF_AFTER: usize = 64;
@@ -282,11 +285,14 @@ impl<'a> Run<'a> {
             Switch::Rest => end(self, EventKind::Rest, Status::AtRest),
             Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
             Switch::Flat if at.phase == Phase::Flying => {
-                let begin = Begin {
-                    u: past_upright(self.contacts.parameters(), at),
-                    direction: None,
-                };
-                Then::Phase(Phase::Flying, begin)
+                let k = self.contacts.parameters();
+                let u = past_upright(k, at);
+                // The other side of the rim comes down on the table just as this one leaves it.
+                if u.gap < TOUCHING * k.r && u.gap_rate < 0.0 {
+                    return end(self, EventKind::FaceDown, Status::FaceDown);
+                }
+                let direction = None;
+                Then::Phase(Phase::Flying, Begin { u, direction })
             }
             Switch::Flat if self.watch.rests(at) => end(self, EventKind::Rest, Status::AtRest),
             Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
@@ -394,7 +400,6 @@ fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     Coordinates {
         yaw: u.yaw + PI,
         spin: u.spin - PI,
-        sin: FACE_DOWN_TILT,
         p: -u.p,
         w: -u.w,
         slip_x: -u.slip_x,
