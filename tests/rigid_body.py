@@ -121,7 +121,8 @@ class Resistances:
     """What else resists while the rim is on the table; s1(x) = x/sqrt(x2 + smoothing2) is a sign.
 
     rolling (1) and rolling_viscosity (N s/m): Q = -(rolling N R s1(spin_rate sin tilt) +
-    rolling_viscosity R2 spin_rate) works on the spin alone. pivoting (m): a vertical moment -pivoting N s1(Omega_z).
+    rolling_viscosity R2 spin_rate) works on the spin alone. pivoting (m): a vertical moment
+    -pivoting N s1(Omega_z).
     air (W s^exponent): a moment across the axis in the plane of the tilt, of power
     -air |yaw_rate|^air_exponent.
     """

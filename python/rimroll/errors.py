@@ -10,10 +10,13 @@ class RimrollError(ValueError):
 def expect(field: str, value: object, kind: Any) -> None:
     """Raise ``RimrollError`` unless the value is of the kind, a class or a union of classes."""
     if not isinstance(value, kind):
-        kinds = " or ".join(k.__name__ for k in getattr(kind, "__args__", (kind,)))
+        kinds = " or ".join(
+            "None" if k is type(None) else f"rimroll.{k.__name__}"
+            for k in getattr(kind, "__args__", (kind,))
+        )
         name = getattr(value, "__name__", "something callable")
         given = f"{name} itself: call it" if callable(value) else repr(value)
-        raise RimrollError(f"{field} must be a rimroll.{kinds}, got {given}")
+        raise RimrollError(f"{field} must be a {kinds}, got {given}")
 
 
 def number(field: str, value: object) -> float:

@@ -7,6 +7,7 @@ Coulomb(friction=0.3) + RollingResistance(dry=0.001)
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from typing import ClassVar, Self
@@ -28,11 +29,19 @@ class _Numbered:
 
     def __repr__(self) -> str:
         given = ", ".join(
-            f"{item.name}={getattr(self, item.name):g}"
+            f"{item.name}={getattr(self, item.name)!r}"
             for item in fields(self)  # type: ignore[arg-type]
             if item.repr and getattr(self, item.name) != item.default
         )
         return f"{type(self).__name__}({given})"
+
+
+@dataclass(frozen=True)
+class _Alone:
+    """A resistance by itself, for the core to check."""
+
+    numbers: dict[str, float]
+    name: str = "no_slip"
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,6 +58,7 @@ class RollingResistance(_Numbered):
 
     def __post_init__(self) -> None:
         self._read()
+        _core.check_surface(_Alone(self._numbers()))
 
     def _numbers(self) -> dict[str, float]:
         return {"rolling_dry": self.dry, "rolling_viscous": self.viscous}
@@ -62,6 +72,7 @@ class PivotingFriction(_Numbered):
 
     def __post_init__(self) -> None:
         self._read()
+        _core.check_surface(_Alone(self._numbers()))
 
     def _numbers(self) -> dict[str, float]:
         return {"pivoting_length": self.length}
@@ -80,15 +91,21 @@ class AirDrag(_Numbered):
 
     def __post_init__(self) -> None:
         self._read()
+        _core.check_surface(_Alone(self._numbers()))
 
     @classmethod
-    def film(cls, radius: float, viscosity: float = 1.82e-5, gravity: float = 9.80665) -> AirDrag:
+    def film(
+        cls,
+        radius: float,
+        viscosity: float = 1.82e-5,
+        gravity: float = _core.STANDARD_GRAVITY,
+    ) -> AirDrag:
         """Moffatt's viscous film under a nearly flat uniform disk: π μ R⁴/(16 g) and exponent 4.
 
         His π μ R³ Ω²/(4 α) with Ω² α = 4 g/R. ``radius`` in m, ``viscosity`` in Pa s (air:
         1.82e-5), ``gravity`` in m/s².
         """
-        return cls(3.141592653589793 * viscosity * radius**4 / (16.0 * gravity), 4.0)
+        return cls(math.pi * viscosity * radius**4 / (16.0 * gravity), 4.0)
 
     def _numbers(self) -> dict[str, float]:
         return {"air_coefficient": self.coefficient, "air_exponent": self.exponent}
@@ -108,16 +125,23 @@ class Law(_Numbered):
 
     def __post_init__(self) -> None:
         self._read()
-        kinds = [type(item) for item in self.resistances]
-        for item in self.resistances:
+        given = self.resistances
+        items = (given,) if isinstance(given, Resistance) else tuple(given)
+        kinds = [type(item).__name__ for item in items]
+        for item, kind in zip(items, kinds, strict=True):
             expect("what is added to a law", item, Resistance)
-            if kinds.count(type(item)) > 1:
-                raise RimrollError(f"a law takes one {type(item).__name__}, got two")
+            if kinds.count(kind) > 1:
+                raise RimrollError(f"a law takes one {kind}, got two")
+        in_order = tuple(sorted(items, key=lambda item: type(item).__name__, reverse=True))
+        object.__setattr__(self, "resistances", in_order)
         _core.check_surface(self)
 
     def __add__(self, other: Resistance) -> Self:
         expect("what is added to a law", other, Resistance)
         return replace(self, resistances=(*self.resistances, other))
+
+    def __radd__(self, other: Resistance) -> Self:
+        return self + other
 
     def __repr__(self) -> str:
         return " + ".join([super().__repr__(), *map(repr, self.resistances)])
@@ -164,7 +188,8 @@ class Coulomb(Law):
     The rim rolls while |T| ≤ ``static`` · N, then slips under |T| = ``friction`` · N against the
     slip, and rolls again when the slip stops and friction can hold it. ``static`` is ``friction``
     unless given, and not below it. Where the normal force reaches zero the rim leaves the table; it
-    lands with the energetic coefficient of ``restitution``, 0 to 1, and friction in the impulse.
+    lands with the energetic coefficient of ``restitution``, 0 to 1, and with ``friction`` in the
+    impulse, whether it slips or sticks.
     """
 
     friction: float

@@ -334,7 +334,10 @@ class Motion(Moments):
         return _follow, (self.body, self.start, self.law, self._options)
 
     def __call__(self, t: ArrayLike) -> State:
-        """Dense output: the state at a time t (s, inside the motion), or at times (n,)."""
+        """Dense output: the state at a time t (s, inside the motion), or at times (n,).
+
+        At the time of a landing it is the state after it.
+        """
         states = self.evaluate(t).state
         if np.ndim(t):
             return states
@@ -379,12 +382,21 @@ class Motion(Moments):
         return animate(self, path, **options)
 
     def to_xarray(self) -> xr.Dataset:
-        """The motion as a dataset over ``t`` with units, and all that it was computed from."""
+        """The motion as a dataset over ``t`` with units, and all that it was computed from.
+
+        A moment at which the contact changes is there once, as it is after the change.
+        """
         import xarray as xr
 
+        # An index has each time once: of a change of the contact, what is after it.
+        last = np.append(np.diff(self.t) > 0.0, True)
         dataset = xr.Dataset(
-            {name: ("t", self[name], {"units": UNITS[name]}) for name in UNITS if name != "t"},
-            coords={"t": ("t", self.t, {"units": "s"})},
+            {
+                name: ("t", self[name][last], {"units": UNITS[name]})
+                for name in UNITS
+                if name != "t"
+            },
+            coords={"t": ("t", self.t[last], {"units": "s"})},
         )
         return dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
 

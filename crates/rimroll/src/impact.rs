@@ -29,13 +29,16 @@ struct Mobility {
     coupling: f64,
 }
 
-/// What has happened so far. The work is that of the normal impulse.
+/// What has happened so far.
 #[derive(Clone, Copy)]
 struct Striking {
     slip: [f64; 2],
     v: f64,
     impulse: [f64; 3],
+    /// Of the normal impulse.
     work: f64,
+    /// Of friction.
+    friction_work: f64,
 }
 
 /// What ends the present part of an impact.
@@ -79,6 +82,7 @@ pub(crate) fn land(
         v: u.gap_rate,
         impulse: [0.0; 3],
         work: 0.0,
+        friction_work: 0.0,
     };
     mobility.press(&mut now, friction, Until::Compressed);
     let compressed = now;
@@ -100,16 +104,8 @@ pub(crate) fn land(
     [after.slip_x, after.slip_y] = now.slip;
     after.gap = 0.0;
     after.gap_rate = now.v;
-    after.impact_loss += kinetic(k, u) - kinetic(k, &after);
+    after.impact_loss -= now.work + now.friction_work;
     after
-}
-
-fn kinetic(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
-    let [rolling_x, rolling_y] = k.rolling_velocity(u);
-    let (vx, vy) = (rolling_x + u.slip_x, rolling_y + u.slip_y);
-    let vz = k.rho(u) * u.p + u.gap_rate;
-    let translation = k.m * (vx * vx + vy * vy + vz * vz);
-    0.5 * (translation + k.a * (u.p * u.p + u.w * u.w) + k.c * u.s * u.s)
 }
 
 impl Mobility {
@@ -171,24 +167,26 @@ impl Mobility {
         now.impulse[2] += impulse;
         now.v = v;
         if pull != holding {
+            now.friction_work += pull * impulse * (now.slip[0] + 0.5 * slip * impulse);
             now.slip[0] += slip * impulse;
         }
     }
 }
 
 impl Striking {
-    fn as_array(&self) -> [f64; 7] {
+    fn as_array(&self) -> [f64; 8] {
         let [ux, uy] = self.slip;
         let [px, py, pn] = self.impulse;
-        [ux, uy, self.v, px, py, pn, self.work]
+        [ux, uy, self.v, px, py, pn, self.work, self.friction_work]
     }
 
-    fn from_array(a: &[f64; 7]) -> Self {
+    fn from_array(a: &[f64; 8]) -> Self {
         Striking {
             slip: [a[0], a[1]],
             v: a[2],
             impulse: [a[3], a[4], a[5]],
             work: a[6],
+            friction_work: a[7],
         }
     }
 }
@@ -201,8 +199,8 @@ struct SlidingImpact<'a> {
     speed: f64,
 }
 
-impl System<7> for SlidingImpact<'_> {
-    fn rates(&self, a: &[f64; 7]) -> [f64; 7] {
+impl System<8> for SlidingImpact<'_> {
+    fn rates(&self, a: &[f64; 8]) -> [f64; 8] {
         let Mobility {
             along,
             across,
@@ -223,10 +221,11 @@ impl System<7> for SlidingImpact<'_> {
             py,
             pn,
             v * pn,
+            ux * px + uy * py,
         ]
     }
 
-    fn scale(&self, a: &[f64; 7]) -> [f64; 7] {
+    fn scale(&self, a: &[f64; 8]) -> [f64; 8] {
         let slip = (a[0] * a[0] + a[1] * a[1]).sqrt();
         let speed = self.speed;
         let impulse = speed / self.mobility.normal;
@@ -237,6 +236,7 @@ impl System<7> for SlidingImpact<'_> {
             impulse,
             impulse,
             impulse,
+            speed * impulse,
             speed * impulse,
         ]
     }

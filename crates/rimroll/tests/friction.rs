@@ -270,11 +270,13 @@ fn painleve_frictions_are_those_known() {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Between the limits, falling with friction, for every body.
+    /// Between the limits, falling with friction. (A low, wide body may turn a little more under a little
+    /// friction than under none.)
     #[test]
-    fn the_limiting_turn_of_any_body_lies_between_the_closed_forms(
+    fn the_limiting_turn_of_a_body_as_tall_as_wide_lies_between_the_closed_forms(
         body in any_body(), part in 0.05..0.95,
     ) {
+        prop_assume!(body.height() >= body.radius());
         let needed = needed_friction(&body);
         let most = turn_limit(&body, IdealLaw::Frictionless);
         let least = turn_limit(&body, IdealLaw::NoSlip);

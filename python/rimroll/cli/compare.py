@@ -21,7 +21,7 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.outcomes import IDEALS, Outcome, outcome, tables
 from rimroll.cli.screen import angle, say, show_json, table, working
-from rimroll.cli.turn import body_line, start_line
+from rimroll.cli.turn import arrival_of, body_line, start_line
 from rimroll.errors import RimrollError
 from rimroll.laws import NoSlip
 from rimroll.motion import Motion
@@ -29,7 +29,7 @@ from rimroll.names import typed
 from rimroll.output import ensure_folder, writing
 from rimroll.state import State
 from rimroll.surfaces import SURFACES
-from rimroll.theory import arrival, needed_friction
+from rimroll.theory import needed_friction
 from rimroll.units import quantity
 
 USUAL = State(tilt=math.radians(30.0), tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
@@ -146,10 +146,9 @@ def _show(outcomes: list[Outcome]) -> None:
     say()
     say(rows)
     say()
-    say("limit: the turn of motions ever closer to a collision that arrive as this one does")
-    say(
-        "turn, lost: this motion's, and of its energy, from the release to its next maximum of tilt"
-    )
+    say("limit: the turn as the sideways push goes to 0, for a body that arrives as this one")
+    say("turn, lost: this motion's, and of its energy, from the release to its next maximum of")
+    say("            tilt, or to its end")
     say(_needs(outcomes[0].motion))
     for one in outcomes:
         if one.limit.why_not:
@@ -168,7 +167,7 @@ def _needs(motion: Motion) -> str:
     """The friction that rolling needs."""
     passing = f"{needed_friction(motion.body):.4g} through the near-collision"
     try:
-        ratio = arrival(motion.body, motion.start, NoSlip(), motion.gravity).friction_ratio
+        comes = arrival_of(motion.body, motion.start, NoSlip(), motion.gravity)
     except RimrollError:
         return f"rolling needs friction {passing}"
-    return f"rolling needs friction {ratio:.4g} while tipping, {passing}"
+    return f"rolling needs friction {comes.friction_ratio:.4g} while tipping, {passing}"

@@ -26,6 +26,7 @@ from rimroll.errors import RimrollError
 from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
 from rimroll.motion import Motion, simulate
 from rimroll.names import typed
+from rimroll.state import State
 from rimroll.theory import (
     Arrival,
     arrival,
@@ -108,11 +109,25 @@ def limit_of(what: Asked, law: Law) -> Limit:
     if what.start is None:
         return limit
     try:
-        comes = arrival(what.body, what.start, law, what.options.gravity)
+        comes = arrival_of(what.body, what.start, law, what.options.gravity)
         limit = replace(limit, arrival=comes)
         return replace(limit, from_start=turn_limit(what.body, law, comes))
     except RimrollError as error:
         return replace(limit, why_not=str(error))
+
+
+def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
+    """How a start comes down; ``RimrollError`` for one whose sideways motion is no small push."""
+    most = 0.2  # of the rate of falling: from there on it wobbles rather than falls
+    turning = math.hypot(
+        start.yaw_rate * math.sin(start.tilt),
+        start.spin_rate + start.yaw_rate * math.cos(start.tilt),
+    )
+    if turning > most * math.sqrt(gravity / body.radius):
+        raise RimrollError(
+            f"this start has no near-collision to tell of: it turns sideways at {turning:.3g} rad/s"
+        )
+    return arrival(body, start, law, gravity)
 
 
 def _limits(what: Asked, named: bool) -> list[Limit]:

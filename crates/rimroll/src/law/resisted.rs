@@ -96,8 +96,7 @@ fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
     if normal.is_negative() {
         return T::from(0.0);
     }
-    let thrown = (k.r + k.h) * (u.p * u.p + u.s * u.s);
-    let load = normal / (k.m * u.sin * (k.g + thrown));
+    let load = normal / (k.m * u.sin * k.g);
     T::from(1.0) - (T::from(-SOFT) * load).exp()
 }
 

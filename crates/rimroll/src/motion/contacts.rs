@@ -263,20 +263,20 @@ impl Contacts {
 
     /// The body after its side has met the table without rebound: neither tilting nor rising, and
     /// with the horizontal momentum that it had. Where along the side the table has pushed does not
-    /// matter. What is left rolls on its side.
+    /// matter. What is left rolls on its side. The rim stays on the table: what ends is the motion of
+    /// the centre of mass down and the tilting, ½ (A + mρ²) φ̇².
     pub(super) fn fallen_on_its_side(&self, at: &Instant) -> Instant {
-        let law = self.law(at.phase);
-        let [slip_x, slip_y] = law.slip(at);
-        let before = law.energy(at).kinetic;
-        let mut u = Coordinates {
+        let k = &self.parameters;
+        let [slip_x, slip_y] = self.law(at.phase).slip(at);
+        let rho = k.rho(at);
+        let u = Coordinates {
             p: 0.0,
-            slip_x: slip_x - self.parameters.z(at) * at.p,
+            slip_x: slip_x - k.z(at) * at.p,
             slip_y,
-            gap_rate: 0.0,
+            impact_loss: at.impact_loss + 0.5 * (k.a + k.m * rho * rho) * at.p * at.p,
             ..at.u
         };
         let phase = Phase::Lying;
-        u.impact_loss += before - self.law(phase).energy(&u).kinetic;
         Instant { phase, u }
     }
 

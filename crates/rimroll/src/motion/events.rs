@@ -75,7 +75,7 @@ const REST_ENERGY: f64 = 1e-10;
 /// spent in the last slap.
 const REST_ENERGY_FLAT: f64 = 1e-2;
 
-/// Painlevé's paradox counts as reached where the normal force has grown this many times.
+/// Painlevé's paradox counts as reached where so little is left of what determines the normal force.
 const PARADOX: f64 = 1e-6;
 
 /// What a phase ends with.
@@ -283,6 +283,8 @@ impl<'a> Watch<'a> {
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
             Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
             Switch::LiftOff => law.contact(u).normal,
+            Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
+            // In the air nothing resists.
             Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
             Switch::Flat => u.sin - self.flat,
             Switch::Break => self.contacts.grip(u),

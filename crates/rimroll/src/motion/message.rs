@@ -33,6 +33,10 @@ pub(super) fn message(
              without rebound it {}",
             on_its_side(contacts, &end)
         ),
+        Status::Toppled if end.phase == Phase::Flying => format!(
+            "toppled in the air: the tilt reached {:.6} rad at t = {t} s, the rim being off the table",
+            end.tilt()
+        ),
         Status::Toppled => format!(
             "toppled: the tilt reached {:.6} rad at t = {t} s",
             end.tilt()
@@ -48,10 +52,9 @@ pub(super) fn message(
         ),
         Status::FaceDown if contacts.surface().resists() => format!(
             "face down at t = {t} s: resistance has stopped the contact point on the rim, and the base comes \
-             down flat, tilting at {} rad/s and spinning about its axis at {} rad/s. Rigid-body \
+             down flat, tilting at {:.4} rad/s and spinning about its axis at {:.4} rad/s. Rigid-body \
              mechanics does not say what follows from simultaneous impacts at every point of it",
-            shown(end.p),
-            shown(end.s)
+            end.p, end.s
         ),
         Status::FaceDown => format!(
             "face down at t = {t} s: the tilt falls below {FACE_DOWN_TILT:e} rad, where the contact point \

@@ -4,7 +4,7 @@ use super::contacts::{Contacts, Next, Phase};
 use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
 use super::mechanics::Mechanics;
 use super::track::{Instant, Track};
-use super::{Options, Status, onset};
+use super::{FACE_DOWN_TILT, Options, Status, onset};
 use crate::law::Parameters;
 use crate::solve::{Implicit, Stepper, Work};
 use crate::state::Coordinates;
@@ -47,6 +47,8 @@ pub(super) struct Run<'a> {
     work: Work,
     next: Then,
     empty_phases: usize,
+    /// Time and yaw at which the last phase ended.
+    last_end: (f64, f64),
 }
 
 impl<'a> Run<'a> {
@@ -72,6 +74,7 @@ impl<'a> Run<'a> {
             work: Work::default(),
             next: Then::End(Status::Failed),
             empty_phases: 0,
+            last_end: (f64::NAN, f64::NAN),
         };
         run.next = match run.watch.at_start(&first) {
             Some(switch) => run.after(switch, &first),
@@ -86,6 +89,11 @@ impl<'a> Run<'a> {
         mut report: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
+            if let Some(Over::For(status)) = self.out_of_steps(&mut report) {
+                if !matches!(self.next, Then::End(_)) {
+                    return status;
+                }
+            }
             match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
                 Then::End(status) => return status,
                 Then::Phase(phase, begin) => {
@@ -179,6 +187,7 @@ impl<'a> Run<'a> {
             return ControlFlow::Continue(None);
         }
         let mut next = None;
+        let mut most_growth: f64 = 4.0;
         let mut h = WORTH_IT * h;
         loop {
             if let Some(over) = self.out_of_steps(report) {
@@ -200,7 +209,14 @@ impl<'a> Run<'a> {
             } else {
                 self.work.rejected += 1;
             }
-            h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, 4.0);
+            // After a step that failed, none is tried that is much longer for a while.
+            let most = if error > 1.0 { 1.0 } else { most_growth };
+            most_growth = if error > 1.0 {
+                1.2
+            } else {
+                (1.5 * most_growth).min(4.0)
+            };
+            h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, most);
             let explicit = STIFF / implicit.relaxation(&u);
             if h.is_nan() || h <= WORTH_IT * explicit {
                 return ControlFlow::Continue(next.map(|_| explicit));
@@ -210,7 +226,11 @@ impl<'a> Run<'a> {
 
     /// Refuses to turn on the spot for ever.
     fn over_by(&mut self, switch: Switch, step: f64) -> Over {
-        if self.track.last_step() > 1e-9 * step {
+        // In the near-collision by itself time stands still, and only the yaw tells.
+        let at = self.track.end();
+        let somewhere = (at.t, at.yaw) != self.last_end;
+        self.last_end = (at.t, at.yaw);
+        if somewhere && self.track.last_step() > 1e-9 * step {
             self.empty_phases = 0;
         } else {
             self.empty_phases += 1;
@@ -400,6 +420,7 @@ fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     Coordinates {
         yaw: u.yaw + PI,
         spin: u.spin - PI,
+        sin: FACE_DOWN_TILT,
         p: -u.p,
         w: -u.w,
         slip_x: -u.slip_x,

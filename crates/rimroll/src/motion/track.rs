@@ -80,12 +80,12 @@ impl Track {
         self.sampled(1)
     }
 
-    /// The motion at a time, s; times outside it give its ends.
+    /// The motion at a time, s, after what happens just then; times outside it give its ends.
     pub fn at(&self, t: f64) -> Instant {
         if t <= self.start.t {
             return self.start;
         }
-        let index = self.steps.partition_point(|(_, step)| step.end[TIME] < t);
+        let index = self.steps.partition_point(|(_, step)| step.end[TIME] <= t);
         match self.steps.get(index) {
             Some((phase, step)) => instant(*phase, &step.at(step.where_component(TIME, t))),
             None => self.end(),

@@ -9,13 +9,14 @@
 //!
 //! It depends on the body and the friction, and on the slip and the spin with which the body arrives,
 //! relative to Hω and ω. For Coulomb friction μ ≥ μ* = mHR/(A + mH²) and a body that arrives at
-//! rest on its rim, it is the no-slip limit; for μ = 0 the frictionless one.
+//! rest on its rim, it is the no-slip limit; for μ = 0 the frictionless one. For the paper's can it falls from
+//! one to the other; that of a low, wide body may first rise above the frictionless one by a little.
 
 use super::{needed_friction, turn_limit, turn_limit_with_spin};
 use crate::body::Body;
 use crate::error::{InvalidInput, finite, positive};
 use crate::law::IdealLaw;
-use crate::motion::{Contacts, Options, Status, pass_near_collision, simulate};
+use crate::motion::{Contacts, Options, Phase, Status, pass_near_collision, simulate};
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
 use core::ops::ControlFlow;
@@ -75,6 +76,11 @@ impl Arrival {
                 why: format!("the tipping phase does not end flat: {}", fall.message),
             });
         }
+        if fall.track.phases().any(|at| at.phase == Phase::Flying) {
+            return Err(InvalidInput::NoNearCollision {
+                why: "the rim lifts off on the way down".to_owned(),
+            });
+        }
         let end = fall.track.end();
         let ratio = |contact: crate::law::Contact<f64>| {
             libm::hypot(contact.along, contact.across) / contact.normal
@@ -116,7 +122,7 @@ pub struct Passage {
 
 /// The limiting angle of turn, rad, on any surface (restitution and resistance do not enter: the
 /// first needs a flight, the second time to act). Closed forms where there are any, else the
-/// near-collision computed, good to 1e-8 rad.
+/// near-collision computed, good to 3e-8 rad.
 ///
 /// # Errors
 /// Refuses an arrival with a tipping rate ≤ 0 or numbers that are not finite, and one whose
