@@ -42,8 +42,9 @@ def compare(body, start, law, its_law, duration, resistances=rb.NONE, agree=1e-7
     return [event.kind for event in motion.events if event.kind in changes]
 
 
-@pytest.mark.parametrize("body", [CAN, DISK], ids=["can", "disk"])
-@pytest.mark.parametrize("friction", [0.0, 0.05, 0.2, 0.3, 0.5])
+@pytest.mark.parametrize(
+    ("body", "friction"), [(CAN, 0.0), (CAN, 0.05), (CAN, 0.2), (CAN, 0.3), (DISK, 0.2)]
+)
 def test_dry_friction(body, friction):
     duration = 0.5 if body is CAN else 0.2
     compare(body, START, rr.Coulomb(friction), rb.Coulomb(friction), duration)
@@ -91,8 +92,9 @@ def test_resistances(law):
     compare(CAN, START, ours, its_law, 0.15, its)
 
 
-@pytest.mark.parametrize("restitution", [0.0, 0.4, 0.9])
-@pytest.mark.parametrize("friction", [0.0, 0.2, 0.8])
+@pytest.mark.parametrize(
+    ("friction", "restitution"), [(0.0, 0.9), (0.2, 0.0), (0.2, 0.4), (0.8, 0.4)]
+)
 def test_flights_and_landings(friction, restitution):
     """Thrown so hard that the rim leaves the table at once, and comes down spinning."""
     thrown = rr.State(tilt=0.4, tilt_rate=-14.0, yaw_rate=5.0, spin_rate=-3.0)
@@ -101,7 +103,7 @@ def test_flights_and_landings(friction, restitution):
     assert "land" in changes
 
 
-@settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(
     composed_bodies(),
     st.floats(0.02, 0.6),

@@ -252,7 +252,7 @@ BAD = {
     ),
     "resistance negative": (
         COIN + '[law]\nkind = "no-slip"\n[law.rolling_resistance]\ndry = -1',
-        r"\[law\] rolling_resistance dry must be >= 0",
+        r"rolling_resistance dry must be >= 0",
     ),
     "resistance misspelt": (
         COIN + '[law]\nkind = "no-slip"\n[law.pivoting_friction]\nlenght = 1',
@@ -272,7 +272,7 @@ BAD = {
     ),
     "air drag out of bounds": (
         COIN + '[law]\nkind = "no-slip"\n[law.air_drag]\ncoefficient = 1\nexponent = 9',
-        r"\[law\] air_drag exponent must be between 1.5 and 8",
+        r"air_drag exponent must be between 1.5 and 8",
     ),
     "film with exponent": (
         COIN + '[law]\nkind = "no-slip"\n[law.air_drag]\ncoefficient = "film"\nexponent = 4',

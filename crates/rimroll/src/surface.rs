@@ -226,7 +226,13 @@ impl Surface {
         not_negative("pivoting_friction", pivoting.length, "m")?;
         not_negative("air_drag", air.coefficient, "W (s/rad)^exponent")?;
         let moderate = |n: f64| (1.5..=8.0).contains(&n);
-        bounded("exponent", air.exponent, moderate, "between 1.5 and 8", "")?;
+        bounded(
+            "air_drag exponent",
+            air.exponent,
+            moderate,
+            "between 1.5 and 8",
+            "",
+        )?;
         Ok(())
     }
 
