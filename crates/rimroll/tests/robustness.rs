@@ -380,7 +380,11 @@ fn energies(case: &Case, motion: &Motion, found: &mut Found) {
     let start = energy(&begin);
     let weight = case.body.mass() * GRAVITY * case.body.radius();
     let scale = start.abs().max(weight * begin.sin);
-    let allowed = 1e-9 + 100.0 * case.options.rtol;
+    let allowed = if case.options.rtol <= 1e-11 {
+        1e-9
+    } else {
+        1e-9 + 300.0 * case.options.rtol
+    };
     let (mut least, mut lost) = (start, [0.0; 3]);
     for at in motion.track.nodes() {
         let (now, losses) = (energy(&at), losses(&at));
@@ -457,7 +461,8 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         Status::Toppled => body.height() > 0.0 && (end.tilt() - FRAC_PI_2).abs() < 1e-7,
         Status::LiftedOff => surface.friction.ideal().is_some(),
         Status::FaceDown => end.sin <= 1.001e-9,
-        Status::AtRest => above_rest(&end) <= 1.001e-10 * above_rest(&begin),
+        // What is left when it lies flat goes with it.
+        Status::AtRest => end.sin <= 1.001e-9 || above_rest(&end) <= 1.001e-10 * above_rest(&begin),
         Status::Painleve => match surface.friction {
             FrictionLaw::Coulomb {
                 static_friction, ..
@@ -669,6 +674,12 @@ impl Census {
             > 50.0 * (100.0 + way(motion) + motion.events.len() as f64);
         self.slow += usize::from(slow);
         self.with_complaints += usize::from(!found.complaints.is_empty());
+        if std::env::var("EVENTS").is_ok() {
+            for e in motion.events.iter().rev().take(12) {
+                println!("   {:?} {:?}", e.kind, e.at);
+            }
+            println!("   END {:?}", motion.track.end());
+        }
         if slow || !found.complaints.is_empty() {
             println!(
                 "#{i} {} {work:?} way {:.0} rtol {:.0e}",
