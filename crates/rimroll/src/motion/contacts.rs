@@ -1,6 +1,7 @@
 //! How the rim can meet the table on a given surface, and what follows when one way gives over to
 //! another.
 
+use super::mechanics::Mechanics;
 use super::track::Instant;
 use crate::body::Body;
 use crate::impact;
@@ -134,6 +135,16 @@ impl Contacts {
         }
     }
 
+    /// The law that holds in a phase, as the solver sees it.
+    pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_> {
+        let law = self.law(phase);
+        if phase == Phase::Sliding && self.dry().is_some() {
+            Mechanics::slowing_with_slip(law)
+        } else {
+            Mechanics::new(law)
+        }
+    }
+
     /// The body and gravity.
     pub fn parameters(&self) -> &Parameters<f64> {
         &self.parameters
@@ -250,10 +261,12 @@ impl Contacts {
         }
     }
 
-    /// Whether toppling here means that the side of the body meets the table; the two ideal laws, which
-    /// know no landing, leave it at that.
-    pub(super) fn falls_on_its_side(&self, at: &Coordinates<f64>) -> bool {
-        self.can_fly() && self.parameters.h > 0.0 && (at.tilt() - FRAC_PI_2).abs() < 1e-9
+    /// Whether toppling here means that the side of the body meets the table: not in the air, and the two
+    /// ideal laws, which know no landing, leave it at that.
+    pub(super) fn falls_on_its_side(&self, at: &Instant) -> bool {
+        let on_table = at.phase != Phase::Flying;
+        let upright_base = (at.tilt() - FRAC_PI_2).abs() < 1e-9;
+        self.can_fly() && self.parameters.h > 0.0 && on_table && upright_base
     }
 
     /// The body after its side has met the table without rebound: neither tilting nor rising, and

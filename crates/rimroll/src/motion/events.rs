@@ -429,7 +429,7 @@ impl<'a> Watch<'a> {
         let Some(step) = step else {
             return Collocation::new().cut(dense, x);
         };
-        let mechanics = Mechanics::new(self.contacts.law(phase));
+        let mechanics = self.contacts.mechanics(phase);
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
         let slope = (level(&dense.at(x + NUDGE)) - level(&dense.at(x - NUDGE))) / (2.0 * NUDGE);
         let first = step.cut(&mechanics, x);

@@ -12,6 +12,7 @@ pub(super) struct Mechanics<'a> {
     /// √(g/R): the rate of falling, a yardstick for rates.
     pub falling_rate: f64,
     only_moves: bool,
+    slows_with_slip: bool,
 }
 
 impl<'a> Mechanics<'a> {
@@ -23,7 +24,30 @@ impl<'a> Mechanics<'a> {
             radius: k.r,
             falling_rate: (k.g / k.r).sqrt(),
             only_moves: law.only_moves(),
+            slows_with_slip: false,
         }
+    }
+
+    /// For dry friction, whose direction changes at a rate that grows like 1/|u| as the slip ends: a
+    /// clock that slows down with the slip makes the end as smooth as the rest.
+    pub(super) fn slowing_with_slip(law: &'a dyn Law<f64>) -> Self {
+        Mechanics {
+            slows_with_slip: true,
+            ..Mechanics::new(law)
+        }
+    }
+
+    /// How fast the solver's clock goes, as a part of τ.
+    pub(super) fn clock(&self, u: &Coordinates<f64>) -> f64 {
+        // A slip this slow, beside the other velocities, is about to end.
+        const SLOW: f64 = 0.05;
+        if !self.slows_with_slip {
+            return 1.0;
+        }
+        let fall = u.sin * self.falling_rate;
+        let speed = (u.slip_x * u.slip_x + u.slip_y * u.slip_y).sqrt();
+        let slow = SLOW * self.radius * (u.p * u.p + u.w * u.w + fall * fall).sqrt();
+        speed / (speed + slow)
     }
 
     /// A rate (rad/s) to compare the tilt rate with.
@@ -34,7 +58,13 @@ impl<'a> Mechanics<'a> {
 
 impl System<COORDINATES> for Mechanics<'_> {
     fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
-        self.law.rates(&Coordinates::from_array(u)).into_array()
+        let u = Coordinates::from_array(u);
+        let rates = self.law.rates(&u).into_array();
+        if !self.slows_with_slip {
+            return rates;
+        }
+        let clock = self.clock(&u);
+        rates.map(|rate| clock * rate)
     }
 
     /// w and s obey linear equations and pass through the tipping phase as small as the start made

@@ -113,12 +113,13 @@ impl<'a> Run<'a> {
             return over;
         }
         let contacts = self.contacts;
-        let mechanics = Mechanics::new(contacts.law(phase));
+        let mechanics = contacts.mechanics(phase);
         let (start, h) = match self.slip_slowly(&mechanics, phase, begin) {
             ControlFlow::Continue(begun) => begun,
             ControlFlow::Break(over) => return over,
         };
         let tolerance = self.options.step_tolerance();
+        let h = h / mechanics.clock(&start);
         let mut stepper = Stepper::new(&mechanics, start.into_array(), h, tolerance);
         let mut before = self.work;
         loop {
