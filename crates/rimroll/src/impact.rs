@@ -90,7 +90,7 @@ pub(crate) fn land(
         let back = now.work * (1.0 - restitution * restitution);
         mobility.press(&mut now, friction, Until::Restored(back));
     }
-    if now.v <= rest {
+    if restitution == 0.0 || now.v <= rest {
         now = Striking {
             v: 0.0,
             ..compressed
@@ -239,5 +239,136 @@ impl System<8> for SlidingImpact<'_> {
             speed * impulse,
             speed * impulse,
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{kinetic, land};
+    use crate::law::Parameters;
+    use crate::state::Coordinates;
+    use proptest::prelude::*;
+
+    /// A body of mass 1 on a rim of radius 1.
+    fn any_parameters() -> impl Strategy<Value = Parameters<f64>> {
+        let height = prop_oneof![1 => Just(0.0), 4 => 0.05..5.0];
+        (height, 0.05..5.0, 0.05..2.0).prop_map(|(h, a, ratio)| Parameters {
+            m: 1.0,
+            r: 1.0,
+            h,
+            a,
+            c: ratio * a,
+            g: 9.8,
+        })
+    }
+
+    /// About to strike the table, at any tilt and in any motion, with slips of all sizes.
+    fn any_strike() -> impl Strategy<Value = Coordinates<f64>> {
+        let size = (-12.0..2.0).prop_map(|x| libm::pow(10.0, x));
+        let slip = prop_oneof![1 => Just(0.0), 6 => size];
+        let rate = || -5.0..5.0;
+        (
+            1e-6..3.1,
+            rate(),
+            rate(),
+            rate(),
+            slip,
+            -4.0..4.0,
+            1e-6..10.0,
+        )
+            .prop_map(
+                |(tilt, p, w, s, slip, direction, v): (f64, _, _, _, f64, _, f64)| {
+                    let (sin, cos) = libm::sincos(tilt);
+                    let (across, along) = libm::sincos(direction);
+                    Coordinates {
+                        sin,
+                        cos,
+                        p,
+                        w,
+                        s,
+                        slip_x: slip * along,
+                        slip_y: slip * across,
+                        gap_rate: -v,
+                        ..Coordinates::zero()
+                    }
+                },
+            )
+    }
+
+    /// The impulses along e_x1, e_y1 and upward, from the momentum that the body has gained.
+    fn impulse(k: &Parameters<f64>, u: &Coordinates<f64>, after: &Coordinates<f64>) -> [f64; 3] {
+        let velocity = |u: &Coordinates<f64>| {
+            let [x, y] = k.rolling_velocity(u);
+            [x + u.slip_x, y + u.slip_y, k.rho(u) * u.p + u.gap_rate]
+        };
+        let (before, after) = (velocity(u), velocity(after));
+        core::array::from_fn(|i| k.m * (after[i] - before[i]))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn no_landing_gains_energy_pulls_or_leaves_the_friction_cone(
+            k in any_parameters(),
+            u in any_strike(),
+            friction in prop_oneof![1 => Just(0.0), 4 => 0.0..3.0],
+            restitution in prop_oneof![1 => Just(0.0), 1 => Just(1.0), 3 => 0.0..1.0],
+        ) {
+            let after = land(&k, &u, friction, restitution, 0.0);
+            let energy = kinetic(&k, &u);
+            prop_assert!(after.impact_loss >= -1e-12 * energy, "{:e}", after.impact_loss / energy);
+            prop_assert!(after.gap_rate >= 0.0);
+            let [px, py, pn] = impulse(&k, &u, &after);
+            let rounding = 1e-11 * energy.sqrt();
+            prop_assert!(pn > -rounding);
+            prop_assert!(libm::hypot(px, py) <= friction * pn + rounding, "{px} {py} {pn}");
+            if restitution == 0.0 {
+                prop_assert_eq!(after.gap_rate, 0.0);
+            }
+            if friction == 0.0 {
+                // Only v_n changes, to −e v_n.
+                prop_assert!((after.gap_rate + restitution * u.gap_rate).abs() < 1e-11 * (1.0 + energy.sqrt()));
+                prop_assert_eq!((after.w, after.s), (u.w, u.s));
+            }
+        }
+
+        /// Routh's three cases of a plane landing without rebound: the slip lasts, stops and stays
+        /// stopped, or is reversed (W. J. Stronge, Impact Mechanics, 2000, section 3.4).
+        #[test]
+        fn plane_landings_are_rouths(
+            k in any_parameters(),
+            u in any_strike(),
+            friction in 0.0..3.0_f64,
+        ) {
+            let u = Coordinates { w: 0.0, s: 0.0, slip_y: 0.0, ..u };
+            let (rho, z) = (k.rho(&u), k.z(&u));
+            let (along, normal, coupling) =
+                (1.0 / k.m + z * z / k.a, 1.0 / k.m + rho * rho / k.a, -rho * z / k.a);
+            // While dP_x = pull dP, u_x changes by `slipping` P and v_n by `rising` P.
+            let slipping = |pull: f64| coupling + along * pull;
+            let rising = |pull: f64| normal + coupling * pull;
+            let pull = if u.slip_x == 0.0 { 0.0 } else { -friction * u.slip_x.signum() };
+            let to_stop = -u.slip_x / slipping(pull);
+            let to_press = -u.gap_rate / rising(pull);
+            // Where friction alone keeps pressing (Painlevé) the first slip has to stop.
+            let lasts = u.slip_x != 0.0
+                && rising(pull) > 0.0
+                && (to_stop <= 0.0 || to_stop >= to_press);
+            let (px, pn, slip) = if lasts {
+                (pull * to_press, to_press, u.slip_x + slipping(pull) * to_press)
+            } else {
+                let first = if u.slip_x == 0.0 { 0.0 } else { to_stop };
+                let then = (-coupling / along).clamp(-friction, friction);
+                let second = (-u.gap_rate - rising(pull) * first) / rising(then);
+                (pull * first + then * second, first + second, slipping(then) * second)
+            };
+            let after = land(&k, &u, friction, 0.0, 0.0);
+            let [got_x, _, got_n] = impulse(&k, &u, &after);
+            let size = 1e-9 * (1.0 + pn + u.slip_x.abs());
+            prop_assert!((got_x - px).abs() < size && (got_n - pn).abs() < size, "{got_x} {px}, {got_n} {pn}");
+            prop_assert!((after.slip_x - slip).abs() < size * (1.0 + along), "{} {slip}", after.slip_x);
+            prop_assert_eq!((after.w, after.s, after.slip_y), (0.0, 0.0, 0.0));
+        }
     }
 }

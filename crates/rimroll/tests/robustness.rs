@@ -380,7 +380,11 @@ fn energies(case: &Case, motion: &Motion, found: &mut Found) {
     let start = energy(&begin);
     let weight = case.body.mass() * GRAVITY * case.body.radius();
     let scale = start.abs().max(weight * begin.sin);
-    let allowed = 1e-9 + 100.0 * case.options.rtol;
+    let allowed = if case.options.rtol <= 1e-11 {
+        1e-9
+    } else {
+        1e-9 + 300.0 * case.options.rtol
+    };
     let (mut least, mut lost) = (start, [0.0; 3]);
     for at in motion.track.nodes() {
         let (now, losses) = (energy(&at), losses(&at));
@@ -457,7 +461,8 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         Status::Toppled => body.height() > 0.0 && (end.tilt() - FRAC_PI_2).abs() < 1e-7,
         Status::LiftedOff => surface.friction.ideal().is_some(),
         Status::FaceDown => end.sin <= 1.001e-9,
-        Status::AtRest => above_rest(&end) <= 1.001e-10 * above_rest(&begin),
+        // What is left when it lies flat goes with it.
+        Status::AtRest => end.sin <= 1.001e-9 || above_rest(&end) <= 1.001e-10 * above_rest(&begin),
         Status::Painleve => match surface.friction {
             FrictionLaw::Coulomb {
                 static_friction, ..
@@ -521,6 +526,75 @@ proptest! {
     fn a_turned_start_is_a_turned_motion(case in any_case(), yaw in -3.0..3.0) {
         let turned = Case { start: State { yaw, ..case.start }, ..case };
         agree_at_first(&case, &follow(&case), &follow(&turned), 1.0)?;
+    }
+
+    /// Nothing but ratios counts: a body a power of two times as large and as heavy does the same, slower.
+    /// To the last bit, since powers of two do not round; lengths by 4, so that times go by 2.
+    #[test]
+    fn a_larger_body_does_the_same_slower(case in any_case()) {
+        let b = case.body;
+        let (length, mass, time) = (4.0, 8.0, 2.0);
+        let inertia = mass * length * length;
+        let body = Body::new(
+            mass * b.mass(),
+            length * b.radius(),
+            length * b.height(),
+            inertia * b.transverse_inertia(),
+            inertia * b.axial_inertia(),
+        ).expect("a rigid body");
+        let slower = |rate: f64| rate / time;
+        let larger = Case {
+            body,
+            surface: Surface {
+                friction: match case.surface.friction {
+                    FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
+                        coefficient: coefficient * mass / time,
+                    },
+                    FrictionLaw::Stribeck { friction, static_friction, stribeck_speed, creep_speed } => {
+                        FrictionLaw::Stribeck {
+                            friction,
+                            static_friction,
+                            stribeck_speed: stribeck_speed * length / time,
+                            creep_speed: creep_speed * length / time,
+                        }
+                    }
+                    dry => dry,
+                },
+                resistance: Resistance::default(),
+                ..case.surface
+            },
+            start: State {
+                tilt_rate: slower(case.start.tilt_rate),
+                yaw_rate: slower(case.start.yaw_rate),
+                spin_rate: slower(case.start.spin_rate),
+                ..case.start
+            },
+            options: Options { duration: time * case.options.duration, ..case.options },
+        };
+        let surface = Surface { resistance: Resistance::default(), ..case.surface };
+        let (one, other) = (follow(&Case { surface, ..case }), follow(&larger));
+        prop_assert_eq!(one.status, other.status);
+        prop_assert_eq!(one.work, other.work);
+        let (a, b) = (one.track.end(), other.track.end());
+        prop_assert_eq!((a.sin, a.yaw, time * a.t), (b.sin, b.yaw, b.t));
+        prop_assert_eq!((a.p, a.w, a.s), (time * b.p, time * b.w, time * b.s));
+        prop_assert_eq!(a.impact_loss * inertia / (time * time), b.impact_loss);
+    }
+
+    /// A tighter tolerance brings the motion nearer to that of the tightest.
+    #[test]
+    fn tolerances_converge(case in any_case()) {
+        let at = |rtol| {
+            let options = Options { rtol, ..case.options };
+            follow(&Case { options, ..case })
+        };
+        let (loose, tight, tightest) = (at(1e-6), at(1e-9), at(1e-12));
+        // Over a short while: what follows a threshold or a near-collision may be chaotic.
+        let ends = [&loose, &tight, &tightest].map(|motion| motion.track.end().t);
+        let t = 0.05 * ends.into_iter().fold(f64::INFINITY, f64::min);
+        let tilt = |motion: &Motion| motion.track.at(t).tilt();
+        let (off, less) = (tilt(&loose) - tilt(&tightest), tilt(&tight) - tilt(&tightest));
+        prop_assert!(off.abs() < 1e-3 && less.abs() < 1e-6, "{off:e} {less:e}");
     }
 
     /// Dry friction with μ = 0 is no friction, as long as the rim stays on the table.
@@ -669,6 +743,12 @@ impl Census {
             > 50.0 * (100.0 + way(motion) + motion.events.len() as f64);
         self.slow += usize::from(slow);
         self.with_complaints += usize::from(!found.complaints.is_empty());
+        if std::env::var("EVENTS").is_ok() {
+            for e in motion.events.iter().rev().take(12) {
+                println!("   {:?} {:?}", e.kind, e.at);
+            }
+            println!("   END {:?}", motion.track.end());
+        }
         if slow || !found.complaints.is_empty() {
             println!(
                 "#{i} {} {work:?} way {:.0} rtol {:.0e}",

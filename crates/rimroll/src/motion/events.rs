@@ -129,6 +129,12 @@ fn extreme(dense: &Dense<COORDINATES>, from: f64, to: f64) -> Option<f64> {
     reverses.then(|| dense.root(from, to, rate))
 }
 
+/// Whether the slip is slower at the second of two fractions of a step.
+fn slows(dense: &Dense<COORDINATES>, from: f64, to: f64) -> bool {
+    let speed = |x: f64| Coordinates::from_array(&dense.at(x)).slip_speed();
+    speed(to) < speed(from)
+}
+
 /// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
 /// can be seen to land.
 fn in_the_air(dense: &Dense<COORDINATES>, from: f64, to: f64) -> f64 {
@@ -312,6 +318,8 @@ impl<'a> Watch<'a> {
             let first = self
                 .switches(phase)
                 .filter(|&(switch, before)| before * self.level(switch, phase, &there) <= 0.0)
+                // A slip that has just begun is slow, too.
+                .filter(|&(switch, _)| switch != Switch::Stop || slows(dense, from, to))
                 .map(|(switch, _)| {
                     let level = |u: &[f64; COORDINATES]| {
                         self.level(switch, phase, &Coordinates::from_array(u))

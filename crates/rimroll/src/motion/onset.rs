@@ -22,6 +22,9 @@ const FOLLOWED: f64 = 40.0;
 
 const MOST_STEPS: usize = 400;
 
+/// A step in which the rates grow by such a factor is none.
+const FARTHEST: f64 = 10.0;
+
 /// The steps of an onset and a length for the next one.
 pub(super) struct Onset {
     /// From the first slip on; empty when no slip grows from here.
@@ -289,6 +292,11 @@ impl Beginning<'_> {
         }
     }
 
+    /// All the rates together, rad/s.
+    fn stir(&self, u: &Coordinates<f64>) -> f64 {
+        self.mechanics.tilt_rate_scale(u) + u.s.abs()
+    }
+
     fn found(
         &self,
         start: &Polar,
@@ -313,7 +321,10 @@ impl Beginning<'_> {
             error = error.max(of_highest(&|j| rates[j].at[i], sizes.at[i]));
         }
         let end = points[POINTS - 1];
-        if !step.end.iter().all(|x| x.is_finite()) {
+        let (before, after) = (self.stir(&start.at), self.stir(&points[POINTS - 1].at));
+        // So far from the start the equations may have another solution. Written so that a NaN is far.
+        let near = after < FARTHEST * before;
+        if !near {
             error = f64::INFINITY;
         }
         Found {

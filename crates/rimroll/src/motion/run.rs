@@ -117,6 +117,9 @@ impl<'a> Run<'a> {
         begin: &Begin,
         report: &mut impl FnMut(f64) -> ControlFlow<()>,
     ) -> Over {
+        if let Some(over) = self.out_of_steps(report) {
+            return over;
+        }
         let contacts = self.contacts;
         let mechanics = contacts.mechanics(phase);
         let (start, h) = match self.slip_slowly(&mechanics, phase, begin) {
@@ -397,12 +400,16 @@ fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
     h
 }
 
-/// The end of a slip: the last 1e-12 of it go at the rate at which it stops.
+/// The end of a slip: the last of it goes at the rate at which it stops.
 fn stopped(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Coordinates<f64> {
+    const BRIEF: f64 = 1e-6;
     let rates = mechanics.law.rates(at);
     let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y) / at.slip_speed();
-    let h = if stopping > 0.0 {
-        at.slip_speed() / stopping
+    let h = at.slip_speed() / stopping;
+    let rate = at.p.abs() + at.w.abs() + at.s.abs() + mechanics.falling_rate;
+    // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
+    let h = if stopping > 0.0 && h * rate < BRIEF {
+        h
     } else {
         0.0
     };
