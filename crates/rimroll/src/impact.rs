@@ -244,10 +244,19 @@ impl System<8> for SlidingImpact<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{kinetic, land};
+    use super::land;
     use crate::law::Parameters;
     use crate::state::Coordinates;
     use proptest::prelude::*;
+
+    /// J, from the velocities of the centre of mass and the angular velocity.
+    fn kinetic(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
+        let [rolling_x, rolling_y] = k.rolling_velocity(u);
+        let (vx, vy) = (rolling_x + u.slip_x, rolling_y + u.slip_y);
+        let vz = k.rho(u) * u.p + u.gap_rate;
+        let translation = k.m * (vx * vx + vy * vy + vz * vz);
+        0.5 * (translation + k.a * (u.p * u.p + u.w * u.w) + k.c * u.s * u.s)
+    }
 
     /// A body of mass 1 on a rim of radius 1.
     fn any_parameters() -> impl Strategy<Value = Parameters<f64>> {
