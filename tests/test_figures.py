@@ -45,10 +45,6 @@ SLUGS = [
 ]
 
 
-# One worker computes what figures and report share.
-pytestmark = pytest.mark.xdist_group("report")
-
-
 @pytest.fixture(scope="module")
 def drawings() -> dict[str, Drawing]:
     with style.figure_style():

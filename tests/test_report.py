@@ -9,9 +9,6 @@ import rimroll as rr
 from rimroll.paper import report, reproduce
 from rimroll.paper.figures import FIGURES
 
-# One worker draws the report once for all of them.
-pytestmark = pytest.mark.xdist_group("report")
-
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
