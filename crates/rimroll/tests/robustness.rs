@@ -323,7 +323,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
             |f| &mut f.under,
             "under the table",
             deep,
-            1e-12 + 1e-6 * options.rtol,
+            1e-12 + 1e-5 * options.rtol,
             &at,
         );
         if matches!(at.phase, Phase::Flying | Phase::Lying) {
@@ -743,12 +743,6 @@ impl Census {
             > 50.0 * (100.0 + way(motion) + motion.events.len() as f64);
         self.slow += usize::from(slow);
         self.with_complaints += usize::from(!found.complaints.is_empty());
-        if std::env::var("EVENTS").is_ok() {
-            for e in motion.events.iter().rev().take(12) {
-                println!("   {:?} {:?}", e.kind, e.at);
-            }
-            println!("   END {:?}", motion.track.end());
-        }
         if slow || !found.complaints.is_empty() {
             println!(
                 "#{i} {} {work:?} way {:.0} rtol {:.0e}",
