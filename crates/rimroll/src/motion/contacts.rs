@@ -214,17 +214,18 @@ impl Contacts {
         }
     }
 
-    /// An acceleration times sin φ, of what throws the rim about, to compare [`Self::pressing`] with.
+    /// A force times sin φ, of what throws the rim about, to compare [`Self::pressing`] with.
     fn throwing(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
         let rates = u.p * u.p + u.w * u.w + u.s * u.s;
-        u.sin * k.g + (k.r + k.h) * rates
+        k.m * (u.sin * k.g + (k.r + k.h) * rates)
     }
 
-    /// Positive where a rim that slides is pressed to the table: where, without the table, it would go
-    /// through it.
+    /// Positive where a rim that slides is pressed to the table, N sin φ: where it is by its friction, or
+    /// where, without the table, it would go through it.
     pub(super) fn pressing(&self, u: &Coordinates<f64>) -> f64 {
-        -self.flying.rates(u).gap_rate
+        let falling = -self.parameters.m * self.flying.rates(u).gap_rate;
+        self.law(Phase::Sliding).contact(u).normal.max(falling)
     }
 
     /// How a rim at rest that friction cannot hold begins to slip: in the direction in which it then
