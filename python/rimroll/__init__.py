@@ -17,6 +17,7 @@ from rimroll import bodies, solids, surfaces
 from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
+from rimroll.ensemble import Interrupted, ensemble
 from rimroll.errors import RimrollError
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.laws import (
@@ -30,7 +31,9 @@ from rimroll.laws import (
     Stribeck,
     Viscous,
 )
+from rimroll.measurement import Measurement, measure
 from rimroll.motion import Event, Moments, Motion, Phase, Stats, Turn, simulate
+from rimroll.release import Release
 from rimroll.solids import Solid
 from rimroll.state import State
 from rimroll.theory import (
@@ -51,6 +54,7 @@ from rimroll.theory import (
     turn_limit,
     turn_limit_with_spin,
 )
+from rimroll.toppling import topple
 
 __all__ = [
     "STANDARD_GRAVITY",
@@ -62,7 +66,9 @@ __all__ = [
     "Event",
     "Frictionless",
     "ImperfectRim",
+    "Interrupted",
     "Law",
+    "Measurement",
     "Moments",
     "Motion",
     "NearCollision",
@@ -71,6 +77,7 @@ __all__ = [
     "Pasted",
     "Phase",
     "PivotingFriction",
+    "Release",
     "RimrollError",
     "RollingResistance",
     "Solid",
@@ -84,9 +91,11 @@ __all__ = [
     "balance_tilt",
     "bodies",
     "disk_turn_limit",
+    "ensemble",
     "error_law_coefficient",
     "imperfect_rim",
     "lift_off_rate",
+    "measure",
     "needed_friction",
     "painleve_friction",
     "passage",
@@ -98,6 +107,7 @@ __all__ = [
     "steady_wobble_rate",
     "surfaces",
     "tall_turn_limit",
+    "topple",
     "turn_limit",
     "turn_limit_with_spin",
 ]

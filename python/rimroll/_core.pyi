@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 __version__: str
 COLUMNS: list[str]
+FALL_COLUMNS: list[str]
 LAWS: list[str]
 STANDARD_GRAVITY: float
 
@@ -33,6 +34,20 @@ class _Law(Protocol):
     def name(self) -> str: ...
     @property
     def numbers(self) -> dict[str, float]: ...
+
+class _Starts(Protocol):
+    @property
+    def tilt(self) -> _Array: ...
+    @property
+    def tilt_rate(self) -> _Array: ...
+    @property
+    def yaw(self) -> _Array: ...
+    @property
+    def yaw_rate(self) -> _Array: ...
+    @property
+    def spin(self) -> _Array: ...
+    @property
+    def spin_rate(self) -> _Array: ...
 
 class _Solid(Protocol):
     @property
@@ -90,6 +105,18 @@ def simulate(
     max_steps: int,
     progress: Callable[[float], object] | None,
 ) -> CoreMotion: ...
+def ensemble(
+    body: _Body,
+    starts: _Starts,
+    law: _Law,
+    grip: _Array,
+    duration: float,
+    gravity: float,
+    rtol: float,
+    topple_tilt: float | None,
+    max_steps: int,
+    threads: int,
+) -> tuple[list[str], _Array]: ...
 def check_surface(law: _Law) -> None: ...
 def arrival(body: _Body, start: object, law: _Law, gravity: float) -> _ArrivalNumbers: ...
 def turn_limit(body: _Body, law: _Law, arrival: _ArrivalNumbers) -> float: ...

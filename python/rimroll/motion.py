@@ -357,7 +357,7 @@ class Motion(Moments):
 
     def samples(self, per_step: int = 4) -> Moments:
         """Everything at the accepted steps and evenly inside each: for smooth curves."""
-        count = _count("per_step", per_step)
+        count = whole_number("per_step", per_step)
         if count * len(self) > MOST_SAMPLES:
             most = MOST_SAMPLES // len(self)
             raise RimrollError(
@@ -478,7 +478,7 @@ def simulate(
         number("gravity", gravity),
         number("rtol", rtol),
         None if topple_tilt is None else number("topple_tilt", topple_tilt),
-        _count("max_steps", max_steps),
+        whole_number("max_steps", max_steps),
     )
     return _follow(body, single(start), law, options, progress)
 
@@ -504,7 +504,7 @@ def _follow(
     return Motion(core, body, start, law, options)
 
 
-def _count(field: str, value: object) -> int:
+def whole_number(field: str, value: object) -> int:
     count = number(field, value)
     if not (count.is_integer() and 1 <= count < 2**53):
         raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")

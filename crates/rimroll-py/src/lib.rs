@@ -2,6 +2,7 @@
 
 mod arguments;
 mod bodies;
+mod ensemble;
 mod imperfection;
 mod motion;
 mod theory;
@@ -21,6 +22,8 @@ mod _core {
         preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
     };
     #[pymodule_export]
+    use crate::ensemble::ensemble;
+    #[pymodule_export]
     use crate::imperfection::imperfect_rim;
     #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};
@@ -36,6 +39,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
+        module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }

@@ -7,6 +7,7 @@
 
 mod contacts;
 mod events;
+mod fall;
 mod mechanics;
 mod message;
 mod moment;
@@ -17,6 +18,7 @@ mod turns;
 
 pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
+pub use fall::{Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
 pub(crate) use run::pass_near_collision;
 pub use track::{Instant, Track};

@@ -236,6 +236,28 @@ impl Surface {
         Ok(())
     }
 
+    /// The same surface with its friction a factor larger or smaller everywhere.
+    #[must_use]
+    pub fn with_grip(mut self, factor: f64) -> Surface {
+        match &mut self.friction {
+            FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
+            FrictionLaw::Viscous { coefficient } => *coefficient *= factor,
+            FrictionLaw::Coulomb {
+                friction,
+                static_friction,
+            }
+            | FrictionLaw::Stribeck {
+                friction,
+                static_friction,
+                ..
+            } => {
+                *friction *= factor;
+                *static_friction *= factor;
+            }
+        }
+        self
+    }
+
     /// Whether a motion on this table loses energy to a resistance.
     pub(crate) fn resists(&self) -> bool {
         !self.resistance.is_none()

@@ -3,7 +3,7 @@
 use super::contacts::{Contacts, Phase};
 use super::mechanics::Mechanics;
 use super::track::{Instant, TIME};
-use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track};
+use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track, turns};
 use crate::law::Law;
 use crate::solve::{Collocation, Dense, Step};
 use crate::state::{COORDINATES, Coordinates};
@@ -102,8 +102,17 @@ pub(super) enum Switch {
 pub(super) enum Goal {
     /// At a time, s.
     Time(f64),
+    /// After one turn; at a time (s) at the latest.
+    Turn(f64),
     /// When it rises again and |w| has fallen to this, rad/s.
     Passed(f64),
+}
+
+impl Goal {
+    /// Whether more is asked for than where the motion ends.
+    pub(super) fn wants_the_way(self) -> bool {
+        !matches!(self, Goal::Turn(_))
+    }
 }
 
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
@@ -223,7 +232,7 @@ impl<'a> Watch<'a> {
         let ideal = !self.contacts.can_fly();
         let loses = !ideal || self.contacts.surface().resists();
         let on_table = phase != Phase::Flying;
-        let in_time = matches!(self.goal, Goal::Time(_));
+        let in_time = !matches!(self.goal, Goal::Passed(_));
         [
             (Switch::Done, -1.0, true),
             (Switch::Topple, -1.0, self.topple.is_some()),
@@ -263,7 +272,7 @@ impl<'a> Watch<'a> {
         self.note_on_edge(phase, piece, until);
         let Some((switch, x)) = ending else {
             track.push(phase, dense.clone());
-            return None;
+            return self.has_turned().then_some(Switch::Done);
         };
         let mut last = self.refine(phase, piece, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration)) = (switch, self.goal) {
@@ -274,12 +283,17 @@ impl<'a> Watch<'a> {
         Some(switch)
     }
 
+    /// Whether one turn was asked for and is over.
+    fn has_turned(&self) -> bool {
+        matches!(self.goal, Goal::Turn(_)) && turns::first_over(&self.events).is_some()
+    }
+
     /// A function of the coordinates that changes sign where the phase ends.
     fn level(&self, switch: Switch, phase: Phase, u: &Coordinates<f64>) -> f64 {
         let law = self.contacts.law(phase);
         match switch {
             Switch::Done => match self.goal {
-                Goal::Time(duration) => u.t - duration,
+                Goal::Time(duration) | Goal::Turn(duration) => u.t - duration,
                 Goal::Passed(w) if u.p > 0.0 => w - u.w.abs(),
                 Goal::Passed(_) => -1.0,
             },

@@ -70,7 +70,7 @@ impl<'a> Run<'a> {
             contacts,
             options,
             watch: Watch::new(contacts, options, goal, &first),
-            track: Track::new(first),
+            track: Track::new(first, goal.wants_the_way()),
             work: Work::default(),
             next: Then::End(Status::Failed),
             empty_phases: 0,

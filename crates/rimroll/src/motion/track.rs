@@ -29,24 +29,29 @@ impl Deref for Instant {
 pub struct Track {
     start: Instant,
     steps: Vec<(Phase, Dense<COORDINATES>)>,
+    /// Whether all of them are wanted, or only the last.
+    whole: bool,
 }
 
 impl Track {
-    pub(super) fn new(start: Instant) -> Self {
+    pub(super) fn new(start: Instant, whole: bool) -> Self {
         Track {
             start,
             steps: Vec::new(),
+            whole,
         }
     }
 
     pub(super) fn push(&mut self, phase: Phase, step: Dense<COORDINATES>) {
+        if !self.whole {
+            self.steps.clear();
+        }
         self.steps.push((phase, step));
     }
 
     /// Ends the motion with a sudden change.
     pub(super) fn push_jump(&mut self, to: Instant) {
-        let still = Dense::still(to.u.into_array());
-        self.steps.push((to.phase, still));
+        self.push(to.phase, Dense::still(to.u.into_array()));
     }
 
     /// Where the motion began.

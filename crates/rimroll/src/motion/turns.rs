@@ -24,6 +24,7 @@ pub struct Turn {
 }
 
 /// How the base stands at an event: nearest to flat, or farthest from it.
+#[derive(Clone, Copy, PartialEq)]
 enum Lean {
     Least,
     Most,
@@ -45,6 +46,33 @@ fn tilt_from_nearest_face(u: &Coordinates<f64>) -> f64 {
 
 /// The turns between the events of a motion.
 pub(super) fn turns(start: &Coordinates<f64>, events: &[Event]) -> Vec<Turn> {
+    turns_and_rest(start, events).0
+}
+
+/// Where the first turn was over, if it was.
+pub(super) fn first_over(events: &[Event]) -> Option<Coordinates<f64>> {
+    let is = |wanted| move |event: &&Event| lean(event) == Some(wanted);
+    let mut events = events.iter();
+    events.find(is(Lean::Least))?;
+    events.find(is(Lean::Most)).map(|event| event.at.u)
+}
+
+/// The first turn of a motion, which may have ended before the tilt was largest, as by toppling.
+pub(super) fn first_turn(
+    start: &Coordinates<f64>,
+    events: &[Event],
+    end: &Coordinates<f64>,
+) -> Option<Turn> {
+    let (whole, rest) = turns_and_rest(start, events);
+    let cut_short = rest.map(|(from, low)| turn(&from, &low, end));
+    whole.into_iter().next().or(cut_short)
+}
+
+/// The turns, and where the last one, unfinished, began and was lowest.
+fn turns_and_rest(
+    start: &Coordinates<f64>,
+    events: &[Event],
+) -> (Vec<Turn>, Option<(Coordinates<f64>, Coordinates<f64>)>) {
     let mut turns = Vec::new();
     let mut from = *start;
     let mut lowest: Option<Coordinates<f64>> = None;
@@ -60,7 +88,7 @@ pub(super) fn turns(start: &Coordinates<f64>, events: &[Event]) -> Vec<Turn> {
             None => {}
         }
     }
-    turns
+    (turns, lowest.map(|low| (from, low)))
 }
 
 fn turn(from: &Coordinates<f64>, low: &Coordinates<f64>, to: &Coordinates<f64>) -> Turn {

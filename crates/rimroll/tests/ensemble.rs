@@ -1,0 +1,168 @@
+//! Many falls at once are the same as each by itself, and a fall is the first turn of its motion.
+
+#[path = "given/bodies.rs"]
+mod bodies;
+#[path = "given/motions.rs"]
+mod motions;
+
+use bodies::{any_body, cases};
+use motions::follow;
+use proptest::prelude::*;
+use rimroll::motion::{EventKind, fall};
+use rimroll::{
+    Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, State, Status, Surface, ensemble,
+    presets,
+};
+
+fn surfaces() -> impl Strategy<Value = Surface> {
+    prop_oneof![
+        Just(IdealLaw::NoSlip.into()),
+        Just(IdealLaw::Frictionless.into()),
+        (0.01..0.6).prop_map(|friction| FrictionLaw::coulomb(friction).into()),
+    ]
+}
+
+fn starts() -> impl Strategy<Value = State> {
+    (0.05..0.8, -6.0..1.0, -1.0..1.0, -1.0..1.0).prop_map(
+        |(tilt, tilt_rate, yaw_rate, spin_rate)| State {
+            tilt,
+            tilt_rate,
+            yaw_rate,
+            spin_rate,
+            ..State::default()
+        },
+    )
+}
+
+fn options() -> Options {
+    Options {
+        duration: 3.0,
+        rtol: 1e-7,
+        topple_tilt: Some(1.5),
+        ..Options::default()
+    }
+}
+
+fn whole(body: &Body, start: &State, surface: Surface) -> Motion {
+    follow(body, start, surface, &options())
+}
+
+/// The time at which a motion has toppled, or reaches the first extreme of its tilt that ends a turn.
+fn first_ending(motion: &Motion) -> f64 {
+    let turned = motion.turns.first().map(|turn| turn.end);
+    turned.unwrap_or_else(|| motion.track.end().t)
+}
+
+proptest! {
+    #![proptest_config(cases(200))]
+
+    #[test]
+    fn a_fall_is_the_first_turn_of_its_motion(
+        body in any_body(), start in starts(), surface in surfaces(),
+    ) {
+        let motion = whole(&body, &start, surface);
+        let fall = fall(&body, &start, &surface, &options()).expect("a valid start");
+        if let Some(turn) = motion.turns.first() {
+            // The same steps, to the last bit.
+            prop_assert_eq!(fall.turn, Some(*turn));
+            prop_assert_eq!(fall.status, Status::Finished);
+            prop_assert_eq!(fall.end.t, turn.end);
+            if start.tilt_rate < 0.0 {
+                prop_assert_eq!(fall.end.yaw, turn.angle);
+            }
+        } else {
+            prop_assert_eq!(fall.status, motion.status);
+            let came_down = motion.events.iter().any(|event| event.kind == EventKind::TiltMin);
+            prop_assert_eq!(fall.turn.is_some(), came_down);
+            prop_assert_eq!(fall.end.t, first_ending(&motion));
+            if let Some(turn) = fall.turn {
+                prop_assert_eq!(turn.end, fall.end.t);
+            }
+        }
+        let lost = motion.moment(&motion.track.at(fall.end.t.next_down()));
+        let column = |name| {
+            let index = rimroll::motion::COLUMNS.iter().position(|&column| column == name);
+            lost[index.expect("a column")]
+        };
+        let losses = column("friction_loss") + column("resistance_loss") + column("impact_loss");
+        let scale = column("kinetic_energy") + column("potential_energy").abs() + losses;
+        prop_assert!((fall.energy_lost() - losses).abs() <= 1e-6 * scale);
+    }
+
+    #[test]
+    fn an_ensemble_is_each_fall_by_itself_in_any_order(
+        body in any_body(), trials in prop::collection::vec((starts(), surfaces()), 1..12),
+    ) {
+        let together = ensemble(&body, &trials, &options()).expect("valid starts");
+        let mut reversed = trials.clone();
+        reversed.reverse();
+        let mut backward = ensemble(&body, &reversed, &options()).expect("valid starts");
+        backward.reverse();
+        prop_assert_eq!(&together, &backward);
+        for ((start, surface), found) in trials.iter().zip(&together) {
+            let alone = fall(&body, start, surface, &options()).expect("a valid start");
+            prop_assert_eq!(&alone, found);
+        }
+    }
+}
+
+#[test]
+fn what_slides_and_what_flies_is_said() {
+    let can = presets::can_2007().expect("the paper's can");
+    let gentle = State {
+        tilt: 0.4,
+        tilt_rate: -0.5,
+        yaw_rate: 0.01,
+        spin_rate: 0.01,
+        ..State::default()
+    };
+    let one = |start: &State, surface: Surface| {
+        fall(&can, start, &surface, &options()).expect("a valid start")
+    };
+    let rolls = one(&gentle, IdealLaw::NoSlip.into());
+    assert!(!rolls.slid && !rolls.flew && rolls.energy_lost() == 0.0);
+    let slides = one(&gentle, FrictionLaw::coulomb(0.1).into());
+    assert!(slides.slid && !slides.flew && slides.energy_lost() > 0.0);
+    // Lift-off on arrival is at 10.6 rad/s.
+    let hard = State {
+        tilt_rate: -12.0,
+        ..gentle
+    };
+    assert!(one(&hard, FrictionLaw::coulomb(0.3).into()).flew);
+}
+
+#[test]
+fn one_bad_start_is_refused_for_all() {
+    let can = presets::can_2007().expect("the paper's can");
+    let good = State {
+        tilt: 0.4,
+        yaw_rate: 0.01,
+        ..State::default()
+    };
+    let bad = State { tilt: -0.4, ..good };
+    let surface = Surface::from(IdealLaw::NoSlip);
+    let trials = [(good, surface), (bad, surface)];
+    let refused = ensemble(&can, &trials, &options());
+    assert!(matches!(
+        refused,
+        Err(InvalidInput::OutOfBounds { field: "tilt", .. })
+    ));
+}
+
+#[test]
+fn grip_scales_every_coefficient_of_friction() {
+    let dry = FrictionLaw::Coulomb {
+        friction: 0.2,
+        static_friction: 0.3,
+    };
+    let twice = Surface::from(dry).with_grip(2.0);
+    assert_eq!(
+        twice.friction,
+        FrictionLaw::Coulomb {
+            friction: 0.4,
+            static_friction: 0.6
+        }
+    );
+    let ideal = Surface::from(IdealLaw::NoSlip);
+    assert_eq!(ideal.with_grip(2.0), ideal);
+}

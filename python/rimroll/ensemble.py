@@ -1,0 +1,263 @@
+"""Many falls at once: what became of a body let go from each of many starts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, fields
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError, expect, number
+from rimroll.laws import Law
+from rimroll.motion import whole_number
+from rimroll.state import State
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+AT_A_TIME = 256
+"""Falls between two looks at Ctrl-C and the progress bar: a fraction of a second."""
+
+OUTCOMES = {
+    "toppled": "came down, rose again and fell over",
+    "rocked": "came down and rose again to a largest tilt",
+    "fell_back": "fell over without coming down",
+    "hovered": "did neither before time was up",
+    "lifted_off": "would have left the table, under a law that knows no flight",
+    "face_down": "came down flat",
+    "at_rest": "came to rest",
+    "painleve": "met Painlevé's paradox",
+    "failed": "could not be computed",
+}
+"""What can become of a body, and what the words mean."""
+
+VARIABLES = {
+    "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the outcome"),
+    "direction": ("rad", "of fall or of the largest tilt, 0 to 2 pi, from that of the first lean"),
+    "min_tilt": ("rad", "the smallest tilt: how near the near-collision was"),
+    "near_time": ("s", "time of the smallest tilt"),
+    "time": ("s", "time of the outcome"),
+    "end_tilt": ("rad", "tilt at the outcome"),
+    "end_axial_spin": ("rad/s", "spin about the symmetry axis at the outcome"),
+    "energy_lost": ("J", "to friction, resistance and impacts, until the outcome"),
+    "friction_loss": ("J", "of it, to friction"),
+    "resistance_loss": ("J", "of it, to rolling resistance, pivoting friction and air"),
+    "impact_loss": ("J", "of it, in landings"),
+    "slid": ("", "whether the rim slid on the way"),
+    "flew": ("", "whether it left the table on the way"),
+    "steps": ("", "steps of the solver"),
+}
+"""What is told of each fall: units and meaning."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C in the midst of an ensemble; ``done`` is the dataset of the falls so far."""
+
+    def __init__(self, done: xr.Dataset) -> None:
+        super().__init__(f"interrupted after {done.sizes['trial']} falls")
+        self.done = done
+
+
+@dataclass(frozen=True)
+class _Options:
+    """How falls are followed, in the order in which the core takes it."""
+
+    duration: float
+    gravity: float
+    rtol: float
+    topple_tilt: float | None
+    max_steps: int
+
+
+def ensemble(
+    body: Body,
+    starts: State,
+    law: Law,
+    *,
+    grip: ArrayLike = 1.0,
+    duration: float = 10.0,
+    gravity: float = _core.STANDARD_GRAVITY,
+    rtol: float = 1e-8,
+    topple_tilt: float | None = None,
+    max_steps: int = 100_000,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> xr.Dataset:
+    """Follow a body from each of many starts through its first turn, on all processors.
+
+    Each fall is followed until it topples, or until it has come down and risen again to its largest
+    tilt. The results are the same, to the last bit, for any number of threads.
+
+    Parameters
+    ----------
+    body, law
+        What rolls, and how its rim meets the table.
+    starts
+        A State of arrays (n,).
+    grip
+        A factor of the law's friction, one for all or (n,).
+    duration, gravity, rtol, topple_tilt, max_steps
+        As for :func:`rimroll.simulate`.
+    threads
+        How many to use; as many as there are processors unless given.
+    progress
+        Called now and then with the number of falls done, and of all.
+
+    Returns
+    -------
+    xarray.Dataset
+        One row a ``trial``: ``outcome`` (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it
+        was computed from, and the :data:`VARIABLES`. ``turn``, ``direction``, ``min_tilt`` and
+        ``near_time`` are NaN for a fall that did not come down. The attributes hold everything
+        else that it was computed from.
+
+    Raises
+    ------
+    RimrollError
+        A number outside its bounds, or starts that are no flat arrays.
+    Interrupted
+        On Ctrl-C; it carries the falls done so far.
+    """
+    expect("body", body, Body)
+    expect("starts", starts, State)
+    expect("law", law, Law)
+    options = _Options(
+        number("duration", duration),
+        number("gravity", gravity),
+        number("rtol", rtol),
+        None if topple_tilt is None else number("topple_tilt", topple_tilt),
+        whole_number("max_steps", max_steps),
+    )
+    workers = 0 if threads is None else whole_number("threads", threads)
+    rows = _rows(starts)
+    grips = _grips(grip, len(rows.tilt))
+    outcomes: list[str] = []
+    tables: list[Array] = [np.empty((0, len(_core.FALL_COLUMNS)))]
+
+    def told() -> xr.Dataset:
+        dataset = _dataset(rows, grips, outcomes, np.concatenate(tables))
+        return dataset.assign_attrs(_parameters(body, law, options))
+
+    try:
+        for first in range(0, len(rows.tilt), AT_A_TIME):
+            part = slice(first, first + AT_A_TIME)
+            endings, table = _core.ensemble(
+                body, rows.part(part), law, grips[part], *_values(options), workers
+            )
+            outcomes += endings
+            tables.append(table)
+            if progress is not None:
+                progress(len(outcomes), len(rows.tilt))
+    except KeyboardInterrupt:
+        del outcomes[sum(map(len, tables)) :]  # what has no numbers yet
+        raise Interrupted(told()) from None
+    return told()
+
+
+@dataclass(frozen=True)
+class _Rows:
+    """A start for each trial: arrays (n,)."""
+
+    tilt: Array
+    tilt_rate: Array
+    yaw: Array
+    yaw_rate: Array
+    spin: Array
+    spin_rate: Array
+
+    def part(self, rows: slice) -> _Rows:
+        return _Rows(**{name: column[rows] for name, column in vars(self).items()})
+
+
+def _rows(starts: State) -> _Rows:
+    if len(starts.shape) > 1:
+        raise RimrollError(f"starts must be flat arrays, got shape {starts.shape}")
+    shape = starts.shape or (1,)
+    return _Rows(
+        **{
+            field.name: np.array(np.broadcast_to(getattr(starts, field.name), shape), np.float64)
+            for field in fields(_Rows)
+        }
+    )
+
+
+def _grips(grip: ArrayLike, count: int) -> Array:
+    grips = np.asarray(grip, np.float64)
+    if grips.shape not in ((), (count,)):
+        raise RimrollError(f"grip must be a number or {count} of them, got shape {grips.shape}")
+    bad = np.atleast_1d(grips)[~(np.isfinite(grips) & (grips >= 0.0)).reshape(-1)]
+    if bad.size:
+        raise RimrollError(f"grip must be >= 0, got {bad[0]}")
+    return np.array(np.broadcast_to(grips, (count,)))
+
+
+def _values(options: _Options) -> tuple[float, float, float, float | None, int]:
+    return (
+        options.duration,
+        options.gravity,
+        options.rtol,
+        options.topple_tilt,
+        options.max_steps,
+    )
+
+
+def _dataset(rows: _Rows, grips: Array, endings: list[str], table: Array) -> xr.Dataset:
+    import xarray as xr
+
+    done = len(endings)
+    told = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
+    told["time"] = told.pop("end_time")
+    came_down = ~np.isnan(told["turn"])
+    gone_round = np.mod(told.pop("end_yaw") - rows.yaw[:done], 2.0 * np.pi)
+    told["direction"] = np.where(came_down, gone_round, np.nan)
+    losses = ("friction_loss", "resistance_loss", "impact_loss")
+    told["energy_lost"] = sum((told[loss] for loss in losses), np.zeros(done))
+    for flag in ("slid", "flew"):
+        told[flag] = told[flag] != 0.0
+    told["steps"] = told["steps"].astype(np.int64)
+    starts = {
+        f"start_{name}": ("trial", column[:done], {"units": _unit(name)})
+        for name, column in vars(rows).items()
+    }
+    variables = {
+        name: ("trial", told[name], {"units": unit, "long_name": meaning})
+        for name, (unit, meaning) in VARIABLES.items()
+    }
+    outcome = [_outcome(*each) for each in zip(endings, came_down.tolist(), strict=True)]
+    return xr.Dataset(
+        {
+            "outcome": ("trial", np.array(outcome, dtype="<U10")),
+            **variables,
+            **starts,
+            "grip": ("trial", grips[:done], {"units": ""}),
+        },
+        coords={"trial": np.arange(done)},
+    )
+
+
+def _outcome(ending: str, came_down: bool) -> str:
+    if ending == "finished":
+        return "rocked" if came_down else "hovered"
+    if ending == "toppled" and not came_down:
+        return "fell_back"
+    return ending
+
+
+def _unit(name: str) -> str:
+    return "rad/s" if name.endswith("_rate") else "rad"
+
+
+def _parameters(body: Body, law: Law, options: _Options) -> dict[str, object]:
+    return {
+        "law": law.name,
+        **{f"law_{name}": value for name, value in law.numbers.items()},
+        **{f"body_{name}": value for name, value in asdict(body).items()},
+        **{name: value for name, value in asdict(options).items() if value is not None},
+        "rimroll_version": _core.__version__,
+    }
