@@ -2,16 +2,14 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
-#[path = "given/motions.rs"]
-mod motions;
 
 use bodies::{any_body, cases};
-use motions::follow;
+use core::ops::ControlFlow;
 use proptest::prelude::*;
 use rimroll::motion::{EventKind, fall};
 use rimroll::{
     Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, State, Status, Surface, ensemble,
-    presets,
+    presets, simulate,
 };
 
 fn surfaces() -> impl Strategy<Value = Surface> {
@@ -44,7 +42,8 @@ fn options() -> Options {
 }
 
 fn whole(body: &Body, start: &State, surface: Surface) -> Motion {
-    follow(body, start, surface, &options())
+    let watch = |_| ControlFlow::Continue(());
+    simulate(body, start, surface, &options(), watch).expect("a valid start")
 }
 
 /// The time at which a motion has toppled, or reaches the first extreme of its tilt that ends a turn.

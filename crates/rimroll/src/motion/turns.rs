@@ -64,15 +64,17 @@ pub(super) fn first_turn(
     end: &Coordinates<f64>,
 ) -> Option<Turn> {
     let (whole, rest) = turns_and_rest(start, events);
-    let cut_short = rest.map(|(from, low)| turn(&from, &low, end));
+    let cut_short = rest.map(|rest| turn(&rest.from, &rest.lowest, end));
     whole.into_iter().next().or(cut_short)
 }
 
-/// The turns, and where the last one, unfinished, began and was lowest.
-fn turns_and_rest(
-    start: &Coordinates<f64>,
-    events: &[Event],
-) -> (Vec<Turn>, Option<(Coordinates<f64>, Coordinates<f64>)>) {
+/// Where a turn that is not over began and was lowest.
+struct Unfinished {
+    from: Coordinates<f64>,
+    lowest: Coordinates<f64>,
+}
+
+fn turns_and_rest(start: &Coordinates<f64>, events: &[Event]) -> (Vec<Turn>, Option<Unfinished>) {
     let mut turns = Vec::new();
     let mut from = *start;
     let mut lowest: Option<Coordinates<f64>> = None;
@@ -88,7 +90,7 @@ fn turns_and_rest(
             None => {}
         }
     }
-    (turns, lowest.map(|low| (from, low)))
+    (turns, lowest.map(|lowest| Unfinished { from, lowest }))
 }
 
 fn turn(from: &Coordinates<f64>, low: &Coordinates<f64>, to: &Coordinates<f64>) -> Turn {
