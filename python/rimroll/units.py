@@ -56,6 +56,9 @@ _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[\s*]*(.*)", r
 _NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
 _TOWER = re.compile(r"\d\s*(\*\*|\^)|\d\d")  # of powers, which a parser could climb for ever
 _BARE_POWER = re.compile(r"\b(mm|cm|m|s)(-?[1-9])\b")
+_PLUS_MINUS = re.compile(r"±|\+\s*/?\s*[-−]")
+_IN_BRACKETS = re.compile(r"\s*\(([^()]*)\)\s*(.*)", re.DOTALL)
+_LAST_DIGITS = re.compile(r"\s*([+-]?\d+\.?\d*)\((\d+)\)(.*)", re.DOTALL)
 
 
 def tilt_angle(value: object, name: str) -> float:
@@ -102,6 +105,66 @@ def quantity(value: object, unit: str, name: str = "the value") -> float:
     if not math.isfinite(result):
         raise _refusal(name, unit, value, "too large")
     return result
+
+
+def reading(value: object, unit: str, name: str = "the value") -> tuple[float, float]:
+    """A quantity as it was measured: its value and its standard uncertainty, in its SI unit.
+
+    Texts may carry the uncertainty, as in ``70 ± 1 g``, ``70 +- 1 g``, ``6.9 cm ± 2%`` or
+    ``6.9(1) cm``, where 1 is of the last digit; in others it is half a unit of the last digit
+    written. Numbers are exact.
+
+    >>> reading("6.9(1) cm", "m")
+    (0.069, 0.001)
+    >>> reading("6.9 cm", "m")
+    (0.069, 0.0005)
+
+    Raises ``UnitError`` as :func:`quantity` does, and for an uncertainty below zero.
+    """
+    if not isinstance(value, str):
+        return quantity(value, unit, name), 0.0
+    if last := _LAST_DIGITS.fullmatch(value):
+        digits, uncertain, given = last.groups()
+        step = Decimal(int(uncertain)).scaleb(_last_place(digits))
+        return quantity(digits + given, unit, name), quantity(f"{step}{given}", unit, name)
+    if not has_uncertainty(value):
+        number = quantity(value, unit, name)
+        digits, given = _NUMBER.fullmatch(value.strip().replace("−", "-")).groups()  # type: ignore[union-attr]
+        half = Decimal(5).scaleb(_last_place(digits) - 1)
+        return number, quantity(f"{half}{given}", unit, name)
+    return _with_uncertainty(value, unit, name)
+
+
+def has_uncertainty(value: object) -> bool:
+    """Whether a text says how uncertain it is."""
+    return isinstance(value, str) and bool(_PLUS_MINUS.search(value) or _LAST_DIGITS.match(value))
+
+
+def _with_uncertainty(text: str, unit: str, name: str) -> tuple[float, float]:
+    """Reads ``70 ± 1 g``, ``(70 ± 1) g``, ``70 g ± 1 g`` and ``70 g ± 2%``."""
+    inside = _IN_BRACKETS.fullmatch(text)
+    both, given = inside.groups() if inside else (text, "")
+    left, right = (part.strip() for part in _PLUS_MINUS.split(both, maxsplit=1))
+    number, more = _NUMBER.fullmatch(left), _NUMBER.fullmatch(right)
+    if number is None or more is None:
+        raise _refusal(name, unit, text, 'it does not read as in "70 ± 1 g"')
+    if more[2].strip() == "%" and unit != "1":
+        value = quantity(left + given, unit, name)
+        uncertainty = abs(value) * quantity(right, "1", name)
+    else:
+        theirs = number[2] or given or more[2]
+        value = quantity(number[1] + theirs, unit, name)
+        uncertainty = quantity(more[1] + (more[2] or theirs), unit, name)
+    if uncertainty < 0.0:
+        raise _refusal(name, unit, text, "its uncertainty is below zero")
+    return value, uncertainty
+
+
+def _last_place(digits: str) -> int:
+    """The power of ten of the last digit of a number as it is written."""
+    exponent = Decimal(digits).as_tuple().exponent
+    assert isinstance(exponent, int)
+    return exponent
 
 
 def _read(text: str, unit: str, name: str) -> tuple[float, float]:

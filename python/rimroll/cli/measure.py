@@ -1,0 +1,242 @@
+"""``rimroll measure``: a body from a ruler, scales and a stopwatch."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from uncertainties import UFloat
+
+from rimroll._core import __version__
+from rimroll.cli.contact import option
+from rimroll.cli.options import JsonOption
+from rimroll.cli.screen import say, show_json, table
+from rimroll.errors import RimrollError
+from rimroll.measurement import Measurement, measured
+from rimroll.names import typed
+from rimroll.output import writing
+from rimroll.readings import ESTIMATE, UNITS, main_source, pretty
+from rimroll.scenario import UNIT_OF
+
+WIDTH = 79  # of a paragraph
+
+INERTIA = {
+    "mass": "mass m",
+    "radius": "rim radius R",
+    "height": "height of centre of mass H",
+    "transverse_inertia": "transverse inertia A",
+    "axial_inertia": "axial inertia C",
+}
+"""The numbers of a body, in words."""
+
+Text = str | None
+
+
+def _given(help: str, metavar: str, panel: str) -> Any:
+    return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
+
+
+SIZE, BALANCE = "Size", "Balance (one of them)"
+SWUNG = "Hung from the rim of its base, swinging along (for A)"
+ACROSS, ROCKED = "Swinging across (for C)", "Instead of swinging along: rocking (for A)"
+ROLLED = "Instead of swinging across: rolling down a slope on its side (for C)"
+
+
+@dataclass(frozen=True)
+class MeasureOptions:
+    """What was measured."""
+
+    mass: Annotated[Text, _given("On the scales.", "MASS", SIZE)] = None
+    radius: Annotated[Text, _given("Of the rim that touches the table.", "LENGTH", SIZE)] = None
+    diameter: Annotated[Text, _given("Or this: twice the radius.", "LENGTH", SIZE)] = None
+    balance_point: Annotated[
+        Text,
+        _given(
+            "Lying across an edge it balances; how far from its base is the edge?",
+            "LENGTH",
+            BALANCE,
+        ),
+    ] = None
+    balance_tilt: Annotated[
+        Text, _given("The tilt at which it stands poised on its rim.", "ANGLE", BALANCE)
+    ] = None
+    swings: Annotated[
+        Text,
+        _given("Swings there and back, in the plane of pivot and symmetry axis.", "NUMBER", SWUNG),
+    ] = None
+    swings_time: Annotated[Text, _given("How long they took.", "TIME", SWUNG)] = None
+    swing_period: Annotated[Text, _given("Or one swing by itself.", "TIME", SWUNG)] = None
+    swing_amplitude: Annotated[
+        Text, _given("If it is not small: how far to either side.", "ANGLE", SWUNG)
+    ] = None
+    pivot_height: Annotated[
+        Text,
+        _given(
+            "If hung elsewhere: pivot above the base, as a mug on its lip. [0]", "LENGTH", SWUNG
+        ),
+    ] = None
+    pivot_radius: Annotated[
+        Text, _given("And from the symmetry axis. \\[that of the rim]", "LENGTH", SWUNG)
+    ] = None
+    rocking_tilt: Annotated[
+        Text, _given("Let go at rest from this tilt of the base;", "ANGLE", ROCKED)
+    ] = None
+    rocking_time: Annotated[
+        Text,
+        _given("how long until it is at its highest on the other side.", "TIME", ROCKED),
+    ] = None
+    across_swings: Annotated[
+        Text, _given("Swings perpendicular to those along.", "NUMBER", ACROSS)
+    ] = None
+    across_time: Annotated[Text, _given("How long they took.", "TIME", ACROSS)] = None
+    across_period: Annotated[Text, _given("Or one swing by itself.", "TIME", ACROSS)] = None
+    across_pivot: Annotated[
+        Text,
+        _given(
+            "edge, or point: a hook or thread that lets it twist as it swings. \\[edge]",
+            "PIVOT",
+            ACROSS,
+        ),
+    ] = None
+    slope_length: Annotated[Text, _given("The way it rolls from rest.", "LENGTH", ROLLED)] = None
+    slope_height: Annotated[
+        Text, _given("How far the slope falls on that way.", "LENGTH", ROLLED)
+    ] = None
+    slope_angle: Annotated[Text, _given("Or its angle.", "ANGLE", ROLLED)] = None
+    slope_time: Annotated[Text, _given("How long it took.", "TIME", ROLLED)] = None
+    side_radius: Annotated[
+        Text, _given("Radius of its widest part. \\[that of the rim]", "LENGTH", ROLLED)
+    ] = None
+    gravity: Annotated[
+        Text, _given("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", SIZE)
+    ] = None
+
+
+FileOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--output",
+        "-o",
+        help="Write the body to a scenario file (.toml) for the other commands.",
+        metavar="FILE",
+        rich_help_panel="Output",
+    ),
+]
+
+
+def measure(given: MeasureOptions, output: FileOption = None, json: JsonOption = False) -> int:
+    """Mass, H, A and C of your own can, from a ruler, scales and a stopwatch.
+
+    Needed: mass, radius or diameter, one way to balance it, one to move it (A).
+    C is for whole motions: no limiting angle of turn depends on it.
+
+    Readings may carry their uncertainty, one standard deviation: "70 ± 1 g",
+    "70 +- 1 g", "6.9(1) cm". Without, it is half a unit of the last digit; for
+    times at least 0.1 s, a hand's; for rocking 1/30 s, a frame of a film.
+
+    Examples:
+
+    $ rimroll measure --mass 70g --diameter 10.2cm --balance-point 6.9cm --swings 50 --swings-time 38.3s
+
+    $ rimroll measure --mass 70g --radius 5.1cm --balance-tilt 36.5deg --rocking-tilt 25deg --rocking-time 0.43s -o my_can.toml
+    """  # noqa: E501 (an example is one line)
+    if output is not None and output.suffix.lower() != ".toml":
+        raise RimrollError(f"cannot write {output}: its suffix must be .toml")
+    texts = asdict(given)
+    found = measured(texts, texts.pop("across_pivot"), option)
+    if output is not None:
+        try:
+            with writing(output) as part:
+                part.write_text(scenario_file(found, output), encoding="utf-8")
+        except OSError as error:
+            raise RimrollError(f"cannot write {output}: {error.strerror or error}") from error
+    if json:
+        show_json(_answer(found, output))
+    else:
+        _show(found, output)
+    return 0
+
+
+def _answer(found: Measurement, output: Path | None) -> dict[str, Any]:
+    body = {name: getattr(found, name) for name in UNIT_OF if name in INERTIA}
+    turns = {"no_slip": found.turn_no_slip, "frictionless": found.turn_frictionless}
+    return {
+        "rimroll_version": __version__,
+        "body": {name: _both(number) for name, number in body.items()},
+        "axial_inertia_measured": found.axial_inertia_measured,
+        "turn_limit": {name: _both(number) for name, number in turns.items()},
+        "needed_friction": _both(found.needed_friction),
+        "readings": {name: _both(number) for name, number in found.readings.items()},
+        "files": [str(output)] if output else [],
+    }
+
+
+def _both(number: UFloat) -> dict[str, float]:
+    return {"value": number.nominal_value, "uncertainty": number.std_dev}
+
+
+def _show(found: Measurement, output: Path | None) -> None:
+    for line in textwrap.wrap(f"read: {_readings(found)}", WIDTH, subsequent_indent="      "):
+        say(line)
+    say()
+    rows = table("", "measured", "±", "mostly from")
+    for name, words in INERTIA.items():
+        _row(rows, words, getattr(found, name), UNIT_OF[name])
+    _row(rows, "A/m", found.transverse_inertia / found.mass, "m^2")
+    _row(rows, "turn limit, no-slip", found.turn_no_slip, "rad")
+    _row(rows, "turn limit, frictionless", found.turn_frictionless, "rad")
+    _row(rows, "needed friction", found.needed_friction, "1")
+    say(rows)
+    say()
+    say("± is one standard deviation.")
+    if not found.axial_inertia_measured:
+        say(textwrap.fill(ESTIMATED, WIDTH))
+    if output is not None:
+        say(f"wrote {output}; now: rimroll turn {output}")
+
+
+ESTIMATED = (
+    "C is not measured but guessed, for a hollow vessel: evenly between mr²/2 (solid) and mr²"
+    " (thin wall), r the radius of its widest part. No limiting angle of turn depends on it."
+)
+
+
+def _row(rows: Any, words: str, number: UFloat, unit: str) -> None:
+    share = number.std_dev / number.nominal_value if number.nominal_value else math.inf
+    by = f"{100.0 * share:.2g} %" if 0.0 < share < 1.0 else ""
+    source = main_source(number)
+    rows.add_row(words, pretty(number, unit), by, typed(source) if by else "")
+
+
+def _readings(found: Measurement) -> str:
+    """All readings with their uncertainties, in a line."""
+    return ", ".join(
+        f"{name.replace('_', ' ')} {pretty(number, UNITS[name])}"
+        for name, number in found.readings.items()
+    )
+
+
+def scenario_file(found: Measurement, file: Path) -> str:
+    """The text of a scenario file with the measured body, and where its numbers come from."""
+    name = file.name if file.name.isprintable() else "body.toml"
+    comments = [
+        f"A measured body, by rimroll measure {__version__}:",
+        f"    rimroll turn {name}",
+        f"    rimroll simulate {name} --tilt 20deg --yaw-rate 0.005",
+        "From these readings, ± one standard deviation:",
+        *(f"    {key} = {pretty(read, UNITS[key])}" for key, read in found.readings.items()),
+        *([] if found.axial_inertia_measured else textwrap.wrap(ESTIMATED, 88)),
+        f"Limiting angles of turn: {pretty(found.turn_no_slip, 'rad')} without slip,"
+        f" {pretty(found.turn_frictionless, 'rad')} without friction.",
+    ]
+    body = []
+    for field in INERTIA:
+        unit, number = UNIT_OF[field], getattr(found, field)
+        guess = " (a guess)" if main_source(number) == ESTIMATE else ""
+        line = f"{field} = {getattr(found.body, field)!r}"
+        body.append(f"{line:44} # {unit.replace('^2', '²')}: {pretty(number, unit)}{guess}")
+    return "\n".join([*(f"# {comment}" for comment in comments), "", "[body]", *body, ""])

@@ -1,0 +1,87 @@
+"""``rimroll protractor``: a sheet to print and read the direction of fall on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rimroll._core import __version__
+from rimroll.cli.asked import asked
+from rimroll.cli.options import (
+    BodyOptions,
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
+from rimroll.cli.screen import say, show_json
+from rimroll.errors import RimrollError
+from rimroll.output import writing
+
+PICTURES = (".pdf", ".svg", ".png")
+
+
+def protractor(
+    body: BodyOptions,
+    output: Annotated[
+        Path,
+        typer.Option(
+            "--output", "-o", help="The sheet: .pdf to print, .svg or .png.", metavar="FILE"
+        ),
+    ] = Path("protractor.pdf"),
+    paper: Annotated[str, typer.Option(help="a4 or letter.", metavar="NAME")] = "a4",
+    json: JsonOption = False,
+) -> int:
+    """A sheet to print and lay under a can, to read in which direction it falls.
+
+    The rim at true size, degrees all round, and between which limits theory has it
+    fall. Print it at actual size; a bar on it shows whether the printer did.
+
+    Examples:
+
+    $ rimroll protractor
+
+    $ rimroll protractor soda_can --paper letter -o soda_can.pdf
+
+    $ rimroll protractor examples/my_cup.toml
+    """
+    if output.suffix.lower() not in PICTURES:
+        raise RimrollError(f"cannot draw {output}: its suffix must be one of {', '.join(PICTURES)}")
+    what = asked(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
+    from rimroll import protractor as sheets  # brings matplotlib, which is slow to load
+    from rimroll.style import figure_style
+
+    figure = sheets.sheet(what.body, _title(what.name), paper)
+    undated = {} if output.suffix.lower() == ".png" else {_DATE[output.suffix.lower()]: None}
+    try:
+        with figure_style(), writing(output) as part:
+            figure.savefig(part, dpi=300, metadata=undated)
+    except OSError as error:
+        raise RimrollError(f"cannot write {output}: {error.strerror or error}") from error
+    rolling, sliding = sheets.falls(what.body)
+    if json:
+        show_json(
+            {
+                "rimroll_version": __version__,
+                "body": what.name,
+                "paper": paper,
+                "falls": {"no_slip": rolling, "frictionless": sliding},
+                "files": [str(output)],
+            }
+        )
+    else:
+        say(f"{what.name}: falls are expected between {rolling:.1f} (rolling) and {sliding:.1f}")
+        say(f"(sliding), or between {360.0 - sliding:.1f} and {360.0 - rolling:.1f}")
+        say(f"wrote {output}; print it at actual size (100 %)")
+    return 0
+
+
+_DATE = {".pdf": "CreationDate", ".svg": "Date"}
+
+
+def _title(name: str) -> str:
+    """A body's name; that of a file without its folder and suffix."""
+    return Path(name).stem if name.endswith(".toml") else name
