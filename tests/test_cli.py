@@ -45,7 +45,7 @@ def test_without_a_command_there_is_help(said):
     assert "Usage: rimroll" in said("")
 
 
-@pytest.mark.parametrize("command", ["turn", "simulate", "compare", "reproduce", "bodies"])
+@pytest.mark.parametrize("command", ["turn", "simulate", "map", "compare", "reproduce", "bodies"])
 def test_each_command_has_help_with_an_example(said, command):
     text = said(f"{command} --help")
     assert f"$ rimroll {command}" in text

@@ -23,6 +23,7 @@ from rimroll.paper.figures import (
     height,
     imperfection,
     pasted,
+    sensitivity,
     turn_against_friction,
 )
 
@@ -38,6 +39,7 @@ SLUGS = [
     "friction",
     "turn_against_friction",
     "disks_against_friction",
+    "sensitivity",
     "pasted",
     "small_angle",
     "contact_path",
@@ -124,7 +126,14 @@ def test_numbers_are_finite_and_can_be_written_down(drawings, slug):
 
 @pytest.mark.parametrize(
     "slug",
-    ["convergence", "height", "turn_against_friction", "disks_against_friction", "imperfection"],
+    [
+        "convergence",
+        "height",
+        "turn_against_friction",
+        "disks_against_friction",
+        "sensitivity",
+        "imperfection",
+    ],
 )
 def test_tables_are_rectangular(drawings, slug):
     table = drawings[slug].table
@@ -320,6 +329,27 @@ def test_the_step_of_disks_is_the_same_under_every_law_and_the_whole_turn_is_not
     assert disks_against_friction.whole_turn("uniform disk", 0.8, start) == pytest.approx(
         399.07, abs=6e-3
     )
+
+
+def test_the_maps_of_falls_jump_on_the_lines_that_are_drawn():
+    for law in sensitivity.LAWS:
+        falls = sensitivity.falls(law)
+        yaw, spin = sensitivity.line(law)
+        beyond = falls.yaw_rate.values > np.interp(falls.spin_rate.values, spin, yaw)[:, None]
+        fell = np.isin(falls.outcome.values, ["toppled", "rocked"])
+        assert fell.mean() > 0.999
+        assert np.array_equal((falls.direction.values > np.pi)[fell], beyond[fell])
+
+
+def test_the_jump_of_the_maps_is_the_same_at_every_zoom(drawings):
+    numbers = drawings["sensitivity"].numbers
+    for law in setting.LAWS:
+        of_law = numbers[law.name]
+        limit = np.degrees(rr.turn_limit(CAN, law))
+        assert of_law["jump_degrees"] == pytest.approx(2.0 * limit - 360.0)
+        close = numbers["yaw_rate"] < 1e-6
+        assert of_law["direction_degrees"][close] == pytest.approx(limit, abs=1e-4)
+        assert of_law["nearest_to_opposite_degrees"] > 12.0
 
 
 def test_the_pasted_yaw_errs_like_phi_ln_phi_and_the_tilt_like_phi_squared(drawings):

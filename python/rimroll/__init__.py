@@ -19,6 +19,7 @@ from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.ensemble import Interrupted, ensemble
 from rimroll.errors import RimrollError
+from rimroll.fitting import Fit, Predicted, directions_of_summary, fit, predict_falls, read_angles
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.laws import (
     AirDrag,
@@ -34,6 +35,7 @@ from rimroll.laws import (
 from rimroll.measurement import Measurement, measure
 from rimroll.motion import Event, Moments, Motion, Phase, Stats, Turn, simulate
 from rimroll.release import Release
+from rimroll.sensitivity import turn_map, watershed, watershed_slope
 from rimroll.solids import Solid
 from rimroll.state import State
 from rimroll.theory import (
@@ -64,6 +66,7 @@ __all__ = [
     "Collision",
     "Coulomb",
     "Event",
+    "Fit",
     "Frictionless",
     "ImperfectRim",
     "Interrupted",
@@ -77,6 +80,7 @@ __all__ = [
     "Pasted",
     "Phase",
     "PivotingFriction",
+    "Predicted",
     "Release",
     "RimrollError",
     "RollingResistance",
@@ -90,9 +94,11 @@ __all__ = [
     "arrival",
     "balance_tilt",
     "bodies",
+    "directions_of_summary",
     "disk_turn_limit",
     "ensemble",
     "error_law_coefficient",
+    "fit",
     "imperfect_rim",
     "lift_off_rate",
     "measure",
@@ -101,6 +107,8 @@ __all__ = [
     "passage",
     "pasted",
     "point_mass_turn_limit",
+    "predict_falls",
+    "read_angles",
     "simulate",
     "slip_rate",
     "solids",
@@ -110,4 +118,7 @@ __all__ = [
     "topple",
     "turn_limit",
     "turn_limit_with_spin",
+    "turn_map",
+    "watershed",
+    "watershed_slope",
 ]

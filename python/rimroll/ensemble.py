@@ -9,23 +9,27 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rimroll import _core
+from rimroll import _core, laws
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
-from rimroll.laws import Law
+from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
 from rimroll.motion import whole_number
 from rimroll.state import State
+from rimroll.theory import balance_tilt
 
 if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
 
+MOST_THREADS = 1024
+
 AT_A_TIME = 256
 """Falls between two looks at Ctrl-C and the progress bar: a fraction of a second."""
 
 OUTCOMES = {
-    "toppled": "came down, rose again and fell over",
+    "toppled": "came down, rose again and fell over; also if a law that knows no flight ends with"
+    " the rim's leaving the table past the balance tilt",
     "rocked": "came down and rose again to a largest tilt",
     "fell_back": "fell over without coming down",
     "hovered": "did neither before time was up",
@@ -135,13 +139,15 @@ def ensemble(
         whole_number("max_steps", max_steps),
     )
     workers = 0 if threads is None else whole_number("threads", threads)
+    if workers > MOST_THREADS:
+        raise RimrollError(f"threads must be at most {MOST_THREADS}, got {workers}")
     rows = _rows(starts)
     grips = _grips(grip, len(rows.tilt))
     outcomes: list[str] = []
     tables: list[Array] = [np.empty((0, len(_core.FALL_COLUMNS)))]
 
     def told() -> xr.Dataset:
-        dataset = _dataset(rows, grips, outcomes, np.concatenate(tables))
+        dataset = _dataset(rows, grips, outcomes, np.concatenate(tables), balance_tilt(body))
         return dataset.assign_attrs(_parameters(body, law, options))
 
     try:
@@ -188,7 +194,10 @@ def _rows(starts: State) -> _Rows:
 
 
 def _grips(grip: ArrayLike, count: int) -> Array:
-    grips = np.asarray(grip, np.float64)
+    try:
+        grips = np.asarray(grip, np.float64)
+    except (TypeError, ValueError):
+        raise RimrollError(f"grip must be a number or {count} of them, got {grip!r}") from None
     if grips.shape not in ((), (count,)):
         raise RimrollError(f"grip must be a number or {count} of them, got shape {grips.shape}")
     bad = np.atleast_1d(grips)[~(np.isfinite(grips) & (grips >= 0.0)).reshape(-1)]
@@ -207,7 +216,9 @@ def _values(options: _Options) -> tuple[float, float, float, float | None, int]:
     )
 
 
-def _dataset(rows: _Rows, grips: Array, endings: list[str], table: Array) -> xr.Dataset:
+def _dataset(
+    rows: _Rows, grips: Array, endings: list[str], table: Array, balance: float
+) -> xr.Dataset:
     import xarray as xr
 
     done = len(endings)
@@ -229,7 +240,9 @@ def _dataset(rows: _Rows, grips: Array, endings: list[str], table: Array) -> xr.
         name: ("trial", told[name], {"units": unit, "long_name": meaning})
         for name, (unit, meaning) in VARIABLES.items()
     }
-    outcome = [_outcome(*each) for each in zip(endings, came_down.tolist(), strict=True)]
+    over = told["end_tilt"] > balance
+    whether = (endings, came_down.tolist(), over.tolist())
+    outcome = [_outcome(*each) for each in zip(*whether, strict=True)]
     return xr.Dataset(
         {
             "outcome": ("trial", np.array(outcome, dtype="<U10")),
@@ -241,11 +254,13 @@ def _dataset(rows: _Rows, grips: Array, endings: list[str], table: Array) -> xr.
     )
 
 
-def _outcome(ending: str, came_down: bool) -> str:
+def _outcome(ending: str, came_down: bool, over: bool) -> str:
     if ending == "finished":
         return "rocked" if came_down else "hovered"
     if ending == "toppled" and not came_down:
         return "fell_back"
+    if ending == "lifted_off" and came_down and over:  # rising, its centre of mass past the rim
+        return "toppled"
     return ending
 
 
@@ -261,3 +276,37 @@ def _parameters(body: Body, law: Law, options: _Options) -> dict[str, object]:
         **{name: value for name, value in asdict(options).items() if value is not None},
         "rimroll_version": _core.__version__,
     }
+
+
+def body_of(falls: xr.Dataset) -> Body:
+    """The body whose falls they are; raises ``RimrollError`` for a dataset of something else."""
+    return Body(**{field.name: _number(falls, f"body_{field.name}") for field in fields(Body)})
+
+
+def law_of(falls: xr.Dataset) -> Law:
+    """The law under which it fell; raises ``RimrollError`` for a dataset of something else."""
+    kind = laws.kind(str(_told(falls, "law")))
+    own = [name for name in laws.numbers_of(kind) if f"law_{name}" in falls.attrs]
+    law = laws.by_name(kind.name, {name: _number(falls, f"law_{name}") for name in own})
+    for resistance, numbers in _RESISTANCES.items():
+        if f"law_{numbers[0]}" in falls.attrs:
+            law += resistance(*(_number(falls, f"law_{name}") for name in numbers))
+    return law
+
+
+_RESISTANCES: dict[type[Resistance], tuple[str, ...]] = {
+    RollingResistance: ("rolling_dry", "rolling_viscous"),
+    PivotingFriction: ("pivoting_length",),
+    AirDrag: ("air_coefficient", "air_exponent"),
+}
+"""The numbers of resistances, as a law tells them."""
+
+
+def _told(falls: xr.Dataset, name: str) -> object:
+    if name not in falls.attrs:
+        raise RimrollError(f"falls must be a dataset of rimroll.ensemble: there is no {name} in it")
+    return falls.attrs[name]
+
+
+def _number(falls: xr.Dataset, name: str) -> float:
+    return number(name, _told(falls, name))

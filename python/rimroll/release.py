@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Self
 
@@ -12,9 +13,10 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
+from rimroll.motion import whole_number
 from rimroll.names import choose
 from rimroll.state import State
-from rimroll.theory import balance_tilt, lift_off_rate
+from rimroll.theory import balance_tilt
 
 Array = NDArray[np.float64]
 
@@ -22,6 +24,9 @@ MOST_TRIALS = 10_000_000
 
 SURPLUS = 1.7
 """Energy of a flick over what toppling takes: friction in the near-collision wants its part."""
+
+LEAST_CHANCE = 2.0**-54
+"""In place of a drawn 0, which no quantile belongs to."""
 
 
 @dataclass(frozen=True)
@@ -92,9 +97,14 @@ class Release:
     def draw(self, n: int, seed: int) -> tuple[State, Array]:
         """``n`` starts, a State of arrays (n,), and the grip of each, (n,).
 
-        Trial k is the same whatever ``n``.
+        Trial k is the same whatever ``n``. Raises ``RimrollError`` for an ``n`` that is no whole
+        number from 1 to :data:`MOST_TRIALS`, a ``seed`` that is none from 0 to 2⁶³.
         """
-        return self.at(np.random.default_rng(seed).random((n, len(fields(self)))))
+        count = whole_number("n", n)
+        if count > MOST_TRIALS:
+            raise RimrollError(f"n must be at most {MOST_TRIALS}, got {count}")
+        chances = np.random.default_rng(_seed(seed)).random((count, len(fields(self))))
+        return self.at(np.maximum(chances, LEAST_CHANCE))
 
     def at(self, chances: Array) -> tuple[State, Array]:
         """Starts and grips by inversion of numbers (n, 5) that are even in (0, 1).
@@ -135,6 +145,16 @@ def _sideways_rates(tilt: Array, sideways: Array, twist: Array) -> dict[str, Arr
     return {"yaw_rate": twist + sideways * cos / sin, "spin_rate": -sideways / sin}
 
 
+def _seed(value: object) -> int:
+    try:
+        seed = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        seed = -1
+    if not 0 <= seed < 2**63:
+        raise RimrollError(f"seed must be a whole number >= 0 and below 2^63, got {value!r}")
+    return seed
+
+
 def _pair(name: str, value: Any) -> tuple[float, float]:
     given = value if isinstance(value, tuple | list) else (value, 0.0)
     if len(given) != 2:
@@ -148,25 +168,44 @@ def _pair(name: str, value: Any) -> tuple[float, float]:
 
 
 def _let_go(body: Body, gravity: float) -> Release:
-    tilt = 0.6 * balance_tilt(body)
+    tilt = 0.5 * balance_tilt(body)
     slow = 0.002 * math.sqrt(gravity / body.radius)
-    return Release((tilt, 0.1 * tilt), (0.0, 5.0 * slow), (0.0, slow), (0.0, slow))
+    return Release((tilt, 0.05 * tilt), (0.0, 5.0 * slow), (0.0, slow), (0.0, slow))
 
 
 def _flick(body: Body, gravity: float) -> Release:
     """As fast as toppling takes with much to spare, unless the rim would leave the table."""
-    tilt = 0.55 * balance_tilt(body)
-    m, r, h = body.mass, body.radius, body.height
-    rim_inertia = body.transverse_inertia + m * (r * r + h * h)
-    weight = m * gravity
-    over = r * math.sin(tilt) + h * math.cos(tilt)  # the centre of mass, over the table
-    beside = r * math.cos(tilt) - h * math.sin(tilt)  # and beside the rim
-    arriving = 2.0 * SURPLUS * weight * (math.hypot(r, h) - h) / rim_inertia
-    arriving = min(arriving, (0.9 * lift_off_rate(body, gravity)) ** 2)
-    starting = arriving - 2.0 * weight * (over - h) / rim_inertia
-    pressing = gravity * (1.0 - m * beside * beside / rim_inertia) / over
-    rate = math.sqrt(min(max(starting, 0.0), 0.6 * pressing))
+    tilt = 0.5 * balance_tilt(body)
+    weight = body.mass * gravity
+    over = body.radius * math.sin(tilt) + body.height * math.cos(tilt)
+    barrier = math.hypot(body.radius, body.height) - body.height
+    wanted = SURPLUS * barrier - (over - body.height)
+    squared = 2.0 * weight * wanted / _rim_inertia(body)
+    allowed = 0.75 * _fastest_squared(body, 1.2 * tilt, gravity)
+    slowest = 0.05 * math.sqrt(gravity / body.radius)
+    rate = max(math.sqrt(max(min(squared, allowed), 0.0)), slowest)
     return Release((tilt, 0.1 * tilt), (-rate, 0.07 * rate), (0.0, 0.05 * rate), (0.0, 0.05 * rate))
+
+
+def _rim_inertia(body: Body) -> float:
+    """A + m(R² + H²), about a tangent of the rim."""
+    return body.transverse_inertia + body.mass * (body.radius**2 + body.height**2)
+
+
+def _fastest_squared(body: Body, tilt: float, gravity: float) -> float:
+    """(dφ/dt)² up to which a rim that rolls stays on the table while tipping from a tilt to 0.
+
+    Below 0 where it does not stay even when let go at rest, as of a disk that leans far over.
+    """
+    m, r, h = body.mass, body.radius, body.height
+    tilts = np.linspace(0.0, tilt, 101)
+    sin, cos = np.sin(tilts), np.cos(tilts)
+    over, beside = r * sin + h * cos, r * cos - h * sin  # the centre of mass, and the rim
+    inertia = _rim_inertia(body)
+    gained = 2.0 * m * gravity * (over[-1] - over) / inertia
+    pressing = gravity * (1.0 - m * beside**2 / inertia)  # N/m, but for −over (dφ/dt)²
+    with np.errstate(divide="ignore"):  # a disk's centre of mass comes down to the table
+        return float(np.min(pressing / over - gained))
 
 
 def _paper(body: Body, gravity: float) -> Release:
@@ -181,9 +220,10 @@ def _paper(body: Body, gravity: float) -> Release:
 PRESETS = {"let go": _let_go, "flick": _flick, "paper": _paper}
 """Releases by name, for a body under gravity.
 
-let go: tilted to 0.6 of the balance tilt and let go by a steady hand.
-flick: flicked over from 0.55 of the balance tilt, with energy to spare and an error of aim of 3
-degrees; a body that cannot be toppled without lifting it off is flicked less.
+let go: tilted to half the balance tilt and let go by a steady hand; the body rocks.
+flick: flicked over from half the balance tilt, with energy to spare and an error of aim of 3
+degrees. A low, wide body that cannot be toppled so without leaving the table is flicked less, and
+rocks; on a table without friction a tall, thin one may rock, too.
 paper: a guess at the flicks of the paper, which did not control them. From 20 degrees at 5 rad/s
 its can topples without lifting off; an error of aim of 6 degrees spreads the falls by about the
 4 degrees that were measured.

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.ensemble import Interrupted, ensemble
+from rimroll.ensemble import Interrupted, body_of, ensemble, law_of
 from rimroll.errors import RimrollError, expect
-from rimroll.laws import Law
-from rimroll.motion import whole_number
-from rimroll.release import MOST_TRIALS, Release
+from rimroll.laws import IDEAL, Law
+from rimroll.release import Release
+from rimroll.state import State
+from rimroll.theory import arrival, turn_limit
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -67,14 +70,14 @@ def topple(
     """
     expect("body", body, Body)
     expect("law", law, Law)
-    expect("release", release, Release | str)
-    count = whole_number("n", n)
-    if count > MOST_TRIALS:
-        raise RimrollError(f"n must be at most {MOST_TRIALS}, got {count}")
-    seed = secrets.randbits(32) if seed is None else _seed(seed)
     if isinstance(release, str):
         release = Release.named(release, body, gravity)
-    starts, grip = release.draw(count, seed)
+    if not isinstance(release, Release):
+        raise RimrollError(
+            f"release must be a rimroll.Release or the name of a preset, got {release!r}"
+        )
+    seed = secrets.randbits(31) if seed is None else seed
+    starts, grip = release.draw(n, seed)
     try:
         falls = ensemble(
             body,
@@ -90,12 +93,55 @@ def topple(
             progress=progress,
         )
     except Interrupted as interrupted:
-        interrupted.done.attrs |= release.parameters() | {"seed": seed}
+        interrupted.done.attrs |= release.parameters() | {"seed": int(seed)}
         raise
-    return falls.assign_attrs(release.parameters(), seed=seed)
+    return falls.assign_attrs(release.parameters(), seed=int(seed))
 
 
-def _seed(value: object) -> int:
-    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 2**63:
-        raise RimrollError(f"seed must be a whole number >= 0 and below 2^63, got {value!r}")
-    return value
+def counted(falls: xr.Dataset) -> tuple[xr.DataArray, str]:
+    """The directions that count as those of the falls, rad, and what the body did: a word.
+
+    ``toppled``: where it fell over, if it did so after coming down. ``rocked``: if that is more
+    common, where it leaned at its largest tilt, as a coin that gets up again.
+    """
+    came_down = falls["direction"].notnull()
+    toppled, rocked = (
+        falls["direction"][came_down & (falls["outcome"] == word)] for word in ("toppled", "rocked")
+    )
+    return (toppled, "toppled") if toppled.size >= rocked.size else (rocked, "rocked")
+
+
+def limits(falls: xr.Dataset) -> dict[str, float]:
+    """Limiting angles of turn by the name of the law, rad: the ideal ones, and the falls' own.
+
+    Under friction the limit depends on how the body comes down: here as from the release's mean
+    tilt and tilt rate, with its mean grip; without sideways rates. Where there is none, as when it
+    then lifts off, the law is left out.
+    """
+    body, law = body_of(falls), law_of(falls)
+    found = {ideal.name: turn_limit(body, ideal) for ideal in IDEAL}
+    if law.name not in found:
+        gripped = _gripped(law, _mean(falls, "grip"))
+        start = State(tilt=_mean(falls, "tilt"), tilt_rate=_mean(falls, "tilt_rate"))
+        gravity = float(falls.attrs["gravity"])
+        with suppress(RimrollError):
+            found[law.name] = turn_limit(body, gripped, arrival(body, start, gripped, gravity))
+    return found
+
+
+def _mean(falls: xr.Dataset, name: str) -> float:
+    """The release's mean, or that of the starts where there was no release."""
+    if f"release_{name}" in falls.attrs:
+        return float(falls.attrs[f"release_{name}"])
+    return float(falls[name if name in falls else f"start_{name}"].mean())
+
+
+def _gripped(law: Law, factor: float) -> Law:
+    """The law with its friction changed by a factor."""
+    scaled = {
+        field.name: factor * value
+        for field in fields(law)
+        if field.name in ("friction", "static", "coefficient")
+        and (value := getattr(law, field.name)) is not None
+    }
+    return replace(law, **scaled)

@@ -11,9 +11,14 @@ from typer.main import get_command
 from rimroll._core import __version__
 from rimroll.cli.bodies import bodies
 from rimroll.cli.compare import compare
+from rimroll.cli.fit import fit
+from rimroll.cli.map import map
+from rimroll.cli.measure import measure
 from rimroll.cli.options import unfolded
+from rimroll.cli.protractor import protractor
 from rimroll.cli.reproduce import reproduce
 from rimroll.cli.simulate import simulate
+from rimroll.cli.topple import topple
 from rimroll.cli.turn import turn
 from rimroll.errors import RimrollError
 
@@ -23,7 +28,20 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (turn, simulate, compare, reproduce, bodies):
+COMMANDS = (
+    turn,
+    simulate,
+    topple,
+    map,
+    compare,
+    measure,
+    protractor,
+    fit,
+    reproduce,
+    bodies,
+)
+
+for command in COMMANDS:
     app.command()(unfolded(command))
 
 # typer keeps the base class of the errors in what was typed to itself.

@@ -1,0 +1,224 @@
+"""``rimroll fit``: the friction of a table from directions of fall."""
+
+from __future__ import annotations
+
+import json as notation
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from rimroll._core import __version__
+from rimroll.cli.asked import asked
+from rimroll.cli.options import (
+    BodyOptions,
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
+from rimroll.cli.release import ReleaseOptions, release_asked, release_line
+from rimroll.cli.screen import plain, say, show_json, table, working
+from rimroll.cli.turn import body_line
+from rimroll.errors import RimrollError
+from rimroll.fitting import Fit, read_angles
+from rimroll.fitting import fit as fit_directions
+from rimroll.fitting.fit import Estimate
+from rimroll.output import ensure_folder, writing
+from rimroll.release import Release
+from rimroll.units import quantity
+
+PICTURES, NUMBERS = (".png", ".svg", ".pdf"), ".json"
+
+
+@dataclass(frozen=True)
+class BodyByOption(BodyOptions):
+    """What was flicked; the file of angles stands where other commands have the body."""
+
+    body: Annotated[
+        str | None,
+        typer.Option(
+            help="A name from [bold]rimroll bodies[/], or a scenario file (.toml); the paper's can,"
+            " can_2007, unless given.",
+            metavar="BODY",
+            rich_help_panel="Body",
+            show_default=False,
+        ),
+    ] = None
+
+
+AnglesArgument = Annotated[
+    Path,
+    typer.Argument(
+        help="Directions of fall in degrees, counted anticlockwise from the direction of the first"
+        " lean: one column; or two, the first lean and the fall; or what topple wrote (.csv).",
+        metavar="FILE",
+    ),
+]
+BiasOption = Annotated[
+    str | None, typer.Option(help="Take the bias as known. \\[fitted]", metavar="ANGLE")
+]
+ErrorOption = Annotated[
+    str, typer.Option(help="Standard deviation of reading a direction.", metavar="ANGLE")
+]
+ConfidenceOption = Annotated[
+    str, typer.Option(help="Of the intervals and verdicts.", metavar="PART")
+]
+GravityOption = Annotated[
+    str | None,
+    typer.Option(help="The paper used 9.8. [9.80665 m/s^2]", metavar="ACCELERATION"),
+]
+OutputOption = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        help="Write the figure (.png, .svg, .pdf) or the numbers (.json); may be repeated.",
+        metavar="FILE",
+        rich_help_panel="Output",
+    ),
+]
+
+
+def fit(
+    angles: AnglesArgument,
+    body: BodyByOption,
+    hand: ReleaseOptions,
+    gravity: GravityOption = None,
+    bias: BiasOption = None,
+    reading_error: ErrorOption = "2deg",
+    confidence: ConfidenceOption = "95%",
+    radians: Annotated[bool, typer.Option("--radians", help="Angles are in radians.")] = False,
+    clockwise: Annotated[
+        bool, typer.Option("--clockwise", help="Angles grow clockwise, as on a compass.")
+    ] = False,
+    output: OutputOption = None,
+    json: JsonOption = False,
+) -> int:
+    """The friction of a table from the directions in which a body fell on it.
+
+    Falls simulated at every friction are held against the measured ones.
+    Give the release roughly as it was: from what tilt, how fast.
+    How unsteady the hand was is found from the falls.
+
+    Examples:
+
+    $ rimroll fit angles.csv
+
+    $ rimroll fit angles.csv --body my_can.toml --tilt 20deg -o fit.svg
+
+    $ rimroll fit examples/falls_of_the_paper.csv --release paper --gravity 9.8
+    """
+    files = output or []
+    _check(files)
+    directions = read_angles(angles, radians=radians, clockwise=clockwise)
+    motion = MotionOptions(gravity=gravity)
+    what = asked(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
+    release = release_asked(hand, what)
+    with working("falls at each friction") as bar:
+        found = fit_directions(
+            what.body,
+            directions,
+            release,
+            gravity=what.options.gravity,
+            reading_error=quantity(reading_error, "rad", "--reading-error"),
+            bias=None if bias is None else quantity(bias, "rad", "--bias"),
+            confidence=quantity(confidence, "1", "--confidence"),
+            progress=lambda done, total: bar(done, total, ""),
+        )
+    answer = {
+        "body": what.name,
+        "file": str(angles),
+        **found.to_dict(),
+        "gravity": what.options.gravity,
+        "reading_error": found.predicted.reading_error,
+        **release.parameters(),
+        "rimroll_version": __version__,
+    }
+    for file in files:
+        _write(file, found, answer)
+    if json:
+        show_json(answer)
+    else:
+        say(body_line(what.name, what.body))
+        _show(found, release)
+        for file in files:
+            say(f"wrote {file}")
+    return 0
+
+
+def _check(files: list[Path]) -> None:
+    """Before the work, not after."""
+    for file in files:
+        if file.suffix.lower() not in (*PICTURES, NUMBERS):
+            known = ", ".join((*PICTURES, NUMBERS))
+            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
+        ensure_folder(file.parent)
+
+
+def _write(file: Path, found: Fit, answer: dict[str, Any]) -> None:
+    from rimroll.style import figure_style
+
+    try:
+        with writing(file) as part:
+            if file.suffix.lower() == NUMBERS:
+                text = notation.dumps(plain(answer), indent=2, ensure_ascii=False, allow_nan=False)
+                part.write_text(text + "\n", encoding="utf-8")
+            else:
+                figure = found.plot()
+                with figure_style():
+                    figure.savefig(part)
+    except OSError as error:
+        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
+
+
+def _show(found: Fit, release: Release) -> None:
+    say(release_line(release))
+    say()
+    say(_falls_line(found))
+    say()
+    per_cent = f"{100.0 * found.confidence:g} %"
+    rows = table("", "best", per_cent)
+    rows.add_row("friction", *_estimate(found.friction))
+    if found.bias_interval is None:
+        rows.add_row("bias, taken as known", _degrees(found.bias), "")
+    else:
+        low, high = map(_degrees, found.bias_interval)
+        rows.add_row("bias, anticlockwise", _degrees(found.bias), f"{low} to {high}")
+    rows.add_row("unsteadiness of the hand", f"{found.unsteadiness:.2f} of the release's", "")
+    for side, one in (("left", found.left), ("right", found.right)):
+        if one is not None and found.bias_interval is not None:
+            rows.add_row(f"friction, falls to the {side} alone", *_estimate(one))
+    say(rows)
+    say()
+    for verdict in found.verdicts:
+        say(verdict.sentence)
+    if found.friction.open_above:
+        most = found.friction.most
+        say(f"From friction {most:.3g} on the rim never slips, and more changes nothing.")
+
+
+def _falls_line(found: Fit) -> str:
+    """How many fell to each side, and where."""
+    parts = []
+    for side, there in (
+        ("left", found.directions > math.pi),
+        ("right", found.directions <= math.pi),
+    ):
+        some = np.degrees(found.directions[there])
+        if some.size:
+            spread = f" ± {some.std(ddof=1):.1f}°" if some.size > 1 else ""
+            parts.append(f"{some.size} to the {side} at {some.mean():.1f}°{spread}")
+    return f"{len(found.directions)} falls: " + ", ".join(parts)
+
+
+def _estimate(one: Estimate) -> tuple[str, str]:
+    return f"{one.friction:.3f}", one.in_words
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):.1f}°"

@@ -1,0 +1,279 @@
+"""``rimroll map``: left or right, over a plane of starts."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+
+from rimroll.cli.asked import Asked, asked
+from rimroll.cli.contact import in_words
+from rimroll.cli.options import (
+    BodyOptions,
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
+from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.turn import body_line, is_ideal
+from rimroll.errors import RimrollError
+from rimroll.names import typed
+from rimroll.output import ensure_folder, writing
+from rimroll.release import Release
+from rimroll.sensitivity import turn_map, watershed_slope
+from rimroll.state import State
+from rimroll.theory import turn_limit
+from rimroll.units import quantity
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+MOST_POINTS = 3000
+"""Of a map, each way: nine million falls."""
+
+RTOL = 1e-6
+"""Unless told otherwise: a turn is right to 1e-4 degrees."""
+
+
+@dataclass(frozen=True)
+class PlaneOptions:
+    """The plane of starts."""
+
+    tilt: Annotated[
+        str | None,
+        typer.Option(
+            help="Tilt at the start. \\[that of a flick that topples the body]",
+            metavar="ANGLE",
+            rich_help_panel="Start",
+        ),
+    ] = None
+    tilt_rate: Annotated[
+        str | None,
+        typer.Option(
+            help="Negative while falling toward upright. \\[that of the flick; with --tilt: 0]",
+            metavar="RATE",
+            rich_help_panel="Start",
+        ),
+    ] = None
+    yaw_rates: Annotated[
+        str,
+        typer.Option(
+            help="From left to right, such as -30..30deg/s.",
+            metavar="RANGE",
+            rich_help_panel="Start",
+        ),
+    ] = "-1..1"
+    spin_rates: Annotated[
+        str, typer.Option(help="From bottom to top.", metavar="RANGE", rich_help_panel="Start")
+    ] = "-1..1"
+    points: Annotated[
+        int,
+        typer.Option(
+            help="Starts of the map, each way.", metavar="NUMBER", rich_help_panel="Start"
+        ),
+    ] = 120
+
+
+MapOutputOption = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        help="Write a file; may be repeated. Its suffix says what: .png, .svg or .pdf a picture,"
+        " .nc or .csv numbers.",
+        metavar="FILE",
+        rich_help_panel="Output",
+    ),
+]
+
+
+def map(
+    body: BodyOptions,
+    plane: PlaneOptions,
+    motion: MotionOptions,
+    law: LawOptions,
+    resistances: ResistanceOptions,
+    output: MapOutputOption = None,
+    json: JsonOption = False,
+) -> int:
+    """Left or right: the direction of fall over a plane of yaw and spin rates.
+
+    A body let go without either comes down flat; the least of them decides.
+    Unless told otherwise it is flicked so that it topples over.
+
+    Examples:
+
+    $ rimroll map -o left_or_right.svg
+
+    $ rimroll map --friction 0.15 --tilt 20deg --tilt-rate -5rad/s
+
+    $ rimroll map soda_can --yaw-rates -0.1..0.1 --points 50 -o near.nc
+    """
+    files = output or []
+    for file in files:
+        if file.suffix.lower() not in _FORMATS:
+            known = ", ".join(_FORMATS)
+            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
+        ensure_folder(file.parent)
+    if not 2 <= plane.points <= MOST_POINTS:
+        raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {plane.points}")
+    yaw = rates(plane.yaw_rates, plane.points, "--yaw-rates")
+    spin = rates(plane.spin_rates, plane.points, "--spin-rates")
+    start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
+    what = asked(body, start, motion, law, resistances)
+    what = replace(what, start=what.start or _flick(what))
+    falls = _follow(what, yaw, spin, motion.rtol or RTOL)
+    for file in files:
+        _write(file, falls)
+    if json:
+        show_json({**summary(what, falls), "files": [str(file) for file in files]})
+    else:
+        _show(what, falls, files)
+    return int(bool(np.any(falls.outcome.values == "failed")))
+
+
+def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """The rates of a range such as ``-30..30deg/s``, rad/s, evenly from one end to the other."""
+    first, dots, last = text.partition("..")
+    if not dots:
+        raise RimrollError(f"{option} must be a range such as -1..1 or -30..30deg/s, got {text!r}")
+    if first.strip()[-1:].isdigit():  # the unit behind the second goes for both
+        first += last.strip().lstrip("+-−0123456789.eE")
+    low, high = quantity(first, "rad/s", option), quantity(last, "rad/s", option)
+    if not low < high:
+        raise RimrollError(f"{option} must rise, got {text!r}")
+    return np.linspace(low, high, points)
+
+
+def _flick(what: Asked) -> State:
+    release = Release.named("flick", what.body, what.options.gravity)
+    return State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
+
+
+def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> xr.Dataset:
+    assert what.start is not None
+    options = what.options
+    with working(f"letting {what.name} fall") as bar:
+        return turn_map(
+            what.body,
+            what.start,
+            what.law,
+            yaw,
+            spin,
+            gravity=options.gravity,
+            duration=options.duration,
+            rtol=rtol,
+            topple_tilt=options.topple_tilt,
+            max_steps=options.max_steps,
+            progress=lambda done, total: bar(done, total, ""),
+        )
+
+
+def summary(what: Asked, falls: xr.Dataset) -> dict[str, Any]:
+    """What there is to say about a map, short of its falls."""
+    rose = np.isin(falls.outcome.values, ["toppled", "rocked"])
+    directions = falls.direction.values[rose]
+    left, right = directions[directions > np.pi], directions[directions < np.pi]
+    ideal = is_ideal(what.law) and not what.law.resistances
+    tilt = falls.attrs["start_tilt"]
+    theory = ideal and tilt < 0.5 * math.pi
+    return {
+        "parameters": falls.attrs,
+        "yaw_rates": [float(falls.yaw_rate[k]) for k in (0, -1)],
+        "spin_rates": [float(falls.spin_rate[k]) for k in (0, -1)],
+        "outcomes": dict(Counter(falls.outcome.values.ravel().tolist())),
+        "left": _range(left),
+        "right": _range(right),
+        "nearest_to_opposite": float(np.abs(directions - np.pi).min()) if len(directions) else None,
+        "watershed_slope": watershed_slope(what.body, tilt, what.law) if theory else None,
+        "jump": _jump(turn_limit(what.body, what.law)) if ideal else None,
+    }
+
+
+def _jump(limit: float) -> float:
+    """The angle between turns by as much to the left and to the right, up to half a turn."""
+    return abs(math.remainder(2.0 * limit, 2.0 * math.pi))
+
+
+def _range(directions: Any) -> dict[str, Any]:
+    ends = [float(directions.min()), float(directions.max())] if len(directions) else None
+    return {"falls": len(directions), "directions": ends}
+
+
+def _show(what: Asked, falls: xr.Dataset, files: list[Path]) -> None:
+    found, told = summary(what, falls), falls.attrs
+    say(body_line(what.name, what.body))
+    tilt, rate = angle(told["start_tilt"]), told["start_tilt_rate"]
+    say(f"{in_words(what.law)}; from tilt {tilt} at {rate:.4g} rad/s; {falls.outcome.size} starts:")
+    for name in ("yaw_rates", "spin_rates"):
+        low, high = found[name]
+        say(f"{name.replace('_', ' ')} from {low:g} to {high:g} rad/s")
+    say()
+    rows = table("", "falls", "least direction", "largest")
+    for side in ("left", "right"):
+        ends = found[side]["directions"]
+        rows.add_row(f"to the {side}", str(found[side]["falls"]), *([angle(e) for e in ends or ()]))
+    for outcome, count in found["outcomes"].items():
+        if outcome not in ("toppled", "rocked"):
+            rows.add_row(typed(outcome), str(count))
+    say(rows)
+    say()
+    if found["nearest_to_opposite"] is not None:
+        say(f"the fall nearest to straight opposite is {angle(found['nearest_to_opposite'])} off")
+    if found["watershed_slope"] is not None:
+        say(f"left and right part where the yaw rate is {found['watershed_slope']:.4f} spin rate;")
+        say(f"there the direction jumps by {angle(found['jump'])}")
+    for file in files:
+        say(f"wrote {file}")
+
+
+def _write(file: Path, falls: xr.Dataset) -> None:
+    try:
+        with working(f"writing {file.name}"), writing(file) as part:
+            _FORMATS[file.suffix.lower()](part, falls)
+    except OSError as error:
+        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
+
+
+def _picture(part: Path, falls: xr.Dataset) -> None:
+    from rimroll.map_plot import map_figure  # brings matplotlib, which is slow to load
+    from rimroll.style import figure_style
+
+    figure = map_figure(falls)
+    with figure_style():
+        figure.savefig(part, dpi=300)
+
+
+def _netcdf(part: Path, falls: xr.Dataset) -> None:
+    falls.to_netcdf(part, engine="scipy")
+
+
+def _csv(part: Path, falls: xr.Dataset) -> None:
+    """One line of ``name[unit]``, comments with the parameters, and a row a start."""
+    spin, yaw = np.meshgrid(falls.spin_rate.values, falls.yaw_rate.values, indexing="ij")
+    columns = {"yaw_rate[rad/s]": yaw, "spin_rate[rad/s]": spin}
+    for name, values in falls.data_vars.items():
+        unit = values.attrs.get("units")
+        columns[f"{name}[{unit}]" if unit else str(name)] = values.values
+    rows = zip(*(values.ravel().tolist() for values in columns.values()), strict=True)
+    with part.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(",".join(columns) + "\n")
+        file.writelines(f"# {name} = {value}\n" for name, value in falls.attrs.items())
+        file.writelines(",".join([str(value) for value in row]) + "\n" for row in rows)
+
+
+_FORMATS: dict[str, Callable[[Path, xr.Dataset], None]] = {
+    ".png": _picture,
+    ".svg": _picture,
+    ".pdf": _picture,
+    ".nc": _netcdf,
+    ".csv": _csv,
+}

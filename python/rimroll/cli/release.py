@@ -1,0 +1,106 @@
+"""How a hand lets go, as commands ask for it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields, replace
+from typing import Annotated, Any
+
+import typer
+
+from rimroll import release as releases
+from rimroll.cli.asked import Asked
+from rimroll.cli.contact import option
+from rimroll.errors import RimrollError
+from rimroll.release import Release
+from rimroll.units import quantity, tilt_angle
+
+Text = str | None
+
+
+def _given(help: str, metavar: str, panel: str) -> Any:
+    return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
+
+
+NAMES = ", ".join(name.replace(" ", "-") for name in releases.PRESETS)
+
+RATE = "RATE"
+
+
+@dataclass(frozen=True)
+class ReleaseOptions:
+    """How the hand lets go, and how much that scatters."""
+
+    release: Annotated[
+        str,
+        _given(f"{NAMES}; the options below change parts of it.", "NAME", "Release"),
+    ] = "flick"
+    tilt: Annotated[Text, _given("Mean tilt.", "ANGLE", "Release")] = None
+    tilt_spread: Annotated[
+        Text, _given("Standard deviation, as of all spreads.", "ANGLE", "Release")
+    ] = None
+    tilt_rate: Annotated[
+        Text, _given("Mean tilt rate; negative: flicked upright.", RATE, "Release")
+    ] = None
+    tilt_rate_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
+    sideways: Annotated[
+        Text,
+        _given(
+            "Rate about the line of lean: the error of aim times the tilt rate.", RATE, "Release"
+        ),
+    ] = None
+    sideways_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
+    twist: Annotated[Text, _given("Rate about the vertical.", RATE, "Release")] = None
+    twist_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
+    grip_spread: Annotated[
+        Text,
+        _given("Spread of the law's friction, as a part of it: 0.1 or 10%.", "PART", "Release"),
+    ] = None
+    unsteady: Annotated[
+        Text, _given("Multiply the spreads of sideways and twist.", "FACTOR", "Release")
+    ] = None
+
+
+def release_asked(hand: ReleaseOptions, what: Asked) -> Release:
+    """The preset with what options change of it.
+
+    Raises ``RimrollError`` naming the option that is at fault.
+    """
+    release = Release.named(hand.release, what.body, what.options.gravity)
+    for field in fields(Release):
+        unit = {"tilt": "rad", "grip": "1"}.get(field.name, "rad/s")
+        mean, spread = getattr(release, field.name)
+        if (text := getattr(hand, field.name, None)) is not None:
+            read = tilt_angle if field.name == "tilt" else _rate
+            mean = read(text, option(field.name))
+        if (text := getattr(hand, f"{field.name}_spread")) is not None:
+            spread = quantity(text, unit, option(f"{field.name}_spread"))
+        try:
+            release = replace(release, **{field.name: (mean, spread)})
+        except RimrollError as error:
+            raise RimrollError(f"{option(field.name)}: {error}") from None
+    if hand.unsteady is None:
+        return release
+    factor = quantity(hand.unsteady, "1", "--unsteady")
+    if factor < 0.0:
+        raise RimrollError(f"--unsteady must be >= 0, got {factor:g}")
+    return release.unsteady(factor)
+
+
+def _rate(text: str, name: str) -> float:
+    return quantity(text, "rad/s", name)
+
+
+def release_line(release: Release) -> str:
+    """A release in one line: means ± standard deviations."""
+    tilt, spread = map(math.degrees, release.tilt)
+    rates = ", ".join(
+        f"{name} {mean:.3g} ± {deviation:.2g}"
+        for name, (mean, deviation) in (
+            ("tilt", release.tilt_rate),
+            ("sideways", release.sideways),
+            ("twist", release.twist),
+        )
+    )
+    grip = f"; grip ± {100.0 * release.grip[1]:.2g} %" if release.grip[1] else ""
+    return f"from tilt {tilt:.3g}° ± {spread:.2g}°, rates of {rates} rad/s{grip}"

@@ -1,0 +1,240 @@
+"""``rimroll topple``: one flick after another by hand, and where the body falls."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+
+from rimroll.cli import falls as files
+from rimroll.cli.asked import Asked, asked
+from rimroll.cli.contact import in_words
+from rimroll.cli.options import (
+    BodyOptions,
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
+from rimroll.cli.release import ReleaseOptions, release_asked, release_line
+from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.turn import body_line
+from rimroll.ensemble import Interrupted
+from rimroll.names import typed
+from rimroll.release import Release
+from rimroll.scenario import MOST_STEPS
+from rimroll.toppling import counted, limits
+from rimroll.toppling import topple as let_go
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+@dataclass(frozen=True)
+class FallOptions(MotionOptions):
+    """How long and how exactly to follow each fall."""
+
+    duration: Annotated[
+        str | None,
+        typer.Option(
+            help="Longest to follow a fall. [10 s]", metavar="TIME", rich_help_panel="Motion"
+        ),
+    ] = None
+    rtol: Annotated[
+        float | None,
+        typer.Option(
+            help="Relative error to aim at. [1e-6]", metavar="NUMBER", rich_help_panel="Motion"
+        ),
+    ] = None
+    max_steps: Annotated[
+        int | None,
+        typer.Option(
+            help="Most steps of the solver for a fall. [100000]",
+            metavar="NUMBER",
+            min=1,
+            max=MOST_STEPS,
+            rich_help_panel="Motion",
+        ),
+    ] = None
+
+
+NumberOption = Annotated[
+    int, typer.Option("--number", "-n", help="How many times. The paper: 42.", metavar="NUMBER")
+]
+SeedOption = Annotated[
+    int | None,
+    typer.Option(help="Of the scatter: the same falls again. \\[by chance]", metavar="NUMBER"),
+]
+ThreadsOption = Annotated[
+    int | None,
+    typer.Option(help="Processors to use; nothing else hangs on it. \\[all]", metavar="NUMBER"),
+]
+FallsOption = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--output",
+        "-o",
+        help="Write the falls (.csv, .nc, .json) or draw where they went (.png, .svg, .pdf);"
+        " may be repeated.",
+        metavar="FILE",
+        rich_help_panel="Output",
+    ),
+]
+
+
+def topple(
+    body: BodyOptions,
+    hand: ReleaseOptions,
+    motion: FallOptions,
+    law: LawOptions,
+    resistances: ResistanceOptions,
+    number: NumberOption = 42,
+    seed: SeedOption = None,
+    threads: ThreadsOption = None,
+    output: FallsOption = None,
+    json: JsonOption = False,
+) -> int:
+    """Where a body falls, flicked again and again by an unsteady hand.
+
+    The paper's experiment: flicked 42 times, its can fell to left and right,
+    never straight ahead. Directions count anticlockwise from the first lean.
+    Of a scenario file, body, law, gravity and topple tilt are used.
+    Ctrl-C keeps the falls done so far.
+
+    Examples:
+
+    $ rimroll topple
+
+    $ rimroll topple --release paper --friction 0.15 -o falls.svg -o falls.csv
+
+    $ rimroll topple soda_can -n 1000 --surface wood --unsteady 2
+
+    $ rimroll topple coin --release let-go --twist-spread 3deg/s
+    """
+    paths = output or []
+    files.check(paths)
+    what = asked(body, StartOptions(), motion, law, resistances)
+    release = release_asked(hand, what)
+    falls, cut_short = _fall(what, motion, release, number, seed, threads)
+    for path in paths:
+        with working(f"writing {path.name}"):
+            files.write(path, falls)
+    if json:
+        show_json(_answer(falls, paths))
+    else:
+        _show(what, release, falls, paths)
+    if cut_short:
+        return 130
+    return int(bool((falls["outcome"] == "failed").all()))
+
+
+def _fall(
+    what: Asked,
+    motion: FallOptions,
+    release: Release,
+    number: int,
+    seed: int | None,
+    threads: int | None,
+) -> tuple[xr.Dataset, bool]:
+    """The falls, and whether Ctrl-C cut them short."""
+    options = {name: getattr(what.options, name) for name in ("gravity", "topple_tilt")}
+    for name in ("duration", "rtol", "max_steps"):
+        if getattr(motion, name) is not None:
+            options[name] = getattr(what.options, name)
+    named = {"body": what.name}
+    with working(f"{what.name} falls") as bar:
+        try:
+            falls = let_go(
+                what.body,
+                what.law,
+                number,
+                release,
+                seed,
+                **options,
+                threads=threads,
+                progress=lambda done, total: bar(done, total, f"{done} of {total}"),
+            )
+        except Interrupted as interrupted:
+            falls = interrupted.done
+            named["interrupted"] = f"after {falls.sizes['trial']} of {number} falls"
+    return falls.assign_attrs(named | falls.attrs), "interrupted" in named
+
+
+@dataclass(frozen=True)
+class Side:
+    """The falls that went round one way: rad."""
+
+    count: int
+    mean_turn: float
+    deviation: float
+    direction: float
+
+    @property
+    def side(self) -> str:
+        """Where they ended up, as the hand sees it that flicks the body away from itself."""
+        return "left" if self.direction > math.pi else "right"
+
+
+def _sides(falls: xr.Dataset) -> dict[str, Side]:
+    """The falls that count, by the way in which the contact point ran round."""
+    turns = falls["turn"].sel(trial=counted(falls)[0]["trial"]).values
+    both = {"anticlockwise": turns[turns > 0.0], "clockwise": turns[turns < 0.0]}
+    return {way: _side(some) for way, some in both.items() if some.size}
+
+
+def _side(turns: Any) -> Side:
+    mean = float(turns.mean())
+    deviation = float(np.std(turns, ddof=1)) if turns.size > 1 else math.nan
+    return Side(turns.size, abs(mean), deviation, mean % (2.0 * math.pi))
+
+
+def _answer(falls: xr.Dataset, paths: list[Path]) -> dict[str, Any]:
+    return {
+        "parameters": falls.attrs,
+        "number": falls.sizes["trial"],
+        "outcomes": _outcomes(falls),
+        "counted": counted(falls)[1],
+        "sides": {way: {**asdict(one), "side": one.side} for way, one in _sides(falls).items()},
+        "turn_limit": limits(falls),
+        "files": [str(path) for path in paths],
+    }
+
+
+def _outcomes(falls: xr.Dataset) -> dict[str, int]:
+    return dict(Counter(map(str, falls["outcome"].values.tolist())).most_common())
+
+
+def _show(what: Asked, release: Release, falls: xr.Dataset, paths: list[Path]) -> None:
+    say(body_line(what.name, what.body))
+    say(f"{in_words(what.law)}; gravity {what.options.gravity:g} m/s²")
+    say(release_line(release))
+    say()
+    told = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
+    say(f"{falls.sizes['trial']} falls: {told}; seed {falls.attrs['seed']}")
+    say()
+    _show_sides(falls)
+    if "interrupted" in falls.attrs:
+        say(f"interrupted {falls.attrs['interrupted']}")
+    for path in paths:
+        say(f"wrote {path}")
+
+
+def _show_sides(falls: xr.Dataset) -> None:
+    sides, word = _sides(falls), counted(falls)[1]
+    rows = table(f"{word}, having turned", "count", "mean turn", "s.d.", "so at")
+    for way, one in sides.items():
+        deviation = "" if math.isnan(one.deviation) else angle(one.deviation)
+        where = f"{math.degrees(one.direction):.1f}°, {one.side}"
+        rows.add_row(way, str(one.count), angle(one.mean_turn), deviation, where)
+    for law, limit in limits(falls).items():
+        rows.add_row(f"limit, {typed(law)}", "", angle(limit), "", "")
+    say(rows)
+    if not sides:
+        say("None came down, so there is no direction to tell.")
+    say()

@@ -1,0 +1,11 @@
+"""The friction of a table from directions of fall.
+
+`angles` reads them, `predicted` computes how they scatter at each friction, `likelihood` holds them
+against that, `verdict` says what they exclude, `fit` puts it together and `figure` draws it.
+"""
+
+from rimroll.fitting.angles import directions_of_summary, read_angles
+from rimroll.fitting.fit import Fit, fit
+from rimroll.fitting.predicted import Predicted, predict_falls
+
+__all__ = ["Fit", "Predicted", "directions_of_summary", "fit", "predict_falls", "read_angles"]

@@ -1,0 +1,336 @@
+"""The friction of a table, the bias of a hand, and what the directions of fall exclude."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError, expect, number
+from rimroll.fitting.likelihood import FEWEST_OF_A_SIDE, MOST_BIAS, MOST_LOGIT, Likelihood, Point
+from rimroll.fitting.predicted import TURN, Predicted, predict_falls
+from rimroll.fitting.verdict import Verdict, of_hypothesis, of_shape
+from rimroll.release import Release
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float]
+
+FEWEST = 8
+"""Falls that a fit needs."""
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """A coefficient of friction, and the set of those that the data do not exclude.
+
+    ``intervals`` are (low, high), in order; there may be several, since two frictions may turn a
+    body by the same angle. One that ends at 0, or at ``most``, is open there: at ``most`` the rim
+    never slips, and more friction changes nothing. ``deviance`` (f,) is twice the loss of log
+    likelihood at ``frictions`` (f,), and ``limit`` its value at the ends of the intervals.
+    """
+
+    friction: float
+    intervals: tuple[Interval, ...]
+    most: float
+    frictions: Array = field(repr=False)
+    deviance: Array = field(repr=False)
+    limit: float = field(repr=False)
+
+    def __str__(self) -> str:
+        return f"{self.friction:.3f} ({self.in_words})"
+
+    @property
+    def open_above(self) -> bool:
+        """Whether the data set no upper bound: the rim may not have slipped at all."""
+        return self.intervals[-1][1] >= self.most
+
+    @property
+    def in_words(self) -> str:
+        """The intervals as ``0.11 to 0.16`` or ``above 0.31``."""
+        return " or ".join(self._interval(*interval) for interval in self.intervals)
+
+    def _interval(self, low: float, high: float) -> str:
+        from_none, to_most = low <= 0.0, high >= self.most
+        if from_none and to_most:
+            return "any friction"
+        if from_none:
+            return f"below {high:.3f}"
+        return f"above {low:.3f}" if to_most else f"{low:.3f} to {high:.3f}"
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What directions of fall say of the table and the hand.
+
+    Attributes
+    ----------
+    friction
+        The coefficient of dry friction, an :class:`Estimate`.
+    bias
+        By how much all directions are turned, rad, anticlockwise: what tells left from right.
+    bias_interval
+        The biases not excluded, rad; None where the bias was given.
+    unsteadiness
+        Scatter of the release's ``sideways`` and ``twist`` over what the release says.
+    left_share
+        The chance of a fall to the left.
+    left, right
+        The estimate from the falls to one side alone, without a bias; None where there are too few.
+    verdicts
+        What the data exclude.
+    confidence
+        Of the intervals and verdicts.
+    directions, predicted
+        The data (n,), rad, and what they were held against.
+    """
+
+    friction: Estimate
+    bias: float
+    bias_interval: Interval | None
+    unsteadiness: float
+    left_share: float
+    left: Estimate | None
+    right: Estimate | None
+    verdicts: tuple[Verdict, ...]
+    confidence: float
+    directions: Array = field(repr=False)
+    predicted: Predicted = field(repr=False)
+    best: Point = field(repr=False)
+
+    def density(self, angles: ArrayLike) -> Array:
+        """The fitted density of a direction, per rad, at angles (rad)."""
+        return Likelihood(self.predicted, self.directions).density(
+            np.asarray(angles, np.float64), self.best
+        )
+
+    def plot(self) -> Figure:
+        """The predicted histogram over the measured one, and how well each friction suits."""
+        from rimroll.fitting.figure import fit_figure
+
+        return fit_figure(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Numbers and sentences, in SI units and radians."""
+        return {
+            "falls": len(self.directions),
+            "confidence": self.confidence,
+            "friction": self.friction.friction,
+            "friction_intervals": self.friction.intervals,
+            "friction_of_no_slip": self.friction.most,
+            "bias": self.bias,
+            "bias_interval": self.bias_interval,
+            "unsteadiness": self.unsteadiness,
+            "left_share": self.left_share,
+            **{
+                f"{name}_alone": side and {"friction": side.friction, "intervals": side.intervals}
+                for name, side in (("left", self.left), ("right", self.right))
+            },
+            "verdicts": [vars(verdict) for verdict in self.verdicts],
+        }
+
+
+def fit(
+    body: Body,
+    directions: ArrayLike,
+    release: Release | str = "flick",
+    *,
+    gravity: float = _core.STANDARD_GRAVITY,
+    reading_error: float = math.radians(2.0),
+    bias: float | None = None,
+    confidence: float = 0.95,
+    predicted: Predicted | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Fit:
+    """Find the friction of a table from directions in which a body fell.
+
+    Falls are simulated at every friction with the scatter of the release, the unsteadiness of the
+    hand left open, and the directions held against them by maximum likelihood (see
+    :mod:`rimroll.fitting.likelihood`).
+
+    Parameters
+    ----------
+    body
+        What was flicked.
+    directions
+        Directions of fall (n,), rad, counted anticlockwise from the direction of the first lean; at
+        least 8. :func:`rimroll.read_angles` reads them from a file.
+    release, gravity
+        How it was flicked: see :func:`rimroll.topple`. Tilt and tilt rate matter, since a rim may
+        slide before the base arrives.
+    reading_error
+        Standard deviation of reading a direction, rad.
+    bias
+        Rotation of all directions, rad; found from the data unless given.
+    confidence
+        Of intervals and verdicts.
+    predicted
+        What :func:`rimroll.predict_falls` gave, to be used again; the release, gravity and
+        reading error are then its own.
+    threads, progress
+        As for :func:`rimroll.predict_falls`.
+
+    With fewer than 3 falls to one side a bias cannot be told from friction, and is taken for 0.
+
+    Raises ``RimrollError`` for too few falls and numbers outside their bounds.
+    """
+    expect("body", body, Body)
+    data = _checked(directions)
+    expect("predicted", predicted, Predicted | None)
+    confidence = number("confidence", confidence)
+    if not 0.5 <= confidence <= 0.9999:
+        raise RimrollError(f"confidence must be between 0.5 and 0.9999, got {confidence}")
+    if bias is not None:
+        bias = number("bias", bias)
+        if not abs(bias) <= TURN:
+            raise RimrollError(f"bias must be between -2 pi and 2 pi, got {bias} rad")
+    if predicted is None:
+        predicted = predict_falls(
+            body,
+            release,
+            gravity=gravity,
+            reading_error=reading_error,
+            threads=threads,
+            progress=progress,
+        )
+    elif predicted.body != body:
+        raise RimrollError("predicted was computed for another body")
+    lefts, rights = data[data > math.pi], data[data <= math.pi]
+    likelihood = Likelihood(predicted, data)
+    if bias is None and not likelihood.has_both_sides:
+        bias = 0.0
+    fixed = {} if bias is None else {"bias": bias}
+    friction, best = estimate(likelihood, confidence, fixed)
+    return Fit(
+        friction=friction,
+        bias=best.bias,
+        bias_interval=_bias_interval(likelihood, best, confidence) if bias is None else None,
+        unsteadiness=best.unsteadiness,
+        left_share=best.left_share,
+        left=_alone(predicted, lefts, confidence, +1.0),
+        right=_alone(predicted, rights, confidence, -1.0),
+        verdicts=tuple(_verdicts(likelihood, best, confidence, fixed)),
+        confidence=confidence,
+        directions=data,
+        predicted=predicted,
+        best=best,
+    )
+
+
+def estimate(
+    likelihood: Likelihood, confidence: float, fixed: dict[str, float]
+) -> tuple[Estimate, Point]:
+    """The friction, with every other parameter profiled that is not fixed."""
+    from scipy.optimize import brentq
+
+    best = likelihood.best(**fixed)
+    points = {best.friction: best}
+    for friction in likelihood.predicted.frictions.tolist():
+        point = likelihood.best(**fixed, friction=friction)
+        points[friction] = point
+        best = max(best, point, key=lambda one: one.log_likelihood)
+    for start in _tops([points[friction] for friction in sorted(points)]):
+        point = likelihood.climb(start, fixed)
+        points[point.friction] = point
+        best = max(best, point, key=lambda one: one.log_likelihood)
+    limit = likelihood.most(confidence)
+
+    def beyond(friction: float) -> float:
+        point = points.get(friction) or likelihood.best(**fixed, friction=friction)
+        return likelihood.worse(point, best) - limit
+
+    grid = np.array(sorted(points))
+    over = np.array([beyond(friction) for friction in grid.tolist()])
+    ends = [] if over[0] > 0.0 else [float(grid[0])]
+    for i in np.flatnonzero((over[1:] > 0.0) != (over[:-1] > 0.0)):
+        ends.append(float(brentq(beyond, grid[i], grid[i + 1], xtol=1e-5)))
+    ends += [] if over[-1] > 0.0 else [float(grid[-1])]
+    intervals = tuple(zip(ends[::2], ends[1::2], strict=True))
+    most = float(likelihood.predicted.frictions[-1])
+    return Estimate(best.friction, intervals, most, grid, over + limit, limit), best
+
+
+def _tops(points: list[Point]) -> list[Point]:
+    """Those that are above their neighbours: between them more data may see more than one hill."""
+    heights = np.array([-math.inf, *(point.log_likelihood for point in points), -math.inf])
+    above = (heights[1:-1] >= heights[:-2]) & (heights[1:-1] >= heights[2:])
+    return [points[i] for i in np.flatnonzero(above)]
+
+
+def _alone(
+    predicted: Predicted, directions: Array, confidence: float, side: float
+) -> Estimate | None:
+    """From the falls to one side (+1: left), which cannot tell a bias."""
+    if len(directions) < FEWEST_OF_A_SIDE:
+        return None
+    likelihood = Likelihood(predicted, directions)
+    return estimate(likelihood, confidence, {"bias": 0.0, "logit": side * MOST_LOGIT})[0]
+
+
+def _bias_interval(likelihood: Likelihood, best: Point, confidence: float) -> Interval:
+    from scipy.optimize import brentq
+
+    limit = likelihood.most(confidence)
+
+    def beyond(bias: float) -> float:
+        return likelihood.worse(likelihood.best(bias=bias), best) - limit
+
+    def end(sign: float) -> float:
+        step, inside = math.radians(1.0), best.bias
+        while abs(inside) < MOST_BIAS:
+            outside = min(max(best.bias + sign * step, -MOST_BIAS), MOST_BIAS)
+            if beyond(outside) > 0.0:
+                return float(brentq(beyond, inside, outside, xtol=1e-5))
+            inside, step = outside, 2.0 * step
+        return inside
+
+    return end(-1.0), end(1.0)
+
+
+def _verdicts(
+    likelihood: Likelihood, best: Point, confidence: float, fixed: dict[str, float]
+) -> list[Verdict]:
+    low, high = likelihood.predicted.frictions[[0, -1]].tolist()
+    found = [
+        of_hypothesis(
+            likelihood, name, likelihood.best(**fixed, friction=friction), best, confidence
+        )
+        for name, friction in (("rolling without slip", high), ("sliding without friction", low))
+    ]
+    if "bias" not in fixed:
+        name = "dry friction without a bias, whatever its coefficient"
+        unbiased = likelihood.best(bias=0.0)
+        found.append(of_hypothesis(likelihood, name, unbiased, best, confidence))
+    return [*found, of_shape(likelihood, best, confidence)]
+
+
+def _checked(directions: ArrayLike) -> Array:
+    try:
+        data = np.asarray(directions)
+    except ValueError:
+        raise RimrollError("directions must be a flat array of angles, got a ragged one") from None
+    if data.ndim != 1 or (data.size and data.dtype.kind not in "iuf"):
+        raise RimrollError(
+            f"directions must be a flat array of angles, got shape {data.shape} of {data.dtype}"
+        )
+    if len(data) < FEWEST:
+        raise RimrollError(
+            f"a fit needs at least {FEWEST} falls, got {len(data)}: from fewer, friction and "
+            f"scatter cannot be told apart"
+        )
+    bad = data[~(np.abs(data) <= 2.0 * TURN)]
+    if bad.size:
+        raise RimrollError(
+            f"directions must be radians between -4 pi and 4 pi, got {bad[0]}"
+            + (": degrees are turned into them by numpy.radians" if np.isfinite(bad[0]) else "")
+        )
+    return np.asarray(np.mod(data.astype(np.float64), TURN))

@@ -1,0 +1,198 @@
+"""How well directions of fall go with a friction, a bias, an unsteady hand and a share of lefts.
+
+The probability density of one direction d is
+
+    w f_left(d − b; μ, κ) + (1 − w) f_right(d − b; μ, κ)
+
+with the densities of :mod:`rimroll.fitting.predicted`; falls are independent. The logarithms of the
+densities are interpolated by cubic splines in μ, log κ and the angle, so that the likelihood is
+smooth in all four parameters. Those that are not asked for are profiled: set to what suits the data
+best.
+
+A confidence set is where twice the loss of log likelihood, D, stays below n log(1 + F/(n − 2)), F
+the quantile of Fisher's distribution with 1 and n − 2 degrees of freedom. For normal humps of
+unknown means and a common unknown spread that is Student's interval, exact for any n; for large n
+it is Wilks' χ² interval.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.fitting.predicted import ANGLES, TURN, Predicted
+
+Array = NDArray[np.float64]
+
+MOST_BIAS = math.radians(20.0)
+"""A protractor is not misread by more."""
+
+MOST_LOGIT = 6.0
+FEWEST_OF_A_SIDE = 3
+"""Falls to the rarer side without which a bias cannot be told from friction."""
+
+_BIASES = np.radians(np.linspace(-18.0, 18.0, 13))
+_PAD = 12
+"""Angles repeated at both ends, so that splines know nothing of the seam."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """Parameters of the likelihood, and its logarithm there."""
+
+    friction: float
+    bias: float
+    unsteadiness: float
+    left_share: float
+    log_likelihood: float
+
+
+class Likelihood:
+    """The likelihood of n directions of fall (rad) under what was predicted."""
+
+    def __init__(self, predicted: Predicted, directions: Array) -> None:
+        self.predicted = predicted
+        self.directions = np.mod(directions, TURN)
+        self._left, self._right = (_spline(side) for side in (predicted.left, predicted.right))
+        knows_hands = len(predicted.unsteady) > 1
+        self._bounds = {
+            "friction": (float(predicted.frictions[0]), float(predicted.frictions[-1])),
+            "bias": (-MOST_BIAS, MOST_BIAS),
+            "log_unsteadiness": tuple(np.log(predicted.unsteady[[0, -1]]).tolist()),
+            "logit": (-MOST_LOGIT, MOST_LOGIT),
+        }
+        self._fixed = {} if knows_hands else {"log_unsteadiness": 0.0}
+        self._lattice = predicted.frictions[::2]
+
+    @property
+    def has_both_sides(self) -> bool:
+        """Whether there are enough falls to the rarer side to tell a bias from friction."""
+        lefts = int(np.sum(self.directions > math.pi))
+        return min(lefts, len(self.directions) - lefts) >= FEWEST_OF_A_SIDE
+
+    def best(self, **fixed: float) -> Point:
+        """The point of the largest likelihood, with some parameters held fixed."""
+        climbed = (self.climb(start, fixed) for start in self._starts(fixed))
+        return max(climbed, key=lambda point: point.log_likelihood)
+
+    def density(self, angles: Array, at: Point) -> Array:
+        """Probability density of a direction, per radian, at angles (rad)."""
+        left, right = self._densities(angles - at.bias, at.friction, math.log(at.unsteadiness))
+        return np.asarray(at.left_share * left + (1.0 - at.left_share) * right)
+
+    def worse(self, point: Point, best: Point) -> float:
+        """D: twice the loss of log likelihood."""
+        return 2.0 * max(best.log_likelihood - point.log_likelihood, 0.0)
+
+    def chance(self, deviance: float) -> float:
+        """The chance of a D as large when the point is true."""
+        from scipy.stats import f as fisher
+
+        spare = len(self.directions) - 2
+        return float(fisher.sf(spare * math.expm1(deviance / len(self.directions)), 1, spare))
+
+    def most(self, confidence: float) -> float:
+        """The largest D inside the confidence set."""
+        from scipy.stats import f as fisher
+
+        n = len(self.directions)
+        return n * math.log1p(float(fisher.ppf(confidence, 1, n - 2)) / (n - 2))
+
+    def _starts(self, fixed: Mapping[str, float]) -> list[Point]:
+        """Where to climb from: the best of a coarse lattice, at the best three frictions."""
+        frictions = np.array([fixed["friction"]] if "friction" in fixed else self._lattice)
+        biases = np.array([fixed["bias"]] if "bias" in fixed else _BIASES)
+        hands = np.log(self.predicted.unsteady[:: max(len(self.predicted.unsteady) // 4, 1)])
+        lefts = min(max(float(np.mean(self.directions > math.pi)), 0.05), 0.95)
+        lattice = np.array(np.meshgrid(frictions, biases, hands, indexing="ij"))
+        left, right = self._densities(
+            self.directions - lattice[1][..., None], lattice[0][..., None], lattice[2][..., None]
+        )
+        heights = np.log(lefts * left + (1.0 - lefts) * right).sum(axis=-1)
+        flat = heights.reshape(len(frictions), -1)
+        points = lattice.reshape(3, len(frictions), -1)
+        starts = []
+        for i in np.argsort(flat.max(axis=1))[::-1][:3]:
+            friction, bias, hand = points[:, i, int(np.argmax(flat[i]))].tolist()
+            starts.append(Point(friction, bias, math.exp(hand), lefts, -math.inf))
+        return starts
+
+    def climb(self, start: Point, fixed: Mapping[str, float]) -> Point:
+        """The top of the hill that a point is on, with some parameters held fixed."""
+        from scipy.optimize import minimize
+
+        share = min(max(start.left_share, 0.01), 0.99)
+        values = {
+            "friction": start.friction,
+            "bias": start.bias,
+            "log_unsteadiness": math.log(start.unsteadiness),
+            "logit": math.log(share / (1.0 - share)),
+            **self._fixed,
+            **fixed,
+        }
+        free = [name for name in values if name not in fixed and name not in self._fixed]
+
+        def loss(x: Array) -> float:
+            return -self._log_likelihood(**{**values, **dict(zip(free, x.tolist(), strict=True))})
+
+        found = minimize(
+            loss,
+            [values[name] for name in free],
+            method="SLSQP",  # several times as fast as L-BFGS-B here, and misses no top
+            bounds=[self._bounds[name] for name in free],
+            options={"ftol": 1e-9},
+        )
+        values |= dict(zip(free, found.x.tolist(), strict=True))
+        return Point(
+            values["friction"],
+            values["bias"],
+            math.exp(values["log_unsteadiness"]),
+            1.0 / (1.0 + math.exp(-values["logit"])),
+            -float(found.fun),
+        )
+
+    def _log_likelihood(
+        self, friction: float, bias: float, log_unsteadiness: float, logit: float
+    ) -> float:
+        left, right = self._densities(self.directions - bias, friction, log_unsteadiness)
+        share = 1.0 / (1.0 + math.exp(-logit))
+        return float(np.log(share * left + (1.0 - share) * right).sum())
+
+    def _densities(
+        self, angles: Array, friction: float | Array, log_unsteadiness: float | Array
+    ) -> tuple[Array, Array]:
+        """Of falls to the left and right, per radian; the arguments are broadcast."""
+        from scipy.ndimage import map_coordinates
+
+        frictions, hands = len(self.predicted.frictions), len(self.predicted.unsteady)
+        place = np.array(
+            np.broadcast_arrays(
+                _part(friction, self._bounds["friction"]) * (frictions - 1),
+                _part(log_unsteadiness, self._bounds["log_unsteadiness"]) * (hands - 1),
+                np.mod(angles, TURN) / TURN * ANGLES + _PAD,
+            )
+        )
+        left, right = (
+            np.exp(map_coordinates(side, place, mode="mirror", prefilter=False))
+            for side in (self._left, self._right)
+        )
+        return left, right
+
+
+def _part(value: float | Array, bounds: tuple[float, float]) -> float | Array:
+    low, high = bounds
+    return (value - low) / (high - low) if high > low else 0.0 * value
+
+
+def _spline(density: Array) -> Array:
+    """Coefficients of the cubic spline through the logarithm of a density (f, k, a)."""
+    from scipy.ndimage import spline_filter
+
+    log = np.log(density)
+    hands = log if log.shape[1] > 1 else np.repeat(log, 2, axis=1)
+    padded = np.concatenate([hands[..., -_PAD:], hands, hands[..., :_PAD]], axis=-1)
+    return np.asarray(spline_filter(padded, mode="mirror"))

@@ -1,0 +1,251 @@
+"""How directions of fall scatter, for each friction of the table and each unsteadiness of the hand.
+
+Falls are simulated once for each friction, with hands from steady to unsteady; for a hand of any
+unsteadiness between they are weighted by how likely it is to let go that way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError, expect, number
+from rimroll.laws import Coulomb, NoSlip
+from rimroll.motion import whole_number
+from rimroll.release import Release
+from rimroll.state import State
+from rimroll.theory import arrival, needed_friction
+
+Array = NDArray[np.float64]
+
+TURN = 2.0 * math.pi
+ANGLES = 720
+"""Points of a density round the circle, half a degree apart."""
+
+LEAST_ERROR = math.radians(0.5)
+"""The least error of reading: below, densities would be narrower than their points are apart."""
+
+STRAY = 0.01
+"""The part of the readings that may be anything at all: a slip of the pen."""
+
+HANDS = (0.25, 0.6, 1.3, 3.0)
+"""The unsteadinesses that are simulated, as factors of the release's scatter."""
+
+UNSTEADY = np.geomspace(0.2, 3.0, 13)
+"""Those for which densities are kept."""
+
+FEWEST = 20
+"""Simulated falls to one side that a density needs."""
+
+
+@dataclass(frozen=True, eq=False)
+class Predicted:
+    """Densities of the direction of fall.
+
+    Attributes
+    ----------
+    body, release, gravity, reading_error
+        What it was computed from.
+    frictions
+        Coefficients of dry friction (f,), even from 0 to one at which the rim never slips.
+    unsteady
+        Factors (k,) of the scatter of the release's ``sideways`` and ``twist``.
+    left, right
+        Density per radian (f, k, a) of the direction of a fall to the left of the hand (above π)
+        and to its right, at a = 720 angles from 0 on.
+    counted
+        The outcome that counts as a fall: ``toppled`` or ``rocked``.
+    """
+
+    body: Body
+    release: Release
+    gravity: float
+    reading_error: float
+    frictions: Array
+    unsteady: Array
+    left: Array
+    right: Array
+    counted: str
+
+
+def predict_falls(
+    body: Body,
+    release: Release | str = "flick",
+    *,
+    gravity: float = _core.STANDARD_GRAVITY,
+    reading_error: float = math.radians(2.0),
+    frictions: int = 33,
+    falls: int = 1024,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Predicted:
+    """Simulate falls at each friction, from none to more than enough to roll.
+
+    Parameters
+    ----------
+    body, release, gravity
+        As for :func:`rimroll.topple`.
+    reading_error
+        Standard deviation of reading a direction, rad.
+    frictions, falls
+        How many coefficients of friction, and about how many falls at each: a power of two.
+    threads, progress
+        As for :func:`rimroll.ensemble`.
+
+    Raises ``RimrollError`` for numbers outside their bounds and where the body neither topples nor
+    rocks from such a release.
+    """
+    from rimroll.ensemble import ensemble
+
+    expect("body", body, Body)
+    gravity, error = number("gravity", gravity), number("reading_error", reading_error)
+    if not LEAST_ERROR <= error <= 1.0:
+        raise RimrollError(
+            f"reading_error must be between {math.degrees(LEAST_ERROR):g} and 57 degrees, got "
+            f"{math.degrees(error):g} degrees"
+        )
+    count, each = whole_number("frictions", frictions), whole_number("falls", falls)
+    if count < 8:
+        raise RimrollError(f"frictions must be at least 8, got {count}")
+    if each < 128:
+        raise RimrollError(f"falls must be at least 128, got {each}")
+    if isinstance(release, str):
+        release = Release.named(release, body, gravity)
+    if not isinstance(release, Release):
+        raise RimrollError(
+            f"release must be a rimroll.Release or the name of a preset, got {release!r}"
+        )
+    grid = np.linspace(0.0, _enough(body, release, gravity), count)
+    draws = _Draws.of(release, each)
+    gone, outcomes = [], []
+    for i, friction in enumerate(grid):
+        found = ensemble(
+            body,
+            draws.starts,
+            Coulomb(float(friction)),
+            grip=draws.grip,
+            gravity=gravity,
+            rtol=1e-6,
+            threads=threads,
+        )
+        anticlockwise, direction = found["turn"].values > 0.0, found["direction"].values
+        # Signed, so that the mirror image of a fall has the opposite sign.
+        gone.append(np.where(anticlockwise, direction, direction - TURN))
+        outcomes.append(found["outcome"].values)
+        if progress is not None:
+            progress(i + 1, count)
+    word = outcome_to_count(np.concatenate(outcomes))
+    fell = [outcome == word for outcome in outcomes]
+    angles = np.where(fell, gone, np.nan)
+    humps = [
+        _humps(angle, draws.weights, release.symmetric, error, float(friction))
+        for angle, friction in zip(angles, grid, strict=True)
+    ]
+    sides = [np.array(side) for side in zip(*humps, strict=True)]
+    # A disk that turns anticlockwise goes more than all the way round, and ends up on the right.
+    left, right = sides if np.nanmedian(np.abs(angles)) > math.pi else sides[::-1]
+    return Predicted(body, release, gravity, error, grid, draws.unsteady, left, right, word)
+
+
+def _enough(body: Body, release: Release, gravity: float) -> float:
+    """A coefficient at which the rim slips nowhere, as far as that can be told beforehand."""
+    needed = needed_friction(body)
+    straight = State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
+    try:
+        tipping = arrival(body, straight, NoSlip(), gravity).friction_ratio
+    except RimrollError:
+        tipping = needed
+    return 1.3 * max(needed, tipping, 0.1) / release.grip[0]
+
+
+@dataclass(frozen=True)
+class _Draws:
+    """Starts by hands of all kinds, and the weight (k, n) of each for a hand of one kind."""
+
+    starts: State
+    grip: Array
+    unsteady: Array
+    weights: Array
+
+    @classmethod
+    def of(cls, release: Release, count: int) -> _Draws:
+        from scipy.stats import norm, qmc
+
+        sideways, twist = release.sideways[1], release.twist[1]
+        steady = sideways == 0.0 and twist == 0.0
+        hands = np.array([1.0] if steady else HANDS)
+        points = qmc.Sobol(5, seed=2007).random_base2(round(math.log2(count / len(hands))))
+        parts = [release.unsteady(float(hand)).at(points) for hand in hands]
+        starts = State(
+            **{
+                name: np.concatenate([getattr(start, name) for start, _ in parts])
+                for name in ("tilt", "tilt_rate", "yaw_rate", "spin_rate")
+            }
+        )
+        grip = np.concatenate([grip for _, grip in parts])
+        if steady:
+            return cls(starts, grip, np.ones(1), np.ones((1, len(grip))))
+        # What was drawn, in units of the release's own scatter, where it has any.
+        varied = [column for column, spread in ((2, sideways), (3, twist)) if spread > 0.0]
+        drawn = np.concatenate([hand * norm.ppf(points[:, varied]) for hand in hands])
+
+        def density(hand: Array) -> Array:
+            return np.asarray(norm.pdf(drawn / hand[:, None, None]).prod(-1)) / hand[
+                :, None
+            ] ** len(varied)
+
+        weights = density(UNSTEADY) / density(hands).mean(axis=0)
+        return cls(starts, grip, UNSTEADY, weights)
+
+
+def _humps(
+    gone: Array, weights: Array, symmetric: bool, error: float, friction: float
+) -> tuple[Array, Array]:
+    """Densities (k, a) of falls that turned anticlockwise and clockwise.
+
+    ``gone`` (n,) is the angle to where a body fell, the way it turned: above 0 anticlockwise, NaN
+    for what does not count. A release that favours neither side throws mirror images as often.
+    """
+    if symmetric:
+        one = _density(np.abs(gone), weights, error, friction)
+        # The angle at index i is the mirror image of that at −i.
+        return one, np.roll(one[:, ::-1], 1, axis=1)
+    ways = (np.where(gone > 0.0, gone, np.nan), np.where(gone < 0.0, gone, np.nan))
+    one, other = (_density(way, weights, error, friction) for way in ways)
+    return one, other
+
+
+def _density(gone: Array, weights: Array, error: float, friction: float) -> Array:
+    """Weighted falls (n,) as densities (k, a), blurred by the error of reading."""
+    there = ~np.isnan(gone)
+    if there.sum() < FEWEST:
+        raise RimrollError(
+            f"of {len(gone)} simulated releases at friction {friction:.3g} only {there.sum()} came "
+            f"down and fell to one side: a release of another kind is needed"
+        )
+    # Between two angles a fall counts for both, by how near it is.
+    place = np.mod(gone[there], TURN) / TURN * ANGLES
+    below = place.astype(int)
+    part = place - below
+    counts = np.zeros((len(weights), ANGLES))
+    for k, weight in enumerate(weights[:, there]):
+        np.add.at(counts[k], below % ANGLES, weight * (1.0 - part))
+        np.add.at(counts[k], (below + 1) % ANGLES, weight * part)
+    counts /= counts.sum(axis=1, keepdims=True)
+    # The transform of a normal density wrapped round the circle, less the spread that counting for
+    # two angles made.
+    variance = error**2 - (TURN / ANGLES) ** 2 / 6.0
+    blur = np.exp(-0.5 * variance * np.arange(ANGLES // 2 + 1) ** 2)
+    smooth = np.fft.irfft(np.fft.rfft(counts, axis=1) * blur, ANGLES, axis=1)
+    hump = np.maximum(smooth, 0.0) * (ANGLES / TURN)
+    return np.asarray((1.0 - STRAY) * hump + STRAY / TURN)
+
+
+def outcome_to_count(outcomes: NDArray[np.str_]) -> str:
+    return "toppled" if np.sum(outcomes == "toppled") >= np.sum(outcomes == "rocked") else "rocked"

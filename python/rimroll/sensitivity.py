@@ -1,0 +1,219 @@
+"""Left or right: the direction of fall over a plane of starts, and the line on which it jumps.
+
+A body let go without yaw and spin comes down flat. The smallest yaw or spin decides to which side
+it rises again; starts that come down flat all the same form a line in the plane of the two rates,
+the watershed between falls to the left and falls to the right.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.ensemble import VARIABLES, ensemble
+from rimroll.errors import RimrollError, expect, number
+from rimroll.laws import IDEAL, Frictionless, Law, ideal
+from rimroll.state import State, single
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+HALVINGS = 50
+"""Of the stretch in which a watershed is sought: to the last digits of a double."""
+
+
+def turn_map(
+    body: Body,
+    start: State,
+    law: Law,
+    yaw_rates: ArrayLike,
+    spin_rates: ArrayLike,
+    *,
+    gravity: float = _core.STANDARD_GRAVITY,
+    duration: float = 10.0,
+    rtol: float = 1e-6,
+    topple_tilt: float | None = None,
+    max_steps: int = 100_000,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> xr.Dataset:
+    """Follow a body from each start of a plane of yaw and spin rates: how far it turns, and where.
+
+    Parameters
+    ----------
+    body, law
+        What rolls, and how its rim meets the table.
+    start
+        One start; the map's yaw and spin rates take the place of its own.
+    yaw_rates, spin_rates
+        dψ/dt and dθ/dt, rad/s, each a flat array in rising order.
+    gravity, duration, rtol, topple_tilt, max_steps, threads, progress
+        As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``outcome`` and the variables of :func:`rimroll.ensemble`, among them ``turn``,
+        ``direction`` and ``min_tilt``, over (``spin_rate``, ``yaw_rate``). Angles in rad; a
+        direction above π is a fall to the left of a hand that flicks the body away from itself.
+        The attributes hold all else that it was computed from.
+
+    Raises
+    ------
+    RimrollError
+        A number outside its bounds, rates that are no flat array or do not rise.
+    Interrupted
+        On Ctrl-C; it carries the falls done so far, one after another.
+    """
+    expect("start", start, State)
+    start = single(start)
+    yaw, spin = _rising("yaw_rates", yaw_rates), _rising("spin_rates", spin_rates)
+    falls = ensemble(
+        body,
+        replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw))),
+        law,
+        gravity=gravity,
+        duration=duration,
+        rtol=rtol,
+        topple_tilt=topple_tilt,
+        max_steps=max_steps,
+        threads=threads,
+        progress=progress,
+    )
+    return _plane(falls, yaw, spin, start)
+
+
+def watershed(
+    body: Body,
+    start: State,
+    law: Law,
+    spin_rates: ArrayLike,
+    *,
+    gravity: float = _core.STANDARD_GRAVITY,
+    rtol: float = 1e-8,
+) -> Array:
+    """Yaw rates, rad/s, on one side of which a body falls left and on the other right, by trial.
+
+    Found under any law by halving, from falls that are followed, for each of the spin rates (n,),
+    rad/s, that take the place of the start's. Under the two ideal laws it is a straight line, see
+    :func:`watershed_slope`.
+
+    Raises ``RimrollError`` where the falls on both sides of all plausible yaw rates do not differ,
+    as for starts that do not come down.
+    """
+    expect("body", body, Body)
+    expect("start", start, State)
+    start, spin = single(start), _flat("spin_rates", spin_rates)
+    slope = max(watershed_slope(body, start.tilt, one) for one in IDEAL)  # type: ignore[arg-type]
+    ends = np.sort([-slope * spin, 3.0 * slope * spin], axis=0)
+
+    def to_the_left(yaw_rate: Array) -> NDArray[np.bool_]:
+        starts = replace(start, yaw_rate=yaw_rate, spin_rate=spin)
+        turn = ensemble(body, starts, law, gravity=gravity, rtol=rtol).turn.values
+        # Rolling with a spin along its turn, the rim is lifted off before it is lowest.
+        return np.where(np.isnan(turn), spin > 0.0, turn > 0.0)
+
+    turning = spin != 0.0  # without spin it is the start without yaw, by symmetry
+    low, high = ends
+    if np.any(to_the_left(low)[turning]) or not np.all(to_the_left(high)[turning]):
+        raise RimrollError("these starts have no watershed between falls to the left and right")
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        left = to_the_left(middle)
+        low, high = np.where(left, low, middle), np.where(left, middle, high)
+    return np.where(turning, 0.5 * (low + high), 0.0)
+
+
+def watershed_slope(body: Body, tilt: float, law: Law) -> float:
+    """Yaw rate over spin rate of the starts at a tilt (rad) that come down flat, dimensionless.
+
+    Without slip or without friction yaw and spin rates obey linear equations with the tilt as
+    clock, so the watershed is a straight line through the start without either, whatever the tilt
+    rate and gravity. Frictionless: A l + C s cos φ and s are constant and l = 0 at φ = 0, hence
+    C/(A (1 + cos φ) − C cos φ). No-slip: the solution of the linear equations that is regular at
+    φ = 0. Not in the paper, which says only that left or right "depends sensitively on initial
+    conditions".
+
+    Raises ``RimrollError`` for other laws and for a tilt outside (0, π/2).
+    """
+    expect("body", body, Body)
+    tilt = number("tilt", tilt)
+    if not 0.0 < tilt < 0.5 * math.pi:
+        raise RimrollError(f"tilt must be inside (0, pi/2), got {tilt} rad")
+    transverse, axial = body.transverse_inertia, body.axial_inertia
+    if isinstance(ideal(law), Frictionless):
+        return axial / (transverse * (1.0 + math.cos(tilt)) - axial * math.cos(tilt))
+    l, s = _rolled_up_from_flat(body, tilt)
+    yaw_rate = l / math.sin(tilt) ** 2
+    return yaw_rate / (s - yaw_rate * math.cos(tilt))
+
+
+def _rolled_up_from_flat(body: Body, tilt: float) -> tuple[float, float]:
+    """l = dψ/dt sin²φ and s at a tilt of the motion without slip that has l = 0, s = 1 at φ = 0.
+
+    The paper's ``noslip_eqs`` solved for dl/dφ and ds/dφ.
+    """
+    from scipy.integrate import solve_ivp
+
+    m, r, h = body.mass, body.radius, body.height
+    a, c = body.transverse_inertia, body.axial_inertia
+    about_side, about_base = c + m * r * r, a + m * h * h
+    both = c * about_base + a * m * r * r
+
+    def rates(phi: float, state: Array) -> list[float]:
+        l, s = state
+        turning = l / math.sin(phi) if phi > 0.0 else 0.0  # l ~ φ²
+        return [
+            c * (about_side * s * math.sin(phi) - m * h * r * l) / both,
+            m * r * (h * c * s + a * r * turning) / both,
+        ]
+
+    # l is measured against φ², as which it begins.
+    small = 1e-14 * tilt * tilt
+    done = solve_ivp(
+        rates, (0.0, tilt), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=[small, 1e-14]
+    )
+    return float(done.y[0, -1]), float(done.y[1, -1])
+
+
+def _plane(falls: xr.Dataset, yaw: Array, spin: Array, start: State) -> xr.Dataset:
+    import xarray as xr
+
+    across = ("spin_rate", "yaw_rate")
+    shape = len(spin), len(yaw)
+    variables = {
+        name: (across, falls[name].values.reshape(shape), falls[name].attrs)
+        for name in ("outcome", *VARIABLES)
+    }
+    kept = ("tilt", "tilt_rate", "yaw", "spin")
+    return xr.Dataset(
+        variables,
+        coords={
+            "spin_rate": ("spin_rate", spin, {"units": "rad/s", "long_name": "dθ/dt at the start"}),
+            "yaw_rate": ("yaw_rate", yaw, {"units": "rad/s", "long_name": "dψ/dt at the start"}),
+        },
+        attrs={**{f"start_{name}": getattr(start, name) for name in kept}, **falls.attrs},
+    )
+
+
+def _flat(name: str, values: ArrayLike) -> Array:
+    array = np.atleast_1d(np.asarray(values))
+    if array.dtype.kind not in "iuf" or array.ndim > 1 or not array.size:
+        raise RimrollError(f"{name} must be a flat array of numbers, got {values!r}")
+    return array.astype(np.float64)
+
+
+def _rising(name: str, values: ArrayLike) -> Array:
+    array = _flat(name, values)
+    if not np.all(np.diff(array) > 0.0):
+        raise RimrollError(f"{name} must rise from one to the next, got {values!r}")
+    return array

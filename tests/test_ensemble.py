@@ -1,0 +1,275 @@
+"""Many falls at once are the first turns of as many motions, in any order and on any threads."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import rimroll as rr
+from rimroll.ensemble import AT_A_TIME, OUTCOMES, VARIABLES, body_of, law_of
+from strategies import bodies, rockings
+
+CAN = rr.bodies.can_2007()
+FIELDS = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+LAWS = (
+    rr.NoSlip(),
+    rr.Frictionless(),
+    rr.Coulomb(0.2),
+    rr.Coulomb(0.1, static=0.3),
+    rr.Coulomb(0.3) + rr.RollingResistance(1e-5),
+)
+
+
+def one(starts, k):
+    """The k-th of a State of arrays."""
+    return rr.State(**{name: float(getattr(starts, name)[k]) for name in FIELDS})
+
+
+def several(starts):
+    """Single starts as a State of arrays."""
+    return rr.State(**{name: np.array([getattr(s, name) for s in starts]) for name in FIELDS})
+
+
+def outcome(body, motion):
+    """What the words of OUTCOMES mean for a whole motion."""
+    if motion.turns:
+        return "rocked"
+    came_down = any(event.kind == "tilt_min" for event in motion.events)
+    if motion.status == "finished":
+        assert not came_down or motion.t[-1] == motion.duration
+        return "rocked" if came_down else "hovered"
+    over = motion.tilt[-1] > rr.balance_tilt(body)
+    if motion.status == "lifted_off" and came_down and over:
+        return "toppled"
+    return "fell_back" if motion.status == "toppled" and not came_down else motion.status
+
+
+@settings(max_examples=40, deadline=None)
+@given(rockings(), st.sampled_from(LAWS))
+def test_a_fall_is_the_first_turn_of_its_motion(rocking, law):
+    options = {"duration": 3.0 * rocking.time, "gravity": rocking.gravity, "rtol": 1e-8}
+    falls = rr.ensemble(rocking.body, rocking.start, law, **options)
+    motion = rr.simulate(rocking.body, rocking.start, law, **options)
+    assert falls.sizes["trial"] == 1
+    assert falls["outcome"].item() == outcome(rocking.body, motion)
+    if motion.turns:
+        turn = motion.turns[0]
+        assert falls["turn"].item() == turn.angle
+        assert falls["min_tilt"].item() == turn.min_tilt
+        assert falls["near_time"].item() == turn.t
+        assert falls["time"].item() == turn.end
+        went = motion.evaluate(turn.end).yaw[0] - rocking.start.yaw
+        assert np.cos(falls["direction"].item() - went) == pytest.approx(1.0, abs=1e-12)
+        assert 0.0 <= falls["direction"].item() <= 2.0 * np.pi
+
+
+@st.composite
+def trials(draw):
+    """A body and up to seven starts of it, some of which topple, lift off or fall back."""
+    body = draw(bodies())
+    scale = np.sqrt(9.8 / body.radius)
+    rates = st.floats(-0.3, 0.3).map(lambda rate: rate * scale)
+    starts = st.builds(
+        lambda tilt, rate, yaw, spin: rr.State(
+            tilt=tilt, tilt_rate=rate * scale, yaw_rate=yaw, spin_rate=spin
+        ),
+        st.floats(0.05, 1.4),
+        st.floats(-0.6, 0.2),
+        rates,
+        rates,
+    )
+    return body, draw(st.lists(starts, min_size=1, max_size=7))
+
+
+@settings(max_examples=25, deadline=None)
+@given(trials(), st.sampled_from(LAWS), st.randoms())
+def test_the_bits_depend_on_neither_threads_nor_order_nor_splitting(drawn, law, random):
+    body, starts = drawn
+    options = {"duration": 10.0 * np.sqrt(body.radius / 9.8), "max_steps": 2000}
+    whole = rr.ensemble(body, several(starts), law, threads=1, **options)
+    for threads in (2, 3):
+        assert rr.ensemble(body, several(starts), law, threads=threads, **options).identical(whole)
+    order = list(range(len(starts)))
+    random.shuffle(order)
+    mixed = rr.ensemble(body, several([starts[k] for k in order]), law, **options)
+    for place, k in enumerate(order):
+        alone = rr.ensemble(body, starts[k], law, **options)
+        for name in whole.data_vars:
+            expected = whole[name].values[k : k + 1]
+            assert np.array_equal(mixed[name].values[place : place + 1], expected, _nan(expected))
+            assert np.array_equal(alone[name].values, expected, _nan(expected))
+
+
+def _nan(values):
+    return bool(values.dtype.kind == "f")
+
+
+def test_splitting_into_parts_of_the_core_leaves_no_seam():
+    count = AT_A_TIME + 3
+    starts = rr.State(tilt=np.linspace(0.2, 0.5, count), yaw_rate=0.01, spin_rate=0.01)
+    done = []
+    whole = rr.ensemble(CAN, starts, rr.NoSlip(), progress=lambda *told: done.append(told))
+    assert done == [(AT_A_TIME, count), (count, count)]
+    last = rr.ensemble(CAN, one_of(starts, slice(count - 5, None)), rr.NoSlip())
+    for name in whole.data_vars:
+        assert np.array_equal(whole[name].values[-5:], last[name].values), name
+
+
+def one_of(starts, rows):
+    """Some rows of a State of arrays, in which numbers stand for all."""
+    shape = starts.shape
+    columns = {name: np.broadcast_to(getattr(starts, name), shape)[rows] for name in FIELDS}
+    return rr.State(**columns)
+
+
+WOBBLE = rr.steady_wobble_rate(CAN, 0.3)
+
+CASES = {
+    "toppled": (CAN, rr.State(tilt=0.35, tilt_rate=-5.0, yaw_rate=0.05), rr.NoSlip(), {}),
+    "rocked": (CAN, rr.State(tilt=0.35, yaw_rate=0.05), rr.NoSlip(), {}),
+    "fell_back": (CAN, rr.State(tilt=0.8, yaw_rate=0.05), rr.NoSlip(), {}),
+    "hovered": (
+        CAN,
+        rr.State(
+            tilt=0.3,
+            yaw_rate=WOBBLE,
+            spin_rate=WOBBLE * (CAN.height / CAN.radius * np.sin(0.3) - np.cos(0.3)),
+        ),
+        rr.NoSlip(),
+        {"duration": 0.01},
+    ),
+    "lifted_off": (CAN, rr.State(tilt=0.3, tilt_rate=-11.0, yaw_rate=0.05), rr.NoSlip(), {}),
+    "face_down": (CAN, rr.State(tilt=0.3), rr.NoSlip(), {}),
+    "failed": (CAN, rr.State(tilt=0.3, yaw_rate=0.05), rr.NoSlip(), {"max_steps": 3}),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_each_outcome_is_named(name):
+    body, start, law, options = CASES[name]
+    falls = rr.ensemble(body, start, law, **options)
+    assert falls["outcome"].item() == name
+    came_down = name in ("toppled", "rocked")
+    for column in ("turn", "direction", "min_tilt", "near_time"):
+        assert bool(np.isnan(falls[column].item())) != came_down
+    assert name in OUTCOMES
+
+
+def test_a_tall_body_whose_rim_leaves_the_table_as_it_falls_over_has_toppled():
+    # A thin rod that falls over from rest lifts off at 70.5 degrees; this one is flicked.
+    battery = rr.bodies.battery()
+    start = rr.State(tilt=0.15, tilt_rate=-4.0, yaw_rate=0.1)
+    ends = {}
+    for law in (rr.NoSlip(), rr.Coulomb(0.6)):
+        falls = rr.ensemble(battery, start, law)
+        assert falls["outcome"].item() == "toppled"
+        ends[law.name] = falls["turn"].item()
+    assert rr.simulate(battery, start, rr.NoSlip()).status == "lifted_off"
+    assert ends["no_slip"] == pytest.approx(ends["coulomb"], abs=np.radians(0.5))
+
+
+def test_rows_carry_units_meanings_starts_and_everything_else_they_came_from():
+    starts = rr.State(tilt=np.array([0.3, 0.4]), yaw=0.5, yaw_rate=0.02, spin_rate=0.01)
+    law = rr.Coulomb(0.2, static=0.25) + rr.AirDrag(1e-12) + rr.PivotingFriction(1e-5)
+    falls = rr.ensemble(CAN, starts, law, grip=[1.0, 0.5], duration=2.0, topple_tilt=1.5)
+    for name, (unit, meaning) in VARIABLES.items():
+        assert falls[name].attrs == {"units": unit, "long_name": meaning}
+    assert falls["start_yaw"].values.tolist() == [0.5, 0.5]
+    assert falls["grip"].values.tolist() == [1.0, 0.5]
+    assert falls.attrs["law_friction"] == 0.2 and falls.attrs["law_air_exponent"] == 4.0
+    assert falls.attrs["body_mass"] == CAN.mass and falls.attrs["gravity"] == rr.STANDARD_GRAVITY
+    assert falls.attrs["topple_tilt"] == 1.5 and falls.attrs["duration"] == 2.0
+    assert falls.attrs["rtol"] == 1e-8 and falls.attrs["max_steps"] == 100_000
+    assert falls.attrs["rimroll_version"] == rr.__version__
+    assert body_of(falls) == CAN
+    assert law_of(falls) == law
+
+
+@pytest.mark.parametrize(
+    "law", [*LAWS, rr.Viscous(2.0), rr.Stribeck(0.2) + rr.RollingResistance(0.0, 1e-9)]
+)
+def test_the_law_is_found_again_in_the_attributes(law):
+    assert law_of(rr.ensemble(CAN, rr.State(tilt=0.3), law, duration=0.01)) == law
+
+
+def test_grip_is_a_factor_of_the_friction():
+    start = rr.State(tilt=0.35, tilt_rate=-0.5, yaw_rate=0.02)
+    gripped = rr.ensemble(CAN, start, rr.Coulomb(0.1, static=0.2), grip=1.5)
+    plain = rr.ensemble(CAN, start, rr.Coulomb(1.5 * 0.1, static=1.5 * 0.2))
+    assert gripped["turn"].item() == plain["turn"].item()
+    none = rr.ensemble(CAN, start, rr.Coulomb(0.1), grip=0.0)
+    frictionless = rr.ensemble(CAN, start, rr.Frictionless())
+    assert none["turn"].item() == pytest.approx(frictionless["turn"].item(), abs=1e-6)
+
+
+def test_losses_add_up_to_the_energy_lost():
+    starts = rr.State(tilt=np.linspace(0.2, 0.5, 8), yaw_rate=0.02)
+    falls = rr.ensemble(CAN, starts, rr.Coulomb(0.15) + rr.RollingResistance(1e-5))
+    losses = falls["friction_loss"] + falls["resistance_loss"] + falls["impact_loss"]
+    xr.testing.assert_allclose(falls["energy_lost"], losses)
+    assert (falls["friction_loss"] > 0.0).all() and (falls["resistance_loss"] > 0.0).all()
+    assert falls["slid"].all() and not falls["flew"].any()
+
+
+START = rr.State(tilt=0.3)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"body": "can"}, "body must be a rimroll.Body"),
+        ({"law": "no_slip"}, "law must be a rimroll.Law"),
+        ({"starts": 0.3}, "starts must be a rimroll.State"),
+        ({"starts": rr.State(tilt=np.full((2, 2), 0.3))}, r"flat arrays, got shape \(2, 2\)"),
+        ({"grip": -0.1}, "grip must be >= 0, got -0.1"),
+        ({"grip": np.nan}, "grip must be >= 0, got nan"),
+        ({"grip": [1.0, 1.0]}, "grip must be a number or 1 of them"),
+        ({"grip": "much"}, "grip must be a number or 1 of them, got 'much'"),
+        ({"threads": 0}, "threads must be a whole number >= 1"),
+        ({"threads": 10**6}, "threads must be at most 1024"),
+        ({"gravity": -1.0}, "gravity must be"),
+        ({"duration": "long"}, "duration must be a single number"),
+        ({"rtol": 0.5}, "rtol must be"),
+        ({"max_steps": 0}, "max_steps must be a whole number >= 1"),
+        ({"topple_tilt": 4.0}, "topple_tilt must be"),
+    ],
+)
+def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
+    asked = {"body": CAN, "starts": START, "law": rr.NoSlip(), **change}
+    with pytest.raises(rr.RimrollError, match=words):
+        rr.ensemble(**asked)
+
+
+def test_a_dataset_of_something_else_is_refused():
+    with pytest.raises(rr.RimrollError, match="must be a dataset of rimroll"):
+        body_of(xr.Dataset())
+
+
+def test_ctrl_c_hands_back_the_falls_done_so_far():
+    starts = rr.State(tilt=np.linspace(0.2, 0.5, 2 * AT_A_TIME + 1), yaw_rate=0.02)
+
+    def stop(done, total):
+        if done == 2 * AT_A_TIME:
+            raise KeyboardInterrupt
+
+    with pytest.raises(rr.Interrupted, match=f"after {2 * AT_A_TIME} falls") as caught:
+        rr.ensemble(CAN, starts, rr.NoSlip(), progress=stop)
+    assert isinstance(caught.value, KeyboardInterrupt)
+    whole = rr.ensemble(CAN, starts, rr.NoSlip())
+    assert caught.value.done.identical(whole.isel(trial=slice(2 * AT_A_TIME)))
+
+
+def test_another_error_of_the_progress_callback_arrives_as_it_was_raised():
+    def stop(done, total):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        rr.ensemble(CAN, START, rr.NoSlip(), progress=stop)
+
+
+def test_no_starts_are_no_falls():
+    falls = rr.ensemble(CAN, rr.State(tilt=np.array([])), rr.NoSlip())
+    assert falls.sizes["trial"] == 0 and set(VARIABLES) <= set(falls)

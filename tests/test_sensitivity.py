@@ -1,0 +1,236 @@
+"""Left or right: maps of falls over a plane of starts, and the line on which they jump."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+import rimroll as rr
+from rimroll.cli import main
+from rimroll.map_plot import map_figure, span
+from rimroll.paper import setting
+from rimroll.paper.figures import sensitivity
+from strategies import bodies
+
+CAN, GRAVITY = setting.CAN, setting.GRAVITY
+FLICK = sensitivity.FLICK
+LAWS = [rr.NoSlip(), rr.Coulomb(0.15), rr.Coulomb(0.4), rr.Viscous(0.1), rr.Frictionless()]
+IDEAL = [rr.NoSlip(), rr.Frictionless()]
+RATES = np.array([-0.8, -0.3, 0.3, 0.8])
+
+
+def comes_down(body, tilt, law):
+    """Whether the body, let go, keeps its rim on the table until it is flat."""
+    try:
+        rr.arrival(body, rr.State(tilt=tilt), law, 9.8)
+    except rr.RimrollError:
+        return False
+    return True
+
+
+def fall(yaw_rate, spin_rate, law, rtol=1e-10):
+    starts = rr.State(
+        tilt=FLICK.tilt,
+        tilt_rate=FLICK.tilt_rate,
+        yaw_rate=np.atleast_1d(yaw_rate),
+        spin_rate=np.atleast_1d(spin_rate),
+    )
+    return rr.ensemble(CAN, starts, law, gravity=GRAVITY, rtol=rtol)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=repr)
+def test_mirrored_starts_fall_in_mirrored_directions(law):
+    falls = rr.turn_map(CAN, FLICK, law, RATES, RATES, gravity=GRAVITY)
+    mirrored = falls.isel(spin_rate=slice(None, None, -1), yaw_rate=slice(None, None, -1))
+    # Not to the last bit: which way the rim slips is kept as an angle.
+    assert falls.turn.values == pytest.approx(-mirrored.turn.values, abs=1e-9)
+    directions = falls.direction.values + mirrored.direction.values
+    assert directions == pytest.approx(2.0 * np.pi, abs=1e-9)
+    assert falls.min_tilt.values == pytest.approx(mirrored.min_tilt.values, rel=1e-9)
+    assert np.array_equal(falls.outcome.values, mirrored.outcome.values)
+
+
+def test_a_map_is_the_ensemble_of_its_starts_and_says_what_it_was_computed_from():
+    seen = []
+    falls = rr.turn_map(
+        CAN,
+        FLICK,
+        rr.Coulomb(0.15),
+        [-0.5, 0.1, 0.5],
+        [-0.2, 0.3],
+        gravity=GRAVITY,
+        progress=lambda done, total: seen.append((done, total)),
+    )
+    assert dict(falls.sizes) == {"spin_rate": 2, "yaw_rate": 3}
+    one = fall(0.1, 0.3, rr.Coulomb(0.15), rtol=1e-6)
+    assert falls.turn.sel(yaw_rate=0.1, spin_rate=0.3) == one.turn[0]
+    assert falls.turn.units == "rad"
+    assert seen[-1] == (6, 6)
+    assert falls.attrs["start_tilt_rate"] == -5.0
+    assert falls.attrs["law_friction"] == 0.15
+    assert falls.attrs["gravity"] == GRAVITY
+
+
+@settings(max_examples=20, deadline=None)
+@given(bodies(), st.floats(0.1, 0.9), st.sampled_from(IDEAL))
+def test_the_watershed_of_linear_theory_is_where_falls_change_sides(body, share, law):
+    tilt = share * min(rr.balance_tilt(body), 1.2)
+    assume(comes_down(body, tilt, law))
+    slope = rr.watershed_slope(body, tilt, law)
+    spin = np.sqrt(9.8 / body.radius) * np.array([1e-3, 1e-2]) / max(1.0, slope)
+    for side in (-1.0, 1.0):
+        # A spin along the turn lifts the rim off; against it, it stays on the table.
+        spins = -side * spin
+        starts = rr.State(tilt=tilt, yaw_rate=slope * spins + side * 1e-6 * spin, spin_rate=spins)
+        falls = rr.ensemble(body, starts, law, gravity=9.8, duration=30.0)
+        assert np.all(np.sign(falls.turn.values) == side)
+
+
+@settings(max_examples=25, deadline=None)
+@given(bodies(), st.floats(0.05, 1.4))
+def test_the_watershed_without_friction_keeps_the_angular_momentum_of_a_flat_spin(body, tilt):
+    spin_rate = 1.0
+    yaw_rate = rr.watershed_slope(body, tilt, rr.Frictionless()) * spin_rate
+    l, s = yaw_rate * np.sin(tilt) ** 2, spin_rate + yaw_rate * np.cos(tilt)
+    vertical = body.transverse_inertia * l + body.axial_inertia * s * np.cos(tilt)
+    assert vertical == pytest.approx(body.axial_inertia * s, rel=1e-9)
+
+
+@pytest.mark.parametrize("law", IDEAL, ids=repr)
+def test_the_watershed_found_by_trial_is_that_of_linear_theory(law):
+    spins = np.array([-3.0, -0.1, 0.0, 1e-6, 1.0])
+    found = rr.watershed(CAN, FLICK, law, spins, gravity=GRAVITY)
+    slope = rr.watershed_slope(CAN, FLICK.tilt, law)
+    assert found == pytest.approx(slope * spins, rel=1e-9, abs=1e-13)
+    harder = rr.State(tilt=FLICK.tilt, tilt_rate=-0.5)
+    assert rr.watershed(CAN, harder, law, spins) == pytest.approx(found, rel=1e-9, abs=1e-13)
+
+
+def test_under_friction_that_holds_the_rim_the_watershed_is_that_of_rolling():
+    spins = np.array([0.01, 1.0])
+    for friction, holds in ((0.3, True), (0.15, False), (0.05, False)):
+        found = rr.watershed(CAN, FLICK, rr.Coulomb(friction), spins, gravity=GRAVITY)
+        rolling, sliding = (rr.watershed_slope(CAN, FLICK.tilt, law) * spins for law in IDEAL)
+        if holds:
+            assert found == pytest.approx(rolling, rel=1e-9)
+        else:
+            assert np.all((1.01 * rolling < found) & (found < sliding))
+
+
+@pytest.mark.parametrize("law", IDEAL, ids=repr)
+def test_the_jump_is_twice_what_the_limiting_turn_exceeds_half_a_turn_by(law):
+    excess = 2.0 * (rr.turn_limit(CAN, law) - np.pi)
+    for epsilon, within in ((1e-3, 2e-3), (1e-6, 4e-6), (1e-9, 1e-8)):
+        right, left = fall([-epsilon, epsilon], [0.0, 0.0], law).direction.values
+        assert left - right == pytest.approx(excess, abs=within)
+
+
+def test_the_jump_without_friction_is_the_same_all_along_the_watershed():
+    law = rr.Frictionless()
+    excess = 2.0 * (rr.turn_limit(CAN, law) - np.pi)
+    slope = rr.watershed_slope(CAN, FLICK.tilt, law)
+    for spin in (0.01, 1.0, 3.0):
+        yaw = slope * spin + np.array([-1e-8, 1e-8])
+        right, left = fall(yaw, [spin, spin], law).direction.values
+        assert left - right == pytest.approx(excess, abs=1e-6)
+
+
+def test_the_smallest_tilt_is_proportional_to_the_distance_from_the_watershed():
+    for law in IDEAL:
+        yaw = rr.watershed_slope(CAN, FLICK.tilt, law) * 0.1 + np.array([-1e-6, -1e-7, -1e-8])
+        least = fall(yaw, np.full(3, 0.1), law).min_tilt.values
+        assert least[:2] / least[1:] == pytest.approx(10.0, rel=1e-4)
+
+
+def test_a_map_without_falls_or_with_falls_all_round_is_drawn():
+    falls = rr.turn_map(CAN, FLICK, rr.NoSlip(), [-1.0, 1.0], [-1.0, 1.0])
+    assert span(falls) == 50.0
+    assert map_figure(falls).axes[0].get_title(loc="left") == "no slip, from 20° at −5 rad/s"
+    flat = rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.0], [0.0])
+    assert flat.outcome.values == "face_down" and span(flat) == 180.0
+    map_figure(flat)
+
+
+def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
+    files = [tmp_path / f"map{suffix}" for suffix in (".nc", ".csv", ".png")]
+    flick = ["--tilt", "20deg", "--tilt-rate", "-5rad/s", "--gravity", "9.8"]
+    plane = ["--yaw-rates", "-30..30deg/s", "--spin-rates", "-1..1", "--points", "4"]
+    output = [part for file in files for part in ("-o", str(file))]
+    assert main(["map", *flick, *plane, *output, "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    yaw, spin = np.radians(np.linspace(-30.0, 30.0, 4)), np.linspace(-1.0, 1.0, 4)
+    falls = rr.turn_map(CAN, FLICK, rr.NoSlip(), yaw, spin, gravity=GRAVITY, duration=2.0)
+    with xr.open_dataset(files[0], engine="scipy") as stored:
+        assert stored.turn.values == pytest.approx(falls.turn.values, rel=1e-12)
+        assert stored.attrs["gravity"] == GRAVITY
+    lines = [line for line in files[1].read_text().splitlines() if not line.startswith("#")]
+    head, *rows = (line.split(",") for line in lines)
+    turns = np.array([float(row[head.index("turn[rad]")]) for row in rows])
+    assert turns == pytest.approx(falls.turn.values.ravel(), rel=1e-12)
+    assert files[2].read_bytes().startswith(b"\x89PNG")
+    assert told["left"]["falls"] == told["right"]["falls"] == 8
+    assert told["watershed_slope"] == rr.watershed_slope(CAN, FLICK.tilt, rr.NoSlip())
+    assert told["jump"] == pytest.approx(2.0 * (rr.turn_limit(CAN, rr.NoSlip()) - np.pi))
+
+
+def test_the_command_flicks_any_body_over_and_says_where_left_and_right_part(capsys):
+    assert main(["map", "soda_can", "--points", "6"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"to the left +18 ", shown) and re.search(r"to the right +18 ", shown)
+    assert "left and right part where" in shown
+
+
+def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["map", "--help"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    examples = [line.split("$ rimroll ")[1].split() for line in lines if "$ rimroll" in line]
+    assert len(examples) == 3
+    for example in examples:
+        assert main([*example, "--points", "4"]) == 0
+    assert {file.name for file in tmp_path.iterdir()} == {"left_or_right.svg", "near.nc"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("--yaw-rates 3", "--yaw-rates must be a range such as -1..1"),
+        ("--spin-rates 3..1", "--spin-rates must rise, got '3..1'"),
+        ("--spin-rates -1..1m", "does not measure an angular rate"),
+        ("--points 1", "--points must be between 2 and 3000, got 1"),
+        ("-o map.txt", "cannot write map.txt: its suffix must be one of .png"),
+    ],
+)
+def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message):
+    assert main(["map", *arguments.split()]) == 2
+    said = capsys.readouterr().err
+    assert message in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.1, 0.0], [0.0]), "yaw_rates must rise"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.0], [0.1, 0.1]), "spin_rates must rise"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [[0.1]], [0.0]), "yaw_rates must be a flat"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [], [0.0]), "yaw_rates must be a flat"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), ["a"], [0.0]), "yaw_rates must be a flat"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [np.inf], [0.0]), "yaw_rate must be finite"),
+        (lambda: rr.turn_map(CAN, 0.3, rr.NoSlip(), [0.1], [0.0]), "start must be a rimroll.State"),
+        (
+            lambda: rr.turn_map(CAN, rr.State(tilt=[0.1, 0.2]), rr.NoSlip(), [0.1], [0.0]),
+            "a motion has one start",
+        ),
+        (lambda: rr.watershed_slope(CAN, 0.3, rr.Coulomb(0.1)), "NoSlip or Frictionless"),
+        (lambda: rr.watershed_slope(CAN, 2.0, rr.NoSlip()), r"tilt must be inside \(0, pi/2\)"),
+        (lambda: rr.watershed(CAN, rr.State(tilt=1.2), rr.NoSlip(), [0.1]), "no watershed"),
+        (lambda: rr.watershed(CAN, FLICK, rr.NoSlip(), "x"), "spin_rates must be a flat"),
+    ],
+)
+def test_what_cannot_be_mapped_is_refused_in_a_line(call, message):
+    with pytest.raises(rr.RimrollError, match=message):
+        call()
