@@ -3,6 +3,7 @@
 import contextlib
 import io
 import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -25,13 +26,30 @@ def test_the_examples_of_a_page_run_in_order_and_print_what_it_shows(page):
         assert printed.getvalue() == output
 
 
-def test_the_commands_of_the_page_on_friction_are_commands(capsys):
-    for block in re.findall(r"```sh\n(.*?)```", FRICTION.read_text("utf-8"), re.S):
+@pytest.mark.parametrize("page", sorted(DOCS.glob("*.md")), ids=lambda page: page.stem)
+def test_the_commands_of_a_page_run_in_order_and_say_what_it_shows(
+    page, tmp_path, monkeypatch, capsys
+):
+    """In a folder of their own, with the examples and the file of angles that the page gives."""
+    (tmp_path / "examples").symlink_to(DOCS.parent / "examples")
+    monkeypatch.chdir(tmp_path)
+    text = page.read_text("utf-8")
+    for angles in re.findall(r"```csv\n(.*?)```", text, re.S):
+        (tmp_path / "angles.csv").write_text(angles, "utf-8")
+    for block, _, shown in re.findall(r"```sh\n(.*?)```(\s+```text\n(.*?)```)?", text, re.S):
         for command in block.splitlines():
-            program, *arguments = command.split()
+            program, *arguments = shlex.split(command)
             assert program == "rimroll"
             assert main(arguments) == 0
-            assert capsys.readouterr().out
+        said = capsys.readouterr().out
+        assert said
+        if shown:
+            assert _words(said) == _words(shown)
+
+
+def _words(text: str) -> list[list[str]]:
+    """Line by line, whatever the spaces at the ends."""
+    return [line.split() for line in text.strip().splitlines()]
 
 
 @pytest.mark.parametrize("page", sorted(DOCS.glob("*.md")), ids=lambda page: page.stem)

@@ -221,4 +221,4 @@ def _estimate(one: Estimate) -> tuple[str, str]:
 
 
 def _degrees(angle: float) -> str:
-    return f"{math.degrees(angle):.1f}°"
+    return f"{round(math.degrees(angle), 1) + 0.0:.1f}°"  # no minus before nothing

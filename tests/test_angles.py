@@ -1,0 +1,273 @@
+"""Angles from files, as people write them down, and what is refused rather than misread."""
+
+import os
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+import rimroll as rr
+from rimroll.cli.falls import write as write_falls
+
+FALLS = np.array([213.5, 147.25, 210.0, 142.0])
+"""Directions, degrees, such as the paper's can falls in."""
+
+LEANS = np.array([10.0, 350.0, 5.5, 0.0])
+
+
+@pytest.fixture
+def written(tmp_path):
+    """Writes a text, or bytes, to a file."""
+
+    def write(content, name="falls.csv"):
+        file = tmp_path / name
+        data = content if isinstance(content, bytes) else content.encode()
+        file.write_bytes(data)
+        return file
+
+    return write
+
+
+def degrees(file, **how):
+    return np.degrees(rr.read_angles(file, **how))
+
+
+def same_directions(found, wanted):
+    """Whether angles (degrees) are the same but for whole turns and rounding."""
+    off = np.mod(np.asarray(found) - np.asarray(wanted) + 180.0, 360.0) - 180.0
+    return len(found) == len(wanted) and np.all(np.abs(off) < 1e-9)
+
+
+COLUMN = "\n".join(map(str, FALLS)) + "\n"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        COLUMN,
+        COLUMN.rstrip(),
+        COLUMN.replace("\n", "\r\n"),
+        "\ufeff" + COLUMN,
+        "# measured on a Sunday; table of oak, 2 m\n\n" + COLUMN.replace("\n", "\n\n  \n"),
+        "direction\n" + COLUMN,
+        '"direction"\n' + COLUMN,
+        "direction of fall (degrees)\n" + COLUMN,
+        "\ufeffDirection[deg]\n# a comment\n" + COLUMN,
+        "213.5 deg\n147.25°\n210 °\n142deg\n",
+        "213.5 deg\n147.25\n+210\n142e0\n",
+        "-146.5\n-212.75\n−150 deg\n502\n",
+        "n;direction;hand\n" + "".join(f"{i};{fall};left\n" for i, fall in enumerate(FALLS)),
+        "n\tdirection[deg]\n" + "".join(f"{i}\t{fall}\n" for i, fall in enumerate(FALLS)),
+        "trial,direction of fall\n" + "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS)),
+    ],
+)
+def test_a_column_of_degrees_is_read_however_it_is_laid_out(written, content):
+    assert same_directions(degrees(written(content)), FALLS)
+
+
+@pytest.mark.parametrize("separator", [",", ", ", ";", "; ", "\t", " ", "   "])
+@pytest.mark.parametrize("names", [None, ("lean", "fall")])
+def test_of_two_columns_the_first_is_where_it_leaned_at_first(written, separator, names):
+    lines = [f"{lean}{separator}{lean + fall}" for lean, fall in zip(LEANS, FALLS, strict=True)]
+    head = [separator.join(names)] if names else []
+    assert same_directions(degrees(written("\n".join(head + lines))), FALLS)
+
+
+def test_two_columns_named_directions_are_the_lean_and_the_fall(written):
+    file = written("direction of first lean,direction of fall\n10,223.5\n350,137.25\n")
+    assert same_directions(degrees(file), FALLS[:2])
+
+
+def test_the_column_named_direction_is_taken_whatever_else_is_there(written):
+    file = written("direction[deg],direction[rad]\n213.5,0\n147.25,0\n")
+    assert same_directions(degrees(file), FALLS[:2])
+
+
+@pytest.mark.parametrize(
+    "name", ["direction[rad]", "direction (rad)", "direction_rad", "Direction in radians"]
+)
+def test_a_name_may_say_that_its_column_is_in_radians(written, name):
+    column = "\n".join(map(repr, np.radians(FALLS).tolist()))
+    assert same_directions(degrees(written(f"{name}\n{column}\n")), FALLS)
+
+
+def test_plain_numbers_are_in_radians_where_the_caller_says_so_and_named_units_stay(written):
+    column = "\n".join(map(repr, np.radians(FALLS).tolist()))
+    assert same_directions(degrees(written(column), radians=True), FALLS)
+    named = degrees(written(f"direction[deg]\n{COLUMN}"), radians=True)
+    assert same_directions(named, FALLS)
+    assert same_directions(degrees(written("213.5deg\n147.25deg\n"), radians=True), FALLS[:2])
+
+
+def test_clockwise_angles_are_turned_round(written):
+    assert same_directions(degrees(written(COLUMN), clockwise=True), -FALLS)
+    pairs = "\n".join(f"{lean},{lean + fall}" for lean, fall in zip(LEANS, FALLS, strict=True))
+    assert same_directions(degrees(written(pairs), clockwise=True), -FALLS)
+
+
+def test_what_topple_wrote_is_read_back_without_the_falls_that_do_not_count(tmp_path):
+    can = rr.bodies.can_2007()
+    # So gently that some do not topple.
+    release = rr.Release((0.35, 0.03), (-4.0, 0.4), (0.0, 0.5), (0.0, 0.5))
+    file, falls = tmp_path / "falls.csv", rr.topple(can, rr.Coulomb(0.2), 60, release, seed=7)
+    toppled = falls["outcome"].values == "toppled"
+    assert 30 < toppled.sum() < 60
+    write_falls(file, falls)
+    assert rr.read_angles(file) == pytest.approx(falls["direction"].values[toppled], abs=1e-12)
+
+
+angle = st.floats(-720.0, 720.0)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(angle, min_size=1, max_size=40), st.sampled_from([",", ";", "\t", " "]), st.data())
+def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data):
+    assume(len(falls) <= 3 or max(map(abs, falls)) > 6.3)
+    file = tmp_path_factory.mktemp("any") / "falls.txt"
+    file.write_text("".join(f"{fall!r}\n" for fall in falls))
+    found = rr.read_angles(file)
+    assert np.all((found >= 0.0) & (found <= 2.0 * np.pi))
+    assert same_directions(np.degrees(found), falls)
+    leans = data.draw(st.lists(angle, min_size=len(falls), max_size=len(falls)))
+    pairs = list(zip(leans, falls, strict=True))
+    assume(len(falls) <= 3 or np.ptp(leans) > len(falls))
+    file.write_text("".join(f"{lean!r}{separator}{fall!r}\n" for lean, fall in pairs))
+    assert same_directions(degrees(file), np.array(falls) - leans)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("", "falls.csv is empty"),
+        (" \n\n\t\n", "falls.csv is empty"),
+        ("# only\n# comments\n", "falls.csv holds no angles"),
+        ("direction[deg]\n", "falls.csv holds no angles"),
+        ("direction,outcome\nnan,fell_back\nnan,hovered\n", "falls.csv holds no angles"),
+        ("213\nabout 140\n", r'line 2: an angle must read as 213 or 213 deg, got "about 140"'),
+        ("213\n\n# x\n14O\n", r'line 4: an angle must .*got "14O"'),
+        ("213 kg\n", r'line 1: an angle must .*"kg" does not measure an angle'),
+        ("direction,hand\n213,left\n,left\n", "line 3: an angle is missing"),
+        ("NA,223\n", r'line 1: an angle must .*got "NA"'),
+        ("10,223\n350,\n", "line 2: an angle is missing"),
+        ("nan\n213\n", r"line 1: an angle must be a number between .*got nan"),
+        ("213\ninf\n", r"line 2: an angle must be a number between .*got inf"),
+        ("213\n-inf\n", r"line 2: an angle must be a number between .*got -inf"),
+        ("1000\n", r"line 1: an angle must be .* -720 and 720 degrees, got 1000 \(deg\)"),
+        ("1000 deg\n", r"line 1: an angle must be .* -720 and 720 degrees, got 1000 deg"),
+        ("10,223\n11\n", "line 2: 1 columns where line 1 has 2"),
+        ("10 223\n11\n", "line 2: 1 columns where line 1 has 2"),
+        ("213\n10 223\n", "line 2: 2 columns where line 1 has 1"),
+        ("1,2,3\n", "needs one column .*it has 3 columns without names"),
+        ("hand;table;fall\n1;2;3\n", "needs one column .*it has hand, table, fall"),
+        ("213\n1\x0047\n", "is no text file"),
+        (b"\x89PNG\r\n\x1a\n\xff\xfe", "is no text file"),
+        (COLUMN.encode("utf-16"), "is no text file"),
+        ('10,"' + 200_000 * "x", "does not read as a table"),
+    ],
+    ids=lambda value: repr(value[:20]),
+)
+def test_what_is_no_table_of_angles_is_refused_by_file_and_line(written, content, message):
+    with pytest.raises(rr.RimrollError, match=message) as refused:
+        rr.read_angles(written(content))
+    assert "falls.csv" in str(refused.value)
+    assert len(str(refused.value)) < 400 + len(str(written("")))
+
+
+def test_a_file_that_cannot_be_read_is_refused(tmp_path, written):
+    with pytest.raises(rr.RimrollError, match=r"cannot read .*no\.csv: No such file"):
+        rr.read_angles(tmp_path / "no.csv")
+    with pytest.raises(rr.RimrollError, match=r"cannot read .*: Is a directory"):
+        rr.read_angles(tmp_path)
+    with pytest.raises(rr.RimrollError, match="cannot read"):
+        rr.read_angles("falls\0.csv")
+    with pytest.raises(rr.RimrollError, match=r"falls\.csv is larger than 20 MB"):
+        rr.read_angles(written(b"213\n" * 5_000_001))
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="needs a file without an end")
+def test_a_file_without_an_end_is_refused():
+    with pytest.raises(rr.RimrollError, match="/dev/zero is larger than 20 MB"):
+        rr.read_angles("/dev/zero")
+
+
+@pytest.mark.parametrize("separator", ["\n", ";0\n"])
+def test_radians_that_are_not_said_to_be_are_refused(written, separator):
+    column = separator.join(map(repr, np.radians(FALLS).tolist())) + separator
+    with pytest.raises(rr.RimrollError, match=r"no angle is above 3\.73 degrees.*look like rad"):
+        rr.read_angles(written(column))
+    # Whoever says degrees means degrees.
+    assert same_directions(degrees(written("direction[deg]\n1\n2\n3\n4\n5\n")), [1, 2, 3, 4, 5])
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "213,5\n147,2\n210,0\n",
+        "213,5\n",
+        "213,50\n147,25\n210,07\n",
+        "213,500\n147,250\n210,070\n",
+        "+213,5\n-147,2\n",
+    ],
+)
+def test_decimal_commas_are_not_taken_for_columns(written, content):
+    with pytest.raises(rr.RimrollError, match="may be one number or two; write decimals with a po"):
+        rr.read_angles(written(content))
+
+
+@pytest.mark.parametrize("content", ["direction\n213,5\n", '"213,5"\n', "10;213,5\n", "210\n213,5"])
+def test_decimal_commas_are_told(written, content):
+    with pytest.raises(rr.RimrollError, match=r"line \d: .*decimals follow a point, not a comma"):
+        rr.read_angles(written(content))
+
+
+@pytest.mark.parametrize("content", ["10,223\n350,137\n", "213,0\n147,10.5\n", "lean,fall\n9,8\n"])
+def test_whole_degrees_in_columns_are_still_columns(written, content):
+    lean, fall = np.loadtxt(
+        content.replace("lean,fall\n", "").splitlines(), delimiter=",", ndmin=2
+    ).T
+    assert same_directions(degrees(written(content)), fall - lean)
+
+
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize("names", ["", "no,angle\n", '"","x"\n'])
+def test_a_column_that_counts_the_falls_is_not_taken_for_a_lean(written, first, names):
+    rows = "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS, first))
+    with pytest.raises(rr.RimrollError, match="its first column counts the falls"):
+        rr.read_angles(written(names + rows))
+
+
+# The stand-ins for data of which only means and spreads were published
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    st.tuples(st.floats(3.3, 4.5), st.floats(0.0, 0.2), st.integers(2, 60)),
+    st.tuples(st.floats(3.3, 4.5), st.floats(0.0, 0.2), st.integers(2, 60)),
+)
+def test_stand_ins_have_the_means_and_spreads_of_the_summary(left, right):
+    directions = rr.directions_of_summary(left=left, right=right)
+    assert len(directions) == left[2] + right[2]
+    turns = directions[: left[2]], 2.0 * np.pi - directions[left[2] :]
+    for turn, (mean, spread, _) in zip(turns, (left, right), strict=True):
+        off = np.mod(turn - mean + np.pi, 2.0 * np.pi) - np.pi
+        assert off.mean() == pytest.approx(0.0, abs=1e-12)
+        assert off.std(ddof=1) == pytest.approx(spread, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("left", "message"),
+    [
+        ((3.7, 0.07, 1), "left needs at least 2 falls, got 1"),
+        ((3.7, 0.07, 2.5), "left count must be a whole number"),
+        ((3.7, -0.07, 21), "left must be a mean and a spread >= 0, got 3.7, -0.07"),
+        ((np.nan, 0.07, 21), "left must be a mean and a spread >= 0, got nan"),
+        ((3.7, np.inf, 21), "left must be a mean and a spread >= 0, got 3.7, inf"),
+        (("3.7", 0.07, 21), "left mean must be a single number"),
+        ((3.7, 0.07), "left must be a mean, a spread and a count"),
+        (3.7, "left must be a mean, a spread and a count, got 3.7"),
+    ],
+)
+def test_a_summary_needs_a_mean_a_spread_and_a_count(left, message):
+    with pytest.raises(rr.RimrollError, match=message):
+        rr.directions_of_summary(left=left, right=(3.8, 0.08, 21))
