@@ -58,7 +58,7 @@ struct Beginning<'a> {
     dry: &'a DrySliding,
     mechanics: &'a Mechanics<'a>,
     direction: [f64; 2],
-    method: Collocation,
+    method: &'static Collocation,
     tolerance: f64,
     /// What is added to r′.
     push: f64,
@@ -87,7 +87,7 @@ pub(super) fn begin(
         dry,
         mechanics,
         direction,
-        method: Collocation::new(),
+        method: Collocation::get(),
         tolerance,
         push: 0.0,
     };

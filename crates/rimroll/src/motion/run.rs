@@ -134,17 +134,17 @@ impl<'a> Run<'a> {
             if let Some(over) = self.out_of_steps(report) {
                 return over;
             }
-            let Ok(step) = stepper.advance() else {
+            let Ok(mut step) = stepper.advance() else {
                 return Over::For(Status::Failed);
             };
             self.work = before + stepper.work;
-            let dense = step.clone().dense(&mechanics);
+            let dense = step.dense(&mechanics);
             let h = dense.h;
             let piece = Piece {
                 dense,
                 step: Some(step),
             };
-            if let Some(switch) = self.watch.pass(phase, &piece, &mut self.track) {
+            if let Some(switch) = self.watch.pass(phase, piece, &mut self.track) {
                 return self.over_by(switch, h);
             }
             self.empty_phases = 0;
@@ -205,7 +205,7 @@ impl<'a> Run<'a> {
                     dense: found.dense,
                     step: None,
                 };
-                if let Some(switch) = self.watch.pass(phase, &piece, &mut self.track) {
+                if let Some(switch) = self.watch.pass(phase, piece, &mut self.track) {
                     return ControlFlow::Break(self.over_by(switch, h));
                 }
                 next = Some(h);
@@ -283,7 +283,7 @@ impl<'a> Run<'a> {
             self.work.steps += 1;
             let h = dense.h;
             let piece = Piece { dense, step: None };
-            if let Some(switch) = self.watch.pass(Phase::Sliding, &piece, &mut self.track) {
+            if let Some(switch) = self.watch.pass(Phase::Sliding, piece, &mut self.track) {
                 return ControlFlow::Break(self.over_by(switch, h));
             }
         }

@@ -12,7 +12,7 @@ use super::{Collocation, Dense, POINTS, System};
 /// Implicit steps of a system.
 pub struct Implicit<'a, S, const N: usize> {
     system: &'a S,
-    method: Collocation,
+    method: &'static Collocation,
     tolerance: f64,
 }
 
@@ -40,7 +40,7 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
     pub fn new(system: &'a S, tolerance: f64) -> Self {
         Implicit {
             system,
-            method: Collocation::new(),
+            method: Collocation::get(),
             tolerance,
         }
     }
@@ -58,7 +58,7 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
         // So far from the start the equations may have another solution.
         const FARTHEST: f64 = 10.0;
         let slopes = self.slopes(start);
-        let newton = Newton::new(&self.method, &slopes, h)?;
+        let newton = Newton::new(self.method, &slopes, h)?;
         let mut states = [*start; POINTS];
         let mut last_change = f64::INFINITY;
         for round in 0..MOST_ROUNDS {
