@@ -50,6 +50,12 @@ impl<'a> Mechanics<'a> {
         speed / (speed + slow)
     }
 
+    /// A speed (m/s) to compare sideways slip with: what w and s, which are held to their own sizes,
+    /// make of it.
+    pub(super) fn sideways_speed(&self, u: &Coordinates<f64>) -> f64 {
+        self.radius * (u.w.abs() + u.sin * u.s.abs())
+    }
+
     /// A rate (rad/s) to compare the tilt rate with.
     pub(super) fn tilt_rate_scale(&self, u: &Coordinates<f64>) -> f64 {
         u.p.abs() + u.w.abs() + u.sin * self.falling_rate
