@@ -423,10 +423,12 @@ struct Stopping {
     rates: Coordinates<f64>,
     /// In what time it stops; infinite where it does not.
     time: f64,
-    /// By what part of themselves the velocities change until then,
+    /// By what part of themselves the velocities change until then.
     change: f64,
-    /// and how far the slip turns from its direction, beside the sideways rates.
-    turn: f64,
+    /// How far the direction in which the slip ends is from its own, m/s.
+    astray: f64,
+    /// What to compare that with, m/s.
+    sideways: f64,
 }
 
 impl Stopping {
@@ -445,12 +447,14 @@ impl Stopping {
             rates,
             time,
             change: time * rate,
-            turn: time * turning.abs() / mechanics.sideways_speed(at),
+            astray: time * turning.abs(),
+            sideways: mechanics.sideways_speed(at),
         }
     }
 
     fn is_brief(&self, tolerance: f64) -> bool {
-        self.change * self.change <= 0.1 * tolerance && self.turn <= 0.1 * tolerance
+        let settled = self.astray <= 0.1 * tolerance * self.sideways;
+        settled && self.change * self.change <= 0.1 * tolerance
     }
 
     fn stopped(&self, at: &Coordinates<f64>, tolerance: f64) -> Coordinates<f64> {
