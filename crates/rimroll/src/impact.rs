@@ -131,7 +131,7 @@ impl Mobility {
         let mut stepper = Stepper::new(&sliding, now.as_array(), 0.01 / rate, 1e-14);
         // Slip decays like e^−ζ or faster: some hundred steps at most.
         for _ in 0..10_000 {
-            let Ok(mut step) = stepper.advance() else { break };
+            let Ok(step) = stepper.advance() else { break };
             let dense = step.dense(&sliding);
             let end = Striking::from_array(&dense.end);
             if until.level(&end) >= 0.0 {

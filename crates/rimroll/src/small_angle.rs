@@ -60,7 +60,7 @@ pub fn lean_vector(near: &NearCollision, until: f64) -> Result<Vec<[f64; 3]>, In
     let mut stepper = Stepper::new(&system, start, 0.01 * system.time, 1e-13);
     let mut samples = vec![[0.0, near.min_tilt, 0.0]];
     let mut yaw = 0.0;
-    while let Ok(mut step) = stepper.advance() {
+    while let Ok(step) = stepper.advance() {
         let dense = step.dense(&system);
         for i in 1..=4 {
             let x = f64::from(i) / 4.0;

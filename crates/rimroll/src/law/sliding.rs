@@ -82,6 +82,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     }
 
     /// The table's force, and φ̈ times sin φ.
+    #[inline]
     fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
@@ -116,6 +117,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         (contact, (turning - k.m * pressing * eta) / inertia)
     }
 
+    #[inline]
     fn accelerations(&self, u: &Coordinates<T>, contact: &Contact<T>, dp: T) -> Accelerations<T> {
         let k = &self.k;
         let Contact { along, across, .. } = *contact;
@@ -136,11 +138,8 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 
     /// The table's force (times sin φ) and the rates, under a friction that is given rather than found
     /// from the slip.
-    pub(crate) fn under(
-        &self,
-        u: &Coordinates<T>,
-        pull: &Pull<T>,
-    ) -> (Contact<T>, Coordinates<T>) {
+    #[inline]
+    pub(crate) fn under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
         let rates = Coordinates {
@@ -172,6 +171,7 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         &self.k
     }
 
+    #[inline]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         self.under(u, &self.pull(u)).1
     }

@@ -109,17 +109,17 @@ pub(super) enum Goal {
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
 /// rounding.
 struct Crossing {
-    piece: Piece,
+    dense: Dense<COORDINATES>,
+    step: Option<Step<COORDINATES>>,
     phase: Phase,
     from: f64,
     to: f64,
 }
 
 /// A finished step; made explicitly or by collocation, when it is only known as a polynomial.
-#[derive(Clone)]
-pub(super) struct Piece {
+pub(super) struct Piece<'s> {
     pub dense: Dense<COORDINATES>,
-    pub step: Option<Step<COORDINATES>>,
+    pub step: Option<&'s Step<COORDINATES>>,
 }
 
 /// A fraction of a step, and the coordinates there.
@@ -262,7 +262,7 @@ impl<'a> Watch<'a> {
     pub(super) fn pass(
         &mut self,
         phase: Phase,
-        piece: Piece,
+        piece: Piece<'_>,
         track: &mut Track,
     ) -> Option<Switch> {
         let dense = &piece.dense;
@@ -347,9 +347,8 @@ impl<'a> Watch<'a> {
                 switch != Switch::Stop || to.u.slip_speed() < from.u.slip_speed()
             })
             .map(|(switch, _)| {
-                let level = |u: &[f64; COORDINATES]| {
-                    self.level(switch, phase, &Coordinates::from_array(u))
-                };
+                let level =
+                    |u: &[f64; COORDINATES]| self.level(switch, phase, &Coordinates::from_array(u));
                 let from = match switch {
                     Switch::Land => in_the_air(dense, from.x, to.x),
                     _ => from.x,
@@ -369,12 +368,13 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn note_extremes(&mut self, phase: Phase, piece: &Piece, looks: &[Look]) {
+    fn note_extremes(&mut self, phase: Phase, piece: &Piece<'_>, looks: &[Look]) {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.p < 0.0) != (after.u.p < 0.0) {
                 self.crossing = Some(Crossing {
-                    piece: piece.clone(),
+                    dense: piece.dense.clone(),
+                    step: piece.step.cloned(),
                     phase,
                     from: before.x,
                     to: after.x,
@@ -386,27 +386,24 @@ impl<'a> Watch<'a> {
             }
             // The first clear direction after a release from rest is no reversal.
             if let Some(crossing) = self.crossing.take().filter(|_| self.direction != 0.0) {
-                self.note_extreme(&crossing, direction);
+                self.note_extreme(crossing, direction);
             }
             self.direction = direction;
         }
     }
 
-    fn note_extreme(&mut self, crossing: &Crossing, direction: f64) {
-        let Crossing {
-            piece,
-            phase,
-            from,
-            to,
-        } = crossing;
-        let x = piece
-            .dense
-            .root(*from, *to, |u| Coordinates::from_array(u).p);
-        let at = self.instant(*phase, piece, x, |u| u.p);
+    fn note_extreme(&mut self, crossing: Crossing, direction: f64) {
+        let (from, to) = (crossing.from, crossing.to);
+        let piece = Piece {
+            dense: crossing.dense,
+            step: crossing.step.as_ref(),
+        };
+        let x = piece.dense.root(from, to, |u| Coordinates::from_array(u).p);
+        let at = self.instant(crossing.phase, &piece, x, |u| u.p);
         self.note(extreme_kind(direction), at);
     }
 
-    fn note_on_edge(&mut self, phase: Phase, piece: &Piece, looks: &[Look]) {
+    fn note_on_edge(&mut self, phase: Phase, piece: &Piece<'_>, looks: &[Look]) {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.cos > 0.0) != (after.u.cos > 0.0) {
@@ -421,7 +418,7 @@ impl<'a> Watch<'a> {
     fn instant(
         &self,
         phase: Phase,
-        piece: &Piece,
+        piece: &Piece<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> Instant {
@@ -436,7 +433,7 @@ impl<'a> Watch<'a> {
     fn refine(
         &self,
         phase: Phase,
-        piece: &Piece,
+        piece: &Piece<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> Dense<COORDINATES> {

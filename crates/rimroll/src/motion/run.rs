@@ -134,17 +134,18 @@ impl<'a> Run<'a> {
             if let Some(over) = self.out_of_steps(report) {
                 return over;
             }
-            let Ok(mut step) = stepper.advance() else {
+            let Ok(step) = stepper.advance() else {
                 return Over::For(Status::Failed);
             };
-            self.work = before + stepper.work;
             let dense = step.dense(&mechanics);
             let h = dense.h;
             let piece = Piece {
                 dense,
                 step: Some(step),
             };
-            if let Some(switch) = self.watch.pass(phase, piece, &mut self.track) {
+            let switch = self.watch.pass(phase, piece, &mut self.track);
+            self.work = before + stepper.work;
+            if let Some(switch) = switch {
                 return self.over_by(switch, h);
             }
             self.empty_phases = 0;
