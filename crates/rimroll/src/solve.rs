@@ -76,6 +76,7 @@ pub struct Stepper<'a, S, const N: usize> {
     u: [f64; N],
     rates: [f64; N],
     h: f64,
+    step: Option<Step<N>>,
     /// Work so far.
     pub work: Work,
 }
@@ -89,6 +90,7 @@ impl<'a, S: System<N>, const N: usize> Stepper<'a, S, N> {
             u,
             rates: system.rates(&u),
             h,
+            step: None,
             work: Work {
                 evaluations: 1,
                 ..Work::default()
@@ -103,7 +105,7 @@ impl<'a, S: System<N>, const N: usize> Stepper<'a, S, N> {
     ///
     /// # Errors
     /// When no step is short enough.
-    pub fn advance(&mut self) -> Result<Step<N>, Stuck> {
+    pub fn advance(&mut self) -> Result<&mut Step<N>, Stuck> {
         let mut grow_at_most = 8.0;
         loop {
             let step = Step::take(self.system, &self.u, &self.rates, self.h);
@@ -116,7 +118,7 @@ impl<'a, S: System<N>, const N: usize> Stepper<'a, S, N> {
                 self.rates = step.end_rates;
                 self.h *= factor.clamp(0.2, grow_at_most);
                 self.work.steps += 1;
-                return Ok(step);
+                return Ok(self.step.insert(step));
             }
             self.work.rejected += 1;
             grow_at_most = 1.0;

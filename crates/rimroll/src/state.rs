@@ -107,6 +107,7 @@ pub struct Coordinates<T> {
 impl<T: Copy> Coordinates<T> {
     /// From the order in which the solver keeps them.
     #[rustfmt::skip]
+    #[inline]
     pub fn from_array(array: &[T; COORDINATES]) -> Self {
         let [
             yaw, spin, x, y, t, sin, cos, p, w, s, slip_x, slip_y, gap, gap_rate,
@@ -120,6 +121,7 @@ impl<T: Copy> Coordinates<T> {
 
     /// Into the order in which the solver keeps them.
     #[rustfmt::skip]
+    #[inline]
     pub fn into_array(self) -> [T; COORDINATES] {
         [
             self.yaw, self.spin, self.x, self.y, self.t, self.sin, self.cos, self.p, self.w, self.s,
@@ -156,6 +158,7 @@ impl<T: Real> Coordinates<T> {
     /// The rates by the solver's clock τ that follow from the velocities alone, whatever the
     /// forces: of the angles, of time, and of the centre of mass, which moves with `velocity` (m/s)
     /// along e_x1 and e_y1. All others are zero.
+    #[inline]
     pub fn kinematics(&self, velocity: [T; 2]) -> Self {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
         let [vx, vy] = velocity;

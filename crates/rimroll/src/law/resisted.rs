@@ -152,6 +152,7 @@ impl<L> Resisted<L> {
     }
 
     /// Rates under moments beside the law's forces, given those without.
+    #[inline]
     pub(crate) fn resist<T: Real>(
         &self,
         u: &Coordinates<T>,

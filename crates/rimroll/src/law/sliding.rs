@@ -82,6 +82,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     }
 
     /// The table's force, and φ̈ times sin φ.
+    #[inline]
     fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
@@ -116,6 +117,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         (contact, (turning - k.m * pressing * eta) / inertia)
     }
 
+    #[inline]
     fn accelerations(&self, u: &Coordinates<T>, contact: &Contact<T>, dp: T) -> Accelerations<T> {
         let k = &self.k;
         let Contact { along, across, .. } = *contact;
@@ -134,11 +136,13 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         }
     }
 
-    /// The rates under a friction that is given rather than found from the slip.
-    pub(crate) fn rates_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> Coordinates<T> {
+    /// The table's force (times sin φ) and the rates, under a friction that is given rather than found
+    /// from the slip.
+    #[inline]
+    pub(crate) fn under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
-        Coordinates {
+        let rates = Coordinates {
             p,
             w,
             s,
@@ -146,12 +150,8 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
             slip_y: slip[1],
             friction_loss: -(contact.along * u.slip_x + contact.across * u.slip_y),
             ..u.kinematics(self.center_velocity(u))
-        }
-    }
-
-    /// The table's force (times sin φ) under a friction that is given.
-    pub(crate) fn contact_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> Contact<T> {
-        self.forces(u, pull).0
+        };
+        (contact, rates)
     }
 
     /// [`Law::consistency`] under a friction that is given.
@@ -171,12 +171,13 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         &self.k
     }
 
+    #[inline]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        self.rates_under(u, &self.pull(u))
+        self.under(u, &self.pull(u)).1
     }
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
-        self.contact_under(u, &self.pull(u))
+        self.forces(u, &self.pull(u)).0
     }
 
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {

@@ -295,7 +295,7 @@ impl Contacts {
             (Next::Roll, _) => self.rolling.rates(u),
             (Next::BeginToSlip(e), Some(dry)) => {
                 let pull = dry.law().friction().against(e);
-                dry.law().rates_under(u, &pull)
+                dry.law().under(u, &pull).1
             }
             _ => self.law(Phase::Sliding).rates(u),
         }
@@ -365,12 +365,8 @@ fn onset(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> 
     };
     let sliding = dry.law();
     let pull = sliding.friction().against(e);
-    let contact = sliding.contact_under(&at_rest, &pull);
-    let rates = dry.resist(
-        &at_rest,
-        sliding.rates_under(&at_rest, &pull),
-        contact.normal,
-    );
+    let (contact, rates) = sliding.under(&at_rest, &pull);
+    let rates = dry.resist(&at_rest, rates, contact.normal);
     let k = sliding.parameters();
     Onset {
         sideways: rates.slip_y * e[0] - rates.slip_x * e[1],

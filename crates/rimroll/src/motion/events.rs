@@ -118,30 +118,37 @@ impl Goal {
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
 /// rounding.
 struct Crossing {
-    piece: Piece,
+    dense: Dense<COORDINATES>,
+    step: Option<Step<COORDINATES>>,
     phase: Phase,
     from: f64,
     to: f64,
 }
 
 /// A finished step; made explicitly or by collocation, when it is only known as a polynomial.
-#[derive(Clone)]
-pub(super) struct Piece {
+pub(super) struct Piece<'s> {
     pub dense: Dense<COORDINATES>,
-    pub step: Option<Step<COORDINATES>>,
+    pub step: Option<&'s Step<COORDINATES>>,
 }
 
-/// Where the tilt rate changes sign between two fractions of a step.
-fn extreme(dense: &Dense<COORDINATES>, from: f64, to: f64) -> Option<f64> {
-    let rate = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
-    let reverses = (rate(&dense.at(from)) < 0.0) != (rate(&dense.at(to)) < 0.0);
-    reverses.then(|| dense.root(from, to, rate))
+/// A fraction of a step, and the coordinates there.
+#[derive(Clone, Copy)]
+struct Look {
+    x: f64,
+    u: Coordinates<f64>,
 }
 
-/// Whether the slip is slower at the second of two fractions of a step.
-fn slows(dense: &Dense<COORDINATES>, from: f64, to: f64) -> bool {
-    let speed = |x: f64| Coordinates::from_array(&dense.at(x)).slip_speed();
-    speed(to) < speed(from)
+impl Look {
+    fn at(dense: &Dense<COORDINATES>, x: f64) -> Look {
+        let u = Coordinates::from_array(&dense.at(x));
+        Look { x, u }
+    }
+}
+
+/// Where the tilt rate changes sign between two looks.
+fn extreme(dense: &Dense<COORDINATES>, from: &Look, to: &Look) -> Option<f64> {
+    let reverses = (from.u.p < 0.0) != (to.u.p < 0.0);
+    reverses.then(|| dense.root(from.x, to.x, |u| Coordinates::from_array(u).p))
 }
 
 /// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
@@ -161,6 +168,7 @@ fn in_the_air(dense: &Dense<COORDINATES>, from: f64, to: f64) -> f64 {
 /// Watches the steps go by.
 pub(super) struct Watch<'a> {
     contacts: &'a Contacts,
+    rolling: Mechanics<'a>,
     goal: Goal,
     topple: Option<(f64, f64)>,
     start_energy: f64,
@@ -185,6 +193,7 @@ impl<'a> Watch<'a> {
         let energy = energy_above_rest(contacts.law(start.phase), start);
         let mut watch = Watch {
             contacts,
+            rolling: contacts.mechanics(Phase::Rolling),
             goal,
             topple: options.topple_tilt.map(libm::sincos),
             start_energy: energy,
@@ -262,19 +271,22 @@ impl<'a> Watch<'a> {
     pub(super) fn pass(
         &mut self,
         phase: Phase,
-        piece: &Piece,
+        piece: Piece<'_>,
         track: &mut Track,
     ) -> Option<Switch> {
         let dense = &piece.dense;
-        let ending = self.first_ending(phase, dense);
-        let until = ending.map_or(1.0, |(_, x)| x);
-        self.note_extremes(phase, piece, until);
-        self.note_on_edge(phase, piece, until);
-        let Some((switch, x)) = ending else {
-            track.push(phase, dense.clone());
+        let looks = LOOKS.map(|x| Look::at(dense, x));
+        let Some((switch, x)) = self.first_ending(phase, dense, &looks) else {
+            self.note_extremes(phase, &piece, &looks);
+            self.note_on_edge(phase, &piece, &looks);
+            track.push(phase, piece.dense);
             return self.has_turned().then_some(Switch::Done);
         };
-        let mut last = self.refine(phase, piece, x, |u| self.level(switch, phase, u));
+        let before = looks.into_iter().filter(|look| look.x < x);
+        let looks: Vec<_> = before.chain([Look::at(dense, x)]).collect();
+        self.note_extremes(phase, &piece, &looks);
+        self.note_on_edge(phase, &piece, &looks);
+        let mut last = self.refine(phase, &piece, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration)) = (switch, self.goal) {
             // Not a rounding error short of what was asked for.
             last.end[TIME] = duration;
@@ -303,7 +315,6 @@ impl<'a> Watch<'a> {
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
             Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
             Switch::LiftOff => law.contact(u).normal,
-            Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
             // In the air nothing resists.
             Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
             Switch::Flat => u.sin - self.flat,
@@ -316,45 +327,54 @@ impl<'a> Watch<'a> {
     }
 
     /// The first ending inside a step and the fraction of the step where it is.
-    fn first_ending(&self, phase: Phase, dense: &Dense<COORDINATES>) -> Option<(Switch, f64)> {
-        let mut looks = LOOKS.to_vec();
-        looks.extend(
-            LOOKS
-                .windows(2)
-                .filter_map(|look| extreme(dense, look[0], look[1]))
-                // A release from rest has its extreme where it begins: nothing has happened yet.
-                .filter(|&look| look > 0.0),
-        );
-        looks.sort_by(f64::total_cmp);
-        for look in looks.windows(2) {
-            let (from, to) = (look[0], look[1]);
-            let there = Coordinates::from_array(&dense.at(to));
-            let first = self
-                .switches(phase)
-                .filter(|&(switch, before)| before * self.level(switch, phase, &there) <= 0.0)
-                // A slip that has just begun is slow, too.
-                .filter(|&(switch, _)| switch != Switch::Stop || slows(dense, from, to))
-                .map(|(switch, _)| {
-                    let level = |u: &[f64; COORDINATES]| {
-                        self.level(switch, phase, &Coordinates::from_array(u))
-                    };
-                    let from = match switch {
-                        Switch::Land => in_the_air(dense, from, to),
-                        _ => from,
-                    };
-                    (switch, dense.root(from, to, level))
-                })
-                .min_by(|a, b| a.1.total_cmp(&b.1));
-            if first.is_some() {
-                return first;
+    fn first_ending(
+        &self,
+        phase: Phase,
+        dense: &Dense<COORDINATES>,
+        looks: &[Look],
+    ) -> Option<(Switch, f64)> {
+        looks.windows(2).find_map(|look| {
+            let (from, to) = (&look[0], &look[1]);
+            // A release from rest has its extreme where it begins: nothing has happened yet.
+            match extreme(dense, from, to).filter(|&x| x > 0.0) {
+                Some(x) => {
+                    let most = Look::at(dense, x);
+                    self.ending_between(phase, dense, from, &most)
+                        .or_else(|| self.ending_between(phase, dense, &most, to))
+                }
+                None => self.ending_between(phase, dense, from, to),
             }
-        }
-        None
+        })
+    }
+
+    fn ending_between(
+        &self,
+        phase: Phase,
+        dense: &Dense<COORDINATES>,
+        from: &Look,
+        to: &Look,
+    ) -> Option<(Switch, f64)> {
+        self.switches(phase)
+            .filter(|&(switch, before)| before * self.level(switch, phase, &to.u) <= 0.0)
+            // A slip that has just begun is slow, too.
+            .filter(|&(switch, _)| {
+                switch != Switch::Stop || to.u.slip_speed() < from.u.slip_speed()
+            })
+            .map(|(switch, _)| {
+                let level =
+                    |u: &[f64; COORDINATES]| self.level(switch, phase, &Coordinates::from_array(u));
+                let from = match switch {
+                    Switch::Land => in_the_air(dense, from.x, to.x),
+                    _ => from.x,
+                };
+                (switch, dense.root(from, to.x, level))
+            })
+            .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
     fn sign_of_tilt_rate(&self, u: &Coordinates<f64>) -> f64 {
-        let scale = Mechanics::new(self.contacts.law(Phase::Rolling)).tilt_rate_scale(u);
+        let scale = self.rolling.tilt_rate_scale(u);
         if u.p.abs() > self.significant * scale {
             u.p.signum()
         } else {
@@ -362,56 +382,47 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn note_extremes(&mut self, phase: Phase, piece: &Piece, until: f64) {
-        let dense = &piece.dense;
-        for look in LOOKS.windows(2) {
-            let (from, to) = (look[0], look[1].min(until));
-            if from >= to {
-                return;
-            }
-            let before = Coordinates::from_array(&dense.at(from));
-            let after = Coordinates::from_array(&dense.at(to));
-            if (before.p < 0.0) != (after.p < 0.0) {
+    fn note_extremes(&mut self, phase: Phase, piece: &Piece<'_>, looks: &[Look]) {
+        for look in looks.windows(2) {
+            let (before, after) = (&look[0], &look[1]);
+            if (before.u.p < 0.0) != (after.u.p < 0.0) {
                 self.crossing = Some(Crossing {
-                    piece: piece.clone(),
+                    dense: piece.dense.clone(),
+                    step: piece.step.cloned(),
                     phase,
-                    from,
-                    to,
+                    from: before.x,
+                    to: after.x,
                 });
             }
-            let direction = self.sign_of_tilt_rate(&after);
+            let direction = self.sign_of_tilt_rate(&after.u);
             if direction == 0.0 || direction == self.direction {
                 continue;
             }
             // The first clear direction after a release from rest is no reversal.
             if let Some(crossing) = self.crossing.take().filter(|_| self.direction != 0.0) {
-                self.note_extreme(&crossing, direction);
+                self.note_extreme(crossing, direction);
             }
             self.direction = direction;
         }
     }
 
-    fn note_extreme(&mut self, crossing: &Crossing, direction: f64) {
-        let Crossing {
-            piece,
-            phase,
-            from,
-            to,
-        } = crossing;
-        let x = piece
-            .dense
-            .root(*from, *to, |u| Coordinates::from_array(u).p);
-        let at = self.instant(*phase, piece, x, |u| u.p);
+    fn note_extreme(&mut self, crossing: Crossing, direction: f64) {
+        let (from, to) = (crossing.from, crossing.to);
+        let piece = Piece {
+            dense: crossing.dense,
+            step: crossing.step.as_ref(),
+        };
+        let x = piece.dense.root(from, to, |u| Coordinates::from_array(u).p);
+        let at = self.instant(crossing.phase, &piece, x, |u| u.p);
         self.note(extreme_kind(direction), at);
     }
 
-    fn note_on_edge(&mut self, phase: Phase, piece: &Piece, until: f64) {
-        let dense = &piece.dense;
-        let cos = |x: f64| Coordinates::from_array(&dense.at(x)).cos;
-        for look in LOOKS.windows(2) {
-            let (from, to) = (look[0], look[1].min(until));
-            if from < to && (cos(from) > 0.0) != (cos(to) > 0.0) {
-                let x = dense.root(from, to, |u| Coordinates::from_array(u).cos);
+    fn note_on_edge(&mut self, phase: Phase, piece: &Piece<'_>, looks: &[Look]) {
+        for look in looks.windows(2) {
+            let (before, after) = (&look[0], &look[1]);
+            if (before.u.cos > 0.0) != (after.u.cos > 0.0) {
+                let cos = |u: &[f64; COORDINATES]| Coordinates::from_array(u).cos;
+                let x = piece.dense.root(before.x, after.x, cos);
                 let at = self.instant(phase, piece, x, |u| u.cos);
                 self.note(EventKind::OnEdge, at);
             }
@@ -421,7 +432,7 @@ impl<'a> Watch<'a> {
     fn instant(
         &self,
         phase: Phase,
-        piece: &Piece,
+        piece: &Piece<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> Instant {
@@ -436,19 +447,19 @@ impl<'a> Watch<'a> {
     fn refine(
         &self,
         phase: Phase,
-        piece: &Piece,
+        piece: &Piece<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> Dense<COORDINATES> {
         const NUDGE: f64 = 1e-3;
         let Piece { dense, step } = piece;
         let Some(step) = step else {
-            return Collocation::new().cut(dense, x);
+            return Collocation::get().cut(dense, x);
         };
         let mechanics = self.contacts.mechanics(phase);
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
         let slope = (level(&dense.at(x + NUDGE)) - level(&dense.at(x - NUDGE))) / (2.0 * NUDGE);
-        let first = step.cut(&mechanics, x);
+        let mut first = step.cut(&mechanics, x);
         let correction = level(&first.end) / slope;
         // A level that only grazes zero has no slope to go by; then x stays.
         if correction.abs() < 0.01 {

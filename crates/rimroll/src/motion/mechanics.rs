@@ -50,6 +50,12 @@ impl<'a> Mechanics<'a> {
         speed / (speed + slow)
     }
 
+    /// A speed (m/s) to compare sideways slip with: what w and s, which are held to their own sizes,
+    /// make of it.
+    pub(super) fn sideways_speed(&self, u: &Coordinates<f64>) -> f64 {
+        self.radius * (u.w.abs() + u.sin * u.s.abs())
+    }
+
     /// A rate (rad/s) to compare the tilt rate with.
     pub(super) fn tilt_rate_scale(&self, u: &Coordinates<f64>) -> f64 {
         u.p.abs() + u.w.abs() + u.sin * self.falling_rate
@@ -70,13 +76,16 @@ impl System<COORDINATES> for Mechanics<'_> {
     /// w and s obey linear equations and pass through the tipping phase as small as the start made
     /// them, to become large in the collision; so each is held to its own size, with a floor of what
     /// the other one feeds into it. sin φ is held to its own size for the same reason. The slip
-    /// across e_x1 is fed by w; a slow slip is about to begin or to end, and its direction matters less
-    /// the slower it is.
+    /// across e_x1 feeds w and is fed by it: an error of the one is as good as one of the other. A slow
+    /// slip is about to begin or to end, and its direction matters less the slower it is.
     fn scale(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
         const NEVER_ZERO: f64 = 1e-200;
         let u = Coordinates::from_array(u);
+        // Well below what counts as stopped, a tenth of the tolerance.
+        const SLOW: f64 = 1e-2;
         let tilting = self.tilt_rate_scale(&u);
-        let speed = u.slip_speed() + 1e-3 * self.radius * tilting;
+        let speed = u.slip_speed() + SLOW * self.radius * tilting;
+        let sideways = u.w.abs() + u.sin * u.s.abs();
         let fallen = self.falling_rate * self.falling_rate;
         let energy = self.mass
             * self.radius
@@ -91,10 +100,10 @@ impl System<COORDINATES> for Mechanics<'_> {
             sin: u.sin + NEVER_ZERO,
             cos: 1.0,
             p: tilting,
-            w: u.w.abs() + u.sin * u.s.abs() + NEVER_ZERO,
+            w: sideways + NEVER_ZERO,
             s: u.s.abs() + u.sin * u.w.abs() + NEVER_ZERO,
             slip_x: speed,
-            slip_y: u.slip_y.abs() + speed * u.w.abs() / tilting + NEVER_ZERO,
+            slip_y: u.slip_y.abs() + speed * sideways / tilting + NEVER_ZERO,
             gap: u.gap.abs() + 1e-6 * self.radius,
             gap_rate: u.gap_rate.abs() + 1e-6 * self.radius * self.falling_rate,
             friction_loss: energy,

@@ -17,8 +17,9 @@ use super::mechanics::Mechanics;
 use crate::solve::{Collocation, Dense, POINTS, System, solved};
 use crate::state::{COORDINATES, Coordinates};
 
-/// Explicit steps can follow a direction that relaxes this many times in a step.
-const FOLLOWED: f64 = 40.0;
+/// Explicit steps take over where the direction relaxes no oftener than this in a step of collocation:
+/// they are several times shorter, and several times cheaper.
+const FOLLOWED: f64 = 10.0;
 
 const MOST_STEPS: usize = 400;
 
@@ -58,7 +59,7 @@ struct Beginning<'a> {
     dry: &'a DrySliding,
     mechanics: &'a Mechanics<'a>,
     direction: [f64; 2],
-    method: Collocation,
+    method: &'static Collocation,
     tolerance: f64,
     /// What is added to r′.
     push: f64,
@@ -70,6 +71,8 @@ struct Found {
     end: Polar,
     error: f64,
     relaxation: f64,
+    /// In what time the slip would stop at the rate at its end.
+    until_stop: f64,
 }
 
 /// Follows a slip in a direction (unit vector), from rest or from the slip that there is, until
@@ -87,7 +90,7 @@ pub(super) fn begin(
         dry,
         mechanics,
         direction,
-        method: Collocation::new(),
+        method: Collocation::get(),
         tolerance,
         push: 0.0,
     };
@@ -119,7 +122,8 @@ pub(super) fn begin(
                 if found.relaxation * grow < FOLLOWED {
                     break;
                 }
-                h *= grow;
+                // Not beyond the end of a slip that is about to stop.
+                h = (h * grow).min(0.9 * found.until_stop);
             }
             Some(found) => h *= (0.8 / libm::pow(found.error, 1.0 / 7.0)).clamp(0.1, 0.5),
             None => h *= 0.25,
@@ -149,8 +153,8 @@ impl Beginning<'_> {
         let u = self.whole(polar);
         let sliding = self.dry.law();
         let pull = sliding.friction().against(e);
-        let normal = sliding.contact_under(&u, &pull).normal;
-        let rates = self.dry.resist(&u, sliding.rates_under(&u, &pull), normal);
+        let (contact, rates) = sliding.under(&u, &pull);
+        let rates = self.dry.resist(&u, rates, contact.normal);
         let forward = rates.slip_x * e[0] + rates.slip_y * e[1];
         let sideways = rates.slip_y * e[0] - rates.slip_x * e[1];
         (rates, forward, sideways)
@@ -158,11 +162,15 @@ impl Beginning<'_> {
 
     fn rates(&self, polar: &Polar) -> Rates {
         const NUDGE: f64 = 1e-5;
-        let (rates, speed, sideways) = self.accelerations(polar);
         let beside = |nudge: f64| {
             let turn = polar.turn + nudge;
             self.accelerations(&Polar { turn, ..*polar }).2
         };
+        self.rates_given(polar, (beside(NUDGE) - beside(-NUDGE)) / (2.0 * NUDGE))
+    }
+
+    fn rates_given(&self, polar: &Polar, slope: f64) -> Rates {
+        let (rates, speed, sideways) = self.accelerations(polar);
         Rates {
             at: Coordinates {
                 slip_x: 0.0,
@@ -172,13 +180,15 @@ impl Beginning<'_> {
             .into_array(),
             speed: speed + self.push,
             sideways,
-            slope: (beside(NUDGE) - beside(-NUDGE)) / (2.0 * NUDGE),
+            slope,
         }
     }
 
     /// A step of length h; none where the iteration does not settle or the slip does not last.
     fn step(&self, start: &Polar, h: f64) -> Option<Found> {
         const MOST_ROUNDS: usize = 60;
+        // After so many rounds the slopes are as good as those of the solution.
+        const FRESH_SLOPES: usize = 2;
         let first = self.rates(start);
         let mut points = crate::solve::RADAU.map(|c| self.moved(start, &first, c * h));
         let mut rates = points.map(|point| self.rates(&point));
@@ -200,7 +210,10 @@ impl Beginning<'_> {
                 return settled.then(|| self.found(start, &points, &rates, &turns, h));
             }
             last_change = change;
-            rates = points.map(|point| self.rates(&point));
+            rates = core::array::from_fn(|j| match round {
+                ..FRESH_SLOPES => self.rates(&points[j]),
+                _ => self.rates_given(&points[j], rates[j].slope),
+            });
         }
         None
     }
@@ -331,6 +344,7 @@ impl Beginning<'_> {
             step,
             error: error / self.tolerance,
             relaxation: h * rates[POINTS - 1].slope.abs() / end.speed,
+            until_stop: end.speed / (-rates[POINTS - 1].speed).max(0.0),
             end,
         }
     }

@@ -137,17 +137,21 @@ impl<'a> Run<'a> {
             let Ok(step) = stepper.advance() else {
                 return Over::For(Status::Failed);
             };
-            self.work = before + stepper.work;
-            let dense = step.clone().dense(&mechanics);
+            let dense = step.dense(&mechanics);
             let h = dense.h;
             let piece = Piece {
                 dense,
                 step: Some(step),
             };
-            if let Some(switch) = self.watch.pass(phase, &piece, &mut self.track) {
+            let switch = self.watch.pass(phase, piece, &mut self.track);
+            self.work = before + stepper.work;
+            if let Some(switch) = switch {
                 return self.over_by(switch, h);
             }
             self.empty_phases = 0;
+            if self.is_stopping(phase) {
+                return Over::By(Switch::Stop);
+            }
             if stepper.work.steps % STIFF_AFTER == 0 {
                 match self.relax(&mechanics, phase, h, report) {
                     ControlFlow::Break(over) => return over,
@@ -181,8 +185,8 @@ impl<'a> Run<'a> {
         h: f64,
         report: &mut impl FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<Over, Option<f64>> {
-        // Explicit steps are stable up to some 6 relaxations.
-        const STIFF: f64 = 2.0;
+        // Explicit steps are stable up to some 6 relaxations, and accurate rarely beyond 3.
+        const STIFF: f64 = 4.0;
         const WORTH_IT: f64 = 20.0;
         let implicit = Implicit::new(mechanics, self.options.step_tolerance());
         let mut u = self.track.end().u.into_array();
@@ -205,7 +209,7 @@ impl<'a> Run<'a> {
                     dense: found.dense,
                     step: None,
                 };
-                if let Some(switch) = self.watch.pass(phase, &piece, &mut self.track) {
+                if let Some(switch) = self.watch.pass(phase, piece, &mut self.track) {
                     return ControlFlow::Break(self.over_by(switch, h));
                 }
                 next = Some(h);
@@ -283,11 +287,24 @@ impl<'a> Run<'a> {
             self.work.steps += 1;
             let h = dense.h;
             let piece = Piece { dense, step: None };
-            if let Some(switch) = self.watch.pass(Phase::Sliding, &piece, &mut self.track) {
+            if let Some(switch) = self.watch.pass(Phase::Sliding, piece, &mut self.track) {
                 return ControlFlow::Break(self.over_by(switch, h));
+            }
+            if self.is_stopping(Phase::Sliding) {
+                return ControlFlow::Break(self.over_by(Switch::Stop, h));
             }
         }
         ControlFlow::Continue((self.track.end().u, slow.h))
+    }
+
+    /// Whether a dry slip stops so soon that the last of it can go at the rate at which it stops, to
+    /// within the tolerance: neither its direction nor anything else changes much until then.
+    fn is_stopping(&self, phase: Phase) -> bool {
+        if phase != Phase::Sliding || self.contacts.dry().is_none() {
+            return false;
+        }
+        let mechanics = Mechanics::new(self.contacts.law(phase));
+        Stopping::of(&mechanics, &self.track.end()).is_brief(self.options.step_tolerance())
     }
 
     /// What follows the switch at which a phase has ended.
@@ -332,7 +349,9 @@ impl<'a> Run<'a> {
                 self.going_on(next, at.u)
             }
             Switch::Stop => {
-                let stopped = stopped(&Mechanics::new(self.contacts.law(at.phase)), at);
+                let mechanics = Mechanics::new(self.contacts.law(at.phase));
+                let tolerance = self.options.step_tolerance();
+                let stopped = Stopping::of(&mechanics, at).stopped(at, tolerance);
                 let next = self.contacts.settle(&stopped);
                 self.going_on(next, stopped)
             }
@@ -400,23 +419,54 @@ fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
     h
 }
 
-/// The end of a slip: the last of it goes at the rate at which it stops.
-fn stopped(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Coordinates<f64> {
-    const BRIEF: f64 = 1e-6;
-    let rates = mechanics.law.rates(at);
-    let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y) / at.slip_speed();
-    let h = at.slip_speed() / stopping;
-    let rate = at.p.abs() + at.w.abs() + at.s.abs() + mechanics.falling_rate;
-    // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
-    let h = if stopping > 0.0 && h * rate < BRIEF {
-        h
-    } else {
-        0.0
-    };
-    Coordinates {
-        slip_x: 0.0,
-        slip_y: 0.0,
-        ..at.plus(h, &rates)
+/// The end of a dry slip: the last of it goes at the rate at which it stops.
+struct Stopping {
+    rates: Coordinates<f64>,
+    /// In what time it stops; infinite where it does not.
+    time: f64,
+    /// By what part of themselves the velocities change until then.
+    change: f64,
+    /// How far the direction in which the slip ends is from its own, m/s.
+    astray: f64,
+    /// What to compare that with, m/s.
+    sideways: f64,
+}
+
+impl Stopping {
+    fn of(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Self {
+        let rates = mechanics.law.rates(at);
+        let speed = at.slip_speed();
+        let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y) / speed;
+        let turning = (rates.slip_x * at.slip_y - rates.slip_y * at.slip_x) / speed;
+        let time = if stopping > 0.0 {
+            speed / stopping
+        } else {
+            f64::INFINITY
+        };
+        let rate = at.p.abs() + at.w.abs() + at.s.abs() + mechanics.falling_rate;
+        Stopping {
+            rates,
+            time,
+            change: time * rate,
+            astray: time * turning.abs(),
+            sideways: mechanics.sideways_speed(at),
+        }
+    }
+
+    fn is_brief(&self, tolerance: f64) -> bool {
+        let settled = self.astray <= 0.1 * tolerance * self.sideways;
+        settled && self.change * self.change <= 0.1 * tolerance
+    }
+
+    fn stopped(&self, at: &Coordinates<f64>, tolerance: f64) -> Coordinates<f64> {
+        // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
+        let brief = self.change * self.change <= 0.1 * tolerance;
+        let time = if brief { self.time } else { 0.0 };
+        Coordinates {
+            slip_x: 0.0,
+            slip_y: 0.0,
+            ..at.plus(time, &self.rates)
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 //! stage order 7, order 13).
 
 use super::Dense;
+use std::sync::LazyLock;
 
 /// How many points there are.
 pub const POINTS: usize = 7;
@@ -34,9 +35,15 @@ pub struct Collocation {
     to_dense: Matrix,
 }
 
+static RADAU_IIA: LazyLock<Collocation> = LazyLock::new(Collocation::computed);
+
 impl Collocation {
-    /// Computes the matrices.
-    pub fn new() -> Self {
+    /// The method, whose matrices are computed once.
+    pub fn get() -> &'static Self {
+        &RADAU_IIA
+    }
+
+    fn computed() -> Self {
         // Row i: P₀ … P₇ at 2c_i − 1.
         let legendre = RADAU.map(|c| {
             let x = 2.0 * c - 1.0;
@@ -105,12 +112,6 @@ impl Collocation {
     }
 }
 
-impl Default for Collocation {
-    fn default() -> Self {
-        Collocation::new()
-    }
-}
-
 fn product(a: &Matrix, b: &Matrix) -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| (0..POINTS).map(|k| a[i][k] * b[k][j]).sum()))
 }
@@ -160,7 +161,7 @@ mod tests {
 
     #[test]
     fn integrates_powers_exactly_and_passes_through_its_points() {
-        let method = Collocation::new();
+        let method = Collocation::get();
         for power in 0..POINTS as u32 {
             let f = RADAU.map(|c| (0..power).fold(1.0, |product, _| product * c));
             for i in 0..POINTS {

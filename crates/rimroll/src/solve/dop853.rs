@@ -108,7 +108,7 @@ impl<const N: usize> Step<N> {
     }
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
-    pub fn dense(mut self, system: &impl System<N>) -> Dense<N> {
+    pub fn dense(&mut self, system: &impl System<N>) -> Dense<N> {
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
             let at = combine(system, &self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);

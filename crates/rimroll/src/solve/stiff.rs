@@ -12,7 +12,7 @@ use super::{Collocation, Dense, POINTS, System};
 /// Implicit steps of a system.
 pub struct Implicit<'a, S, const N: usize> {
     system: &'a S,
-    method: Collocation,
+    method: &'static Collocation,
     tolerance: f64,
 }
 
@@ -40,16 +40,26 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
     pub fn new(system: &'a S, tolerance: f64) -> Self {
         Implicit {
             system,
-            method: Collocation::new(),
+            method: Collocation::get(),
             tolerance,
         }
     }
 
-    /// How fast the fastest part relaxes at `u`, by the largest sum of a row of derivatives.
+    /// How fast the fastest part relaxes at `u`: the size of the largest eigenvalue of the derivatives,
+    /// from their eighth power. Sums of the derivatives themselves may be far larger where the
+    /// components' sizes differ much.
     pub fn relaxation(&self, u: &[f64; N]) -> f64 {
-        let rows = self.slopes(u).of;
-        let sums = rows.iter().map(|row| row.iter().map(|x| x.abs()).sum());
-        sums.fold(0.0, f64::max)
+        let mut power = self.slopes(u).of;
+        let size = largest_row(&power);
+        if size > 0.0 {
+            for row in &mut power {
+                row.iter_mut().for_each(|x| *x /= size);
+            }
+        }
+        for _ in 0..3 {
+            power = squared(&power);
+        }
+        size * largest_row(&power).sqrt().sqrt().sqrt()
     }
 
     /// A step of length h; none where Newton's method does not settle.
@@ -58,7 +68,7 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
         // So far from the start the equations may have another solution.
         const FARTHEST: f64 = 10.0;
         let slopes = self.slopes(start);
-        let newton = Newton::new(&self.method, &slopes, h)?;
+        let newton = Newton::new(self.method, &slopes, h)?;
         let mut states = [*start; POINTS];
         let mut last_change = f64::INFINITY;
         for round in 0..MOST_ROUNDS {
@@ -142,6 +152,20 @@ impl<'a, S: System<N>, const N: usize> Implicit<'a, S, N> {
             error: error / self.tolerance,
         }
     }
+}
+
+/// The largest sum of a row's sizes.
+fn largest_row(matrix: &[Vec<f64>]) -> f64 {
+    let sums = matrix.iter().map(|row| row.iter().map(|x| x.abs()).sum());
+    sums.fold(0.0, f64::max)
+}
+
+fn squared(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let size = matrix.len();
+    let entry = |i: usize, j: usize| (0..size).map(|k| matrix[i][k] * matrix[k][j]).sum();
+    (0..size)
+        .map(|i| (0..size).map(|j| entry(i, j)).collect())
+        .collect()
 }
 
 /// The linear equations of Newton's method, 1 − h (integral ⊗ slopes), in factors.
