@@ -235,7 +235,7 @@ def estimate(
     best = likelihood.best(**fixed)
     points = {best.friction: best}
     for friction in likelihood.predicted.frictions.tolist():
-        point = likelihood.best(**fixed, friction=friction)
+        point = likelihood.best(best, **fixed, friction=friction)
         points[friction] = point
         best = max(best, point, key=lambda one: one.log_likelihood)
     for start in _tops([points[friction] for friction in sorted(points)]):
@@ -245,7 +245,7 @@ def estimate(
     limit = likelihood.most(confidence)
 
     def beyond(friction: float) -> float:
-        point = points.get(friction) or likelihood.best(**fixed, friction=friction)
+        point = points.get(friction) or likelihood.best(best, **fixed, friction=friction)
         return likelihood.worse(point, best) - limit
 
     grid = np.array(sorted(points))
@@ -282,7 +282,7 @@ def _bias_interval(likelihood: Likelihood, best: Point, confidence: float) -> In
     limit = likelihood.most(confidence)
 
     def beyond(bias: float) -> float:
-        return likelihood.worse(likelihood.best(bias=bias), best) - limit
+        return likelihood.worse(likelihood.best(best, bias=bias), best) - limit
 
     def end(sign: float) -> float:
         step, inside = math.radians(1.0), best.bias
@@ -302,13 +302,13 @@ def _verdicts(
     low, high = likelihood.predicted.frictions[[0, -1]].tolist()
     found = [
         of_hypothesis(
-            likelihood, name, likelihood.best(**fixed, friction=friction), best, confidence
+            likelihood, name, likelihood.best(best, **fixed, friction=friction), best, confidence
         )
         for name, friction in (("rolling without slip", high), ("sliding without friction", low))
     ]
     if "bias" not in fixed:
         name = "dry friction without a bias, whatever its coefficient"
-        unbiased = likelihood.best(bias=0.0)
+        unbiased = likelihood.best(best, bias=0.0)
         found.append(of_hypothesis(likelihood, name, unbiased, best, confidence))
     return [*found, of_shape(likelihood, best, confidence)]
 

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.fitting.predicted import ANGLES, TURN, Predicted
+from rimroll.fitting.predicted import ANGLES, TURN, Predicted, which_node
 
 Array = NDArray[np.float64]
 
@@ -74,9 +74,13 @@ class Likelihood:
         lefts = int(np.sum(self.directions > math.pi))
         return min(lefts, len(self.directions) - lefts) >= FEWEST_OF_A_SIDE
 
-    def best(self, **fixed: float) -> Point:
-        """The point of the largest likelihood, with some parameters held fixed."""
-        climbed = (self.climb(start, fixed) for start in self._starts(fixed))
+    def best(self, near: Point | None = None, /, **fixed: float) -> Point:
+        """The point of the largest likelihood, with some parameters held fixed.
+
+        ``near`` is one more to climb from; what is found is no worse than what is up from there.
+        """
+        starts = [*self._starts(fixed), *([] if near is None else [near])]
+        climbed = (self.climb(start, fixed) for start in starts)
         return max(climbed, key=lambda point: point.log_likelihood)
 
     def density(self, angles: Array, at: Point) -> Array:
@@ -109,8 +113,9 @@ class Likelihood:
         hands = np.log(self.predicted.unsteady[:: max(len(self.predicted.unsteady) // 4, 1)])
         lefts = min(max(float(np.mean(self.directions > math.pi)), 0.05), 0.95)
         lattice = np.array(np.meshgrid(frictions, biases, hands, indexing="ij"))
+        some = np.sort(self.directions)[:: max(len(self.directions) // 128, 1)]
         left, right = self._densities(
-            self.directions - lattice[1][..., None], lattice[0][..., None], lattice[2][..., None]
+            some - lattice[1][..., None], lattice[0][..., None], lattice[2][..., None]
         )
         heights = np.log(lefts * left + (1.0 - lefts) * right).sum(axis=-1)
         flat = heights.reshape(len(frictions), -1)
@@ -139,6 +144,8 @@ class Likelihood:
         def loss(x: Array) -> float:
             return -self._log_likelihood(**{**values, **dict(zip(free, x.tolist(), strict=True))})
 
+        if not free:
+            return self._point(values, -loss(np.empty(0)))
         found = minimize(
             loss,
             [values[name] for name in free],
@@ -147,12 +154,15 @@ class Likelihood:
             options={"ftol": 1e-9},
         )
         values |= dict(zip(free, found.x.tolist(), strict=True))
+        return self._point(values, -float(found.fun))
+
+    def _point(self, values: Mapping[str, float], log_likelihood: float) -> Point:
         return Point(
             values["friction"],
             values["bias"],
             math.exp(values["log_unsteadiness"]),
             1.0 / (1.0 + math.exp(-values["logit"])),
-            -float(found.fun),
+            log_likelihood,
         )
 
     def _log_likelihood(
@@ -171,7 +181,7 @@ class Likelihood:
         frictions, hands = len(self.predicted.frictions), len(self.predicted.unsteady)
         place = np.array(
             np.broadcast_arrays(
-                _part(friction, self._bounds["friction"]) * (frictions - 1),
+                which_node(_part(friction, self._bounds["friction"]), frictions),
                 _part(log_unsteadiness, self._bounds["log_unsteadiness"]) * (hands - 1),
                 np.mod(angles, TURN) / TURN * ANGLES + _PAD,
             )

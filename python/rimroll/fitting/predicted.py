@@ -53,7 +53,8 @@ class Predicted:
     body, release, gravity, reading_error
         What it was computed from.
     frictions
-        Coefficients of dry friction (f,), even from 0 to one at which the rim never slips.
+        Coefficients of dry friction (f,), from 0 to one at which the rim never slips; see
+        :func:`nodes`.
     unsteady
         Factors (k,) of the scatter of the release's ``sideways`` and ``twist``.
     left, right
@@ -121,7 +122,7 @@ def predict_falls(
         raise RimrollError(
             f"release must be a rimroll.Release or the name of a preset, got {release!r}"
         )
-    grid = np.linspace(0.0, _enough(body, release, gravity), count)
+    grid = _enough(body, release, gravity) * nodes(count)
     draws = _Draws.of(release, each)
     gone, outcomes = [], []
     for i, friction in enumerate(grid):
@@ -143,14 +144,24 @@ def predict_falls(
     word = outcome_to_count(np.concatenate(outcomes))
     fell = [outcome == word for outcome in outcomes]
     angles = np.where(fell, gone, np.nan)
-    humps = [
-        _humps(angle, draws.weights, release.symmetric, error, float(friction))
-        for angle, friction in zip(angles, grid, strict=True)
-    ]
-    sides = [np.array(side) for side in zip(*humps, strict=True)]
+    sides = _humps(angles, draws.weights, release.symmetric, error, grid)
     # A disk that turns anticlockwise goes more than all the way round, and ends up on the right.
     left, right = sides if np.nanmedian(np.abs(angles)) > math.pi else sides[::-1]
     return Predicted(body, release, gravity, error, grid, draws.unsteady, left, right, word)
+
+
+def nodes(count: int) -> Array:
+    """Numbers from 0 to 1, at first three times as close together as in the end.
+
+    A little friction changes a turn most.
+    """
+    x = np.linspace(0.0, 1.0, count)
+    return np.asarray(0.5 * (x + x * x))
+
+
+def which_node(part: float | Array, count: int) -> float | Array:
+    """The inverse: where among the nodes a number from 0 to 1 is."""
+    return 0.5 * (np.sqrt(1.0 + 8.0 * np.asarray(part)) - 1.0) * (count - 1)
 
 
 def _enough(body: Body, release: Release, gravity: float) -> float:
@@ -205,30 +216,38 @@ class _Draws:
 
 
 def _humps(
-    gone: Array, weights: Array, symmetric: bool, error: float, friction: float
+    gone: Array, weights: Array, symmetric: bool, error: float, frictions: Array
 ) -> tuple[Array, Array]:
-    """Densities (k, a) of falls that turned anticlockwise and clockwise.
+    """Densities (f, k, a) of falls that turned anticlockwise and clockwise.
 
-    ``gone`` (n,) is the angle to where a body fell, the way it turned: above 0 anticlockwise, NaN
-    for what does not count. A release that favours neither side throws mirror images as often.
+    ``gone`` (f, n) is the angle to where a body fell, the way it turned: above 0 anticlockwise, NaN
+    for what does not count. A release that favours neither side throws mirror images as often. Of
+    one that hardly throws to a side, readings there are strays.
     """
-    if symmetric:
-        one = _density(np.abs(gone), weights, error, friction)
-        # The angle at index i is the mirror image of that at −i.
-        return one, np.roll(one[:, ::-1], 1, axis=1)
-    ways = (np.where(gone > 0.0, gone, np.nan), np.where(gone < 0.0, gone, np.nan))
-    one, other = (_density(way, weights, error, friction) for way in ways)
-    return one, other
+    ways = (
+        [np.abs(gone)] if symmetric else [np.where(s * gone > 0.0, gone, np.nan) for s in (1, -1)]
+    )
+    counts = np.array([np.sum(~np.isnan(way), axis=1) for way in ways])
+    fewest = counts.min(axis=1)
+    if fewest.max() < FEWEST:
+        friction = frictions[counts[fewest.argmax()].argmin()]
+        raise RimrollError(
+            f"of {gone.shape[1]} simulated releases at friction {friction:.3g} only {fewest.max()} "
+            f"came down and fell to one side: a release of another kind is needed"
+        )
+    humps = [
+        np.array([_density(one, weights, error) for one in way])
+        if few >= FEWEST
+        else np.full((len(gone), len(weights), ANGLES), 1.0 / TURN)
+        for way, few in zip(ways, fewest, strict=True)
+    ]
+    # The angle at index i is the mirror image of that at −i.
+    return humps[0], np.roll(humps[0][..., ::-1], 1, axis=-1) if symmetric else humps[1]
 
 
-def _density(gone: Array, weights: Array, error: float, friction: float) -> Array:
+def _density(gone: Array, weights: Array, error: float) -> Array:
     """Weighted falls (n,) as densities (k, a), blurred by the error of reading."""
     there = ~np.isnan(gone)
-    if there.sum() < FEWEST:
-        raise RimrollError(
-            f"of {len(gone)} simulated releases at friction {friction:.3g} only {there.sum()} came "
-            f"down and fell to one side: a release of another kind is needed"
-        )
     # Between two angles a fall counts for both, by how near it is.
     place = np.mod(gone[there], TURN) / TURN * ANGLES
     below = place.astype(int)
@@ -237,7 +256,8 @@ def _density(gone: Array, weights: Array, error: float, friction: float) -> Arra
     for k, weight in enumerate(weights[:, there]):
         np.add.at(counts[k], below % ANGLES, weight * (1.0 - part))
         np.add.at(counts[k], (below + 1) % ANGLES, weight * part)
-    counts /= counts.sum(axis=1, keepdims=True)
+    # A steady hand may be all but unable to throw there.
+    counts /= np.maximum(counts.sum(axis=1, keepdims=True), np.finfo(np.float64).tiny)
     # The transform of a normal density wrapped round the circle, less the spread that counting for
     # two angles made.
     variance = error**2 - (TURN / ANGLES) ** 2 / 6.0
