@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 import rimroll as rr
-from rimroll.fitting.likelihood import Likelihood
-from rimroll.fitting.predicted import Predicted
+from rimroll.experiment.fitting.likelihood import Likelihood
+from rimroll.experiment.fitting.predicted import Predicted
 
 READING_ERROR = math.radians(2.0)
 CONFIDENCES = (0.68, 0.95)

@@ -14,9 +14,9 @@ from scipy.stats import binom, chi2
 from scipy.stats import t as student
 
 import rimroll as rr
-from rimroll.fitting.fit import Estimate
-from rimroll.fitting.likelihood import Likelihood, Point
-from rimroll.fitting.predicted import ANGLES, STRAY, UNSTEADY, which_node
+from rimroll.experiment.fitting.fit import Estimate
+from rimroll.experiment.fitting.likelihood import Likelihood, Point
+from rimroll.experiment.fitting.predicted import ANGLES, STRAY, UNSTEADY, which_node
 from rimroll.laws import Law
 
 CAN, GRAVITY, RELEASE = rr.bodies.can_2007(), 9.8, "paper"

@@ -16,7 +16,7 @@ import rimroll as rr
 from rimroll import units
 from rimroll.cli import main
 from rimroll.cli.measure import measure as command
-from rimroll.readings import Readings, main_source, pretty
+from rimroll.experiment.readings import Readings, main_source, pretty
 from rimroll.scenario import load
 from strategies import bodies
 

@@ -13,8 +13,9 @@ from matplotlib.collections import LineCollection
 from matplotlib.patches import Circle, Rectangle, Wedge
 
 import rimroll as rr
-from rimroll import protractor, style
+from rimroll import style
 from rimroll.cli import main
+from rimroll.experiment import protractor
 from strategies import bodies
 
 CAN = rr.bodies.can_2007()

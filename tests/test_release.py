@@ -10,7 +10,7 @@ from scipy import stats
 from scipy.spatial.transform import Rotation
 
 import rimroll as rr
-from rimroll.release import MOST_TRIALS, PRESETS
+from rimroll.experiment.release import MOST_TRIALS, PRESETS
 from strategies import bodies
 
 CAN = rr.bodies.can_2007()

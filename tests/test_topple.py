@@ -16,9 +16,9 @@ import rimroll as rr
 from rimroll import style
 from rimroll.cli import main
 from rimroll.ensemble import VARIABLES
-from rimroll.histogram import falls_figure
+from rimroll.experiment.histogram import falls_figure
+from rimroll.experiment.toppling import counted, limits
 from rimroll.paper.figures.height import MEASURED
-from rimroll.toppling import counted, limits
 
 CAN = rr.bodies.can_2007()
 COIN = rr.bodies.coin()

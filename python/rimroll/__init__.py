@@ -19,7 +19,17 @@ from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.ensemble import Interrupted, ensemble
 from rimroll.errors import RimrollError
-from rimroll.fitting import Fit, Predicted, directions_of_summary, fit, predict_falls, read_angles
+from rimroll.experiment.fitting import (
+    Fit,
+    Predicted,
+    directions_of_summary,
+    fit,
+    predict_falls,
+    read_angles,
+)
+from rimroll.experiment.measurement import Measurement, measure
+from rimroll.experiment.release import Release
+from rimroll.experiment.toppling import topple
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.laws import (
     AirDrag,
@@ -32,9 +42,7 @@ from rimroll.laws import (
     Stribeck,
     Viscous,
 )
-from rimroll.measurement import Measurement, measure
 from rimroll.motion import Event, Moments, Motion, Phase, Stats, Turn, simulate
-from rimroll.release import Release
 from rimroll.sensitivity import turn_map, watershed, watershed_slope
 from rimroll.solids import Solid
 from rimroll.state import State
@@ -56,7 +64,6 @@ from rimroll.theory import (
     turn_limit,
     turn_limit_with_spin,
 )
-from rimroll.toppling import topple
 
 __all__ = [
     "STANDARD_GRAVITY",

@@ -1,4 +1,4 @@
-"""The command line: ``rimroll turn``, ``simulate``, ``topple``, ``fit`` and the rest of ``commands``.
+"""The command line: ``rimroll turn``, ``simulate``, ``topple``, ``fit`` and more.
 
 What is loaded when: nothing here; typer, rich and numpy for any command; pint, pydantic, xarray and
 matplotlib only by what needs them, so that short answers come at once.

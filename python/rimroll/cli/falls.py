@@ -83,7 +83,9 @@ def _json(part: Path, falls: xr.Dataset) -> None:
 
 
 def _figure(part: Path, falls: xr.Dataset) -> None:
-    from rimroll.histogram import falls_figure  # brings matplotlib, which is slow to load
+    from rimroll.experiment.histogram import (
+        falls_figure,  # brings matplotlib, which is slow to load
+    )
     from rimroll.style import figure_style
 
     figure = falls_figure(falls, name=falls.attrs["body"])

@@ -25,11 +25,11 @@ from rimroll.cli.release import ReleaseOptions, release_asked, release_line
 from rimroll.cli.screen import plain, say, show_json, table, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
-from rimroll.fitting import Fit, read_angles
-from rimroll.fitting import fit as fit_directions
-from rimroll.fitting.fit import Estimate
+from rimroll.experiment.fitting import Fit, read_angles
+from rimroll.experiment.fitting import fit as fit_directions
+from rimroll.experiment.fitting.fit import Estimate
+from rimroll.experiment.release import Release
 from rimroll.output import ensure_folder, writing
-from rimroll.release import Release
 from rimroll.units import quantity
 
 PICTURES, NUMBERS = (".png", ".svg", ".pdf"), ".json"

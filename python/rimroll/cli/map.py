@@ -25,9 +25,9 @@ from rimroll.cli.options import (
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
 from rimroll.errors import RimrollError
+from rimroll.experiment.release import Release
 from rimroll.names import typed
 from rimroll.output import ensure_folder, writing
-from rimroll.release import Release
 from rimroll.sensitivity import turn_map, watershed_slope
 from rimroll.state import State
 from rimroll.theory import turn_limit

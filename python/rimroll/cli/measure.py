@@ -16,10 +16,10 @@ from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
 from rimroll.cli.screen import say, show_json, table
 from rimroll.errors import RimrollError
-from rimroll.measurement import Measurement, measured
+from rimroll.experiment.measurement import Measurement, measured
+from rimroll.experiment.readings import ESTIMATE, UNITS, main_source, pretty
 from rimroll.names import typed
 from rimroll.output import writing
-from rimroll.readings import ESTIMATE, UNITS, main_source, pretty
 from rimroll.scenario import UNIT_OF
 
 WIDTH = 79  # of a paragraph

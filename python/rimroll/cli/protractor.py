@@ -51,7 +51,7 @@ def protractor(
     if output.suffix.lower() not in PICTURES:
         raise RimrollError(f"cannot draw {output}: its suffix must be one of {', '.join(PICTURES)}")
     what = asked(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
-    from rimroll import protractor as sheets  # brings matplotlib, which is slow to load
+    from rimroll.experiment import protractor as sheets  # brings matplotlib, which is slow to load
     from rimroll.style import figure_style
 
     figure = sheets.sheet(what.body, _title(what.name), paper)

@@ -8,11 +8,11 @@ from typing import Annotated, Any
 
 import typer
 
-from rimroll import release as releases
 from rimroll.cli.asked import Asked
 from rimroll.cli.contact import option
 from rimroll.errors import RimrollError
-from rimroll.release import Release
+from rimroll.experiment import release as releases
+from rimroll.experiment.release import Release
 from rimroll.units import quantity, tilt_angle
 
 Text = str | None

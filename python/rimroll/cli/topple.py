@@ -26,11 +26,11 @@ from rimroll.cli.release import ReleaseOptions, release_asked, release_line
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line
 from rimroll.ensemble import Interrupted
+from rimroll.experiment.release import Release
+from rimroll.experiment.toppling import counted, limits
+from rimroll.experiment.toppling import topple as let_go
 from rimroll.names import typed
-from rimroll.release import Release
 from rimroll.scenario import MOST_STEPS
-from rimroll.toppling import counted, limits
-from rimroll.toppling import topple as let_go
 
 if TYPE_CHECKING:
     import xarray as xr

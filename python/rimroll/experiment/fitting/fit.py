@@ -13,10 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
-from rimroll.fitting.likelihood import FEWEST_OF_A_SIDE, MOST_BIAS, MOST_LOGIT, Likelihood, Point
-from rimroll.fitting.predicted import TURN, Predicted, predict_falls
-from rimroll.fitting.verdict import Verdict, of_hypothesis, of_shape
-from rimroll.release import Release
+from rimroll.experiment.fitting.likelihood import (
+    FEWEST_OF_A_SIDE,
+    MOST_BIAS,
+    MOST_LOGIT,
+    Likelihood,
+    Point,
+)
+from rimroll.experiment.fitting.predicted import TURN, Predicted, predict_falls
+from rimroll.experiment.fitting.verdict import Verdict, of_hypothesis, of_shape
+from rimroll.experiment.release import Release
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -26,6 +32,9 @@ Interval = tuple[float, float]
 
 FEWEST = 8
 """Falls that a fit needs."""
+
+LEAST_SIMULATED, MOST_SIMULATED = 1024, 16384
+"""Falls simulated at each friction: several times those measured, within reason."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +123,7 @@ class Fit:
 
     def plot(self) -> Figure:
         """The predicted histogram over the measured one, and how well each friction suits."""
-        from rimroll.fitting.figure import fit_figure
+        from rimroll.experiment.fitting.figure import fit_figure
 
         return fit_figure(self)
 
@@ -155,7 +164,7 @@ def fit(
 
     Falls are simulated at every friction with the scatter of the release, the unsteadiness of the
     hand left open, and the directions held against them by maximum likelihood (see
-    :mod:`rimroll.fitting.likelihood`).
+    :mod:`rimroll.experiment.fitting.likelihood`).
 
     Parameters
     ----------
@@ -199,6 +208,7 @@ def fit(
             release,
             gravity=gravity,
             reading_error=reading_error,
+            falls=min(max(LEAST_SIMULATED, 4 * len(data)), MOST_SIMULATED),
             threads=threads,
             progress=progress,
         )

@@ -8,12 +8,15 @@ from contextlib import suppress
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.ensemble import Interrupted, body_of, ensemble, law_of
 from rimroll.errors import RimrollError, expect
+from rimroll.experiment.release import Release
 from rimroll.laws import IDEAL, Law
-from rimroll.release import Release
 from rimroll.state import State
 from rimroll.theory import arrival, turn_limit
 
@@ -46,7 +49,7 @@ def topple(
         How many times. The paper: 42.
     release
         How the hand lets go: a :class:`rimroll.Release`, or the name of a preset, ``let go``,
-        ``flick`` or ``paper`` (see :data:`rimroll.release.PRESETS`).
+        ``flick`` or ``paper`` (see :data:`rimroll.experiment.release.PRESETS`).
     seed
         Of the scatter, a whole number >= 0; drawn by chance and told in the attributes unless
         given. Trial k is the same whatever ``n`` and ``threads``.
@@ -104,11 +107,13 @@ def counted(falls: xr.Dataset) -> tuple[xr.DataArray, str]:
     ``toppled``: where it fell over, if it did so after coming down. ``rocked``: if that is more
     common, where it leaned at its largest tilt, as a coin that gets up again.
     """
-    came_down = falls["direction"].notnull()
-    toppled, rocked = (
-        falls["direction"][came_down & (falls["outcome"] == word)] for word in ("toppled", "rocked")
-    )
-    return (toppled, "toppled") if toppled.size >= rocked.size else (rocked, "rocked")
+    word = outcome_to_count(falls["outcome"].values)
+    return falls["direction"][falls["outcome"] == word], word
+
+
+def outcome_to_count(outcomes: NDArray[np.str_]) -> str:
+    """``toppled`` or ``rocked``, whichever is more common among outcomes (n,)."""
+    return "toppled" if np.sum(outcomes == "toppled") >= np.sum(outcomes == "rocked") else "rocked"
 
 
 def limits(falls: xr.Dataset) -> dict[str, float]:

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, UnitError, number
-from rimroll.fitting.predicted import TURN, outcome_to_count
+from rimroll.experiment.fitting.predicted import TURN
+from rimroll.experiment.toppling import outcome_to_count
 from rimroll.motion import whole_number
 from rimroll.units import quantity
 

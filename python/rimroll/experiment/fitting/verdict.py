@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.fitting.likelihood import Likelihood, Point
-from rimroll.fitting.predicted import ANGLES, STRAY, TURN
+from rimroll.experiment.fitting.likelihood import Likelihood, Point
+from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN
 
 Array = NDArray[np.float64]
 

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
+from rimroll.experiment.release import Release
+from rimroll.experiment.toppling import outcome_to_count
 from rimroll.laws import Coulomb, NoSlip
 from rimroll.motion import whole_number
-from rimroll.release import Release
 from rimroll.state import State
 from rimroll.theory import arrival, needed_friction
 
@@ -39,6 +40,9 @@ HANDS = (0.25, 0.6, 1.3, 3.0)
 
 UNSTEADY = np.geomspace(0.2, 3.0, 13)
 """Those for which densities are kept."""
+
+FEWEST_FRICTIONS = 25
+"""Between fewer, humps move by more than splines can follow, and intervals come out too narrow."""
 
 FEWEST = 20
 """Simulated falls to one side that a density needs."""
@@ -112,8 +116,8 @@ def predict_falls(
             f"{math.degrees(error):g} degrees"
         )
     count, each = whole_number("frictions", frictions), whole_number("falls", falls)
-    if count < 8:
-        raise RimrollError(f"frictions must be at least 8, got {count}")
+    if count < FEWEST_FRICTIONS:
+        raise RimrollError(f"frictions must be at least {FEWEST_FRICTIONS}, got {count}")
     if each < 128:
         raise RimrollError(f"falls must be at least 128, got {each}")
     if isinstance(release, str):
@@ -265,7 +269,3 @@ def _density(gone: Array, weights: Array, error: float) -> Array:
     smooth = np.fft.irfft(np.fft.rfft(counts, axis=1) * blur, ANGLES, axis=1)
     hump = np.maximum(smooth, 0.0) * (ANGLES / TURN)
     return np.asarray((1.0 - STRAY) * hump + STRAY / TURN)
-
-
-def outcome_to_count(outcomes: NDArray[np.str_]) -> str:
-    return "toppled" if np.sum(outcomes == "toppled") >= np.sum(outcomes == "rocked") else "rocked"

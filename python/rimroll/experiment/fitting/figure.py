@@ -12,10 +12,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rimroll import style
-from rimroll.fitting.likelihood import Likelihood
+from rimroll.experiment.fitting.likelihood import Likelihood
 
 if TYPE_CHECKING:
-    from rimroll.fitting.fit import Estimate, Fit
+    from rimroll.experiment.fitting.fit import Estimate, Fit
 
 Array = NDArray[np.float64]
 

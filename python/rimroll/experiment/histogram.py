@@ -21,9 +21,9 @@ from rimroll import bodies, style
 from rimroll.body import Body
 from rimroll.ensemble import Array, body_of, law_of
 from rimroll.errors import RimrollError, expect
+from rimroll.experiment.toppling import counted, limits
 from rimroll.laws import Law
 from rimroll.names import typed
-from rimroll.toppling import counted, limits
 
 WIDTHS = (0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)
 """What bins may be wide, degrees: each divides 180, so that no bin has falls of both sides."""
@@ -90,7 +90,7 @@ def falls_figure(
 
     Directions are in degrees, anticlockwise as seen from above, from that in which the body leaned
     at first. A hand that flicks the body away from itself stands there: 180 is straight ahead, what
-    is more falls to its left. What counts as a fall: see :func:`rimroll.toppling.counted`.
+    is more falls to its left. :func:`rimroll.experiment.toppling.counted` says what counts.
 
     Parameters
     ----------

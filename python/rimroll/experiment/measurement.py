@@ -25,8 +25,8 @@ from uncertainties import UFloat, ufloat, umath, wrap
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.experiment.readings import ESTIMATE, Readings, pretty
 from rimroll.names import choose
-from rimroll.readings import ESTIMATE, Readings, pretty
 
 RADIUS = (("radius",), ("diameter",))
 HEIGHT = (("balance_point",), ("balance_tilt",))

@@ -4,10 +4,10 @@ The probability density of one direction d is
 
     w f_left(d − b; μ, κ) + (1 − w) f_right(d − b; μ, κ)
 
-with the densities of :mod:`rimroll.fitting.predicted`; falls are independent. The logarithms of the
-densities are interpolated by cubic splines in μ, log κ and the angle, so that the likelihood is
-smooth in all four parameters. Those that are not asked for are profiled: set to what suits the data
-best.
+with the densities of :mod:`rimroll.experiment.fitting.predicted`; falls are independent. The
+logarithms of the densities are interpolated by cubic splines in μ, log κ and the angle, so that the
+likelihood is smooth in all four parameters. Those that are not asked for are profiled: set to what
+suits the data best.
 
 A confidence set is where twice the loss of log likelihood, D, stays below n log(1 + F/(n − 2)), F
 the quantile of Fisher's distribution with 1 and n − 2 degrees of freedom. For normal humps of
@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.fitting.predicted import ANGLES, TURN, Predicted, which_node
+from rimroll.experiment.fitting.predicted import ANGLES, TURN, Predicted, which_node
 
 Array = NDArray[np.float64]
 

@@ -4,8 +4,8 @@
 against that, `verdict` says what they exclude, `fit` puts it together and `figure` draws it.
 """
 
-from rimroll.fitting.angles import directions_of_summary, read_angles
-from rimroll.fitting.fit import Fit, fit
-from rimroll.fitting.predicted import Predicted, predict_falls
+from rimroll.experiment.fitting.angles import directions_of_summary, read_angles
+from rimroll.experiment.fitting.fit import Fit, fit
+from rimroll.experiment.fitting.predicted import Predicted, predict_falls
 
 __all__ = ["Fit", "Predicted", "directions_of_summary", "fit", "predict_falls", "read_angles"]
