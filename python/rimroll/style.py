@@ -6,8 +6,10 @@ colour vision; line styles and markers differ as well, so that nothing hangs on 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
@@ -85,6 +87,9 @@ STYLE: dict[str, Any] = {
     "pdf.fonttype": 42,
 }
 
+_DATE = {".pdf": "CreationDate", ".svg": "Date"}
+"""What formats call the date at which they were written."""
+
 
 @contextmanager
 def figure_style() -> Iterator[None]:
@@ -105,6 +110,13 @@ def settle(figure: Figure) -> Figure:
         engine.execute(figure)
         figure.set_layout_engine("none")
     return figure
+
+
+def save(figure: Figure, path: str | os.PathLike[str], dpi: int = 200) -> None:
+    """Write a figure in its style; without a date, so that the same figure is the same file."""
+    dated = _DATE.get(Path(path).suffix.lower())
+    with figure_style():
+        figure.savefig(path, dpi=dpi, metadata={dated: None} if dated else {})
 
 
 def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:

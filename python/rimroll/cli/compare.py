@@ -120,12 +120,12 @@ def compare(
 
 def _draw(file: Path, outcomes: list[Outcome]) -> None:
     from rimroll.cli.side_by_side import side_by_side  # brings matplotlib, which is slow to load
-    from rimroll.style import figure_style
+    from rimroll.style import save
 
     figure = side_by_side(outcomes)
     try:
-        with figure_style(), writing(file) as part:
-            figure.savefig(part, dpi=200)
+        with writing(file) as part:
+            save(figure, part)
     except OSError as error:
         raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
 

@@ -83,14 +83,11 @@ def _json(part: Path, falls: xr.Dataset) -> None:
 
 
 def _figure(part: Path, falls: xr.Dataset) -> None:
-    from rimroll.experiment.histogram import (
-        falls_figure,  # brings matplotlib, which is slow to load
-    )
-    from rimroll.style import figure_style
+    # Matplotlib is slow to load.
+    from rimroll.experiment.histogram import falls_figure
+    from rimroll.style import save
 
-    figure = falls_figure(falls, name=falls.attrs["body"])
-    with figure_style():
-        figure.savefig(part, dpi=200)
+    save(falls_figure(falls, name=falls.attrs["body"]), part)
 
 
 _FORMATS: dict[str, Callable[[Path, xr.Dataset], None]] = {

@@ -129,11 +129,9 @@ def _json(part: Path, record: Record, bar: Bar) -> None:
 
 
 def _figure(part: Path, record: Record, bar: Bar) -> None:
-    from rimroll.style import figure_style
+    from rimroll.style import save
 
-    figure = record.motion.plot()
-    with figure_style():
-        figure.savefig(part, dpi=150)
+    save(record.motion.plot(), part)
 
 
 def _film(part: Path, record: Record, bar: Bar) -> None:

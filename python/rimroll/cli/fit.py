@@ -161,7 +161,7 @@ def _check(files: list[Path]) -> None:
 
 
 def _write(file: Path, found: Fit, answer: dict[str, Any]) -> None:
-    from rimroll.style import figure_style
+    from rimroll.style import save
 
     try:
         with writing(file) as part:
@@ -169,9 +169,7 @@ def _write(file: Path, found: Fit, answer: dict[str, Any]) -> None:
                 text = notation.dumps(plain(answer), indent=2, ensure_ascii=False, allow_nan=False)
                 part.write_text(text + "\n", encoding="utf-8")
             else:
-                figure = found.plot()
-                with figure_style():
-                    figure.savefig(part)
+                save(found.plot(), part)
     except OSError as error:
         raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
 

@@ -245,11 +245,9 @@ def _write(file: Path, falls: xr.Dataset) -> None:
 
 def _picture(part: Path, falls: xr.Dataset) -> None:
     from rimroll.map_plot import map_figure  # brings matplotlib, which is slow to load
-    from rimroll.style import figure_style
+    from rimroll.style import save
 
-    figure = map_figure(falls)
-    with figure_style():
-        figure.savefig(part, dpi=300)
+    save(map_figure(falls), part, dpi=300)
 
 
 def _netcdf(part: Path, falls: xr.Dataset) -> None:

@@ -52,13 +52,12 @@ def protractor(
         raise RimrollError(f"cannot draw {output}: its suffix must be one of {', '.join(PICTURES)}")
     what = asked(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
     from rimroll.experiment import protractor as sheets  # brings matplotlib, which is slow to load
-    from rimroll.style import figure_style
+    from rimroll.style import save
 
     figure = sheets.sheet(what.body, _title(what.name), paper)
-    undated = {} if output.suffix.lower() == ".png" else {_DATE[output.suffix.lower()]: None}
     try:
-        with figure_style(), writing(output) as part:
-            figure.savefig(part, dpi=300, metadata=undated)
+        with writing(output) as part:
+            save(figure, part, dpi=300)
     except OSError as error:
         raise RimrollError(f"cannot write {output}: {error.strerror or error}") from error
     rolling, sliding = sheets.falls(what.body)
@@ -77,9 +76,6 @@ def protractor(
         say(f"(sliding), or between {360.0 - sliding:.1f} and {360.0 - rolling:.1f}")
         say(f"wrote {output}; print it at actual size (100 %)")
     return 0
-
-
-_DATE = {".pdf": "CreationDate", ".svg": "Date"}
 
 
 def _title(name: str) -> str:

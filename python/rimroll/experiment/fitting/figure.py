@@ -96,7 +96,7 @@ def _draw_friction(ax: Axes, fit: Fit) -> None:
     ax.set_ylim(0.0, MOST_SHOWN)
     ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.2), columnspacing=1.0)
     title = f"friction {one.friction:.3f}: {one.in_words}"
-    style.label(ax, "b", title, "coefficient of friction", "deviance (2 × loss of log likelihood)")
+    style.label(ax, "b", title, "coefficient of friction", "deviance")
 
 
 def _curve(ax: Axes, estimate: Estimate, color: str, dashes: Any, name: str) -> None:
