@@ -14,9 +14,15 @@ from scipy.stats import binom, chi2
 from scipy.stats import t as student
 
 import rimroll as rr
-from rimroll.experiment.fitting.fit import Estimate
+from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.fitting.likelihood import Likelihood, Point
-from rimroll.experiment.fitting.predicted import ANGLES, STRAY, UNSTEADY, which_node
+from rimroll.experiment.fitting.predicted import (
+    ANGLES,
+    FEWEST_FRICTIONS,
+    STRAY,
+    UNSTEADY,
+    which_node,
+)
 from rimroll.laws import Law
 
 CAN, GRAVITY, RELEASE = rr.bodies.can_2007(), 9.8, "paper"
@@ -154,7 +160,7 @@ def test_weighted_falls_have_the_mean_and_spread_of_another_hand(predicted, unst
 
 def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
     hand = replace(rr.Release.named(RELEASE, CAN, GRAVITY), twist=(0.8, 0.5))
-    predicted = rr.predict_falls(CAN, hand, gravity=GRAVITY, frictions=8, falls=256)
+    predicted = rr.predict_falls(CAN, hand, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=256)
     directions, _ = fallen(rr.Coulomb(0.2), 300, 3, release=hand)
     share = np.mean(directions > math.pi)
     assert share > 0.6  # of 300: 3 sigma and more
@@ -169,7 +175,7 @@ def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
 
 def test_a_coin_that_turns_more_than_all_the_way_round_gets_its_sides_right():
     coin = rr.bodies.coin()
-    predicted = rr.predict_falls(coin, "let go", frictions=8, falls=128)
+    predicted = rr.predict_falls(coin, "let go", frictions=FEWEST_FRICTIONS, falls=128)
     assert predicted.counted == "rocked"
     falls = rr.topple(coin, rr.Coulomb(predicted.frictions[3]), 60, "let go", seed=1)
     directions, turns = falls["direction"].values, falls["turn"].values
@@ -184,7 +190,7 @@ def test_a_coin_that_turns_more_than_all_the_way_round_gets_its_sides_right():
 def test_directions_count_from_the_first_lean_whatever_is_done_before_the_largest_tilt():
     """A body thrown up first turns on its way to the largest tilt, from which `turn` counts."""
     up = rr.Release((0.3, 0.0), (2.0, 0.0), (0.4, 0.02), (0.0, 0.02))
-    predicted = rr.predict_falls(CAN, up, gravity=GRAVITY, frictions=8, falls=128)
+    predicted = rr.predict_falls(CAN, up, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=128)
     assert predicted.counted == "rocked"
     friction = predicted.frictions[-1]
     directions, turns = fallen(rr.Coulomb(friction), 100, 2, release=up, word="rocked")
@@ -195,7 +201,9 @@ def test_directions_count_from_the_first_lean_whatever_is_done_before_the_larges
 
 def test_a_hand_that_throws_to_one_side_only_leaves_the_other_to_strays():
     one_way = rr.Release((0.35, 0.03), (-5.0, 0.2), (0.5, 0.02), (0.0, 0.02))
-    predicted = rr.predict_falls(CAN, one_way, gravity=GRAVITY, frictions=8, falls=128)
+    predicted = rr.predict_falls(
+        CAN, one_way, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=128
+    )
     assert np.all(predicted.right == 1.0 / TURN)
     directions, _ = fallen(rr.Coulomb(0.2), 40, 1, release=one_way)
     assert np.all(directions > math.pi)
@@ -208,7 +216,7 @@ def test_where_nothing_else_scatters_falls_are_spread_by_reading_alone(degrees):
     steady = rr.Release((0.35, 0.0), (-5.0, 0.0), (0.02, 0.0))
     error = math.radians(degrees)
     predicted = rr.predict_falls(
-        CAN, steady, gravity=GRAVITY, reading_error=error, frictions=8, falls=128
+        CAN, steady, gravity=GRAVITY, reading_error=error, frictions=FEWEST_FRICTIONS, falls=128
     )
     assert predicted.unsteady.tolist() == [1.0]
     hump = (predicted.left[:, 0] - STRAY / TURN) / (1.0 - STRAY) * TURN / ANGLES
@@ -610,7 +618,7 @@ def test_a_fit_names_what_it_refuses(predicted, of_the_paper, options, message):
         ({"reading_error": 2.0}, r"reading_error must be between 0\.5 and 57 degrees, got 114"),
         ({"reading_error": math.nan}, "reading_error must be between .* got nan degrees"),
         ({"reading_error": "2deg"}, "reading_error must be a single number"),
-        ({"frictions": 7}, "frictions must be at least 8, got 7"),
+        ({"frictions": 24}, "frictions must be at least 25, got 24"),
         ({"frictions": 8.5}, "frictions must be a whole number"),
         ({"falls": 100}, "falls must be at least 128, got 100"),
         # Never comes down: it is let go past the balance tilt.
@@ -621,7 +629,7 @@ def test_a_fit_names_what_it_refuses(predicted, of_the_paper, options, message):
     ],
 )
 def test_a_prediction_names_what_it_refuses(options, message):
-    small = {"body": CAN, "release": RELEASE, "frictions": 8, "falls": 128}
+    small = {"body": CAN, "release": RELEASE, "frictions": FEWEST_FRICTIONS, "falls": 128}
     options = {**small, **options}
     with pytest.raises(rr.RimrollError, match=message):
         rr.predict_falls(options.pop("body"), options.pop("release"), **options)
@@ -633,12 +641,12 @@ def test_progress_is_told_friction_by_friction_and_threads_change_nothing():
         rr.predict_falls(
             CAN,
             RELEASE,
-            frictions=8,
+            frictions=FEWEST_FRICTIONS,
             falls=128,
             threads=threads,
             progress=lambda done, total: seen.append((done, total)),
         )
         for threads in (1, 2)
     )
-    assert seen == 2 * [(i, 8) for i in range(1, 9)]
+    assert seen == 2 * [(i, 25) for i in range(1, 26)]
     assert np.array_equal(one.left, other.left)

@@ -27,7 +27,7 @@ from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.experiment.fitting import Fit, read_angles
 from rimroll.experiment.fitting import fit as fit_directions
-from rimroll.experiment.fitting.fit import Estimate
+from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.release import Release
 from rimroll.output import ensure_folder, writing
 from rimroll.units import quantity

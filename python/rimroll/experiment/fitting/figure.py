@@ -15,7 +15,8 @@ from rimroll import style
 from rimroll.experiment.fitting.likelihood import Likelihood
 
 if TYPE_CHECKING:
-    from rimroll.experiment.fitting.fit import Estimate, Fit
+    from rimroll.experiment.fitting.estimate import Estimate
+    from rimroll.experiment.fitting.fit import Fit
 
 Array = NDArray[np.float64]
 

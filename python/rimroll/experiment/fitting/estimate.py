@@ -1,0 +1,93 @@
+"""A coefficient of friction and those that the data do not exclude."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.experiment.fitting.likelihood import Likelihood, Point
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """A coefficient of friction, and the set of those that the data do not exclude.
+
+    ``intervals`` are (low, high), in order; there may be several, since two frictions may turn a
+    body by the same angle. One that ends at 0, or at ``most``, is open there: at ``most`` the rim
+    never slips, and more friction changes nothing. ``deviance`` (f,) is twice the loss of log
+    likelihood at ``frictions`` (f,), and ``limit`` its value at the ends of the intervals.
+    """
+
+    friction: float
+    intervals: tuple[Interval, ...]
+    most: float
+    frictions: Array = field(repr=False)
+    deviance: Array = field(repr=False)
+    limit: float = field(repr=False)
+
+    def __str__(self) -> str:
+        return f"{self.friction:.3f} ({self.in_words})"
+
+    @property
+    def open_above(self) -> bool:
+        """Whether the data set no upper bound: the rim may not have slipped at all."""
+        return self.intervals[-1][1] >= self.most
+
+    @property
+    def in_words(self) -> str:
+        """The intervals as ``0.11 to 0.16`` or ``above 0.31``."""
+        return " or ".join(self._interval(*interval) for interval in self.intervals)
+
+    def _interval(self, low: float, high: float) -> str:
+        from_none, to_most = low <= 0.0, high >= self.most
+        if from_none and to_most:
+            return "any friction"
+        if from_none:
+            return f"below {high:.3f}"
+        return f"above {low:.3f}" if to_most else f"{low:.3f} to {high:.3f}"
+
+
+def estimate(
+    likelihood: Likelihood, confidence: float, fixed: dict[str, float]
+) -> tuple[Estimate, Point]:
+    """The friction, with every other parameter profiled that is not fixed."""
+    from scipy.optimize import brentq
+
+    best = likelihood.best(**fixed)
+    points = {best.friction: best}
+    for friction in likelihood.predicted.frictions.tolist():
+        point = likelihood.best(best, **fixed, friction=friction)
+        points[friction] = point
+        best = max(best, point, key=lambda one: one.log_likelihood)
+    for start in _tops([points[friction] for friction in sorted(points)]):
+        point = likelihood.climb(start, fixed)
+        points[point.friction] = point
+        best = max(best, point, key=lambda one: one.log_likelihood)
+    limit = likelihood.most(confidence)
+
+    def beyond(friction: float) -> float:
+        point = points.get(friction) or likelihood.best(best, **fixed, friction=friction)
+        return likelihood.worse(point, best) - limit
+
+    grid = np.array(sorted(points))
+    over = np.array([beyond(friction) for friction in grid.tolist()])
+    ends = [] if over[0] > 0.0 else [float(grid[0])]
+    for i in np.flatnonzero((over[1:] > 0.0) != (over[:-1] > 0.0)):
+        ends.append(float(brentq(beyond, grid[i], grid[i + 1], xtol=1e-5)))
+    ends += [] if over[-1] > 0.0 else [float(grid[-1])]
+    intervals = tuple(zip(ends[::2], ends[1::2], strict=True))
+    most = float(likelihood.predicted.frictions[-1])
+    return Estimate(best.friction, intervals, most, grid, over + limit, limit), best
+
+
+def _tops(points: list[Point]) -> list[Point]:
+    """Those that are above their neighbours: between them more data may see more than one hill."""
+    heights = np.array([-math.inf, *(point.log_likelihood for point in points), -math.inf])
+    above = (heights[1:-1] >= heights[:-2]) & (heights[1:-1] >= heights[2:])
+    return [points[i] for i in np.flatnonzero(above)]
