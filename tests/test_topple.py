@@ -209,7 +209,7 @@ def test_the_histogram_has_every_fall_in_its_bin(papers):
     assert np.array_equal(counts, np.histogram(directions, edges)[0])
     assert 180.0 in edges and len(set(np.round(np.diff(edges), 9))) == 1
     assert ax.get_xlabel() == "direction of fall (degrees)"
-    assert ax.get_ylabel().startswith("number in each")
+    assert ax.get_ylabel().startswith("falls (per")
 
 
 def test_limits_and_measurements_stand_on_both_sides(papers):

@@ -146,10 +146,11 @@ def _shown(several: Mapping[str, Any]) -> list[_Falls]:
 
 def _limits(shown: list[_Falls]) -> dict[str, float]:
     """Limiting turns by what they are called, degrees; those of several laws by their labels."""
+    several = len({(one.data.attrs["law"], *law_of(one.data).numbers.items()) for one in shown}) > 1
     found: dict[str, float] = {}
     for one in shown:
         for law, turn in limits(one.data).items():
-            own = law not in DASHES and one.label
+            own = several and law not in DASHES
             found[one.label if own else law] = float(np.degrees(turn))
     return found
 
@@ -227,7 +228,7 @@ def _draw_flat(
     _say_sides(ax, view)
     words = [one.word for one in shown]
     of = " or of ".join(dict.fromkeys(_OF[word] for word in words))
-    x, y = f"direction of {of} (degrees)", f"number in each {view.width:g}°"
+    x, y = f"direction of {of} (degrees)", f"falls (per {view.width:g}°)"
     style.label(ax, "a", " or ".join(dict.fromkeys(_WHERE[word] for word in words)), x, y)
     ax.set_title(ax.get_title(loc="left"), loc="left", pad=TITLE_PAD)
 
