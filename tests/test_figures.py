@@ -210,7 +210,7 @@ def test_curves_of_height_run_from_the_disk_to_half_a_turn():
 
 
 def test_the_measured_turns_lie_between_the_two_laws():
-    for mean, _ in height.MEASURED:
+    for mean, _ in setting.MEASURED:
         assert np.degrees(rr.turn_limit(CAN, rr.NoSlip())) < mean
         assert mean < np.degrees(rr.turn_limit(CAN, rr.Frictionless()))
 
@@ -289,9 +289,9 @@ def test_the_measured_turns_take_the_friction_that_the_caption_names(drawings):
         "rim at rest": None,
         **{s.name: s for s in turn_against_friction.STARTS},
     }.items():
-        for mu, (mean, _) in zip(found[name], height.MEASURED, strict=True):
+        for mu, (mean, _) in zip(found[name], setting.MEASURED, strict=True):
             assert turn_against_friction.near_collision(mu, start) == pytest.approx(mean, abs=1e-4)
-    for (mu,), (mean, _) in zip(found["fall"], height.MEASURED, strict=True):
+    for (mu,), (mean, _) in zip(found["fall"], setting.MEASURED, strict=True):
         fall = turn_against_friction.whole_turn(mu, turn_against_friction.FLICKED)
         assert fall == pytest.approx(mean, abs=1e-3)
     for frictions in found.values():
@@ -359,7 +359,7 @@ def test_a_hand_that_twists_sets_the_sides_apart_as_was_measured(drawings):
     even, twisting = (drawings["falls"].numbers[hand.replace(" ", "_")] for hand in falls.HANDS)
     # 4000 falls that spread by 3 to 4 degrees: their means are known to 0.08.
     assert even["left"]["mean"] == pytest.approx(even["right"]["mean"], abs=0.4)
-    for side, (mean, deviation) in zip(("left", "right"), height.MEASURED, strict=True):
+    for side, (mean, deviation) in zip(("left", "right"), setting.MEASURED, strict=True):
         error = deviation / np.sqrt(21)  # of the paper's means, if its 42 falls were split evenly
         assert twisting[side]["mean"] == pytest.approx(mean, abs=error)
     assert twisting["left"]["share"] < 0.45
@@ -408,7 +408,7 @@ def test_random_imperfections_do_not_give_the_measured_falls(drawings):
     for law in setting.LAWS:
         numbers = drawings["imperfection"].numbers[law.name]
         # No mixture of places has a mean off 180° beyond the largest.
-        assert np.degrees(numbers["largest_deviation"]) < min(height.MEASURED)[0] - 180.0
+        assert np.degrees(numbers["largest_deviation"]) < min(setting.MEASURED)[0] - 180.0
         assert numbers["chance_of_none_near_180"] < 1e-12
         least, mean, most = numbers["energy_lost_least_mean_most"]
         assert 0.39 < least < mean < most < 0.9

@@ -406,7 +406,7 @@ def test_the_falls_of_the_paper_exclude_dry_friction_without_a_bias(fit_of_the_p
     (verdict,) = (v for v in fit_of_the_paper.verdicts if "without a bias" in v.hypothesis)
     assert verdict.excluded and verdict.chance < 0.01
     assert verdict.sentence.endswith(f"excluded (p = {verdict.chance:.2g})")
-    assert excluded(fit_of_the_paper) == {"rolling", "sliding", "dry"}
+    assert excluded(fit_of_the_paper) == {"rolling", "sliding", "one"}
 
 
 def test_the_two_sides_of_the_paper_tell_different_frictions_unless_there_is_a_bias(
@@ -437,7 +437,7 @@ def test_falls_that_are_their_own_mirror_image_need_no_bias(predicted, of_the_pa
 
 
 @pytest.mark.parametrize("middle", [178.0, 180.0])
-@pytest.mark.parametrize("spread", [4.0, 8.0, 25.0])
+@pytest.mark.parametrize("spread", [4.0, 8.0])
 def test_one_hump_is_called_out(predicted, middle, spread):
     directions = np.radians(middle + spread * np.random.default_rng(8).standard_normal(60))
     shape = rr.fit(CAN, directions, predicted=predicted).verdicts[-1]
@@ -624,7 +624,7 @@ def test_a_fit_names_what_it_refuses(predicted, of_the_paper, options, message):
         # Never comes down: it is let go past the balance tilt.
         (
             {"release": rr.Release(1.0, 1.0, (0.0, 0.1))},
-            "of 128 simulated releases at friction 0 only 0 came down",
+            "of 128 simulated releases at each friction fewer than 20 rocked",
         ),
     ],
 )
@@ -650,3 +650,68 @@ def test_progress_is_told_friction_by_friction_and_threads_change_nothing():
     )
     assert seen == 2 * [(i, 25) for i in range(1, 26)]
     assert np.array_equal(one.left, other.left)
+
+
+def test_a_flick_that_was_slower_or_faster_tells_another_friction(of_the_paper):
+    """Faster flicks of the can turn it less at the same friction: the same turns ask for less."""
+    told = rr.fit(CAN, of_the_paper, RELEASE, gravity=GRAVITY, tilt_rate_error=0.5)
+    (slower, more), (faster, less) = told.at_other_rates
+    assert (slower, faster) == pytest.approx((-4.5, -5.5))
+    assert less < told.friction.friction < more
+    with pytest.raises(rr.RimrollError, match="tilt_rate_error must be finite and >= 0, got -1"):
+        rr.fit(CAN, of_the_paper, RELEASE, tilt_rate_error=-1.0)
+
+
+def test_where_hardly_any_flick_topples_is_told_by_the_share():
+    """At 4.3 rad/s from 20 degrees the can topples if it rolls, and often not with friction."""
+    gentle = rr.Release((0.35, 0.03), (-4.3, 0.1), (0.0, 0.3), (0.0, 0.3))
+    some = rr.predict_falls(CAN, gentle, frictions=FEWEST_FRICTIONS, falls=128)
+    assert some.counted == "toppled"
+    assert some.share[-1] > 0.95 > 0.9 > some.share.min()
+    falls = rr.topple(CAN, rr.Coulomb(some.frictions[10]), 400, gentle, seed=2)
+    toppled = np.mean(falls["outcome"].values == "toppled")
+    assert some.share[10] == pytest.approx(toppled, abs=0.12)  # 128 draws, weighted
+    rocked = rr.predict_falls(
+        CAN, "let go", frictions=FEWEST_FRICTIONS, falls=128, counted="rocked"
+    )
+    assert np.all(rocked.share > 0.99)
+    with pytest.raises(rr.RimrollError, match="counted must be toppled or rocked, got 'fell'"):
+        rr.predict_falls(CAN, "flick", counted="fell")
+
+
+def test_a_hand_far_unsteadier_than_assumed_does_not_spoil_the_interval():
+    predicted = rr.predict_falls(CAN, RELEASE, gravity=GRAVITY)
+    hand = rr.Release.named(RELEASE, CAN, GRAVITY).unsteady(4.0)
+    held = 0
+    for seed in range(6):
+        directions, _ = fallen(rr.Coulomb(0.2), 42, seed, release=hand)
+        found = rr.fit(CAN, directions, predicted=predicted)
+        assert found.unsteadiness > 2.0
+        held += any(low <= 0.2 <= high for low, high in found.friction.intervals)
+    assert held >= 4  # of six at 95 %: fewer by chance once in 400
+
+
+def test_what_is_at_the_end_of_what_is_tried_is_said(predicted):
+    wild = np.radians(180.0 + 70.0 * np.random.default_rng(3).standard_normal(60))
+    assert any(
+        "unsteadiest hand" in told for told in rr.fit(CAN, wild, predicted=predicted).warnings
+    )
+    directions, _ = fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)
+    stray = np.append(directions, math.radians(60.0))
+    (told,) = rr.fit(CAN, stray, predicted=predicted).warnings
+    assert told == "far from both humps, and taken for slips of the pen: 60 degrees"
+    left = directions[directions > math.pi]
+    (told,) = rr.fit(CAN, left, predicted=predicted).warnings
+    assert told.startswith("too few falls to one side")
+    askew = rr.fit(CAN, directions + math.radians(25.0), predicted=predicted)
+    assert askew.bias == pytest.approx(math.radians(25.0), abs=math.radians(1.0))
+
+
+def test_many_falls_are_counted_in_bins_that_change_next_to_nothing(predicted):
+    directions, _ = fallen(rr.Coulomb(0.2), 2000, 1, release=RELEASE)
+    binned = Likelihood(predicted, directions)
+    point = binned.best()
+    exact = np.log(binned.density(directions, point)).sum()
+    # A quarter of a degree's variance, 1/192 degrees squared, over twice that of humps 2 degrees
+    # wide is 0.7e-3 a fall; of all parameters alike.
+    assert point.log_likelihood == pytest.approx(exact, abs=2e-3 * len(directions))

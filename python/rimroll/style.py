@@ -6,6 +6,7 @@ colour vision; line styles and markers differ as well, so that nothing hangs on 
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -114,9 +115,12 @@ def settle(figure: Figure) -> Figure:
 
 def save(figure: Figure, path: str | os.PathLike[str], dpi: int = 200) -> None:
     """Write a figure in its style; without a date, so that the same figure is the same file."""
-    dated = _DATE.get(Path(path).suffix.lower())
+    suffix = Path(path).suffix.lower()
+    undated = {_DATE[suffix]: None} if suffix in _DATE else {}
+    drawn = io.BytesIO()  # written at once: not every backend gets over a full disk
     with figure_style():
-        figure.savefig(path, dpi=dpi, metadata={dated: None} if dated else {})
+        figure.savefig(drawn, format=suffix[1:], dpi=dpi, metadata=undated)
+    Path(path).write_bytes(drawn.getvalue())
 
 
 def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:

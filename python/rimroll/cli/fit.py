@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json as notation
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
 import typer
+from rich.table import Table
 
 from rimroll._core import __version__
 from rimroll.cli.asked import asked
@@ -59,6 +61,20 @@ AnglesArgument = Annotated[
         metavar="FILE",
     ),
 ]
+RateErrorOption = Annotated[
+    str | None,
+    typer.Option(
+        help="How well the mean tilt rate is known: the friction is told also for flicks that much"
+        " slower and faster. \\[a tenth of it]",
+        metavar="RATE",
+    ),
+]
+CountedOption = Annotated[
+    str | None,
+    typer.Option(
+        help="What counts as a fall: toppled or rocked. \\[what such a flick does]", metavar="WORD"
+    ),
+]
 BiasOption = Annotated[
     str | None, typer.Option(help="Take the bias as known. \\[fitted]", metavar="ANGLE")
 ]
@@ -89,7 +105,9 @@ def fit(
     body: BodyByOption,
     hand: ReleaseOptions,
     gravity: GravityOption = None,
+    tilt_rate_error: RateErrorOption = None,
     bias: BiasOption = None,
+    counted: CountedOption = None,
     reading_error: ErrorOption = "2deg",
     confidence: ConfidenceOption = "95%",
     radians: Annotated[bool, typer.Option("--radians", help="Angles are in radians.")] = False,
@@ -115,18 +133,23 @@ def fit(
     """
     files = output or []
     _check(files)
-    directions = read_angles(angles, radians=radians, clockwise=clockwise)
+    directions = read_angles(angles, radians=radians, clockwise=clockwise, counted=counted)
     motion = MotionOptions(gravity=gravity)
     what = asked(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
     release = release_asked(hand, what)
+    if release.tilt_rate[0] > 0.0:
+        rate = f"{release.tilt_rate[0]:g} rad/s"
+        raise RimrollError(f"--tilt-rate must be negative, toward upright, got {rate}")
     with working("falls at each friction") as bar:
         found = fit_directions(
             what.body,
             directions,
             release,
             gravity=what.options.gravity,
-            reading_error=quantity(reading_error, "rad", "--reading-error"),
+            reading_error=_reading_error(reading_error),
+            tilt_rate_error=_rate_error(tilt_rate_error),
             bias=None if bias is None else quantity(bias, "rad", "--bias"),
+            counted=counted,
             confidence=quantity(confidence, "1", "--confidence"),
             progress=lambda done, total: bar(done, total, ""),
         )
@@ -149,6 +172,19 @@ def fit(
         for file in files:
             say(f"wrote {file}")
     return 0
+
+
+def _reading_error(text: str) -> float:
+    error = quantity(text, "rad", "--reading-error")
+    if text.strip()[-1:].isdigit() and error > 0.5:
+        raise RimrollError(
+            f"--reading-error: {text} is read as radians; for degrees write {text}deg"
+        )
+    return error
+
+
+def _rate_error(text: str | None) -> float | None:
+    return None if text is None else quantity(text, "rad/s", "--tilt-rate-error")
 
 
 def _check(files: list[Path]) -> None:
@@ -179,18 +215,24 @@ def _show(found: Fit, release: Release) -> None:
     say()
     say(_falls_line(found))
     say()
-    per_cent = f"{100.0 * found.confidence:g} %"
-    rows = table("", "best", per_cent)
-    rows.add_row("friction", *_estimate(found.friction))
+    rows = table("", "best", f"{100.0 * found.confidence:g} %")
+    _add_estimate(rows, "friction", found.friction)
+    for rate, friction in found.at_other_rates:
+        faster = abs(rate) > abs(release.tilt_rate[0])
+        rows.add_row(
+            f"  if flicked {'faster' if faster else 'slower'}, {rate:.3g} rad/s",
+            f"{friction:.3f}",
+            "",
+        )
     if found.bias_interval is None:
         rows.add_row("bias, taken as known", _degrees(found.bias), "")
     else:
         low, high = map(_degrees, found.bias_interval)
         rows.add_row("bias, anticlockwise", _degrees(found.bias), f"{low} to {high}")
-    rows.add_row("unsteadiness of the hand", f"{found.unsteadiness:.2f} of the release's", "")
+    rows.add_row("spread of the hand, of that assumed", f"{found.unsteadiness:.2f}", "")
     for side, one in (("left", found.left), ("right", found.right)):
         if one is not None and found.bias_interval is not None:
-            rows.add_row(f"friction, falls to the {side} alone", *_estimate(one))
+            _add_estimate(rows, f"friction, {side} alone, no bias", one)
     say(rows)
     say()
     for verdict in found.verdicts:
@@ -198,6 +240,31 @@ def _show(found: Fit, release: Release) -> None:
     if found.friction.open_above:
         most = found.friction.most
         say(f"From friction {most:.3g} on the rim never slips, and more changes nothing.")
+    for told in (*_shares(found), *found.warnings):
+        say(f"Note: {told}")
+
+
+def _add_estimate(rows: Table, name: str, one: Estimate) -> None:
+    """An interval a line: there may be several."""
+    for i, interval in enumerate(one.intervals):
+        best = f"{one.friction:.3f}" if i == 0 else ""
+        joined = (
+            one.interval_in_words(*interval) if i == 0 else f"or {one.interval_in_words(*interval)}"
+        )
+        rows.add_row(name if i == 0 else "", best, joined)
+
+
+def _shares(found: Fit) -> Iterator[str]:
+    """Where an interval lies among frictions at which few such flicks end as those that count."""
+    table = found.predicted
+    for low, high in found.friction.intervals:
+        share = float(np.interp(0.5 * (low + high), table.frictions, table.share))
+        if share < 0.5:
+            between = found.friction.interval_in_words(low, high)
+            yield (
+                f"at friction {between} only {100.0 * share:.0f} % of such flicks end "
+                f"{table.counted}; if nearly all of yours did, look elsewhere, or at the tilt rate"
+            )
 
 
 def _falls_line(found: Fit) -> str:

@@ -130,7 +130,7 @@ def map(
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
     what = asked(body, start, motion, law, resistances)
     what = replace(what, start=what.start or _flick(what))
-    falls = _follow(what, yaw, spin, motion.rtol or RTOL)
+    falls = _follow(what, yaw, spin, RTOL if motion.rtol is None else motion.rtol)
     for file in files:
         _write(file, falls)
     if json:
@@ -147,6 +147,8 @@ def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.fl
         raise RimrollError(f"{option} must be a range such as -1..1 or -30..30deg/s, got {text!r}")
     if first.strip()[-1:].isdigit():  # the unit behind the second goes for both
         first += last.strip().lstrip("+-−0123456789.eE")
+    elif last.strip()[-1:].isdigit():
+        raise RimrollError(f"{option} must have its unit behind the second rate, got {text!r}")
     low, high = quantity(first, "rad/s", option), quantity(last, "rad/s", option)
     if not low < high:
         raise RimrollError(f"{option} must rise, got {text!r}")

@@ -162,7 +162,8 @@ def _name(body: Body) -> str:
 
 def _measured() -> tuple[tuple[float, float], ...]:
     """Means and standard deviations of the paper's falls as directions, degrees."""
-    from rimroll.paper.figures.height import MEASURED  # brings the whole report
+
+    from rimroll.paper.setting import MEASURED  # brings the whole report
 
     (left, left_spread), (right, right_spread) = MEASURED
     return (left, left_spread), (360.0 - right, right_spread)

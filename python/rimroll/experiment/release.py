@@ -77,9 +77,10 @@ class Release:
         Raises ``RimrollError`` with the nearest name when there is none such.
         """
         expect("body", body, Body)
-        return choose("release", name.replace("-", " ").replace("_", " "), PRESETS)(
-            body, number("gravity", gravity)
-        )
+        gravity = number("gravity", gravity)
+        if not 0.0 < gravity < math.inf:
+            raise RimrollError(f"gravity must be > 0 and finite, got {gravity} m/s2")
+        return choose("release", name.replace("-", " ").replace("_", " "), PRESETS)(body, gravity)
 
     def unsteady(self, factor: float) -> Self:
         """The same release by a hand whose ``sideways`` and ``twist`` scatter by a factor more."""

@@ -16,6 +16,9 @@ CAN = bodies.can_2007()
 GRAVITY = 9.8
 """The paper's gravity, m/s² (caption of the simulation figure)."""
 
+MEASURED = ((213.0, 3.9), (217.9, 4.5))
+"""Turns of the can in the paper's experiment, leftward and rightward: mean, s.d., degrees."""
+
 LAWS: tuple[Law, ...] = (NoSlip(), Frictionless())
 
 LAW_NAMES = {"no_slip": "no slip", "frictionless": "frictionless"}

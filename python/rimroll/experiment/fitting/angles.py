@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, UnitError, number
 from rimroll.experiment.fitting.predicted import TURN
-from rimroll.experiment.toppling import outcome_to_count
 from rimroll.motion import whole_number
 from rimroll.units import quantity
 
 Array = NDArray[np.float64]
+
+ENOUGH = 8
+"""Falls of a kind that are worth a fit."""
 
 MOST_BYTES = 20_000_000
 
@@ -33,7 +35,11 @@ class _Row:
 
 
 def read_angles(
-    path: str | os.PathLike[str], *, radians: bool = False, clockwise: bool = False
+    path: str | os.PathLike[str],
+    *,
+    radians: bool = False,
+    clockwise: bool = False,
+    counted: str | None = None,
 ) -> Array:
     """Directions of fall from a file of comma, semicolon, tab or space separated values.
 
@@ -51,6 +57,9 @@ def read_angles(
         says otherwise, as ``direction[rad]`` does; a cell may carry its unit, as in ``213 deg``.
     clockwise
         Whether angles grow clockwise seen from above, as on a compass.
+    counted
+        Of a file with a column ``outcome``, which rows to take; ``toppled`` if there are 8 of them,
+        else ``rocked``, unless given.
 
     Returns
     -------
@@ -66,7 +75,7 @@ def read_angles(
     file = Path(path)
     rows = _rows(file)
     names = _names(rows)
-    body = _counting(names, rows[1:] if names else rows)
+    body = _counting(names, rows[1:] if names else rows, counted)
     if not body:
         raise RimrollError(f"{file} holds no angles")
     columns = _columns(file, names, len(body[0].cells))
@@ -216,11 +225,12 @@ def _unit_of(names: list[str], column: int) -> str | None:
     return "deg" if words & {"deg", "degree", "degrees", "°"} else None
 
 
-def _counting(names: list[str], rows: list[_Row]) -> list[_Row]:
+def _counting(names: list[str], rows: list[_Row], counted: str | None) -> list[_Row]:
     if "outcome" not in names:
         return rows
     at = names.index("outcome")
-    word = outcome_to_count(np.array([row.cells[at] for row in rows]))
+    outcomes = [row.cells[at] for row in rows]
+    word = counted or ("toppled" if outcomes.count("toppled") >= ENOUGH else "rocked")
     return [row for row in rows if row.cells[at] == word]
 
 

@@ -42,9 +42,10 @@ class Estimate:
     @property
     def in_words(self) -> str:
         """The intervals as ``0.11 to 0.16`` or ``above 0.31``."""
-        return " or ".join(self._interval(*interval) for interval in self.intervals)
+        return " or ".join(self.interval_in_words(*interval) for interval in self.intervals)
 
-    def _interval(self, low: float, high: float) -> str:
+    def interval_in_words(self, low: float, high: float) -> str:
+        """One of the intervals."""
         from_none, to_most = low <= 0.0, high >= self.most
         if from_none and to_most:
             return "any friction"

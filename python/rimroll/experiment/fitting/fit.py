@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -55,8 +55,13 @@ class Fit:
         The chance of a fall to the left.
     left, right
         The estimate from the falls to one side alone, without a bias; None where there are too few.
+    at_other_rates
+        What else the friction would be, (tilt rate in rad/s, friction), were the mean tilt rate off
+        by its error; empty where that was not asked for.
     verdicts
         What the data exclude.
+    warnings
+        What to doubt, and what was assumed, in sentences.
     confidence
         Of the intervals and verdicts.
     directions, predicted
@@ -70,7 +75,9 @@ class Fit:
     left_share: float
     left: Estimate | None
     right: Estimate | None
+    at_other_rates: tuple[tuple[float, float], ...]
     verdicts: tuple[Verdict, ...]
+    warnings: tuple[str, ...]
     confidence: float
     directions: Array = field(repr=False)
     predicted: Predicted = field(repr=False)
@@ -104,6 +111,8 @@ class Fit:
                 f"{name}_alone": side and {"friction": side.friction, "intervals": side.intervals}
                 for name, side in (("left", self.left), ("right", self.right))
             },
+            "at_other_tilt_rates": self.at_other_rates,
+            "warnings": self.warnings,
             "verdicts": [vars(verdict) for verdict in self.verdicts],
         }
 
@@ -115,7 +124,9 @@ def fit(
     *,
     gravity: float = _core.STANDARD_GRAVITY,
     reading_error: float = math.radians(2.0),
+    tilt_rate_error: float | None = None,
     bias: float | None = None,
+    counted: str | None = None,
     confidence: float = 0.95,
     predicted: Predicted | None = None,
     threads: int | None = None,
@@ -139,8 +150,13 @@ def fit(
         slide before the base arrives.
     reading_error
         Standard deviation of reading a direction, rad.
+    tilt_rate_error
+        How well the mean tilt rate of the release is known, rad/s: the friction is told also for
+        flicks that much slower and faster. A tenth of the rate unless given; 0 leaves it out.
     bias
         Rotation of all directions, rad; found from the data unless given.
+    counted
+        What counts as a fall, see :func:`rimroll.predict_falls`.
     confidence
         Of intervals and verdicts.
     predicted
@@ -163,21 +179,26 @@ def fit(
         bias = number("bias", bias)
         if not abs(bias) <= TURN:
             raise RimrollError(f"bias must be between -2 pi and 2 pi, got {bias} rad")
+    others: list[Predicted] = []
     if predicted is None:
-        predicted = predict_falls(
-            body,
-            release,
+        releases = _releases(body, release, gravity, tilt_rate_error)
+        tables = _predictions(
+            releases,
+            progress,
+            len(data),
+            body=body,
             gravity=gravity,
             reading_error=reading_error,
-            falls=min(max(LEAST_SIMULATED, 4 * len(data)), MOST_SIMULATED),
+            counted=counted,
             threads=threads,
-            progress=progress,
         )
+        predicted, *others = tables
     elif predicted.body != body:
         raise RimrollError("predicted was computed for another body")
     lefts, rights = data[data > math.pi], data[data <= math.pi]
     likelihood = Likelihood(predicted, data)
-    if bias is None and not likelihood.has_both_sides:
+    assumed = bias is None and not likelihood.has_both_sides
+    if assumed:
         bias = 0.0
     fixed = {} if bias is None else {"bias": bias}
     friction, best = estimate(likelihood, confidence, fixed)
@@ -189,12 +210,81 @@ def fit(
         left_share=best.left_share,
         left=_alone(predicted, lefts, confidence, +1.0),
         right=_alone(predicted, rights, confidence, -1.0),
+        at_other_rates=tuple(
+            (other.release.tilt_rate[0], Likelihood(other, data).best(**fixed).friction)
+            for other in others
+        ),
+        warnings=tuple(_warnings(likelihood, best, fixed, assumed)),
         verdicts=tuple(_verdicts(likelihood, best, confidence, fixed)),
         confidence=confidence,
         directions=data,
         predicted=predicted,
         best=best,
     )
+
+
+def _releases(
+    body: Body, release: Release | str, gravity: float, error: float | None
+) -> list[Release | str]:
+    """The release, and the same with its tilt rate off by its error either way."""
+    named = Release.named(release, body, gravity) if isinstance(release, str) else release
+    if not isinstance(named, Release):
+        return [release]  # for the prediction to refuse
+    rate, spread = named.tilt_rate
+    if error is None:
+        error = 0.1 * abs(rate)
+    error = number("tilt_rate_error", error)
+    if not 0.0 <= error < math.inf:
+        raise RimrollError(f"tilt_rate_error must be finite and >= 0, got {error} rad/s")
+    offs = (error, -error) if error > 0.0 else ()
+    return [named, *(replace(named, tilt_rate=(rate + off, spread)) for off in offs)]
+
+
+def _predictions(
+    releases: list[Release | str],
+    progress: Callable[[int, int], object] | None,
+    count: int,
+    **options: Any,
+) -> list[Predicted]:
+    """Of the first release in full; less of the others, which are asked only for one friction."""
+    whole = min(max(LEAST_SIMULATED, 4 * count), MOST_SIMULATED)
+    sizes = [whole, *(whole // 4 for _ in releases[1:])]
+    done = 0
+
+    def said(part: int, parts: int) -> None:
+        if progress is not None:
+            progress(done + part * falls, parts * sum(sizes))
+
+    tables = []
+    for release, falls in zip(releases, sizes, strict=True):
+        table = predict_falls(release=release, falls=falls, progress=said, **options)
+        done += falls * len(table.frictions)
+        tables.append(table)
+    return tables
+
+
+def _warnings(
+    likelihood: Likelihood, best: Point, fixed: dict[str, float], assumed: bool
+) -> Iterator[str]:
+    """Parameters at the end of what is tried, and readings that are like none predicted."""
+    if assumed:
+        yield "too few falls to one side to tell a bias from friction: none was assumed"
+    if "bias" not in fixed and abs(best.bias) > 0.99 * MOST_BIAS:
+        yield (
+            f"the bias is at the end of what is tried, {math.degrees(best.bias):.0f} degrees: are "
+            f"the angles counted anticlockwise from the direction of the first lean, of this body?"
+        )
+    hands = likelihood.predicted.unsteady
+    if len(hands) > 1 and best.unsteadiness > 0.99 * hands[-1]:
+        yield (
+            "the falls scatter more than the unsteadiest hand that is tried: is it the right body "
+            "and release, or is the error of reading larger?"
+        )
+    strays = np.degrees(likelihood.directions[likelihood.strays(best)])
+    if strays.size:
+        told = ", ".join(f"{angle:.0f}" for angle in strays[:5])
+        more = " and more" if strays.size > 5 else ""
+        yield f"far from both humps, and taken for slips of the pen: {told}{more} degrees"
 
 
 def _alone(
@@ -238,7 +328,7 @@ def _verdicts(
         for name, friction in (("rolling without slip", high), ("sliding without friction", low))
     ]
     if "bias" not in fixed:
-        name = "dry friction without a bias, whatever its coefficient"
+        name = "one friction for both sides, without a bias"
         unbiased = likelihood.best(best, bias=0.0)
         found.append(of_hypothesis(likelihood, name, unbiased, best, confidence))
     return [*found, of_shape(likelihood, best, confidence)]

@@ -24,18 +24,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.experiment.fitting.predicted import ANGLES, TURN, Predicted, which_node
+from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN, Predicted, which_node
 
 Array = NDArray[np.float64]
 
-MOST_BIAS = math.radians(20.0)
-"""A protractor is not misread by more."""
+MOST_BIAS = math.radians(60.0)
+"""As far as is looked for one; no protractor lies more askew."""
 
 MOST_LOGIT = 6.0
 FEWEST_OF_A_SIDE = 3
 """Falls to the rarer side without which a bias cannot be told from friction."""
 
-_BIASES = np.radians(np.linspace(-18.0, 18.0, 13))
+BINS = 2 * ANGLES
+"""A quarter of a degree each: less than any error of reading."""
+
+_BIASES = np.radians(np.linspace(-54.0, 54.0, 37))
 _PAD = 12
 """Angles repeated at both ends, so that splines know nothing of the seam."""
 
@@ -57,6 +60,7 @@ class Likelihood:
     def __init__(self, predicted: Predicted, directions: Array) -> None:
         self.predicted = predicted
         self.directions = np.mod(directions, TURN)
+        self._angles, self._counts = _binned(self.directions)
         self._left, self._right = (_spline(side) for side in (predicted.left, predicted.right))
         knows_hands = len(predicted.unsteady) > 1
         self._bounds = {
@@ -87,6 +91,10 @@ class Likelihood:
         """Probability density of a direction, per radian, at angles (rad)."""
         left, right = self._densities(angles - at.bias, at.friction, math.log(at.unsteadiness))
         return np.asarray(at.left_share * left + (1.0 - at.left_share) * right)
+
+    def strays(self, at: Point) -> NDArray[np.bool_]:
+        """Which of the directions (n,) are likelier slips of the pen than falls."""
+        return self.density(self.directions, at) < 2.0 * STRAY / TURN
 
     def worse(self, point: Point, best: Point) -> float:
         """D: twice the loss of log likelihood."""
@@ -168,9 +176,9 @@ class Likelihood:
     def _log_likelihood(
         self, friction: float, bias: float, log_unsteadiness: float, logit: float
     ) -> float:
-        left, right = self._densities(self.directions - bias, friction, log_unsteadiness)
+        left, right = self._densities(self._angles - bias, friction, log_unsteadiness)
         share = 1.0 / (1.0 + math.exp(-logit))
-        return float(np.log(share * left + (1.0 - share) * right).sum())
+        return float(self._counts @ np.log(share * left + (1.0 - share) * right))
 
     def _densities(
         self, angles: Array, friction: float | Array, log_unsteadiness: float | Array
@@ -191,6 +199,15 @@ class Likelihood:
             for side in (self._left, self._right)
         )
         return left, right
+
+
+def _binned(directions: Array) -> tuple[Array, Array]:
+    """Angles and how many falls were there: more falls than bins are not told apart within one."""
+    if len(directions) <= BINS:
+        return directions, np.ones(len(directions))
+    counts, edges = np.histogram(directions, BINS, (0.0, TURN))
+    there = counts > 0
+    return 0.5 * (edges[1:] + edges[:-1])[there], counts[there].astype(np.float64)
 
 
 def _part(value: float | Array, bounds: tuple[float, float]) -> float | Array:

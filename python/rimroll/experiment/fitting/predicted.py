@@ -17,7 +17,6 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
 from rimroll.experiment.release import Release
-from rimroll.experiment.toppling import outcome_to_count
 from rimroll.laws import Coulomb, NoSlip
 from rimroll.motion import whole_number
 from rimroll.state import State
@@ -35,10 +34,10 @@ LEAST_ERROR = math.radians(0.5)
 STRAY = 0.01
 """The part of the readings that may be anything at all: a slip of the pen."""
 
-HANDS = (0.25, 0.6, 1.3, 3.0)
+HANDS = (0.25, 0.7, 2.0, 6.0)
 """The unsteadinesses that are simulated, as factors of the release's scatter."""
 
-UNSTEADY = np.geomspace(0.2, 3.0, 13)
+UNSTEADY = np.geomspace(0.2, 6.0, 15)
 """Those for which densities are kept."""
 
 FEWEST_FRICTIONS = 25
@@ -66,6 +65,8 @@ class Predicted:
         and to its right, at a = 720 angles from 0 on.
     counted
         The outcome that counts as a fall: ``toppled`` or ``rocked``.
+    share
+        The part (f,) of the releases that end so.
     """
 
     body: Body
@@ -77,6 +78,7 @@ class Predicted:
     left: Array
     right: Array
     counted: str
+    share: Array
 
 
 def predict_falls(
@@ -87,6 +89,7 @@ def predict_falls(
     reading_error: float = math.radians(2.0),
     frictions: int = 33,
     falls: int = 1024,
+    counted: str | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Predicted:
@@ -100,6 +103,9 @@ def predict_falls(
         Standard deviation of reading a direction, rad.
     frictions, falls
         How many coefficients of friction, and about how many falls at each: a power of two.
+    counted
+        The outcome that counts as a fall, ``toppled`` or ``rocked``; unless given, ``toppled``
+        where the release topples the body at half of the frictions or more.
     threads, progress
         As for :func:`rimroll.ensemble`.
 
@@ -145,13 +151,26 @@ def predict_falls(
         outcomes.append(found["outcome"].values)
         if progress is not None:
             progress(i + 1, count)
-    word = outcome_to_count(np.concatenate(outcomes))
-    fell = [outcome == word for outcome in outcomes]
+    word = _checked(counted) or _usual(outcomes)
+    fell = np.array([outcome == word for outcome in outcomes])
     angles = np.where(fell, gone, np.nan)
-    sides = _humps(angles, draws.weights, release.symmetric, error, grid)
+    sides = _humps(angles, draws.weights, release.symmetric, error, word)
+    usual_hand = draws.weights[np.abs(draws.unsteady - 1.0).argmin()]
+    share = fell @ usual_hand / usual_hand.sum()
     # A disk that turns anticlockwise goes more than all the way round, and ends up on the right.
     left, right = sides if np.nanmedian(np.abs(angles)) > math.pi else sides[::-1]
-    return Predicted(body, release, gravity, error, grid, draws.unsteady, left, right, word)
+    return Predicted(body, release, gravity, error, grid, draws.unsteady, left, right, word, share)
+
+
+def _checked(counted: object) -> str | None:
+    if counted not in (None, "toppled", "rocked"):
+        raise RimrollError(f"counted must be toppled or rocked, got {counted!r}")
+    return None if counted is None else str(counted)
+
+
+def _usual(outcomes: list[NDArray[np.str_]]) -> str:
+    toppling = [np.sum(outcome == "toppled") >= FEWEST for outcome in outcomes]
+    return "toppled" if np.mean(toppling) >= 0.5 else "rocked"
 
 
 def nodes(count: int) -> Array:
@@ -220,31 +239,32 @@ class _Draws:
 
 
 def _humps(
-    gone: Array, weights: Array, symmetric: bool, error: float, frictions: Array
+    gone: Array, weights: Array, symmetric: bool, error: float, word: str
 ) -> tuple[Array, Array]:
     """Densities (f, k, a) of falls that turned anticlockwise and clockwise.
 
     ``gone`` (f, n) is the angle to where a body fell, the way it turned: above 0 anticlockwise, NaN
-    for what does not count. A release that favours neither side throws mirror images as often. Of
-    one that hardly throws to a side, readings there are strays.
+    for what does not count. A release that favours neither side throws mirror images as often. To a
+    side to which one hardly throws at any friction, readings are strays.
     """
     ways = (
         [np.abs(gone)] if symmetric else [np.where(s * gone > 0.0, gone, np.nan) for s in (1, -1)]
     )
-    counts = np.array([np.sum(~np.isnan(way), axis=1) for way in ways])
-    fewest = counts.min(axis=1)
-    if fewest.max() < FEWEST:
-        friction = frictions[counts[fewest.argmax()].argmin()]
+    enough = [np.sum(~np.isnan(way), axis=1) >= FEWEST for way in ways]
+    if not np.any(enough):
         raise RimrollError(
-            f"of {gone.shape[1]} simulated releases at friction {friction:.3g} only {fewest.max()} "
-            f"came down and fell to one side: a release of another kind is needed"
+            f"of {gone.shape[1]} simulated releases at each friction fewer than {FEWEST} {word} to "
+            f"one side: a release of another kind is needed"
         )
-    humps = [
-        np.array([_density(one, weights, error) for one in way])
-        if few >= FEWEST
-        else np.full((len(gone), len(weights), ANGLES), 1.0 / TURN)
-        for way, few in zip(ways, fewest, strict=True)
-    ]
+    humps = []
+    for way, there in zip(ways, enough, strict=True):
+        if there.any():
+            # Where too few fall so, as they do at the nearest friction where enough do.
+            told = np.flatnonzero(there)
+            nearest = told[np.abs(told - np.arange(len(gone))[:, None]).argmin(axis=1)]
+            humps.append(np.array([_density(one, weights, error) for one in way[nearest]]))
+        else:
+            humps.append(np.full((len(gone), len(weights), ANGLES), 1.0 / TURN))
     # The angle at index i is the mirror image of that at −i.
     return humps[0], np.roll(humps[0][..., ::-1], 1, axis=-1) if symmetric else humps[1]
 

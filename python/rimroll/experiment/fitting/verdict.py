@@ -40,7 +40,7 @@ def of_hypothesis(
     """By the loss of likelihood when the hypothesis is imposed."""
     chance = likelihood.chance(likelihood.worse(point, best))
     excluded = chance < 1.0 - confidence
-    word = "excluded" if excluded else "not excluded"
+    word = "excluded" if excluded else "possible"
     return Verdict(name, excluded, chance, f"{name}: {word} ({in_words(chance)})")
 
 
@@ -68,11 +68,11 @@ def of_shape(likelihood: Likelihood, best: Point, confidence: float) -> Verdict:
         return Verdict(name, True, None, f"{name}: {better}")
     excluded = chance < 1.0 - confidence
     if excluded:
-        sentence = f"{name}: excluded, they fit poorly ({in_words(chance)})"
+        sentence = f"{name}: excluded, the falls have another shape ({in_words(chance)})"
     elif gain > -SIMPLER and likelihood.has_both_sides:
         sentence = f"{name}: describe the falls, but {about} as well; take the friction with care"
     else:
-        sentence = f"{name}: describe the falls well ({in_words(chance)})"
+        sentence = f"{name}: the falls have that shape ({in_words(chance)})"
     return Verdict(name, excluded, chance, sentence)
 
 

@@ -12,7 +12,7 @@ from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
-from rimroll.paper.figures.height import MEASURED
+from rimroll.paper.setting import MEASURED
 from rimroll.state import State
 from rimroll.theory import turn_limit
 

@@ -15,7 +15,7 @@ from rimroll.experiment.toppling import counted, topple
 from rimroll.laws import Coulomb
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
-from rimroll.paper.figures.height import MEASURED
+from rimroll.paper.setting import MEASURED
 
 LAW = Coulomb(0.12)
 """About what a fit of the measured means and spreads gives (docs/friction-from-falls.md)."""

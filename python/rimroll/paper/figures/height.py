@@ -16,9 +16,6 @@ from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.theory import disk_turn_limit, turn_limit
 
-MEASURED = ((213.0, 3.9), (217.9, 4.5))
-"""Turns of the can in the paper's experiment, leftward and rightward: mean, s.d., degrees."""
-
 HEIGHTS = np.concatenate([[1e-9], np.linspace(0.02, 1.0, 50), np.linspace(1.05, 4.2, 64)])
 """H/R at which the curves are drawn."""
 
@@ -136,7 +133,9 @@ def _draw_things(ax: Axes) -> None:
 
 def _draw_measured(ax: Axes) -> None:
     x = setting.CAN.height / setting.CAN.radius
-    for place, (mean, deviation), mark in zip((x - 0.06, x + 0.06), MEASURED, "<>", strict=True):
+    for place, (mean, deviation), mark in zip(
+        (x - 0.06, x + 0.06), setting.MEASURED, "<>", strict=True
+    ):
         look: dict[str, Any] = {
             "color": style.MEASURED,
             "marker": mark,
@@ -161,8 +160,8 @@ def _magnify(ax: Axes) -> None:
         lens.text(x + away, turn, text, ha=align, va="center", size=6.8)
     _draw_measured(lens)
     for (mean, spread), side, name, align in (
-        (MEASURED[0], -0.1, "measured, leftward", "right"),
-        (MEASURED[1], 0.1, "measured, rightward", "left"),
+        (setting.MEASURED[0], -0.1, "measured, leftward", "right"),
+        (setting.MEASURED[1], 0.1, "measured, rightward", "left"),
     ):
         text = f"{name}\n{mean:.1f}° ± {spread}°"
         lens.text(x + side, mean, text, ha=align, va="center", size=6.8, color=style.MEASURED)
@@ -180,7 +179,7 @@ def _caption() -> str:
     rolling, sliding = _turns(setting.CAN)
     bottle = _turns(bodies.beer_bottle())
     disk, ring = (np.degrees(disk_turn_limit(ratio)) for ratio in (0.5**0.5, 1.0))
-    (left, spread), (right, wider) = MEASURED
+    (left, spread), (right, wider) = setting.MEASURED
     return (
         "Limiting angle of turn against the height of the centre of mass, rolling without slip "
         "(blue) and sliding without friction (vermilion): solid cylinders (full lines, H = L/2), "

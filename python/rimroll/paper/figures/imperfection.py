@@ -16,7 +16,7 @@ from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
-from rimroll.paper.figures.height import MEASURED
+from rimroll.paper.setting import MEASURED
 from rimroll.theory import lift_off_rate
 
 TRIALS = 42

@@ -16,7 +16,7 @@ from rimroll.map_plot import SPIN, YAW, directions, draw_map, scale_of_direction
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
-from rimroll.paper.figures.height import MEASURED
+from rimroll.paper.setting import MEASURED
 from rimroll.sensitivity import turn_map, watershed, watershed_slope
 from rimroll.state import State
 from rimroll.style import superscript

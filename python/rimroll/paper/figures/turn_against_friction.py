@@ -21,7 +21,7 @@ from rimroll.laws import Coulomb, Frictionless, NoSlip
 from rimroll.motion import Array, Motion, simulate
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
-from rimroll.paper.figures.height import MEASURED
+from rimroll.paper.setting import MEASURED
 from rimroll.state import State
 from rimroll.theory import Arrival, arrival, needed_friction, passage, turn_limit
 
