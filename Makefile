@@ -7,7 +7,7 @@ PACKAGE := $(shell find python/rimroll -type f -not -path '*/__pycache__/*')
 REPORT  := out/paper/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo test lint clean toolchain
+.PHONY: help demo test bench lint clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -18,6 +18,9 @@ demo: $(REPORT) ## redo the paper's figures and tables as one page
 test: .venv/.extension ## run the tests of the core (Rust) and of the package (Python)
 	cargo test
 	.venv/bin/python -m pytest
+
+bench: .venv/.extension ## measure how often the fit's intervals hold the truth (ten minutes)
+	.venv/bin/python bench/coverage.py
 
 lint: .venv/.packages ## check format, lints and types
 	cargo fmt --all --check

@@ -215,10 +215,17 @@ def test_decimal_commas_are_not_taken_for_columns(written, content):
         rr.read_angles(written(content))
 
 
-@pytest.mark.parametrize("content", ["direction\n213,5\n", '"213,5"\n', "10;213,5\n", "210\n213,5"])
+@pytest.mark.parametrize("content", ["direction\n213,5\n", '"213,5"\n', "210\n213,5"])
 def test_decimal_commas_are_told(written, content):
     with pytest.raises(rr.RimrollError, match=r"line \d: .*decimals follow a point, not a comma"):
         rr.read_angles(written(content))
+
+
+@pytest.mark.parametrize(
+    "content", ["0;213,5\n10;157,25\n", "Nr;Winkel (deg);Bemerkung\n1;213,5;gut\n2;147,25;\n"]
+)
+def test_between_semicolons_commas_are_decimal(written, content):
+    assert same_directions(degrees(written(content)), [213.5, 147.25])
 
 
 @pytest.mark.parametrize("content", ["10,223\n350,137\n", "213,0\n147,10.5\n", "lean,fall\n9,8\n"])
@@ -230,7 +237,7 @@ def test_whole_degrees_in_columns_are_still_columns(written, content):
 
 
 @pytest.mark.parametrize("first", [0, 1])
-@pytest.mark.parametrize("names", ["", "no,angle\n", '"","x"\n'])
+@pytest.mark.parametrize("names", ["", "no,read\n", '"","x"\n'])
 def test_a_column_that_counts_the_falls_is_not_taken_for_a_lean(written, first, names):
     rows = "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS, first))
     with pytest.raises(rr.RimrollError, match="its first column counts the falls"):

@@ -315,7 +315,7 @@ def texts(figure):
         label
         for axis, (low, high) in ((flat.xaxis, flat.get_xlim()), (flat.yaxis, flat.get_ylim()))
         for label, at in zip(axis.get_ticklabels(), axis.get_ticklocs(), strict=True)
-        if not low <= at <= high
+        if not min(low, high) <= at <= max(low, high)
     ]
     return {
         text: text.get_window_extent()

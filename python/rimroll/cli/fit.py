@@ -239,7 +239,7 @@ def _show(found: Fit, release: Release) -> None:
         say(verdict.sentence)
     if found.friction.open_above:
         most = found.friction.most
-        say(f"From friction {most:.3g} on the rim never slips, and more changes nothing.")
+        say(f"From friction {most:.3g} on the rim holds, and more changes next to nothing.")
     for told in (*_shares(found), *found.warnings):
         say(f"Note: {told}")
 

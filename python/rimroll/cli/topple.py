@@ -181,9 +181,9 @@ class Side:
         return "left" if self.direction > math.pi else "right"
 
 
-def _sides(falls: xr.Dataset) -> dict[str, Side]:
-    """The falls that count, by the way in which the contact point ran round."""
-    turns = falls["turn"].sel(trial=counted(falls)[0]["trial"]).values
+def _sides(falls: xr.Dataset, word: str) -> dict[str, Side]:
+    """The falls that ended in a word, by the way in which the contact point ran round."""
+    turns = falls["turn"].values[falls["outcome"].values == word]
     both = {"anticlockwise": turns[turns > 0.0], "clockwise": turns[turns < 0.0]}
     return {way: _side(some) for way, some in both.items() if some.size}
 
@@ -195,12 +195,14 @@ def _side(turns: Any) -> Side:
 
 
 def _answer(falls: xr.Dataset, paths: list[Path]) -> dict[str, Any]:
+    _, word = counted(falls)
+    sides = _sides(falls, word)
     return {
         "parameters": falls.attrs,
         "number": falls.sizes["trial"],
         "outcomes": _outcomes(falls),
-        "counted": counted(falls)[1],
-        "sides": {way: {**asdict(one), "side": one.side} for way, one in _sides(falls).items()},
+        "counted": word,
+        "sides": {way: {**asdict(one), "side": one.side} for way, one in sides.items()},
         "turn_limit": limits(falls),
         "files": [str(path) for path in paths],
     }
@@ -226,15 +228,16 @@ def _show(what: Asked, release: Release, falls: xr.Dataset, paths: list[Path]) -
 
 
 def _show_sides(falls: xr.Dataset) -> None:
-    sides, word = _sides(falls), counted(falls)[1]
-    rows = table(f"{word}, having turned", "count", "mean turn", "s.d.", "so at")
-    for way, one in sides.items():
-        deviation = "" if math.isnan(one.deviation) else angle(one.deviation)
-        where = f"{math.degrees(one.direction):.1f}°, {one.side}"
-        rows.add_row(way, str(one.count), angle(one.mean_turn), deviation, where)
+    rows = table("having turned", "count", "mean turn", "s.d.", "so at")
+    several = {word: sides for word in ("toppled", "rocked") if (sides := _sides(falls, word))}
+    for word, sides in several.items():
+        for way, one in sides.items():
+            deviation = "" if math.isnan(one.deviation) else angle(one.deviation)
+            where = f"{math.degrees(one.direction):.1f}°, {one.side}"
+            rows.add_row(f"{word}, {way}", str(one.count), angle(one.mean_turn), deviation, where)
     for law, limit in limits(falls).items():
         rows.add_row(f"limit, {typed(law)}", "", angle(limit), "", "")
     say(rows)
-    if not sides:
+    if not several:
         say("None came down, so there is no direction to tell.")
     say()

@@ -216,7 +216,9 @@ def _draw_flat(
         where = float(view.turned(np.array(mean)))
         ax.errorbar(where, 1.1 * highest, xerr=spread, **_mark_style())
     ax.axvline(view.center, color=style.CONTRAST, lw=0.6, ls=":", zorder=0)
-    ax.set_xlim(view.center - view.half, view.center + view.half)
+    # What is on the left of the hand, on the left: angles grow that way, but for falls back to it.
+    left = view.half if view.center else -view.half
+    ax.set_xlim(view.center + left, view.center - left)
     ax.set_ylim(0.0, 1.2 * highest)
     steps = (5, 10, 20, 30, 60)
     ax.xaxis.set_major_locator(
@@ -226,7 +228,7 @@ def _draw_flat(
     ax.yaxis.set_major_locator(MaxNLocator(6, integer=True, steps=[1, 2, 5, 10]))
     if not any(one.directions.size for one in shown):
         ax.text(0.5, 0.5, "none came down", transform=ax.transAxes, ha="center", color=INK)
-    _say_sides(ax, view)
+    _say_sides(ax)
     words = [one.word for one in shown]
     of = " or of ".join(dict.fromkeys(_OF[word] for word in words))
     x, y = f"direction of {of} (degrees)", f"falls (per {view.width:g}°)"
@@ -243,13 +245,9 @@ def _faint(shown: list[_Falls]) -> float:
     return 0.35 if len(shown) == 1 else 0.2
 
 
-def _say_sides(ax: Axes, view: _View) -> None:
+def _say_sides(ax: Axes) -> None:
     """Which end of the axis of directions is to the left of the hand, and which to the right."""
-    below, above = ("right", "left") if view.center else ("left", "right")
-    ends: tuple[tuple[float, str, Any], ...] = (
-        (0.0, f"← {below}", "left"),
-        (1.0, f"{above} →", "right"),
-    )
+    ends: tuple[tuple[float, str, Any], ...] = ((0.0, "← left", "left"), (1.0, "right →", "right"))
     for x, text, align in ends:
         ax.annotate(
             text,

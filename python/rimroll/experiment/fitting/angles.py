@@ -19,6 +19,11 @@ from rimroll.units import quantity
 
 Array = NDArray[np.float64]
 
+DIRECTIONS = ("direction", "angle", "richtung", "winkel")
+"""Beginnings of the name of the column of directions."""
+
+_DECIMAL_COMMA = re.compile(r"^([+-]?\d+),(\d+)")
+
 ENOUGH = 8
 """Falls of a kind that are worth a fit."""
 
@@ -173,7 +178,9 @@ def _text(file: Path) -> str:
 
 
 def _separated(line: str, separator: str) -> list[str]:
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
+    cells = [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
+    # Where commas do not separate they can only be decimal.
+    return cells if separator == "," else [_DECIMAL_COMMA.sub(r"\1.\2", cell) for cell in cells]
 
 
 def _spaced(line: str, lines: list[tuple[int, str]]) -> list[str]:
@@ -205,7 +212,7 @@ def _columns(file: Path, names: list[str], width: int) -> list[int]:
         return exactly[:1]
     if width == 1:
         return [0]
-    named = [i for i, name in enumerate(names) if name.startswith("direction")]
+    named = [i for i, name in enumerate(names) if name.startswith(DIRECTIONS)]
     if len(named) == 1:
         return named
     if width == 2:

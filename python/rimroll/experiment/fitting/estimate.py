@@ -20,7 +20,7 @@ class Estimate:
 
     ``intervals`` are (low, high), in order; there may be several, since two frictions may turn a
     body by the same angle. One that ends at 0, or at ``most``, is open there: at ``most`` the rim
-    never slips, and more friction changes nothing. ``deviance`` (f,) is twice the loss of log
+    holds, and more friction changes next to nothing. ``deviance`` (f,) is twice the loss of log
     likelihood at ``frictions`` (f,), and ``limit`` its value at the ends of the intervals.
     """
 

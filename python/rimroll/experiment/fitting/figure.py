@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from rimroll import style
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 FITTED = style.COLORS["coulomb"]
-MOST_SHOWN = 30.0
+MOST_SHOWN = 16.0
 """Deviances above say no more than impossible."""
 
 
@@ -60,8 +61,12 @@ def _draw_falls(ax: Axes, fit: Fit) -> None:
         thick = 1.8 if point is fit.best else 1.0
         ax.plot(angles, curve, color=color, ls=dashes, lw=thick, label=name)
     ax.axvline(middle, color=style.THEORY, lw=0.5, ls=(0, (1, 3)))
-    ax.set_xlim(angles[0], angles[-1])
+    # What is on the left of the hand, on the left: angles grow that way, but for falls back to it.
+    ax.set_xlim(*((angles[-1], angles[0]) if middle else (angles[0], angles[-1])))
     ax.margins(y=0.12)
+    ax.yaxis.set_major_locator(MaxNLocator(6, integer=True))
+    for x, side in ((0.01, "left"), (0.99, "right")):
+        ax.text(x, 0.98, f"to the {side}", transform=ax.transAxes, ha=side, va="top", fontsize=6.5)
     ax.legend(loc="upper center", ncols=4, bbox_to_anchor=(0.5, -0.2), columnspacing=1.2)
     what = "fall" if fit.predicted.counted == "toppled" else "largest tilt"
     style.label(
@@ -86,7 +91,7 @@ def _draw_friction(ax: Axes, fit: Fit) -> None:
             _curve(ax, side, style.THEORY, dashes, f"{name} alone, no bias")
     ax.axhline(one.limit, color=style.THEORY, lw=0.5)
     ax.annotate(
-        f"{100.0 * fit.confidence:g} %",
+        f"excluded at {100.0 * fit.confidence:g} % above",
         (most, one.limit),
         xytext=(-2, 2),
         textcoords="offset points",
@@ -96,8 +101,10 @@ def _draw_friction(ax: Axes, fit: Fit) -> None:
     ax.set_xlim(0.0, most)
     ax.set_ylim(0.0, MOST_SHOWN)
     ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.2), columnspacing=1.0)
-    title = f"friction {one.friction:.3f}: {one.in_words}"
-    style.label(ax, "b", title, "coefficient of friction", "deviance")
+    title = f"friction {one.friction:.3f}"
+    if len(one.intervals) == 1:
+        title += f": {one.in_words}"
+    style.label(ax, "b", title, "coefficient of friction", "how badly it suits (deviance)")
 
 
 def _curve(ax: Axes, estimate: Estimate, color: str, dashes: Any, name: str) -> None:

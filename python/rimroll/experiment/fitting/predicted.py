@@ -56,7 +56,7 @@ class Predicted:
     body, release, gravity, reading_error
         What it was computed from.
     frictions
-        Coefficients of dry friction (f,), from 0 to one at which the rim never slips; see
+        Coefficients of dry friction (f,), from 0 to one at which the rim holds; see
         :func:`nodes`.
     unsteady
         Factors (k,) of the scatter of the release's ``sideways`` and ``twist``.
