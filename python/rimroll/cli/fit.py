@@ -225,7 +225,7 @@ def _show(found: Fit, release: Release) -> None:
             "",
         )
     if found.bias_interval is None:
-        rows.add_row("bias, taken as known", _degrees(found.bias), "")
+        rows.add_row("bias, fixed", _degrees(found.bias), "")
     else:
         low, high = map(_degrees, found.bias_interval)
         rows.add_row("bias, anticlockwise", _degrees(found.bias), f"{low} to {high}")
