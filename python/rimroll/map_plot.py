@@ -15,6 +15,9 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from rimroll import style
+from rimroll.ensemble import body_of, law_of
+from rimroll.laws import IDEAL
+from rimroll.sensitivity import watershed_slope
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,6 +38,7 @@ def map_figure(falls: xr.Dataset) -> Figure:
         figure = style.page(86.0, 110.0)
         ax = figure.subplots()
         image = draw_map(ax, falls, span(falls))
+        _draw_watershed(ax, falls)
         style.label(ax, "", _title(falls), YAW, SPIN)
         scale_of_directions(figure.colorbar(image, ax=ax, pad=0.03))
         others = set(falls.outcome.values.ravel().tolist()) - set(FELL)
@@ -78,6 +82,17 @@ def draw_map(ax: Axes, falls: xr.Dataset, reach: float) -> ScalarMappable:
     )
     ax.spines[["top", "right"]].set_visible(True)
     return image
+
+
+def _draw_watershed(ax: Axes, falls: xr.Dataset) -> None:
+    """The line on which the body comes down flat, where theory has it."""
+    law = law_of(falls)
+    if law in IDEAL:
+        slope = watershed_slope(body_of(falls), falls.attrs["start_tilt"], law)
+        within = {"x": ax.get_xlim(), "y": ax.get_ylim()}
+        spin = np.array(within["y"])
+        ax.plot(slope * spin, spin, color=style.THEORY, lw=1.0)
+        ax.set(xlim=within["x"], ylim=within["y"])
 
 
 def scale_of_directions(bar: Colorbar) -> None:
