@@ -19,7 +19,7 @@ test: .venv/.extension ## run the tests of the core (Rust) and of the package (P
 	cargo test
 	.venv/bin/python -m pytest
 
-bench: .venv/.extension ## measure how often the fit's intervals hold the truth (ten minutes)
+bench: .venv/.extension ## measure how often the fit's intervals hold the truth (twenty minutes)
 	.venv/bin/python bench/coverage.py
 
 lint: .venv/.packages ## check format, lints and types
