@@ -526,3 +526,8 @@ def test_any_measured_body_can_be_written_and_read(tmp_path_factory, body):
     code = main(["measure", *(a.replace("_", "-") for a in arguments), "-o", str(file), "--json"])
     assert code == 0
     assert load(file).body.mass == body.mass
+
+
+def test_what_no_table_holds_is_refused():
+    with pytest.raises(rr.RimrollError, match="mass is no reading on a table: 1e-300 kg"):
+        rr.measure(mass=1e-300, radius=0.05, balance_point=0.07, swing_period=0.77)

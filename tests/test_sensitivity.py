@@ -234,3 +234,11 @@ def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message
 def test_what_cannot_be_mapped_is_refused_in_a_line(call, message):
     with pytest.raises(rr.RimrollError, match=message):
         call()
+
+
+def test_the_watershed_of_a_flat_body_has_digits_down_to_the_smallest_tilt():
+    """C = 2A: C/(A (1 + cos φ) − C cos φ) = 1/sin²(φ/2)."""
+    flat = rr.Body(1.0, 1.0, 0.0, 0.5, 1.0)
+    for tilt in (1e-9, 1e-3, 1.0):
+        slope = rr.watershed_slope(flat, tilt, rr.Frictionless())
+        assert slope == pytest.approx(1.0 / np.sin(0.5 * tilt) ** 2, rel=1e-14)

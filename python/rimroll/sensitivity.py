@@ -140,8 +140,7 @@ def watershed_slope(body: Body, tilt: float, law: Law) -> float:
     clock, so the watershed is a straight line through the start without either, whatever the tilt
     rate and gravity. Frictionless: A l + C s cos φ and s are constant and l = 0 at φ = 0, hence
     C/(A (1 + cos φ) − C cos φ). No-slip: the solution of the linear equations that is regular at
-    φ = 0. Not in the paper, which says only that left or right "depends sensitively on initial
-    conditions".
+    φ = 0. Not in the paper, which says only that the side depends sensitively on the start.
 
     Raises ``RimrollError`` for other laws and for a tilt outside (0, π/2).
     """
@@ -151,7 +150,9 @@ def watershed_slope(body: Body, tilt: float, law: Law) -> float:
         raise RimrollError(f"tilt must be inside (0, pi/2), got {tilt} rad")
     transverse, axial = body.transverse_inertia, body.axial_inertia
     if isinstance(ideal(law), Frictionless):
-        return axial / (transverse * (1.0 + math.cos(tilt)) - axial * math.cos(tilt))
+        # The sum of two terms that are not negative: a flat body, C = 2A, leaves only the second.
+        rest = 2.0 * transverse * math.sin(0.5 * tilt) ** 2
+        return axial / ((2.0 * transverse - axial) * math.cos(tilt) + rest)
     l, s = _rolled_up_from_flat(body, tilt)
     yaw_rate = l / math.sin(tilt) ** 2
     return yaw_rate / (s - yaw_rate * math.cos(tilt))

@@ -105,6 +105,8 @@ class Readings(Mapping[str, UFloat]):
         least = ">= 0" if name in _MAY_BE_ZERO else "> 0"
         if number < 0.0 or (number == 0.0 and name not in _MAY_BE_ZERO):
             raise RimrollError(f"{said} must be {least}, got {pretty(number, unit)}")
+        if number > 1e9 or (number < 1e-9 and name not in _MAY_BE_ZERO):
+            raise RimrollError(f"{said} is no reading on a table: {number:g} {unit}")
         if unit == "rad" and number > 0.5 * math.pi:
             raise RimrollError(
                 f"{said} must be at most 90 deg, got {pretty(number, unit)}"
