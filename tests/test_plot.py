@@ -13,8 +13,8 @@ from rimroll import plot, style
 from rimroll.cli.asked import Asked
 from rimroll.cli.outcomes import outcome, tables
 from rimroll.cli.side_by_side import side_by_side
+from rimroll.options import Options
 from rimroll.paper import setting
-from rimroll.scenario import Options
 
 CAN = setting.CAN
 

@@ -7,7 +7,8 @@ import pytest
 
 import rimroll as rr
 from rimroll import scenario
-from rimroll.scenario import Options, load
+from rimroll.options import Options
+from rimroll.scenario import load
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 

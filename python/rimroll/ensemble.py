@@ -14,6 +14,7 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
 from rimroll.motion import whole_number
+from rimroll.options import Options
 from rimroll.state import State
 from rimroll.theory import balance_tilt
 
@@ -68,17 +69,6 @@ class Interrupted(KeyboardInterrupt):
         self.done = done
 
 
-@dataclass(frozen=True)
-class _Options:
-    """How falls are followed, in the order in which the core takes it."""
-
-    duration: float
-    gravity: float
-    rtol: float
-    topple_tilt: float | None
-    max_steps: int
-
-
 def ensemble(
     body: Body,
     starts: State,
@@ -131,7 +121,7 @@ def ensemble(
     expect("body", body, Body)
     expect("starts", starts, State)
     expect("law", law, Law)
-    options = _Options(
+    options = Options(
         number("duration", duration),
         number("gravity", gravity),
         number("rtol", rtol),
@@ -154,7 +144,7 @@ def ensemble(
         for first in range(0, len(rows.tilt), AT_A_TIME):
             part = slice(first, first + AT_A_TIME)
             endings, table = _core.ensemble(
-                body, rows.part(part), law, grips[part], *_values(options), workers
+                body, rows.part(part), law, grips[part], *options.values, workers
             )
             outcomes += endings
             tables.append(table)
@@ -204,16 +194,6 @@ def _grips(grip: ArrayLike, count: int) -> Array:
     if bad.size:
         raise RimrollError(f"grip must be >= 0, got {bad[0]}")
     return np.array(np.broadcast_to(grips, (count,)))
-
-
-def _values(options: _Options) -> tuple[float, float, float, float | None, int]:
-    return (
-        options.duration,
-        options.gravity,
-        options.rtol,
-        options.topple_tilt,
-        options.max_steps,
-    )
 
 
 def _dataset(
@@ -268,7 +248,7 @@ def _unit(name: str) -> str:
     return "rad/s" if name.endswith("_rate") else "rad"
 
 
-def _parameters(body: Body, law: Law, options: _Options) -> dict[str, object]:
+def _parameters(body: Body, law: Law, options: Options) -> dict[str, object]:
     return {
         "law": law.name,
         **{f"law_{name}": value for name, value in law.numbers.items()},

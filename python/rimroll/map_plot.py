@@ -15,6 +15,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from rimroll import style
+from rimroll.directions import around, middle_of
 from rimroll.ensemble import body_of, law_of
 from rimroll.laws import IDEAL
 from rimroll.sensitivity import watershed_slope
@@ -37,7 +38,8 @@ def map_figure(falls: xr.Dataset) -> Figure:
     with style.figure_style():
         figure = style.page(86.0, 110.0)
         ax = figure.subplots()
-        image = draw_map(ax, falls, span(falls))
+        middle = middle_of_map(falls)
+        image = draw_map(ax, falls, span(falls, middle), middle)
         _draw_watershed(ax, falls)
         style.label(ax, "", _title(falls), YAW, SPIN)
         scale_of_directions(figure.colorbar(image, ax=ax, pad=0.03))
@@ -48,35 +50,42 @@ def map_figure(falls: xr.Dataset) -> Figure:
         return style.settle(figure)
 
 
-def directions(falls: xr.Dataset) -> NDArray[np.float64]:
-    """Directions of fall, degrees; NaN where the body did not rise again."""
+def directions(falls: xr.Dataset, middle: float = 180.0) -> NDArray[np.float64]:
+    """Directions of fall, degrees, round a middle; NaN where the body did not rise again."""
     fell = np.isin(falls.outcome.values, FELL)
-    return np.where(fell, np.degrees(falls.direction.values), np.nan)
+    return np.where(fell, around(middle, np.degrees(falls.direction.values)), np.nan)
 
 
-def span(falls: xr.Dataset) -> float:
-    """How far a scale of colours has to reach on both sides of 180 degrees; 180: all round."""
+def middle_of_map(falls: xr.Dataset) -> float:
+    """The direction about which a map's falls lie, 180 or, for disks that come back, 0."""
     found = directions(falls)
+    found = found[~np.isnan(found)]
+    return middle_of(found) if found.size else 180.0
+
+
+def span(falls: xr.Dataset, middle: float = 180.0) -> float:
+    """How far a scale of colours has to reach on both sides of its middle; 180: all round."""
+    found = directions(falls, middle)
     if np.all(np.isnan(found)):
         return 180.0
-    most = float(np.nanmax(np.abs(found - 180.0)))
+    most = float(np.nanmax(np.abs(found - middle)))
     return 180.0 if most > 90.0 else max(10.0 * np.ceil(most / 10.0), 10.0)
 
 
-def colors(reach: float) -> Colormap:
-    """Purple to the right of 180 degrees, orange to the left; closed in itself when all round."""
-    name = "twilight_shifted" if reach >= 180.0 else "PuOr_r"
+def colors(reach: float, middle: float = 180.0) -> Colormap:
+    """Purple to the right of the hand, orange to its left; closed in itself when all round."""
+    name = "twilight_shifted" if reach >= 180.0 else "PuOr_r" if middle else "PuOr"
     return mpl.colormaps[name].with_extremes(bad=NOWHERE)
 
 
-def draw_map(ax: Axes, falls: xr.Dataset, reach: float) -> ScalarMappable:
-    """Colour the plane of starts by direction, 180 degrees in the middle of the scale."""
+def draw_map(ax: Axes, falls: xr.Dataset, reach: float, middle: float = 180.0) -> ScalarMappable:
+    """Colour the plane of starts by direction, the scale as far to both sides of its middle."""
     image = ax.pcolormesh(
         falls.yaw_rate.values,
         falls.spin_rate.values,
-        np.ma.masked_invalid(directions(falls)),
-        cmap=colors(reach),
-        norm=Normalize(180.0 - reach, 180.0 + reach),
+        np.ma.masked_invalid(directions(falls, middle)),
+        cmap=colors(reach, middle),
+        norm=Normalize(middle - reach, middle + reach),
         shading="nearest",
         rasterized=True,
     )
@@ -98,6 +107,7 @@ def _draw_watershed(ax: Axes, falls: xr.Dataset) -> None:
 def scale_of_directions(bar: Colorbar) -> None:
     """Name the scale of colours."""
     bar.set_label(DIRECTION)
+    bar.ax.yaxis.set_major_formatter(lambda value, _: f"{value % 360.0:g}")
     bar.outline.set_linewidth(0.6)
     bar.ax.tick_params(bottom=False, labelbottom=False)
 

@@ -16,6 +16,7 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
 from rimroll.laws import Law
+from rimroll.options import Options
 from rimroll.state import State, single, times
 
 if TYPE_CHECKING:
@@ -252,17 +253,6 @@ class Stats:
     evaluations: int
 
 
-@dataclass(frozen=True)
-class _Options:
-    """How a motion was simulated, in the order in which the core takes it."""
-
-    duration: float
-    gravity: float
-    rtol: float
-    topple_tilt: float | None
-    max_steps: int
-
-
 class Motion(Moments):
     """A computed motion.
 
@@ -291,7 +281,7 @@ class Motion(Moments):
         body: Body,
         start: State,
         law: Law,
-        options: _Options,
+        options: Options,
     ) -> None:
         super().__init__(core.nodes())
         self._core = core
@@ -473,7 +463,7 @@ def simulate(
     expect("body", body, Body)
     expect("start", start, State)
     expect("law", law, Law)
-    options = _Options(
+    options = Options(
         number("duration", duration),
         number("gravity", gravity),
         number("rtol", rtol),
@@ -487,20 +477,10 @@ def _follow(
     body: Body,
     start: State,
     law: Law,
-    options: _Options,
+    options: Options,
     progress: Callable[[float], object] | None = None,
 ) -> Motion:
-    core = _core.simulate(
-        body,
-        start,
-        law,
-        options.duration,
-        options.gravity,
-        options.rtol,
-        options.topple_tilt,
-        options.max_steps,
-        progress,
-    )
+    core = _core.simulate(body, start, law, *options.values, progress)
     return Motion(core, body, start, law, options)
 
 

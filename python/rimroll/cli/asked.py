@@ -18,7 +18,8 @@ from rimroll.cli.options import (
 )
 from rimroll.errors import RimrollError
 from rimroll.names import choose
-from rimroll.scenario import UNIT_OF, Options, Scenario, load, presets
+from rimroll.options import Options
+from rimroll.scenario import UNIT_OF, Scenario, load, presets
 from rimroll.state import State
 from rimroll.units import quantity, tilt_angle
 

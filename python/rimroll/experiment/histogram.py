@@ -19,6 +19,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from rimroll import bodies, style
 from rimroll.body import Body
+from rimroll.directions import around, away, middle_of
 from rimroll.ensemble import Array, body_of, law_of
 from rimroll.errors import RimrollError, expect
 from rimroll.experiment.toppling import counted, limits
@@ -68,7 +69,7 @@ class _View:
 
     def turned(self, degrees: Array) -> Array:
         """Directions as angles within half a turn of the center."""
-        return self.center + _from(self.center, degrees)
+        return around(self.center, degrees)
 
     def count(self, falls: _Falls) -> Array:
         """How many falls there are in each bin."""
@@ -169,11 +170,6 @@ def _measured() -> tuple[tuple[float, float], ...]:
     return (left, left_spread), (360.0 - right, right_spread)
 
 
-def _from(center: float, degrees: Array) -> Array:
-    """How far directions are from another, degrees, −180 to 180."""
-    return np.mod(np.asarray(degrees) - center + 180.0, 360.0) - 180.0
-
-
 def _sides(turns: Any) -> Iterator[float]:
     """Directions of turns both ways round."""
     for turn in turns:
@@ -184,9 +180,8 @@ def _sides(turns: Any) -> Iterator[float]:
 def _view(shown: list[_Falls], marks: list[float]) -> _View:
     """All falls and marks, around 180 degrees or, for disks that come back, around 0."""
     seen = np.concatenate([*(one.directions for one in shown), np.array(marks)])
-    away = {center: np.abs(_from(center, seen)) for center in (180.0, 0.0)}
-    center = min(away, key=lambda each: float(away[each].mean()))
-    half = 10.0 * np.ceil((1.05 * float(away[center].max()) + 3.0) / 10.0)
+    center = middle_of(seen)
+    half = 10.0 * np.ceil((1.05 * float(np.abs(away(center, seen)).max()) + 3.0) / 10.0)
     return _View(center, 180.0 if half > 140.0 else half, _bin_width(shown))
 
 
@@ -195,7 +190,7 @@ def _bin_width(shown: list[_Falls]) -> float:
     most = max(shown, key=lambda one: one.directions.size)
     if most.directions.size < 2:
         return 2.0
-    folded = np.abs(_from(180.0, most.directions))
+    folded = np.abs(away(180.0, most.directions))
     low, high = np.quantile(folded, [0.25, 0.75])
     wanted = 2.0 * (high - low) / np.cbrt(folded.size)
     return next((width for width in WIDTHS if width >= 0.8 * wanted), WIDTHS[-1])

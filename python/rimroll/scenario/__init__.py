@@ -11,25 +11,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from rimroll import _core, bodies
+from rimroll import bodies
 from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
+from rimroll.options import Options
 from rimroll.state import State
 
 MOST_STEPS = 2_000_000_000
 """The most that max_steps may be: what the files of a motion can still count."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Options:
-    """How to follow a motion; see :func:`rimroll.simulate`, whose defaults these are."""
-
-    duration: float = 2.0
-    gravity: float = _core.STANDARD_GRAVITY
-    rtol: float = 1e-10
-    topple_tilt: float | None = None
-    max_steps: int = 1_000_000
 
 
 @dataclass(frozen=True)

@@ -25,13 +25,13 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import AirDrag, Law, NoSlip, PivotingFriction, Resistance, RollingResistance
 from rimroll.names import choose, nearest, typed
+from rimroll.options import Options
 from rimroll.scenario import (
     FILM,
     LAW_UNIT_OF,
     MOST_STEPS,
     RESISTANCES,
     UNIT_OF,
-    Options,
     Scenario,
     presets,
 )

@@ -13,6 +13,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from rimroll import style
+from rimroll.directions import around, middle_of
 from rimroll.experiment.fitting.likelihood import Likelihood
 
 if TYPE_CHECKING:
@@ -41,9 +42,8 @@ def fit_figure(fit: Fit) -> Figure:
 
 def _draw_falls(ax: Axes, fit: Fit) -> None:
     likelihood = Likelihood(fit.predicted, fit.directions)
-    data, middle = np.degrees(fit.directions), 180.0
-    if np.mean(np.abs(data - 180.0) > 90.0) > 0.5:  # a disk falls near where it leaned first
-        data, middle = np.mod(data + 180.0, 360.0) - 180.0, 0.0
+    middle = middle_of(np.degrees(fit.directions))
+    data = around(middle, np.degrees(fit.directions))
     reach = 10.0 * math.ceil(min(max(float(np.abs(data - middle).max()) + 12.0, 50.0), 180.0) / 10)
     width = 2.0 if len(data) >= 30 else 4.0
     bins = np.arange(middle - reach, middle + reach + width, width)
