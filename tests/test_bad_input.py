@@ -197,7 +197,7 @@ def body(**changed):
         ("compare --on 3cm", '"cm" does not measure a pure number'),
         ("compare --restitution 2", "restitution must be between 0 and 1, got 2"),
         ("compare --tilt 0", "tilt must be inside (0, pi)"),
-        ("compare -o can.csv", "its suffix must be one of .svg, .png, .pdf"),
+        ("compare -o can.csv", "its suffix must be one of .png, .svg, .pdf"),
         ("compare -o /proc/none/can.svg", "cannot make the folder /proc/none"),
         ("compare -o can.svg --on .1,.2,.3,.4,.5,.6,.7", "at most 6 tables, got 7"),
         ("turn --yaw-rate 1", "a start needs --tilt"),
@@ -276,7 +276,7 @@ def test_a_file_that_fails_half_way_leaves_the_old_one(
         part.write_text("half")
         raise failure
 
-    monkeypatch.setitem(files._FORMATS, ".csv", half)
+    monkeypatch.setitem(files.FORMS, ".csv", half)
     (tmp_path / "can.csv").write_text("old")
     assert says in complaint("simulate --tilt 30deg -o can.csv", code)
     assert (tmp_path / "can.csv").read_text() == "old"

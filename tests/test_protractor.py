@@ -200,7 +200,7 @@ def test_a_scenario_file_has_a_sheet_under_its_own_name(capsys, tmp_path):
     [
         ("--paper a5", "unknown paper 'a5': choose from a4, letter"),
         ("disk --radius 9cm", "radius must be at most 82 mm for the rim to fit on a4 paper"),
-        ("-o sheet.doc", "cannot draw sheet.doc: its suffix must be one of .pdf, .svg, .png"),
+        ("-o sheet.doc", "cannot write sheet.doc: its suffix must be one of .png, .svg, .pdf"),
         ("jar", "unknown body 'jar'"),
         ("missing.toml", "there is no such file"),
     ],

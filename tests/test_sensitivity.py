@@ -1,5 +1,6 @@
 """Left or right: maps of falls over a plane of starts, and the line on which they jump."""
 
+import contextlib
 import json
 import re
 
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 
 import rimroll as rr
 from rimroll.cli import main
-from rimroll.map_plot import map_figure, span
+from rimroll.map_plot import directions, map_figure, middle_of_map, span
 from rimroll.paper import setting
 from rimroll.paper.figures import sensitivity
 from strategies import bodies
@@ -156,7 +157,7 @@ def test_a_map_without_falls_or_with_falls_all_round_is_drawn():
 
 
 def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
-    files = [tmp_path / f"map{suffix}" for suffix in (".nc", ".csv", ".png")]
+    files = [tmp_path / f"map{suffix}" for suffix in (".nc", ".csv", ".png", ".json")]
     flick = ["--tilt", "20deg", "--tilt-rate", "-5rad/s", "--gravity", "9.8"]
     plane = ["--yaw-rates", "-30..30deg/s", "--spin-rates", "-1..1", "--points", "4"]
     output = [part for file in files for part in ("-o", str(file))]
@@ -171,6 +172,10 @@ def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
     head, *rows = (line.split(",") for line in lines)
     turns = np.array([float(row[head.index("turn[rad]")]) for row in rows])
     assert turns == pytest.approx(falls.turn.values.ravel(), rel=1e-12)
+    assert head[:4] == ["direction[deg]", "outcome", "spin_rate[rad/s]", "yaw_rate[rad/s]"]
+    numbers = json.loads(files[3].read_text("utf-8"))
+    assert numbers["coordinates"]["yaw_rate"] == pytest.approx(yaw, rel=1e-15)
+    assert np.shape(numbers["falls"]["turn"]) == (4, 4)
     assert files[2].read_bytes().startswith(b"\x89PNG")
     assert told["left"]["falls"] == told["right"]["falls"] == 8
     assert told["watershed_slope"] == rr.watershed_slope(CAN, FLICK.tilt, rr.NoSlip())
@@ -202,7 +207,7 @@ def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypa
         ("--spin-rates 3..1", "--spin-rates must rise, got '3..1'"),
         ("--spin-rates -1..1m", "does not measure an angular rate"),
         ("--points 1", "--points must be between 2 and 3000, got 1"),
-        ("-o map.txt", "cannot write map.txt: its suffix must be one of .png"),
+        ("-o map.txt", "cannot write map.txt: its suffix must be one of .csv"),
     ],
 )
 def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message):
@@ -242,3 +247,31 @@ def test_the_watershed_of_a_flat_body_has_digits_down_to_the_smallest_tilt():
     for tilt in (1e-9, 1e-3, 1.0):
         slope = rr.watershed_slope(flat, tilt, rr.Frictionless())
         assert slope == pytest.approx(1.0 / np.sin(0.5 * tilt) ** 2, rel=1e-14)
+
+
+def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(tmp_path, monkeypatch, capsys):
+    """Rows of 100 falls, stopped after 256 of them: two are whole."""
+
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    rates = np.linspace(-1.0, 1.0, 100)
+    with pytest.raises(rr.Interrupted) as interrupted:
+        rr.turn_map(CAN, FLICK, rr.NoSlip(), rates, rates, progress=stop)
+    whole = rr.turn_map(CAN, FLICK, rr.NoSlip(), rates, rates[:2])
+    assert interrupted.value.done.equals(whole)
+
+    monkeypatch.setattr("rimroll.cli.map.working", lambda _: contextlib.nullcontext(stop))
+    monkeypatch.chdir(tmp_path)
+    assert main(["map", "--points", "100", "-o", "some.nc"]) == 130
+    assert "interrupted after 2 of 100 spin rates" in capsys.readouterr().out
+    assert main(["map", "--points", "400", "-o", "none.nc"]) == 130
+    assert [file.name for file in tmp_path.iterdir()] == ["some.nc"]
+
+
+def test_a_disk_s_map_is_coloured_about_where_it_falls():
+    start = rr.State(tilt=0.7, tilt_rate=-2.0)
+    falls = rr.turn_map(rr.bodies.coin(), start, rr.NoSlip(), [-1.0, 1.0], [-1.0, 1.0])
+    assert middle_of_map(falls) == 0.0 and span(falls, 0.0) < 90.0
+    left = falls.direction.values > np.pi
+    assert np.array_equal(directions(falls, 0.0) < 0.0, left)

@@ -65,7 +65,7 @@ class Interrupted(KeyboardInterrupt):
     """Ctrl-C in the midst of an ensemble; ``done`` is the dataset of the falls so far."""
 
     def __init__(self, done: xr.Dataset) -> None:
-        super().__init__(f"interrupted after {done.sizes['trial']} falls")
+        super().__init__(f"interrupted after {done['outcome'].size} falls")
         self.done = done
 
 

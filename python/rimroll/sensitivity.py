@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.ensemble import VARIABLES, ensemble
+from rimroll.ensemble import VARIABLES, Interrupted, ensemble
 from rimroll.errors import RimrollError, expect, number
 from rimroll.laws import IDEAL, Frictionless, Law, ideal
 from rimroll.state import State, single
@@ -72,23 +72,26 @@ def turn_map(
     RimrollError
         A number outside its bounds, rates that are no flat array or do not rise.
     Interrupted
-        On Ctrl-C; it carries the falls done so far, one after another.
+        On Ctrl-C; it carries the map as far as its rows, one a spin rate, are done.
     """
     expect("start", start, State)
     start = single(start)
     yaw, spin = _rising("yaw_rates", yaw_rates), _rising("spin_rates", spin_rates)
-    falls = ensemble(
-        body,
-        replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw))),
-        law,
-        gravity=gravity,
-        duration=duration,
-        rtol=rtol,
-        topple_tilt=topple_tilt,
-        max_steps=max_steps,
-        threads=threads,
-        progress=progress,
-    )
+    try:
+        falls = ensemble(
+            body,
+            replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw))),
+            law,
+            gravity=gravity,
+            duration=duration,
+            rtol=rtol,
+            topple_tilt=topple_tilt,
+            max_steps=max_steps,
+            threads=threads,
+            progress=progress,
+        )
+    except Interrupted as interrupted:
+        raise Interrupted(_plane(interrupted.done, yaw, spin, start)) from None
     return _plane(falls, yaw, spin, start)
 
 
@@ -187,12 +190,14 @@ def _rolled_up_from_flat(body: Body, tilt: float) -> tuple[float, float]:
 
 
 def _plane(falls: xr.Dataset, yaw: Array, spin: Array, start: State) -> xr.Dataset:
+    """The falls laid out in the plane, as many whole rows as there are."""
     import xarray as xr
 
     across = ("spin_rate", "yaw_rate")
-    shape = len(spin), len(yaw)
+    rows = falls.sizes["trial"] // len(yaw)
+    falls, spin = falls.isel(trial=slice(rows * len(yaw))), spin[:rows]
     variables = {
-        name: (across, falls[name].values.reshape(shape), falls[name].attrs)
+        name: (across, falls[name].values.reshape(rows, len(yaw)), falls[name].attrs)
         for name in ("outcome", *VARIABLES)
     }
     kept = ("tilt", "tilt_rate", "yaw", "spin")

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rimroll._core import __version__
 from rimroll.cli.asked import asked
+from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -26,16 +27,17 @@ from rimroll.errors import RimrollError
 from rimroll.laws import NoSlip
 from rimroll.motion import Motion
 from rimroll.names import typed
-from rimroll.output import ensure_folder, writing
 from rimroll.state import State
 from rimroll.surfaces import SURFACES
 from rimroll.theory import needed_friction
 from rimroll.units import quantity
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 USUAL = State(tilt=math.radians(30.0), tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
 """The paper's start."""
 
-PICTURES = (".svg", ".png", ".pdf")
 
 OnOption = Annotated[
     str,
@@ -81,11 +83,7 @@ def compare(
     $ rimroll compare coin --on 0.05,0.2,no-slip -o coin.svg
     """
     files = output or []
-    for file in files:
-        if file.suffix.lower() not in PICTURES:
-            known = ", ".join(PICTURES)
-            raise RimrollError(f"cannot draw {file}: its suffix must be one of {known}")
-        ensure_folder(file.parent)
+    check(files, FORMS)
     rebound = quantity(resistances.restitution or "0", "1", "--restitution")
     laws = tables(on, rebound)
     resistances = replace(resistances, restitution=None)
@@ -98,7 +96,7 @@ def compare(
             bar(done, len(laws), f"on {name}")
             outcomes.append(outcome(what, name, law))
     for file in files:
-        _draw(file, outcomes)
+        write(file, outcomes, FORMS)
     if json:
         show_json(
             {
@@ -118,16 +116,13 @@ def compare(
     return int(any(one.motion.status == "failed" for one in outcomes))
 
 
-def _draw(file: Path, outcomes: list[Outcome]) -> None:
-    from rimroll.cli.side_by_side import side_by_side  # brings matplotlib, which is slow to load
-    from rimroll.style import save
+def _side_by_side(outcomes: list[Outcome]) -> Figure:
+    from rimroll.cli.side_by_side import side_by_side
 
-    figure = side_by_side(outcomes)
-    try:
-        with writing(file) as part:
-            save(figure, part)
-    except OSError as error:
-        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
+    return side_by_side(outcomes)
+
+
+FORMS: Forms[list[Outcome]] = pictures(_side_by_side)
 
 
 def _show(outcomes: list[Outcome]) -> None:

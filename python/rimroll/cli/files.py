@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -11,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from rimroll.cli.asked import Asked
-from rimroll.cli.screen import Bar, plain, working
-from rimroll.errors import RimrollError
+from rimroll.cli.formats import Forms, pictures, write_json
+from rimroll.cli.screen import Bar
 from rimroll.motion import UNITS, Moments, Motion
-from rimroll.output import writing
 
 TWICE = "times may repeat where the contact changes: once as before, once as after"
 """What there is to know about the times in the files."""
@@ -38,27 +35,6 @@ class Record:
             "max_steps": self.asked.options.max_steps,
         }
         return {"body": self.asked.name, **self.motion.parameters(), **options}
-
-
-def check_suffixes(files: Sequence[Path]) -> None:
-    """Raise ``RimrollError`` for a file of no known format."""
-    for file in files:
-        if file.suffix.lower() not in _FORMATS:
-            known = ", ".join(_FORMATS)
-            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
-
-
-def write(file: Path, record: Record) -> None:
-    """Write a record in the format of the file's suffix; the file appears when it is whole.
-
-    Raises ``RimrollError`` when it cannot be written, for instance because the disk is full.
-    """
-    form = _FORMATS[file.suffix.lower()]
-    try:
-        with working(f"writing {file.name}") as bar, writing(file) as part:
-            form(part, record, bar)
-    except OSError as error:
-        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
 
 
 def summary(record: Record) -> dict[str, Any]:
@@ -124,28 +100,17 @@ def _json(part: Path, record: Record, bar: Bar) -> None:
         "comments": {"t": TWICE},
         "samples": {name: record.moments[name] for name in UNITS},
     }
-    text = json.dumps(plain(content), ensure_ascii=False, allow_nan=False)
-    part.write_text(text + "\n", encoding="utf-8")
-
-
-def _figure(part: Path, record: Record, bar: Bar) -> None:
-    from rimroll.style import save
-
-    save(record.motion.plot(), part)
+    write_json(part, content)
 
 
 def _film(part: Path, record: Record, bar: Bar) -> None:
     record.motion.animate(part, progress=lambda done, total: bar(done, total, ""))
 
 
-_FORMATS: dict[str, Callable[[Path, Record, Bar], None]] = {
+FORMS: Forms[Record] = {
     ".csv": _csv,
     ".nc": _netcdf,
     ".json": _json,
-    ".png": _figure,
-    ".svg": _figure,
-    ".pdf": _figure,
-    ".gif": _film,
-    ".html": _film,
-    ".mp4": _film,
+    **pictures(lambda record: record.motion.plot()),
+    **dict.fromkeys((".gif", ".html", ".mp4"), _film),
 }

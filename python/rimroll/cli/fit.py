@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json as notation
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from rich.table import Table
 
 from rimroll._core import __version__
 from rimroll.cli.asked import asked
+from rimroll.cli.formats import Forms, check, pictures, write, write_json
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -24,17 +24,16 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.cli.release import ReleaseOptions, release_asked, release_line
-from rimroll.cli.screen import plain, say, show_json, table, working
+from rimroll.cli.screen import Bar, say, show_json, table, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.experiment.fitting import Fit, read_angles
 from rimroll.experiment.fitting import fit as fit_directions
 from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.release import Release
-from rimroll.output import ensure_folder, writing
 from rimroll.units import quantity
 
-PICTURES, NUMBERS = (".png", ".svg", ".pdf"), ".json"
+Answer = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -132,7 +131,7 @@ def fit(
     $ rimroll fit examples/falls_of_the_paper.csv --release paper --gravity 9.8
     """
     files = output or []
-    _check(files)
+    check(files, FORMS)
     directions = read_angles(angles, radians=radians, clockwise=clockwise, counted=counted)
     motion = MotionOptions(gravity=gravity)
     what = asked(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
@@ -163,7 +162,7 @@ def fit(
         "rimroll_version": __version__,
     }
     for file in files:
-        _write(file, found, answer)
+        write(file, (found, answer), FORMS)
     if json:
         show_json(answer)
     else:
@@ -187,27 +186,14 @@ def _rate_error(text: str | None) -> float | None:
     return None if text is None else quantity(text, "rad/s", "--tilt-rate-error")
 
 
-def _check(files: list[Path]) -> None:
-    """Before the work, not after."""
-    for file in files:
-        if file.suffix.lower() not in (*PICTURES, NUMBERS):
-            known = ", ".join((*PICTURES, NUMBERS))
-            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
-        ensure_folder(file.parent)
+def _numbers(part: Path, found: tuple[Fit, Answer], bar: Bar) -> None:
+    write_json(part, found[1])
 
 
-def _write(file: Path, found: Fit, answer: dict[str, Any]) -> None:
-    from rimroll.style import save
-
-    try:
-        with writing(file) as part:
-            if file.suffix.lower() == NUMBERS:
-                text = notation.dumps(plain(answer), indent=2, ensure_ascii=False, allow_nan=False)
-                part.write_text(text + "\n", encoding="utf-8")
-            else:
-                save(found.plot(), part)
-    except OSError as error:
-        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
+FORMS: Forms[tuple[Fit, Answer]] = {
+    **pictures(lambda found: found[0].plot()),
+    ".json": _numbers,
+}
 
 
 def _show(found: Fit, release: Release) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -14,6 +13,8 @@ import typer
 
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
+from rimroll.cli.falls import NUMBERS
+from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -24,10 +25,10 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
+from rimroll.ensemble import Interrupted
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.names import typed
-from rimroll.output import ensure_folder, writing
 from rimroll.sensitivity import turn_map, watershed_slope
 from rimroll.state import State
 from rimroll.theory import turn_limit
@@ -35,6 +36,7 @@ from rimroll.units import quantity
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.figure import Figure
 
 MOST_POINTS = 3000
 """Of a map, each way: nine million falls."""
@@ -88,11 +90,20 @@ MapOutputOption = Annotated[
         "--output",
         "-o",
         help="Write a file; may be repeated. Its suffix says what: .png, .svg or .pdf a picture,"
-        " .nc or .csv numbers.",
+        " .csv, .nc or .json numbers.",
         metavar="FILE",
         rich_help_panel="Output",
     ),
 ]
+
+
+def _map(falls: xr.Dataset) -> Figure:
+    from rimroll.map_plot import map_figure
+
+    return map_figure(falls)
+
+
+FORMS: Forms[xr.Dataset] = {**NUMBERS, **pictures(_map, dpi=300)}
 
 
 def map(
@@ -118,11 +129,7 @@ def map(
     $ rimroll map soda_can --yaw-rates -0.1..0.1 --points 50 -o near.nc
     """
     files = output or []
-    for file in files:
-        if file.suffix.lower() not in _FORMATS:
-            known = ", ".join(_FORMATS)
-            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
-        ensure_folder(file.parent)
+    check(files, FORMS)
     if not 2 <= plane.points <= MOST_POINTS:
         raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {plane.points}")
     yaw = rates(plane.yaw_rates, plane.points, "--yaw-rates")
@@ -130,14 +137,16 @@ def map(
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
     what = asked(body, start, motion, law, resistances)
     what = replace(what, start=what.start or _flick(what))
-    falls = _follow(what, yaw, spin, RTOL if motion.rtol is None else motion.rtol)
+    falls, cut_short = _follow(what, yaw, spin, RTOL if motion.rtol is None else motion.rtol)
     for file in files:
-        _write(file, falls)
+        write(file, falls, FORMS)
     if json:
         show_json({**summary(what, falls), "files": [str(file) for file in files]})
     else:
         _show(what, falls, files)
-    return int(bool(np.any(falls.outcome.values == "failed")))
+    if cut_short:
+        return 130
+    return int(bool((falls.outcome == "failed").all()))
 
 
 def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -160,23 +169,32 @@ def _flick(what: Asked) -> State:
     return State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
 
 
-def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> xr.Dataset:
+def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> tuple[xr.Dataset, bool]:
+    """The map, and whether Ctrl-C cut it short."""
     assert what.start is not None
     options = what.options
     with working(f"letting {what.name} fall") as bar:
-        return turn_map(
-            what.body,
-            what.start,
-            what.law,
-            yaw,
-            spin,
-            gravity=options.gravity,
-            duration=options.duration,
-            rtol=rtol,
-            topple_tilt=options.topple_tilt,
-            max_steps=options.max_steps,
-            progress=lambda done, total: bar(done, total, ""),
-        )
+        try:
+            falls = turn_map(
+                what.body,
+                what.start,
+                what.law,
+                yaw,
+                spin,
+                gravity=options.gravity,
+                duration=options.duration,
+                rtol=rtol,
+                topple_tilt=options.topple_tilt,
+                max_steps=options.max_steps,
+                progress=lambda done, total: bar(done, total, ""),
+            )
+        except Interrupted as interrupted:
+            done = interrupted.done.sizes["spin_rate"]
+            if done < 2:
+                raise  # a row is no map
+            cut_short = f"after {done} of {len(spin)} spin rates"
+            return interrupted.done.assign_attrs(interrupted=cut_short), True
+    return falls, False
 
 
 def summary(what: Asked, falls: xr.Dataset) -> dict[str, Any]:
@@ -233,47 +251,7 @@ def _show(what: Asked, falls: xr.Dataset, files: list[Path]) -> None:
     if found["watershed_slope"] is not None:
         say(f"left and right part where the yaw rate is {found['watershed_slope']:.4f} spin rate;")
         say(f"there the direction jumps by {angle(found['jump'])}")
+    if "interrupted" in told:
+        say(f"interrupted {told['interrupted']}")
     for file in files:
         say(f"wrote {file}")
-
-
-def _write(file: Path, falls: xr.Dataset) -> None:
-    try:
-        with working(f"writing {file.name}"), writing(file) as part:
-            _FORMATS[file.suffix.lower()](part, falls)
-    except OSError as error:
-        raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
-
-
-def _picture(part: Path, falls: xr.Dataset) -> None:
-    from rimroll.map_plot import map_figure  # brings matplotlib, which is slow to load
-    from rimroll.style import save
-
-    save(map_figure(falls), part, dpi=300)
-
-
-def _netcdf(part: Path, falls: xr.Dataset) -> None:
-    falls.to_netcdf(part, engine="scipy")
-
-
-def _csv(part: Path, falls: xr.Dataset) -> None:
-    """One line of ``name[unit]``, comments with the parameters, and a row a start."""
-    spin, yaw = np.meshgrid(falls.spin_rate.values, falls.yaw_rate.values, indexing="ij")
-    columns = {"yaw_rate[rad/s]": yaw, "spin_rate[rad/s]": spin}
-    for name, values in falls.data_vars.items():
-        unit = values.attrs.get("units")
-        columns[f"{name}[{unit}]" if unit else str(name)] = values.values
-    rows = zip(*(values.ravel().tolist() for values in columns.values()), strict=True)
-    with part.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(",".join(columns) + "\n")
-        file.writelines(f"# {name} = {value}\n" for name, value in falls.attrs.items())
-        file.writelines(",".join([str(value) for value in row]) + "\n" for row in rows)
-
-
-_FORMATS: dict[str, Callable[[Path, xr.Dataset], None]] = {
-    ".png": _picture,
-    ".svg": _picture,
-    ".pdf": _picture,
-    ".nc": _netcdf,
-    ".csv": _csv,
-}

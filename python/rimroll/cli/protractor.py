@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rimroll._core import __version__
 from rimroll.cli.asked import asked
+from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -18,10 +19,11 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.cli.screen import say, show_json
-from rimroll.errors import RimrollError
-from rimroll.output import writing
 
-PICTURES = (".pdf", ".svg", ".png")
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FORMS: Forms[Figure] = pictures(lambda sheet: sheet, dpi=300)
 
 
 def protractor(
@@ -48,18 +50,11 @@ def protractor(
 
     $ rimroll protractor examples/my_cup.toml
     """
-    if output.suffix.lower() not in PICTURES:
-        raise RimrollError(f"cannot draw {output}: its suffix must be one of {', '.join(PICTURES)}")
+    check([output], FORMS)
     what = asked(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
     from rimroll.experiment import protractor as sheets  # brings matplotlib, which is slow to load
-    from rimroll.style import save
 
-    figure = sheets.sheet(what.body, _title(what.name), paper)
-    try:
-        with writing(output) as part:
-            save(figure, part, dpi=300)
-    except OSError as error:
-        raise RimrollError(f"cannot write {output}: {error.strerror or error}") from error
+    write(output, sheets.sheet(what.body, _title(what.name), paper), FORMS)
     rolling, sliding = sheets.falls(what.body)
     if json:
         show_json(

@@ -12,7 +12,8 @@ import typer
 
 from rimroll import motion as motions
 from rimroll.cli.asked import Asked, asked
-from rimroll.cli.files import Record, check_suffixes, summary, write
+from rimroll.cli.files import FORMS, Record, summary
+from rimroll.cli.formats import check, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -25,7 +26,6 @@ from rimroll.cli.screen import say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
 from rimroll.errors import RimrollError
 from rimroll.motion import Moments, Motion
-from rimroll.output import ensure_folder
 from rimroll.units import quantity
 
 MOST_POINTS = 10_000_000
@@ -84,14 +84,14 @@ def simulate(
     $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
     """
     files = output or []
-    check_suffixes(files)
+    check(files, FORMS)
     spacing = None if every is None else quantity(every, "s", "--every")
     _check_spacing(points, spacing)
     what = asked(body, start, motion, law, resistances)
-    computed = _follow(what, files)
+    computed = _follow(what)
     record = Record(computed, _moments(computed, points, spacing), what)
     for file in files:
-        write(file, record)
+        write(file, record, FORMS)
     if json:
         show_json({**summary(record), "files": [str(file) for file in files]})
     else:
@@ -108,11 +108,9 @@ def _check_spacing(points: int | None, every: float | None) -> None:
         raise RimrollError(f"--every must be > 0, got {every} s")
 
 
-def _follow(what: Asked, files: list[Path]) -> Motion:
+def _follow(what: Asked) -> Motion:
     if what.start is None:
         raise RimrollError("a motion needs a start, for instance --tilt 30deg --yaw-rate 0.005")
-    for file in files:  # better now than after a long motion
-        ensure_folder(file.parent)
     with working(f"following {what.name}") as bar:
 
         def progress(t: float) -> None:

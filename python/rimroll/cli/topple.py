@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from rimroll.cli import falls as files
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
+from rimroll.cli.falls import NUMBERS
+from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -34,6 +35,7 @@ from rimroll.scenario import MOST_STEPS
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -88,6 +90,15 @@ FallsOption = Annotated[
 ]
 
 
+def _histogram(falls: xr.Dataset) -> Figure:
+    from rimroll.experiment.histogram import falls_figure
+
+    return falls_figure(falls, name=falls.attrs["body"])
+
+
+FORMS: Forms[xr.Dataset] = {**NUMBERS, **pictures(_histogram)}
+
+
 def topple(
     body: BodyOptions,
     hand: ReleaseOptions,
@@ -118,13 +129,12 @@ def topple(
     $ rimroll topple coin --release let-go --twist-spread 3deg/s
     """
     paths = output or []
-    files.check(paths)
+    check(paths, FORMS)
     what = asked(body, StartOptions(), motion, law, resistances)
     release = release_asked(hand, what)
     falls, cut_short = _fall(what, motion, release, number, seed, threads)
     for path in paths:
-        with working(f"writing {path.name}"):
-            files.write(path, falls)
+        write(path, falls, FORMS)
     if json:
         show_json(_answer(falls, paths))
     else:
