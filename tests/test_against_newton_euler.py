@@ -6,7 +6,7 @@ velocity in space with SciPy there, Euler angles and the slip in the yawing fram
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 import inner_problem
@@ -16,15 +16,29 @@ from strategies import composed_bodies
 
 CAN = rr.bodies.can_2007()
 DISK = rr.bodies.disk(0.051)
+# All its mass in rings and discs at one height, so that it comes down ever flatter.
+FLAT_MASSES = rr.Body(
+    mass=1.0,
+    radius=0.23353338889240427,
+    height=0.35558406425801875,
+    transverse_inertia=0.02196868124487184,
+    axial_inertia=0.04393736248974368,
+)
 START = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.6, spin_rate=-0.3)
 
 
 def compare(body, start, law, its_law, duration, resistances=rb.NONE, agree=1e-7):
     """Both motions at their end, and the contact's changes on the way."""
-    motion = rr.simulate(body, start, law, duration, gravity=9.8, rtol=1e-12)
     oracle = rb.follow(body, rb.release(body, start), its_law, duration, resistances=resistances)
-    assert motion.t[-1] == pytest.approx(oracle.end, abs=1e-9)
-    look = oracle.look(oracle.end)
+    *before, last = oracle.events or [None]
+    if before and last.kind == "face_down":
+        # So flat that it knows no lowest point any more; rimroll goes on. Compared is before.
+        duration = end_time = before[-1].t
+    else:
+        end_time = oracle.end
+    motion = rr.simulate(body, start, law, duration, gravity=9.8, rtol=1e-12)
+    assert motion.t[-1] == pytest.approx(end_time, abs=1e-9)
+    look = oracle.look(end_time)
     end = motion.evaluate(motion.t[-1])
     yaw_rate, tilt_rate, spin_rate = look.rates
     rate = np.sqrt(9.8 / body.radius)
@@ -104,6 +118,7 @@ def test_flights_and_landings(friction, restitution):
 
 
 @settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@example(FLAT_MASSES, 0.19655753405807966, 0.27792054907871055, 0.1, 0.36)
 @given(
     composed_bodies(),
     st.floats(0.02, 0.6),
