@@ -65,16 +65,19 @@ impl<T: Real> Parameters<T> {
     }
 
     /// ρ: how far the centre of mass lies beside the contact point, toward the base's centre, m.
+    #[inline(always)]
     pub fn rho(&self, u: &Coordinates<T>) -> T {
         self.r * u.cos - self.h * u.sin
     }
 
     /// z: how far the centre of mass lies over the table, m.
+    #[inline(always)]
     pub fn z(&self, u: &Coordinates<T>) -> T {
         self.r * u.sin + self.h * u.cos
     }
 
     /// N sin φ, from vertical momentum N = m (g + z̈) with z̈ = ρ φ̈ − z φ̇².
+    #[inline(always)]
     pub(crate) fn normal(&self, u: &Coordinates<T>, dp: T) -> T {
         self.m * (u.sin * self.g + self.rho(u) * dp - u.sin * self.z(u) * u.p * u.p)
     }
@@ -125,7 +128,14 @@ pub trait Law<T: Real> {
     fn parameters(&self) -> &Parameters<T>;
 
     /// Rates of the coordinates by the solver's clock τ.
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T>;
+    #[inline]
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        u.with_place(self.rates_but_place(u), self.center_velocity(u))
+    }
+
+    /// The same without spin and place, which nothing else depends on: they alone need the sine and
+    /// the cosine of the yaw.
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T>;
 
     /// The table's force on the rim, times sin φ.
     fn contact(&self, u: &Coordinates<T>) -> Contact<T>;

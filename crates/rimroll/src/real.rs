@@ -1,13 +1,15 @@
 //! The number that the mechanics is written over.
 //!
-//! The same right-hand side runs on plain `f64` and on dual numbers (exact derivatives). Results
+//! The same right-hand side runs on plain `f64`, on lanes of them and on dual numbers (exact derivatives). Results
 //! must be the same to the last bit on every machine, so an implementation may use + − × ÷ and the
 //! square root, which IEEE 754 defines to the bit, and `libm` for all else; never the platform's
 //! sine, and no fused multiply-add.
 
 mod dual;
+mod lanes;
 
 pub use dual::Dual;
+pub use lanes::{LANES, Lanes, Mask};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -27,8 +29,12 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
-    /// Whether x < 0.
-    fn is_negative(self) -> bool;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The larger of x and `other`.
+    fn max(self, other: Self) -> Self;
+    /// `yes` where x < 0, else `no`.
+    fn where_negative(self, yes: Self, no: Self) -> Self;
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
 }
@@ -50,8 +56,18 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn is_negative(self) -> bool {
-        self < 0.0
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        f64::max(self, other)
+    }
+
+    #[inline]
+    fn where_negative(self, yes: Self, no: Self) -> Self {
+        if self < 0.0 { yes } else { no }
     }
 
     #[inline]

@@ -156,21 +156,30 @@ impl<T: Real> Coordinates<T> {
     }
 
     /// The rates by the solver's clock τ that follow from the velocities alone, whatever the
-    /// forces: of the angles, of time, and of the centre of mass, which moves with `velocity` (m/s)
-    /// along e_x1 and e_y1. All others are zero.
+    /// forces: of yaw, tilt and time. All others are zero.
+    #[inline(always)]
+    pub fn kinematics(&self) -> Self {
+        let falling = self.sin * self.p;
+        Coordinates {
+            yaw: self.w,
+            t: self.sin,
+            sin: falling * self.cos,
+            cos: -(falling * self.sin),
+            ..Coordinates::zero()
+        }
+    }
+
+    /// These rates with those of the spin, and of the centre of mass, which moves with `velocity`
+    /// (m/s) along e_x1 and e_y1.
     #[inline]
-    pub fn kinematics(&self, velocity: [T; 2]) -> Self {
+    pub fn with_place(&self, rates: Self, velocity: [T; 2]) -> Self {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
         let [vx, vy] = velocity;
         Coordinates {
-            yaw: self.w,
             spin: self.sin * self.s - self.w * self.cos,
             x: self.sin * (vx * cos_yaw - vy * sin_yaw),
             y: self.sin * (vx * sin_yaw + vy * cos_yaw),
-            t: self.sin,
-            sin: self.sin * self.cos * self.p,
-            cos: -self.sin * self.sin * self.p,
-            ..Coordinates::zero()
+            ..rates
         }
     }
 }

@@ -25,8 +25,8 @@ pub struct NoSlip<T> {
     k: Parameters<T>,
     /// K = A + mH².
     base_inertia: T,
-    /// J = K + mR².
-    rim_inertia: T,
+    /// 1/J, J = K + mR².
+    per_rim_inertia: T,
     /// mHR.
     mhr: T,
     /// C + mR².
@@ -37,6 +37,10 @@ pub struct NoSlip<T> {
     /// ṡ/φ̇ = `s_of_w` w + `s_of_s` s.
     s_of_w: T,
     s_of_s: T,
+    /// C/R.
+    c_over_r: T,
+    /// mg.
+    weight: T,
 }
 
 impl<T: Real> NoSlip<T> {
@@ -50,22 +54,25 @@ impl<T: Real> NoSlip<T> {
         NoSlip {
             k,
             base_inertia,
-            rim_inertia: base_inertia + mrr,
+            per_rim_inertia: T::from(1.0) / (base_inertia + mrr),
             mhr,
             c_rolling,
             l_of_s: k.c * c_rolling / determinant,
             l_of_w: k.c * mhr / determinant,
             s_of_w: mrr * k.a / determinant,
             s_of_s: k.c * mhr / determinant,
+            c_over_r: k.c / k.r,
+            weight: k.m * k.g,
         }
     }
 
     /// (dp/dτ, dw/dτ, ds/dτ).
+    #[inline(always)]
     fn accelerations(&self, u: &Coordinates<T>) -> [T; 3] {
         let NoSlip { k, mhr, .. } = self;
         let through_collision = u.cos * u.w * (self.base_inertia * u.w - *mhr * u.s);
-        let elsewhere = u.w * (*mhr * u.w - self.c_rolling * u.s) - k.m * k.g * k.rho(u);
-        let dp = (through_collision + u.sin * elsewhere) / self.rim_inertia;
+        let elsewhere = u.w * (*mhr * u.w - self.c_rolling * u.s) - self.weight * k.rho(u);
+        let dp = (through_collision + u.sin * elsewhere) * self.per_rim_inertia;
         let dw = u.p * (u.sin * (self.l_of_s * u.s - self.l_of_w * u.w) - u.w * u.cos);
         let ds = u.sin * u.p * (self.s_of_w * u.w + self.s_of_s * u.s);
         [dp, dw, ds]
@@ -77,24 +84,26 @@ impl<T: Real> Law<T> for NoSlip<T> {
         &self.k
     }
 
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    #[inline(always)]
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let [p, w, s] = self.accelerations(u);
         Coordinates {
             p,
             w,
             s,
-            ..u.kinematics(self.center_velocity(u))
+            ..u.kinematics()
         }
     }
 
     /// Friction from horizontal momentum along e_x1, and from the axial moment C ṡ = −R T_y.
+    #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let NoSlip { k, .. } = self;
         let [dp, _, ds] = self.accelerations(u);
         let along = u.w * (k.h * u.w - k.r * u.s) - k.z(u) * dp - u.sin * k.rho(u) * u.p * u.p;
         Contact {
             along: k.m * along,
-            across: -k.c * ds / k.r,
+            across: -self.c_over_r * ds,
             normal: k.normal(u, dp),
         }
     }

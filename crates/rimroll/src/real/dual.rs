@@ -85,8 +85,20 @@ impl Real for Dual {
         self.chain(power, power)
     }
 
-    fn is_negative(self) -> bool {
-        self.value < 0.0
+    fn abs(self) -> Dual {
+        self.where_negative(-self, self)
+    }
+
+    fn max(self, other: Dual) -> Dual {
+        if self.value > other.value {
+            self
+        } else {
+            other
+        }
+    }
+
+    fn where_negative(self, yes: Dual, no: Dual) -> Dual {
+        if self.value < 0.0 { yes } else { no }
     }
 
     fn odd_power(self, n: f64) -> Dual {
