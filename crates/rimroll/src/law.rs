@@ -51,6 +51,14 @@ pub struct Parameters<T> {
     pub g: T,
 }
 
+impl<T: Copy> Parameters<T> {
+    /// [m, R, H, A, C, g].
+    #[inline(always)]
+    pub(crate) fn letters(&self) -> [T; 6] {
+        [self.m, self.r, self.h, self.a, self.c, self.g]
+    }
+}
+
 impl<T: Real> Parameters<T> {
     /// The numbers of a body under gravity g (m/s²).
     pub fn new(body: &Body, gravity: f64) -> Self {

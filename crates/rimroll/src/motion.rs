@@ -88,7 +88,7 @@ impl Options {
     }
 
     /// Checks the numbers and fills in the body's own topple tilt.
-    fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
+    pub(crate) fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
         start.check()?;
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;

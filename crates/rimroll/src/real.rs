@@ -6,6 +6,7 @@
 //! sine, and no fused multiply-add.
 
 mod dual;
+mod elementary;
 mod lanes;
 
 pub use dual::Dual;
@@ -29,6 +30,12 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
+    /// eˣ − 1, for |x| ≤ 700.
+    fn exp_m1(self) -> Self;
+    /// ln x, for x > 0 that is neither tiny (below 1e-300) nor infinite.
+    fn ln(self) -> Self;
+    /// The angle in (−π/2, π/2) whose tangent is x.
+    fn atan(self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
     /// The larger of x and `other`.
@@ -53,6 +60,21 @@ impl Real for f64 {
     #[inline]
     fn exp(self) -> Self {
         libm::exp(self)
+    }
+
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        elementary::exp_m1(self)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+
+    #[inline]
+    fn atan(self) -> Self {
+        libm::atan(self)
     }
 
     #[inline]

@@ -85,6 +85,20 @@ impl Real for Dual {
         self.chain(power, power)
     }
 
+    fn exp_m1(self) -> Dual {
+        let less = Real::exp_m1(self.value);
+        self.chain(less, less + 1.0)
+    }
+
+    fn ln(self) -> Dual {
+        self.chain(Real::ln(self.value), 1.0 / self.value)
+    }
+
+    fn atan(self) -> Dual {
+        let slope = 1.0 / (1.0 + self.value * self.value);
+        self.chain(libm::atan(self.value), slope)
+    }
+
     fn abs(self) -> Dual {
         self.where_negative(-self, self)
     }

@@ -153,6 +153,21 @@ impl Real for Lanes {
     }
 
     #[inline(always)]
+    fn exp_m1(self) -> Lanes {
+        self.each(Real::exp_m1)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Lanes {
+        self.each(Real::ln)
+    }
+
+    #[inline(always)]
+    fn atan(self) -> Lanes {
+        self.each(libm::atan)
+    }
+
+    #[inline(always)]
     fn abs(self) -> Lanes {
         self.each(f64::abs)
     }
