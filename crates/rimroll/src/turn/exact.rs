@@ -21,6 +21,7 @@ mod rolling;
 mod rule;
 mod sliding;
 mod tilting;
+mod wobble;
 
 use crate::body::Body;
 use crate::error::InvalidInput;
@@ -174,7 +175,9 @@ impl Exact {
     fn outcome(&self, start: &State) -> Option<Outcome<f64>> {
         let (sin, cos) = libm::sincos(start.tilt);
         let y = sin / (1.0 + cos);
-        let (w, s) = (start.yaw_rate * sin, start.spin_rate + start.yaw_rate * cos);
+        let w = start.yaw_rate * sin;
+        // θ̇ + ψ̇ cos φ where the two rates are large and all but cancel, as in a near-collision.
+        let s = (start.spin_rate + start.yaw_rate) - w * y;
         let at = Start {
             y,
             eta: libm::log(y),

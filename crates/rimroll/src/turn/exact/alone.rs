@@ -4,6 +4,7 @@ use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, between, from_lowest, short, to_highest};
 use super::rule::{LADDER, Rule, rule};
 use super::tilting::Tilting;
+use super::wobble::{LONGEST, Wobble};
 use super::{Ending, FLAT, SHORT, outer_length};
 use crate::real::{Dual, Real};
 use crate::solve::bracketed;
@@ -88,6 +89,9 @@ pub(super) struct Alone<'a, M, T> {
     balance: f64,
 }
 
+/// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
+const SHORTEST: f64 = 1e-6;
+
 /// Points at which the sign of a function is looked at in search of a first root.
 const LOOKS: usize = 48;
 
@@ -127,7 +131,30 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             Some(None) => return Some(Outcome::without_turn(Ending::LiftedOff, None)),
             Some(Some(y)) => Top::Passing(y, Ending::LiftedOff),
         };
-        self.along(&low, &top, rising)
+        match top {
+            Top::Rest(high) if (high.eta - low.eta).value() < LONGEST => {
+                self.wobbling(&low, &high, rising)
+            }
+            top => self.along(self.motion, &start, &low, &top, rising),
+        }
+    }
+
+    /// The same with the energy of a tilt that hardly changes.
+    fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Outcome<T>> {
+        let Start { y, eta, p } = self.start;
+        let (from, to) = ((low.eta - eta).value(), (high.eta - eta).value());
+        let margin = 0.1 * (to - from);
+        if to - from < SHORTEST {
+            return None;
+        }
+        let wobble = Wobble::new(self.motion, y, eta, p, from - margin, to + margin);
+        let near = |extreme: &Extreme<T>| [extreme.y, extreme.eta - eta];
+        let (low, high) = (lowest(&wobble, near(low), 3), highest(&wobble, near(high), 3));
+        let start = Start {
+            eta: T::from(0.0),
+            ..self.start
+        };
+        self.along(&wobble, &start, &low, &Top::Rest(high), rising)
     }
 
     fn fell_back(&self) -> Option<Outcome<T>> {
@@ -141,16 +168,19 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 
     /// Yaw and time along the whole.
-    fn along(&self, low: &Extreme<T>, top: &Top<T>, rising: bool) -> Option<Outcome<T>> {
-        let motion = self.motion;
+    fn along(
+        &self,
+        motion: &impl Tilting<T>,
+        start: &Start<T>,
+        low: &Extreme<T>,
+        top: &Top<T>,
+        rising: bool,
+    ) -> Option<Outcome<T>> {
         let eta_top = match top {
             Top::Rest(high) => high.eta,
             Top::Passing(y, _) => y.ln(),
         };
         let length = eta_top - low.eta;
-        if length.value() < 1e-3 {
-            return None;
-        }
         let outer = outer_length(length);
         let inner = length - outer;
         let split = low.eta + inner;
@@ -160,17 +190,17 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             Top::Passing(..) => resolved(|rule| between(motion, split, outer, rule))?,
         };
         let up = bottom + upper;
-        let from_start = eta_top - self.start.eta;
-        let to_start = self.start.eta - low.eta;
+        let from_start = eta_top - start.eta;
+        let to_start = start.eta - low.eta;
         // From the smallest tilt to the start's.
         let risen = if to_start.value() < SHORT {
-            let point = motion.at(self.start.y, self.start.eta);
-            short(motion, low, to_start, point.inertia * self.start.p * self.start.p)
+            let point = motion.at(start.y, start.eta);
+            short(motion, low, to_start, point.inertia * start.p * start.p)
         } else if to_start.value() <= inner.value() {
             resolved(|rule| from_lowest(motion, low, to_start, rule))?
         } else {
             match top {
-                Top::Rest(high) => up - self.last_leg(high, from_start)?,
+                Top::Rest(high) => up - last_leg(motion, start, high, from_start)?,
                 Top::Passing(..) => {
                     let rest = to_start - inner;
                     bottom + resolved(|rule| between(motion, split, rest, rule))?
@@ -194,20 +224,11 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         })
     }
 
-    /// From the start's tilt to the largest.
-    fn last_leg(&self, high: &Extreme<T>, length: T) -> Option<Piece<T>> {
-        if length.value() < SHORT {
-            let point = self.motion.at(self.start.y, self.start.eta);
-            let drive = point.inertia * self.start.p * self.start.p;
-            return Some(short(self.motion, high, -length, drive));
-        }
-        resolved(|rule| to_highest(self.motion, high, length, rule))
-    }
-
     /// The smallest tilt, at the start if `here`.
     fn low(&self, here: bool) -> Option<Extreme<T>> {
         let start = self.start;
         let guess = if here { start.y } else { self.motion.lowest() };
+        let guess = [guess, guess.ln()];
         let good = |low: &Extreme<T>| {
             low.change.value() < 1e-12
                 && low.point.slope.value() > 0.0
@@ -220,13 +241,14 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         }
         let flat = libm::log(0.25 * FLAT);
         let eta = self.first_sign_change(start.eta.value(), flat, |eta| self.drive(eta))?;
-        Some(lowest(self.motion, T::from(eta).exp(), 3))
+        Some(lowest(self.motion, at(eta), 3))
     }
 
     /// The largest tilt, at the start if `here`; none if it goes past the end.
     fn high(&self, here: bool) -> Option<Extreme<T>> {
         let start = self.start;
         let guess = if here { start.y } else { self.motion.highest() };
+        let guess = [guess, guess.ln()];
         let good = |high: &Extreme<T>| {
             high.change.value() < 1e-12
                 && high.point.slope.value() < 0.0
@@ -234,7 +256,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
                 && high.y.value() < self.end.0
                 && self.clear(start.eta.value(), high.eta.value())
         };
-        if guess.value() < self.end.0 {
+        if guess[0].value() < self.end.0 {
             let high = highest(self.motion, guess, 12);
             if good(&high) {
                 return Some(high);
@@ -242,7 +264,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         }
         let end = libm::log(self.end.0);
         let eta = self.first_sign_change(start.eta.value(), end, |eta| self.drive(eta))?;
-        Some(highest(self.motion, T::from(eta).exp(), 3))
+        Some(highest(self.motion, at(eta), 3))
     }
 
     /// Whether the tilt does not turn back between two others.
@@ -298,4 +320,23 @@ fn resolved<T: Scalar>(piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
         .map(|rung| (piece(rule(rung)), LADDER[rung]))
         .find(|(piece, nodes)| piece.values().is_resolved(*nodes))
         .map(|(piece, _)| piece)
+}
+
+/// From the start's tilt to the largest.
+fn last_leg<T: Scalar>(
+    motion: &impl Tilting<T>,
+    start: &Start<T>,
+    high: &Extreme<T>,
+    length: T,
+) -> Option<Piece<T>> {
+    if length.value() < SHORT {
+        let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
+        return Some(short(motion, high, -length, drive));
+    }
+    resolved(|rule| to_highest(motion, high, length, rule))
+}
+
+/// A guess of y and η.
+fn at<T: Scalar>(eta: f64) -> [T; 2] {
+    [T::from(libm::exp(eta)), T::from(eta)]
 }

@@ -16,19 +16,27 @@ pub(super) struct Extreme<T> {
     pub(super) change: T,
 }
 
-/// The smallest tilt, from a guess, by `rounds` of Newton's iteration in y⁻², of which the energy of
+/// The smallest tilt, from a guess of y and η, by `rounds` of Newton's iteration in y⁻², of which the energy of
 /// yaw is all but a linear function.
 #[inline(always)]
-pub(super) fn lowest<T: Real>(motion: &impl Tilting<T>, guess: T, rounds: usize) -> Extreme<T> {
+pub(super) fn lowest<T: Real>(
+    motion: &impl Tilting<T>,
+    guess: [T; 2],
+    rounds: usize,
+) -> Extreme<T> {
     iterate(motion, guess, rounds, |point| {
         let one = T::from(1.0);
         one / (one + T::from(2.0) * point.drive / point.slope).sqrt()
     })
 }
 
-/// The largest tilt, from a guess, by `rounds` of Newton's iteration in y.
+/// The largest tilt, from a guess of y and η, by `rounds` of Newton's iteration in y.
 #[inline(always)]
-pub(super) fn highest<T: Real>(motion: &impl Tilting<T>, guess: T, rounds: usize) -> Extreme<T> {
+pub(super) fn highest<T: Real>(
+    motion: &impl Tilting<T>,
+    guess: [T; 2],
+    rounds: usize,
+) -> Extreme<T> {
     iterate(motion, guess, rounds, |point| {
         T::from(1.0) - point.drive / point.slope
     })
@@ -37,18 +45,17 @@ pub(super) fn highest<T: Real>(motion: &impl Tilting<T>, guess: T, rounds: usize
 #[inline(always)]
 fn iterate<T: Real>(
     motion: &impl Tilting<T>,
-    guess: T,
+    [mut y, mut eta]: [T; 2],
     rounds: usize,
     factor: impl Fn(&Point<T>) -> T,
 ) -> Extreme<T> {
-    let mut y = guess;
     let mut change = T::from(0.0);
     for _ in 0..rounds {
-        let factor = factor(&motion.at(y, y.ln()));
+        let factor = factor(&motion.at(y, eta));
         change = factor - T::from(1.0);
         y = y * factor;
+        eta = eta + factor.ln();
     }
-    let eta = y.ln();
     Extreme {
         y,
         eta,

@@ -17,7 +17,7 @@ use core::ops::{Add, Sub};
 const YAW_TOLERANCE: f64 = 2e-14;
 
 /// Error of the time of a piece, relative to it.
-const TIME_TOLERANCE: f64 = 1e-12;
+const TIME_TOLERANCE: f64 = 1e-13;
 
 /// Yaw and time along a piece, and what tells how well the rule has resolved it.
 #[derive(Debug, Clone, Copy)]
