@@ -14,27 +14,30 @@
 //! [`alone`] treats one start with all that can become of it; [`together`] eight at a time that rock.
 
 mod alone;
+mod dispatch;
 mod extremes;
 mod fundamental;
+mod many;
 mod pieces;
 mod rolling;
 mod rule;
 mod sliding;
 mod tilting;
+mod together;
 mod wobble;
 
 use crate::body::Body;
 use crate::error::InvalidInput;
 use crate::law::{IdealLaw, Parameters};
 use crate::motion::{Fall, Options, Status, fall};
-use crate::real::Real;
 use crate::state::State;
-use alone::{Alone, Outcome, Scalar, Start};
-use core::f64::consts::{FRAC_PI_2, PI};
+use alone::{Alone, Outcome};
+use core::f64::consts::FRAC_PI_2;
+use dispatch::Engine;
 use fundamental::Fundamental;
+use many::Prepared;
 use rolling::Rolling;
 use sliding::Sliding;
-use tilting::sin_and_versine;
 
 /// Below this sin φ the base counts as flat on the table, as in a simulated motion.
 const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
@@ -42,15 +45,8 @@ const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
 /// Nearer to an extreme than this, in η, G has no digits left.
 const SHORT: f64 = 3e-6;
 
-/// How much of the way between the smallest and the largest tilt, in η, belongs to the latter.
-fn outer_length<T: Scalar>(length: T) -> T {
-    const MOST: f64 = 1.8;
-    if length.value() > 2.0 * MOST {
-        T::from(MOST)
-    } else {
-        T::from(0.5) * length
-    }
-}
+/// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
+const MOST_OUTER: f64 = 1.8;
 
 /// What becomes of a body let go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -107,6 +103,8 @@ pub struct Exact {
     parameters: Parameters<f64>,
     /// For rolling, over all tilts below the end.
     table: Option<Fundamental<f64>>,
+    /// For rolling, over the tilts in which a body rocks: shorter.
+    rocking_table: Option<Fundamental<f64>>,
     options: Options,
 }
 
@@ -141,9 +139,11 @@ impl Exact {
             law,
             parameters,
             table: None,
+            rocking_table: None,
             options,
         };
         exact.table = rolls.then(|| Fundamental::new(parameters, exact.end().0));
+        exact.rocking_table = rolls.then(|| Fundamental::new(parameters, exact.highest()));
         Ok(exact)
     }
 
@@ -157,40 +157,62 @@ impl Exact {
         }
     }
 
+    /// How far a body that rocks may tilt, tan(φ/2): to the balance point.
+    fn highest(&self) -> f64 {
+        half_tangent(self.body.balance_tilt()).min(self.end().0)
+    }
+
+    /// Whether quadrature does not reach the start.
+    fn is_beyond(&self, start: &State) -> bool {
+        start.tilt >= FRAC_PI_2 || self.options.topple_tilt > Some(FRAC_PI_2)
+    }
+
     /// The turn of one start.
     ///
     /// # Errors
     /// Refuses a start outside its bounds.
     pub fn turn(&self, start: &State) -> Result<ExactTurn, InvalidInput> {
-        self.options.checked(&self.body, start)?;
+        self.check(start)?;
         Ok(self.turn_of(start))
     }
 
+    fn check(&self, start: &State) -> Result<(), InvalidInput> {
+        start.check()?;
+        match self.options.topple_tilt {
+            // Only then with the whole message.
+            Some(topple) if start.tilt >= topple => {
+                self.options.checked(&self.body, start).map(|_| ())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn engine(&self) -> Engine<'_> {
+        match &self.rocking_table {
+            Some(table) => Engine::Rolling(table),
+            None => Engine::Sliding(&self.parameters),
+        }
+    }
+
     fn turn_of(&self, start: &State) -> ExactTurn {
-        let beyond = start.tilt >= FRAC_PI_2 || self.options.topple_tilt > Some(FRAC_PI_2);
-        let outcome = if beyond { None } else { self.outcome(start) };
+        let outcome = if self.is_beyond(start) {
+            None
+        } else {
+            self.outcome(start)
+        };
         outcome.map_or_else(|| self.stepped(start), |outcome| told(&outcome))
     }
 
     fn outcome(&self, start: &State) -> Option<Outcome<f64>> {
-        let (sin, cos) = libm::sincos(start.tilt);
-        let y = sin / (1.0 + cos);
-        let w = start.yaw_rate * sin;
-        // θ̇ + ψ̇ cos φ where the two rates are large and all but cancel, as in a near-collision.
-        let s = (start.spin_rate + start.yaw_rate) - w * y;
-        let at = Start {
-            y,
-            eta: libm::log(y),
-            p: start.tilt_rate,
-        };
+        let Prepared { at, w, s } = Prepared::new(start);
         let (end, balance) = (self.end(), half_tangent(self.body.balance_tilt()));
         match &self.table {
             Some(table) => {
-                let motion = Rolling::new(table, y, at.eta, at.p, w, s);
+                let motion = Rolling::new(table, at.y, at.eta, at.p, w, s);
                 Alone::new(&motion, at, end, balance).outcome()
             }
             None => {
-                let motion = Sliding::new(self.parameters, y, at.p, w, s);
+                let motion = Sliding::new(self.parameters, at.y, at.p, w, s);
                 Alone::new(&motion, at, end, balance).outcome()
             }
         }

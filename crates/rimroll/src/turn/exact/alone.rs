@@ -2,10 +2,10 @@
 
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, between, from_lowest, short, to_highest};
-use super::rule::{LADDER, Rule, rule};
+use super::rule::{LADDER, Rule, nodes_from_lowest, rule, rung_with};
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
-use super::{Ending, FLAT, SHORT, outer_length};
+use super::{Ending, FLAT, MOST_OUTER, SHORT};
 use crate::real::{Dual, Real};
 use crate::solve::bracketed;
 
@@ -91,6 +91,9 @@ pub(super) struct Alone<'a, M, T> {
 
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
 const SHORTEST: f64 = 1e-6;
+
+/// Nodes to begin with elsewhere than at the smallest tilt.
+const NODES: f64 = 12.0;
 
 /// Points at which the sign of a function is looked at in search of a first root.
 const LOOKS: usize = 48;
@@ -181,13 +184,17 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             Top::Passing(y, _) => y.ln(),
         };
         let length = eta_top - low.eta;
-        let outer = outer_length(length);
+        let outer = if length.value() > 2.0 * MOST_OUTER {
+            T::from(MOST_OUTER)
+        } else {
+            T::from(0.5) * length
+        };
         let inner = length - outer;
         let split = low.eta + inner;
-        let bottom = resolved(|rule| from_lowest(motion, low, inner, rule))?;
+        let bottom = foot(motion, low, inner)?;
         let upper = match top {
-            Top::Rest(high) => resolved(|rule| to_highest(motion, high, outer, rule))?,
-            Top::Passing(..) => resolved(|rule| between(motion, split, outer, rule))?,
+            Top::Rest(high) => resolved(NODES, |rule| to_highest(motion, high, outer, rule))?,
+            Top::Passing(..) => passage(motion, split, outer)?,
         };
         let up = bottom + upper;
         let from_start = eta_top - start.eta;
@@ -197,13 +204,13 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             let point = motion.at(start.y, start.eta);
             short(motion, low, to_start, point.inertia * start.p * start.p)
         } else if to_start.value() <= inner.value() {
-            resolved(|rule| from_lowest(motion, low, to_start, rule))?
+            foot(motion, low, to_start)?
         } else {
             match top {
                 Top::Rest(high) => up - last_leg(motion, start, high, from_start)?,
                 Top::Passing(..) => {
                     let rest = to_start - inner;
-                    bottom + resolved(|rule| between(motion, split, rest, rule))?
+                    bottom + passage(motion, split, rest)?
                 }
             }
         };
@@ -314,12 +321,23 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 }
 
-/// A piece by a rule that resolves it.
-fn resolved<T: Scalar>(piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
-    (1..LADDER.len())
+/// A piece by a rule that resolves it, from one with about so many nodes on.
+fn resolved<T: Scalar>(nodes: f64, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
+    (rung_with(nodes)..LADDER.len())
         .map(|rung| (piece(rule(rung)), LADDER[rung]))
         .find(|(piece, nodes)| piece.values().is_resolved(*nodes))
         .map(|(piece, _)| piece)
+}
+
+/// From the smallest tilt up by `length` in η.
+fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
+    let nodes = nodes_from_lowest(length.value());
+    resolved(nodes, |rule| from_lowest(motion, low, length, rule))
+}
+
+/// From η up by `length` on the move.
+fn passage<T: Scalar>(motion: &impl Tilting<T>, eta: T, length: T) -> Option<Piece<T>> {
+    resolved(8.0, |rule| between(motion, eta, length, rule))
 }
 
 /// From the start's tilt to the largest.
@@ -333,7 +351,7 @@ fn last_leg<T: Scalar>(
         let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
         return Some(short(motion, high, -length, drive));
     }
-    resolved(|rule| to_highest(motion, high, length, rule))
+    resolved(NODES, |rule| to_highest(motion, high, length, rule))
 }
 
 /// A guess of y and η.

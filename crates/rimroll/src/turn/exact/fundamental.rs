@@ -23,8 +23,8 @@ const TERMS: usize = 64;
 /// Chebyshev points: enough for tilts up to π/2.
 const POINTS: usize = 28;
 
-/// Chebyshev coefficients below this part of the largest are left out of the table.
-const NEGLIGIBLE: f64 = 1e-17;
+/// Chebyshev coefficients below this part of the largest are nothing but rounding.
+const NEGLIGIBLE: f64 = 5e-16;
 
 /// The solutions for one body, and its numbers.
 #[derive(Debug, Clone)]
@@ -193,16 +193,19 @@ fn tilt_over_sine() -> [f64; TERMS] {
 
 /// Chebyshev coefficients over (0, end) of l₁/y², s₁, l₂, s₂/y.
 fn chebyshev<C: Real>(series: &Series<C>, end: f64) -> [[C; 4]; POINTS] {
-    let angle = |i: usize| PI * (i as f64 + 0.5) / POINTS as f64;
+    // cos(n (i + ½) π / POINTS), the angle first brought to the first turn.
+    let cos = |n: usize, i: usize| {
+        libm::cos(PI * (n * (2 * i + 1) % (4 * POINTS)) as f64 / (2 * POINTS) as f64)
+    };
     let values: [[C; 4]; POINTS] = core::array::from_fn(|i| {
-        let y = 0.5 * end * (1.0 + libm::cos(angle(i)));
+        let y = 0.5 * end * (1.0 + cos(1, i));
         let [l_1, s_1, l_2, s_2] = series.at(2.0 * libm::atan(y));
         let inverse = C::from(1.0 / y);
         [l_1 * inverse * inverse, s_1, l_2, s_2 * inverse]
     });
     core::array::from_fn(|n| {
         let norm = if n == 0 { 1.0 } else { 2.0 } / POINTS as f64;
-        let weight = |i: usize| norm * libm::cos(n as f64 * angle(i));
+        let weight = |i: usize| norm * cos(n, i);
         combined(values.iter().enumerate().map(|(i, row)| (weight(i), row)))
     })
 }

@@ -17,7 +17,7 @@ use core::ops::{Add, Sub};
 const YAW_TOLERANCE: f64 = 2e-14;
 
 /// Error of the time of a piece, relative to it.
-const TIME_TOLERANCE: f64 = 1e-13;
+const TIME_TOLERANCE: f64 = 1e-11;
 
 /// Yaw and time along a piece, and what tells how well the rule has resolved it.
 #[derive(Debug, Clone, Copy)]
@@ -57,19 +57,35 @@ impl<T: Copy> Piece<T> {
     }
 }
 
+impl<T: Copy> Piece<T> {
+    /// With another, number by number.
+    #[inline(always)]
+    pub(super) fn zip(&self, other: &Piece<T>, f: impl Fn(T, T) -> T) -> Piece<T> {
+        Piece {
+            yaw: f(self.yaw, other.yaw),
+            time: f(self.time, other.time),
+            last: core::array::from_fn(|i| f(self.last[i], other.last[i])),
+            before: core::array::from_fn(|i| f(self.before[i], other.before[i])),
+        }
+    }
+}
+
 impl Piece<f64> {
     /// Whether a rule of n nodes has made no error that counts.
     ///
     /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
     /// the rule like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
     pub(super) fn is_resolved(&self, nodes: usize) -> bool {
-        let error = |i: usize| {
-            let ratio = (self.last[i] / self.before[i]).abs().min(1.0);
-            let carried = (0..nodes / 2).fold(1.0, |product, _| product * ratio);
-            self.last[i].abs() * carried
+        let resolved = |i: usize, tolerance: f64| {
+            let (mut error, before) = (self.last[i].abs(), self.before[i].abs());
+            if error > tolerance {
+                let ratio = (error / before).min(1.0);
+                error = (0..nodes / 2).fold(error, |error, _| error * ratio);
+            }
+            error <= tolerance
         };
-        error(0) <= YAW_TOLERANCE * (1.0 + self.yaw.abs())
-            && error(1) <= TIME_TOLERANCE * self.time.abs()
+        resolved(0, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
+            && resolved(1, TIME_TOLERANCE * self.time.abs())
     }
 }
 
@@ -118,10 +134,11 @@ pub(super) fn from_lowest<T: Real>(
         let excess = above.exp_m1();
         let y = low.y + low.y * excess;
         let point = motion.at(y, low.eta + above);
-        let pace = (point.inertia / point.drive).sqrt();
-        let split = factor / risen(excess).sqrt();
-        let measure = length * T::from(2.0 * node.at);
-        let integrands = [(point.w * pace - split) * measure, point.sin * pace * measure];
+        // √(I/G) and 1/√(y²/y_c² − 1) by one division.
+        let (drive, rise) = ((point.inertia * point.drive).sqrt(), risen(excess).sqrt());
+        let both = length * T::from(2.0 * node.at) / (drive * rise);
+        let (pace, split) = (point.inertia * rise * both, factor * drive * both);
+        let integrands = [point.w * pace - split, point.sin * pace];
         piece.add_node(integrands, node.weight, node.last, node.before);
     }
     piece.yaw = piece.yaw + factor * whole;
@@ -194,7 +211,7 @@ pub(super) fn short<T: Real>(
 /// dψ and dt for a bit dη = `measure`.
 #[inline(always)]
 fn paced<T: Real>(point: &Point<T>, measure: T) -> [T; 2] {
-    let pace = (point.inertia / point.drive).sqrt() * measure;
+    let pace = point.inertia * measure / (point.inertia * point.drive).sqrt();
     [point.w * pace, point.sin * pace]
 }
 

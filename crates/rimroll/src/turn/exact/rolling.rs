@@ -91,7 +91,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
         let (axial, s_of_l): (T, T) = (self.body.axial_inertia.into(), self.body.rates[2].into());
         let mut s = self.regular;
         let mut y = T::from(0.0);
-        for _ in 0..3 {
+        for _ in 0..2 {
             let pull = self.singular.where_negative(-mhr * s, mhr * s);
             let root = (pull * pull + k * (self.energy - axial * s * s)).sqrt();
             y = T::from(0.5) * self.singular.abs() * k / (pull + root);

@@ -3,11 +3,36 @@
 use std::sync::LazyLock;
 
 /// How many nodes each rule of the ladder has.
-pub(super) const LADDER: [usize; 8] = [8, 12, 16, 24, 36, 54, 80, 120];
+pub(super) const LADDER: [usize; 16] = [
+    4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120,
+];
+
+/// The first rung with so many nodes; the last has at most its own.
+pub(super) fn rung_with(nodes: f64) -> usize {
+    let enough = LADDER.iter().position(|&n| n as f64 >= nodes);
+    enough.unwrap_or(LADDER.len() - 1)
+}
+
+/// About how many nodes resolve a piece from the smallest tilt, `length` long in η: with each unit of
+/// η the time grows e-fold over it.
+pub(super) fn nodes_from_lowest(length: f64) -> f64 {
+    9.0 + 0.8 * length
+}
+
+/// The first rung whose rule is about enough for a piece to the largest tilt, `length` long in η, where
+/// the tilt's energy has its next root, beyond the balance point, farther by `gap`: there, at
+/// i √(gap/length), ends the integrand's continuation in the plane of τ.
+pub(super) fn rung_to_highest(length: f64, gap: f64) -> usize {
+    let reach = gap / length;
+    let enough = RUNGS.iter().position(|rung| rung.square_reach <= reach);
+    enough.unwrap_or(LADDER.len() - 1)
+}
 
 /// Nodes and weights on (0, 1), exact for even polynomials up to degree 4n − 2.
 pub(super) struct Rule {
     pub(super) nodes: Vec<Node>,
+    /// For which (gap/length) it is enough.
+    square_reach: f64,
 }
 
 /// One of them.
@@ -25,15 +50,19 @@ pub(super) struct Node {
 
 /// The rule on a rung of the [`LADDER`].
 pub(super) fn rule(rung: usize) -> &'static Rule {
-    static RULES: LazyLock<Vec<Rule>> =
-        LazyLock::new(|| LADDER.iter().map(|&n| Rule::new(n)).collect());
-    &RULES[rung]
+    &RUNGS[rung]
 }
+
+static RUNGS: LazyLock<Vec<Rule>> = LazyLock::new(|| LADDER.iter().map(|&n| Rule::new(n)).collect());
 
 impl Rule {
     fn new(n: usize) -> Rule {
+        // The error falls off like exp(−4n asinh(reach)).
+        const DIGITS: f64 = 6.7;
+        let reach = libm::sinh(DIGITS / (n as f64 - 2.5));
         Rule {
             nodes: (0..n).map(|i| node(2 * n, i)).collect(),
+            square_reach: reach * reach,
         }
     }
 }
@@ -78,7 +107,7 @@ mod tests {
     #[test]
     fn each_rule_integrates_even_polynomials() {
         for (rung, n) in LADDER.iter().enumerate() {
-            for power in (0..=(4 * n - 2)).step_by(2) {
+            for power in (0..=(4 * n - 2).min(300)).step_by(2) {
                 let power = power as i32;
                 let nodes = &rule(rung).nodes;
                 let sum: f64 = nodes.iter().map(|k| k.weight * k.at.powi(power)).sum();

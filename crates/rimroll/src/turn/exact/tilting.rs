@@ -48,9 +48,18 @@ pub(super) trait Tilting<T: Real> {
 /// sin φ and 1 − cos φ.
 #[inline(always)]
 pub(super) fn sin_and_versine<T: Real>(y: T) -> (T, T) {
-    let half_sin_over_y = T::from(1.0) / (T::from(1.0) + y * y);
-    let sin = T::from(2.0) * y * half_sin_over_y;
+    let sin = T::from(2.0) * y / (T::from(1.0) + y * y);
     (sin, sin * y)
+}
+
+/// How much farther, in η, the tilt's energy has its next root, but for yaw and spin, for a largest
+/// tilt at y = tan(φ/2): R sin φ + H cos φ is there the same again.
+pub(super) fn gap_beyond(radius: f64, height: f64, y: f64) -> f64 {
+    let (sin, versine) = sin_and_versine(y);
+    let rise = radius * sin - height * versine;
+    let next = rise / (rise + 2.0 * height) / y;
+    // A little less than ln(next/y).
+    (2.0 * (next - y) / (next + y)).max(0.0)
 }
 
 /// tan(φ/2) where a centre of mass R beside and H over the rim is `rise` over H: R sin φ + H cos φ =

@@ -1,0 +1,197 @@
+//! Many starts, by lanes and threads.
+//!
+//! A block of starts goes through the parts of its turns one after another; in each, starts that need
+//! rules of the same size share lanes. Those that do not rock, and the odd ones, are treated alone.
+
+use super::alone::Start;
+use super::dispatch::{Engine, Eight};
+use super::pieces::Piece;
+use super::rule::{LADDER, nodes_from_lowest, rung_to_highest, rung_with};
+use super::tilting::gap_beyond;
+use super::together::Part;
+use super::{Ending, Exact, ExactTurn, MOST_OUTER, SHORT};
+use crate::error::InvalidInput;
+use crate::real::{LANES, Real};
+use crate::state::State;
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
+
+/// Starts that a thread takes at a time.
+const BLOCK: usize = 2048;
+
+/// How many rungs a rule is taken larger when it has not resolved its piece.
+const CLIMB: usize = 2;
+
+/// What a start is to the lanes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Prepared {
+    pub(super) at: Start<f64>,
+    /// w = ψ̇ sin φ, rad/s.
+    pub(super) w: f64,
+    /// s = θ̇ + ψ̇ cos φ, rad/s.
+    pub(super) s: f64,
+}
+
+impl Prepared {
+    pub(super) fn new(start: &State) -> Prepared {
+        let (sin, cos) = libm::sincos(start.tilt);
+        let y = sin / (1.0 + cos);
+        let w = start.yaw_rate * sin;
+        Prepared {
+            at: Start {
+                y,
+                eta: Real::ln(y),
+                p: start.tilt_rate,
+            },
+            w,
+            // θ̇ + ψ̇ cos φ where the two rates are large and all but cancel, as in a near-collision.
+            s: (start.spin_rate + start.yaw_rate) - w * y,
+        }
+    }
+}
+
+/// A start on its way through the lanes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lane {
+    pub(super) start: Prepared,
+    /// tan(φ/2) and its logarithm at the smallest and the largest tilt.
+    pub(super) low: [f64; 2],
+    pub(super) high: [f64; 2],
+    /// From the one to the other.
+    half: Piece<f64>,
+    /// From the start's tilt to the largest.
+    leg: Piece<f64>,
+    /// Whether it is still among the others.
+    together: bool,
+}
+
+impl Exact {
+    /// The turns of many starts, on the threads of the pool that it is called from. Those of a start do
+    /// not depend on the others, nor on the number of threads.
+    ///
+    /// # Errors
+    /// Refuses a start outside its bounds: the first.
+    pub fn turns(&self, starts: &[State]) -> Result<Vec<ExactTurn>, InvalidInput> {
+        for start in starts {
+            self.check(start)?;
+        }
+        #[cfg(feature = "threads")]
+        let blocks = starts.par_chunks(BLOCK);
+        #[cfg(not(feature = "threads"))]
+        let blocks = starts.chunks(BLOCK);
+        Ok(blocks.flat_map_iter(|block| self.block(block)).collect())
+    }
+
+    fn block(&self, starts: &[State]) -> Vec<ExactTurn> {
+        let engine = self.engine();
+        let mut lanes: Vec<Lane> = starts.iter().map(Lane::new).collect();
+        for (lane, start) in lanes.iter_mut().zip(starts) {
+            lane.together = !self.is_beyond(start);
+        }
+        self.find_extremes(&engine, &mut lanes);
+        for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
+            self.add(part, &engine, &mut lanes);
+        }
+        let turn = |(lane, start): (&Lane, &State)| {
+            if lane.together {
+                lane.told()
+            } else {
+                self.turn_of(start)
+            }
+        };
+        lanes.iter().zip(starts).map(turn).collect()
+    }
+
+    fn find_extremes(&self, engine: &Engine<'_>, lanes: &mut [Lane]) {
+        let open: Vec<usize> = (0..lanes.len()).filter(|&i| lanes[i].together).collect();
+        for eight in open.chunks(LANES) {
+            let found = engine.extremes(&Eight::of(lanes, eight), self.highest());
+            let sound = found.sound.bits();
+            for (lane, &i) in eight.iter().enumerate() {
+                lanes[i].low = [found.low.y.0[lane], found.low.eta.0[lane]];
+                lanes[i].high = [found.high.y.0[lane], found.high.eta.0[lane]];
+                lanes[i].together = sound & (1 << lane) != 0;
+            }
+        }
+    }
+
+    /// Adds a part to all lanes that have it, each by the smallest rule that resolves it.
+    fn add(&self, part: Part, engine: &Engine<'_>, lanes: &mut [Lane]) {
+        let mut rungs: Vec<Option<usize>> = lanes.iter().map(|lane| self.rung(part, lane)).collect();
+        for rung in 0..LADDER.len() {
+            let open: Vec<usize> = (0..lanes.len()).filter(|&i| rungs[i] == Some(rung)).collect();
+            for eight in open.chunks(LANES) {
+                let pieces = engine.part(part, &Eight::of(lanes, eight), rung);
+                for (place, &i) in eight.iter().enumerate() {
+                    let piece = pieces.map(|all| all.0[place]);
+                    if part == Part::ShortLeg || piece.is_resolved(LADDER[rung]) {
+                        lanes[i].add(part, piece);
+                    } else if rung + CLIMB < LADDER.len() {
+                        rungs[i] = Some(rung + CLIMB);
+                    } else {
+                        lanes[i].together = false;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The rung to begin with, where a lane has that part.
+    fn rung(&self, part: Part, lane: &Lane) -> Option<usize> {
+        if !lane.together {
+            return None;
+        }
+        let gap = || gap_beyond(self.body.radius(), self.body.height(), lane.high[0]);
+        let span = lane.high[1] - lane.low[1];
+        let outer = (0.5 * span).min(MOST_OUTER);
+        let leg = lane.high[1] - lane.start.at.eta;
+        let has_leg = lane.start.at.p != 0.0;
+        match part {
+            Part::Foot => Some(rung_with(nodes_from_lowest(span - outer))),
+            Part::Head => Some(rung_to_highest(outer, gap())),
+            Part::Leg if has_leg && leg >= SHORT => Some(rung_to_highest(leg, gap())),
+            Part::ShortLeg if has_leg && leg < SHORT => Some(0),
+            Part::Leg | Part::ShortLeg => None,
+        }
+    }
+}
+
+impl Lane {
+    fn new(start: &State) -> Lane {
+        Lane {
+            start: Prepared::new(start),
+            low: [f64::NAN; 2],
+            high: [f64::NAN; 2],
+            half: Piece::nothing(),
+            leg: Piece::nothing(),
+            together: true,
+        }
+    }
+
+    fn add(&mut self, part: Part, piece: Piece<f64>) {
+        match part {
+            Part::Foot | Part::Head => self.half = self.half + piece,
+            Part::Leg | Part::ShortLeg => self.leg = piece,
+        }
+    }
+
+    fn told(&self) -> ExactTurn {
+        let Lane { half, leg, .. } = self;
+        let (turn, min_time, yaw) = if self.start.at.p > 0.0 {
+            let turn = 2.0 * half.yaw;
+            (turn, leg.time + half.time, turn + leg.yaw)
+        } else {
+            let turn = 2.0 * half.yaw - leg.yaw;
+            (turn, half.time - leg.time, turn)
+        };
+        ExactTurn {
+            ending: Ending::Rocked,
+            turn,
+            min_tilt: 2.0 * libm::atan(self.low[0]),
+            max_tilt: 2.0 * libm::atan(self.high[0]),
+            min_time,
+            time: min_time + half.time,
+            yaw,
+        }
+    }
+}
