@@ -117,9 +117,14 @@ impl Exact {
 
     /// Adds a part to all lanes that have it, each by the smallest rule that resolves it.
     fn add(&self, part: Part, engine: &Engine<'_>, lanes: &mut [Lane]) {
-        let mut rungs: Vec<Option<usize>> = lanes.iter().map(|lane| self.rung(part, lane)).collect();
+        let mut waiting: [Vec<usize>; LADDER.len()] = Default::default();
+        for (i, lane) in lanes.iter().enumerate() {
+            if let Some(rung) = self.rung(part, lane) {
+                waiting[rung].push(i);
+            }
+        }
         for rung in 0..LADDER.len() {
-            let open: Vec<usize> = (0..lanes.len()).filter(|&i| rungs[i] == Some(rung)).collect();
+            let open = core::mem::take(&mut waiting[rung]);
             for eight in open.chunks(LANES) {
                 let pieces = engine.part(part, &Eight::of(lanes, eight), rung);
                 for (place, &i) in eight.iter().enumerate() {
@@ -127,7 +132,7 @@ impl Exact {
                     if part == Part::ShortLeg || piece.is_resolved(LADDER[rung]) {
                         lanes[i].add(part, piece);
                     } else if rung + CLIMB < LADDER.len() {
-                        rungs[i] = Some(rung + CLIMB);
+                        waiting[rung + CLIMB].push(i);
                     } else {
                         lanes[i].together = false;
                     }
