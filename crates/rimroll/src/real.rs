@@ -27,6 +27,10 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The larger of x and `other`.
+    fn max(self, other: Self) -> Self;
     /// Whether x < 0.
     fn is_negative(self) -> bool;
     /// |x|ⁿ with the sign of x, for n ≥ 1.
@@ -47,6 +51,16 @@ impl Real for f64 {
     #[inline]
     fn exp(self) -> Self {
         libm::exp(self)
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        f64::max(self, other)
     }
 
     #[inline]

@@ -85,6 +85,18 @@ impl Real for Dual {
         self.chain(power, power)
     }
 
+    fn abs(self) -> Dual {
+        if self.is_negative() { -self } else { self }
+    }
+
+    fn max(self, other: Dual) -> Dual {
+        if self.value > other.value {
+            self
+        } else {
+            other
+        }
+    }
+
     fn is_negative(self) -> bool {
         self.value < 0.0
     }
