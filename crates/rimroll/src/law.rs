@@ -65,22 +65,26 @@ impl<T: Real> Parameters<T> {
     }
 
     /// ρ: how far the centre of mass lies beside the contact point, toward the base's centre, m.
+    #[inline(always)]
     pub fn rho(&self, u: &Coordinates<T>) -> T {
         self.r * u.cos - self.h * u.sin
     }
 
     /// z: how far the centre of mass lies over the table, m.
+    #[inline(always)]
     pub fn z(&self, u: &Coordinates<T>) -> T {
         self.r * u.sin + self.h * u.cos
     }
 
     /// N sin φ, from vertical momentum N = m (g + z̈) with z̈ = ρ φ̈ − z φ̇².
+    #[inline(always)]
     pub(crate) fn normal(&self, u: &Coordinates<T>, dp: T) -> T {
         self.m * (u.sin * self.g + self.rho(u) * dp - u.sin * self.z(u) * u.p * u.p)
     }
 
     /// How fast a rolling rim carries the centre of mass along e_x1 and e_y1, m/s (appendix A,
     /// Eq. `vG_noslip`, in the frame that yaws but does not tilt).
+    #[inline(always)]
     pub(crate) fn rolling_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         [-self.z(u) * u.p, self.r * u.s - self.h * u.w]
     }

@@ -8,6 +8,8 @@
 mod contacts;
 mod events;
 mod fall;
+mod glance;
+mod leg;
 mod mechanics;
 mod message;
 mod moment;
@@ -21,7 +23,7 @@ pub use events::{Event, EventKind};
 pub use fall::{Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
 pub(crate) use run::pass_near_collision;
-pub use track::{Instant, Track};
+pub use track::{Instant, LookUp, Track};
 pub use turns::Turn;
 
 use crate::body::Body;
@@ -35,6 +37,7 @@ use core::ops::ControlFlow;
 use events::Goal;
 use message::message;
 use run::Run;
+use std::sync::Arc;
 
 /// Standard gravity, m/s² (exact by convention). The paper used 9.8.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -172,7 +175,7 @@ impl Status {
 /// A computed motion.
 pub struct Motion {
     /// The laws with the body's numbers, for forces and energy along the way.
-    pub contacts: Contacts,
+    pub contacts: Arc<Contacts>,
     /// Every accepted step, to be evaluated anywhere.
     pub track: Track,
     /// What happened on the way, in order of time.
@@ -212,16 +215,17 @@ pub fn simulate(
     start: &State,
     surface: impl Into<Surface>,
     options: &Options,
-    watch: impl FnMut(f64) -> ControlFlow<()>,
+    mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
     let surface = surface.into();
     surface.check()?;
     let options = options.checked(body, start)?;
     let contacts = Contacts::new(body, &surface, options.gravity, options.step_tolerance());
+    let contacts = Arc::new(contacts);
     let start = Coordinates::from_state(start);
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
-    let status = run.follow_to_the_end(watch);
+    let status = run.follow_to_the_end(&mut watch);
     let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),

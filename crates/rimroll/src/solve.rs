@@ -27,20 +27,6 @@ pub trait System<T: Real, const N: usize> {
 
     /// For each component the size that an error is to be compared with.
     fn scale(&self, u: &[T; N]) -> [T; N];
-
-    /// How many components, the first, change in every case: the others cost nothing where
-    /// [`System::only_first`] says so.
-    const FIRST: usize = N;
-
-    /// Whether only the first components change.
-    fn only_first(&self) -> bool {
-        false
-    }
-
-    /// How many components change.
-    fn changing(&self) -> usize {
-        if self.only_first() { Self::FIRST } else { N }
-    }
 }
 
 /// Why no further step could be made.
@@ -85,10 +71,9 @@ pub fn next_factor<T: Real>(error: T) -> T {
 pub struct Stepper<'a, S, const N: usize> {
     system: &'a S,
     tolerance: f64,
-    u: [f64; N],
-    rates: [f64; N],
+    /// Length of the next step to try.
     h: f64,
-    step: Option<Step<f64, N>>,
+    step: Step<f64, N>,
     /// Work so far.
     pub work: Work,
 }
@@ -99,10 +84,8 @@ impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
         Stepper {
             system,
             tolerance,
-            u,
-            rates: system.rates(&u),
             h,
-            step: None,
+            step: Step::still(&u, &system.rates(&u)),
             work: Work {
                 evaluations: 1,
                 ..Work::default()
@@ -118,18 +101,15 @@ impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
     /// When no step is short enough.
     pub fn advance(&mut self) -> Result<&mut Step<f64, N>, Stuck> {
         let mut grow_at_most = 8.0;
+        self.step.begin_next();
         loop {
-            let step = Step::take(self.system, &self.u, &self.rates, self.h);
+            let error = self.step.attempt(self.system, self.h, self.tolerance);
             self.work.evaluations += Step::<f64, N>::EVALUATIONS;
-            let error = step.error(self.system, self.tolerance);
             // Written so that a NaN is refused.
             if error <= 1.0 {
-                let factor = next_factor(error);
-                self.u = step.end;
-                self.rates = *step.end_rates();
-                self.h *= factor.clamp(0.2, grow_at_most);
+                self.h *= next_factor(error).clamp(0.2, grow_at_most);
                 self.work.steps += 1;
-                return Ok(self.step.insert(step));
+                return Ok(&mut self.step);
             }
             self.work.rejected += 1;
             grow_at_most = 1.0;

@@ -320,8 +320,6 @@ impl System<f64, COORDINATES> for Bilateral {
         Coordinates {
             yaw: 1.0,
             spin: 1.0,
-            x: 1.0,
-            y: 1.0,
             t: 1.0,
             sin: u.sin,
             cos: 1.0,

@@ -37,6 +37,7 @@ impl<T: Real> Frictionless<T> {
     }
 
     /// dp/dτ.
+    #[inline(always)]
     fn tilt_acceleration(&self, u: &Coordinates<T>) -> T {
         let k = &self.k;
         let rho = k.rho(u);
@@ -50,6 +51,7 @@ impl<T: Real> Law<T> for Frictionless<T> {
         &self.k
     }
 
+    #[inline(always)]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
             p: self.tilt_acceleration(u),
@@ -71,6 +73,7 @@ impl<T: Real> Law<T> for Frictionless<T> {
         }
     }
 
+    #[inline(always)]
     fn center_velocity(&self, _: &Coordinates<T>) -> [T; 2] {
         [T::from(0.0), T::from(0.0)]
     }

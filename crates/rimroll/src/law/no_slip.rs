@@ -61,6 +61,7 @@ impl<T: Real> NoSlip<T> {
     }
 
     /// (dp/dτ, dw/dτ, ds/dτ).
+    #[inline(always)]
     fn accelerations(&self, u: &Coordinates<T>) -> [T; 3] {
         let NoSlip { k, mhr, .. } = self;
         let through_collision = u.cos * u.w * (self.base_inertia * u.w - *mhr * u.s);
@@ -77,6 +78,7 @@ impl<T: Real> Law<T> for NoSlip<T> {
         &self.k
     }
 
+    #[inline(always)]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let [p, w, s] = self.accelerations(u);
         Coordinates {
@@ -99,6 +101,7 @@ impl<T: Real> Law<T> for NoSlip<T> {
         }
     }
 
+    #[inline(always)]
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         self.k.rolling_velocity(u)
     }

@@ -135,6 +135,7 @@ impl AirDrag {
 }
 
 /// A law with resistance added.
+#[derive(Debug, Clone, Copy)]
 pub struct Resisted<L> {
     law: L,
     resistance: Resistance,

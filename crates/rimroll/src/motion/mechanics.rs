@@ -12,7 +12,6 @@ pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Law<T> + 'a> {
     radius: T,
     /// √(g/R): the rate of falling, a yardstick for rates.
     pub falling_rate: T,
-    only_moves: bool,
     slows_with_slip: bool,
 }
 
@@ -24,7 +23,6 @@ impl<'a, T: Real, L: Law<T> + ?Sized> Mechanics<'a, T, L> {
             mass: k.m,
             radius: k.r,
             falling_rate: (k.g / k.r).sqrt(),
-            only_moves: law.only_moves(),
             slows_with_slip: false,
         }
     }
@@ -39,6 +37,7 @@ impl<'a, T: Real, L: Law<T> + ?Sized> Mechanics<'a, T, L> {
     }
 
     /// How fast the solver's clock goes, as a part of τ.
+    #[inline(always)]
     pub(super) fn clock(&self, u: &Coordinates<T>) -> T {
         // A slip this slow, beside the other velocities, is about to end.
         const SLOW: f64 = 0.05;
@@ -58,17 +57,66 @@ impl<'a, T: Real, L: Law<T> + ?Sized> Mechanics<'a, T, L> {
     }
 
     /// A rate (rad/s) to compare the tilt rate with.
+    #[inline(always)]
     pub(super) fn tilt_rate_scale(&self, u: &Coordinates<T>) -> T {
         u.p.abs() + u.w.abs() + u.sin * self.falling_rate
     }
 }
 
 /// Of slip, m/s.
+#[inline(always)]
 fn speed<T: Real>(u: &Coordinates<T>) -> T {
     (u.slip_x * u.slip_x + u.slip_y * u.slip_y).sqrt()
 }
 
+impl<T: Real, L: Law<T> + ?Sized> Mechanics<'_, T, L> {
+    /// w and s obey linear equations and pass through the tipping phase as small as the start made
+    /// them, to become large in the collision; so each is held to its own size, with a floor of what
+    /// the other one feeds into it. sin φ is held to its own size for the same reason. The slip
+    /// across e_x1 feeds w and is fed by it: an error of the one is as good as one of the other. A slow
+    /// slip is about to begin or to end, and its direction matters less the slower it is.
+    #[inline(always)]
+    fn sizes(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        const NEVER_ZERO: f64 = 1e-200;
+        // Well below what counts as stopped, a tenth of the tolerance.
+        const SLOW: f64 = 1e-2;
+        const SMALL_GAP: f64 = 1e-6;
+        let never_zero = T::from(NEVER_ZERO);
+        let (one, small_gap) = (T::from(1.0), T::from(SMALL_GAP));
+        let tilting = self.tilt_rate_scale(u);
+        let speed = speed(u) + T::from(SLOW) * self.radius * tilting;
+        let sideways = u.w.abs() + u.sin * u.s.abs();
+        let fallen = self.falling_rate * self.falling_rate;
+        let away = self.radius + u.x1.abs() + u.y1.abs();
+        let energy = self.mass
+            * self.radius
+            * self.radius
+            * (tilting * tilting + u.s * u.s + u.sin * fallen);
+        Coordinates {
+            yaw: one,
+            spin: one,
+            t: one / self.falling_rate,
+            sin: u.sin + never_zero,
+            cos: one,
+            p: tilting,
+            w: sideways + never_zero,
+            s: u.s.abs() + u.sin * u.w.abs() + never_zero,
+            x1: away,
+            y1: away,
+            slip_x: speed,
+            slip_y: u.slip_y.abs() + speed * sideways / tilting + never_zero,
+            gap: u.gap.abs() + small_gap * self.radius,
+            gap_rate: u.gap_rate.abs() + small_gap * self.radius * self.falling_rate,
+            friction_loss: energy,
+            resistance_loss: energy,
+            impact_loss: energy,
+        }
+    }
+}
+
+/// Every coordinate.
 impl<T: Real, L: Law<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
+    #[inline(always)]
     fn rates(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
         let u = Coordinates::from_array(u);
         let rates = self.law.rates(&u).into_array();
@@ -79,52 +127,28 @@ impl<T: Real, L: Law<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L>
         rates.map(|rate| clock * rate)
     }
 
-    /// w and s obey linear equations and pass through the tipping phase as small as the start made
-    /// them, to become large in the collision; so each is held to its own size, with a floor of what
-    /// the other one feeds into it. sin φ is held to its own size for the same reason. The slip
-    /// across e_x1 feeds w and is fed by it: an error of the one is as good as one of the other. A slow
-    /// slip is about to begin or to end, and its direction matters less the slower it is.
+    #[inline(always)]
     fn scale(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
-        const NEVER_ZERO: f64 = 1e-200;
-        // Well below what counts as stopped, a tenth of the tolerance.
-        const SLOW: f64 = 1e-2;
-        const SMALL_GAP: f64 = 1e-6;
-        let never_zero = T::from(NEVER_ZERO);
-        let (one, small_gap) = (T::from(1.0), T::from(SMALL_GAP));
-        let u = Coordinates::from_array(u);
-        let tilting = self.tilt_rate_scale(&u);
-        let speed = speed(&u) + T::from(SLOW) * self.radius * tilting;
-        let sideways = u.w.abs() + u.sin * u.s.abs();
-        let fallen = self.falling_rate * self.falling_rate;
-        let energy = self.mass
-            * self.radius
-            * self.radius
-            * (tilting * tilting + u.s * u.s + u.sin * fallen);
-        Coordinates {
-            yaw: one,
-            spin: one,
-            x: self.radius,
-            y: self.radius,
-            t: one / self.falling_rate,
-            sin: u.sin + never_zero,
-            cos: one,
-            p: tilting,
-            w: sideways + never_zero,
-            s: u.s.abs() + u.sin * u.w.abs() + never_zero,
-            slip_x: speed,
-            slip_y: u.slip_y.abs() + speed * sideways / tilting + never_zero,
-            gap: u.gap.abs() + small_gap * self.radius,
-            gap_rate: u.gap_rate.abs() + small_gap * self.radius * self.falling_rate,
-            friction_loss: energy,
-            resistance_loss: energy,
-            impact_loss: energy,
-        }
-        .into_array()
+        self.sizes(&Coordinates::from_array(u)).into_array()
+    }
+}
+
+/// Those that say where the body is and how it turns, under a law by which
+/// [only they change](Law::only_moves).
+impl<T: Real, L: Law<T> + ?Sized> System<T, MOVING> for Mechanics<'_, T, L> {
+    #[inline(always)]
+    fn rates(&self, u: &[T; MOVING]) -> [T; MOVING] {
+        first(&self.law.rates(&Coordinates::from_first(u)).into_array())
     }
 
-    const FIRST: usize = MOVING;
-
-    fn only_first(&self) -> bool {
-        self.only_moves
+    #[inline(always)]
+    fn scale(&self, u: &[T; MOVING]) -> [T; MOVING] {
+        first(&self.sizes(&Coordinates::from_first(u)).into_array())
     }
+}
+
+/// The first of them.
+#[inline(always)]
+pub(super) fn first<T: Copy, const N: usize>(all: &[T; COORDINATES]) -> [T; N] {
+    core::array::from_fn(|i| all[i])
 }

@@ -27,6 +27,23 @@ impl<T: Real, const N: usize> Dense<T, N> {
         }
     }
 
+    /// The same with components that stay what they are in `rest`, after the first N.
+    pub fn widened<const M: usize>(&self, rest: &[T; M]) -> Dense<T, M> {
+        let widened = |first: &[T; N], rest: &[T; M]| {
+            let mut all = *rest;
+            all[..N].copy_from_slice(first);
+            all
+        };
+        Dense {
+            h: self.h,
+            start: widened(&self.start, rest),
+            end: widened(&self.end, rest),
+            coefficients: self
+                .coefficients
+                .map(|coefficient| widened(&coefficient, &[T::from(0.0); M])),
+        }
+    }
+
     /// The state at the fraction x.
     pub fn at(&self, x: T) -> [T; N] {
         core::array::from_fn(|i| self.component(i, x))

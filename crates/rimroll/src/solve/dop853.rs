@@ -21,13 +21,13 @@ pub struct Step<T, const N: usize> {
     stages: [[T; N]; 16],
 }
 
-/// Σ weight · stage of the first `count` components, summed in the order of the row.
+/// Σ weight · stage, summed in the order of the row.
 #[inline(always)]
-fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize) -> [T; N] {
+fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16]) -> [T; N] {
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
         let (stage, weight) = (&stages[stage], T::from(weight));
-        for i in 0..count {
+        for i in 0..N {
             sum[i] = sum[i] + weight * stage[i];
         }
     }
@@ -36,15 +36,9 @@ fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize)
 
 /// u + h Σ weight · stage.
 #[inline(always)]
-fn combine<T: Real, const N: usize>(
-    u: &[T; N],
-    h: T,
-    row: Row,
-    stages: &[[T; N]; 16],
-    count: usize,
-) -> [T; N] {
+fn combine<T: Real, const N: usize>(u: &[T; N], h: T, row: Row, stages: &[[T; N]; 16]) -> [T; N] {
     let mut end = *u;
-    let sum = weigh(row, stages, count);
+    let sum = weigh(row, stages);
     for i in 0..N {
         end[i] = end[i] + h * sum[i];
     }
@@ -56,40 +50,72 @@ impl<T: Real, const N: usize> Step<T, N> {
     pub const EVALUATIONS: usize = 12;
 
     /// A step of length h from `start`, where the rates are `rates`.
-    pub fn take<S: System<T, N>>(system: &S, start: &[T; N], rates: &[T; N], h: T) -> Self {
-        // Each with a count that is known when it is compiled.
-        if system.only_first() {
-            Self::take_first(S::FIRST, system, start, rates, h)
-        } else {
-            Self::take_first(N, system, start, rates, h)
+    pub fn take(system: &impl System<T, N>, start: &[T; N], rates: &[T; N], h: T) -> Self {
+        let mut step = Step::still(start, rates);
+        step.attempt(system, h, 1.0);
+        step
+    }
+
+    /// A step of no length, to begin from.
+    pub fn still(start: &[T; N], rates: &[T; N]) -> Self {
+        let mut stages = [[T::from(0.0); N]; 16];
+        stages[0] = *rates;
+        stages[12] = *rates;
+        Step {
+            h: T::from(0.0),
+            start: *start,
+            end: *start,
+            stages,
         }
     }
 
+    /// Begins the next step where this one has ended.
     #[inline(always)]
-    fn take_first<S: System<T, N>>(
-        count: usize,
-        system: &S,
-        start: &[T; N],
-        rates: &[T; N],
-        h: T,
-    ) -> Self {
-        let mut stages = [[T::from(0.0); N]; 16];
-        stages[0] = *rates;
+    pub fn begin_next(&mut self) {
+        self.start = self.end;
+        self.stages[0] = self.stages[12];
+    }
+
+    /// Goes from the start by the length h, whatever the step was before.
+    #[inline(always)]
+    fn go<S: System<T, N>>(&mut self, system: &S, h: T) {
+        let (start, stages) = (&self.start, &mut self.stages);
         // Written out, so that the weights are constants of the code.
         macro_rules! stages {
             ($($i:literal)*) => {
-                $(stages[$i + 1] = system.rates(&combine(start, h, STAGES[$i], &stages, count));)*
+                $(stages[$i + 1] = system.rates(&combine(start, h, STAGES[$i], stages));)*
             };
         }
         stages!(0 1 2 3 4 5 6 7 8 9 10);
-        let end = combine(start, h, SOLUTION, &stages, count);
-        stages[12] = system.rates(&end);
-        Step {
-            h,
-            start: *start,
-            end,
-            stages,
+        self.h = h;
+        self.end = combine(start, h, SOLUTION, stages);
+        stages[12] = system.rates(&self.end);
+    }
+
+    /// Goes from the start by the length h, and gives the [`Self::error`].
+    ///
+    /// On processors that have wide registers they are used: the operations and their order stay the
+    /// same, and so do the results.
+    pub fn attempt<S: System<T, N>>(&mut self, system: &S, h: T, tolerance: f64) -> T {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what is asked for.
+            return unsafe { self.attempt_wide(system, h, tolerance) };
         }
+        self.go(system, h);
+        self.error(system, tolerance)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    unsafe fn attempt_wide<S: System<T, N>>(&mut self, system: &S, h: T, tolerance: f64) -> T {
+        self.go(system, h);
+        self.error(system, tolerance)
+    }
+
+    /// Rates at the start.
+    pub fn start_rates(&self) -> &[T; N] {
+        &self.stages[0]
     }
 
     /// Rates at the end: the first stage of the next step.
@@ -98,36 +124,29 @@ impl<T: Real, const N: usize> Step<T, N> {
     }
 
     /// The estimated error over what the tolerance allows: the step is good when this is ≤ 1.
-    #[inline]
+    #[inline(always)]
     pub fn error<S: System<T, N>>(&self, system: &S, tolerance: f64) -> T {
         let at_start = system.scale(&self.start);
         let at_end = system.scale(&self.end);
-        let count = system.changing();
-        let fifth = weigh(ERROR_5, &self.stages, count);
-        let third = weigh(ERROR_3, &self.stages, count);
+        let fifth = weigh(ERROR_5, &self.stages);
+        let third = weigh(ERROR_3, &self.stages);
         let (mut sum5, mut sum3) = (T::from(0.0), T::from(0.0));
-        for i in 0..count {
-            let allowed = T::from(tolerance) * at_start[i].max(at_end[i]);
-            sum5 = sum5 + (fifth[i] / allowed) * (fifth[i] / allowed);
-            sum3 = sum3 + (third[i] / allowed) * (third[i] / allowed);
+        for i in 0..N {
+            let allowed = T::from(1.0) / (T::from(tolerance) * at_start[i].max(at_end[i]));
+            let (fifth, third) = (fifth[i] * allowed, third[i] * allowed);
+            sum5 = sum5 + fifth * fifth;
+            sum3 = sum3 + third * third;
         }
         // Where nothing is wrong, not 0/0.
         const NEVER_ZERO: f64 = 1e-300;
-        let both = (sum5 + T::from(0.01) * sum3) * T::from(count as f64);
+        let both = (sum5 + T::from(0.01) * sum3) * T::from(N as f64);
         self.h * sum5 / both.max(T::from(NEVER_ZERO)).sqrt()
-    }
-
-    /// The same step cut at the fraction x: a step of its own, so of the full order, not an
-    /// interpolation.
-    pub fn cut(&self, system: &impl System<T, N>, x: T) -> Self {
-        Step::take(system, &self.start, &self.stages[0], x * self.h)
     }
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
     pub fn dense(&mut self, system: &impl System<T, N>) -> Dense<T, N> {
-        let count = system.changing();
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
-            let at = combine(&self.start, self.h, row, &self.stages, count);
+            let at = combine(&self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
@@ -140,7 +159,7 @@ impl<T: Real, const N: usize> Step<T, N> {
             coefficients[2][i] = T::from(2.0) * rise - (first + last);
         }
         for (j, row) in DENSE.iter().enumerate() {
-            coefficients[3 + j] = weigh(row, &self.stages, count).map(|v| h * v);
+            coefficients[3 + j] = weigh(row, &self.stages).map(|v| h * v);
         }
         Dense {
             h,

@@ -96,7 +96,7 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
         const NUDGE: f64 = 1e-7;
         let sizes = self.system.scale(u);
         let rates = self.system.rates(u);
-        let columns: Vec<[f64; N]> = (0..self.system.changing())
+        let columns: Vec<[f64; N]> = (0..N)
             .map(|j| {
                 let mut beside = *u;
                 beside[j] += NUDGE * sizes[j];
@@ -137,7 +137,7 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
             self.system.scale(&states[POINTS - 1]),
         );
         let mut error: f64 = 0.0;
-        for i in 0..self.system.changing() {
+        for i in 0..N {
             // What the highest power contributes bounds what those left out do. Found from the states:
             // the rates of what relaxes fast are differences with few digits.
             let highest: f64 = (0..POINTS)
