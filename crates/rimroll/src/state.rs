@@ -174,12 +174,13 @@ impl<T: Real> Coordinates<T> {
     #[inline(always)]
     pub fn kinematics(&self, velocity: [T; 2]) -> Self {
         let [vx, vy] = velocity;
+        let falling = self.sin * self.p;
         Coordinates {
             yaw: self.w,
             spin: self.sin * self.s - self.w * self.cos,
             t: self.sin,
-            sin: self.sin * self.cos * self.p,
-            cos: -self.sin * self.sin * self.p,
+            sin: self.cos * falling,
+            cos: -(self.sin * falling),
             x1: self.sin * vx + self.w * self.y1,
             y1: self.sin * vy - self.w * self.x1,
             ..Coordinates::zero()

@@ -139,12 +139,18 @@ impl AirDrag {
 pub struct Resisted<L> {
     law: L,
     resistance: Resistance,
+    /// Whether there is any.
+    resists: bool,
 }
 
 impl<L> Resisted<L> {
     /// `law` with `resistance`.
     pub fn new(law: L, resistance: Resistance) -> Self {
-        Resisted { law, resistance }
+        Resisted {
+            law,
+            resistance,
+            resists: !resistance.is_none(),
+        }
     }
 
     /// The law without it.
@@ -153,7 +159,7 @@ impl<L> Resisted<L> {
     }
 
     /// Rates under moments beside the law's forces, given those without.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn resist<T: Real>(
         &self,
         u: &Coordinates<T>,
@@ -163,7 +169,7 @@ impl<L> Resisted<L> {
     where
         L: Law<T>,
     {
-        if self.resistance.is_none() {
+        if !self.resists {
             return rates;
         }
         let k = self.law.parameters();
@@ -187,8 +193,9 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
         self.law.parameters()
     }
 
+    #[inline(always)]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        if self.resistance.is_none() {
+        if !self.resists {
             return self.law.rates(u);
         }
         self.resist(u, self.law.rates(u), self.law.contact(u).normal)
@@ -196,7 +203,7 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let mut contact = self.law.contact(u);
-        if !self.resistance.is_none() {
+        if self.resists {
             let moment = self
                 .resistance
                 .moment(self.law.parameters(), u, contact.normal);
@@ -223,6 +230,6 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
     }
 
     fn only_moves(&self) -> bool {
-        self.resistance.is_none() && self.law.only_moves()
+        !self.resists && self.law.only_moves()
     }
 }

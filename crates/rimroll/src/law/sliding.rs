@@ -35,6 +35,7 @@ pub struct Pull<T> {
 
 impl<T: Real> Pull<T> {
     /// Friction −factor · slip for each newton of normal force.
+    #[inline(always)]
     pub fn per_normal(slip: [T; 2], factor: T) -> Self {
         Pull {
             per_normal: [-factor * slip[0], -factor * slip[1]],
@@ -82,7 +83,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     }
 
     /// The table's force, and φ̈ times sin φ.
-    #[inline]
+    #[inline(always)]
     fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
@@ -117,7 +118,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         (contact, (turning - k.m * pressing * eta) / inertia)
     }
 
-    #[inline]
+    #[inline(always)]
     fn accelerations(&self, u: &Coordinates<T>, contact: &Contact<T>, dp: T) -> Accelerations<T> {
         let k = &self.k;
         let Contact { along, across, .. } = *contact;
@@ -138,7 +139,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 
     /// The table's force (times sin φ) and the rates, under a friction that is given rather than found
     /// from the slip.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
@@ -161,6 +162,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         T::from(1.0) - k.m * rho * z * pull.per_normal[0] / (k.a + k.m * rho * rho)
     }
 
+    #[inline(always)]
     fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
         self.friction.pull([u.slip_x, u.slip_y])
     }
@@ -171,7 +173,7 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         &self.k
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         self.under(u, &self.pull(u)).1
     }
@@ -180,6 +182,7 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         self.forces(u, &self.pull(u)).0
     }
 
+    #[inline(always)]
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         let [vx, vy] = self.k.rolling_velocity(u);
         [vx + u.slip_x, vy + u.slip_y]

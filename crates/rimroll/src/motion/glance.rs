@@ -19,6 +19,7 @@ pub(super) struct Glance {
 }
 
 impl Glance {
+    #[inline(always)]
     pub fn new<const N: usize>(step: &Step<f64, N>) -> Glance {
         Glance {
             h: step.h,
@@ -35,10 +36,11 @@ impl Glance {
 
     /// Whether a linear function of the coordinates stays above a bound: the cubic with its values and
     /// slopes at the ends lies between its Bernstein coefficients.
+    #[inline(always)]
     pub fn stays_above(&self, bound: f64, linear: impl Fn(&Coordinates<f64>) -> f64) -> bool {
         let (from, to) = (linear(&self.from) - bound, linear(&self.to) - bound);
         let third = self.h / 3.0;
-        are_clear(&[
+        are_clear([
             from,
             from + third * linear(&self.from_rates),
             to - third * linear(&self.to_rates),
@@ -47,6 +49,7 @@ impl Glance {
     }
 
     /// Whether the table pushes all the time.
+    #[inline(always)]
     pub fn stays_pressed(&self, k: &Parameters<f64>) -> bool {
         let (a, b) = (&self.from, &self.to);
         let (da, db) = (&self.from_rates, &self.to_rates);
@@ -58,13 +61,17 @@ impl Glance {
             ..*a
         };
         let dp = 1.5 * (b.p - a.p) / self.h - 0.25 * (da.p + db.p);
-        are_clear(&[k.normal(a, da.p), k.normal(&halfway, dp), k.normal(b, db.p)])
+        are_clear([k.normal(a, da.p), k.normal(&halfway, dp), k.normal(b, db.p)])
     }
 }
 
 /// Whether values are positive, and their smallest is not small beside their spread.
-fn are_clear(values: &[f64]) -> bool {
-    let least = values.iter().fold(f64::INFINITY, |a, &b| a.min(b));
-    let most = values.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
+#[inline(always)]
+fn are_clear<const M: usize>(values: [f64; M]) -> bool {
+    let (mut least, mut most) = (values[0], values[0]);
+    for value in values {
+        least = if value < least { value } else { least };
+        most = if value > most { value } else { most };
+    }
     least > MARGIN * (most - least)
 }

@@ -22,6 +22,7 @@ pub(super) struct Leg {
 
 impl Leg {
     /// An explicit step, by which only the first coordinates change from what they are in `rest`.
+    #[inline(always)]
     pub fn explicit<const N: usize>(
         phase: Phase,
         step: &Step<f64, N>,

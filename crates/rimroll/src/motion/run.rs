@@ -411,12 +411,12 @@ impl Task for Steps<'_, '_> {
                 return Over::For(Status::Failed);
             };
             let h = step.h;
-            let leg = Leg::explicit(phase, step, &start);
             if run.watch.is_uneventful(step) {
-                run.track.push(leg);
+                run.track.push(Leg::explicit(phase, step, &start));
                 run.work = before + stepper.work;
                 continue;
             }
+            let leg = Leg::explicit(phase, step, &start);
             let dense = step.dense(system).widened(&start);
             let switch = run.watch.pass(Piece { leg, dense }, &mut run.track);
             run.work = before + stepper.work;

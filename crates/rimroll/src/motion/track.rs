@@ -43,6 +43,7 @@ impl Track {
         }
     }
 
+    #[inline(always)]
     pub(super) fn push(&mut self, leg: Leg) {
         if !self.whole {
             self.legs.clear();
