@@ -58,7 +58,8 @@ impl CoreMotion {
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let t = t.as_array();
-        self.table(py, t.iter().map(|&t| self.motion.track.at(t)))
+        let mut look_up = self.motion.track.look_up();
+        self.table(py, t.iter().map(|&t| look_up.at(t)))
     }
 
     /// The kinds of the events and their table.

@@ -129,7 +129,13 @@ pub trait Law<T: Real> {
     fn parameters(&self) -> &Parameters<T>;
 
     /// Rates of the coordinates by the solver's clock τ.
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T>;
+    #[inline(always)]
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        u.with_place(self.rates_but_place(u), self.center_velocity(u))
+    }
+
+    /// The same without spin and place, which nothing else depends on.
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T>;
 
     /// The table's force on the rim, times sin φ.
     fn contact(&self, u: &Coordinates<T>) -> Contact<T>;

@@ -1,13 +1,15 @@
 //! The number that the mechanics is written over.
 //!
-//! The same right-hand side runs on plain `f64` and on dual numbers (exact derivatives). Results
+//! The same right-hand side runs on plain `f64`, on lanes of them and on dual numbers (exact derivatives). Results
 //! must be the same to the last bit on every machine, so an implementation may use + − × ÷ and the
 //! square root, which IEEE 754 defines to the bit, and `libm` for all else; never the platform's
 //! sine, and no fused multiply-add.
 
 mod dual;
+mod lanes;
 
-pub use dual::Dual;
+pub use dual::{Dual, Slope, Slopes};
+pub use lanes::{LANES, Lanes, Mask};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -31,8 +33,8 @@ pub trait Real:
     fn abs(self) -> Self;
     /// The larger of x and `other`.
     fn max(self, other: Self) -> Self;
-    /// Whether x < 0.
-    fn is_negative(self) -> bool;
+    /// `yes` where x < 0, else `no`.
+    fn where_negative(self, yes: Self, no: Self) -> Self;
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
 }
@@ -64,8 +66,8 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn is_negative(self) -> bool {
-        self < 0.0
+    fn where_negative(self, yes: Self, no: Self) -> Self {
+        if self < 0.0 { yes } else { no }
     }
 
     #[inline]

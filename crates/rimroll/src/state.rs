@@ -169,21 +169,29 @@ impl<T: Real> Coordinates<T> {
     }
 
     /// The rates by the solver's clock τ that follow from the velocities alone, whatever the
-    /// forces: of the angles, of time, and of the centre of mass, which moves with `velocity` (m/s)
-    /// along e_x1 and e_y1. All others are zero.
+    /// forces: of yaw, tilt and time. All others are zero.
     #[inline(always)]
-    pub fn kinematics(&self, velocity: [T; 2]) -> Self {
-        let [vx, vy] = velocity;
+    pub fn kinematics(&self) -> Self {
         let falling = self.sin * self.p;
         Coordinates {
             yaw: self.w,
-            spin: self.sin * self.s - self.w * self.cos,
             t: self.sin,
-            sin: self.cos * falling,
-            cos: -(self.sin * falling),
+            sin: falling * self.cos,
+            cos: -(falling * self.sin),
+            ..Coordinates::zero()
+        }
+    }
+
+    /// These rates with those of the spin, and of the centre of mass, which moves with `velocity`
+    /// (m/s) along e_x1 and e_y1.
+    #[inline(always)]
+    pub fn with_place(&self, rates: Self, velocity: [T; 2]) -> Self {
+        let [vx, vy] = velocity;
+        Coordinates {
+            spin: self.sin * self.s - self.w * self.cos,
             x1: self.sin * vx + self.w * self.y1,
             y1: self.sin * vy - self.w * self.x1,
-            ..Coordinates::zero()
+            ..rates
         }
     }
 

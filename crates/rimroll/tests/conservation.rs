@@ -106,8 +106,8 @@ fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Law<T>> {
         fn parameters(&self) -> &Parameters<T> {
             self.0.parameters()
         }
-        fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-            self.0.rates(u)
+        fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+            self.0.rates_but_place(u)
         }
         fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
             self.0.contact(u)

@@ -52,15 +52,16 @@ impl<T: Real> Law<T> for Frictionless<T> {
     }
 
     #[inline(always)]
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
             p: self.tilt_acceleration(u),
             w: u.p * (u.sin * self.c_over_a * u.s - u.w * u.cos),
-            ..u.kinematics(self.center_velocity(u))
+            ..u.kinematics()
         }
     }
 
     /// N = m (g + ρ φ̈ − z φ̇²) with row 2 put in for φ̈, so that nothing cancels when A ≪ mR².
+    #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let k = &self.k;
         let rho = k.rho(u);

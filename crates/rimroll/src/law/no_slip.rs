@@ -38,6 +38,8 @@ pub struct NoSlip<T> {
     /// ṡ/φ̇ = `s_of_w` w + `s_of_s` s.
     s_of_w: T,
     s_of_s: T,
+    /// C/R.
+    c_over_r: T,
 }
 
 impl<T: Real> NoSlip<T> {
@@ -60,6 +62,7 @@ impl<T: Real> NoSlip<T> {
             l_of_w: k.c * mhr / determinant,
             s_of_w: mrr * k.a / determinant,
             s_of_s: k.c * mhr / determinant,
+            c_over_r: k.c / k.r,
         }
     }
 
@@ -83,24 +86,25 @@ impl<T: Real> Law<T> for NoSlip<T> {
     }
 
     #[inline(always)]
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let [p, w, s] = self.accelerations(u);
         Coordinates {
             p,
             w,
             s,
-            ..u.kinematics(self.center_velocity(u))
+            ..u.kinematics()
         }
     }
 
     /// Friction from horizontal momentum along e_x1, and from the axial moment C ṡ = −R T_y.
+    #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let NoSlip { k, .. } = self;
         let [dp, _, ds] = self.accelerations(u);
         let along = u.w * (k.h * u.w - k.r * u.s) - k.z(u) * dp - u.sin * k.rho(u) * u.p * u.p;
         Contact {
             along: k.m * along,
-            across: -k.c * ds / k.r,
+            across: -self.c_over_r * ds,
             normal: k.normal(u, dp),
         }
     }

@@ -93,11 +93,9 @@ impl Resistance {
 /// on the table by what ends as it leaves.
 fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
     const SOFT: f64 = 1000.0;
-    if normal.is_negative() {
-        return T::from(0.0);
-    }
     let load = normal / (k.m * u.sin * k.g);
-    T::from(1.0) - (T::from(-SOFT) * load).exp()
+    let some = T::from(1.0) - (T::from(-SOFT) * load).exp();
+    normal.where_negative(T::from(0.0), some)
 }
 
 impl RollingResistance {
@@ -194,11 +192,12 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
     }
 
     #[inline(always)]
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        let rates = self.law.rates_but_place(u);
         if !self.resists {
-            return self.law.rates(u);
+            return rates;
         }
-        self.resist(u, self.law.rates(u), self.law.contact(u).normal)
+        self.resist(u, rates, self.law.contact(u).normal)
     }
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
