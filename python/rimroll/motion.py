@@ -267,12 +267,6 @@ class Motion(Moments):
     status
         ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
         ``failed``.
-    message
-        The same in a sentence.
-    turns
-        The turns, in order of time.
-    stats
-        What it cost.
     """
 
     def __init__(
@@ -283,7 +277,6 @@ class Motion(Moments):
         law: Law,
         options: Options,
     ) -> None:
-        super().__init__(core.nodes())
         self._core = core
         self.body = body
         self.start = start
@@ -295,9 +288,25 @@ class Motion(Moments):
         self.topple_tilt = options.topple_tilt
         self.max_steps = options.max_steps
         self.status = core.status
-        self.message = core.message
-        self.stats = Stats(*core.work)
-        self.turns = [Turn(*numbers) for numbers in core.turns()]
+
+    @cached_property
+    def _table(self) -> Array:  # type: ignore[override]
+        return self._core.nodes()
+
+    @cached_property
+    def message(self) -> str:
+        """How it ended, in a sentence."""
+        return self._core.message
+
+    @cached_property
+    def stats(self) -> Stats:
+        """What it cost."""
+        return Stats(*self._core.work)
+
+    @cached_property
+    def turns(self) -> list[Turn]:
+        """The turns, in order of time."""
+        return [Turn(*numbers) for numbers in self._core.turns()]
 
     @cached_property
     def events(self) -> list[Event]:
@@ -445,7 +454,7 @@ def simulate(
         The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
         meets the table; none for a disk, which may stand on its edge and fall to either face.
     max_steps
-        Most steps to make before giving up with the status ``failed``; a step takes 0.7 kB.
+        Most steps to make before giving up with the status ``failed``; a step takes 0.3 kB.
     progress
         Called now and then in a long motion with the time reached, s.
 

@@ -15,6 +15,7 @@ mod message;
 mod moment;
 mod onset;
 mod run;
+mod sensitivity;
 mod track;
 mod turns;
 
@@ -23,6 +24,7 @@ pub use events::{Event, EventKind};
 pub use fall::{Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
 pub(crate) use run::pass_near_collision;
+pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
 pub use track::{Instant, LookUp, Track};
 pub use turns::Turn;
 
@@ -194,6 +196,15 @@ impl Motion {
     /// The law that holds at an instant of the motion.
     pub fn law(&self, at: &Instant) -> &dyn Law<f64> {
         self.contacts.law(at.phase)
+    }
+
+    /// The derivatives of the motion by its start, its body and gravity.
+    ///
+    /// # Errors
+    /// Where the motion is not smooth in them: offered is rolling without slip and sliding without
+    /// friction, each all the way and without resistance.
+    pub fn sensitivity(&self) -> Result<Sensitivity, InvalidInput> {
+        Sensitivity::of(self)
     }
 
     /// All that is known at an instant of the motion.

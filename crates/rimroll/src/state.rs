@@ -26,6 +26,18 @@ pub struct State {
 }
 
 impl State {
+    /// Its six numbers, in the order in which they are listed.
+    pub fn numbers(&self) -> [f64; 6] {
+        [
+            self.tilt,
+            self.tilt_rate,
+            self.yaw,
+            self.yaw_rate,
+            self.spin,
+            self.spin_rate,
+        ]
+    }
+
     /// Checks a start: the tilt inside (0, π), yaw and spin within 1e6 rad, rates within 1e30 rad/s.
     ///
     /// # Errors
@@ -158,6 +170,22 @@ impl<T: Real> Coordinates<T> {
         Coordinates::from_array(&all)
     }
 
+    /// The start of a motion: t = 0, the centre of mass over the origin, the rim at rest where it
+    /// touches the table. The numbers are those of a [`State`], in its order.
+    pub fn starting([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [T; 6]) -> Self {
+        let (sin, cos) = tilt.sin_cos();
+        Coordinates {
+            yaw,
+            spin,
+            sin,
+            cos,
+            p: tilt_rate,
+            w: yaw_rate * sin,
+            s: spin_rate + yaw_rate * cos,
+            ..Coordinates::zero()
+        }
+    }
+
     /// ψ̇ = w / sin φ, rad/s.
     pub fn yaw_rate(&self) -> T {
         self.w / self.sin
@@ -203,20 +231,9 @@ impl<T: Real> Coordinates<T> {
 }
 
 impl Coordinates<f64> {
-    /// The start of a motion: t = 0, the centre of mass over the origin, the rim at rest where it
-    /// touches the table.
+    /// The start of a motion from the paper's Euler angles, as [`Coordinates::starting`].
     pub fn from_state(state: &State) -> Self {
-        let (sin, cos) = libm::sincos(state.tilt);
-        Coordinates {
-            yaw: state.yaw,
-            spin: state.spin,
-            sin,
-            cos,
-            p: state.tilt_rate,
-            w: state.yaw_rate * sin,
-            s: state.spin_rate + state.yaw_rate * cos,
-            ..Coordinates::zero()
-        }
+        Coordinates::starting(state.numbers())
     }
 
     /// φ, rad.

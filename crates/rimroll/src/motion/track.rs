@@ -93,6 +93,15 @@ impl Track {
         self.look_up().at(t)
     }
 
+    pub(super) fn legs(&self) -> &[Leg] {
+        &self.legs
+    }
+
+    /// The step and the fraction of it at a time, s; outside the motion those of its ends.
+    pub(super) fn locate(&self, t: f64) -> (usize, f64) {
+        self.look_up().locate(t)
+    }
+
     /// To evaluate the motion at many times, the sooner the closer together they are.
     pub fn look_up(&self) -> LookUp<'_> {
         LookUp {
@@ -143,15 +152,35 @@ impl LookUp<'_> {
         if t <= start.t {
             return *start;
         }
+        match self.opened(t) {
+            Some((index, dense)) => {
+                let x = dense.where_component(TIME, t);
+                instant(legs[index].phase, &dense.at(x))
+            }
+            None => self.track.end(),
+        }
+    }
+
+    fn locate(&mut self, t: f64) -> (usize, f64) {
+        if t <= self.track.start.t {
+            return (0, 0.0);
+        }
+        match self.opened(t) {
+            Some((index, dense)) => (index, dense.where_component(TIME, t)),
+            None => (self.track.legs.len().saturating_sub(1), 1.0),
+        }
+    }
+
+    /// The step in which a time lies; none after the end.
+    fn opened(&mut self, t: f64) -> Option<(usize, &Polynomial)> {
+        let Track { contacts, legs, .. } = self.track;
         let index = legs.partition_point(|leg| leg.end[TIME] <= t);
-        let Some(leg) = legs.get(index) else {
-            return self.track.end();
-        };
-        let (_, dense) = match self.opened.take() {
-            Some(opened) if opened.0 == index => self.opened.insert(opened),
-            _ => self.opened.insert((index, leg.dense(&self.track.contacts))),
-        };
-        instant(leg.phase, &dense.at(dense.where_component(TIME, t)))
+        let leg = legs.get(index)?;
+        if self.opened.as_ref().is_none_or(|opened| opened.0 != index) {
+            self.opened = Some((index, leg.dense(contacts)));
+        }
+        let dense = self.opened.as_ref().map(|opened| &opened.1)?;
+        Some((index, dense))
     }
 }
 
