@@ -39,6 +39,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
+        module.add("PARAMETERS", core::PARAMETERS)?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)

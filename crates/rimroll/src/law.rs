@@ -92,6 +92,7 @@ impl<T: Real> Parameters<T> {
 
     /// How fast a rolling rim carries the centre of mass along e_x1 and e_y1, m/s (appendix A,
     /// Eq. `vG_noslip`, in the frame that yaws but does not tilt).
+    #[inline(always)]
     pub(crate) fn rolling_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         [-self.z(u) * u.p, self.r * u.s - self.h * u.w]
     }
@@ -136,13 +137,12 @@ pub trait Law<T: Real> {
     fn parameters(&self) -> &Parameters<T>;
 
     /// Rates of the coordinates by the solver's clock τ.
-    #[inline]
+    #[inline(always)]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         u.with_place(self.rates_but_place(u), self.center_velocity(u))
     }
 
-    /// The same without spin and place, which nothing else depends on: they alone need the sine and
-    /// the cosine of the yaw.
+    /// The same without spin and place, which nothing else depends on.
     fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T>;
 
     /// The table's force on the rim, times sin φ.

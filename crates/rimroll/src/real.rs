@@ -9,7 +9,7 @@ mod dual;
 mod elementary;
 mod lanes;
 
-pub use dual::Dual;
+pub use dual::{Dual, Slope, Slopes};
 pub use lanes::{LANES, Lanes, Mask};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

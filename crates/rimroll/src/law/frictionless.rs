@@ -74,6 +74,7 @@ impl<T: Real> Law<T> for Frictionless<T> {
         }
     }
 
+    #[inline(always)]
     fn center_velocity(&self, _: &Coordinates<T>) -> [T; 2] {
         [T::from(0.0), T::from(0.0)]
     }

@@ -133,15 +133,22 @@ impl AirDrag {
 }
 
 /// A law with resistance added.
+#[derive(Debug, Clone, Copy)]
 pub struct Resisted<L> {
     law: L,
     resistance: Resistance,
+    /// Whether there is any.
+    resists: bool,
 }
 
 impl<L> Resisted<L> {
     /// `law` with `resistance`.
     pub fn new(law: L, resistance: Resistance) -> Self {
-        Resisted { law, resistance }
+        Resisted {
+            law,
+            resistance,
+            resists: !resistance.is_none(),
+        }
     }
 
     /// The law without it.
@@ -150,7 +157,7 @@ impl<L> Resisted<L> {
     }
 
     /// Rates under moments beside the law's forces, given those without.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn resist<T: Real>(
         &self,
         u: &Coordinates<T>,
@@ -160,7 +167,7 @@ impl<L> Resisted<L> {
     where
         L: Law<T>,
     {
-        if self.resistance.is_none() {
+        if !self.resists {
             return rates;
         }
         let k = self.law.parameters();
@@ -184,9 +191,10 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
         self.law.parameters()
     }
 
+    #[inline(always)]
     fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let rates = self.law.rates_but_place(u);
-        if self.resistance.is_none() {
+        if !self.resists {
             return rates;
         }
         self.resist(u, rates, self.law.contact(u).normal)
@@ -194,7 +202,7 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let mut contact = self.law.contact(u);
-        if !self.resistance.is_none() {
+        if self.resists {
             let moment = self
                 .resistance
                 .moment(self.law.parameters(), u, contact.normal);
@@ -221,6 +229,6 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
     }
 
     fn only_moves(&self) -> bool {
-        self.resistance.is_none() && self.law.only_moves()
+        !self.resists && self.law.only_moves()
     }
 }

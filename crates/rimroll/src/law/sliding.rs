@@ -194,6 +194,7 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         self.forces(u, &self.pull(u)).0
     }
 
+    #[inline(always)]
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         let [vx, vy] = self.k.rolling_velocity(u);
         [vx + u.slip_x, vy + u.slip_y]
