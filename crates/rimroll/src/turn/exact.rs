@@ -21,7 +21,9 @@ mod many;
 mod pieces;
 mod rolling;
 mod rule;
+mod sensitivity;
 mod sliding;
+mod start;
 mod tilting;
 mod together;
 mod wobble;
@@ -31,13 +33,14 @@ use crate::error::InvalidInput;
 use crate::law::{IdealLaw, Parameters};
 use crate::motion::{Fall, Options, Status, fall};
 use crate::state::State;
-use alone::{Alone, Outcome};
+use alone::{Alone, Outcome, Scalar};
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use fundamental::Fundamental;
-use many::Prepared;
 use rolling::Rolling;
 use sliding::Sliding;
+use start::Start;
+use tilting::Tilting;
 
 /// Below this sin φ the base counts as flat on the table, as in a simulated motion.
 const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
@@ -64,6 +67,15 @@ pub enum Ending {
 }
 
 impl Ending {
+    /// All of them.
+    pub const ALL: [Ending; 5] = [
+        Ending::Rocked,
+        Ending::Toppled,
+        Ending::FellBack,
+        Ending::LiftedOff,
+        Ending::FaceDown,
+    ];
+
     /// The name that the user reads.
     pub fn name(self) -> &'static str {
         match self {
@@ -204,18 +216,16 @@ impl Exact {
     }
 
     fn outcome(&self, start: &State) -> Option<Outcome<f64>> {
-        let Prepared { at, w, s } = Prepared::new(start);
-        let (end, balance) = (self.end(), half_tangent(self.body.balance_tilt()));
+        let start = Start::of(start);
         match &self.table {
-            Some(table) => {
-                let motion = Rolling::new(table, at.y, at.eta, at.p, w, s);
-                Alone::new(&motion, at, end, balance).outcome()
-            }
-            None => {
-                let motion = Sliding::new(self.parameters, at.y, at.p, w, s);
-                Alone::new(&motion, at, end, balance).outcome()
-            }
+            Some(table) => self.alone(&Rolling::new(table, &start), start),
+            None => self.alone(&Sliding::new(self.parameters, &start), start),
         }
+    }
+
+    fn alone<T: Scalar>(&self, motion: &impl Tilting<T>, start: Start<T>) -> Option<Outcome<T>> {
+        let balance = half_tangent(self.body.balance_tilt());
+        Alone::new(motion, start, self.end(), balance).outcome()
     }
 
     /// The same by steps, where quadrature does not reach.
@@ -257,7 +267,8 @@ fn told(outcome: &Outcome<f64>) -> ExactTurn {
 }
 
 fn told_of_fall(fall: &Fall, start: &State) -> ExactTurn {
-    let of_turn = |number: fn(&crate::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
+    let of_turn =
+        |number: fn(&crate::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
     let ending = match fall.status {
         Status::Toppled if fall.turn.is_some() => Ending::Toppled,
         Status::Toppled => Ending::FellBack,

@@ -3,10 +3,11 @@
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, between, from_lowest, short, to_highest};
 use super::rule::{LADDER, Rule, nodes_from_lowest, rule, rung_with};
+use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
 use super::{Ending, FLAT, MOST_OUTER, SHORT};
-use crate::real::{Dual, Real};
+use crate::real::{Dual, Real, Slope};
 use crate::solve::bracketed;
 
 /// A number that stands for one motion, so that it can decide.
@@ -21,7 +22,7 @@ impl Scalar for f64 {
     }
 }
 
-impl Scalar for Dual {
+impl<S: Slope> Scalar for Dual<S> {
     fn value(self) -> f64 {
         self.value
     }
@@ -31,17 +32,6 @@ impl<T: Scalar> Piece<T> {
     fn values(&self) -> Piece<f64> {
         self.map(T::value)
     }
-}
-
-/// Where a motion starts.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Start<T> {
-    /// tan(φ/2).
-    pub(super) y: T,
-    /// Its logarithm.
-    pub(super) eta: T,
-    /// φ̇, rad/s.
-    pub(super) p: T,
 }
 
 /// What became of it: as [`ExactTurn`](super::ExactTurn), with tan(φ/2) for the tilts.
@@ -144,7 +134,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
 
     /// The same with the energy of a tilt that hardly changes.
     fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Outcome<T>> {
-        let Start { y, eta, p } = self.start;
+        let Start { y, eta, p, .. } = self.start;
         let (from, to) = ((low.eta - eta).value(), (high.eta - eta).value());
         let margin = 0.1 * (to - from);
         if to - from < SHORTEST {
@@ -152,7 +142,10 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         }
         let wobble = Wobble::new(self.motion, y, eta, p, from - margin, to + margin);
         let near = |extreme: &Extreme<T>| [extreme.y, extreme.eta - eta];
-        let (low, high) = (lowest(&wobble, near(low), 3), highest(&wobble, near(high), 3));
+        let (low, high) = (
+            lowest(&wobble, near(low), 3),
+            highest(&wobble, near(high), 3),
+        );
         let start = Start {
             eta: T::from(0.0),
             ..self.start
@@ -214,7 +207,11 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
                 }
             }
         };
-        let (before, down) = if rising { (Some(up - risen), up) } else { (None, risen) };
+        let (before, down) = if rising {
+            (Some(up - risen), up)
+        } else {
+            (None, risen)
+        };
         Some(Outcome {
             ending: match top {
                 Top::Rest(_) => Ending::Rocked,
@@ -304,7 +301,10 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 
     fn drive(&self, eta: f64) -> f64 {
-        self.motion.at(T::from(libm::exp(eta)), T::from(eta)).drive.value()
+        self.motion
+            .at(T::from(libm::exp(eta)), T::from(eta))
+            .drive
+            .value()
     }
 
     fn pressing(&self, eta: f64) -> f64 {

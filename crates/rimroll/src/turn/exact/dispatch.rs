@@ -1,7 +1,6 @@
 //! Eight starts at a time under one of the laws, compiled twice: as it is, and for machines that
 //! calculate with four numbers at once. The numbers are the same to the last bit.
 
-use super::alone::Start;
 use super::extremes::Extreme;
 use super::fundamental::Fundamental;
 use super::many::Lane;
@@ -9,6 +8,7 @@ use super::pieces::Piece;
 use super::rolling::Rolling;
 use super::rule::{Rule, rule};
 use super::sliding::Sliding;
+use super::start::Start;
 use super::tilting::Tilting;
 use super::together::{Extremes, Part, extremes, part};
 use crate::law::Parameters;
@@ -27,8 +27,6 @@ pub(super) enum Engine<'a> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Eight {
     start: Start<Lanes>,
-    w: Lanes,
-    s: Lanes,
     low: [Lanes; 2],
     high: [Lanes; 2],
 }
@@ -36,16 +34,18 @@ pub(super) struct Eight {
 impl Eight {
     pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Eight {
         let all = |number: fn(&Lane) -> f64| {
-            Lanes(core::array::from_fn(|i| number(&lanes[which[i % which.len()]])))
+            Lanes(core::array::from_fn(|i| {
+                number(&lanes[which[i % which.len()]])
+            }))
         };
         Eight {
             start: Start {
-                y: all(|lane| lane.start.at.y),
-                eta: all(|lane| lane.start.at.eta),
-                p: all(|lane| lane.start.at.p),
+                y: all(|lane| lane.start.y),
+                eta: all(|lane| lane.start.eta),
+                p: all(|lane| lane.start.p),
+                w: all(|lane| lane.start.w),
+                s: all(|lane| lane.start.s),
             },
-            w: all(|lane| lane.start.w),
-            s: all(|lane| lane.start.s),
             low: [all(|lane| lane.low[0]), all(|lane| lane.low[1])],
             high: [all(|lane| lane.high[0]), all(|lane| lane.high[1])],
         }
@@ -119,17 +119,9 @@ impl Engine<'_> {
 
     #[inline(always)]
     fn ask_anywhere<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
-        let Start { y, eta, p } = eight.start;
         match self {
-            Engine::Rolling(table) => {
-                let motion = Rolling::new(table, y, eta, p, eight.w, eight.s);
-                asked.of(&motion, eight)
-            }
-            Engine::Sliding(parameters) => {
-                let motion = Sliding::new(**parameters, y, p, eight.w, eight.s);
-                asked.of(&motion, eight)
-            }
+            Engine::Rolling(table) => asked.of(&Rolling::new(table, &eight.start), eight),
+            Engine::Sliding(k) => asked.of(&Sliding::new(**k, &eight.start), eight),
         }
     }
 }
-

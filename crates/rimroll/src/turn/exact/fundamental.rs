@@ -53,7 +53,9 @@ impl Fundamental<f64> {
         let size = |row: &[f64; 4]| row.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
         let coefficients = chebyshev(&k);
         let most = coefficients.iter().map(size).fold(0.0, f64::max);
-        let last = coefficients.iter().rposition(|row| size(row) > NEGLIGIBLE * most);
+        let last = coefficients
+            .iter()
+            .rposition(|row| size(row) > NEGLIGIBLE * most);
         Fundamental::with_terms(k, end, last.unwrap_or(0) + 1)
     }
 }
@@ -166,7 +168,9 @@ impl<C: Real> Series<C> {
 
 /// Coefficient k of the product of two power series.
 fn product<C: Real>(known: &[f64; TERMS], series: &[C; TERMS], k: usize) -> C {
-    (0..=k).fold(C::from(0.0), |sum, i| sum + C::from(known[i]) * series[k - i])
+    (0..=k).fold(C::from(0.0), |sum, i| {
+        sum + C::from(known[i]) * series[k - i]
+    })
 }
 
 /// φ sin φ.
@@ -219,13 +223,26 @@ fn powers<C: Real>(chebyshev: &[[C; 4]]) -> Vec<[C; 4]> {
     for n in 1..terms {
         let factor = if n == 1 { 1.0 } else { 2.0 };
         for power in 0..terms {
-            let risen = if power > 0 { factor * polynomials[n - 1][power - 1] } else { 0.0 };
-            let before = if n > 1 { polynomials[n - 2][power] } else { 0.0 };
+            let risen = if power > 0 {
+                factor * polynomials[n - 1][power - 1]
+            } else {
+                0.0
+            };
+            let before = if n > 1 {
+                polynomials[n - 2][power]
+            } else {
+                0.0
+            };
             polynomials[n][power] = risen - before;
         }
     }
     let power = |power: usize| {
-        combined(polynomials.iter().zip(chebyshev).map(|(polynomial, row)| (polynomial[power], row)))
+        combined(
+            polynomials
+                .iter()
+                .zip(chebyshev)
+                .map(|(polynomial, row)| (polynomial[power], row)),
+        )
     };
     (0..terms).rev().map(power).collect()
 }

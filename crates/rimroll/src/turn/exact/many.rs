@@ -3,15 +3,15 @@
 //! A block of starts goes through the parts of its turns one after another; in each, starts that need
 //! rules of the same size share lanes. Those that do not rock, and the odd ones, are treated alone.
 
-use super::alone::Start;
-use super::dispatch::{Engine, Eight};
+use super::dispatch::{Eight, Engine};
 use super::pieces::Piece;
 use super::rule::{LADDER, nodes_from_lowest, rung_to_highest, rung_with};
+use super::start::Start;
 use super::tilting::gap_beyond;
 use super::together::Part;
 use super::{Ending, Exact, ExactTurn, MOST_OUTER, SHORT};
 use crate::error::InvalidInput;
-use crate::real::{LANES, Real};
+use crate::real::LANES;
 use crate::state::State;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
@@ -23,37 +23,10 @@ const BLOCK: usize = 2048;
 const CLIMB: usize = 2;
 
 /// What a start is to the lanes.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Prepared {
-    pub(super) at: Start<f64>,
-    /// w = ψ̇ sin φ, rad/s.
-    pub(super) w: f64,
-    /// s = θ̇ + ψ̇ cos φ, rad/s.
-    pub(super) s: f64,
-}
-
-impl Prepared {
-    pub(super) fn new(start: &State) -> Prepared {
-        let (sin, cos) = libm::sincos(start.tilt);
-        let y = sin / (1.0 + cos);
-        let w = start.yaw_rate * sin;
-        Prepared {
-            at: Start {
-                y,
-                eta: Real::ln(y),
-                p: start.tilt_rate,
-            },
-            w,
-            // θ̇ + ψ̇ cos φ where the two rates are large and all but cancel, as in a near-collision.
-            s: (start.spin_rate + start.yaw_rate) - w * y,
-        }
-    }
-}
-
 /// A start on its way through the lanes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lane {
-    pub(super) start: Prepared,
+    pub(super) start: Start<f64>,
     /// tan(φ/2) and its logarithm at the smallest and the largest tilt.
     pub(super) low: [f64; 2],
     pub(super) high: [f64; 2],
@@ -149,8 +122,8 @@ impl Exact {
         let gap = || gap_beyond(self.body.radius(), self.body.height(), lane.high[0]);
         let span = lane.high[1] - lane.low[1];
         let outer = (0.5 * span).min(MOST_OUTER);
-        let leg = lane.high[1] - lane.start.at.eta;
-        let has_leg = lane.start.at.p != 0.0;
+        let leg = lane.high[1] - lane.start.eta;
+        let has_leg = lane.start.p != 0.0;
         match part {
             Part::Foot => Some(rung_with(nodes_from_lowest(span - outer))),
             Part::Head => Some(rung_to_highest(outer, gap())),
@@ -164,7 +137,7 @@ impl Exact {
 impl Lane {
     fn new(start: &State) -> Lane {
         Lane {
-            start: Prepared::new(start),
+            start: Start::of(start),
             low: [f64::NAN; 2],
             high: [f64::NAN; 2],
             half: Piece::nothing(),
@@ -182,7 +155,7 @@ impl Lane {
 
     fn told(&self) -> ExactTurn {
         let Lane { half, leg, .. } = self;
-        let (turn, min_time, yaw) = if self.start.at.p > 0.0 {
+        let (turn, min_time, yaw) = if self.start.p > 0.0 {
             let turn = 2.0 * half.yaw;
             (turn, leg.time + half.time, turn + leg.yaw)
         } else {

@@ -57,18 +57,7 @@ impl<T: Copy> Piece<T> {
     }
 }
 
-impl<T: Copy> Piece<T> {
-    /// With another, number by number.
-    #[inline(always)]
-    pub(super) fn zip(&self, other: &Piece<T>, f: impl Fn(T, T) -> T) -> Piece<T> {
-        Piece {
-            yaw: f(self.yaw, other.yaw),
-            time: f(self.time, other.time),
-            last: core::array::from_fn(|i| f(self.last[i], other.last[i])),
-            before: core::array::from_fn(|i| f(self.before[i], other.before[i])),
-        }
-    }
-}
+impl<T: Copy> Piece<T> {}
 
 impl Piece<f64> {
     /// Whether a rule of n nodes has made no error that counts.

@@ -6,6 +6,7 @@
 //! ```
 
 use super::fundamental::Fundamental;
+use super::start::Start;
 use super::tilting::{Point, Tilting, half_tangent_at_rise, sin_and_versine};
 use crate::real::Real;
 
@@ -24,9 +25,9 @@ pub(super) struct Rolling<'a, C, T> {
 }
 
 impl<'a, C: Copy + Into<T>, T: Real> Rolling<'a, C, T> {
-    /// From tan(φ/2), its logarithm, φ̇, w and s at the start.
     #[inline(always)]
-    pub(super) fn new(body: &'a Fundamental<C>, y: T, eta: T, p: T, w: T, s: T) -> Self {
+    pub(super) fn new(body: &'a Fundamental<C>, start: &Start<T>) -> Self {
+        let Start { y, eta, p, w, s } = *start;
         let [m, r, h, _, _, g] = body.parameters.letters().map(Into::into);
         let (sin, versine) = sin_and_versine(y);
         let l = w * sin;

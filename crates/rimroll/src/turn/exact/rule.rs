@@ -3,9 +3,8 @@
 use std::sync::LazyLock;
 
 /// How many nodes each rule of the ladder has.
-pub(super) const LADDER: [usize; 16] = [
-    4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120,
-];
+pub(super) const LADDER: [usize; 16] =
+    [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
 
 /// The first rung with so many nodes; the last has at most its own.
 pub(super) fn rung_with(nodes: f64) -> usize {
@@ -53,7 +52,8 @@ pub(super) fn rule(rung: usize) -> &'static Rule {
     &RUNGS[rung]
 }
 
-static RUNGS: LazyLock<Vec<Rule>> = LazyLock::new(|| LADDER.iter().map(|&n| Rule::new(n)).collect());
+static RUNGS: LazyLock<Vec<Rule>> =
+    LazyLock::new(|| LADDER.iter().map(|&n| Rule::new(n)).collect());
 
 impl Rule {
     fn new(n: usize) -> Rule {
@@ -111,7 +111,10 @@ mod tests {
                 let power = power as i32;
                 let nodes = &rule(rung).nodes;
                 let sum: f64 = nodes.iter().map(|k| k.weight * k.at.powi(power)).sum();
-                assert!((sum * f64::from(power + 1) - 1.0).abs() < 1e-13, "{n} {power} {sum}");
+                assert!(
+                    (sum * f64::from(power + 1) - 1.0).abs() < 1e-13,
+                    "{n} {power} {sum}"
+                );
             }
         }
     }

@@ -6,6 +6,7 @@
 //! (A + mρ²) φ̇² = 2E − A w² − 2mg (z − H)
 //! ```
 
+use super::start::Start;
 use super::tilting::{Point, Tilting, half_tangent_at_rise, sin_and_versine};
 use crate::law::Parameters;
 use crate::real::Real;
@@ -27,9 +28,9 @@ pub(super) struct Sliding<C, T> {
 }
 
 impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
-    /// From tan(φ/2), φ̇, w and s at the start.
     #[inline(always)]
-    pub(super) fn new(k: Parameters<C>, y: T, p: T, w: T, s: T) -> Self {
+    pub(super) fn new(k: Parameters<C>, start: &Start<T>) -> Self {
+        let Start { y, p, w, s, .. } = *start;
         let [m, r, h, a, c, g] = k.letters().map(Into::into);
         let (sin, versine) = sin_and_versine(y);
         let l_of_versine = c * s / a;

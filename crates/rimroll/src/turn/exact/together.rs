@@ -5,10 +5,10 @@
 //! out for a start depends on nothing but that start.
 
 use super::MOST_OUTER;
-use super::alone::Start;
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, from_lowest, short, to_highest};
 use super::rule::Rule;
+use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::LONGEST;
 use crate::real::{Lanes, Mask, Real};
@@ -30,11 +30,7 @@ pub(super) struct Extremes {
 
 /// The smallest and the largest tilts, for bodies that rock below `highest`, tan(φ/2).
 #[inline(always)]
-pub(super) fn extremes(
-    motion: &impl Tilting<Lanes>,
-    start: &Start<Lanes>,
-    most: f64,
-) -> Extremes {
+pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most: f64) -> Extremes {
     let guess = |y: Lanes| [y, y.ln()];
     let low = lowest(motion, guess(motion.lowest()), ROUNDS);
     let high = highest(motion, guess(motion.highest()), ROUNDS);
