@@ -2,7 +2,7 @@
 
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, between, from_lowest, short, to_highest};
-use super::rule::{LADDER, Rule, nodes_from_lowest, rule, rung_with};
+use super::rule::{Choice, Rule};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
@@ -81,9 +81,6 @@ pub(super) struct Alone<'a, M, T> {
 
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
 const SHORTEST: f64 = 1e-6;
-
-/// Nodes to begin with elsewhere than at the smallest tilt.
-const NODES: f64 = 12.0;
 
 /// Points at which the sign of a function is looked at in search of a first root.
 const LOOKS: usize = 48;
@@ -186,7 +183,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let split = low.eta + inner;
         let bottom = foot(motion, low, inner)?;
         let upper = match top {
-            Top::Rest(high) => resolved(NODES, |rule| to_highest(motion, high, outer, rule))?,
+            Top::Rest(high) => head(motion, high, outer)?,
             Top::Passing(..) => passage(motion, split, outer)?,
         };
         let up = bottom + upper;
@@ -321,23 +318,31 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 }
 
-/// A piece by a rule that resolves it, from one with about so many nodes on.
-fn resolved<T: Scalar>(nodes: f64, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
-    (rung_with(nodes)..LADDER.len())
-        .map(|rung| (piece(rule(rung)), LADDER[rung]))
+/// A piece by a rule that resolves it, from a first choice on.
+fn resolved<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
+    core::iter::successors(Some(choice), |choice| choice.larger())
+        .map(|choice| (piece(choice.rule()), choice.nodes()))
         .find(|(piece, nodes)| piece.values().is_resolved(*nodes))
         .map(|(piece, _)| piece)
 }
 
 /// From the smallest tilt up by `length` in η.
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
-    let nodes = nodes_from_lowest(length.value());
-    resolved(nodes, |rule| from_lowest(motion, low, length, rule))
+    let choice = Choice::from_lowest(length.value());
+    resolved(choice, |rule| from_lowest(motion, low, length, rule))
+}
+
+/// Up to the largest tilt by `length` in η.
+fn head<T: Scalar>(motion: &impl Tilting<T>, high: &Extreme<T>, length: T) -> Option<Piece<T>> {
+    let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
+    resolved(choice, |rule| to_highest(motion, high, length, rule))
 }
 
 /// From η up by `length` on the move.
 fn passage<T: Scalar>(motion: &impl Tilting<T>, eta: T, length: T) -> Option<Piece<T>> {
-    resolved(8.0, |rule| between(motion, eta, length, rule))
+    resolved(Choice::plain(8.0), |rule| {
+        between(motion, eta, length, rule)
+    })
 }
 
 /// From the start's tilt to the largest.
@@ -351,7 +356,7 @@ fn last_leg<T: Scalar>(
         let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
         return Some(short(motion, high, -length, drive));
     }
-    resolved(NODES, |rule| to_highest(motion, high, length, rule))
+    head(motion, high, length)
 }
 
 /// A guess of y and η.

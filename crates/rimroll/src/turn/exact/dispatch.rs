@@ -6,7 +6,7 @@ use super::fundamental::Fundamental;
 use super::many::Lane;
 use super::pieces::Piece;
 use super::rolling::Rolling;
-use super::rule::{Rule, rule};
+use super::rule::{Choice, Rule};
 use super::sliding::Sliding;
 use super::start::Start;
 use super::tilting::Tilting;
@@ -97,8 +97,8 @@ impl Engine<'_> {
         self.ask(&AskExtremes { most }, eight)
     }
 
-    pub(super) fn part(&self, part: Part, eight: &Eight, rung: usize) -> Piece<Lanes> {
-        let rule = rule(rung);
+    pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Piece<Lanes> {
+        let rule = choice.rule();
         self.ask(&AskPart { part, rule }, eight)
     }
 

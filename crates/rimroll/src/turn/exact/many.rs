@@ -5,7 +5,7 @@
 
 use super::dispatch::{Eight, Engine};
 use super::pieces::Piece;
-use super::rule::{LADDER, nodes_from_lowest, rung_to_highest, rung_with};
+use super::rule::{Choice, RULES};
 use super::start::Start;
 use super::tilting::gap_beyond;
 use super::together::Part;
@@ -19,10 +19,6 @@ use rayon::prelude::*;
 /// Starts that a thread takes at a time.
 const BLOCK: usize = 2048;
 
-/// How many rungs a rule is taken larger when it has not resolved its piece.
-const CLIMB: usize = 2;
-
-/// What a start is to the lanes.
 /// A start on its way through the lanes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lane {
@@ -90,22 +86,23 @@ impl Exact {
 
     /// Adds a part to all lanes that have it, each by the smallest rule that resolves it.
     fn add(&self, part: Part, engine: &Engine<'_>, lanes: &mut [Lane]) {
-        let mut waiting: [Vec<usize>; LADDER.len()] = Default::default();
+        let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); RULES];
         for (i, lane) in lanes.iter().enumerate() {
-            if let Some(rung) = self.rung(part, lane) {
-                waiting[rung].push(i);
+            if let Some(choice) = self.choice(part, lane) {
+                waiting[choice.place()].push(i);
             }
         }
-        for rung in 0..LADDER.len() {
-            let open = core::mem::take(&mut waiting[rung]);
+        for place in 0..RULES {
+            let open = core::mem::take(&mut waiting[place]);
+            let choice = Choice::at(place);
             for eight in open.chunks(LANES) {
-                let pieces = engine.part(part, &Eight::of(lanes, eight), rung);
+                let pieces = engine.part(part, &Eight::of(lanes, eight), choice);
                 for (place, &i) in eight.iter().enumerate() {
                     let piece = pieces.map(|all| all.0[place]);
-                    if part == Part::ShortLeg || piece.is_resolved(LADDER[rung]) {
+                    if part == Part::ShortLeg || piece.is_resolved(choice.nodes()) {
                         lanes[i].add(part, piece);
-                    } else if rung + CLIMB < LADDER.len() {
-                        waiting[rung + CLIMB].push(i);
+                    } else if let Some(larger) = choice.larger() {
+                        waiting[larger.place()].push(i);
                     } else {
                         lanes[i].together = false;
                     }
@@ -114,8 +111,8 @@ impl Exact {
         }
     }
 
-    /// The rung to begin with, where a lane has that part.
-    fn rung(&self, part: Part, lane: &Lane) -> Option<usize> {
+    /// The rule to begin with, where a lane has that part.
+    fn choice(&self, part: Part, lane: &Lane) -> Option<Choice> {
         if !lane.together {
             return None;
         }
@@ -125,10 +122,10 @@ impl Exact {
         let leg = lane.high[1] - lane.start.eta;
         let has_leg = lane.start.p != 0.0;
         match part {
-            Part::Foot => Some(rung_with(nodes_from_lowest(span - outer))),
-            Part::Head => Some(rung_to_highest(outer, gap())),
-            Part::Leg if has_leg && leg >= SHORT => Some(rung_to_highest(leg, gap())),
-            Part::ShortLeg if has_leg && leg < SHORT => Some(0),
+            Part::Foot => Some(Choice::from_lowest(span - outer)),
+            Part::Head => Some(Choice::to_highest(outer, gap())),
+            Part::Leg if has_leg && leg >= SHORT => Some(Choice::to_highest(leg, gap())),
+            Part::ShortLeg if has_leg && leg < SHORT => Some(Choice::plain(0.0)),
             Part::Leg | Part::ShortLeg => None,
         }
     }

@@ -7,7 +7,7 @@
 
 use super::fundamental::Fundamental;
 use super::start::Start;
-use super::tilting::{Point, Tilting, half_tangent_at_rise, sin_and_versine};
+use super::tilting::{Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine};
 use crate::real::Real;
 
 /// A body that rolls from one start; C the number of its constants, T of the start.
@@ -105,6 +105,12 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     fn highest(&self) -> T {
         let [m, r, h, .., g] = self.body.parameters.letters().map(Into::into);
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
+    }
+
+    #[inline(always)]
+    fn gap_beyond(&self, y: T) -> T {
+        let k = &self.body.parameters;
+        gap_beyond(k.r.into(), k.h.into(), y)
     }
 
     /// 2 N J sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²) and dG/dη = 2 J φ̈ sin φ.

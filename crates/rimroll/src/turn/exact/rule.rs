@@ -1,37 +1,105 @@
 //! Gauss-Legendre rules for even functions: the n nodes in (0, 1) of the rule with 2n on (−1, 1).
+//!
+//! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
+//! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
 
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 /// How many nodes each rule of the ladder has.
-pub(super) const LADDER: [usize; 16] =
-    [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
+const LADDER: [usize; 16] = [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
 
-/// The first rung with so many nodes; the last has at most its own.
-pub(super) fn rung_with(nodes: f64) -> usize {
-    let enough = LADDER.iter().position(|&n| n as f64 >= nodes);
-    enough.unwrap_or(LADDER.len() - 1)
+/// How many rungs a rule is taken larger when it has not resolved its piece.
+const CLIMB: usize = 2;
+
+/// How often ε is halved, from 1 on; before that, rules that stretch nothing.
+const STRETCHES: usize = 26;
+
+/// How many rules there are.
+pub(super) const RULES: usize = STRETCHES * LADDER.len();
+
+static SHELF: [OnceLock<Rule>; RULES] = [const { OnceLock::new() }; RULES];
+
+/// Which of the rules.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Choice {
+    /// 0: none; k: ε = 2^(1 − k).
+    stretch: usize,
+    rung: usize,
 }
 
-/// About how many nodes resolve a piece from the smallest tilt, `length` long in η: with each unit of
-/// η the time grows e-fold over it.
-pub(super) fn nodes_from_lowest(length: f64) -> f64 {
-    9.0 + 0.8 * length
+impl Choice {
+    /// About so many nodes, and nothing stretched.
+    pub(super) fn plain(nodes: f64) -> Choice {
+        let enough = LADDER.iter().position(|&n| n as f64 >= nodes);
+        Choice {
+            stretch: 0,
+            rung: enough.unwrap_or(LADDER.len() - 1),
+        }
+    }
+
+    /// For a piece from the smallest tilt, `length` long in η: with each unit of η the time grows e-fold
+    /// over it.
+    pub(super) fn from_lowest(length: f64) -> Choice {
+        Choice::plain(9.0 + 0.8 * length)
+    }
+
+    /// For a piece to the largest tilt, `length` long in η, where the tilt's energy has its next root,
+    /// beyond the balance point, farther by `gap`: in the plane of τ at i √(gap/length).
+    pub(super) fn to_highest(length: f64, gap: f64) -> Choice {
+        let square = gap / length;
+        let (mut stretch, mut epsilon) = (1, 1.0);
+        if square >= 2.0 {
+            return Choice::plain(7.0);
+        }
+        while epsilon * epsilon > square && stretch + 1 < STRETCHES {
+            epsilon *= 0.5;
+            stretch += 1;
+        }
+        Choice {
+            stretch,
+            ..Choice::plain(NODES[stretch])
+        }
+    }
+
+    /// One with more nodes.
+    pub(super) fn larger(self) -> Option<Choice> {
+        let rung = self.rung + CLIMB;
+        (rung < LADDER.len()).then_some(Choice { rung, ..self })
+    }
+
+    /// Its place among the [`RULES`].
+    pub(super) fn place(self) -> usize {
+        self.stretch * LADDER.len() + self.rung
+    }
+
+    /// The one in that place.
+    pub(super) fn at(place: usize) -> Choice {
+        Choice {
+            stretch: place / LADDER.len(),
+            rung: place % LADDER.len(),
+        }
+    }
+
+    /// How many nodes it has.
+    pub(super) fn nodes(self) -> usize {
+        LADDER[self.rung]
+    }
+
+    /// The rule itself, made when it is first used.
+    pub(super) fn rule(self) -> &'static Rule {
+        SHELF[self.place()].get_or_init(|| Rule::new(self))
+    }
 }
 
-/// The first rung whose rule is about enough for a piece to the largest tilt, `length` long in η, where
-/// the tilt's energy has its next root, beyond the balance point, farther by `gap`: there, at
-/// i √(gap/length), ends the integrand's continuation in the plane of τ.
-pub(super) fn rung_to_highest(length: f64, gap: f64) -> usize {
-    let reach = gap / length;
-    let enough = RUNGS.iter().position(|rung| rung.square_reach <= reach);
-    enough.unwrap_or(LADDER.len() - 1)
-}
+/// About how many nodes a stretched rule needs: the error falls off like exp(−4n asinh(π/(2A))).
+const NODES: [f64; STRETCHES] = [
+    0.0, 6.0, 8.0, 10.0, 12.0, 14.0, 18.0, 20.0, 24.0, 28.0, 28.0, 34.0, 34.0, 42.0, 42.0, 42.0,
+    56.0, 56.0, 56.0, 56.0, 56.0, 56.0, 80.0, 80.0, 80.0, 80.0,
+];
 
-/// Nodes and weights on (0, 1), exact for even polynomials up to degree 4n − 2.
+/// Nodes and weights on (0, 1).
 pub(super) struct Rule {
     pub(super) nodes: Vec<Node>,
-    /// For which (gap/length) it is enough.
-    square_reach: f64,
 }
 
 /// One of them.
@@ -47,22 +115,29 @@ pub(super) struct Node {
     pub(super) before: f64,
 }
 
-/// The rule on a rung of the [`LADDER`].
-pub(super) fn rule(rung: usize) -> &'static Rule {
-    &RUNGS[rung]
+impl Rule {
+    fn new(choice: Choice) -> Rule {
+        let n = choice.nodes();
+        let plain = (0..n).map(|i| node(2 * n, i));
+        let nodes = match choice.stretch {
+            0 => plain.collect(),
+            k => plain
+                .map(|node| node.stretched(libm::ldexp(1.0, 1 - k as i32)))
+                .collect(),
+        };
+        Rule { nodes }
+    }
 }
 
-static RUNGS: LazyLock<Vec<Rule>> =
-    LazyLock::new(|| LADDER.iter().map(|&n| Rule::new(n)).collect());
-
-impl Rule {
-    fn new(n: usize) -> Rule {
-        // The error falls off like exp(−4n asinh(reach)).
-        const DIGITS: f64 = 6.7;
-        let reach = libm::sinh(DIGITS / (n as f64 - 2.5));
-        Rule {
-            nodes: (0..n).map(|i| node(2 * n, i)).collect(),
-            square_reach: reach * reach,
+impl Node {
+    fn stretched(self, epsilon: f64) -> Node {
+        let length = libm::asinh(1.0 / epsilon);
+        let factor = epsilon * length * libm::cosh(length * self.at);
+        Node {
+            at: epsilon * libm::sinh(length * self.at),
+            weight: factor * self.weight,
+            last: factor * self.last,
+            before: factor * self.before,
         }
     }
 }
@@ -102,20 +177,45 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{LADDER, rule};
+    use super::{Choice, LADDER, RULES, STRETCHES};
 
     #[test]
     fn each_rule_integrates_even_polynomials() {
-        for (rung, n) in LADDER.iter().enumerate() {
+        for n in LADDER {
             for power in (0..=(4 * n - 2).min(300)).step_by(2) {
                 let power = power as i32;
-                let nodes = &rule(rung).nodes;
+                let nodes = &Choice::plain(n as f64).rule().nodes;
                 let sum: f64 = nodes.iter().map(|k| k.weight * k.at.powi(power)).sum();
                 assert!(
                     (sum * f64::from(power + 1) - 1.0).abs() < 1e-13,
                     "{n} {power} {sum}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn stretched_rules_see_what_is_singular_near_the_end() {
+        // ∫₀¹ dτ/√(ε² + τ²) = asinh(1/ε), with ε not quite the rule's own.
+        for k in 0..2 * STRETCHES as i32 - 4 {
+            let epsilon = (0.5_f64).powf(0.5 * f64::from(k));
+            let choice = Choice::to_highest(1.0, epsilon * epsilon);
+            let one_over = |t: f64| 1.0 / epsilon.hypot(t);
+            let sum: f64 = choice
+                .rule()
+                .nodes
+                .iter()
+                .map(|k| k.weight * one_over(k.at))
+                .sum();
+            let off = sum / (1.0 / epsilon).asinh() - 1.0;
+            assert!(off.abs() < 2e-14, "{epsilon} {off} {choice:?}");
+        }
+    }
+
+    #[test]
+    fn every_choice_has_its_place() {
+        for place in 0..RULES {
+            assert_eq!(Choice::at(place).place(), place);
         }
     }
 }

@@ -7,7 +7,7 @@
 //! ```
 
 use super::start::Start;
-use super::tilting::{Point, Tilting, half_tangent_at_rise, sin_and_versine};
+use super::tilting::{Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine};
 use crate::law::Parameters;
 use crate::real::Real;
 
@@ -79,6 +79,11 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     fn highest(&self) -> T {
         let [m, r, h, .., g] = self.k.letters().map(Into::into);
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
+    }
+
+    #[inline(always)]
+    fn gap_beyond(&self, y: T) -> T {
+        gap_beyond(self.k.r.into(), self.k.h.into(), y)
     }
 
     /// N (A + mρ²) sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²).

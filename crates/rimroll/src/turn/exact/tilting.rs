@@ -37,6 +37,9 @@ pub(super) trait Tilting<T: Real> {
     /// the energy to pass the balance point.
     fn highest(&self) -> T;
 
+    /// About how much farther than a largest tilt at y the drive has its next root, in η.
+    fn gap_beyond(&self, y: T) -> T;
+
     /// Of the sign of the table's push N, and finite.
     fn pressing(&self, point: &Point<T>) -> T;
 
@@ -54,12 +57,14 @@ pub(super) fn sin_and_versine<T: Real>(y: T) -> (T, T) {
 
 /// How much farther, in η, the tilt's energy has its next root, but for yaw and spin, for a largest
 /// tilt at y = tan(φ/2): R sin φ + H cos φ is there the same again.
-pub(super) fn gap_beyond(radius: f64, height: f64, y: f64) -> f64 {
+#[inline(always)]
+pub(super) fn gap_beyond<T: Real>(radius: T, height: T, y: T) -> T {
     let (sin, versine) = sin_and_versine(y);
+    let two = T::from(2.0);
     let rise = radius * sin - height * versine;
-    let next = rise / (rise + 2.0 * height) / y;
+    let next = rise / (rise + two * height) / y;
     // A little less than ln(next/y).
-    (2.0 * (next - y) / (next + y)).max(0.0)
+    (two * (next - y) / (next + y)).max(T::from(0.0))
 }
 
 /// tan(φ/2) where a centre of mass R beside and H over the rim is `rise` over H: R sin φ + H cos φ =

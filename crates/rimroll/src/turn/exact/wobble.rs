@@ -86,6 +86,11 @@ impl<M: Tilting<T>, T: Real> Tilting<T> for Wobble<'_, M, T> {
         self.motion.highest()
     }
 
+    /// Far, against a tilt that hardly changes.
+    fn gap_beyond(&self, _: T) -> T {
+        T::from(1.0)
+    }
+
     fn pressing(&self, point: &Point<T>) -> T {
         self.motion.pressing(point)
     }
