@@ -42,6 +42,17 @@ pub trait Real:
     fn max(self, other: Self) -> Self;
     /// `yes` where x < 0, else `no`.
     fn where_negative(self, yes: Self, no: Self) -> Self;
+    /// Four polynomials in x, whose coefficients are given by falling power.
+    #[inline(always)]
+    fn polynomials<C: Copy + Into<Self>>(rows: &[[C; 4]], x: Self) -> [Self; 4] {
+        let mut sums = [Self::from(0.0); 4];
+        for row in rows {
+            for (sum, &coefficient) in sums.iter_mut().zip(row) {
+                *sum = *sum * x + coefficient.into();
+            }
+        }
+        sums
+    }
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
 }

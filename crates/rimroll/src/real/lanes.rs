@@ -154,6 +154,19 @@ impl Real for Lanes {
     }
 
     #[inline(always)]
+    fn polynomials<C: Copy + Into<Lanes>>(rows: &[[C; 4]], x: Lanes) -> [Lanes; 4] {
+        // Among other sums compilers lose the order of the lanes, and shuffle them in every round.
+        let x = core::hint::black_box(x);
+        let mut sums = [Lanes::from(0.0); 4];
+        for row in rows {
+            for (sum, &coefficient) in sums.iter_mut().zip(row) {
+                *sum = *sum * x + coefficient.into();
+            }
+        }
+        core::hint::black_box(sums)
+    }
+
+    #[inline(always)]
     fn exp_m1(self) -> Lanes {
         self.each(Real::exp_m1)
     }

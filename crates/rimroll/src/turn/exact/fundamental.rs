@@ -109,13 +109,7 @@ impl<C: Copy> Fundamental<C> {
         C: Into<T>,
     {
         let z = y * T::from(self.scale) - T::from(1.0);
-        let [mut l_1, mut s_1, mut l_2, mut s_2] = [T::from(0.0); 4];
-        for row in &self.coefficients {
-            l_1 = l_1 * z + row[0].into();
-            s_1 = s_1 * z + row[1].into();
-            l_2 = l_2 * z + row[2].into();
-            s_2 = s_2 * z + row[3].into();
-        }
+        let [l_1, s_1, l_2, s_2] = T::polynomials(&self.coefficients, z);
         let kappa: T = self.rates[2].into();
         let log = kappa * eta;
         let l_1 = y * y * l_1;

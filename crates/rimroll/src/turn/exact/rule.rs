@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 const LADDER: [usize; 16] = [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
 
 /// How many rungs a rule is taken larger when it has not resolved its piece.
-const CLIMB: usize = 2;
+const CLIMB: usize = 1;
 
 /// How often ε is halved, from 1 on; before that, rules that stretch nothing.
 const STRETCHES: usize = 26;
@@ -49,7 +49,7 @@ impl Choice {
         let square = gap / length;
         let (mut stretch, mut epsilon) = (1, 1.0);
         if square >= 2.0 {
-            return Choice::plain(7.0);
+            return Choice::plain(6.0);
         }
         while epsilon * epsilon > square && stretch + 1 < STRETCHES {
             epsilon *= 0.5;
@@ -93,7 +93,7 @@ impl Choice {
 
 /// About how many nodes a stretched rule needs: the error falls off like exp(−4n asinh(π/(2A))).
 const NODES: [f64; STRETCHES] = [
-    0.0, 6.0, 8.0, 10.0, 12.0, 14.0, 18.0, 20.0, 24.0, 28.0, 28.0, 34.0, 34.0, 42.0, 42.0, 42.0,
+    0.0, 8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 20.0, 24.0, 28.0, 28.0, 34.0, 34.0, 42.0, 42.0, 42.0,
     56.0, 56.0, 56.0, 56.0, 56.0, 56.0, 80.0, 80.0, 80.0, 80.0,
 ];
 
