@@ -1,8 +1,6 @@
 //! `simulate` and the columns of numbers that describe a motion.
 
-use crate::arguments::{
-    BodyArgument, RimrollError, StateArgument, SurfaceArgument, refusal,
-};
+use crate::arguments::{BodyArgument, RimrollError, StateArgument, SurfaceArgument, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::{COLUMNS, Instant, Moment, PARAMETERS, Sensitivity};

@@ -144,7 +144,23 @@ impl<T: Real, const N: usize> Step<T, N> {
     }
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
-    pub fn dense(&mut self, system: &impl System<T, N>) -> Dense<T, N> {
+    pub fn dense<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what is asked for.
+            return unsafe { self.dense_wide(system) };
+        }
+        self.polynomial(system)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    unsafe fn dense_wide<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
+        self.polynomial(system)
+    }
+
+    #[inline(always)]
+    fn polynomial<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
             let at = combine(&self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);
