@@ -78,7 +78,7 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     /// Goes from the start by the length h, whatever the step was before.
     #[inline(always)]
-    fn go<S: System<T, N>>(&mut self, system: &S, h: T) {
+    pub(super) fn go<S: System<T, N>>(&mut self, system: &S, h: T) {
         let (start, stages) = (&self.start, &mut self.stages);
         // Written out, so that the weights are constants of the code.
         macro_rules! stages {
@@ -166,16 +166,14 @@ impl<T: Real, const N: usize> Step<T, N> {
             self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
-        let mut coefficients = [[T::from(0.0); N]; 7];
-        for i in 0..N {
-            let rise = self.end[i] - self.start[i];
-            let (first, last) = (h * self.stages[0][i], h * self.stages[12][i]);
-            coefficients[0][i] = rise;
-            coefficients[1][i] = first - rise;
-            coefficients[2][i] = T::from(2.0) * rise - (first + last);
-        }
-        for (j, row) in DENSE.iter().enumerate() {
-            coefficients[3 + j] = weigh(row, &self.stages).map(|v| h * v);
+        let rise: [T; N] = core::array::from_fn(|i| self.end[i] - self.start[i]);
+        let first = self.stages[0].map(|rate| h * rate);
+        let last = self.stages[12].map(|rate| h * rate);
+        let mut coefficients = [rise; 7];
+        coefficients[1] = core::array::from_fn(|i| first[i] - rise[i]);
+        coefficients[2] = core::array::from_fn(|i| T::from(2.0) * rise[i] - (first[i] + last[i]));
+        for (coefficient, row) in coefficients[3..].iter_mut().zip(&DENSE) {
+            *coefficient = weigh(row, &self.stages).map(|v| h * v);
         }
         Dense {
             h,
