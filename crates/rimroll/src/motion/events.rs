@@ -1,7 +1,7 @@
 //! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
 use super::contacts::{Contacts, Phase};
-use super::glance::Glance;
+use super::glance::{Glance, are_clear};
 use super::leg::{Leg, Polynomial};
 use super::mechanics::Mechanics;
 use super::track::Instant;
@@ -268,24 +268,40 @@ impl<'a> Watch<'a> {
             .map(|(switch, _)| switch)
     }
 
-    /// Whether it is clear at a glance that nothing happens in a step, as in most under an ideal law.
+    /// Whether it is clear at a glance that nothing happens in a step, as in most.
     #[inline]
-    pub(super) fn is_uneventful<const N: usize>(&self, step: &Step<f64, N>) -> bool {
-        let (Goal::Time(duration) | Goal::Turn(duration)) = self.goal else {
-            return false;
-        };
-        if N != MOVING || self.contacts.can_fly() || self.direction == 0.0 {
+    pub(super) fn is_uneventful<const N: usize>(&self, phase: Phase, step: &Step<f64, N>) -> bool {
+        if self.direction == 0.0 {
             return false;
         }
         let glance = Glance::new(step);
         let side = glance.end().cos.signum();
-        let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
-        glance.end().t < duration
-            && glance.stays_above(0.0, |u| self.direction * u.p)
+        glance.stays_above(0.0, |u| self.direction * u.p)
             && glance.stays_above(0.0, |u| side * u.cos)
+            && match self.goal {
+                Goal::Time(end) | Goal::Turn(end) if N == MOVING && !self.contacts.can_fly() => {
+                    self.stays_on_an_ideal_table(&glance, end)
+                }
+                _ => self.ends_by_nothing(phase, &glance),
+            }
+    }
+
+    /// Whether it does not come near any of the few endings under an ideal law.
+    #[inline(always)]
+    fn stays_on_an_ideal_table(&self, glance: &Glance, end: f64) -> bool {
+        let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
+        glance.end().t < end
             && glance.stays_above(self.flat, |u| u.sin)
             && self.topple.is_none_or(upright)
             && glance.stays_pressed(self.contacts.parameters())
+    }
+
+    /// Whether it does not come near any ending.
+    fn ends_by_nothing(&self, phase: Phase, glance: &Glance) -> bool {
+        let three = glance.three();
+        self.switches(phase).all(|(switch, before)| {
+            are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three[i])))
+        })
     }
 
     /// Takes in an accepted step: notes what happened and adds it to the track, cut short where the

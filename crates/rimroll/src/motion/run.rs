@@ -412,14 +412,14 @@ impl Task for Steps<'_, '_> {
                 return Over::For(Status::Failed);
             };
             let h = step.h;
-            if run.watch.is_uneventful(step) {
-                run.track.push(Leg::explicit(phase, step, &start));
-                run.work = before + stepper.work;
-                continue;
-            }
             let leg = Leg::explicit(phase, step, &start);
-            let dense = step.dense(system).widened(&start);
-            let switch = run.watch.pass(leg, &dense, &mut run.track);
+            let switch = if run.watch.is_uneventful(phase, step) {
+                run.track.push(leg);
+                None
+            } else {
+                let dense = step.dense(system).widened(&start);
+                run.watch.pass(leg, &dense, &mut run.track)
+            };
             run.work = before + stepper.work;
             if let Some(switch) = switch {
                 return run.over_by(switch, h);
