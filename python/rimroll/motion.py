@@ -493,7 +493,7 @@ def simulate(
         Called now and then in a long motion with the time reached, s.
     jacobian
         Whether to compute derivatives, too: see :meth:`Motion.jacobian`. For rolling without slip
-        and frictionless sliding without resistance; some ten times the work.
+        and frictionless sliding without resistance; some thirty times the work.
 
     Returns
     -------

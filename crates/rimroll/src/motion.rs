@@ -85,8 +85,9 @@ impl Default for Options {
 impl Options {
     /// What one step may err, relative to the size of each coordinate.
     ///
-    /// Errors of the energy add up from step to step, so a step is held to a fiftieth of `rtol`:
-    /// measured over 20 rockings of the can, the energy then keeps to 0.2 rtol. Below 5e-15 rounding
+    /// Errors add up from step to step, so a step is held to a fiftieth of `rtol`. Measured over 20
+    /// rockings of a can, a disk, a coin and a bottle under both ideal laws, the energy then keeps to
+    /// 0.4 rtol, and the yaw and the times of the near-collisions to 2 rtol. Below 5e-15 rounding
     /// would be taken for error.
     pub(crate) fn step_tolerance(&self) -> f64 {
         (0.02 * self.rtol).max(5e-15)

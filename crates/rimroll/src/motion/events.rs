@@ -1,7 +1,7 @@
 //! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
 use super::contacts::{Contacts, Phase};
-use super::glance::Glance;
+use super::glance::{Glance, are_clear};
 use super::leg::{Leg, Polynomial};
 use super::mechanics::Mechanics;
 use super::track::Instant;
@@ -120,26 +120,17 @@ impl Goal {
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
 /// rounding.
 struct Crossing {
-    piece: Piece,
+    leg: Leg,
+    dense: Polynomial,
     from: f64,
     to: f64,
 }
 
 /// A finished step, and the polynomial that it is.
-#[derive(Clone)]
-pub(super) struct Piece {
-    pub leg: Leg,
-    pub dense: Polynomial,
-}
-
-impl Piece {
-    /// A step that is known as a polynomial only.
-    pub fn polynomial(phase: Phase, dense: Polynomial) -> Piece {
-        Piece {
-            leg: Leg::polynomial(phase, dense.clone()),
-            dense,
-        }
-    }
+#[derive(Clone, Copy)]
+struct Piece<'p> {
+    leg: &'p Leg,
+    dense: &'p Polynomial,
 }
 
 /// A fraction of a step, and the coordinates there.
@@ -277,42 +268,64 @@ impl<'a> Watch<'a> {
             .map(|(switch, _)| switch)
     }
 
-    /// Whether it is clear at a glance that nothing happens in a step, as in most under an ideal law.
+    /// Whether it is clear at a glance that nothing happens in a step, as in most.
     #[inline]
-    pub(super) fn is_uneventful<const N: usize>(&self, step: &Step<f64, N>) -> bool {
-        let (Goal::Time(duration) | Goal::Turn(duration)) = self.goal else {
-            return false;
-        };
-        if N != MOVING || self.contacts.can_fly() || self.direction == 0.0 {
+    pub(super) fn is_uneventful<const N: usize>(&self, phase: Phase, step: &Step<f64, N>) -> bool {
+        if self.direction == 0.0 {
             return false;
         }
         let glance = Glance::new(step);
         let side = glance.end().cos.signum();
-        let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
-        glance.end().t < duration
-            && glance.stays_above(0.0, |u| self.direction * u.p)
+        glance.stays_above(0.0, |u| self.direction * u.p)
             && glance.stays_above(0.0, |u| side * u.cos)
+            && match self.goal {
+                Goal::Time(end) | Goal::Turn(end) if N == MOVING && !self.contacts.can_fly() => {
+                    self.stays_on_an_ideal_table(&glance, end)
+                }
+                _ => self.ends_by_nothing(phase, &glance),
+            }
+    }
+
+    /// Whether it does not come near any of the few endings under an ideal law.
+    #[inline(always)]
+    fn stays_on_an_ideal_table(&self, glance: &Glance, end: f64) -> bool {
+        let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
+        glance.end().t < end
             && glance.stays_above(self.flat, |u| u.sin)
             && self.topple.is_none_or(upright)
             && glance.stays_pressed(self.contacts.parameters())
     }
 
+    /// Whether it does not come near any ending.
+    fn ends_by_nothing(&self, phase: Phase, glance: &Glance) -> bool {
+        let three = glance.three();
+        self.switches(phase).all(|(switch, before)| {
+            are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three[i])))
+        })
+    }
+
     /// Takes in an accepted step: notes what happened and adds it to the track, cut short where the
     /// phase ends.
-    pub(super) fn pass(&mut self, piece: Piece, track: &mut Track) -> Option<Switch> {
-        let (phase, dense) = (piece.leg.phase, &piece.dense);
+    pub(super) fn pass(
+        &mut self,
+        leg: Leg,
+        dense: &Polynomial,
+        track: &mut Track,
+    ) -> Option<Switch> {
+        let phase = leg.phase;
+        let piece = Piece { leg: &leg, dense };
         let looks = LOOKS.map(|x| Look::at(dense, x));
         let Some((switch, x)) = self.first_ending(phase, dense, &looks) else {
-            self.note_extremes(&piece, &looks);
-            self.note_on_edge(&piece, &looks);
-            track.push(piece.leg);
+            self.note_extremes(piece, &looks);
+            self.note_on_edge(piece, &looks);
+            track.push(leg);
             return self.has_turned().then_some(Switch::Done);
         };
         let before = looks.into_iter().filter(|look| look.x < x);
         let looks: Vec<_> = before.chain([Look::at(dense, x)]).collect();
-        self.note_extremes(&piece, &looks);
-        self.note_on_edge(&piece, &looks);
-        let mut last = self.refine(&piece, x, |u| self.level(switch, phase, u));
+        self.note_extremes(piece, &looks);
+        self.note_on_edge(piece, &looks);
+        let mut last = self.refine(piece, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration)) = (switch, self.goal) {
             // Not a rounding error short of what was asked for.
             last.end[TIME] = duration;
@@ -408,12 +421,13 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn note_extremes(&mut self, piece: &Piece, looks: &[Look]) {
+    fn note_extremes(&mut self, piece: Piece<'_>, looks: &[Look]) {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.p < 0.0) != (after.u.p < 0.0) {
                 self.crossing = Some(Crossing {
-                    piece: piece.clone(),
+                    leg: piece.leg.clone(),
+                    dense: piece.dense.clone(),
                     from: before.x,
                     to: after.x,
                 });
@@ -431,13 +445,17 @@ impl<'a> Watch<'a> {
     }
 
     fn note_extreme(&mut self, crossing: Crossing, direction: f64) {
-        let Crossing { piece, from, to } = crossing;
-        let x = piece.dense.root(from, to, |u| Coordinates::from_array(u).p);
-        let at = self.instant(&piece, x, |u| u.p);
+        let piece = Piece {
+            leg: &crossing.leg,
+            dense: &crossing.dense,
+        };
+        let p = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
+        let x = piece.dense.root(crossing.from, crossing.to, p);
+        let at = self.instant(piece, x, |u| u.p);
         self.note(extreme_kind(direction), at);
     }
 
-    fn note_on_edge(&mut self, piece: &Piece, looks: &[Look]) {
+    fn note_on_edge(&mut self, piece: Piece<'_>, looks: &[Look]) {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.cos > 0.0) != (after.u.cos > 0.0) {
@@ -449,7 +467,12 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn instant(&self, piece: &Piece, x: f64, level: impl Fn(&Coordinates<f64>) -> f64) -> Instant {
+    fn instant(
+        &self,
+        piece: Piece<'_>,
+        x: f64,
+        level: impl Fn(&Coordinates<f64>) -> f64,
+    ) -> Instant {
         Instant {
             phase: piece.leg.phase,
             u: Coordinates::from_array(&self.refine(piece, x, level).end),
@@ -458,7 +481,7 @@ impl<'a> Watch<'a> {
 
     /// The step cut where `level` is zero, to the accuracy of the steps and not only of the dense
     /// output, which is one order less: x is corrected by the level that a real step finds there.
-    fn refine(&self, piece: &Piece, x: f64, level: impl Fn(&Coordinates<f64>) -> f64) -> Leg {
+    fn refine(&self, piece: Piece<'_>, x: f64, level: impl Fn(&Coordinates<f64>) -> f64) -> Leg {
         const NUDGE: f64 = 1e-3;
         let Piece { leg, dense } = piece;
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));

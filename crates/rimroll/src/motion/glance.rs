@@ -53,21 +53,35 @@ impl Glance {
     pub fn stays_pressed(&self, k: &Parameters<f64>) -> bool {
         let (a, b) = (&self.from, &self.to);
         let (da, db) = (&self.from_rates, &self.to_rates);
-        let middle = |a: f64, b: f64, da: f64, db: f64| 0.5 * (a + b) + 0.125 * self.h * (da - db);
         let halfway = Coordinates {
-            sin: middle(a.sin, b.sin, da.sin, db.sin),
-            cos: middle(a.cos, b.cos, da.cos, db.cos),
-            p: middle(a.p, b.p, da.p, db.p),
+            sin: self.middle(a.sin, b.sin, da.sin, db.sin),
+            cos: self.middle(a.cos, b.cos, da.cos, db.cos),
+            p: self.middle(a.p, b.p, da.p, db.p),
             ..*a
         };
         let dp = 1.5 * (b.p - a.p) / self.h - 0.25 * (da.p + db.p);
         are_clear([k.normal(a, da.p), k.normal(&halfway, dp), k.normal(b, db.p)])
     }
+
+    /// Where it begins, is halfway, and ends.
+    pub fn three(&self) -> [Coordinates<f64>; 3] {
+        let (a, b) = (self.from.into_array(), self.to.into_array());
+        let (da, db) = (self.from_rates.into_array(), self.to_rates.into_array());
+        let halfway = core::array::from_fn(|i| self.middle(a[i], b[i], da[i], db[i]));
+        [self.from, Coordinates::from_array(&halfway), self.to]
+    }
+
+    /// Of the cubic.
+    #[inline(always)]
+    fn middle(&self, from: f64, to: f64, from_rate: f64, to_rate: f64) -> f64 {
+        0.5 * (from + to) + 0.125 * self.h * (from_rate - to_rate)
+    }
 }
 
-/// Whether values are positive, and their smallest is not small beside their spread.
+/// Whether values are positive, and their smallest is not small beside their spread: then so is the
+/// parabola through three of them.
 #[inline(always)]
-fn are_clear<const M: usize>(values: [f64; M]) -> bool {
+pub(super) fn are_clear<const M: usize>(values: [f64; M]) -> bool {
     let (mut least, mut most) = (values[0], values[0]);
     for value in values {
         least = if value < least { value } else { least };

@@ -1,7 +1,7 @@
 //! The phases of a motion, one after another.
 
 use super::contacts::{Contacts, Next, Phase, Task};
-use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
+use super::events::{Event, EventKind, Goal, Switch, Watch};
 use super::leg::Leg;
 use super::mechanics::{Mechanics, first};
 use super::track::{Instant, Track};
@@ -179,8 +179,9 @@ impl<'a> Run<'a> {
             if let Some(found) = found.filter(|found| found.error <= 1.0) {
                 self.work.steps += 1;
                 u = found.dense.end;
-                let piece = Piece::polynomial(phase, found.dense);
-                if let Some(switch) = self.watch.pass(piece, &mut self.track) {
+                let dense = found.dense;
+                let leg = Leg::polynomial(phase, dense.clone());
+                if let Some(switch) = self.watch.pass(leg, &dense, &mut self.track) {
                     return ControlFlow::Break(self.over_by(switch, h));
                 }
                 next = Some(h);
@@ -257,8 +258,8 @@ impl<'a> Run<'a> {
         for dense in slow.steps {
             self.work.steps += 1;
             let h = dense.h;
-            let piece = Piece::polynomial(Phase::Sliding, dense);
-            if let Some(switch) = self.watch.pass(piece, &mut self.track) {
+            let leg = Leg::polynomial(Phase::Sliding, dense.clone());
+            if let Some(switch) = self.watch.pass(leg, &dense, &mut self.track) {
                 return ControlFlow::Break(self.over_by(switch, h));
             }
             if self.is_stopping(Phase::Sliding) {
@@ -411,14 +412,14 @@ impl Task for Steps<'_, '_> {
                 return Over::For(Status::Failed);
             };
             let h = step.h;
-            if run.watch.is_uneventful(step) {
-                run.track.push(Leg::explicit(phase, step, &start));
-                run.work = before + stepper.work;
-                continue;
-            }
             let leg = Leg::explicit(phase, step, &start);
-            let dense = step.dense(system).widened(&start);
-            let switch = run.watch.pass(Piece { leg, dense }, &mut run.track);
+            let switch = if run.watch.is_uneventful(phase, step) {
+                run.track.push(leg);
+                None
+            } else {
+                let dense = step.dense(system).widened(&start);
+                run.watch.pass(leg, &dense, &mut run.track)
+            };
             run.work = before + stepper.work;
             if let Some(switch) = switch {
                 return run.over_by(switch, h);

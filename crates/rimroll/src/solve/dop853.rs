@@ -78,7 +78,7 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     /// Goes from the start by the length h, whatever the step was before.
     #[inline(always)]
-    fn go<S: System<T, N>>(&mut self, system: &S, h: T) {
+    pub(super) fn go<S: System<T, N>>(&mut self, system: &S, h: T) {
         let (start, stages) = (&self.start, &mut self.stages);
         // Written out, so that the weights are constants of the code.
         macro_rules! stages {
@@ -144,22 +144,36 @@ impl<T: Real, const N: usize> Step<T, N> {
     }
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
-    pub fn dense(&mut self, system: &impl System<T, N>) -> Dense<T, N> {
+    pub fn dense<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what is asked for.
+            return unsafe { self.dense_wide(system) };
+        }
+        self.polynomial(system)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    unsafe fn dense_wide<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
+        self.polynomial(system)
+    }
+
+    #[inline(always)]
+    fn polynomial<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
             let at = combine(&self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
-        let mut coefficients = [[T::from(0.0); N]; 7];
-        for i in 0..N {
-            let rise = self.end[i] - self.start[i];
-            let (first, last) = (h * self.stages[0][i], h * self.stages[12][i]);
-            coefficients[0][i] = rise;
-            coefficients[1][i] = first - rise;
-            coefficients[2][i] = T::from(2.0) * rise - (first + last);
-        }
-        for (j, row) in DENSE.iter().enumerate() {
-            coefficients[3 + j] = weigh(row, &self.stages).map(|v| h * v);
+        let rise: [T; N] = core::array::from_fn(|i| self.end[i] - self.start[i]);
+        let first = self.stages[0].map(|rate| h * rate);
+        let last = self.stages[12].map(|rate| h * rate);
+        let mut coefficients = [rise; 7];
+        coefficients[1] = core::array::from_fn(|i| first[i] - rise[i]);
+        coefficients[2] = core::array::from_fn(|i| T::from(2.0) * rise[i] - (first[i] + last[i]));
+        for (coefficient, row) in coefficients[3..].iter_mut().zip(&DENSE) {
+            *coefficient = weigh(row, &self.stages).map(|v| h * v);
         }
         Dense {
             h,

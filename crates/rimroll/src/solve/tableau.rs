@@ -368,6 +368,18 @@ mod tests {
             .fold(0.0, f64::max)
     }
 
+    /// Wide registers, where there are any, change nothing.
+    #[test]
+    fn a_step_has_the_same_bits_in_registers_of_any_width() {
+        let (start, h) = (planet(0.3), 0.2);
+        let any = Step::take(&Planet, &start, &Planet.rates(&start), h);
+        let mut narrow = Step::still(&start, &Planet.rates(&start));
+        narrow.go(&Planet, h);
+        assert_eq!(any.end, narrow.end);
+        assert_eq!(any.end_rates(), narrow.end_rates());
+        assert_eq!(any.error(&Planet, 1e-9), narrow.error(&Planet, 1e-9));
+    }
+
     /// The order that an error shows when the step is halved.
     fn order(error: impl Fn(u32) -> f64, steps: u32) -> f64 {
         libm::log2(error(steps) / error(2 * steps))
