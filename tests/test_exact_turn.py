@@ -15,7 +15,8 @@ import rimroll as rr
 import rolling_disk
 import tabulated_turns
 import taylor_turns
-from rimroll.exact import AT_A_TIME, NUMBERS, PARAMETERS
+from rimroll.exact import AT_A_TIME, NUMBERS
+from rimroll.jacobian import PARAMETERS
 from strategies import bodies, rockings
 from test_reference import CAN, LAWS, PAPER_GRAVITY, by_law, sixty_starts
 

@@ -32,6 +32,7 @@ from rimroll.experiment.measurement import Measurement, measure
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import topple
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
+from rimroll.jacobian import Jacobian
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -79,6 +80,7 @@ __all__ = [
     "Frictionless",
     "ImperfectRim",
     "Interrupted",
+    "Jacobian",
     "Law",
     "Measurement",
     "Moments",

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
+from rimroll.jacobian import PARAMETERS
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import thread_count
 from rimroll.state import Numbers, State
@@ -24,24 +25,8 @@ AT_A_TIME = 1 << 14
 STATUSES = np.array(_core.EXACT_STATUSES)
 """What can become of a body, by the core's codes."""
 
-NUMBERS = ("turn", "min_tilt", "max_tilt", "min_time", "time", "yaw")
-"""Of an :class:`ExactTurn`, as the core tells them."""
-
-PARAMETERS = (
-    "tilt",
-    "tilt_rate",
-    "yaw_rate",
-    "spin_rate",
-    "yaw",
-    "spin",
-    "mass",
-    "radius",
-    "height",
-    "transverse_inertia",
-    "axial_inertia",
-    "gravity",
-)
-"""What a turn depends on, in the order of the core's derivatives."""
+NUMBERS = tuple(_core.EXACT_COLUMNS)
+"""Of an :class:`ExactTurn`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +56,8 @@ class ExactTurn:
     ``lifted_off`` (the rim would have to be pulled down) or ``face_down`` (came down flat). The
     last three have no turn, but one whose rim leaves the table as it rises."""
     jacobian: Mapping[str, Numbers] | None = None
-    """If asked for: ∂turn/∂parameter for each of ``tilt``, ``tilt_rate``, ``yaw_rate``,
-    ``spin_rate``, ``yaw``, ``spin``, ``mass``, ``radius``, ``height``, ``transverse_inertia``,
+    """If asked for: ∂turn/∂parameter for each of ``tilt``, ``tilt_rate``, ``yaw``, ``yaw_rate``,
+    ``spin``, ``spin_rate``, ``mass``, ``radius``, ``height``, ``transverse_inertia``,
     ``axial_inertia`` and ``gravity``; rad per the parameter's SI unit."""
 
 
