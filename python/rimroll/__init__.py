@@ -19,6 +19,7 @@ from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.ensemble import Interrupted, ensemble
 from rimroll.errors import RimrollError
+from rimroll.exact import ExactTurn, exact_turn
 from rimroll.experiment.fitting import (
     Fit,
     Predicted,
@@ -74,6 +75,7 @@ __all__ = [
     "Collision",
     "Coulomb",
     "Event",
+    "ExactTurn",
     "Fit",
     "Frictionless",
     "ImperfectRim",
@@ -107,6 +109,7 @@ __all__ = [
     "disk_turn_limit",
     "ensemble",
     "error_law_coefficient",
+    "exact_turn",
     "fit",
     "imperfect_rim",
     "lift_off_rate",

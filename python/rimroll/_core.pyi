@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 __version__: str
 COLUMNS: list[str]
+EXACT_COLUMNS: list[str]
+EXACT_STATUSES: list[str]
 PARAMETERS: list[str]
 FALL_COLUMNS: list[str]
 LAWS: list[str]
@@ -121,6 +123,15 @@ def ensemble(
     max_steps: int,
     threads: int,
 ) -> tuple[list[str], _Array]: ...
+def exact_turns(
+    body: _Body,
+    starts: _Starts,
+    law_name: str,
+    gravity: float,
+    topple_tilt: float | None,
+    threads: int,
+    jacobian: bool,
+) -> tuple[NDArray[np.uint8], _Array, _Array | None]: ...
 def check_surface(law: _Law) -> None: ...
 def arrival(body: _Body, start: object, law: _Law, gravity: float) -> _ArrivalNumbers: ...
 def turn_limit(body: _Body, law: _Law, arrival: _ArrivalNumbers) -> float: ...

@@ -31,6 +31,8 @@ _ROW = {name: i for i, name in enumerate(_core.COLUMNS)}
 MOST_SAMPLES = 10_000_000
 """Samples at a time: some 1.5 GB."""
 
+MOST_THREADS = 1024
+
 UNITS = {
     "t": "s",
     "tilt": "rad",
@@ -537,3 +539,11 @@ def whole_number(field: str, value: object) -> int:
     if not (count.is_integer() and 1 <= count < 2**53):
         raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
     return int(count)
+
+
+def thread_count(threads: object) -> int:
+    """As many as were asked for; 0, which stands for as many as there are processors, for None."""
+    count = 0 if threads is None else whole_number("threads", threads)
+    if count > MOST_THREADS:
+        raise RimrollError(f"threads must be at most {MOST_THREADS}, got {count}")
+    return count
