@@ -118,8 +118,8 @@ impl Goal {
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
 /// rounding.
 struct Crossing {
-    dense: Dense<COORDINATES>,
-    step: Option<Step<COORDINATES>>,
+    dense: Dense<f64, COORDINATES>,
+    step: Option<Step<f64, COORDINATES>>,
     phase: Phase,
     from: f64,
     to: f64,
@@ -127,8 +127,8 @@ struct Crossing {
 
 /// A finished step; made explicitly or by collocation, when it is only known as a polynomial.
 pub(super) struct Piece<'s> {
-    pub dense: Dense<COORDINATES>,
-    pub step: Option<&'s Step<COORDINATES>>,
+    pub dense: Dense<f64, COORDINATES>,
+    pub step: Option<&'s Step<f64, COORDINATES>>,
 }
 
 /// A fraction of a step, and the coordinates there.
@@ -139,21 +139,21 @@ struct Look {
 }
 
 impl Look {
-    fn at(dense: &Dense<COORDINATES>, x: f64) -> Look {
+    fn at(dense: &Dense<f64, COORDINATES>, x: f64) -> Look {
         let u = Coordinates::from_array(&dense.at(x));
         Look { x, u }
     }
 }
 
 /// Where the tilt rate changes sign between two looks.
-fn extreme(dense: &Dense<COORDINATES>, from: &Look, to: &Look) -> Option<f64> {
+fn extreme(dense: &Dense<f64, COORDINATES>, from: &Look, to: &Look) -> Option<f64> {
     let reverses = (from.u.p < 0.0) != (to.u.p < 0.0);
     reverses.then(|| dense.root(from.x, to.x, |u| Coordinates::from_array(u).p))
 }
 
 /// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
 /// can be seen to land.
-fn in_the_air(dense: &Dense<COORDINATES>, from: f64, to: f64) -> f64 {
+fn in_the_air(dense: &Dense<f64, COORDINATES>, from: f64, to: f64) -> f64 {
     let gap = |x: f64| Coordinates::from_array(&dense.at(x)).gap;
     let halves = (1..40).scan(to - from, |width, _| {
         *width *= 0.5;
@@ -330,7 +330,7 @@ impl<'a> Watch<'a> {
     fn first_ending(
         &self,
         phase: Phase,
-        dense: &Dense<COORDINATES>,
+        dense: &Dense<f64, COORDINATES>,
         looks: &[Look],
     ) -> Option<(Switch, f64)> {
         looks.windows(2).find_map(|look| {
@@ -350,7 +350,7 @@ impl<'a> Watch<'a> {
     fn ending_between(
         &self,
         phase: Phase,
-        dense: &Dense<COORDINATES>,
+        dense: &Dense<f64, COORDINATES>,
         from: &Look,
         to: &Look,
     ) -> Option<(Switch, f64)> {
@@ -450,7 +450,7 @@ impl<'a> Watch<'a> {
         piece: &Piece<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
-    ) -> Dense<COORDINATES> {
+    ) -> Dense<f64, COORDINATES> {
         const NUDGE: f64 = 1e-3;
         let Piece { dense, step } = piece;
         let Some(step) = step else {

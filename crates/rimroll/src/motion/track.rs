@@ -28,7 +28,7 @@ impl Deref for Instant {
 /// The accepted steps of a motion.
 pub struct Track {
     start: Instant,
-    steps: Vec<(Phase, Dense<COORDINATES>)>,
+    steps: Vec<(Phase, Dense<f64, COORDINATES>)>,
     /// Whether all of them are wanted, or only the last.
     whole: bool,
 }
@@ -42,7 +42,7 @@ impl Track {
         }
     }
 
-    pub(super) fn push(&mut self, phase: Phase, step: Dense<COORDINATES>) {
+    pub(super) fn push(&mut self, phase: Phase, step: Dense<f64, COORDINATES>) {
         if !self.whole {
             self.steps.clear();
         }
@@ -67,7 +67,7 @@ impl Track {
     /// Where each phase begins.
     pub fn phases(&self) -> impl Iterator<Item = Instant> + '_ {
         let mut before = None;
-        let begins = move |(phase, step): &(Phase, Dense<COORDINATES>)| {
+        let begins = move |(phase, step): &(Phase, Dense<f64, COORDINATES>)| {
             let changed = before.replace(*phase) != Some(*phase);
             changed.then(|| instant(*phase, &step.start))
         };
@@ -104,7 +104,7 @@ impl Track {
     }
 
     fn sampled(&self, per_step: usize) -> impl Iterator<Item = Instant> + '_ {
-        let inside = move |(phase, step): &(Phase, Dense<COORDINATES>)| {
+        let inside = move |(phase, step): &(Phase, Dense<f64, COORDINATES>)| {
             let mut samples: Vec<_> = (1..per_step)
                 .map(|i| instant(*phase, &step.at(i as f64 / per_step as f64)))
                 .collect();
@@ -112,7 +112,7 @@ impl Track {
             samples
         };
         let mut before = (self.start.phase, self.start.u.into_array());
-        let with_changes = move |piece: &(Phase, Dense<COORDINATES>)| {
+        let with_changes = move |piece: &(Phase, Dense<f64, COORDINATES>)| {
             let (phase, step) = piece;
             let (phase_before, end_before) = before;
             before = (*phase, step.end);
@@ -131,6 +131,6 @@ fn instant(phase: Phase, u: &[f64; COORDINATES]) -> Instant {
     }
 }
 
-fn end_of((phase, step): &(Phase, Dense<COORDINATES>)) -> Instant {
+fn end_of((phase, step): &(Phase, Dense<f64, COORDINATES>)) -> Instant {
     instant(*phase, &step.end)
 }

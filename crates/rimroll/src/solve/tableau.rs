@@ -333,7 +333,7 @@ mod tests {
     /// A planet at unit distance scale: x, y and their rates under the attraction 1/r².
     struct Planet;
 
-    impl System<4> for Planet {
+    impl System<f64, 4> for Planet {
         fn rates(&self, u: &[f64; 4]) -> [f64; 4] {
             let [x, y, vx, vy] = *u;
             let square = x * x + y * y;
