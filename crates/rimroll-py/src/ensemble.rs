@@ -32,15 +32,15 @@ fn numbers(fall: &Fall) -> [f64; FALL_COLUMNS.len()] {
         of_turn(|turn| turn.min_tilt),
         of_turn(|turn| turn.t),
         fall.end.t,
-        fall.end.tilt(),
+        fall.end.tilt,
         fall.end.yaw,
-        fall.end.s,
+        fall.end.axial_spin,
         fall.end.friction_loss,
         fall.end.resistance_loss,
         fall.end.impact_loss,
         f64::from(u8::from(fall.slid)),
         f64::from(u8::from(fall.flew)),
-        fall.work.steps as f64,
+        fall.steps as f64,
     ]
 }
 

@@ -1,13 +1,22 @@
 //! Many falls at once, on all processors: each by itself, so that the results do not depend on how
 //! many there are of either.
 
+mod carried;
+mod lockstep;
+mod pool;
+mod together;
+mod trial;
+
 use crate::body::Body;
 use crate::error::InvalidInput;
-use crate::motion::{Fall, Options, fall};
+use crate::motion::{Fall, Options};
 use crate::state::State;
 use crate::surface::Surface;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
+
+/// So many falls go together as one piece of work.
+const PIECE: usize = 512;
 
 /// Follows a body from each start, on its surface, through the first turn; on the threads of the pool
 /// that it is called from.
@@ -19,12 +28,17 @@ pub fn ensemble(
     trials: &[(State, Surface)],
     options: &Options,
 ) -> Result<Vec<Fall>, InvalidInput> {
+    let mut checked = *options;
+    for (start, surface) in trials {
+        surface.check()?;
+        checked = options.checked(body, start)?;
+    }
     #[cfg(feature = "threads")]
-    let trials = trials.par_iter();
+    let pieces = trials.par_chunks(PIECE);
     #[cfg(not(feature = "threads"))]
-    let trials = trials.iter();
-    let falls: Vec<_> = trials
-        .map(|(start, surface)| fall(body, start, surface, options))
+    let pieces = trials.chunks(PIECE);
+    let falls: Vec<_> = pieces
+        .map(|piece| together::together(body, piece, &checked))
         .collect();
-    falls.into_iter().collect()
+    Ok(falls.concat())
 }

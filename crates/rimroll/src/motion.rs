@@ -18,7 +18,7 @@ mod turns;
 
 pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
-pub use fall::{Fall, fall};
+pub use fall::{End, Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
 pub(crate) use run::pass_near_collision;
 pub use track::{Instant, Track};
@@ -88,7 +88,7 @@ impl Options {
     }
 
     /// Checks the numbers and fills in the body's own topple tilt.
-    fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
+    pub(crate) fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
         start.check()?;
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;

@@ -81,6 +81,20 @@ impl Mask {
         bits
     }
 
+    /// Holds where this does not.
+    #[inline(always)]
+    #[must_use]
+    pub fn not(self) -> Mask {
+        Mask(from_fn(|i| !self.0[i]))
+    }
+
+    /// Holds where either does.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(self, other: Mask) -> Mask {
+        Mask(from_fn(|i| self.0[i] | other.0[i]))
+    }
+
     /// Holds where both do.
     #[inline(always)]
     pub fn and(self, other: Mask) -> Mask {

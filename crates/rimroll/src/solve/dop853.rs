@@ -23,7 +23,7 @@ pub struct Step<T, const N: usize> {
 
 /// Σ weight · stage of the first `count` components, summed in the order of the row.
 #[inline(always)]
-fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize) -> [T; N] {
+pub(crate) fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize) -> [T; N] {
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
         let (stage, weight) = (&stages[stage], T::from(weight));
@@ -36,7 +36,7 @@ fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize)
 
 /// u + h Σ weight · stage.
 #[inline(always)]
-fn combine<T: Real, const N: usize>(
+pub(crate) fn combine<T: Real, const N: usize>(
     u: &[T; N],
     h: T,
     row: Row,
@@ -45,7 +45,7 @@ fn combine<T: Real, const N: usize>(
 ) -> [T; N] {
     let mut end = *u;
     let sum = weigh(row, stages, count);
-    for i in 0..N {
+    for i in 0..count {
         end[i] = end[i] + h * sum[i];
     }
     end
