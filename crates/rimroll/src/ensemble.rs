@@ -2,6 +2,7 @@
 //! many there are of either.
 
 mod carried;
+mod dry;
 mod lockstep;
 mod pool;
 mod together;

@@ -1,6 +1,7 @@
 //! Falls of one body, eight at a time where they are of the common kind.
 
 use super::carried::{Carried, Gliding, Rolling, tilt_rate_size};
+use super::dry::Dry;
 use super::lockstep::Limits;
 use super::pool::{Exit, Pool};
 use super::trial::Trial;
@@ -23,6 +24,13 @@ pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Optio
     };
     falls.conservative::<Rolling<f64, false>, Rolling<Lanes, false>>(FrictionLaw::NoSlip);
     falls.conservative::<Gliding<f64>, Gliding<Lanes>>(FrictionLaw::Frictionless);
+    let dry = |(_, surface): &(State, Surface)| {
+        matches!(surface.friction, FrictionLaw::Coulomb { .. }) && !surface.resists()
+    };
+    if trials.iter().any(dry) {
+        let waiting = (0..trials.len()).filter(|&index| dry(&trials[index]));
+        Dry::new(body, trials, options, &falls.limits, &mut falls.done).follow(waiting);
+    }
     (0..trials.len())
         .map(|index| falls.done[index].take().unwrap_or_else(|| falls.alone(index)))
         .collect()
@@ -86,7 +94,7 @@ impl Falls<'_> {
 }
 
 /// A first guess for the length of a step.
-fn first_step(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
+pub(super) fn first_step(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
     let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
     0.01 / rate
 }

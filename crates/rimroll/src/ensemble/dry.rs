@@ -1,0 +1,208 @@
+//! Falls under dry friction: those that roll go together, and those that slide; a fall changes from the
+//! one to the other and back.
+
+use super::carried::{Carried, Rolling, Slipping};
+use super::lockstep::Limits;
+use super::pool::{Exit, Pool};
+use super::together::first_step;
+use super::trial::Trial;
+use crate::body::Body;
+use crate::law::Parameters;
+use crate::motion::{Contacts, Fall, Next, Options, begin_slowly, stopped};
+use crate::real::{LANES, Lanes};
+use crate::state::{Coordinates, State};
+use crate::surface::{FrictionLaw, Surface};
+
+type RollingPool<'a> = Pool<'a, Rolling<f64, true>, Rolling<Lanes, true>, 7>;
+type SlippingPool<'a> = Pool<'a, Slipping<f64>, Slipping<Lanes>, 10>;
+
+/// A fall between two phases: where it is, and how long a step to try.
+struct Waiting {
+    trial: Trial,
+    at: Coordinates<f64>,
+    h: f64,
+}
+
+/// How a phase is to begin.
+enum Begins {
+    Rolling(Waiting),
+    Slipping(Waiting),
+}
+
+pub(super) struct Dry<'a> {
+    body: &'a Body,
+    trials: &'a [(State, Surface)],
+    options: &'a Options,
+    limits: &'a Limits,
+    parameters: Parameters<f64>,
+    done: &'a mut [Option<Fall>],
+}
+
+impl<'a> Dry<'a> {
+    pub(super) fn new(
+        body: &'a Body,
+        trials: &'a [(State, Surface)],
+        options: &'a Options,
+        limits: &'a Limits,
+        done: &'a mut [Option<Fall>],
+    ) -> Self {
+        Dry {
+            body,
+            trials,
+            options,
+            limits,
+            parameters: Parameters::new(body, options.gravity),
+            done,
+        }
+    }
+
+    /// Follows the falls from some of the trials; those that meet with what is rare are left undone.
+    pub(super) fn follow(&mut self, mut waiting: impl Iterator<Item = usize>) {
+        let mut rolling = RollingPool::new(self.parameters, self.limits);
+        let mut slipping = SlippingPool::new(self.parameters, self.limits);
+        let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
+        let mut to_slip: Vec<Waiting> = Vec::with_capacity(2 * LANES);
+        loop {
+            while rolling.len() < LANES {
+                let next = to_roll.pop().or_else(|| self.next(&mut waiting, &mut to_slip));
+                let Some(Waiting { trial, at, h }) = next else { break };
+                let (_, held_by) = self.frictions(&trial);
+                rolling.put(trial, &at, held_by, h);
+            }
+            while slipping.len() < LANES {
+                let Some(Waiting { trial, at, h }) = to_slip.pop() else { break };
+                let (friction, _) = self.frictions(&trial);
+                slipping.put(trial, &at, friction, h);
+            }
+            let both = (rolling.len(), slipping.len());
+            let mut begin = |begins| match begins {
+                Begins::Rolling(waiting) => to_roll.push(waiting),
+                Begins::Slipping(waiting) => to_slip.push(waiting),
+            };
+            match both {
+                (0, 0) => return,
+                // Whichever are more, so that few lanes are empty.
+                (rolls, slips) if rolls > slips => rolling.step(|trial, exit, at| {
+                    self.after_rolling(trial, exit, at).map(&mut begin);
+                }),
+                _ => slipping.step(|trial, exit, at| {
+                    self.after_slipping(trial, exit, at).map(&mut begin);
+                }),
+            }
+        }
+    }
+
+    /// Coefficients of friction: of slipping and static.
+    fn frictions(&self, trial: &Trial) -> (f64, f64) {
+        match self.trials[trial.index].1.friction {
+            FrictionLaw::Coulomb {
+                friction,
+                static_friction,
+            } => (friction, static_friction),
+            _ => unreachable!("only falls under dry friction are followed here"),
+        }
+    }
+
+    fn contacts(&self, trial: &Trial) -> Contacts {
+        let surface = &self.trials[trial.index].1;
+        Contacts::new(self.body, surface, self.options.gravity, self.limits.tolerance)
+    }
+
+    /// The next of the trials that begins by rolling; those that begin to slip wait elsewhere.
+    fn next(
+        &self,
+        waiting: &mut impl Iterator<Item = usize>,
+        to_slip: &mut Vec<Waiting>,
+    ) -> Option<Waiting> {
+        while to_slip.len() < LANES {
+            let index = waiting.next()?;
+            let at = Coordinates::from_state(&self.trials[index].0);
+            if !self.limits.are_far_from(&at) {
+                continue;
+            }
+            let trial = Trial::new(index, &at, self.limits, &self.parameters, false);
+            let contacts = self.contacts(&trial);
+            match self.going_on(trial, &contacts, contacts.settle(&at), &at) {
+                Some(Begins::Rolling(waiting)) => return Some(waiting),
+                Some(Begins::Slipping(waiting)) => to_slip.push(waiting),
+                None => {}
+            }
+        }
+        None
+    }
+
+    /// How a fall goes on; none where that is rare.
+    fn going_on(
+        &self,
+        mut trial: Trial,
+        contacts: &Contacts,
+        next: Next,
+        at: &Coordinates<f64>,
+    ) -> Option<Begins> {
+        match next {
+            Next::Roll => {
+                let h = first_step(&self.parameters, at);
+                let at = *at;
+                Some(Begins::Rolling(Waiting { trial, at, h }))
+            }
+            Next::BeginToSlip(direction) => {
+                let (slipping, h) =
+                    begin_slowly(contacts, at, direction, self.limits.tolerance)?;
+                // What happens while it begins to slip is left to be found elsewhere.
+                let quiet = trial.direction * slipping.p > 0.0
+                    && slipping.t < self.limits.duration
+                    && self.limits.are_far_from(&slipping);
+                trial.slid = true;
+                let at = Coordinates {
+                    friction_loss: slipping.friction_loss + trial.friction_loss,
+                    ..slipping
+                };
+                quiet.then_some(Begins::Slipping(Waiting { trial, at, h }))
+            }
+            Next::Slide | Next::Fly | Next::Paradox => None,
+        }
+    }
+
+    fn after_rolling(
+        &mut self,
+        trial: Trial,
+        exit: Exit,
+        at: &Coordinates<f64>,
+    ) -> Option<Begins> {
+        match exit {
+            Exit::Over(status) => {
+                let friction_loss = trial.friction_loss;
+                let at = Coordinates { friction_loss, ..*at };
+                self.done[trial.index] = Some(trial.fall(status, &at));
+                None
+            }
+            Exit::GivesWay => {
+                let contacts = self.contacts(&trial);
+                self.going_on(trial, &contacts, contacts.begin_to_slip(at), at)
+            }
+            Exit::Stops | Exit::Rare => None,
+        }
+    }
+
+    fn after_slipping(
+        &mut self,
+        mut trial: Trial,
+        exit: Exit,
+        at: &Coordinates<f64>,
+    ) -> Option<Begins> {
+        match exit {
+            Exit::Over(status) => {
+                self.done[trial.index] = Some(trial.fall(status, at));
+                None
+            }
+            Exit::Stops => {
+                let contacts = self.contacts(&trial);
+                let stopped = stopped(&contacts, at, self.limits.tolerance);
+                trial.friction_loss = stopped.friction_loss;
+                let rolling = Coordinates { friction_loss: 0.0, ..stopped };
+                self.going_on(trial, &contacts, contacts.settle(&rolling), &rolling)
+            }
+            Exit::GivesWay | Exit::Rare => None,
+        }
+    }
+}
