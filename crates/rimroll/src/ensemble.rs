@@ -4,6 +4,7 @@
 mod carried;
 mod dry;
 mod lockstep;
+mod onset;
 mod pool;
 mod together;
 mod trial;

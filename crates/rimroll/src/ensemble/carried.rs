@@ -172,6 +172,14 @@ pub(super) struct Slipping<T> {
 }
 
 impl<T: Real> Slipping<T> {
+    /// Rates by the clock that does not slow down, under friction against a slip in a direction.
+    #[inline(always)]
+    pub(super) fn rates_against(&self, u: &[T; 10], direction: [T; 2]) -> [T; 10] {
+        let pull = self.law.friction().against(direction);
+        let (_, rates) = self.law.under_but_place(&Self::all(u), &pull);
+        Self::of(&rates)
+    }
+
     /// How fast the solver's clock goes, as a part of τ.
     #[inline(always)]
     pub(super) fn clock(&self, u: &Coordinates<T>) -> T {

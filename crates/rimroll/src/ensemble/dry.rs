@@ -3,6 +3,7 @@
 
 use super::carried::{Carried, Rolling, Slipping};
 use super::lockstep::Limits;
+use super::onset::{Beginning, begin};
 use super::pool::{Exit, Pool};
 use super::together::first_step;
 use super::trial::Trial;
@@ -23,10 +24,16 @@ struct Waiting {
     h: f64,
 }
 
+/// A fall whose slip is to begin.
+struct ToSlip {
+    trial: Trial,
+    beginning: Beginning,
+}
+
 /// How a phase is to begin.
 enum Begins {
     Rolling(Waiting),
-    Slipping(Waiting),
+    Slipping(ToSlip),
 }
 
 pub(super) struct Dry<'a> {
@@ -35,6 +42,8 @@ pub(super) struct Dry<'a> {
     options: &'a Options,
     limits: &'a Limits,
     parameters: Parameters<f64>,
+    /// The length of a slip's first step, in first steps.
+    onset: f64,
     done: &'a mut [Option<Fall>],
 }
 
@@ -52,6 +61,7 @@ impl<'a> Dry<'a> {
             options,
             limits,
             parameters: Parameters::new(body, options.gravity),
+            onset: onset_length(limits.tolerance),
             done,
         }
     }
@@ -61,7 +71,8 @@ impl<'a> Dry<'a> {
         let mut rolling = RollingPool::new(self.parameters, self.limits);
         let mut slipping = SlippingPool::new(self.parameters, self.limits);
         let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
-        let mut to_slip: Vec<Waiting> = Vec::with_capacity(2 * LANES);
+        let mut to_slip: Vec<ToSlip> = Vec::with_capacity(2 * LANES);
+        let mut slipped: Vec<Waiting> = Vec::with_capacity(2 * LANES);
         loop {
             while rolling.len() < LANES {
                 let next = to_roll.pop().or_else(|| self.next(&mut waiting, &mut to_slip));
@@ -70,24 +81,30 @@ impl<'a> Dry<'a> {
                 rolling.put(trial, &at, held_by, h);
             }
             while slipping.len() < LANES {
-                let Some(Waiting { trial, at, h }) = to_slip.pop() else { break };
+                if slipped.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
+                    self.begin_to_slip(&mut to_slip, &mut slipped);
+                }
+                let Some(Waiting { trial, at, h }) = slipped.pop() else { break };
                 let (friction, _) = self.frictions(&trial);
                 slipping.put(trial, &at, friction, h);
             }
-            let both = (rolling.len(), slipping.len());
+            if rolling.len() + slipping.len() + to_slip.len() == 0 {
+                return;
+            }
+            let more_roll = rolling.len() > slipping.len();
             let mut begin = |begins| match begins {
                 Begins::Rolling(waiting) => to_roll.push(waiting),
                 Begins::Slipping(waiting) => to_slip.push(waiting),
             };
-            match both {
-                (0, 0) => return,
-                // Whichever are more, so that few lanes are empty.
-                (rolls, slips) if rolls > slips => rolling.step(|trial, exit, at| {
+            // So that few lanes are empty.
+            if more_roll {
+                rolling.step(|trial, exit, at| {
                     self.after_rolling(trial, exit, at).map(&mut begin);
-                }),
-                _ => slipping.step(|trial, exit, at| {
+                });
+            } else {
+                slipping.step(|trial, exit, at| {
                     self.after_slipping(trial, exit, at).map(&mut begin);
-                }),
+                });
             }
         }
     }
@@ -112,7 +129,7 @@ impl<'a> Dry<'a> {
     fn next(
         &self,
         waiting: &mut impl Iterator<Item = usize>,
-        to_slip: &mut Vec<Waiting>,
+        to_slip: &mut Vec<ToSlip>,
     ) -> Option<Waiting> {
         while to_slip.len() < LANES {
             let index = waiting.next()?;
@@ -146,20 +163,53 @@ impl<'a> Dry<'a> {
                 Some(Begins::Rolling(Waiting { trial, at, h }))
             }
             Next::BeginToSlip(direction) => {
-                let (slipping, h) =
-                    begin_slowly(contacts, at, direction, self.limits.tolerance)?;
-                // What happens while it begins to slip is left to be found elsewhere.
-                let quiet = trial.direction * slipping.p > 0.0
-                    && slipping.t < self.limits.duration
-                    && self.limits.are_far_from(&slipping);
-                trial.slid = true;
-                let at = Coordinates {
-                    friction_loss: slipping.friction_loss + trial.friction_loss,
-                    ..slipping
+                let beginning = Beginning {
+                    at: Coordinates {
+                        slip_x: 0.0,
+                        slip_y: 0.0,
+                        friction_loss: trial.friction_loss,
+                        ..*at
+                    },
+                    direction,
+                    friction: self.frictions(&trial).0,
+                    h: self.onset * first_step(&self.parameters, at),
                 };
-                quiet.then_some(Begins::Slipping(Waiting { trial, at, h }))
+                trial.slid = true;
+                Some(Begins::Slipping(ToSlip { trial, beginning }))
             }
             Next::Slide | Next::Fly | Next::Paradox => None,
+        }
+    }
+
+    /// Begins the slips of up to eight falls.
+    fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
+        let first = to_slip.len().saturating_sub(LANES);
+        let Some(last) = to_slip[first..].last() else { return };
+        // A lane without a fall of its own repeats the last.
+        let beginnings = core::array::from_fn(|lane| {
+            to_slip.get(first + lane).unwrap_or(last).beginning
+        });
+        let k = self.parameters.map(Lanes::from);
+        let law = |friction| Slipping::new(k, friction);
+        let begun = begin(law, &beginnings, self.limits.tolerance);
+        for (ToSlip { trial, beginning }, begun) in to_slip.drain(first..).zip(begun) {
+            let (at, h) = if begun.good {
+                (begun.at, begun.h)
+            } else {
+                let contacts = self.contacts(&trial);
+                let Beginning { at, direction, .. } = beginning;
+                match begin_slowly(&contacts, &at, direction, self.limits.tolerance) {
+                    Some(begun) => begun,
+                    None => continue,
+                }
+            };
+            // What happens while it begins to slip is left to be found elsewhere.
+            if trial.direction * at.p > 0.0
+                && at.t < self.limits.duration
+                && self.limits.are_far_from(&at)
+            {
+                slipped.push(Waiting { trial, at, h });
+            }
         }
     }
 
@@ -205,4 +255,10 @@ impl<'a> Dry<'a> {
             Exit::GivesWay | Exit::Rare => None,
         }
     }
+}
+
+/// How long the step of an onset may be at a tolerance, in first steps: its error grows with the seventh
+/// power.
+fn onset_length(tolerance: f64) -> f64 {
+    45.0 * libm::pow(tolerance / 2e-10, 1.0 / 7.0)
 }

@@ -87,6 +87,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     }
 
     /// The friction at a slip.
+    #[inline(always)]
     pub(crate) fn friction(&self) -> &F {
         &self.friction
     }
@@ -149,8 +150,9 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         (contact, u.with_place(rates, self.center_velocity(u)))
     }
 
+    /// The same but for spin and place.
     #[inline(always)]
-    fn under_but_place(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
+    pub(crate) fn under_but_place(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
         let rates = Coordinates {
