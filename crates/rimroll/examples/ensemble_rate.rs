@@ -43,14 +43,18 @@ fn main() {
     let only = std::env::args().nth(2);
     for (name, surface) in laws {
         if only.as_ref().is_some_and(|o| o != name) { continue; }
-        for rtol in [1e-6, 1e-8, 1e-9, 1e-10] {
+        for rtol in [1e-6, 1e-8, 1e-9] {
             let options = Options { rtol, gravity: 9.8, duration: 10.0, ..Options::default() };
             let trials: Vec<_> = starts(n).into_iter().map(|s| (s, surface)).collect();
             let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
             let (falls, us) = pool.install(|| {
-                let begin = seconds();
-                let falls = ensemble(&can, &trials, &options).expect("valid");
-                (falls, (seconds() - begin) / n as f64 * 1e6)
+                let once = || {
+                    let begin = seconds();
+                    let falls = ensemble(&can, &trials, &options).expect("valid");
+                    (falls, (seconds() - begin) / n as f64 * 1e6)
+                };
+                // The least of some runs is the least disturbed.
+                (1..7).map(|_| once()).min_by(|a, b| a.1.total_cmp(&b.1)).expect("a run")
             });
             let few = 300;
             let tight = Options { rtol: 1e-13, ..options };

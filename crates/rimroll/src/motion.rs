@@ -21,7 +21,7 @@ pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
 pub use fall::{End, Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
-pub(crate) use run::{begin_slowly, pass_near_collision, stopped};
+pub(crate) use run::{pass_near_collision, stopped};
 pub use track::{Instant, Track};
 pub use turns::Turn;
 

@@ -3,13 +3,13 @@
 
 use super::carried::{Carried, Rolling, Slipping};
 use super::lockstep::Limits;
-use super::onset::{Beginning, begin};
+use super::onset::{Beginning, Begun, begin};
 use super::pool::{Exit, Pool};
 use super::together::first_step;
 use super::trial::Trial;
 use crate::body::Body;
 use crate::law::Parameters;
-use crate::motion::{Contacts, Fall, Next, Options, begin_slowly, stopped};
+use crate::motion::{Contacts, Fall, Next, Options, stopped};
 use crate::real::{LANES, Lanes};
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
@@ -28,6 +28,7 @@ struct Waiting {
 struct ToSlip {
     trial: Trial,
     beginning: Beginning,
+    begun: Option<Begun>,
 }
 
 /// How a phase is to begin.
@@ -163,52 +164,47 @@ impl<'a> Dry<'a> {
                 Some(Begins::Rolling(Waiting { trial, at, h }))
             }
             Next::BeginToSlip(direction) => {
-                let beginning = Beginning {
-                    at: Coordinates {
-                        slip_x: 0.0,
-                        slip_y: 0.0,
-                        friction_loss: trial.friction_loss,
-                        ..*at
-                    },
-                    direction,
-                    friction: self.frictions(&trial).0,
-                    h: self.onset * first_step(&self.parameters, at),
-                };
+                let friction_loss = trial.friction_loss;
+                let at = Coordinates { friction_loss, ..*at };
+                let h = self.onset * first_step(&self.parameters, &at);
+                let friction = self.frictions(&trial).0;
+                let beginning = Beginning::from_rest(&at, direction, friction, h);
                 trial.slid = true;
-                Some(Begins::Slipping(ToSlip { trial, beginning }))
+                Some(Begins::Slipping(ToSlip {
+                    trial,
+                    beginning,
+                    begun: None,
+                }))
             }
             Next::Slide | Next::Fly | Next::Paradox => None,
         }
     }
 
-    /// Begins the slips of up to eight falls.
+    /// Makes a step in the slips of up to eight falls that begin.
     fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
         let first = to_slip.len().saturating_sub(LANES);
         let Some(last) = to_slip[first..].last() else { return };
         // A lane without a fall of its own repeats the last.
-        let beginnings = core::array::from_fn(|lane| {
-            to_slip.get(first + lane).unwrap_or(last).beginning
-        });
+        let beginnings =
+            core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
         let k = self.parameters.map(Lanes::from);
         let law = |friction| Slipping::new(k, friction);
         let begun = begin(law, &beginnings, self.limits.tolerance);
-        for (ToSlip { trial, beginning }, begun) in to_slip.drain(first..).zip(begun) {
-            let (at, h) = if begun.good {
-                (begun.at, begun.h)
-            } else {
-                let contacts = self.contacts(&trial);
-                let Beginning { at, direction, .. } = beginning;
-                match begin_slowly(&contacts, &at, direction, self.limits.tolerance) {
-                    Some(begun) => begun,
-                    None => continue,
+        for (i, begun) in begun.take(to_slip.len() - first).enumerate() {
+            to_slip[first + i].begun = Some(begun);
+        }
+        for i in (first..to_slip.len()).rev() {
+            match to_slip[i].begun.take() {
+                Some(Begun::Again(beginning)) => to_slip[i].beginning = beginning,
+                Some(Begun::Follow(at, h)) => {
+                    let ToSlip { trial, .. } = to_slip.swap_remove(i);
+                    // What happens while it begins to slip is left to be found elsewhere.
+                    let quiet = trial.direction * at.p > 0.0 && self.limits.are_far_from(&at);
+                    if quiet {
+                        slipped.push(Waiting { trial, at, h });
+                    }
                 }
-            };
-            // What happens while it begins to slip is left to be found elsewhere.
-            if trial.direction * at.p > 0.0
-                && at.t < self.limits.duration
-                && self.limits.are_far_from(&at)
-            {
-                slipped.push(Waiting { trial, at, h });
+                Some(Begun::Lost) | None => drop(to_slip.swap_remove(i)),
             }
         }
     }

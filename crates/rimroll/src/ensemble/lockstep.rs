@@ -70,7 +70,10 @@ impl Limits {
 
     /// Whether a fall that starts here has some way to go to a limit.
     pub(super) fn are_far_from(&self, u: &Coordinates<f64>) -> bool {
-        u.sin > self.flat && u.cos > 0.0 && self.most_steps > 0.0
+        let (sin, cos) = self.topple;
+        let below_topple = u.cos * sin - u.sin * cos;
+        let in_time = u.t < self.duration && self.most_steps > 0.0;
+        u.sin > self.flat && u.cos > 0.0 && below_topple > 0.0 && in_time
     }
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
@@ -156,10 +159,25 @@ impl<const N: usize> Lockstep<N> {
     /// Tries a step of each motion, and takes it where it is good and quiet.
     pub(super) fn step<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
         #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx512f") {
+            // SAFETY: the processor has what the function is compiled for.
+            return unsafe { self.step_by_avx512(phase, limits) };
+        }
+        #[cfg(target_arch = "x86_64")]
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has what the function is compiled for.
             return unsafe { self.step_by_avx2(phase, limits) };
         }
+        self.step_anywhere(phase, limits)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f")]
+    unsafe fn step_by_avx512<P: Carried<Lanes, N>>(
+        &mut self,
+        phase: &P,
+        limits: &Limits,
+    ) -> Outcome {
         self.step_anywhere(phase, limits)
     }
 

@@ -1,9 +1,9 @@
 //! Slip as it begins out of rest under dry friction, eight at a time.
 //!
 //! At first the direction of the slip follows the forces at once, and no explicit step is short enough; see
-//! the onset of a single motion, in [`motion`](crate::motion). One step of collocation leads to where
-//! explicit steps can follow. In the direction in which it begins the slip has the part σ, and across it
-//! the part σ q; with the accelerations a along and a′ across,
+//! the onset of a single motion, in [`motion`](crate::motion). Some steps of collocation lead to where
+//! explicit steps can follow. In the direction in which a step begins the slip has the part σ, and across
+//! it the part σ q; with the accelerations a along and a′ across,
 //!
 //! ```text
 //! σ′ = a,    σ q′ = a′ − q a
@@ -29,28 +29,62 @@ const ROUNDS: usize = 10;
 /// After so many rounds the slopes are as good as those of the solution.
 const FRESH_SLOPES: usize = 2;
 
-/// A fall in which slip begins.
+/// Explicit steps take over where q relaxes no oftener than this in a step of collocation.
+const FOLLOWED: f64 = 10.0;
+
+/// So many steps are made at most, and tried in vain.
+const MOST_STEPS: usize = 12;
+
+/// A slip that begins, or goes on slowly.
 #[derive(Clone, Copy)]
 pub(super) struct Beginning {
-    pub at: Coordinates<f64>,
+    at: Coordinates<f64>,
     /// Of the slip, a unit vector along e_x1 and e_y1.
-    pub direction: [f64; 2],
+    direction: [f64; 2],
+    /// m/s.
+    speed: f64,
     /// μ.
-    pub friction: f64,
+    friction: f64,
     /// How long a step to make, by the clock that does not slow down.
-    pub h: f64,
+    h: f64,
+    steps: usize,
 }
 
-/// Where slip has come to.
-pub(super) struct Begun {
-    pub at: Coordinates<f64>,
-    /// Whether the step is as exact as is asked for.
-    pub good: bool,
-    /// How long a step may follow.
-    pub h: f64,
+impl Beginning {
+    /// Out of rest in a direction, a unit vector; `h` is a first guess for the length of a step.
+    pub(super) fn from_rest(
+        at: &Coordinates<f64>,
+        direction: [f64; 2],
+        friction: f64,
+        h: f64,
+    ) -> Self {
+        let at = Coordinates {
+            slip_x: 0.0,
+            slip_y: 0.0,
+            ..*at
+        };
+        Beginning {
+            at,
+            direction,
+            speed: 0.0,
+            friction,
+            h,
+            steps: 0,
+        }
+    }
 }
 
-/// Begins eight slips.
+/// What has become of it.
+pub(super) enum Begun {
+    /// Here explicit steps can follow, the first of this length.
+    Follow(Coordinates<f64>, f64),
+    /// Another step of collocation is to be made.
+    Again(Beginning),
+    /// It cannot be followed in this way.
+    Lost,
+}
+
+/// Makes a step in each of eight slips.
 pub(super) fn begin<F: Fn(Lanes) -> Slipping<Lanes>>(
     law: F,
     beginnings: &[Beginning; LANES],
@@ -63,28 +97,57 @@ pub(super) fn begin<F: Fn(Lanes) -> Slipping<Lanes>>(
         slipping: law(lanes(|b| b.friction)),
         direction: [lanes(|b| b.direction[0]), lanes(|b| b.direction[1])],
         start: core::array::from_fn(|i| Lanes(starts.map(|start| start[i]))),
+        speed: lanes(|b| b.speed),
         h: lanes(|b| b.h),
         push: Lanes::from(0.0),
         tolerance,
     };
     let found = together.step();
-    (0..LANES).map(move |lane| {
+    let beginnings = *beginnings;
+    (0..LANES).map(move |lane| found.begun(lane, &beginnings[lane]))
+}
+
+impl Found {
+    fn begun(&self, lane: usize, beginning: &Beginning) -> Begun {
         let [error, change, relaxation] =
-            [found.error, found.change, found.relaxation].map(|of_all| of_all.0[lane]);
-        let end = found.end.map(|of_all| of_all.0[lane]);
-        Begun {
-            at: <Slipping<f64> as Carried<f64, N>>::all(&end),
-            // Written so that a NaN is not good.
-            good: error <= 1.0 && change <= 1.0,
-            h: found.h.0[lane] / relaxation.max(1.0) / found.clock.0[lane],
+            [self.error, self.change, self.relaxation].map(|of_all| of_all.0[lane]);
+        let h = beginning.h;
+        let steps = beginning.steps + 1;
+        let factor = 0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0);
+        // Written so that a NaN is not good.
+        let good = error <= 1.0 && change <= 1.0;
+        if !good {
+            let h = h * factor.clamp(0.1, 0.5);
+            let again = Beginning { h, steps, ..*beginning };
+            return if steps < MOST_STEPS && h > 0.0 {
+                Begun::Again(again)
+            } else {
+                Begun::Lost
+            };
         }
-    })
+        let at = <Slipping<f64> as Carried<f64, N>>::all(&self.end.map(|of_all| of_all.0[lane]));
+        let factor = factor.clamp(0.3, 4.0);
+        if relaxation * factor < FOLLOWED || steps >= MOST_STEPS {
+            return Begun::Follow(at, h / relaxation.max(1.0) / self.clock.0[lane]);
+        }
+        let speed = at.slip_speed();
+        Begun::Again(Beginning {
+            at,
+            direction: [at.slip_x / speed, at.slip_y / speed],
+            speed,
+            // Not beyond the end of a slip that is about to stop.
+            h: (h * factor).min(0.9 * self.until_stop.0[lane]),
+            steps,
+            ..*beginning
+        })
+    }
 }
 
 struct Together {
     slipping: Slipping<Lanes>,
     direction: [Lanes; 2],
     start: [Lanes; N],
+    speed: Lanes,
     h: Lanes,
     /// What is added to σ′: friction is exceeded where slip begins, but for rounding.
     push: Lanes,
@@ -93,8 +156,9 @@ struct Together {
 
 struct Found {
     end: [Lanes; N],
-    h: Lanes,
     clock: Lanes,
+    /// In what time the slip would stop at the rate at its end.
+    until_stop: Lanes,
     /// Over what is tolerated.
     error: Lanes,
     /// In the last round, over what is tolerated.
@@ -109,10 +173,21 @@ type Points = [[Lanes; N]; POINTS];
 impl Together {
     fn step(&mut self) -> Found {
         #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx512f") {
+            // SAFETY: the processor has what the function is compiled for.
+            return unsafe { self.step_by_avx512() };
+        }
+        #[cfg(target_arch = "x86_64")]
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has what the function is compiled for.
             return unsafe { self.step_by_avx2() };
         }
+        self.step_anywhere()
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f")]
+    unsafe fn step_by_avx512(&mut self) -> Found {
         self.step_anywhere()
     }
 
@@ -127,9 +202,10 @@ impl Together {
         let method = Collocation::get();
         let zero = Lanes::from(0.0);
         let mut start = self.start;
-        (start[ALONG], start[ACROSS]) = (zero, zero);
+        (start[ALONG], start[ACROSS]) = (self.speed, zero);
         let first = self.rates(&start);
-        self.push = (-first[ALONG]).max(zero);
+        let from_rest = self.speed.at_most(zero);
+        self.push = from_rest.choose((-first[ALONG]).max(zero), zero);
         let mut points: Points = RADAU.map(|c| self.moved(&start, &first, c));
         let mut rates = points;
         let mut slopes = [zero; POINTS];
@@ -299,7 +375,7 @@ impl Together {
         let whole = self.whole(&end);
         Found {
             end: whole,
-            h: self.h,
+            until_stop: end[ALONG] / (-rates[POINTS - 1][ALONG]).max(Lanes::from(0.0)),
             clock: self.slipping.clock(&Slipping::<Lanes>::all(&whole)),
             error: error * Lanes::from(1.0 / self.tolerance),
             change: change * Lanes::from(50.0 / self.tolerance),

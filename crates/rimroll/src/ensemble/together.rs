@@ -1,6 +1,6 @@
 //! Falls of one body, eight at a time where they are of the common kind.
 
-use super::carried::{Carried, Gliding, Rolling, tilt_rate_size};
+use super::carried::{Carried, Gliding, Rolling};
 use super::dry::Dry;
 use super::lockstep::Limits;
 use super::pool::{Exit, Pool};

@@ -480,22 +480,6 @@ pub(crate) fn stopped(
     Stopping::of(&mechanics, at).stopped(at, tolerance)
 }
 
-/// How far a dry slip that begins out of rest, in a direction, comes before explicit steps can follow it,
-/// and a length for the first of those; `None` where no slip grows.
-pub(crate) fn begin_slowly(
-    contacts: &Contacts,
-    at: &Coordinates<f64>,
-    direction: [f64; 2],
-    tolerance: f64,
-) -> Option<(Coordinates<f64>, f64)> {
-    let mechanics = contacts.mechanics(Phase::Sliding);
-    let h = 10.0 * first_step(&mechanics, at);
-    let dry = contacts.dry()?;
-    let slow = onset::begin(dry, &mechanics, at, direction, true, h, tolerance);
-    let u = Coordinates::from_array(&slow.steps.last()?.end);
-    Some((u, slow.h / mechanics.clock(&u)))
-}
-
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
 /// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides, and its
 /// velocity with it.
