@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 __version__: str
 COLUMNS: list[str]
 FALL_COLUMNS: list[str]
+ENDINGS: list[str]
 LAWS: list[str]
 STANDARD_GRAVITY: float
 
@@ -116,7 +117,8 @@ def ensemble(
     topple_tilt: float | None,
     max_steps: int,
     threads: int,
-) -> tuple[list[str], _Array]: ...
+    progress: Callable[[int], object] | None,
+) -> tuple[_Array, BaseException | None]: ...
 def check_surface(law: _Law) -> None: ...
 def arrival(body: _Body, start: object, law: _Law, gravity: float) -> _ArrivalNumbers: ...
 def turn_limit(body: _Body, law: _Law, arrival: _ArrivalNumbers) -> float: ...

@@ -40,6 +40,7 @@ mod _core {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
+        module.add("ENDINGS", rimroll::Status::ALL.map(rimroll::Status::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }

@@ -50,7 +50,7 @@ fn main() {
             let (falls, us) = pool.install(|| {
                 let once = || {
                     let begin = seconds();
-                    let falls = ensemble(&can, &trials, &options).expect("valid");
+                    let falls = ensemble(&can, &trials, &options, |_| core::ops::ControlFlow::Continue(())).expect("valid");
                     (falls, (seconds() - begin) / n as f64 * 1e6)
                 };
                 // The least of some runs is the least disturbed.

@@ -155,6 +155,18 @@ pub enum Status {
 }
 
 impl Status {
+    /// All of them, in the order of their codes, `status as usize`.
+    pub const ALL: [Status; 8] = [
+        Status::Finished,
+        Status::Toppled,
+        Status::LiftedOff,
+        Status::FaceDown,
+        Status::AtRest,
+        Status::Painleve,
+        Status::Failed,
+        Status::Interrupted,
+    ];
+
     /// The name that the user reads.
     pub fn name(self) -> &'static str {
         match self {

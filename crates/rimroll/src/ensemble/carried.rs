@@ -244,7 +244,7 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         // What counts as Painlevé's paradox is less.
         const CLEAR: f64 = 1e-3;
         let u = Self::all(u);
-        let clear = self.law.consistency(&u) - T::from(CLEAR);
+        let clear = self.law.clearance(&u, T::from(CLEAR));
         clear.where_negative(clear, self.law.contact(&u).normal)
     }
 

@@ -140,7 +140,7 @@ impl<'a> Dry<'a> {
             }
             let trial = Trial::new(index, &at, self.limits, &self.parameters, false);
             let contacts = self.contacts(&trial);
-            match self.going_on(trial, &contacts, contacts.settle(&at), &at) {
+            match self.going_on(trial, contacts.settle(&at), &at) {
                 Some(Begins::Rolling(waiting)) => return Some(waiting),
                 Some(Begins::Slipping(waiting)) => to_slip.push(waiting),
                 None => {}
@@ -153,7 +153,6 @@ impl<'a> Dry<'a> {
     fn going_on(
         &self,
         mut trial: Trial,
-        contacts: &Contacts,
         next: Next,
         at: &Coordinates<f64>,
     ) -> Option<Begins> {
@@ -224,7 +223,7 @@ impl<'a> Dry<'a> {
             }
             Exit::GivesWay => {
                 let contacts = self.contacts(&trial);
-                self.going_on(trial, &contacts, contacts.begin_to_slip(at), at)
+                self.going_on(trial, contacts.begin_to_slip(at), at)
             }
             Exit::Stops | Exit::Rare => None,
         }
@@ -246,7 +245,7 @@ impl<'a> Dry<'a> {
                 let stopped = stopped(&contacts, at, self.limits.tolerance);
                 trial.friction_loss = stopped.friction_loss;
                 let rolling = Coordinates { friction_loss: 0.0, ..stopped };
-                self.going_on(trial, &contacts, contacts.settle(&rolling), &rolling)
+                self.going_on(trial, contacts.settle(&rolling), &rolling)
             }
             Exit::GivesWay | Exit::Rare => None,
         }

@@ -50,8 +50,8 @@ struct Landing {
 /// So often a landing is tried before the fall counts as rare.
 const MOST_ROUNDS: usize = 40;
 
+/// How a fall gets on.
 struct Place {
-    trial: Trial,
     landing: Option<Landing>,
     least_h: f64,
 }
@@ -64,6 +64,7 @@ pub(super) struct Pool<'a, A, L, const N: usize> {
     friction: Lanes,
     together: L,
     alone: [A; LANES],
+    trials: [Option<Trial>; LANES],
     places: [Option<Place>; LANES],
     falling_rate: f64,
     count: usize,
@@ -83,6 +84,7 @@ where
             friction: none,
             together: L::new(parameters.map(Lanes::from), none),
             alone: core::array::from_fn(|_| A::new(parameters, 0.0)),
+            trials: core::array::from_fn(|_| None),
             places: core::array::from_fn(|_| None),
             falling_rate: (parameters.g / parameters.r).sqrt(),
             count: 0,
@@ -112,8 +114,8 @@ where
         self.lockstep.direction.0[lane] = trial.direction;
         self.lockstep.free.0[lane] = 1.0;
         self.lockstep.steps.0[lane] = trial.steps;
+        self.trials[lane] = Some(trial);
         self.places[lane] = Some(Place {
-            trial,
             landing: None,
             least_h: 1e-16 * h,
         });
@@ -131,15 +133,16 @@ where
             } else {
                 self.shorten(lane, &mut place)
             };
-            place.trial.direction = self.lockstep.direction.0[lane];
-            place.trial.steps = self.lockstep.steps.0[lane];
-            match exit {
-                None => self.places[lane] = Some(place),
-                Some((exit, at)) => {
-                    self.lockstep.free.0[lane] = 0.0;
-                    self.count -= 1;
-                    leave(place.trial, exit, &at);
-                }
+            let Some((exit, at)) = exit else {
+                self.places[lane] = Some(place);
+                continue;
+            };
+            self.lockstep.free.0[lane] = 0.0;
+            self.count -= 1;
+            if let Some(mut trial) = self.trials[lane].take() {
+                trial.direction = self.lockstep.direction.0[lane];
+                trial.steps = self.lockstep.steps.0[lane];
+                leave(trial, exit, &at);
             }
         }
     }
@@ -294,12 +297,13 @@ where
         if at.sin <= self.limits.flat {
             return Some((Exit::Rare, at));
         }
+        let trial = self.trials[lane].as_mut()?;
         if self.lockstep.direction.0[lane] < 0.0 {
-            place.trial.lowest = Some(at);
-        } else if place.trial.lowest.is_some() {
+            trial.lowest = Some(at);
+        } else if trial.lowest.is_some() {
             return Some((Exit::Over(Status::Finished), at));
         } else {
-            place.trial.from = at;
+            trial.from = at;
         }
         self.lockstep.direction.0[lane] = -self.lockstep.direction.0[lane];
         self.lockstep.accept(lane);

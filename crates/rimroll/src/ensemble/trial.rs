@@ -51,7 +51,8 @@ impl Trial {
             turn: self.lowest.map(|lowest| Turn::between(&self.from, &lowest, end)),
             end: End::of(end),
             slid: self.slid,
-            flew: false,
+            // A law that knows no flight ends where it would begin.
+            flew: status == Status::LiftedOff,
             steps: self.steps as usize,
         }
     }

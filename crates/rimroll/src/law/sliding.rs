@@ -175,6 +175,15 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         T::from(1.0) - k.m * rho * z * pull.per_normal[0] / (k.a + k.m * rho * rho)
     }
 
+    /// [`Law::consistency`] less `margin`, times A + mρ², which is no division.
+    #[inline(always)]
+    pub(crate) fn clearance(&self, u: &Coordinates<T>, margin: T) -> T {
+        let k = &self.k;
+        let (rho, z) = (k.rho(u), k.z(u));
+        let along = self.pull(u).per_normal[0];
+        (T::from(1.0) - margin) * (k.a + k.m * rho * rho) - k.m * rho * z * along
+    }
+
     #[inline(always)]
     fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
         self.friction.pull([u.slip_x, u.slip_y])
