@@ -87,7 +87,7 @@ impl Limits {
 }
 
 /// What became of the steps that were tried: a bit for each lane.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Outcome {
     /// Good enough.
     pub good: u8,
@@ -291,4 +291,55 @@ impl<const N: usize> Lockstep<N> {
 /// The lanes of a set of bits.
 pub(super) fn lanes_of(bits: u8) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::carried::{Carried, Slipping};
+    use super::{Limits, Lockstep};
+    use crate::law::Parameters;
+    use crate::motion::Options;
+    use crate::presets;
+    use crate::real::{LANES, Lanes};
+    use crate::state::{Coordinates, State};
+
+    /// Eight cans that slide, each a little otherwise.
+    fn sliding(k: Parameters<f64>) -> Lockstep<10> {
+        let mut lockstep = Lockstep::new();
+        let alone = Slipping::new(k, 0.2);
+        for lane in 0..LANES {
+            let part = lane as f64 / LANES as f64;
+            let start = State {
+                tilt: 0.2 + 0.2 * part,
+                tilt_rate: -2.0 - part,
+                yaw_rate: 0.1,
+                ..State::default()
+            };
+            let u = Slipping::<f64>::of(&Coordinates {
+                slip_x: -0.1 * part,
+                slip_y: 0.01,
+                ..Coordinates::from_state(&start)
+            });
+            lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
+            lockstep.h.0[lane] = 1e-3;
+            lockstep.direction.0[lane] = -1.0;
+            lockstep.free.0[lane] = 1.0;
+        }
+        lockstep
+    }
+
+    #[test]
+    fn the_width_of_the_vectors_changes_no_bit() {
+        let can = presets::can_2007().expect("the paper's can");
+        let k = Parameters::new(&can, 9.8);
+        let limits = Limits::of(&Options::default());
+        let together = Slipping::new(k.map(Lanes::from), Lanes::from(0.2));
+        let (mut wide, mut plain) = (sliding(k), sliding(k));
+        for _ in 0..20 {
+            let outcome = wide.step(&together, &limits);
+            assert_eq!(outcome, plain.step_anywhere(&together, &limits));
+        }
+        assert!(wide.steps.0.iter().all(|&steps| steps > 5.0));
+        assert_eq!((wide.u, wide.h), (plain.u, plain.h));
+    }
 }
