@@ -211,20 +211,15 @@ impl<const N: usize> Lockstep<N> {
     fn attempt<P: Carried<Lanes, N>>(&mut self, phase: &P) {
         self.stages[0] = self.rates;
         self.inside = Lanes::from(f64::INFINITY);
-        macro_rules! stages {
-            ($($i:literal)*) => {
-                $(
-                    let at = combine(&self.u, self.h, STAGES[$i], &self.stages, P::FELT);
-                    self.stages[$i + 1] = phase.rates(&at);
-                    // At 1/3, 3/5 and 6/7 of the step.
-                    if matches!($i, 4 | 8 | 9) {
-                        let tilting = self.direction * P::all(&at).p;
-                        self.inside = self.inside.min(tilting).min(phase.holds(&at));
-                    }
-                )*
-            };
+        for (i, row) in STAGES.into_iter().enumerate() {
+            let at = combine(&self.u, self.h, row, &self.stages, P::FELT);
+            self.stages[i + 1] = phase.rates(&at);
+            // At 1/3, 3/5 and 6/7 of the step.
+            if matches!(i, 4 | 8 | 9) {
+                let tilting = self.direction * P::all(&at).p;
+                self.inside = self.inside.min(tilting).min(phase.holds(&at));
+            }
         }
-        stages!(0 1 2 3 4 5 6 7 8 9 10);
         self.end = combine(&self.u, self.h, SOLUTION, &self.stages, N);
         self.end_rates = phase.rates(&self.end);
     }
