@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import signal
+import threading
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -9,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rimroll as rr
-from rimroll.ensemble import AT_A_TIME, OUTCOMES, VARIABLES, body_of, law_of
+from rimroll.ensemble import OUTCOMES, VARIABLES, body_of, law_of
 from strategies import bodies, rockings
 
 CAN = rr.bodies.can_2007()
@@ -57,12 +60,13 @@ def test_a_fall_is_the_first_turn_of_its_motion(rocking, law):
     assert falls["outcome"].item() == outcome(rocking.body, motion)
     if motion.turns:
         turn = motion.turns[0]
-        assert falls["turn"].item() == turn.angle
-        assert falls["min_tilt"].item() == turn.min_tilt
-        assert falls["near_time"].item() == turn.t
-        assert falls["time"].item() == turn.end
+        # By steps of its own, to within the tolerance and what a collision makes of it.
+        assert falls["turn"].item() == pytest.approx(turn.angle, abs=1e-6)
+        assert falls["min_tilt"].item() == pytest.approx(turn.min_tilt, rel=1e-5)
+        assert falls["near_time"].item() == pytest.approx(turn.t, rel=1e-6)
+        assert falls["time"].item() == pytest.approx(turn.end, rel=1e-6)
         went = motion.evaluate(turn.end).yaw[0] - rocking.start.yaw
-        assert np.cos(falls["direction"].item() - went) == pytest.approx(1.0, abs=1e-12)
+        assert np.cos(falls["direction"].item() - went) == pytest.approx(1.0, abs=1e-10)
         assert 0.0 <= falls["direction"].item() <= 2.0 * np.pi
 
 
@@ -107,12 +111,12 @@ def _nan(values):
     return bool(values.dtype.kind == "f")
 
 
-def test_splitting_into_parts_of_the_core_leaves_no_seam():
-    count = AT_A_TIME + 3
+def test_a_long_ensemble_has_no_seams_and_tells_how_far_it_is():
+    count = 2003
     starts = rr.State(tilt=np.linspace(0.2, 0.5, count), yaw_rate=0.01, spin_rate=0.01)
-    done = []
-    whole = rr.ensemble(CAN, starts, rr.NoSlip(), progress=lambda *told: done.append(told))
-    assert done == [(AT_A_TIME, count), (count, count)]
+    told = []
+    whole = rr.ensemble(CAN, starts, rr.NoSlip(), progress=lambda *said: told.append(said))
+    assert told[-1] == (count, count) and told == sorted(told)
     last = rr.ensemble(CAN, one_of(starts, slice(count - 5, None)), rr.NoSlip())
     for name in whole.data_vars:
         assert np.array_equal(whole[name].values[-5:], last[name].values), name
@@ -249,17 +253,26 @@ def test_a_dataset_of_something_else_is_refused():
 
 
 def test_ctrl_c_hands_back_the_falls_done_so_far():
-    starts = rr.State(tilt=np.linspace(0.2, 0.5, 2 * AT_A_TIME + 1), yaw_rate=0.02)
+    starts = rr.State(tilt=np.linspace(0.2, 0.5, 500_000), yaw_rate=0.02)
 
     def stop(done, total):
-        if done == 2 * AT_A_TIME:
-            raise KeyboardInterrupt
+        raise KeyboardInterrupt
 
-    with pytest.raises(rr.Interrupted, match=f"after {2 * AT_A_TIME} falls") as caught:
-        rr.ensemble(CAN, starts, rr.NoSlip(), progress=stop)
+    with pytest.raises(rr.Interrupted) as caught:
+        rr.ensemble(CAN, starts, rr.NoSlip(), threads=1, progress=stop)
     assert isinstance(caught.value, KeyboardInterrupt)
-    whole = rr.ensemble(CAN, starts, rr.NoSlip())
-    assert caught.value.done.identical(whole.isel(trial=slice(2 * AT_A_TIME)))
+    some = caught.value.done
+    count = some.sizes["trial"]
+    assert 0 < count < 500_000 and f"after {count} falls" in str(caught.value)
+    assert some.identical(rr.ensemble(CAN, one_of(starts, slice(count)), rr.NoSlip()))
+
+
+def test_a_signal_stops_the_work_at_once():
+    starts = rr.State(tilt=np.linspace(0.2, 0.5, 500_000), yaw_rate=0.02)
+    threading.Timer(0.05, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(rr.Interrupted) as caught:
+        rr.ensemble(CAN, starts, rr.NoSlip(), threads=1)
+    assert 0 < caught.value.done.sizes["trial"] < 500_000
 
 
 def test_another_error_of_the_progress_callback_arrives_as_it_was_raised():

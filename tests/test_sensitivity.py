@@ -285,23 +285,28 @@ def test_the_watershed_of_a_flat_body_has_digits_down_to_the_smallest_tilt():
 
 @pytest.mark.parametrize("law", [rr.NoSlip(), rr.Coulomb(0.3)], ids=lambda law: law.name)
 def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(law, tmp_path, monkeypatch, capsys):
-    """Rows of 100 falls, stopped after 256 of them: two are whole."""
-    for engine in ("exact", "ensemble"):
-        monkeypatch.setattr(import_module(f"rimroll.{engine}"), "AT_A_TIME", 256)
+    """Rows of 100 falls, stopped in the midst of a thousand: those before are whole."""
 
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
-    rates = np.linspace(-1.0, 1.0, 100)
+    few, rates = np.linspace(-1.0, 1.0, 100), np.linspace(-1.0, 1.0, 1000)
     with pytest.raises(rr.Interrupted) as interrupted:
-        rr.turn_map(CAN, FLICK, law, rates, rates, progress=stop)
-    whole = rr.turn_map(CAN, FLICK, law, rates, rates[:2])
+        rr.turn_map(CAN, FLICK, law, few, rates, threads=1, progress=stop)
+    rows = interrupted.value.done.sizes["spin_rate"]
+    assert 0 < rows < 1000
+    whole = rr.turn_map(CAN, FLICK, law, few, rates[:rows])
     assert interrupted.value.done.equals(whole)
 
     monkeypatch.setattr("rimroll.cli.map.working", lambda _: contextlib.nullcontext(stop))
     monkeypatch.chdir(tmp_path)
-    assert main(["map", "--points", "100", "-o", "some.nc"]) == 130
-    assert "interrupted after 2 of 100 spin rates" in capsys.readouterr().out
+    assert main(["map", "--points", "1000", "-o", "some.nc"]) == 130
+    assert re.search(r"interrupted after \d+ of 1000 spin rates", capsys.readouterr().out)
+
+    def one_row(*_: object, **__: object) -> None:
+        raise rr.Interrupted(rr.turn_map(CAN, FLICK, rr.NoSlip(), rates[:3], rates[:1]))
+
+    monkeypatch.setattr("rimroll.cli.map.turn_map", one_row)
     assert main(["map", "--points", "400", "-o", "none.nc"]) == 130
     assert [file.name for file in tmp_path.iterdir()] == ["some.nc"]
 

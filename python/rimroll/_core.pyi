@@ -12,6 +12,7 @@ EXACT_COLUMNS: list[str]
 EXACT_STATUSES: list[str]
 PARAMETERS: list[str]
 FALL_COLUMNS: list[str]
+ENDINGS: list[str]
 LAWS: list[str]
 STANDARD_GRAVITY: float
 
@@ -122,7 +123,8 @@ def ensemble(
     topple_tilt: float | None,
     max_steps: int,
     threads: int,
-) -> tuple[list[str], _Array]: ...
+    progress: Callable[[int], object] | None,
+) -> tuple[_Array, BaseException | None]: ...
 def exact_turns(
     body: _Body,
     starts: _Starts,

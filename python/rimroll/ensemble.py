@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-AT_A_TIME = 256
-"""Falls between two looks at Ctrl-C and the progress bar: a fraction of a second."""
 
 OUTCOMES = {
     "toppled": "came down, rose again and fell over; also if a law that knows no flight ends with"
@@ -87,7 +85,8 @@ def ensemble(
     """Follow a body from each of many starts through its first turn, on all processors.
 
     Each fall is followed until it topples, or until it has come down and risen again to its largest
-    tilt. The results are the same, to the last bit, for any number of threads.
+    tilt. The results are the same, to the last bit, for any number of threads and any order of the
+    starts, and within ``rtol`` those of :func:`rimroll.simulate`.
 
     Parameters
     ----------
@@ -102,7 +101,7 @@ def ensemble(
     threads
         How many to use; as many as there are processors unless given.
     progress
-        Called now and then with the number of falls done, and of all.
+        Called some ten times a second with the number of falls done, and of all.
 
     Returns
     -------
@@ -132,27 +131,20 @@ def ensemble(
     workers = thread_count(threads)
     rows = _rows(starts)
     grips = _grips(grip, len(rows.tilt))
-    outcomes: list[str] = []
-    tables: list[Array] = [np.empty((0, len(_core.FALL_COLUMNS)))]
+    count = len(rows.tilt)
 
-    def told() -> xr.Dataset:
-        dataset = _dataset(rows, grips, outcomes, np.concatenate(tables), balance_tilt(body))
-        return dataset.assign_attrs(parameters(body, law, asdict(options)))
+    def said(done: int) -> None:
+        if progress is not None:
+            progress(done, count)
 
-    try:
-        for first in range(0, len(rows.tilt), AT_A_TIME):
-            part = slice(first, first + AT_A_TIME)
-            endings, table = _core.ensemble(
-                body, rows.part(part), law, grips[part], *options.values, workers
-            )
-            outcomes += endings
-            tables.append(table)
-            if progress is not None:
-                progress(len(outcomes), len(rows.tilt))
-    except KeyboardInterrupt:
-        del outcomes[sum(map(len, tables)) :]  # what has no numbers yet
-        raise Interrupted(told()) from None
-    return told()
+    table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
+    dataset = _dataset(rows, grips, table, balance_tilt(body))
+    dataset = dataset.assign_attrs(parameters(body, law, asdict(options)))
+    if isinstance(stopped, KeyboardInterrupt):
+        raise Interrupted(dataset) from None
+    if stopped is not None:
+        raise stopped
+    return dataset
 
 
 @dataclass(frozen=True)
@@ -165,9 +157,6 @@ class _Rows:
     yaw_rate: Array
     spin: Array
     spin_rate: Array
-
-    def part(self, rows: slice) -> _Rows:
-        return _Rows(**{name: column[rows] for name, column in vars(self).items()})
 
 
 def _rows(starts: State) -> _Rows:
@@ -195,12 +184,10 @@ def _grips(grip: ArrayLike, count: int) -> Array:
     return np.array(np.broadcast_to(grips, (count,)))
 
 
-def _dataset(
-    rows: _Rows, grips: Array, endings: list[str], table: Array, balance: float
-) -> xr.Dataset:
+def _dataset(rows: _Rows, grips: Array, table: Array, balance: float) -> xr.Dataset:
     import xarray as xr
 
-    done = len(endings)
+    done = len(table)
     told = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
     told["time"] = told.pop("end_time")
     came_down = ~np.isnan(told["turn"])
@@ -219,12 +206,10 @@ def _dataset(
         name: ("trial", told[name], {"units": unit, "long_name": meaning})
         for name, (unit, meaning) in VARIABLES.items()
     }
-    over = told["end_tilt"] > balance
-    whether = (endings, came_down.tolist(), over.tolist())
-    outcome = [_outcome(*each) for each in zip(*whether, strict=True)]
+    outcome = _outcomes(told["ending"].astype(np.int64), came_down, told["end_tilt"] > balance)
     return xr.Dataset(
         {
-            "outcome": ("trial", np.array(outcome, dtype="<U10")),
+            "outcome": ("trial", outcome),
             **variables,
             **starts,
             "grip": ("trial", grips[:done], {"units": ""}),
@@ -233,14 +218,24 @@ def _dataset(
     )
 
 
-def _outcome(ending: str, came_down: bool, over: bool) -> str:
-    if ending == "finished":
-        return "rocked" if came_down else "hovered"
-    if ending == "toppled" and not came_down:
-        return "fell_back"
-    if ending == "lifted_off" and came_down and over:  # rising, its centre of mass past the rim
-        return "toppled"
-    return ending
+def _outcomes(
+    ending: NDArray[np.int64], came_down: NDArray[np.bool_], over: NDArray[np.bool_]
+) -> NDArray[np.str_]:
+    names = np.array(_core.ENDINGS, dtype="<U11")
+    finished, toppled, lifted_off = (
+        ending == _core.ENDINGS.index(name) for name in ("finished", "toppled", "lifted_off")
+    )
+    return np.select(
+        [
+            finished & came_down,
+            finished,
+            toppled & ~came_down,
+            # rising, its centre of mass past the rim
+            lifted_off & came_down & over,
+        ],
+        ["rocked", "hovered", "fell_back", "toppled"],
+        names[ending],
+    ).astype("<U10")
 
 
 def fell(falls: xr.Dataset) -> NDArray[np.bool_]:

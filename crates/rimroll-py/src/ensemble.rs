@@ -6,9 +6,14 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rimroll::motion::Fall;
 use rimroll::{Options, State, Surface, ensemble as ensemble_in_core};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::Duration;
 
 /// What is told of a fall, in the order of [`numbers`].
-pub const FALL_COLUMNS: [&str; 13] = [
+pub const FALL_COLUMNS: [&str; 14] = [
+    "ending",
     "turn",
     "min_tilt",
     "near_time",
@@ -28,19 +33,20 @@ fn numbers(fall: &Fall) -> [f64; FALL_COLUMNS.len()] {
     let of_turn =
         |number: fn(&rimroll::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
     [
+        f64::from(fall.status as u8),
         of_turn(|turn| turn.angle),
         of_turn(|turn| turn.min_tilt),
         of_turn(|turn| turn.t),
         fall.end.t,
-        fall.end.tilt(),
+        fall.end.tilt,
         fall.end.yaw,
-        fall.end.s,
+        fall.end.axial_spin,
         fall.end.friction_loss,
         fall.end.resistance_loss,
         fall.end.impact_loss,
         f64::from(u8::from(fall.slid)),
         f64::from(u8::from(fall.flew)),
-        fall.work.steps as f64,
+        fall.steps as f64,
     ]
 }
 
@@ -78,9 +84,10 @@ impl StartsArgument<'_> {
     }
 }
 
-/// The endings by name, and a table with one row a fall and a column for each of [`FALL_COLUMNS`].
+/// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the endings by their place in
+/// `ENDINGS`; and what has stopped the work, if anything has: then the rows are of the first starts.
 /// `grip` has a factor of the friction for each start; `threads` = 0 means as many as there are
-/// processors.
+/// processors; `progress` is called now and then with the number of falls done.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn ensemble<'py>(
@@ -95,7 +102,8 @@ pub fn ensemble<'py>(
     topple_tilt: Option<f64>,
     max_steps: usize,
     threads: usize,
-) -> PyResult<(Vec<&'static str>, Bound<'py, PyArray2<f64>>)> {
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Option<PyErr>)> {
     let options = Options {
         duration,
         gravity,
@@ -114,13 +122,69 @@ pub fn ensemble<'py>(
         .num_threads(threads)
         .build()
         .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-    let falls = py
-        .detach(|| pool.install(|| ensemble_in_core(&body, &trials, &options)))
+    let watched = Watched::default();
+    let follow = || ensemble_in_core(&body, &trials, &options, |falls| watched.count(falls));
+    let (falls, stopped) = py.detach(|| {
+        std::thread::scope(|scope| {
+            let (tell, told) = channel();
+            let work = scope.spawn(|| {
+                let falls = pool.install(follow);
+                drop(tell);
+                falls
+            });
+            let stopped = watched.until_done(&told, progress.as_ref());
+            (work.join(), stopped)
+        })
+    });
+    let falls = falls
+        .map_err(|_| PyRuntimeError::new_err("an ensemble has come to grief"))?
         .map_err(refusal)?;
     let table: Vec<f64> = falls.iter().flat_map(numbers).collect();
     let table = table
         .into_pyarray(py)
         .reshape([falls.len(), FALL_COLUMNS.len()])?;
-    let endings = falls.iter().map(|fall| fall.status.name()).collect();
-    Ok((endings, table))
+    Ok((table, stopped))
+}
+
+/// Work that other threads do while this one listens to Python.
+#[derive(Default)]
+struct Watched {
+    done: AtomicUsize,
+    stop: AtomicBool,
+}
+
+impl Watched {
+    fn count(&self, falls: usize) -> ControlFlow<()> {
+        self.done.fetch_add(falls, Relaxed);
+        if self.stop.load(Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// Waits for the work, looks for Ctrl-C and tells of the progress; what Python raises meanwhile stops
+    /// the work.
+    fn until_done(&self, told: &Receiver<()>, progress: Option<&Py<PyAny>>) -> Option<PyErr> {
+        const NOW_AND_THEN: Duration = Duration::from_millis(100);
+        let mut stopped = None;
+        loop {
+            let over = told.recv_timeout(NOW_AND_THEN) != Err(RecvTimeoutError::Timeout);
+            if stopped.is_none() {
+                stopped = Python::attach(|py| self.look(py, progress)).err();
+                self.stop.store(stopped.is_some(), Relaxed);
+            }
+            if over {
+                return stopped;
+            }
+        }
+    }
+
+    fn look(&self, py: Python<'_>, progress: Option<&Py<PyAny>>) -> PyResult<()> {
+        py.check_signals()?;
+        if let Some(progress) = progress {
+            progress.call1(py, (self.done.load(Relaxed),))?;
+        }
+        Ok(())
+    }
 }

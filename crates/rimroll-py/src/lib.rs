@@ -46,6 +46,7 @@ mod _core {
         module.add("EXACT_COLUMNS", crate::exact::EXACT_COLUMNS)?;
         module.add("EXACT_STATUSES", crate::exact::statuses())?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
+        module.add("ENDINGS", rimroll::Status::ALL.map(rimroll::Status::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }

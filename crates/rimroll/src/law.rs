@@ -72,6 +72,18 @@ impl<T: Real> Parameters<T> {
         }
     }
 
+    /// The same in numbers of another type.
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Parameters<U> {
+        Parameters {
+            m: f(self.m),
+            r: f(self.r),
+            h: f(self.h),
+            a: f(self.a),
+            c: f(self.c),
+            g: f(self.g),
+        }
+    }
+
     /// ρ: how far the centre of mass lies beside the contact point, toward the base's centre, m.
     #[inline(always)]
     pub fn rho(&self, u: &Coordinates<T>) -> T {

@@ -19,11 +19,12 @@ mod sensitivity;
 mod track;
 mod turns;
 
+pub(crate) use contacts::Next;
 pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
-pub use fall::{Fall, fall};
+pub use fall::{End, Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
-pub(crate) use run::pass_near_collision;
+pub(crate) use run::{pass_near_collision, stopped};
 pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
 pub use track::{Instant, LookUp, Track};
 pub use turns::Turn;
@@ -160,6 +161,18 @@ pub enum Status {
 }
 
 impl Status {
+    /// All of them, in the order of their codes, `status as usize`.
+    pub const ALL: [Status; 8] = [
+        Status::Finished,
+        Status::Toppled,
+        Status::LiftedOff,
+        Status::FaceDown,
+        Status::AtRest,
+        Status::Painleve,
+        Status::Failed,
+        Status::Interrupted,
+    ];
+
     /// The name that the user reads.
     pub fn name(self) -> &'static str {
         match self {

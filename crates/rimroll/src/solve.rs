@@ -9,11 +9,12 @@ mod dense;
 mod dop853;
 mod root;
 mod stiff;
-mod tableau;
+pub(crate) mod tableau;
 
 pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense::Dense;
 pub use dop853::Step;
+pub(crate) use dop853::{combine, weigh};
 pub use root::bracketed;
 pub use stiff::Implicit;
 

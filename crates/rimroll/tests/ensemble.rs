@@ -1,4 +1,7 @@
 //! Many falls at once are the same as each by itself, and a fall is the first turn of its motion.
+//!
+//! In an ensemble most falls are followed in lanes, by steps of their own; alone, as motions are. The two
+//! share the laws, and agree to within the tolerance.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -6,7 +9,7 @@ mod bodies;
 use bodies::{any_body, cases};
 use core::ops::ControlFlow;
 use proptest::prelude::*;
-use rimroll::motion::{EventKind, fall};
+use rimroll::motion::{EventKind, Fall, fall};
 use rimroll::{
     Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, State, Status, Surface, ensemble,
     presets, simulate,
@@ -89,20 +92,110 @@ proptest! {
     }
 
     #[test]
-    fn an_ensemble_is_each_fall_by_itself_in_any_order(
-        body in any_body(), trials in prop::collection::vec((starts(), surfaces()), 1..12),
+    fn a_fall_is_the_same_to_the_last_bit_alone_and_among_others_in_any_order(
+        body in any_body(), trials in prop::collection::vec((starts(), surfaces()), 1..40),
     ) {
-        let together = ensemble(&body, &trials, &options()).expect("valid starts");
+        let together = all(&body, &trials, &options());
         let mut reversed = trials.clone();
         reversed.reverse();
-        let mut backward = ensemble(&body, &reversed, &options()).expect("valid starts");
+        let mut backward = all(&body, &reversed, &options());
         backward.reverse();
         prop_assert_eq!(&together, &backward);
-        for ((start, surface), found) in trials.iter().zip(&together) {
-            let alone = fall(&body, start, surface, &options()).expect("a valid start");
-            prop_assert_eq!(&alone, found);
+        for (trial, found) in trials.iter().zip(&together) {
+            prop_assert_eq!(&all(&body, &[*trial], &options())[0], found);
         }
     }
+
+    #[test]
+    fn a_fall_in_an_ensemble_is_that_fall(
+        body in any_body(), start in starts(), surface in surfaces(),
+    ) {
+        let found = &all(&body, &[(start, surface)], &options())[0];
+        let alone = fall(&body, &start, &surface, &options()).expect("a valid start");
+        // What a hair's breadth of the start decides is not compared.
+        let steady = [-1e-6, 1e-6].into_iter().all(|hair| {
+            let beside = State { tilt: start.tilt + hair, ..start };
+            let beside = fall(&body, &beside, &surface, &options()).expect("a valid start");
+            same_kind(&beside, &alone) && near(&beside, &alone, 1e-3)
+        });
+        if steady {
+            prop_assert!(same_kind(found, &alone), "{found:?}\n{alone:?}");
+            prop_assert!(near(found, &alone, 1e-5), "{found:?}\n{alone:?}");
+        }
+    }
+}
+
+fn all(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
+    let watch = |_| ControlFlow::Continue(());
+    ensemble(body, trials, options, watch).expect("valid starts")
+}
+
+fn same_kind(a: &Fall, b: &Fall) -> bool {
+    let kind = |fall: &Fall| (fall.status, fall.turn.is_some(), fall.slid, fall.flew);
+    kind(a) == kind(b)
+}
+
+/// Whether all that is told of two falls agrees to within a small number, and to within that part.
+fn near(a: &Fall, b: &Fall, within: f64) -> bool {
+    let numbers = |fall: &Fall| {
+        let turn = fall
+            .turn
+            .map(|turn| [turn.angle, turn.t, turn.start, turn.max_tilt]);
+        let end = [fall.end.t, fall.end.tilt, fall.end.yaw, fall.end.axial_spin];
+        [turn.unwrap_or_default(), end].concat()
+    };
+    let lowest = |fall: &Fall| fall.turn.map_or(1.0, |turn| turn.min_tilt);
+    let close = |a: f64, b: f64| (a - b).abs() <= within * (1.0 + a.abs());
+    numbers(a)
+        .into_iter()
+        .zip(numbers(b))
+        .all(|(a, b)| close(a, b))
+        && (lowest(a) / lowest(b) - 1.0).abs() <= 10.0 * within
+        && (a.energy_lost() - b.energy_lost()).abs() <= within * (1e-3 + a.energy_lost())
+}
+
+#[test]
+fn the_number_of_threads_makes_no_difference() {
+    let can = presets::can_2007().expect("the paper's can");
+    let trials: Vec<_> = (0..3000)
+        .map(|i| {
+            let tilt = 0.3 + 1e-4 * f64::from(i);
+            let start = State {
+                tilt,
+                tilt_rate: -0.5,
+                yaw_rate: 0.01,
+                ..State::default()
+            };
+            let friction = 0.05 + 1e-4 * f64::from(i);
+            (start, Surface::from(FrictionLaw::coulomb(friction)))
+        })
+        .collect();
+    let by = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("threads")
+            .install(|| all(&can, &trials, &options()))
+    };
+    let one = by(1);
+    assert!(one.iter().all(|fall| fall.turn.is_some()));
+    for threads in [2, 5] {
+        assert_eq!(one, by(threads));
+    }
+}
+
+#[test]
+fn what_is_done_before_the_watch_ends_the_work_is_kept() {
+    let can = presets::can_2007().expect("the paper's can");
+    let start = State {
+        tilt: 0.4,
+        yaw_rate: 0.01,
+        ..State::default()
+    };
+    let trials = vec![(start, Surface::from(IdealLaw::NoSlip)); 5000];
+    let whole = all(&can, &trials, &options());
+    let stop = |_| ControlFlow::Break(());
+    let some = ensemble(&can, &trials, &options(), stop).expect("valid starts");
+    assert!(!some.is_empty() && some.len() < whole.len());
+    assert_eq!(some, whole[..some.len()]);
 }
 
 #[test]
@@ -141,7 +234,8 @@ fn one_bad_start_is_refused_for_all() {
     let bad = State { tilt: -0.4, ..good };
     let surface = Surface::from(IdealLaw::NoSlip);
     let trials = [(good, surface), (bad, surface)];
-    let refused = ensemble(&can, &trials, &options());
+    let watch = |_| ControlFlow::Continue(());
+    let refused = ensemble(&can, &trials, &options(), watch);
     assert!(matches!(
         refused,
         Err(InvalidInput::OutOfBounds { field: "tilt", .. })

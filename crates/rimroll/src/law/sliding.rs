@@ -87,6 +87,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     }
 
     /// The friction at a slip.
+    #[inline(always)]
     pub(crate) fn friction(&self) -> &F {
         &self.friction
     }
@@ -149,8 +150,13 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         (contact, u.with_place(rates, self.center_velocity(u)))
     }
 
+    /// The same but for spin and place.
     #[inline(always)]
-    fn under_but_place(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
+    pub(crate) fn under_but_place(
+        &self,
+        u: &Coordinates<T>,
+        pull: &Pull<T>,
+    ) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
         let rates = Coordinates {
@@ -171,6 +177,15 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
         T::from(1.0) - k.m * rho * z * pull.per_normal[0] / (k.a + k.m * rho * rho)
+    }
+
+    /// [`Law::consistency`] less `margin`, times A + mρ², which is no division.
+    #[inline(always)]
+    pub(crate) fn clearance(&self, u: &Coordinates<T>, margin: T) -> T {
+        let k = &self.k;
+        let (rho, z) = (k.rho(u), k.z(u));
+        let along = self.pull(u).per_normal[0];
+        (T::from(1.0) - margin) * (k.a + k.m * rho * rho) - k.m * rho * z * along
     }
 
     #[inline(always)]

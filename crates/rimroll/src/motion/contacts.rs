@@ -63,7 +63,7 @@ pub(super) trait Task {
 
 /// What becomes of a rim on the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Next {
+pub(crate) enum Next {
     /// It rolls.
     Roll,
     /// It slides on with the slip that it has.
@@ -217,7 +217,7 @@ impl Contacts {
     }
 
     /// How a rim on the table goes on.
-    pub(super) fn settle(&self, u: &Coordinates<f64>) -> Next {
+    pub(crate) fn settle(&self, u: &Coordinates<f64>) -> Next {
         match self.surface.friction {
             FrictionLaw::NoSlip => Next::Roll,
             FrictionLaw::Frictionless => Next::Slide,
@@ -259,7 +259,7 @@ impl Contacts {
 
     /// How a rim at rest that friction cannot hold begins to slip: in the direction in which it then
     /// accelerates, which is against the friction that would be needed where that is just too much.
-    pub(super) fn begin_to_slip(&self, u: &Coordinates<f64>) -> Next {
+    pub(crate) fn begin_to_slip(&self, u: &Coordinates<f64>) -> Next {
         let Some(dry) = self.dry() else {
             return Next::Slide;
         };

@@ -7,7 +7,6 @@ use super::turns::{Turn, first_over, first_turn};
 use super::{Options, Status};
 use crate::body::Body;
 use crate::error::InvalidInput;
-use crate::solve::Work;
 use crate::state::{Coordinates, State};
 use crate::surface::Surface;
 use core::ops::ControlFlow;
@@ -21,15 +20,49 @@ pub struct Fall {
     /// From the release (or the tilt maximum after it) through the tilt minimum to the next tilt
     /// maximum, or to the ending if that comes first; none for a body that does not come down.
     pub turn: Option<Turn>,
-    /// Where it was when that was over, or at the end: before the side of a body that topples
+    /// How it was when that was over, or at the end: before the side of a body that topples
     /// meets the table.
-    pub end: Coordinates<f64>,
+    pub end: End,
     /// Whether the rim slid on the way.
     pub slid: bool,
     /// Whether it left the table on the way.
     pub flew: bool,
-    /// What it cost.
-    pub work: Work,
+    /// Steps of the solver.
+    pub steps: usize,
+}
+
+/// How a body is at the end of a fall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct End {
+    /// Time, s.
+    pub t: f64,
+    /// φ, rad.
+    pub tilt: f64,
+    /// ψ, rad.
+    pub yaw: f64,
+    /// s = θ̇ + ψ̇ cos φ, rad/s.
+    pub axial_spin: f64,
+    /// Energy lost to friction, J.
+    pub friction_loss: f64,
+    /// Energy lost to rolling resistance, pivoting friction and air, J.
+    pub resistance_loss: f64,
+    /// Energy lost in landings, J.
+    pub impact_loss: f64,
+}
+
+impl End {
+    /// What of the coordinates is kept.
+    pub(crate) fn of(u: &Coordinates<f64>) -> End {
+        End {
+            t: u.t,
+            tilt: u.tilt(),
+            yaw: u.yaw,
+            axial_spin: u.s,
+            friction_loss: u.friction_loss,
+            resistance_loss: u.resistance_loss,
+            impact_loss: u.impact_loss,
+        }
+    }
 }
 
 impl Fall {
@@ -69,7 +102,7 @@ pub fn fall(
         slid: was(Phase::Sliding, EventKind::Slip),
         flew: was(Phase::Flying, EventKind::LiftOff),
         status,
-        end,
-        work,
+        end: End::of(&end),
+        steps: work.steps,
     })
 }

@@ -506,6 +506,16 @@ impl Stopping {
     }
 }
 
+/// Where a dry slip that is about to stop has stopped.
+pub(crate) fn stopped(
+    contacts: &Contacts,
+    at: &Coordinates<f64>,
+    tolerance: f64,
+) -> Coordinates<f64> {
+    let mechanics = Mechanics::new(contacts.law(Phase::Sliding));
+    Stopping::of(&mechanics, at).stopped(at, tolerance)
+}
+
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
 /// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides, and its
 /// velocity with it.

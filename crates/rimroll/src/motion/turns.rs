@@ -64,7 +64,7 @@ pub(super) fn first_turn(
     end: &Coordinates<f64>,
 ) -> Option<Turn> {
     let (whole, rest) = turns_and_rest(start, events);
-    let cut_short = rest.map(|rest| turn(&rest.from, &rest.lowest, end));
+    let cut_short = rest.map(|rest| Turn::between(&rest.from, &rest.lowest, end));
     whole.into_iter().next().or(cut_short)
 }
 
@@ -83,7 +83,7 @@ fn turns_and_rest(start: &Coordinates<f64>, events: &[Event]) -> (Vec<Turn>, Opt
             Some(Lean::Least) => lowest = Some(event.at.u),
             Some(Lean::Most) => {
                 if let Some(low) = lowest.take() {
-                    turns.push(turn(&from, &low, &event.at));
+                    turns.push(Turn::between(&from, &low, &event.at));
                 }
                 from = event.at.u;
             }
@@ -93,14 +93,21 @@ fn turns_and_rest(start: &Coordinates<f64>, events: &[Event]) -> (Vec<Turn>, Opt
     (turns, lowest.map(|lowest| Unfinished { from, lowest }))
 }
 
-fn turn(from: &Coordinates<f64>, low: &Coordinates<f64>, to: &Coordinates<f64>) -> Turn {
-    Turn {
-        angle: to.yaw - from.yaw,
-        min_tilt: tilt_from_nearest_face(low),
-        t: low.t,
-        yaw_rate: low.yaw_rate(),
-        start: from.t,
-        end: to.t,
-        max_tilt: tilt_from_nearest_face(to),
+impl Turn {
+    /// The turn from one place to another by way of the lowest.
+    pub(crate) fn between(
+        from: &Coordinates<f64>,
+        low: &Coordinates<f64>,
+        to: &Coordinates<f64>,
+    ) -> Turn {
+        Turn {
+            angle: to.yaw - from.yaw,
+            min_tilt: tilt_from_nearest_face(low),
+            t: low.t,
+            yaw_rate: low.yaw_rate(),
+            start: from.t,
+            end: to.t,
+            max_tilt: tilt_from_nearest_face(to),
+        }
     }
 }

@@ -79,6 +79,20 @@ impl Mask {
         bits
     }
 
+    /// Holds where this does not.
+    #[inline(always)]
+    #[must_use]
+    pub fn not(self) -> Mask {
+        Mask(from_fn(|i| !self.0[i]))
+    }
+
+    /// Holds where either does.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(self, other: Mask) -> Mask {
+        Mask(from_fn(|i| self.0[i] | other.0[i]))
+    }
+
     /// Holds where both do.
     #[inline(always)]
     pub fn and(self, other: Mask) -> Mask {
@@ -203,5 +217,43 @@ impl Real for Lanes {
             result.0[i] = if self.0[i] < 0.0 { yes.0[i] } else { no.0[i] };
         }
         result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LANES, Lanes};
+    use crate::real::Real;
+    use core::array::from_fn;
+
+    /// A formula with every operation, that takes numbers of any size.
+    fn formula<T: Real>(a: T, b: T) -> T {
+        let (sin, cos) = (a * b).sin_cos();
+        let sum = (sin / b - cos * a).abs().sqrt() + (-(a * a)).exp().max(b);
+        sum.where_negative(a, b.odd_power(1.5) + sum)
+    }
+
+    #[test]
+    fn each_lane_computes_what_a_number_alone_does() {
+        let numbers: [[f64; LANES]; 2] =
+            from_fn(|k| from_fn(|i| libm::sin((3 * i + 7 * k + 1) as f64)));
+        let together = formula(Lanes(numbers[0]), Lanes(numbers[1]));
+        for i in 0..LANES {
+            let alone = formula(numbers[0][i], numbers[1][i]);
+            assert_eq!(together.0[i].to_bits(), alone.to_bits());
+        }
+    }
+
+    #[test]
+    fn a_mask_chooses_lane_by_lane_and_a_nan_is_at_most_nothing() {
+        let (one, two) = (Lanes::from(1.0), Lanes::from(2.0));
+        let mut mixed = one;
+        mixed.0[3] = 3.0;
+        mixed.0[5] = f64::NAN;
+        let small = mixed.at_most(two);
+        assert_eq!(small.bits(), 0b1101_0111);
+        assert_eq!(small.not().bits(), 0b0010_1000);
+        assert_eq!(small.choose(two, one).0[3], 1.0);
+        assert_eq!(small.or(small.not()).and(small), small);
     }
 }

@@ -1,0 +1,271 @@
+//! Falls under dry friction: those that roll go together, and those that slide; a fall changes from the
+//! one to the other and back.
+
+use super::carried::{Carried, Rolling, Slipping};
+use super::lockstep::Limits;
+use super::onset::{Beginning, Begun, begin};
+use super::pool::{Exit, Pool};
+use super::together::first_step;
+use super::trial::Trial;
+use crate::body::Body;
+use crate::law::Parameters;
+use crate::motion::{Contacts, Fall, Next, Options, stopped};
+use crate::real::{LANES, Lanes};
+use crate::state::{Coordinates, State};
+use crate::surface::{FrictionLaw, Surface};
+
+type RollingPool<'a> = Pool<'a, Rolling<f64, true>, Rolling<Lanes, true>, 7>;
+type SlippingPool<'a> = Pool<'a, Slipping<f64>, Slipping<Lanes>, 10>;
+
+/// A fall between two phases: where it is, and how long a step to try.
+struct Waiting {
+    trial: Trial,
+    at: Coordinates<f64>,
+    h: f64,
+}
+
+/// A fall whose slip is to begin.
+struct ToSlip {
+    trial: Trial,
+    beginning: Beginning,
+    begun: Option<Begun>,
+}
+
+/// How a phase is to begin.
+enum Begins {
+    Rolling(Waiting),
+    Slipping(ToSlip),
+}
+
+pub(super) struct Dry<'a> {
+    body: &'a Body,
+    trials: &'a [(State, Surface)],
+    options: &'a Options,
+    limits: &'a Limits,
+    parameters: Parameters<f64>,
+    /// The length of a slip's first step, in first steps.
+    onset: f64,
+    done: &'a mut [Option<Fall>],
+}
+
+impl<'a> Dry<'a> {
+    pub(super) fn new(
+        body: &'a Body,
+        trials: &'a [(State, Surface)],
+        options: &'a Options,
+        limits: &'a Limits,
+        done: &'a mut [Option<Fall>],
+    ) -> Self {
+        Dry {
+            body,
+            trials,
+            options,
+            limits,
+            parameters: Parameters::new(body, options.gravity),
+            onset: onset_length(limits.tolerance),
+            done,
+        }
+    }
+
+    /// Follows the falls from some of the trials; those that meet with what is rare are left undone.
+    pub(super) fn follow(&mut self, mut waiting: impl Iterator<Item = usize>) {
+        let mut rolling = RollingPool::new(self.parameters, self.limits);
+        let mut slipping = SlippingPool::new(self.parameters, self.limits);
+        let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
+        let mut to_slip: Vec<ToSlip> = Vec::with_capacity(2 * LANES);
+        let mut slipped: Vec<Waiting> = Vec::with_capacity(2 * LANES);
+        loop {
+            while rolling.len() < LANES {
+                let next = to_roll
+                    .pop()
+                    .or_else(|| self.next(&mut waiting, &mut to_slip));
+                let Some(Waiting { trial, at, h }) = next else {
+                    break;
+                };
+                let (_, held_by) = self.frictions(&trial);
+                rolling.put(trial, &at, held_by, h);
+            }
+            while slipping.len() < LANES {
+                if slipped.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
+                    self.begin_to_slip(&mut to_slip, &mut slipped);
+                }
+                let Some(Waiting { trial, at, h }) = slipped.pop() else {
+                    break;
+                };
+                let (friction, _) = self.frictions(&trial);
+                slipping.put(trial, &at, friction, h);
+            }
+            if rolling.len() + slipping.len() + to_slip.len() == 0 {
+                return;
+            }
+            let more_roll = rolling.len() > slipping.len();
+            let mut begin = |begins| match begins {
+                Begins::Rolling(waiting) => to_roll.push(waiting),
+                Begins::Slipping(waiting) => to_slip.push(waiting),
+            };
+            // So that few lanes are empty.
+            if more_roll {
+                rolling.step(|trial, exit, at| {
+                    self.after_rolling(trial, exit, at).map(&mut begin);
+                });
+            } else {
+                slipping.step(|trial, exit, at| {
+                    self.after_slipping(trial, exit, at).map(&mut begin);
+                });
+            }
+        }
+    }
+
+    /// Coefficients of friction: of slipping and static.
+    fn frictions(&self, trial: &Trial) -> (f64, f64) {
+        match self.trials[trial.index].1.friction {
+            FrictionLaw::Coulomb {
+                friction,
+                static_friction,
+            } => (friction, static_friction),
+            _ => unreachable!("only falls under dry friction are followed here"),
+        }
+    }
+
+    fn contacts(&self, trial: &Trial) -> Contacts {
+        let surface = &self.trials[trial.index].1;
+        Contacts::new(
+            self.body,
+            surface,
+            self.options.gravity,
+            self.limits.tolerance,
+        )
+    }
+
+    /// The next of the trials that begins by rolling; those that begin to slip wait elsewhere.
+    fn next(
+        &self,
+        waiting: &mut impl Iterator<Item = usize>,
+        to_slip: &mut Vec<ToSlip>,
+    ) -> Option<Waiting> {
+        while to_slip.len() < LANES {
+            let index = waiting.next()?;
+            let at = Coordinates::from_state(&self.trials[index].0);
+            if !self.limits.are_far_from(&at) {
+                continue;
+            }
+            let trial = Trial::new(index, &at, self.limits, &self.parameters, false);
+            let contacts = self.contacts(&trial);
+            match self.going_on(trial, contacts.settle(&at), &at) {
+                Some(Begins::Rolling(waiting)) => return Some(waiting),
+                Some(Begins::Slipping(waiting)) => to_slip.push(waiting),
+                None => {}
+            }
+        }
+        None
+    }
+
+    /// How a fall goes on; none where that is rare.
+    fn going_on(&self, mut trial: Trial, next: Next, at: &Coordinates<f64>) -> Option<Begins> {
+        match next {
+            Next::Roll => {
+                let h = first_step(&self.parameters, at);
+                let at = *at;
+                Some(Begins::Rolling(Waiting { trial, at, h }))
+            }
+            Next::BeginToSlip(direction) => {
+                let friction_loss = trial.friction_loss;
+                let at = Coordinates {
+                    friction_loss,
+                    ..*at
+                };
+                let h = self.onset * first_step(&self.parameters, &at);
+                let friction = self.frictions(&trial).0;
+                let beginning = Beginning::from_rest(&at, direction, friction, h);
+                trial.slid = true;
+                Some(Begins::Slipping(ToSlip {
+                    trial,
+                    beginning,
+                    begun: None,
+                }))
+            }
+            Next::Slide | Next::Fly | Next::Paradox => None,
+        }
+    }
+
+    /// Makes a step in the slips of up to eight falls that begin.
+    fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
+        let first = to_slip.len().saturating_sub(LANES);
+        let Some(last) = to_slip[first..].last() else {
+            return;
+        };
+        // A lane without a fall of its own repeats the last.
+        let beginnings =
+            core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
+        let k = self.parameters.map(Lanes::from);
+        let law = |friction| Slipping::new(k, friction);
+        let begun = begin(law, &beginnings, self.limits.tolerance);
+        for (i, begun) in begun.take(to_slip.len() - first).enumerate() {
+            to_slip[first + i].begun = Some(begun);
+        }
+        for i in (first..to_slip.len()).rev() {
+            match to_slip[i].begun.take() {
+                Some(Begun::Again(beginning)) => to_slip[i].beginning = beginning,
+                Some(Begun::Follow(at, h)) => {
+                    let ToSlip { trial, .. } = to_slip.swap_remove(i);
+                    // What happens while it begins to slip is left to be found elsewhere.
+                    let quiet = trial.direction * at.p > 0.0 && self.limits.are_far_from(&at);
+                    if quiet {
+                        slipped.push(Waiting { trial, at, h });
+                    }
+                }
+                Some(Begun::Lost) | None => drop(to_slip.swap_remove(i)),
+            }
+        }
+    }
+
+    fn after_rolling(&mut self, trial: Trial, exit: Exit, at: &Coordinates<f64>) -> Option<Begins> {
+        match exit {
+            Exit::Over(status) => {
+                let friction_loss = trial.friction_loss;
+                let at = Coordinates {
+                    friction_loss,
+                    ..*at
+                };
+                self.done[trial.index] = Some(trial.fall(status, &at));
+                None
+            }
+            Exit::GivesWay => {
+                let contacts = self.contacts(&trial);
+                self.going_on(trial, contacts.begin_to_slip(at), at)
+            }
+            Exit::Stops | Exit::Rare => None,
+        }
+    }
+
+    fn after_slipping(
+        &mut self,
+        mut trial: Trial,
+        exit: Exit,
+        at: &Coordinates<f64>,
+    ) -> Option<Begins> {
+        match exit {
+            Exit::Over(status) => {
+                self.done[trial.index] = Some(trial.fall(status, at));
+                None
+            }
+            Exit::Stops => {
+                let contacts = self.contacts(&trial);
+                let stopped = stopped(&contacts, at, self.limits.tolerance);
+                trial.friction_loss = stopped.friction_loss;
+                let rolling = Coordinates {
+                    friction_loss: 0.0,
+                    ..stopped
+                };
+                self.going_on(trial, contacts.settle(&rolling), &rolling)
+            }
+            Exit::GivesWay | Exit::Rare => None,
+        }
+    }
+}
+
+/// How long the step of an onset may be at a tolerance, in first steps: its error grows with the seventh
+/// power.
+fn onset_length(tolerance: f64) -> f64 {
+    45.0 * libm::pow(tolerance / 2e-10, 1.0 / 7.0)
+}

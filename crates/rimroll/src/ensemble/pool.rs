@@ -1,0 +1,377 @@
+//! Falls whose rims meet the table in the same way, eight at a time: each until something happens to it,
+//! when its place is free for the next.
+
+use super::carried::Carried;
+use super::lockstep::{Limits, Lockstep, lanes_of};
+use super::trial::Trial;
+use crate::law::Parameters;
+use crate::motion::Status;
+use crate::real::{LANES, Lanes};
+use crate::solve::bracketed;
+use crate::state::Coordinates;
+
+/// Why a fall leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Exit {
+    /// It is over.
+    Over(Status),
+    /// The contact gives way: here it cannot last any longer.
+    GivesWay,
+    /// The slip has all but stopped.
+    Stops,
+    /// It meets with what is rare, and is better followed by itself.
+    Rare,
+}
+
+/// What a step may run into.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mark {
+    /// The tilt is extreme.
+    Extreme,
+    Topple,
+    /// Time is up.
+    Time,
+    /// The contact no longer lasts.
+    Contact,
+}
+
+const MARKS: [Mark; 4] = [Mark::Extreme, Mark::Topple, Mark::Time, Mark::Contact];
+
+/// A mark that a step has run over, and how long a step would end at it.
+struct Landing {
+    mark: Mark,
+    /// A step too short, and one too long.
+    between: (f64, f64),
+    /// How long the next step may be afterwards.
+    next: f64,
+    rounds: usize,
+}
+
+/// So often a landing is tried before the fall counts as rare.
+const MOST_ROUNDS: usize = 40;
+
+/// How a fall gets on.
+struct Place {
+    landing: Option<Landing>,
+    least_h: f64,
+}
+
+/// Eight places, and the laws there.
+pub(super) struct Pool<'a, A, L, const N: usize> {
+    limits: &'a Limits,
+    parameters: Parameters<f64>,
+    lockstep: Lockstep<N>,
+    friction: Lanes,
+    together: L,
+    alone: [A; LANES],
+    trials: [Option<Trial>; LANES],
+    places: [Option<Place>; LANES],
+    falling_rate: f64,
+    count: usize,
+}
+
+impl<'a, A, L, const N: usize> Pool<'a, A, L, N>
+where
+    A: Carried<f64, N>,
+    L: Carried<Lanes, N>,
+{
+    pub(super) fn new(parameters: Parameters<f64>, limits: &'a Limits) -> Self {
+        let none = Lanes::from(0.0);
+        Pool {
+            limits,
+            parameters,
+            lockstep: Lockstep::new(),
+            friction: none,
+            together: L::new(parameters.map(Lanes::from), none),
+            alone: core::array::from_fn(|_| A::new(parameters, 0.0)),
+            trials: core::array::from_fn(|_| None),
+            places: core::array::from_fn(|_| None),
+            falling_rate: (parameters.g / parameters.r).sqrt(),
+            count: 0,
+        }
+    }
+
+    /// How many falls are under way.
+    pub(super) fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Takes in a fall, where there is a place; `h` is a first guess for the length of a step.
+    pub(super) fn put(&mut self, trial: Trial, at: &Coordinates<f64>, friction: f64, h: f64) {
+        let Some(lane) = self.places.iter().position(Option::is_none) else {
+            unreachable!("a fall is put where there is a place");
+        };
+        if self.friction.0[lane] != friction {
+            self.friction.0[lane] = friction;
+            self.alone[lane] = A::new(self.parameters, friction);
+            self.together = L::new(self.parameters.map(Lanes::from), self.friction);
+        }
+        self.count += 1;
+        let (u, alone) = (A::of(at), &self.alone[lane]);
+        self.lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
+        self.lockstep.h.0[lane] = h;
+        self.lockstep.direction.0[lane] = trial.direction;
+        self.lockstep.free.0[lane] = 1.0;
+        self.lockstep.steps.0[lane] = trial.steps;
+        self.trials[lane] = Some(trial);
+        self.places[lane] = Some(Place {
+            landing: None,
+            least_h: 1e-16 * h,
+        });
+    }
+
+    /// Makes a step of each fall; those that leave are handed to `leave` with where they then are.
+    pub(super) fn step(&mut self, mut leave: impl FnMut(Trial, Exit, &Coordinates<f64>)) {
+        let outcome = self.lockstep.step(&self.together, self.limits);
+        for lane in lanes_of(!outcome.quiet) {
+            let Some(mut place) = self.places[lane].take() else {
+                continue;
+            };
+            let exit = if outcome.good >> lane & 1 == 1 {
+                self.attend(lane, &mut place)
+            } else {
+                self.shorten(lane, &mut place)
+            };
+            let Some((exit, at)) = exit else {
+                self.places[lane] = Some(place);
+                continue;
+            };
+            self.lockstep.free.0[lane] = 0.0;
+            self.count -= 1;
+            if let Some(mut trial) = self.trials[lane].take() {
+                trial.direction = self.lockstep.direction.0[lane];
+                trial.steps = self.lockstep.steps.0[lane];
+                leave(trial, exit, &at);
+            }
+        }
+    }
+
+    /// After a step that was not good enough.
+    fn shorten(&mut self, lane: usize, place: &mut Place) -> Option<(Exit, Coordinates<f64>)> {
+        if place.landing.take().is_some() {
+            self.lockstep.free.0[lane] = 1.0;
+            self.lockstep.h.0[lane] *= 0.5;
+        }
+        self.long_enough(lane, place)
+    }
+
+    fn long_enough(&self, lane: usize, place: &Place) -> Option<(Exit, Coordinates<f64>)> {
+        // Written so that a NaN is too short.
+        let long_enough = self.lockstep.h.0[lane] > place.least_h;
+        (!long_enough).then(|| (Exit::Rare, A::all(&self.lockstep.at(lane))))
+    }
+
+    /// After a good step on which something may have happened.
+    fn attend(&mut self, lane: usize, place: &mut Place) -> Option<(Exit, Coordinates<f64>)> {
+        let end = self.lockstep.end_at(lane);
+        let u = A::all(&end);
+        let steps = self.lockstep.steps.0[lane];
+        // A disk may stand on its edge; what topples at π/2 has its base upright, too.
+        let toppled = self.level(lane, Mark::Topple, &end) < 0.0 && self.limits.topple.1 > -1e-9;
+        let on_edge = u.cos <= 0.0 && !toppled;
+        if u.sin <= self.limits.flat || on_edge || steps >= self.limits.most_steps {
+            return Some((Exit::Rare, u));
+        }
+        if self.lockstep.direction.0[lane] == 0.0 {
+            self.lockstep.direction.0[lane] = self.limits.sign_of_tilt_rate(&u, self.falling_rate);
+        }
+        match self.run_over(lane, place) {
+            Some((mark, h)) => self.aim(lane, place, mark, h),
+            None => match &place.landing {
+                Some(landing) => {
+                    let mark = landing.mark;
+                    self.land(lane, place, mark)
+                }
+                None => self.go_on(lane, place),
+            },
+        }
+    }
+
+    /// The first mark that the step has run over, other than one that it is to land at, and how long a
+    /// step would end there.
+    fn run_over(&self, lane: usize, place: &Place) -> Option<(Mark, f64)> {
+        let (start, end) = (self.lockstep.at(lane), self.lockstep.end_at(lane));
+        let rates = self.lockstep.end_rates_at(lane);
+        let target = place.landing.as_ref().map(|landing| landing.mark);
+        let h = self.lockstep.h.0[lane];
+        MARKS
+            .into_iter()
+            .filter(|&mark| Some(mark) != target && self.level(lane, mark, &end) < 0.0)
+            .map(|mark| {
+                let level = |u: &[f64; N]| self.level(lane, mark, u);
+                let first = (
+                    level(&start),
+                    self.slope(lane, mark, &start, &self.lockstep.rates_at(lane)),
+                );
+                let last = (level(&end), self.slope(lane, mark, &end, &rates));
+                (mark, h * crossing(h, first, last))
+            })
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Sets out for a mark, from where the step began.
+    fn aim(
+        &mut self,
+        lane: usize,
+        place: &mut Place,
+        mark: Mark,
+        h: f64,
+    ) -> Option<(Exit, Coordinates<f64>)> {
+        let u = A::all(&self.lockstep.end_at(lane));
+        let (rounds, next) = match &place.landing {
+            Some(landing) => (landing.rounds, landing.next),
+            None => (0, self.lockstep.next.0[lane]),
+        };
+        // A tilt rate without a clear sign may be that of a steady wobble.
+        let unclear = mark == Mark::Extreme
+            && self.limits.sign_of_tilt_rate(&u, self.falling_rate) == 0.0
+            && place.landing.is_none();
+        if unclear || rounds > MOST_ROUNDS {
+            return Some((Exit::Rare, u));
+        }
+        place.landing = Some(Landing {
+            mark,
+            between: (0.0, self.lockstep.h.0[lane]),
+            next,
+            rounds: rounds + 1,
+        });
+        self.lockstep.free.0[lane] = 0.0;
+        self.lockstep.h.0[lane] = h;
+        None
+    }
+
+    /// After a step that was to end at a mark.
+    fn land(
+        &mut self,
+        lane: usize,
+        place: &mut Place,
+        mark: Mark,
+    ) -> Option<(Exit, Coordinates<f64>)> {
+        let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
+        let h = self.lockstep.h.0[lane];
+        let level = self.level(lane, mark, &end);
+        let missing = -level / self.slope(lane, mark, &end, &rates);
+        let landing = place.landing.as_mut()?;
+        landing.rounds += 1;
+        if landing.rounds > MOST_ROUNDS {
+            return Some((Exit::Rare, A::all(&end)));
+        }
+        let close = missing.abs() <= CLOSE * h || h <= CLOSE * landing.between.1;
+        if !close {
+            if level < 0.0 {
+                landing.between.1 = h;
+            } else {
+                landing.between.0 = h;
+            }
+            let (short, long) = landing.between;
+            let aim = h + missing;
+            self.lockstep.h.0[lane] = if short < aim && aim < long {
+                aim
+            } else {
+                0.5 * (short + long)
+            };
+            return None;
+        }
+        if self.lockstep.inside.0[lane] < 0.0 {
+            // Something else may have happened before.
+            place.landing = None;
+            self.lockstep.free.0[lane] = 1.0;
+            self.lockstep.h.0[lane] = 0.5 * h;
+            return None;
+        }
+        let missing = if missing.abs() <= CLOSE * h {
+            missing
+        } else {
+            0.0
+        };
+        let at = A::all(&core::array::from_fn(|i| end[i] + missing * rates[i]));
+        self.arrive(lane, place, mark, at)
+    }
+
+    /// What happens at a mark.
+    fn arrive(
+        &mut self,
+        lane: usize,
+        place: &mut Place,
+        mark: Mark,
+        at: Coordinates<f64>,
+    ) -> Option<(Exit, Coordinates<f64>)> {
+        match mark {
+            Mark::Topple => return Some((Exit::Over(Status::Toppled), at)),
+            Mark::Contact => return Some((Exit::GivesWay, at)),
+            Mark::Time => {
+                let t = self.limits.duration;
+                return Some((Exit::Over(Status::Finished), Coordinates { t, ..at }));
+            }
+            Mark::Extreme => {}
+        }
+        if at.sin <= self.limits.flat {
+            return Some((Exit::Rare, at));
+        }
+        let trial = self.trials[lane].as_mut()?;
+        if self.lockstep.direction.0[lane] < 0.0 {
+            trial.lowest = Some(at);
+        } else if trial.lowest.is_some() {
+            return Some((Exit::Over(Status::Finished), at));
+        } else {
+            trial.from = at;
+        }
+        self.lockstep.direction.0[lane] = -self.lockstep.direction.0[lane];
+        self.lockstep.accept(lane);
+        self.lockstep.free.0[lane] = 1.0;
+        if let Some(landing) = place.landing.take() {
+            self.lockstep.h.0[lane] = landing.next;
+        }
+        None
+    }
+
+    /// After a step that has run over nothing.
+    fn go_on(&mut self, lane: usize, place: &Place) -> Option<(Exit, Coordinates<f64>)> {
+        if self.lockstep.inside.0[lane] < 0.0 {
+            // There may have been something on the way.
+            self.lockstep.h.0[lane] *= 0.5;
+            return self.long_enough(lane, place);
+        }
+        self.lockstep.accept(lane);
+        self.lockstep.h.0[lane] = self.lockstep.next.0[lane];
+        let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
+        let stops = self.alone[lane].slips_on(&end, &rates, self.limits.tolerance) < 0.0;
+        stops.then(|| (Exit::Stops, A::all(&end)))
+    }
+
+    fn level(&self, lane: usize, mark: Mark, u: &[f64; N]) -> f64 {
+        let all = A::all(u);
+        match mark {
+            Mark::Extreme => self.lockstep.direction.0[lane] * all.p,
+            Mark::Topple => {
+                let (sin, cos) = self.limits.topple;
+                all.cos * sin - all.sin * cos
+            }
+            Mark::Time => self.limits.duration - all.t,
+            Mark::Contact => self.alone[lane].holds(u),
+        }
+    }
+
+    /// How the level changes along the motion.
+    fn slope(&self, lane: usize, mark: Mark, u: &[f64; N], rates: &[f64; N]) -> f64 {
+        let nudge = 1e-4 * self.lockstep.h.0[lane];
+        let beside = |nudge: f64| {
+            let u = core::array::from_fn(|i| u[i] + nudge * rates[i]);
+            self.level(lane, mark, &u)
+        };
+        (beside(nudge) - beside(-nudge)) / (2.0 * nudge)
+    }
+}
+
+/// A landing so close to its mark, as a part of the step, that what is missing can go straight.
+const CLOSE: f64 = 1e-6;
+
+/// The fraction of a step at which a level changes sign, by the cubic through its values and slopes at
+/// the ends.
+fn crossing(h: f64, first: (f64, f64), last: (f64, f64)) -> f64 {
+    let rise = last.0 - first.0;
+    let (from, to) = (h * first.1, h * last.1);
+    let cubic =
+        |x: f64| first.0 + x * (rise + (1.0 - x) * ((from - rise) * (1.0 - x) + (rise - to) * x));
+    bracketed(0.0, 1.0, cubic)
+}

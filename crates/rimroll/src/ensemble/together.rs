@@ -1,0 +1,111 @@
+//! Falls of one body, eight at a time where they are of the common kind.
+
+use super::carried::{Carried, Gliding, Rolling};
+use super::dry::Dry;
+use super::lockstep::Limits;
+use super::pool::{Exit, Pool};
+use super::trial::Trial;
+use crate::body::Body;
+use crate::law::Parameters;
+use crate::motion::{Fall, Options, Status, fall};
+use crate::real::{LANES, Lanes};
+use crate::state::{Coordinates, State};
+use crate::surface::{FrictionLaw, Surface};
+
+/// The falls from some of the trials, in their order. The options and trials have been checked.
+pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
+    let mut falls = Falls {
+        body,
+        trials,
+        options,
+        parameters: Parameters::new(body, options.gravity),
+        limits: Limits::of(options),
+        done: vec![None; trials.len()],
+    };
+    falls.conservative::<Rolling<f64, false>, Rolling<Lanes, false>>(FrictionLaw::NoSlip);
+    falls.conservative::<Gliding<f64>, Gliding<Lanes>>(FrictionLaw::Frictionless);
+    let dry = |(_, surface): &(State, Surface)| {
+        matches!(surface.friction, FrictionLaw::Coulomb { .. }) && !surface.resists()
+    };
+    if trials.iter().any(dry) {
+        let waiting = (0..trials.len()).filter(|&index| dry(&trials[index]));
+        Dry::new(body, trials, options, &falls.limits, &mut falls.done).follow(waiting);
+    }
+    (0..trials.len())
+        .map(|index| {
+            falls.done[index]
+                .take()
+                .unwrap_or_else(|| falls.alone(index))
+        })
+        .collect()
+}
+
+struct Falls<'a> {
+    body: &'a Body,
+    trials: &'a [(State, Surface)],
+    options: &'a Options,
+    parameters: Parameters<f64>,
+    limits: Limits,
+    done: Vec<Option<Fall>>,
+}
+
+impl Falls<'_> {
+    /// Follows a fall by itself.
+    fn alone(&self, index: usize) -> Fall {
+        let (start, surface) = &self.trials[index];
+        match fall(self.body, start, surface, self.options) {
+            Ok(fall) => fall,
+            Err(_) => unreachable!("the trials have been checked"),
+        }
+    }
+
+    /// Follows all falls under one of the paper's two laws.
+    fn conservative<A, L>(&mut self, law: FrictionLaw)
+    where
+        A: Carried<f64, 7>,
+        L: Carried<Lanes, 7>,
+    {
+        let Falls {
+            limits,
+            parameters,
+            trials,
+            done,
+            ..
+        } = self;
+        let mut pool: Pool<'_, A, L, 7> = Pool::new(*parameters, limits);
+        let mut waiting = (0..trials.len()).filter(|&index| {
+            let (_, surface) = &trials[index];
+            surface.friction == law && !surface.resists()
+        });
+        let contact = A::new(*parameters, 0.0);
+        loop {
+            while pool.len() < LANES {
+                let Some(index) = waiting.next() else { break };
+                let (start, _) = &trials[index];
+                let u = Coordinates::from_state(start);
+                if limits.are_far_from(&u) && contact.holds(&A::of(&u)) > 0.0 {
+                    let trial =
+                        Trial::new(index, &u, limits, parameters, law != FrictionLaw::NoSlip);
+                    pool.put(trial, &u, 0.0, first_step(parameters, &u));
+                }
+            }
+            if pool.len() == 0 {
+                return;
+            }
+            pool.step(|trial, exit, at| {
+                let status = match exit {
+                    Exit::Over(status) => status,
+                    Exit::GivesWay => Status::LiftedOff,
+                    Exit::Stops | Exit::Rare => return,
+                };
+                done[trial.index] = Some(trial.fall(status, at));
+            });
+        }
+    }
+}
+
+/// A first guess for the length of a step.
+pub(super) fn first_step(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
+    let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
+    0.01 / rate
+}

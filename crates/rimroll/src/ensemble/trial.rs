@@ -1,0 +1,61 @@
+//! A fall in the making.
+
+use super::lockstep::Limits;
+use crate::law::Parameters;
+use crate::motion::{End, Fall, Status, Turn};
+use crate::state::Coordinates;
+
+/// What is to be remembered of a fall on its way.
+#[derive(Debug, Clone)]
+pub(super) struct Trial {
+    /// Which it is.
+    pub index: usize,
+    /// Where its turn begins: the release, or a tilt maximum after it.
+    pub from: Coordinates<f64>,
+    /// Where it was lowest.
+    pub lowest: Option<Coordinates<f64>>,
+    /// The sign of the tilt rate, 0 before it has one.
+    pub direction: f64,
+    /// Steps made.
+    pub steps: f64,
+    /// Whether the rim has slid.
+    pub slid: bool,
+    /// Energy lost in slips that are over, J.
+    pub friction_loss: f64,
+}
+
+impl Trial {
+    /// One that begins.
+    pub(super) fn new(
+        index: usize,
+        start: &Coordinates<f64>,
+        limits: &Limits,
+        k: &Parameters<f64>,
+        slid: bool,
+    ) -> Trial {
+        Trial {
+            index,
+            from: *start,
+            lowest: None,
+            direction: limits.sign_of_tilt_rate(start, (k.g / k.r).sqrt()),
+            steps: 0.0,
+            slid,
+            friction_loss: 0.0,
+        }
+    }
+
+    /// What has become of it.
+    pub(super) fn fall(&self, status: Status, end: &Coordinates<f64>) -> Fall {
+        Fall {
+            status,
+            turn: self
+                .lowest
+                .map(|lowest| Turn::between(&self.from, &lowest, end)),
+            end: End::of(end),
+            slid: self.slid,
+            // A law that knows no flight ends where it would begin.
+            flew: status == Status::LiftedOff,
+            steps: self.steps as usize,
+        }
+    }
+}
