@@ -6,7 +6,9 @@ use rimroll::{FrictionLaw, IdealLaw, Options, State, Surface, ensemble, presets}
 fn starts(n: usize) -> Vec<State> {
     let mut seed = 1u64;
     let mut random = move || {
-        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (seed >> 11) as f64 / (1u64 << 53) as f64
     };
     (0..n)
@@ -23,7 +25,9 @@ fn starts(n: usize) -> Vec<State> {
         .collect()
 }
 #[allow(clippy::disallowed_methods)]
-fn libm_pow10(x: f64) -> f64 { 10f64.powf(x) }
+fn libm_pow10(x: f64) -> f64 {
+    10f64.powf(x)
+}
 
 /// Of this thread on a processor, which on a busy machine is less than what passes.
 fn seconds() -> f64 {
@@ -34,7 +38,10 @@ fn seconds() -> f64 {
 
 fn main() {
     let can = presets::can_2007().expect("a can");
-    let n: usize = std::env::args().nth(1).and_then(|s| s.parse().ok()).unwrap_or(20000);
+    let n: usize = std::env::args()
+        .nth(1)
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(20000);
     let laws: [(&str, Surface); 3] = [
         ("no_slip", IdealLaw::NoSlip.into()),
         ("frictionless", IdealLaw::Frictionless.into()),
@@ -42,38 +49,72 @@ fn main() {
     ];
     let only = std::env::args().nth(2);
     for (name, surface) in laws {
-        if only.as_ref().is_some_and(|o| o != name) { continue; }
+        if only.as_ref().is_some_and(|o| o != name) {
+            continue;
+        }
         for rtol in [1e-6, 1e-8, 1e-9] {
-            let options = Options { rtol, gravity: 9.8, duration: 10.0, ..Options::default() };
+            let options = Options {
+                rtol,
+                gravity: 9.8,
+                duration: 10.0,
+                ..Options::default()
+            };
             let trials: Vec<_> = starts(n).into_iter().map(|s| (s, surface)).collect();
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(1)
+                .build()
+                .expect("a thread");
             let (falls, us) = pool.install(|| {
                 let once = || {
                     let begin = seconds();
-                    let falls = ensemble(&can, &trials, &options, |_| core::ops::ControlFlow::Continue(())).expect("valid");
+                    let falls = ensemble(&can, &trials, &options, |_| {
+                        core::ops::ControlFlow::Continue(())
+                    })
+                    .expect("valid");
                     (falls, (seconds() - begin) / n as f64 * 1e6)
                 };
                 // The least of some runs is the least disturbed.
-                (1..7).map(|_| once()).min_by(|a, b| a.1.total_cmp(&b.1)).expect("a run")
+                (1..7)
+                    .map(|_| once())
+                    .min_by(|a, b| a.1.total_cmp(&b.1))
+                    .expect("a run")
             });
             let few = 300;
-            let tight = Options { rtol: 1e-13, ..options };
-            let exact: Vec<Fall> = trials[..few].iter().map(|(s, f)| fall(&can, s, f, &tight).expect("valid")).collect();
+            let tight = Options {
+                rtol: 1e-13,
+                ..options
+            };
+            let exact: Vec<Fall> = trials[..few]
+                .iter()
+                .map(|(s, f)| fall(&can, s, f, &tight).expect("valid"))
+                .collect();
             let begin = seconds();
-            let scalar: Vec<Fall> = trials[..few].iter().map(|(s, f)| fall(&can, s, f, &options).expect("valid")).collect();
+            let scalar: Vec<Fall> = trials[..few]
+                .iter()
+                .map(|(s, f)| fall(&can, s, f, &options).expect("valid"))
+                .collect();
             let us1 = (seconds() - begin) / few as f64 * 1e6;
             let errors = |found: &[Fall]| {
-                let mut e: Vec<f64> = found.iter().zip(&exact).map(|(a, b)| match (a.turn, b.turn) {
-                    (Some(x), Some(y)) if a.status == b.status => (x.angle - y.angle).abs(),
-                    (None, None) if a.status == b.status => 0.0,
-                    _ => 9.0 }).collect();
+                let mut e: Vec<f64> = found
+                    .iter()
+                    .zip(&exact)
+                    .map(|(a, b)| match (a.turn, b.turn) {
+                        (Some(x), Some(y)) if a.status == b.status => (x.angle - y.angle).abs(),
+                        (None, None) if a.status == b.status => 0.0,
+                        _ => 9.0,
+                    })
+                    .collect();
                 e.sort_by(f64::total_cmp);
-                let rms = (e.iter().map(|x| x*x).sum::<f64>() / e.len() as f64).sqrt();
-                format!("{:.1e} {rms:.1e} {:.1e}", e[e.len()/2], e[e.len()-1])
+                let rms = (e.iter().map(|x| x * x).sum::<f64>() / e.len() as f64).sqrt();
+                format!("{:.1e} {rms:.1e} {:.1e}", e[e.len() / 2], e[e.len() - 1])
             };
             let steps: usize = falls.iter().map(|f| f.steps).sum();
-            println!("{name:13} rtol {rtol:.0e}: {us:6.2} us a turn, {:.1} steps; error (median, rms, max) {}   alone {us1:.0} us, {}",
-                steps as f64 / n as f64, errors(&falls), errors(&scalar));
+            println!(
+                "{name:13} rtol {rtol:.0e}: {us:6.2} us a turn, {:.1} steps; error (median, rms, max) {}   alone {us1:.0} us, {}",
+                steps as f64 / n as f64,
+                errors(&falls),
+                errors(&scalar)
+            );
         }
     }
 }

@@ -24,9 +24,9 @@ mod trial;
 
 use crate::body::Body;
 use crate::error::InvalidInput;
-use crate::motion::{Fall, Options};
 #[cfg(doc)]
 use crate::motion::fall;
+use crate::motion::{Fall, Options};
 use crate::state::State;
 use crate::surface::Surface;
 use core::ops::ControlFlow;
@@ -78,7 +78,9 @@ fn done_in_order<R: Send>(
         let mut done = Vec::new();
         while !stopped.load(Relaxed) {
             let index = next.fetch_add(1, Relaxed);
-            let Some(piece) = pieces.get(index) else { break };
+            let Some(piece) = pieces.get(index) else {
+                break;
+            };
             done.push((index, work(piece)));
             if watch(piece.len()).is_break() {
                 stopped.store(true, Relaxed);

@@ -138,13 +138,18 @@ fn same_kind(a: &Fall, b: &Fall) -> bool {
 /// Whether all that is told of two falls agrees to within a small number, and to within that part.
 fn near(a: &Fall, b: &Fall, within: f64) -> bool {
     let numbers = |fall: &Fall| {
-        let turn = fall.turn.map(|turn| [turn.angle, turn.t, turn.start, turn.max_tilt]);
+        let turn = fall
+            .turn
+            .map(|turn| [turn.angle, turn.t, turn.start, turn.max_tilt]);
         let end = [fall.end.t, fall.end.tilt, fall.end.yaw, fall.end.axial_spin];
         [turn.unwrap_or_default(), end].concat()
     };
     let lowest = |fall: &Fall| fall.turn.map_or(1.0, |turn| turn.min_tilt);
     let close = |a: f64, b: f64| (a - b).abs() <= within * (1.0 + a.abs());
-    numbers(a).into_iter().zip(numbers(b)).all(|(a, b)| close(a, b))
+    numbers(a)
+        .into_iter()
+        .zip(numbers(b))
+        .all(|(a, b)| close(a, b))
         && (lowest(a) / lowest(b) - 1.0).abs() <= 10.0 * within
         && (a.energy_lost() - b.energy_lost()).abs() <= within * (1e-3 + a.energy_lost())
 }
@@ -155,14 +160,20 @@ fn the_number_of_threads_makes_no_difference() {
     let trials: Vec<_> = (0..3000)
         .map(|i| {
             let tilt = 0.3 + 1e-4 * f64::from(i);
-            let start = State { tilt, tilt_rate: -0.5, yaw_rate: 0.01, ..State::default() };
+            let start = State {
+                tilt,
+                tilt_rate: -0.5,
+                yaw_rate: 0.01,
+                ..State::default()
+            };
             let friction = 0.05 + 1e-4 * f64::from(i);
             (start, Surface::from(FrictionLaw::coulomb(friction)))
         })
         .collect();
     let by = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.expect("threads").install(|| all(&can, &trials, &options()))
+        pool.expect("threads")
+            .install(|| all(&can, &trials, &options()))
     };
     let one = by(1);
     assert!(one.iter().all(|fall| fall.turn.is_some()));
@@ -174,7 +185,11 @@ fn the_number_of_threads_makes_no_difference() {
 #[test]
 fn what_is_done_before_the_watch_ends_the_work_is_kept() {
     let can = presets::can_2007().expect("the paper's can");
-    let start = State { tilt: 0.4, yaw_rate: 0.01, ..State::default() };
+    let start = State {
+        tilt: 0.4,
+        yaw_rate: 0.01,
+        ..State::default()
+    };
     let trials = vec![(start, Surface::from(IdealLaw::NoSlip)); 5000];
     let whole = all(&can, &trials, &options());
     let stop = |_| ControlFlow::Break(());

@@ -111,7 +111,11 @@ impl<T: Real, const DRY: bool> Carried<T, 7> for Rolling<T, DRY> {
 
     #[inline(always)]
     fn sizes(&self, u: &[T; 7]) -> [T; 7] {
-        Self::of(&sizes(&Self::all(u), self.falling_rate, self.per_falling_rate))
+        Self::of(&sizes(
+            &Self::all(u),
+            self.falling_rate,
+            self.per_falling_rate,
+        ))
     }
 
     /// N sin φ; under dry friction μ_s² N² − T², as long as that is less, times sin² φ.
@@ -155,7 +159,11 @@ impl<T: Real> Carried<T, 7> for Gliding<T> {
 
     #[inline(always)]
     fn sizes(&self, u: &[T; 7]) -> [T; 7] {
-        Self::of(&sizes(&Self::all(u), self.falling_rate, self.per_falling_rate))
+        Self::of(&sizes(
+            &Self::all(u),
+            self.falling_rate,
+            self.per_falling_rate,
+        ))
     }
 
     #[inline(always)]

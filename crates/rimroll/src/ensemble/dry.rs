@@ -76,8 +76,12 @@ impl<'a> Dry<'a> {
         let mut slipped: Vec<Waiting> = Vec::with_capacity(2 * LANES);
         loop {
             while rolling.len() < LANES {
-                let next = to_roll.pop().or_else(|| self.next(&mut waiting, &mut to_slip));
-                let Some(Waiting { trial, at, h }) = next else { break };
+                let next = to_roll
+                    .pop()
+                    .or_else(|| self.next(&mut waiting, &mut to_slip));
+                let Some(Waiting { trial, at, h }) = next else {
+                    break;
+                };
                 let (_, held_by) = self.frictions(&trial);
                 rolling.put(trial, &at, held_by, h);
             }
@@ -85,7 +89,9 @@ impl<'a> Dry<'a> {
                 if slipped.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
                     self.begin_to_slip(&mut to_slip, &mut slipped);
                 }
-                let Some(Waiting { trial, at, h }) = slipped.pop() else { break };
+                let Some(Waiting { trial, at, h }) = slipped.pop() else {
+                    break;
+                };
                 let (friction, _) = self.frictions(&trial);
                 slipping.put(trial, &at, friction, h);
             }
@@ -123,7 +129,12 @@ impl<'a> Dry<'a> {
 
     fn contacts(&self, trial: &Trial) -> Contacts {
         let surface = &self.trials[trial.index].1;
-        Contacts::new(self.body, surface, self.options.gravity, self.limits.tolerance)
+        Contacts::new(
+            self.body,
+            surface,
+            self.options.gravity,
+            self.limits.tolerance,
+        )
     }
 
     /// The next of the trials that begins by rolling; those that begin to slip wait elsewhere.
@@ -150,12 +161,7 @@ impl<'a> Dry<'a> {
     }
 
     /// How a fall goes on; none where that is rare.
-    fn going_on(
-        &self,
-        mut trial: Trial,
-        next: Next,
-        at: &Coordinates<f64>,
-    ) -> Option<Begins> {
+    fn going_on(&self, mut trial: Trial, next: Next, at: &Coordinates<f64>) -> Option<Begins> {
         match next {
             Next::Roll => {
                 let h = first_step(&self.parameters, at);
@@ -164,7 +170,10 @@ impl<'a> Dry<'a> {
             }
             Next::BeginToSlip(direction) => {
                 let friction_loss = trial.friction_loss;
-                let at = Coordinates { friction_loss, ..*at };
+                let at = Coordinates {
+                    friction_loss,
+                    ..*at
+                };
                 let h = self.onset * first_step(&self.parameters, &at);
                 let friction = self.frictions(&trial).0;
                 let beginning = Beginning::from_rest(&at, direction, friction, h);
@@ -182,7 +191,9 @@ impl<'a> Dry<'a> {
     /// Makes a step in the slips of up to eight falls that begin.
     fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
         let first = to_slip.len().saturating_sub(LANES);
-        let Some(last) = to_slip[first..].last() else { return };
+        let Some(last) = to_slip[first..].last() else {
+            return;
+        };
         // A lane without a fall of its own repeats the last.
         let beginnings =
             core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
@@ -208,16 +219,14 @@ impl<'a> Dry<'a> {
         }
     }
 
-    fn after_rolling(
-        &mut self,
-        trial: Trial,
-        exit: Exit,
-        at: &Coordinates<f64>,
-    ) -> Option<Begins> {
+    fn after_rolling(&mut self, trial: Trial, exit: Exit, at: &Coordinates<f64>) -> Option<Begins> {
         match exit {
             Exit::Over(status) => {
                 let friction_loss = trial.friction_loss;
-                let at = Coordinates { friction_loss, ..*at };
+                let at = Coordinates {
+                    friction_loss,
+                    ..*at
+                };
                 self.done[trial.index] = Some(trial.fall(status, &at));
                 None
             }
@@ -244,7 +253,10 @@ impl<'a> Dry<'a> {
                 let contacts = self.contacts(&trial);
                 let stopped = stopped(&contacts, at, self.limits.tolerance);
                 trial.friction_loss = stopped.friction_loss;
-                let rolling = Coordinates { friction_loss: 0.0, ..stopped };
+                let rolling = Coordinates {
+                    friction_loss: 0.0,
+                    ..stopped
+                };
                 self.going_on(trial, contacts.settle(&rolling), &rolling)
             }
             Exit::GivesWay | Exit::Rare => None,

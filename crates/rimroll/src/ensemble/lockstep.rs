@@ -2,9 +2,9 @@
 //! bad by itself.
 
 use super::carried::{Carried, tilt_rate_size};
+use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::real::{LANES, Lanes, Mask, Real};
 use crate::solve::tableau::{ERROR_3, ERROR_5, SOLUTION, STAGES};
-use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::solve::{combine, weigh};
 use crate::state::Coordinates;
 
@@ -232,7 +232,8 @@ impl<const N: usize> Lockstep<N> {
         let zero = Lanes::from(0.0);
         let (mut sum5, mut sum3) = (zero, zero);
         for i in 0..N {
-            let per_size = Lanes::from(1.0) / (Lanes::from(tolerance) * self.sizes[i].max(self.end_sizes[i]));
+            let per_size =
+                Lanes::from(1.0) / (Lanes::from(tolerance) * self.sizes[i].max(self.end_sizes[i]));
             let (e5, e3) = (fifth[i] * per_size, third[i] * per_size);
             sum5 = sum5 + e5 * e5;
             sum3 = sum3 + e3 * e3;
@@ -272,7 +273,9 @@ impl<const N: usize> Lockstep<N> {
         let root = error.max(Lanes::from(1e-12)).sqrt().sqrt().sqrt();
         let factor = (Lanes::from(0.9) / root).max(Lanes::from(0.2));
         // An error that is no number is not known to be small.
-        let factor = error.at_most(Lanes::from(f64::MAX)).choose(factor, Lanes::from(0.1));
+        let factor = error
+            .at_most(Lanes::from(f64::MAX))
+            .choose(factor, Lanes::from(0.1));
         let growth = good.choose(self.growth, one);
         self.next = self.h * factor.min(growth);
         let free = Lanes::from(0.5).at_most(self.free);

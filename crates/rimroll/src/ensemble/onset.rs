@@ -118,7 +118,11 @@ impl Found {
         let good = error <= 1.0 && change <= 1.0;
         if !good {
             let h = h * factor.clamp(0.1, 0.5);
-            let again = Beginning { h, steps, ..*beginning };
+            let again = Beginning {
+                h,
+                steps,
+                ..*beginning
+            };
             return if steps < MOST_STEPS && h > 0.0 {
                 Begun::Again(again)
             } else {

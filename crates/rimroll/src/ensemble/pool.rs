@@ -108,8 +108,7 @@ where
         }
         self.count += 1;
         let (u, alone) = (A::of(at), &self.alone[lane]);
-        self.lockstep
-            .put(lane, u, alone.rates(&u), alone.sizes(&u));
+        self.lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
         self.lockstep.h.0[lane] = h;
         self.lockstep.direction.0[lane] = trial.direction;
         self.lockstep.free.0[lane] = 1.0;
@@ -200,7 +199,10 @@ where
             .filter(|&mark| Some(mark) != target && self.level(lane, mark, &end) < 0.0)
             .map(|mark| {
                 let level = |u: &[f64; N]| self.level(lane, mark, u);
-                let first = (level(&start), self.slope(lane, mark, &start, &self.lockstep.rates_at(lane)));
+                let first = (
+                    level(&start),
+                    self.slope(lane, mark, &start, &self.lockstep.rates_at(lane)),
+                );
                 let last = (level(&end), self.slope(lane, mark, &end, &rates));
                 (mark, h * crossing(h, first, last))
             })
@@ -239,7 +241,12 @@ where
     }
 
     /// After a step that was to end at a mark.
-    fn land(&mut self, lane: usize, place: &mut Place, mark: Mark) -> Option<(Exit, Coordinates<f64>)> {
+    fn land(
+        &mut self,
+        lane: usize,
+        place: &mut Place,
+        mark: Mark,
+    ) -> Option<(Exit, Coordinates<f64>)> {
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
         let h = self.lockstep.h.0[lane];
         let level = self.level(lane, mark, &end);
@@ -272,7 +279,11 @@ where
             self.lockstep.h.0[lane] = 0.5 * h;
             return None;
         }
-        let missing = if missing.abs() <= CLOSE * h { missing } else { 0.0 };
+        let missing = if missing.abs() <= CLOSE * h {
+            missing
+        } else {
+            0.0
+        };
         let at = A::all(&core::array::from_fn(|i| end[i] + missing * rates[i]));
         self.arrive(lane, place, mark, at)
     }
@@ -360,6 +371,7 @@ const CLOSE: f64 = 1e-6;
 fn crossing(h: f64, first: (f64, f64), last: (f64, f64)) -> f64 {
     let rise = last.0 - first.0;
     let (from, to) = (h * first.1, h * last.1);
-    let cubic = |x: f64| first.0 + x * (rise + (1.0 - x) * ((from - rise) * (1.0 - x) + (rise - to) * x));
+    let cubic =
+        |x: f64| first.0 + x * (rise + (1.0 - x) * ((from - rise) * (1.0 - x) + (rise - to) * x));
     bracketed(0.0, 1.0, cubic)
 }

@@ -32,7 +32,11 @@ pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Optio
         Dry::new(body, trials, options, &falls.limits, &mut falls.done).follow(waiting);
     }
     (0..trials.len())
-        .map(|index| falls.done[index].take().unwrap_or_else(|| falls.alone(index)))
+        .map(|index| {
+            falls.done[index]
+                .take()
+                .unwrap_or_else(|| falls.alone(index))
+        })
         .collect()
 }
 
@@ -61,7 +65,13 @@ impl Falls<'_> {
         A: Carried<f64, 7>,
         L: Carried<Lanes, 7>,
     {
-        let Falls { limits, parameters, trials, done, .. } = self;
+        let Falls {
+            limits,
+            parameters,
+            trials,
+            done,
+            ..
+        } = self;
         let mut pool: Pool<'_, A, L, 7> = Pool::new(*parameters, limits);
         let mut waiting = (0..trials.len()).filter(|&index| {
             let (_, surface) = &trials[index];
@@ -74,7 +84,8 @@ impl Falls<'_> {
                 let (start, _) = &trials[index];
                 let u = Coordinates::from_state(start);
                 if limits.are_far_from(&u) && contact.holds(&A::of(&u)) > 0.0 {
-                    let trial = Trial::new(index, &u, limits, parameters, law != FrictionLaw::NoSlip);
+                    let trial =
+                        Trial::new(index, &u, limits, parameters, law != FrictionLaw::NoSlip);
                     pool.put(trial, &u, 0.0, first_step(parameters, &u));
                 }
             }

@@ -48,7 +48,9 @@ impl Trial {
     pub(super) fn fall(&self, status: Status, end: &Coordinates<f64>) -> Fall {
         Fall {
             status,
-            turn: self.lowest.map(|lowest| Turn::between(&self.from, &lowest, end)),
+            turn: self
+                .lowest
+                .map(|lowest| Turn::between(&self.from, &lowest, end)),
             end: End::of(end),
             slid: self.slid,
             // A law that knows no flight ends where it would begin.

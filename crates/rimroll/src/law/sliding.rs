@@ -152,7 +152,11 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 
     /// The same but for spin and place.
     #[inline(always)]
-    pub(crate) fn under_but_place(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
+    pub(crate) fn under_but_place(
+        &self,
+        u: &Coordinates<T>,
+        pull: &Pull<T>,
+    ) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
         let rates = Coordinates {

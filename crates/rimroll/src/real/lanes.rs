@@ -25,13 +25,11 @@ impl Lanes {
     /// Whether a lane is at most the other's; a NaN is not.
     #[inline(always)]
     pub fn at_most(self, other: Lanes) -> Mask {
-        Mask(from_fn(|i| {
-            if self.0[i] <= other.0[i] {
-                u64::MAX
-            } else {
-                0
-            }
-        }))
+        Mask(from_fn(
+            |i| {
+                if self.0[i] <= other.0[i] { u64::MAX } else { 0 }
+            },
+        ))
     }
 
     /// The smaller in each lane.
@@ -153,7 +151,10 @@ impl Real for Lanes {
     #[inline(always)]
     fn sin_cos(self) -> (Lanes, Lanes) {
         let pairs = self.0.map(libm::sincos);
-        (Lanes(pairs.map(|pair| pair.0)), Lanes(pairs.map(|pair| pair.1)))
+        (
+            Lanes(pairs.map(|pair| pair.0)),
+            Lanes(pairs.map(|pair| pair.1)),
+        )
     }
 
     #[inline(always)]

@@ -23,7 +23,11 @@ pub struct Step<T, const N: usize> {
 
 /// Σ weight · stage of the first `count` components, summed in the order of the row.
 #[inline(always)]
-pub(crate) fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize) -> [T; N] {
+pub(crate) fn weigh<T: Real, const N: usize>(
+    row: Row,
+    stages: &[[T; N]; 16],
+    count: usize,
+) -> [T; N] {
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
         let (stage, weight) = (&stages[stage], T::from(weight));
