@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import signal
-import threading
 
 import numpy as np
 import pytest
@@ -256,7 +255,8 @@ def test_ctrl_c_hands_back_the_falls_done_so_far():
     starts = rr.State(tilt=np.linspace(0.2, 0.5, 500_000), yaw_rate=0.02)
 
     def stop(done, total):
-        raise KeyboardInterrupt
+        if done:
+            raise KeyboardInterrupt
 
     with pytest.raises(rr.Interrupted) as caught:
         rr.ensemble(CAN, starts, rr.NoSlip(), threads=1, progress=stop)
@@ -269,9 +269,13 @@ def test_ctrl_c_hands_back_the_falls_done_so_far():
 
 def test_a_signal_stops_the_work_at_once():
     starts = rr.State(tilt=np.linspace(0.2, 0.5, 500_000), yaw_rate=0.02)
-    threading.Timer(0.05, signal.raise_signal, [signal.SIGINT]).start()
+
+    def press(done, total):
+        if done:
+            signal.raise_signal(signal.SIGINT)
+
     with pytest.raises(rr.Interrupted) as caught:
-        rr.ensemble(CAN, starts, rr.NoSlip(), threads=1)
+        rr.ensemble(CAN, starts, rr.NoSlip(), threads=1, progress=press)
     assert 0 < caught.value.done.sizes["trial"] < 500_000
 
 
