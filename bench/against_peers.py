@@ -21,6 +21,7 @@ from contest.starts import every, near_collisions, sixty_turns, two_seconds
 from contest.worker import Worker
 
 RESULTS = ROOT / "bench/results"
+PAGE = ROOT / "docs/performance.md"
 AIMED_AT = 1e-9
 """Worst error (rad) to which contestants are set for the study over eps."""
 
@@ -88,6 +89,8 @@ def write(results: Results, folder: Path) -> None:
     (folder / "results.json").write_text(text + "\n", "utf-8")
     tables.write(results, folder)
     figures.write(results, folder)
+    if folder == RESULTS:
+        tables.put_between(PAGE, "results", tables.summary(results))
     print(f"written to {folder}")
 
 

@@ -8,13 +8,19 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from rimroll import style
 
 from .contestants import LAWS, Contestant
 from .results import Results, Row, contestants, frontier
 
-OURS = {"rimroll_quadrature": ("#0072B2", "*"), "rimroll_ensemble": ("#0072B2", "o")}
+OURS = {
+    "rimroll_quadrature": ("#0072B2", "*"),
+    "rimroll_ensemble": ("#0072B2", "o"),
+    "core_quadrature": ("#0072B2", "*"),
+    "core_ensemble": ("#0072B2", "o"),
+}
 PEERS = {
     "heyoka_8_lanes": ("#D55E00", "s"),
     "heyoka": ("#D55E00", "D"),
@@ -29,8 +35,7 @@ PEERS = {
 }
 """Colour by library, marker by method; filled in our coordinates, open and dashed as printed."""
 
-NEAR = ("rimroll_quadrature", "rimroll_ensemble", "heyoka_8_lanes", "boost_rkf78")
-NEAR += ("ode_solvers_dop853", "scipy_dop853")
+NEAR = (*OURS, "heyoka_8_lanes", "boost_rkf78", "ode_solvers_dop853", "scipy_dop853")
 NO_WORSE = 1e-8
 """Error (rad) up to which a turn counts as done, ten times what was aimed at."""
 
@@ -56,13 +61,14 @@ def look(one: Contestant) -> dict[str, Any]:
         "linestyle": "--" if printed else "-",
         "linewidth": 2.0 if one.is_ours else 0.7 if printed else 1.1,
         "zorder": 5 if one.is_ours else 3,
-        "label": one.label,
+        # Once for each method; what open and dashed means is said apart.
+        "label": one.name if not printed or one.method == "scipy_radau" else "_",
     }
 
 
 def work_precision(rows: list[Row]) -> Figure:
     """Turns a second a core against the worst error, one panel a law."""
-    figure = style.page(118.0)
+    figure = style.page(115.0)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     for ax, letter, (law, words) in zip(panels, "ab", LAWS.items(), strict=True):
         for one in drawn(rows):
@@ -112,9 +118,20 @@ def draw_near(axes: np.ndarray, one: Contestant, rows: list[Row]) -> None:
 
 
 def drawn(rows: list[Row], methods: tuple[str, ...] = (*OURS, *PEERS)) -> list[Contestant]:
-    return [one for one in contestants(rows) if one.method in methods]
+    """Those with a look of their own; rimroll as called from Python, where both are there."""
+    here = [one for one in contestants(rows) if one.method in methods]
+    names = {one.method for one in here}
+    return [
+        one for one in here if one.method.replace("core_", "rimroll_") not in names - {one.method}
+    ]
 
 
 def legend(figure: Figure, ax: Axes, columns: int) -> None:
     handles, labels = ax.get_legend_handles_labels()
+    grey: dict[str, Any] = {"color": style.CONTRAST, "marker": "o", "linewidth": 0.9}
+    handles += [
+        Line2D([], [], **grey),
+        Line2D([], [], **grey, linestyle="--", markerfacecolor="white"),
+    ]
+    labels += ["filled: in our coordinates", "open: the printed equations"]
     figure.legend(handles, labels, loc="outside lower center", ncols=columns)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import platform
 import subprocess
+import tomllib
 from pathlib import Path
 
 from .contestants import BUILT, PEERS_VENV, ROOT
@@ -51,7 +52,8 @@ def versions() -> dict[str, str]:
     found["Python"] = platform.python_version()
     found["rustc"] = _said("rustc", "--version").removeprefix("rustc ").split(" ")[0]
     found["g++"] = _said("g++", "-dumpfullversion")
-    found["rimroll"] = _said("git", "-C", ROOT, "describe", "--always", "--dirty")
+    workspace = tomllib.loads((ROOT / "Cargo.toml").read_text("utf-8"))["workspace"]
+    found["rimroll"] = workspace["package"]["version"]
     return {name: version for name, version in found.items() if version}
 
 

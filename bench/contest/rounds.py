@@ -56,7 +56,8 @@ class Point:
         try:
             answer = worker.ask(self.question)
         except Complaint as complaint:
-            print(f"  {self.contestant.label}, {self.law}, {self.tolerance:g}: {complaint}", flush=True)
+            who = f"{self.contestant.label}, {self.law}, {self.tolerance:g}"
+            print(f"  {who}: {complaint}", flush=True)
             return
         errors = np.abs(answer.found - self.starts.truth(self.task, self.law))
         errors[np.isnan(errors)] = math.inf
@@ -73,16 +74,16 @@ def sweep(points: Iterable[Point], worker: Worker) -> Iterator[Point]:
     """Tries a contestant out at its tolerances, loosest first, as far as it gets in good time."""
     for point in points:
         point.try_out(worker)
-        if point.seconds:
-            yield point
-            if point.seconds[0] * point.count > TOO_LONG:
-                return
+        if not point.seconds:
+            return
+        yield point
+        if point.seconds[0] * point.count > TOO_LONG:
+            return
 
 
 def repeat(points: list[Point], workers: dict[str, Worker], rounds: int) -> None:
     """Times all points in rounds; the trial counts only where it is all there is."""
     fast = [p for p in points if p.seconds[0] * p.count < TOO_LONG_FOR_ROUNDS]
-    first = {id(point): point.seconds[0] for point in fast}
     for i in range(rounds):
         print(f"  round {i + 1} of {rounds}", flush=True)
         for point in fast:
@@ -90,4 +91,3 @@ def repeat(points: list[Point], workers: dict[str, Worker], rounds: int) -> None
             if i == 0:
                 # The trial told how often to repeat, but compiled as well.
                 point.seconds = point.seconds[1:]
-    assert all(len(point.seconds) == rounds for point in fast), first

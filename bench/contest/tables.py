@@ -20,6 +20,47 @@ def write(results: Results, folder: Path) -> None:
     write_points(results, folder / "points.csv")
 
 
+def put_between(path: Path, name: str, text: str) -> None:
+    """Sets what a page shows between its marks of a name."""
+    before, after = f"<!-- the {name}: ", f"<!-- the {name} end -->"
+    page = path.read_text("utf-8")
+    head, rest = page.split(before)
+    mark = rest.split("\n")[0]
+    tail = rest.split(after)[1]
+    path.write_text(f"{head}{before}{mark}\n{text}\n{after}{tail}", "utf-8")
+
+
+def summary(results: Results) -> str:
+    """What everybody's turn costs under both laws, in one table."""
+    head = ["µs a turn, one core", "coordinates"]
+    head += [f"{words}, {_power(error)}" for words in LAWS.values() for error in COMPARED_AT]
+    table = [
+        _who(one)
+        + [_cost(cheapest(results.turns, one, law, error)) for law in LAWS for error in COMPARED_AT]
+        for one in contestants(results.turns)
+    ]
+    table = [row for row in table if any(cell != "—" for cell in row[2:])]
+    return "\n\n".join(
+        [
+            _machine(results),
+            _markdown(head, table),
+            "Who is not in the table had no setting with all turns within 10⁻⁹ rad: "
+            + "; ".join(_left_out(results))
+            + ".",
+            motions_table(results.motions, "µs a motion of 2 s, to 10⁻⁹ rad"),
+        ]
+    )
+
+
+def _left_out(results: Results) -> list[str]:
+    rows = results.turns
+    return [
+        f"{one.label} (best: {min(r.worst for r in rows if r.key == one.key):.0e} rad)"
+        for one in contestants(rows)
+        if not any(cheapest(rows, one, law, COMPARED_AT[0]) for law in LAWS)
+    ]
+
+
 def page(results: Results) -> str:
     """All tables, with what they were measured on."""
     parts = [
@@ -100,12 +141,12 @@ def turns_table(rows: list[Row], law: str) -> str:
     return _markdown(head, table)
 
 
-def motions_table(rows: list[Row]) -> str:
+def motions_table(rows: list[Row], title: str = "") -> str:
     table = []
     for one in contestants(rows, OF_A_MOTION):
         costs = [_cost(cheapest(rows, one, law, MOTION_ERROR)) for law in LAWS]
         table.append([*_who(one), *costs])
-    return _markdown(["", "coordinates", *LAWS.values()], table)
+    return _markdown([title, "coordinates", *LAWS.values()], table)
 
 
 def _power(error: float) -> str:

@@ -6,7 +6,7 @@ mod ode_solvers_peer;
 mod protocol;
 
 use can::{Equations, Printed, Regular};
-use protocol::Question;
+use protocol::{Question, Repeated};
 
 /// Absolute over relative tolerance; the best, or within a tenth of it, of 1, 1e-2, ... 1e-8.
 const ATOL_OVER_RTOL: f64 = 1e-4;
@@ -34,5 +34,5 @@ fn by_method<const N: usize, E: Equations<N> + 'static>(
 }
 
 fn main() {
-    protocol::serve(answer);
+    protocol::serve(Repeated::InTurn, answer);
 }

@@ -32,12 +32,22 @@ pub struct Question {
     pub starts: Vec<Start>,
 }
 
+/// How repeated starts reach a solver.
+#[derive(Clone, Copy, PartialEq)]
+#[allow(dead_code, reason = "each program wants one of them")]
+pub enum Repeated {
+    /// Once and again.
+    InTurn,
+    /// As one long list, by a solver made for many.
+    AtOnce,
+}
+
 /// Answers every line with the processor's seconds a start and what `answer` makes of the starts: a
 /// turn each, or of a motion its yaw and tilt at the end.
-pub fn serve(answer: impl Fn(&Question) -> Result<Vec<f64>, String>) {
+pub fn serve(repeated: Repeated, answer: impl Fn(&Question) -> Result<Vec<f64>, String>) {
     for line in io::stdin().lock().lines() {
         let said = match read(&line.expect("standard input")) {
-            Ok(question) => timed(&question, &answer),
+            Ok(question) => timed(question, repeated, &answer),
             Err(complaint) => Err(complaint),
         };
         match said {
@@ -52,19 +62,25 @@ pub fn serve(answer: impl Fn(&Question) -> Result<Vec<f64>, String>) {
 }
 
 fn timed(
-    question: &Question,
+    mut question: Question,
+    repeated: Repeated,
     answer: &impl Fn(&Question) -> Result<Vec<f64>, String>,
 ) -> Result<(f64, Vec<f64>), String> {
+    let (count, mut again) = (question.starts.len(), question.repeats);
+    if repeated == Repeated::AtOnce && question.task == "turn" {
+        question.starts = question.starts.repeat(again);
+        again = 1;
+    }
     let begun = processor_seconds();
-    let mut turns = answer(question)?;
-    for _ in 1..question.repeats {
-        turns = answer(question)?;
+    let mut found = answer(&question)?;
+    for _ in 1..again {
+        found = answer(&question)?;
     }
     let taken = processor_seconds() - begun;
-    Ok((
-        taken / (question.repeats * question.starts.len()) as f64,
-        turns,
-    ))
+    if question.task == "turn" {
+        found.truncate(count);
+    }
+    Ok((taken / (question.repeats * count) as f64, found))
 }
 
 fn read(line: &str) -> Result<Question, String> {
