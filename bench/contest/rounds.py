@@ -15,7 +15,7 @@ from .worker import Complaint, Question, Worker
 
 A_ROUND = 0.05
 """Seconds that a contestant works in a round, at least."""
-TOO_LONG_FOR_ROUNDS = 2.0
+TOO_LONG_FOR_ROUNDS = 0.5
 """Seconds for all starts from which on the first round is the only one."""
 A_WARMING_UP = 5.0
 """Seconds that the first answer of a worker may take on top."""
