@@ -28,11 +28,11 @@ def paper_motion(body, law, sideways=0.005, duration=2.0, rtol=1e-13):
 # Sixty starts of the can
 
 
-def sixty_starts():
-    """The core's table of turns as dicts of floats; its head says how they were computed."""
+def sixty_starts(number=float):
+    """The core's table of turns as dicts of numbers; its head says how they were computed."""
     table = Path(__file__).parents[1] / "crates/rimroll/tests/given/turns_of_the_can.csv"
     lines = [line for line in table.read_text().splitlines() if not line.startswith("#")]
-    return [{name: float(x) for name, x in row.items()} for row in csv.DictReader(lines)]
+    return [{name: number(x) for name, x in row.items()} for row in csv.DictReader(lines)]
 
 
 def first_turn_of(row, law, rtol):

@@ -3,6 +3,7 @@
 import contextlib
 import json
 import re
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -74,6 +75,39 @@ def test_a_map_is_the_ensemble_of_its_starts_and_says_what_it_was_computed_from(
     assert falls.attrs["start_tilt_rate"] == -5.0
     assert falls.attrs["law_friction"] == 0.15
     assert falls.attrs["gravity"] == GRAVITY
+
+
+STARTS = {
+    "toppling": (CAN, FLICK),
+    "rocking": (CAN, rr.State(tilt=0.5, tilt_rate=-0.5)),
+    "rising": (CAN, rr.State(tilt=0.3, tilt_rate=0.5)),
+    "falling_back": (CAN, rr.State(tilt=0.62, tilt_rate=0.5)),
+    "leaving_the_table": (rr.bodies.battery(), rr.State(tilt=0.15, tilt_rate=-4.0)),
+}
+
+
+@pytest.mark.parametrize("law", IDEAL, ids=lambda law: law.name)
+@pytest.mark.parametrize("name", STARTS)
+def test_a_map_without_stepping_is_the_ensemble_of_its_starts(name, law):
+    body, start = STARTS[name]
+    rates = np.array([-7.0, -1.0, -0.2, 0.1, 3.0])
+    falls = rr.turn_map(body, start, law, rates, rates, gravity=GRAVITY)
+    starts = rr.State(
+        tilt=start.tilt,
+        tilt_rate=start.tilt_rate,
+        yaw_rate=np.tile(rates, len(rates)),
+        spin_rate=np.repeat(rates, len(rates)),
+    )
+    stepped = rr.ensemble(body, starts, law, gravity=GRAVITY, rtol=1e-11)
+    assert np.array_equal(falls.outcome.values.ravel(), stepped.outcome.values)
+    for variable in falls.data_vars:
+        if variable != "outcome":
+            values = falls[variable].values.ravel()
+            told = ~np.isnan(values)
+            steps = stepped[variable].values[told]
+            assert values[told] == pytest.approx(steps, rel=1e-8, abs=1e-7)
+            if variable in ("turn", "direction", "min_tilt", "near_time"):
+                assert np.array_equal(told, ~np.isnan(stepped[variable].values))
 
 
 @settings(max_examples=20, deadline=None)
@@ -249,16 +283,19 @@ def test_the_watershed_of_a_flat_body_has_digits_down_to_the_smallest_tilt():
         assert slope == pytest.approx(1.0 / np.sin(0.5 * tilt) ** 2, rel=1e-14)
 
 
-def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("law", [rr.NoSlip(), rr.Coulomb(0.3)], ids=lambda law: law.name)
+def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(law, tmp_path, monkeypatch, capsys):
     """Rows of 100 falls, stopped after 256 of them: two are whole."""
+    for engine in ("exact", "ensemble"):
+        monkeypatch.setattr(import_module(f"rimroll.{engine}"), "AT_A_TIME", 256)
 
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
     rates = np.linspace(-1.0, 1.0, 100)
     with pytest.raises(rr.Interrupted) as interrupted:
-        rr.turn_map(CAN, FLICK, rr.NoSlip(), rates, rates, progress=stop)
-    whole = rr.turn_map(CAN, FLICK, rr.NoSlip(), rates, rates[:2])
+        rr.turn_map(CAN, FLICK, law, rates, rates, progress=stop)
+    whole = rr.turn_map(CAN, FLICK, law, rates, rates[:2])
     assert interrupted.value.done.equals(whole)
 
     monkeypatch.setattr("rimroll.cli.map.working", lambda _: contextlib.nullcontext(stop))

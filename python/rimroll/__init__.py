@@ -19,6 +19,7 @@ from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
 from rimroll.ensemble import Interrupted, ensemble
 from rimroll.errors import RimrollError
+from rimroll.exact import ExactTurn, exact_turn
 from rimroll.experiment.fitting import (
     Fit,
     Predicted,
@@ -31,6 +32,7 @@ from rimroll.experiment.measurement import Measurement, measure
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import topple
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
+from rimroll.jacobian import Jacobian
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -73,10 +75,12 @@ __all__ = [
     "Collision",
     "Coulomb",
     "Event",
+    "ExactTurn",
     "Fit",
     "Frictionless",
     "ImperfectRim",
     "Interrupted",
+    "Jacobian",
     "Law",
     "Measurement",
     "Moments",
@@ -105,6 +109,7 @@ __all__ = [
     "disk_turn_limit",
     "ensemble",
     "error_law_coefficient",
+    "exact_turn",
     "fit",
     "imperfect_rim",
     "lift_off_rate",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ from rimroll import _core, laws
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
-from rimroll.motion import whole_number
+from rimroll.motion import thread_count, whole_number
 from rimroll.options import Options
 from rimroll.state import State
 from rimroll.theory import balance_tilt
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-
-MOST_THREADS = 1024
 
 AT_A_TIME = 256
 """Falls between two looks at Ctrl-C and the progress bar: a fraction of a second."""
@@ -41,6 +39,9 @@ OUTCOMES = {
     "failed": "could not be computed",
 }
 """What can become of a body, and what the words mean."""
+
+FELL = ("toppled", "rocked")
+"""Outcomes of which the direction is one of fall, or of the largest tilt."""
 
 VARIABLES = {
     "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the outcome"),
@@ -128,9 +129,7 @@ def ensemble(
         None if topple_tilt is None else number("topple_tilt", topple_tilt),
         whole_number("max_steps", max_steps),
     )
-    workers = 0 if threads is None else whole_number("threads", threads)
-    if workers > MOST_THREADS:
-        raise RimrollError(f"threads must be at most {MOST_THREADS}, got {workers}")
+    workers = thread_count(threads)
     rows = _rows(starts)
     grips = _grips(grip, len(rows.tilt))
     outcomes: list[str] = []
@@ -138,7 +137,7 @@ def ensemble(
 
     def told() -> xr.Dataset:
         dataset = _dataset(rows, grips, outcomes, np.concatenate(tables), balance_tilt(body))
-        return dataset.assign_attrs(_parameters(body, law, options))
+        return dataset.assign_attrs(parameters(body, law, asdict(options)))
 
     try:
         for first in range(0, len(rows.tilt), AT_A_TIME):
@@ -244,16 +243,33 @@ def _outcome(ending: str, came_down: bool, over: bool) -> str:
     return ending
 
 
+def fell(falls: xr.Dataset) -> NDArray[np.bool_]:
+    """Which of the falls have a direction."""
+    outcome = falls["outcome"].values
+    return np.asarray(np.logical_or.reduce([outcome == name for name in FELL]))
+
+
+def outcomes(falls: xr.Dataset) -> dict[str, int]:
+    """How many falls had each outcome, of those that occur."""
+    outcome = falls["outcome"].values
+    counts: dict[str, int] = {}
+    for name in OUTCOMES:
+        if sum(counts.values()) < outcome.size:  # a million words are slow to compare
+            counts[name] = int(np.count_nonzero(outcome == name))
+    return {name: count for name, count in counts.items() if count}
+
+
 def _unit(name: str) -> str:
     return "rad/s" if name.endswith("_rate") else "rad"
 
 
-def _parameters(body: Body, law: Law, options: Options) -> dict[str, object]:
+def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str, object]:
+    """The attributes of a dataset of falls: everything that it was computed from but the starts."""
     return {
         "law": law.name,
         **{f"law_{name}": value for name, value in law.numbers.items()},
         **{f"body_{name}": value for name, value in asdict(body).items()},
-        **{name: value for name, value in asdict(options).items() if value is not None},
+        **{name: value for name, value in options.items() if value is not None},
         "rimroll_version": _core.__version__,
     }
 

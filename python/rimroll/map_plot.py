@@ -16,15 +16,12 @@ from numpy.typing import NDArray
 
 from rimroll import style
 from rimroll.directions import around, middle_of
-from rimroll.ensemble import body_of, law_of
+from rimroll.ensemble import FELL, body_of, fell, law_of, outcomes
 from rimroll.laws import IDEAL
 from rimroll.sensitivity import watershed_slope
 
 if TYPE_CHECKING:
     import xarray as xr
-
-FELL = ("toppled", "rocked")
-"""Outcomes of which the direction is one of fall, or of the largest tilt."""
 
 NOWHERE = "#9A9A9A"
 """Colour of starts with another outcome."""
@@ -43,7 +40,7 @@ def map_figure(falls: xr.Dataset) -> Figure:
         _draw_watershed(ax, falls)
         style.label(ax, "", _title(falls), YAW, SPIN)
         scale_of_directions(figure.colorbar(image, ax=ax, pad=0.03))
-        others = set(falls.outcome.values.ravel().tolist()) - set(FELL)
+        others = set(outcomes(falls)) - set(FELL)
         if others:
             name = ", ".join(sorted(others)).replace("_", " ")
             ax.legend(handles=[Patch(color=NOWHERE, label=name)], loc="lower right", frameon=True)
@@ -52,8 +49,7 @@ def map_figure(falls: xr.Dataset) -> Figure:
 
 def directions(falls: xr.Dataset, middle: float = 180.0) -> NDArray[np.float64]:
     """Directions of fall, degrees, round a middle; NaN where the body did not rise again."""
-    fell = np.isin(falls.outcome.values, FELL)
-    return np.where(fell, around(middle, np.degrees(falls.direction.values)), np.nan)
+    return np.where(fell(falls), around(middle, np.degrees(falls.direction.values)), np.nan)
 
 
 def middle_of_map(falls: xr.Dataset) -> float:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect, number
+from rimroll.jacobian import PARAMETERS, Jacobian
 from rimroll.laws import Law
 from rimroll.options import Options
 from rimroll.state import State, single, times
@@ -29,6 +30,8 @@ _ROW = {name: i for i, name in enumerate(_core.COLUMNS)}
 
 MOST_SAMPLES = 10_000_000
 """Samples at a time: some 1.5 GB."""
+
+MOST_THREADS = 1024
 
 UNITS = {
     "t": "s",
@@ -267,12 +270,6 @@ class Motion(Moments):
     status
         ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
         ``failed``.
-    message
-        The same in a sentence.
-    turns
-        The turns, in order of time.
-    stats
-        What it cost.
     """
 
     def __init__(
@@ -282,8 +279,8 @@ class Motion(Moments):
         start: State,
         law: Law,
         options: Options,
+        has_jacobian: bool = False,
     ) -> None:
-        super().__init__(core.nodes())
         self._core = core
         self.body = body
         self.start = start
@@ -295,9 +292,26 @@ class Motion(Moments):
         self.topple_tilt = options.topple_tilt
         self.max_steps = options.max_steps
         self.status = core.status
-        self.message = core.message
-        self.stats = Stats(*core.work)
-        self.turns = [Turn(*numbers) for numbers in core.turns()]
+        self._has_jacobian = has_jacobian
+
+    @cached_property
+    def _table(self) -> Array:  # type: ignore[override]
+        return self._core.nodes()
+
+    @cached_property
+    def message(self) -> str:
+        """How it ended, in a sentence."""
+        return self._core.message
+
+    @cached_property
+    def stats(self) -> Stats:
+        """What it cost."""
+        return Stats(*self._core.work)
+
+    @cached_property
+    def turns(self) -> list[Turn]:
+        """The turns, in order of time."""
+        return [Turn(*numbers) for numbers in self._core.turns()]
 
     @cached_property
     def events(self) -> list[Event]:
@@ -321,7 +335,7 @@ class Motion(Moments):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A copy is the motion computed again: the same to the last bit."""
-        return _follow, (self.body, self.start, self.law, self._options)
+        return _follow, (self.body, self.start, self.law, self._options, self._has_jacobian)
 
     def __call__(self, t: ArrayLike) -> State:
         """Dense output: the state at a time t (s, inside the motion), or at times (n,).
@@ -335,6 +349,36 @@ class Motion(Moments):
 
     def evaluate(self, t: ArrayLike) -> Moments:
         """Everything at times t (s, shape (n,), inside the motion)."""
+        return Moments(self._core.at(self._inside(t)))
+
+    def jacobian(self, t: ArrayLike) -> Jacobian:
+        """How the state at a time t (s, inside the motion), or at times (n,), would change.
+
+        Exact derivatives by the start, the body and gravity, of a motion from
+        ``simulate(..., jacobian=True)``; about as accurate as the motion.
+
+        >>> import rimroll as rr
+        >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
+        >>> motion = rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip(), jacobian=True)
+        >>> round(float(motion.jacobian(0.1)["tilt", "tilt_rate"]), 3)
+        0.116
+
+        Raises ``RimrollError`` for a motion simulated without.
+        """
+        values = self._core.jacobian(self._inside(t))
+        return Jacobian(values if np.ndim(t) else values[0])
+
+    @cached_property
+    def turn_jacobians(self) -> list[dict[str, float]]:
+        """For each of the turns, the derivative of its angle by each parameter, rad over SI units.
+
+        The moments at which the tilt is largest move with the parameters, too. As
+        :meth:`jacobian`, of a motion simulated with ``jacobian=True``.
+        """
+        rows = self._core.turn_jacobian().tolist()
+        return [dict(zip(PARAMETERS, row, strict=True)) for row in rows]
+
+    def _inside(self, t: ArrayLike) -> Array:
         moments = times(t)
         last = float(self.t[-1])
         outside = moments[~((moments >= 0.0) & (moments <= last))]
@@ -343,7 +387,7 @@ class Motion(Moments):
                 f"t must be inside the motion, 0 to {last:.6g} s ({self.status}), "
                 f"got {outside[0]} s"
             )
-        return Moments(self._core.at(moments))
+        return moments
 
     def samples(self, per_step: int = 4) -> Moments:
         """Everything at the accepted steps and evenly inside each: for smooth curves."""
@@ -427,6 +471,7 @@ def simulate(
     topple_tilt: float | None = None,
     max_steps: int = 1_000_000,
     progress: Callable[[float], object] | None = None,
+    jacobian: bool = False,
 ) -> Motion:
     """Follow a body from a start under a contact law.
 
@@ -445,9 +490,12 @@ def simulate(
         The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
         meets the table; none for a disk, which may stand on its edge and fall to either face.
     max_steps
-        Most steps to make before giving up with the status ``failed``; a step takes 0.7 kB.
+        Most steps to make before giving up with the status ``failed``; a step takes 0.3 kB.
     progress
         Called now and then in a long motion with the time reached, s.
+    jacobian
+        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. For rolling without slip
+        and frictionless sliding without resistance; some thirty times the work.
 
     Returns
     -------
@@ -458,7 +506,8 @@ def simulate(
     Raises
     ------
     RimrollError
-        A number outside its bounds, or a start of arrays.
+        A number outside its bounds, or a start of arrays; derivatives of a motion that has none,
+        since its contact changes on the way, or under a law for which they are not offered.
     """
     expect("body", body, Body)
     expect("start", start, State)
@@ -470,7 +519,7 @@ def simulate(
         None if topple_tilt is None else number("topple_tilt", topple_tilt),
         whole_number("max_steps", max_steps),
     )
-    return _follow(body, single(start), law, options, progress)
+    return _follow(body, single(start), law, options, bool(jacobian), progress)
 
 
 def _follow(
@@ -478,10 +527,11 @@ def _follow(
     start: State,
     law: Law,
     options: Options,
+    has_jacobian: bool = False,
     progress: Callable[[float], object] | None = None,
 ) -> Motion:
-    core = _core.simulate(body, start, law, *options.values, progress)
-    return Motion(core, body, start, law, options)
+    core = _core.simulate(body, start, law, *options.values, progress, has_jacobian)
+    return Motion(core, body, start, law, options, has_jacobian)
 
 
 def whole_number(field: str, value: object) -> int:
@@ -489,3 +539,11 @@ def whole_number(field: str, value: object) -> int:
     if not (count.is_integer() and 1 <= count < 2**53):
         raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
     return int(count)
+
+
+def thread_count(threads: object) -> int:
+    """As many as were asked for; 0, which stands for as many as there are processors, for None."""
+    count = 0 if threads is None else whole_number("threads", threads)
+    if count > MOST_THREADS:
+        raise RimrollError(f"threads must be at most {MOST_THREADS}, got {count}")
+    return count

@@ -19,6 +19,8 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.ensemble import VARIABLES, Interrupted, ensemble
 from rimroll.errors import RimrollError, expect, number
+from rimroll.exact import conserves_energy
+from rimroll.exact_falls import exact_falls
 from rimroll.laws import IDEAL, Frictionless, Law, ideal
 from rimroll.state import State, single
 
@@ -58,14 +60,17 @@ def turn_map(
         dψ/dt and dθ/dt, rad/s, each a flat array in rising order.
     gravity, duration, rtol, topple_tilt, max_steps, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
+        Under ``NoSlip()`` and ``Frictionless()`` nothing is stepped: turns are exact, see
+        :func:`rimroll.exact_turn`, and ``duration``, ``rtol`` and ``max_steps`` play no part.
 
     Returns
     -------
     xarray.Dataset
         ``outcome`` and the variables of :func:`rimroll.ensemble`, among them ``turn``,
-        ``direction`` and ``min_tilt``, over (``spin_rate``, ``yaw_rate``). Angles in rad; a
-        direction above π is a fall to the left of a hand that flicks the body away from itself.
-        The attributes hold all else that it was computed from.
+        ``direction`` and ``min_tilt``, over (``spin_rate``, ``yaw_rate``); without those about
+        losses and steps where nothing is stepped. Angles in rad; a direction above π is a fall to
+        the left of a hand that flicks the body away from itself. The attributes hold all else that
+        it was computed from.
 
     Raises
     ------
@@ -77,19 +82,31 @@ def turn_map(
     expect("start", start, State)
     start = single(start)
     yaw, spin = _rising("yaw_rates", yaw_rates), _rising("spin_rates", spin_rates)
+    starts = replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw)))
     try:
-        falls = ensemble(
-            body,
-            replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw))),
-            law,
-            gravity=gravity,
-            duration=duration,
-            rtol=rtol,
-            topple_tilt=topple_tilt,
-            max_steps=max_steps,
-            threads=threads,
-            progress=progress,
-        )
+        if conserves_energy(law):
+            falls = exact_falls(
+                body,
+                starts,
+                law,
+                gravity=gravity,
+                topple_tilt=topple_tilt,
+                threads=threads,
+                progress=progress,
+            )
+        else:
+            falls = ensemble(
+                body,
+                starts,
+                law,
+                gravity=gravity,
+                duration=duration,
+                rtol=rtol,
+                topple_tilt=topple_tilt,
+                max_steps=max_steps,
+                threads=threads,
+                progress=progress,
+            )
     except Interrupted as interrupted:
         raise Interrupted(_plane(interrupted.done, yaw, spin, start)) from None
     return _plane(falls, yaw, spin, start)
@@ -199,6 +216,7 @@ def _plane(falls: xr.Dataset, yaw: Array, spin: Array, start: State) -> xr.Datas
     variables = {
         name: (across, falls[name].values.reshape(rows, len(yaw)), falls[name].attrs)
         for name in ("outcome", *VARIABLES)
+        if name in falls
     }
     kept = ("tilt", "tilt_rate", "yaw", "spin")
     return xr.Dataset(

@@ -56,7 +56,7 @@ pub struct StartsArgument<'py> {
 }
 
 impl StartsArgument<'_> {
-    fn starts(&self) -> impl Iterator<Item = State> + '_ {
+    pub fn starts(&self) -> impl Iterator<Item = State> + '_ {
         let columns = [
             &self.tilt,
             &self.tilt_rate,

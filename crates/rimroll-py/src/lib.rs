@@ -3,6 +3,7 @@
 mod arguments;
 mod bodies;
 mod ensemble;
+mod exact;
 mod imperfection;
 mod motion;
 mod theory;
@@ -24,6 +25,8 @@ mod _core {
     #[pymodule_export]
     use crate::ensemble::ensemble;
     #[pymodule_export]
+    use crate::exact::exact_turns;
+    #[pymodule_export]
     use crate::imperfection::imperfect_rim;
     #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};
@@ -39,6 +42,9 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
+        module.add("PARAMETERS", core::PARAMETERS)?;
+        module.add("EXACT_COLUMNS", crate::exact::EXACT_COLUMNS)?;
+        module.add("EXACT_STATUSES", crate::exact::statuses())?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)

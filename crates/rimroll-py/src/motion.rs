@@ -1,9 +1,9 @@
 //! `simulate` and the columns of numbers that describe a motion.
 
-use crate::arguments::{BodyArgument, StateArgument, SurfaceArgument, refusal};
-use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
+use crate::arguments::{BodyArgument, RimrollError, StateArgument, SurfaceArgument, refusal};
+use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::motion::{COLUMNS, Instant, Moment};
+use rimroll::motion::{COLUMNS, Instant, Moment, PARAMETERS, Sensitivity};
 use rimroll::{Options, simulate as simulate_in_core};
 use std::ops::ControlFlow;
 
@@ -14,6 +14,8 @@ type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 #[pyclass(frozen)]
 pub struct CoreMotion {
     motion: rimroll::Motion,
+    /// Where it was asked for.
+    sensitivity: Option<Sensitivity>,
 }
 
 impl CoreMotion {
@@ -30,8 +32,14 @@ impl CoreMotion {
                 flat[j * count + i] = *value;
             }
         }
-        let array = flat.into_pyarray(py);
-        numpy::PyArrayMethods::reshape(&array, [COLUMNS.len(), count])
+        flat.into_pyarray(py).reshape([COLUMNS.len(), count])
+    }
+
+    fn sensitivity(&self) -> PyResult<&Sensitivity> {
+        let missing = "ask for the derivatives with simulate(..., jacobian=True)";
+        self.sensitivity
+            .as_ref()
+            .ok_or_else(|| RimrollError::new_err(missing))
     }
 }
 
@@ -58,7 +66,31 @@ impl CoreMotion {
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let t = t.as_array();
-        self.table(py, t.iter().map(|&t| self.motion.track.at(t)))
+        let mut look_up = self.motion.track.look_up();
+        self.table(py, t.iter().map(|&t| look_up.at(t)))
+    }
+
+    /// Derivatives of the state at times (s) by each parameter, (times, 6, 12).
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let sensitivity = self.sensitivity()?;
+        let t = t.as_array();
+        let at = |&t: &f64| sensitivity.at(&self.motion.track, t);
+        let flat: Vec<f64> = t.iter().map(at).collect::<Vec<_>>().concat().concat();
+        flat.into_pyarray(py)
+            .reshape([t.len(), 6, PARAMETERS.len()])
+    }
+
+    /// Derivatives of the angles of turn by each parameter, (turns, 12).
+    fn turn_jacobian<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let turns = self.sensitivity()?.turns();
+        turns
+            .concat()
+            .into_pyarray(py)
+            .reshape([turns.len(), PARAMETERS.len()])
     }
 
     /// The kinds of the events and their table.
@@ -123,6 +155,7 @@ pub fn simulate(
     topple_tilt: Option<f64>,
     max_steps: usize,
     progress: Option<Py<PyAny>>,
+    jacobian: bool,
 ) -> PyResult<CoreMotion> {
     let options = Options {
         duration,
@@ -149,11 +182,16 @@ pub fn simulate(
             ControlFlow::Break(())
         }
     };
-    let motion = py
-        .detach(|| simulate_in_core(&body, &start, surface, &options, watch))
-        .map_err(refusal)?;
+    let followed = py.detach(|| {
+        let motion = simulate_in_core(&body, &start, surface, &options, watch)?;
+        let sensitivity = jacobian.then(|| motion.sensitivity()).transpose()?;
+        Ok(CoreMotion {
+            motion,
+            sensitivity,
+        })
+    });
     match raised {
         Some(error) => Err(error),
-        None => Ok(CoreMotion { motion }),
+        None => followed.map_err(refusal),
     }
 }

@@ -55,6 +55,12 @@ pub enum InvalidInput {
         /// Why not.
         why: String,
     },
+    /// A motion that is not smooth in what it was computed from.
+    #[error("no derivative of this motion is offered: {why}")]
+    NoSensitivity {
+        /// Why not.
+        why: String,
+    },
     /// A body composed of no solids.
     #[error("solids must name at least one solid, got none")]
     NoSolids,

@@ -199,7 +199,7 @@ struct SlidingImpact<'a> {
     speed: f64,
 }
 
-impl System<8> for SlidingImpact<'_> {
+impl System<f64, 8> for SlidingImpact<'_> {
     fn rates(&self, a: &[f64; 8]) -> [f64; 8] {
         let Mobility {
             along,

@@ -51,6 +51,14 @@ pub struct Parameters<T> {
     pub g: T,
 }
 
+impl<T: Copy> Parameters<T> {
+    /// [m, R, H, A, C, g].
+    #[inline(always)]
+    pub(crate) fn letters(&self) -> [T; 6] {
+        [self.m, self.r, self.h, self.a, self.c, self.g]
+    }
+}
+
 impl<T: Real> Parameters<T> {
     /// The numbers of a body under gravity g (m/s²).
     pub fn new(body: &Body, gravity: f64) -> Self {
@@ -65,22 +73,26 @@ impl<T: Real> Parameters<T> {
     }
 
     /// ρ: how far the centre of mass lies beside the contact point, toward the base's centre, m.
+    #[inline(always)]
     pub fn rho(&self, u: &Coordinates<T>) -> T {
         self.r * u.cos - self.h * u.sin
     }
 
     /// z: how far the centre of mass lies over the table, m.
+    #[inline(always)]
     pub fn z(&self, u: &Coordinates<T>) -> T {
         self.r * u.sin + self.h * u.cos
     }
 
     /// N sin φ, from vertical momentum N = m (g + z̈) with z̈ = ρ φ̈ − z φ̇².
+    #[inline(always)]
     pub(crate) fn normal(&self, u: &Coordinates<T>, dp: T) -> T {
         self.m * (u.sin * self.g + self.rho(u) * dp - u.sin * self.z(u) * u.p * u.p)
     }
 
     /// How fast a rolling rim carries the centre of mass along e_x1 and e_y1, m/s (appendix A,
     /// Eq. `vG_noslip`, in the frame that yaws but does not tilt).
+    #[inline(always)]
     pub(crate) fn rolling_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         [-self.z(u) * u.p, self.r * u.s - self.h * u.w]
     }
@@ -125,7 +137,13 @@ pub trait Law<T: Real> {
     fn parameters(&self) -> &Parameters<T>;
 
     /// Rates of the coordinates by the solver's clock τ.
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T>;
+    #[inline(always)]
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        u.with_place(self.rates_but_place(u), self.center_velocity(u))
+    }
+
+    /// The same without spin and place, which nothing else depends on.
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T>;
 
     /// The table's force on the rim, times sin φ.
     fn contact(&self, u: &Coordinates<T>) -> Contact<T>;

@@ -35,9 +35,10 @@
 //! [`body`] and [`solids`]: what rolls. [`surface`]: what it rolls on. [`state`]: where it is and how it
 //! moves, and the coordinates that stay regular through the near-collision. [`law`]: the equations of
 //! motion, one file a law. [`solve`]: a solver that knows no mechanics. [`motion`]: [`simulate`], phases
-//! joined by events, and [`motion::fall`], one turn alone; [`ensemble`](mod@ensemble): many falls at
-//! once. [`turn`]: closed forms, and the near-collision by itself under any friction. [`pasted`] and
-//! [`small_angle`]: the paper's two approximations. [`imperfection`]: the theory that it rejects.
+//! joined by events, [`motion::Sensitivity`], how a motion changes with what it was computed from, and
+//! [`motion::fall`], one turn alone; [`ensemble`](mod@ensemble): many falls at once. [`turn`]: closed
+//! forms, and the near-collision by itself under any friction. [`pasted`] and [`small_angle`]: the
+//! paper's two approximations. [`imperfection`]: the theory that it rejects.
 //!
 //! # What it does not do
 //! A body is its mass, its moments of inertia and its rim: what else of it might touch the table, it

@@ -8,11 +8,14 @@
 mod contacts;
 mod events;
 mod fall;
+mod glance;
+mod leg;
 mod mechanics;
 mod message;
 mod moment;
 mod onset;
 mod run;
+mod sensitivity;
 mod track;
 mod turns;
 
@@ -21,7 +24,8 @@ pub use events::{Event, EventKind};
 pub use fall::{Fall, fall};
 pub use moment::{COLUMNS, Moment, moment};
 pub(crate) use run::pass_near_collision;
-pub use track::{Instant, Track};
+pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
+pub use track::{Instant, LookUp, Track};
 pub use turns::Turn;
 
 use crate::body::Body;
@@ -35,6 +39,7 @@ use core::ops::ControlFlow;
 use events::Goal;
 use message::message;
 use run::Run;
+use std::sync::Arc;
 
 /// Standard gravity, m/s² (exact by convention). The paper used 9.8.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -80,15 +85,16 @@ impl Default for Options {
 impl Options {
     /// What one step may err, relative to the size of each coordinate.
     ///
-    /// Errors of the energy add up from step to step, so a step is held to a fiftieth of `rtol`:
-    /// measured over 20 rockings of the can, the energy then keeps to 0.2 rtol. Below 5e-15 rounding
+    /// Errors add up from step to step, so a step is held to a fiftieth of `rtol`. Measured over 20
+    /// rockings of a can, a disk, a coin and a bottle under both ideal laws, the energy then keeps to
+    /// 0.4 rtol, and the yaw and the times of the near-collisions to 2 rtol. Below 5e-15 rounding
     /// would be taken for error.
     pub(crate) fn step_tolerance(&self) -> f64 {
         (0.02 * self.rtol).max(5e-15)
     }
 
     /// Checks the numbers and fills in the body's own topple tilt.
-    fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
+    pub(crate) fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
         start.check()?;
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;
@@ -172,7 +178,7 @@ impl Status {
 /// A computed motion.
 pub struct Motion {
     /// The laws with the body's numbers, for forces and energy along the way.
-    pub contacts: Contacts,
+    pub contacts: Arc<Contacts>,
     /// Every accepted step, to be evaluated anywhere.
     pub track: Track,
     /// What happened on the way, in order of time.
@@ -191,6 +197,15 @@ impl Motion {
     /// The law that holds at an instant of the motion.
     pub fn law(&self, at: &Instant) -> &dyn Law<f64> {
         self.contacts.law(at.phase)
+    }
+
+    /// The derivatives of the motion by its start, its body and gravity.
+    ///
+    /// # Errors
+    /// Where the motion is not smooth in them: offered is rolling without slip and sliding without
+    /// friction, each all the way and without resistance.
+    pub fn sensitivity(&self) -> Result<Sensitivity, InvalidInput> {
+        Sensitivity::of(self)
     }
 
     /// All that is known at an instant of the motion.
@@ -212,16 +227,17 @@ pub fn simulate(
     start: &State,
     surface: impl Into<Surface>,
     options: &Options,
-    watch: impl FnMut(f64) -> ControlFlow<()>,
+    mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
     let surface = surface.into();
     surface.check()?;
     let options = options.checked(body, start)?;
     let contacts = Contacts::new(body, &surface, options.gravity, options.step_tolerance());
+    let contacts = Arc::new(contacts);
     let start = Coordinates::from_state(start);
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
-    let status = run.follow_to_the_end(watch);
+    let status = run.follow_to_the_end(&mut watch);
     let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),

@@ -1,13 +1,16 @@
 //! The number that the mechanics is written over.
 //!
-//! The same right-hand side runs on plain `f64` and on dual numbers (exact derivatives). Results
+//! The same right-hand side runs on plain `f64`, on lanes of them and on dual numbers (exact derivatives). Results
 //! must be the same to the last bit on every machine, so an implementation may use + − × ÷ and the
 //! square root, which IEEE 754 defines to the bit, and `libm` for all else; never the platform's
 //! sine, and no fused multiply-add.
 
 mod dual;
+mod elementary;
+mod lanes;
 
-pub use dual::Dual;
+pub use dual::{Dual, Slope, Slopes};
+pub use lanes::{LANES, Lanes, Mask};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -27,8 +30,29 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
-    /// Whether x < 0.
-    fn is_negative(self) -> bool;
+    /// eˣ − 1, for |x| ≤ 700.
+    fn exp_m1(self) -> Self;
+    /// ln x, for x > 0 that is neither tiny (below 1e-300) nor infinite.
+    fn ln(self) -> Self;
+    /// The angle in (−π/2, π/2) whose tangent is x.
+    fn atan(self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The larger of x and `other`.
+    fn max(self, other: Self) -> Self;
+    /// `yes` where x < 0, else `no`.
+    fn where_negative(self, yes: Self, no: Self) -> Self;
+    /// Four polynomials in x, whose coefficients are given by falling power.
+    #[inline(always)]
+    fn polynomials<C: Copy + Into<Self>>(rows: &[[C; 4]], x: Self) -> [Self; 4] {
+        let mut sums = [Self::from(0.0); 4];
+        for row in rows {
+            for (sum, &coefficient) in sums.iter_mut().zip(row) {
+                *sum = *sum * x + coefficient.into();
+            }
+        }
+        sums
+    }
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
 }
@@ -49,9 +73,34 @@ impl Real for f64 {
         libm::exp(self)
     }
 
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        elementary::exp_m1(self)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+
     #[inline]
-    fn is_negative(self) -> bool {
-        self < 0.0
+    fn atan(self) -> Self {
+        libm::atan(self)
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        f64::max(self, other)
+    }
+
+    #[inline]
+    fn where_negative(self, yes: Self, no: Self) -> Self {
+        if self < 0.0 { yes } else { no }
     }
 
     #[inline]

@@ -28,7 +28,7 @@ struct InverseCube {
     time: f64,
 }
 
-impl System<PLANE> for InverseCube {
+impl System<f64, PLANE> for InverseCube {
     fn rates(&self, u: &[f64; PLANE]) -> [f64; PLANE] {
         let [x, y, vx, vy, _] = *u;
         let square = x * x + y * y;

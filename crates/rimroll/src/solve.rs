@@ -17,27 +17,16 @@ pub use dop853::Step;
 pub use root::bracketed;
 pub use stiff::Implicit;
 
-/// An autonomous system of N first-order equations.
-pub trait System<const N: usize> {
+use crate::real::Real;
+
+/// An autonomous system of N first-order equations, in numbers of the type T: each lane of lanes, and the
+/// slopes of dual numbers, go with the steps of their values.
+pub trait System<T: Real, const N: usize> {
     /// u′ = f(u).
-    fn rates(&self, u: &[f64; N]) -> [f64; N];
+    fn rates(&self, u: &[T; N]) -> [T; N];
 
     /// For each component the size that an error is to be compared with.
-    fn scale(&self, u: &[f64; N]) -> [f64; N];
-
-    /// How many components, the first, change in every case: the others cost nothing where
-    /// [`System::only_first`] says so.
-    const FIRST: usize = N;
-
-    /// Whether only the first components change.
-    fn only_first(&self) -> bool {
-        false
-    }
-
-    /// How many components change.
-    fn changing(&self) -> usize {
-        if self.only_first() { Self::FIRST } else { N }
-    }
+    fn scale(&self, u: &[T; N]) -> [T; N];
 }
 
 /// Why no further step could be made.
@@ -69,28 +58,34 @@ impl core::ops::Add for Work {
     }
 }
 
+/// By what factor the next step may be longer than one with this error (over what is tolerated), to be
+/// good but for a margin: 0.9 err^(−1/8) (Hairer, Nørsett & Wanner 1993, section II.4). The root is
+/// three square roots, for the same bits everywhere.
+#[inline]
+pub fn next_factor<T: Real>(error: T) -> T {
+    const LEAST: f64 = 1e-12;
+    T::from(0.9) / error.max(T::from(LEAST)).sqrt().sqrt().sqrt()
+}
+
 /// Steps through a system with the error of each step held below a tolerance.
 pub struct Stepper<'a, S, const N: usize> {
     system: &'a S,
     tolerance: f64,
-    u: [f64; N],
-    rates: [f64; N],
+    /// Length of the next step to try.
     h: f64,
-    step: Option<Step<N>>,
+    step: Step<f64, N>,
     /// Work so far.
     pub work: Work,
 }
 
-impl<'a, S: System<N>, const N: usize> Stepper<'a, S, N> {
+impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
     /// A solver at the start `u`; `h` is a first guess for the step and need not be good.
     pub fn new(system: &'a S, u: [f64; N], h: f64, tolerance: f64) -> Self {
         Stepper {
             system,
             tolerance,
-            u,
-            rates: system.rates(&u),
             h,
-            step: None,
+            step: Step::still(&u, &system.rates(&u)),
             work: Work {
                 evaluations: 1,
                 ..Work::default()
@@ -100,30 +95,26 @@ impl<'a, S: System<N>, const N: usize> Stepper<'a, S, N> {
 
     /// Makes one step, as long as the tolerance allows.
     ///
-    /// The next step is chosen as h · 0.9 err^(−1/8), within a factor of 5 down and 8 up (Hairer,
-    /// Nørsett & Wanner 1993, section II.4).
+    /// The next step is [`next_factor`] times as long, within a factor of 5 down and 8 up.
     ///
     /// # Errors
     /// When no step is short enough.
-    pub fn advance(&mut self) -> Result<&mut Step<N>, Stuck> {
+    pub fn advance(&mut self) -> Result<&mut Step<f64, N>, Stuck> {
         let mut grow_at_most = 8.0;
+        self.step.begin_next();
         loop {
-            let step = Step::take(self.system, &self.u, &self.rates, self.h);
-            self.work.evaluations += Step::<N>::EVALUATIONS;
-            let error = step.error(self.system, self.tolerance);
+            let error = self.step.attempt(self.system, self.h, self.tolerance);
+            self.work.evaluations += Step::<f64, N>::EVALUATIONS;
             // Written so that a NaN is refused.
             if error <= 1.0 {
-                let factor = 0.9 / libm::pow(error.max(1e-12), 0.125);
-                self.u = step.end;
-                self.rates = step.end_rates;
-                self.h *= factor.clamp(0.2, grow_at_most);
+                self.h *= next_factor(error).clamp(0.2, grow_at_most);
                 self.work.steps += 1;
-                return Ok(self.step.insert(step));
+                return Ok(&mut self.step);
             }
             self.work.rejected += 1;
             grow_at_most = 1.0;
             self.h *= if error.is_finite() {
-                (0.9 / libm::pow(error, 0.125)).clamp(0.2, 1.0)
+                next_factor(error).clamp(0.2, 1.0)
             } else {
                 0.1
             };

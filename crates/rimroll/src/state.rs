@@ -26,6 +26,18 @@ pub struct State {
 }
 
 impl State {
+    /// Its six numbers, in the order in which they are listed.
+    pub fn numbers(&self) -> [f64; 6] {
+        [
+            self.tilt,
+            self.tilt_rate,
+            self.yaw,
+            self.yaw_rate,
+            self.spin,
+            self.spin_rate,
+        ]
+    }
+
     /// Checks a start: the tilt inside (0, π), yaw and spin within 1e6 rad, rates within 1e30 rad/s.
     ///
     /// # Errors
@@ -58,6 +70,9 @@ pub const COORDINATES: usize = 17;
 /// How many of them, the first, say where the body is and how it turns.
 pub const MOVING: usize = 10;
 
+/// Index of the time among them.
+pub const TIME: usize = 2;
+
 /// The coordinates that are integrated: regular through the near-collision.
 ///
 /// As the base almost slaps the table ψ̇ and θ̇ grow without bound like 1/φ, but the body's angular
@@ -72,10 +87,6 @@ pub struct Coordinates<T> {
     pub yaw: T,
     /// θ, rad.
     pub spin: T,
-    /// Centre of mass over the table, m.
-    pub x: T,
-    /// Centre of mass over the table, m.
-    pub y: T,
     /// Time, s.
     pub t: T,
     /// sin φ.
@@ -88,6 +99,11 @@ pub struct Coordinates<T> {
     pub w: T,
     /// s = θ̇ + ψ̇ cos φ, rad/s: the spin about the symmetry axis.
     pub s: T,
+    /// Where the centre of mass is from where it started: along e_x1, m. In the frame that yaws, its rate
+    /// is polynomial, too: nothing here asks for the sine of the yaw.
+    pub x1: T,
+    /// The same along e_y1, m.
+    pub y1: T,
     /// Horizontal velocity of the rim's lowest point along e_x1, m/s, where the law makes use of it.
     pub slip_x: T,
     /// The same along e_y1, m/s.
@@ -107,24 +123,24 @@ pub struct Coordinates<T> {
 impl<T: Copy> Coordinates<T> {
     /// From the order in which the solver keeps them.
     #[rustfmt::skip]
-    #[inline]
+    #[inline(always)]
     pub fn from_array(array: &[T; COORDINATES]) -> Self {
         let [
-            yaw, spin, x, y, t, sin, cos, p, w, s, slip_x, slip_y, gap, gap_rate,
+            yaw, spin, t, sin, cos, p, w, s, x1, y1, slip_x, slip_y, gap, gap_rate,
             friction_loss, resistance_loss, impact_loss,
         ] = *array;
         Coordinates {
-            yaw, spin, x, y, t, sin, cos, p, w, s, slip_x, slip_y, gap, gap_rate,
+            yaw, spin, t, sin, cos, p, w, s, x1, y1, slip_x, slip_y, gap, gap_rate,
             friction_loss, resistance_loss, impact_loss,
         }
     }
 
     /// Into the order in which the solver keeps them.
     #[rustfmt::skip]
-    #[inline]
+    #[inline(always)]
     pub fn into_array(self) -> [T; COORDINATES] {
         [
-            self.yaw, self.spin, self.x, self.y, self.t, self.sin, self.cos, self.p, self.w, self.s,
+            self.yaw, self.spin, self.t, self.sin, self.cos, self.p, self.w, self.s, self.x1, self.y1,
             self.slip_x, self.slip_y, self.gap, self.gap_rate,
             self.friction_loss, self.resistance_loss, self.impact_loss,
         ]
@@ -141,8 +157,33 @@ impl Coordinates<f64> {
 
 impl<T: Real> Coordinates<T> {
     /// All zero: rates of nothing.
+    #[inline(always)]
     pub fn zero() -> Self {
         Coordinates::from_array(&[T::from(0.0); COORDINATES])
+    }
+
+    /// From the first of them in the order in which the solver keeps them, the others being zero.
+    #[inline(always)]
+    pub(crate) fn from_first<const N: usize>(first: &[T; N]) -> Self {
+        let mut all = [T::from(0.0); COORDINATES];
+        all[..N].copy_from_slice(first);
+        Coordinates::from_array(&all)
+    }
+
+    /// The start of a motion: t = 0, the centre of mass over the origin, the rim at rest where it
+    /// touches the table. The numbers are those of a [`State`], in its order.
+    pub fn starting([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [T; 6]) -> Self {
+        let (sin, cos) = tilt.sin_cos();
+        Coordinates {
+            yaw,
+            spin,
+            sin,
+            cos,
+            p: tilt_rate,
+            w: yaw_rate * sin,
+            s: spin_rate + yaw_rate * cos,
+            ..Coordinates::zero()
+        }
     }
 
     /// ψ̇ = w / sin φ, rad/s.
@@ -156,40 +197,43 @@ impl<T: Real> Coordinates<T> {
     }
 
     /// The rates by the solver's clock τ that follow from the velocities alone, whatever the
-    /// forces: of the angles, of time, and of the centre of mass, which moves with `velocity` (m/s)
-    /// along e_x1 and e_y1. All others are zero.
-    #[inline]
-    pub fn kinematics(&self, velocity: [T; 2]) -> Self {
-        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
-        let [vx, vy] = velocity;
+    /// forces: of yaw, tilt and time. All others are zero.
+    #[inline(always)]
+    pub fn kinematics(&self) -> Self {
+        let falling = self.sin * self.p;
         Coordinates {
             yaw: self.w,
-            spin: self.sin * self.s - self.w * self.cos,
-            x: self.sin * (vx * cos_yaw - vy * sin_yaw),
-            y: self.sin * (vx * sin_yaw + vy * cos_yaw),
             t: self.sin,
-            sin: self.sin * self.cos * self.p,
-            cos: -self.sin * self.sin * self.p,
+            sin: falling * self.cos,
+            cos: -(falling * self.sin),
             ..Coordinates::zero()
         }
+    }
+
+    /// These rates with those of the spin, and of the centre of mass, which moves with `velocity`
+    /// (m/s) along e_x1 and e_y1.
+    #[inline(always)]
+    pub fn with_place(&self, rates: Self, velocity: [T; 2]) -> Self {
+        let [vx, vy] = velocity;
+        Coordinates {
+            spin: self.sin * self.s - self.w * self.cos,
+            x1: self.sin * vx + self.w * self.y1,
+            y1: self.sin * vy - self.w * self.x1,
+            ..rates
+        }
+    }
+
+    /// The centre of mass over the table, m, from where it started.
+    pub fn center(&self) -> [T; 2] {
+        let (sin, cos) = self.yaw.sin_cos();
+        [self.x1 * cos - self.y1 * sin, self.x1 * sin + self.y1 * cos]
     }
 }
 
 impl Coordinates<f64> {
-    /// The start of a motion: t = 0, the centre of mass over the origin, the rim at rest where it
-    /// touches the table.
+    /// The start of a motion from the paper's Euler angles, as [`Coordinates::starting`].
     pub fn from_state(state: &State) -> Self {
-        let (sin, cos) = libm::sincos(state.tilt);
-        Coordinates {
-            yaw: state.yaw,
-            spin: state.spin,
-            sin,
-            cos,
-            p: state.tilt_rate,
-            w: state.yaw_rate * sin,
-            s: state.spin_rate + state.yaw_rate * cos,
-            ..Coordinates::zero()
-        }
+        Coordinates::starting(state.numbers())
     }
 
     /// φ, rad.

@@ -3,6 +3,7 @@
 
 mod contact;
 mod convergence;
+pub mod exact;
 mod inner;
 mod limit;
 mod near_collision;

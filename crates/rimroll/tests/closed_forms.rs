@@ -310,7 +310,7 @@ proptest! {
 /// The equations without slip by themselves: the rim pushes and pulls as it must.
 struct Bilateral(NoSlip<f64>);
 
-impl System<COORDINATES> for Bilateral {
+impl System<f64, COORDINATES> for Bilateral {
     fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
         self.0.rates(&Coordinates::from_array(u)).into_array()
     }
@@ -320,8 +320,6 @@ impl System<COORDINATES> for Bilateral {
         Coordinates {
             yaw: 1.0,
             spin: 1.0,
-            x: 1.0,
-            y: 1.0,
             t: 1.0,
             sin: u.sin,
             cos: 1.0,

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 DIRECTION = "of fall or of the largest tilt, anticlockwise from that of the first lean"
 
+ROWS = 20_000  # written between two looks at the progress bar
+
 SMALL_INTEGERS = 2**31  # netCDF's; a larger seed is written down as text
 
 
@@ -31,7 +33,10 @@ def _csv(part: Path, falls: xr.Dataset, bar: Bar) -> None:
         file.write(",".join(frame.columns) + "\n")
         for name, value in {**falls.attrs, "direction": DIRECTION}.items():
             file.write(f"# {name} = {value}\n")
-        frame.to_csv(file, header=False, index=False, na_rep="nan", lineterminator="\n")
+        for first in range(0, len(frame), ROWS):
+            bar(first, len(frame), "")
+            rows = frame[first : first + ROWS]
+            rows.to_csv(file, header=False, index=False, na_rep="nan", lineterminator="\n")
 
 
 def _names(falls: xr.Dataset, columns: Any) -> Iterator[str]:

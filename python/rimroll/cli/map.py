@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -25,7 +24,7 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
-from rimroll.ensemble import Interrupted
+from rimroll.ensemble import FELL, Interrupted, fell, outcomes
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.names import typed
@@ -199,8 +198,7 @@ def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> tuple[xr.Dataset, 
 
 def summary(what: Asked, falls: xr.Dataset) -> dict[str, Any]:
     """What there is to say about a map, short of its falls."""
-    rose = np.isin(falls.outcome.values, ["toppled", "rocked"])
-    directions = falls.direction.values[rose]
+    directions = falls.direction.values[fell(falls)]
     left, right = directions[directions > np.pi], directions[directions < np.pi]
     ideal = is_ideal(what.law) and not what.law.resistances
     tilt = falls.attrs["start_tilt"]
@@ -209,7 +207,7 @@ def summary(what: Asked, falls: xr.Dataset) -> dict[str, Any]:
         "parameters": falls.attrs,
         "yaw_rates": [float(falls.yaw_rate[k]) for k in (0, -1)],
         "spin_rates": [float(falls.spin_rate[k]) for k in (0, -1)],
-        "outcomes": dict(Counter(falls.outcome.values.ravel().tolist())),
+        "outcomes": outcomes(falls),
         "left": _range(left),
         "right": _range(right),
         "nearest_to_opposite": float(np.abs(directions - np.pi).min()) if len(directions) else None,
@@ -242,7 +240,7 @@ def _show(what: Asked, falls: xr.Dataset, files: list[Path]) -> None:
         ends = found[side]["directions"]
         rows.add_row(f"to the {side}", str(found[side]["falls"]), *([angle(e) for e in ends or ()]))
     for outcome, count in found["outcomes"].items():
-        if outcome not in ("toppled", "rocked"):
+        if outcome not in FELL:
             rows.add_row(typed(outcome), str(count))
     say(rows)
     say()

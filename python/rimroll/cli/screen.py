@@ -42,7 +42,12 @@ def plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]
     if isinstance(value, np.ndarray | np.generic):
-        return plain(value.tolist())
+        array = np.asarray(value)
+        if array.dtype.kind == "f" and not np.isfinite(array).all():
+            finite = np.isfinite(array)
+            array = array.astype(object)
+            array[~finite] = None
+        return array.tolist()
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value

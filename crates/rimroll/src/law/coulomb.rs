@@ -16,14 +16,16 @@ pub struct Coulomb<T> {
 
 impl<T: Real> Coulomb<T> {
     /// The friction on a slip in the direction of a unit vector, however small.
+    #[inline(always)]
     pub fn against(&self, direction: [T; 2]) -> Pull<T> {
         Pull::per_normal(direction, self.friction)
     }
 }
 
 impl<T: Real> Friction<T> for Coulomb<T> {
+    #[inline(always)]
     fn pull(&self, slip: [T; 2]) -> Pull<T> {
-        let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        self.against([slip[0] / speed, slip[1] / speed])
+        let per_speed = T::from(1.0) / (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
+        self.against([per_speed * slip[0], per_speed * slip[1]])
     }
 }

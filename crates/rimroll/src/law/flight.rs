@@ -29,7 +29,7 @@ impl<T: Real> Law<T> for Flight<T> {
         &self.k
     }
 
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let k = &self.k;
         let [vx, vy] = self.center_velocity(u);
         let c_over_a = k.c / k.a;
@@ -42,7 +42,7 @@ impl<T: Real> Law<T> for Flight<T> {
             slip_y: k.h * w - u.w * vx,
             gap: u.sin * u.gap_rate,
             gap_rate: -k.normal(u, p) / k.m,
-            ..u.kinematics([vx, vy])
+            ..u.kinematics()
         }
     }
 

@@ -37,6 +37,7 @@ impl<T: Real> Frictionless<T> {
     }
 
     /// dp/dτ.
+    #[inline(always)]
     fn tilt_acceleration(&self, u: &Coordinates<T>) -> T {
         let k = &self.k;
         let rho = k.rho(u);
@@ -50,15 +51,17 @@ impl<T: Real> Law<T> for Frictionless<T> {
         &self.k
     }
 
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    #[inline(always)]
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
             p: self.tilt_acceleration(u),
             w: u.p * (u.sin * self.c_over_a * u.s - u.w * u.cos),
-            ..u.kinematics(self.center_velocity(u))
+            ..u.kinematics()
         }
     }
 
     /// N = m (g + ρ φ̈ − z φ̇²) with row 2 put in for φ̈, so that nothing cancels when A ≪ mR².
+    #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let k = &self.k;
         let rho = k.rho(u);
@@ -71,6 +74,7 @@ impl<T: Real> Law<T> for Frictionless<T> {
         }
     }
 
+    #[inline(always)]
     fn center_velocity(&self, _: &Coordinates<T>) -> [T; 2] {
         [T::from(0.0), T::from(0.0)]
     }

@@ -23,20 +23,23 @@ use crate::state::Coordinates;
 #[derive(Debug, Clone, Copy)]
 pub struct NoSlip<T> {
     k: Parameters<T>,
-    /// K = A + mH².
+    /// K = A + mH², over J = K + mR² as all that follow.
     base_inertia: T,
-    /// J = K + mR².
-    rim_inertia: T,
     /// mHR.
     mhr: T,
     /// C + mR².
     c_rolling: T,
+    /// mgR and mgH: ρ = R cosφ − H sinφ.
+    weight_of_cos: T,
+    weight_of_sin: T,
     /// l̇/(φ̇ sin φ) = `l_of_s` s − `l_of_w` w.
     l_of_s: T,
     l_of_w: T,
     /// ṡ/φ̇ = `s_of_w` w + `s_of_s` s.
     s_of_w: T,
     s_of_s: T,
+    /// C/R.
+    c_over_r: T,
 }
 
 impl<T: Real> NoSlip<T> {
@@ -46,28 +49,33 @@ impl<T: Real> NoSlip<T> {
         let mrr = k.m * k.r * k.r;
         let base_inertia = k.a + k.m * k.h * k.h;
         let c_rolling = k.c + mrr;
+        let rim_inertia = base_inertia + mrr;
         let determinant = k.c * base_inertia + mrr * k.a;
         NoSlip {
             k,
-            base_inertia,
-            rim_inertia: base_inertia + mrr,
-            mhr,
-            c_rolling,
+            base_inertia: base_inertia / rim_inertia,
+            mhr: mhr / rim_inertia,
+            c_rolling: c_rolling / rim_inertia,
+            weight_of_cos: k.m * k.g * k.r / rim_inertia,
+            weight_of_sin: k.m * k.g * k.h / rim_inertia,
             l_of_s: k.c * c_rolling / determinant,
             l_of_w: k.c * mhr / determinant,
             s_of_w: mrr * k.a / determinant,
             s_of_s: k.c * mhr / determinant,
+            c_over_r: k.c / k.r,
         }
     }
 
     /// (dp/dτ, dw/dτ, ds/dτ).
+    #[inline(always)]
     fn accelerations(&self, u: &Coordinates<T>) -> [T; 3] {
-        let NoSlip { k, mhr, .. } = self;
-        let through_collision = u.cos * u.w * (self.base_inertia * u.w - *mhr * u.s);
-        let elsewhere = u.w * (*mhr * u.w - self.c_rolling * u.s) - k.m * k.g * k.rho(u);
-        let dp = (through_collision + u.sin * elsewhere) / self.rim_inertia;
-        let dw = u.p * (u.sin * (self.l_of_s * u.s - self.l_of_w * u.w) - u.w * u.cos);
-        let ds = u.sin * u.p * (self.s_of_w * u.w + self.s_of_s * u.s);
+        let (falling, level) = (u.sin * u.p, u.w * u.cos);
+        let through_collision = level * (self.base_inertia * u.w - self.mhr * u.s);
+        let gyroscopic = u.w * (self.mhr * u.w - self.c_rolling * u.s);
+        let weight = self.weight_of_sin * u.sin - self.weight_of_cos * u.cos;
+        let dp = through_collision + u.sin * (gyroscopic + weight);
+        let dw = falling * (self.l_of_s * u.s - self.l_of_w * u.w) - u.p * level;
+        let ds = falling * (self.s_of_w * u.w + self.s_of_s * u.s);
         [dp, dw, ds]
     }
 }
@@ -77,28 +85,31 @@ impl<T: Real> Law<T> for NoSlip<T> {
         &self.k
     }
 
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    #[inline(always)]
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let [p, w, s] = self.accelerations(u);
         Coordinates {
             p,
             w,
             s,
-            ..u.kinematics(self.center_velocity(u))
+            ..u.kinematics()
         }
     }
 
     /// Friction from horizontal momentum along e_x1, and from the axial moment C ṡ = −R T_y.
+    #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let NoSlip { k, .. } = self;
         let [dp, _, ds] = self.accelerations(u);
         let along = u.w * (k.h * u.w - k.r * u.s) - k.z(u) * dp - u.sin * k.rho(u) * u.p * u.p;
         Contact {
             along: k.m * along,
-            across: -k.c * ds / k.r,
+            across: -self.c_over_r * ds,
             normal: k.normal(u, dp),
         }
     }
 
+    #[inline(always)]
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         self.k.rolling_velocity(u)
     }

@@ -93,11 +93,9 @@ impl Resistance {
 /// on the table by what ends as it leaves.
 fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
     const SOFT: f64 = 1000.0;
-    if normal.is_negative() {
-        return T::from(0.0);
-    }
     let load = normal / (k.m * u.sin * k.g);
-    T::from(1.0) - (T::from(-SOFT) * load).exp()
+    let some = T::from(1.0) - (T::from(-SOFT) * load).exp();
+    normal.where_negative(T::from(0.0), some)
 }
 
 impl RollingResistance {
@@ -135,15 +133,22 @@ impl AirDrag {
 }
 
 /// A law with resistance added.
+#[derive(Debug, Clone, Copy)]
 pub struct Resisted<L> {
     law: L,
     resistance: Resistance,
+    /// Whether there is any.
+    resists: bool,
 }
 
 impl<L> Resisted<L> {
     /// `law` with `resistance`.
     pub fn new(law: L, resistance: Resistance) -> Self {
-        Resisted { law, resistance }
+        Resisted {
+            law,
+            resistance,
+            resists: !resistance.is_none(),
+        }
     }
 
     /// The law without it.
@@ -152,7 +157,7 @@ impl<L> Resisted<L> {
     }
 
     /// Rates under moments beside the law's forces, given those without.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn resist<T: Real>(
         &self,
         u: &Coordinates<T>,
@@ -162,7 +167,7 @@ impl<L> Resisted<L> {
     where
         L: Law<T>,
     {
-        if self.resistance.is_none() {
+        if !self.resists {
             return rates;
         }
         let k = self.law.parameters();
@@ -186,16 +191,18 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
         self.law.parameters()
     }
 
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        if self.resistance.is_none() {
-            return self.law.rates(u);
+    #[inline(always)]
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        let rates = self.law.rates_but_place(u);
+        if !self.resists {
+            return rates;
         }
-        self.resist(u, self.law.rates(u), self.law.contact(u).normal)
+        self.resist(u, rates, self.law.contact(u).normal)
     }
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let mut contact = self.law.contact(u);
-        if !self.resistance.is_none() {
+        if self.resists {
             let moment = self
                 .resistance
                 .moment(self.law.parameters(), u, contact.normal);
@@ -222,6 +229,6 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
     }
 
     fn only_moves(&self) -> bool {
-        self.resistance.is_none() && self.law.only_moves()
+        !self.resists && self.law.only_moves()
     }
 }

@@ -29,16 +29,17 @@ use crate::state::Coordinates;
 pub struct Pull<T> {
     /// a: for each newton of normal force, along e_x1 and e_y1.
     pub per_normal: [T; 2],
-    /// b: whatever the normal force, N.
-    pub own: [T; 2],
+    /// b: whatever the normal force, N; `None` where there is no such part.
+    pub own: Option<[T; 2]>,
 }
 
 impl<T: Real> Pull<T> {
     /// Friction −factor · slip for each newton of normal force.
+    #[inline(always)]
     pub fn per_normal(slip: [T; 2], factor: T) -> Self {
         Pull {
-            per_normal: [-factor * slip[0], -factor * slip[1]],
-            own: [T::from(0.0), T::from(0.0)],
+            per_normal: [-(factor * slip[0]), -(factor * slip[1])],
+            own: None,
         }
     }
 }
@@ -56,6 +57,11 @@ pub struct Sliding<T, F> {
     friction: F,
     /// 1/m + R²/C + H²/A.
     sideways_mobility: T,
+    /// 1/m.
+    per_mass: T,
+    c_over_a: T,
+    h_over_a: T,
+    r_over_c: T,
 }
 
 /// The accelerations times sin φ.
@@ -73,6 +79,10 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
             k,
             friction,
             sideways_mobility: k.sideways_mobility(),
+            per_mass: T::from(1.0) / k.m,
+            c_over_a: k.c / k.a,
+            h_over_a: k.h / k.a,
+            r_over_c: k.r / k.c,
         }
     }
 
@@ -82,53 +92,48 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     }
 
     /// The table's force, and φ̈ times sin φ.
-    #[inline]
+    #[inline(always)]
     fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let Pull {
-            per_normal,
-            mut own,
-        } = *pull;
+        let Pull { per_normal, own } = *pull;
         let eta = rho - per_normal[0] * z;
-        let inertia = k.a + k.m * rho * eta;
+        let per_inertia = T::from(1.0) / (k.a + k.m * rho * eta);
         let mut turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
         let pressing = u.sin * (k.g - z * u.p * u.p);
-        let unaided = k.m * (k.a * pressing + rho * turning) / inertia;
-        let lifting = -(k.m * rho * u.sin * own[0] * z) / inertia;
-        let mut normal = unaided - lifting;
-        if normal.is_negative() && !lifting.is_negative() {
-            // It would lift the rim that it needs to touch: it gives way until nothing presses, and
-            // altogether where nothing would without it.
-            let kept = if unaided.is_negative() {
-                T::from(0.0)
-            } else {
-                unaided / lifting
-            };
-            own = [kept * own[0], kept * own[1]];
-            normal = unaided - kept * lifting;
-        }
-        turning = turning + u.sin * own[0] * z;
-        let contact = Contact {
-            along: normal * per_normal[0] + u.sin * own[0],
-            across: normal * per_normal[1] + u.sin * own[1],
-            normal,
+        let unaided = k.m * (k.a * pressing + rho * turning) * per_inertia;
+        let mut contact = Contact {
+            along: unaided * per_normal[0],
+            across: unaided * per_normal[1],
+            normal: unaided,
         };
-        (contact, (turning - k.m * pressing * eta) / inertia)
+        if let Some(own) = own {
+            let lifting = -(k.m * rho * u.sin * own[0] * z) * per_inertia;
+            let kept = kept(unaided, lifting);
+            let normal = unaided - kept * lifting;
+            let own = [kept * u.sin * own[0], kept * u.sin * own[1]];
+            turning = turning + own[0] * z;
+            contact = Contact {
+                along: normal * per_normal[0] + own[0],
+                across: normal * per_normal[1] + own[1],
+                normal,
+            };
+        }
+        (contact, (turning - k.m * pressing * eta) * per_inertia)
     }
 
-    #[inline]
+    #[inline(always)]
     fn accelerations(&self, u: &Coordinates<T>, contact: &Contact<T>, dp: T) -> Accelerations<T> {
         let k = &self.k;
         let Contact { along, across, .. } = *contact;
-        let spun = u.sin * (k.c / k.a) * u.p * u.s;
+        let spun = u.sin * self.c_over_a * u.p * u.s;
         let carried = u.slip_y + k.r * u.s - k.h * u.w;
         Accelerations {
             p: dp,
-            w: spun + k.h * across / k.a - u.w * u.p * u.cos,
-            s: -k.r * across / k.c,
+            w: spun + self.h_over_a * across - u.w * u.p * u.cos,
+            s: -(self.r_over_c * across),
             slip: [
-                u.w * carried + u.sin * k.rho(u) * u.p * u.p + k.z(u) * dp + along / k.m,
+                u.w * carried + u.sin * k.rho(u) * u.p * u.p + k.z(u) * dp + self.per_mass * along,
                 u.sin * k.r * u.w * u.p - u.w * u.slip_x
                     + k.h * spun
                     + across * self.sideways_mobility,
@@ -140,6 +145,12 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     /// from the slip.
     #[inline]
     pub(crate) fn under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
+        let (contact, rates) = self.under_but_place(u, pull);
+        (contact, u.with_place(rates, self.center_velocity(u)))
+    }
+
+    #[inline(always)]
+    fn under_but_place(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
         let (contact, dp) = self.forces(u, pull);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
         let rates = Coordinates {
@@ -149,18 +160,20 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
             slip_x: slip[0],
             slip_y: slip[1],
             friction_loss: -(contact.along * u.slip_x + contact.across * u.slip_y),
-            ..u.kinematics(self.center_velocity(u))
+            ..u.kinematics()
         };
         (contact, rates)
     }
 
     /// [`Law::consistency`] under a friction that is given.
+    #[inline(always)]
     pub(crate) fn consistency_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
         T::from(1.0) - k.m * rho * z * pull.per_normal[0] / (k.a + k.m * rho * rho)
     }
 
+    #[inline(always)]
     fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
         self.friction.pull([u.slip_x, u.slip_y])
     }
@@ -171,15 +184,17 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         &self.k
     }
 
-    #[inline]
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        self.under(u, &self.pull(u)).1
+    #[inline(always)]
+    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        self.under_but_place(u, &self.pull(u)).1
     }
 
+    #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         self.forces(u, &self.pull(u)).0
     }
 
+    #[inline(always)]
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         let [vx, vy] = self.k.rolling_velocity(u);
         [vx + u.slip_x, vy + u.slip_y]
@@ -189,7 +204,16 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         [u.slip_x, u.slip_y]
     }
 
+    #[inline(always)]
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.consistency_under(u, &self.pull(u))
     }
+}
+
+/// How much is kept of a pull of its own that would lift the rim it needs to touch: it gives way until
+/// nothing presses, and altogether where nothing would without it.
+fn kept<T: Real>(unaided: T, lifting: T) -> T {
+    let (none, all) = (T::from(0.0), T::from(1.0));
+    let part = unaided.where_negative(none, unaided / lifting);
+    lifting.where_negative(all, (unaided - lifting).where_negative(part, all))
 }

@@ -18,7 +18,7 @@ impl<T: Real> Friction<T> for Viscous<T> {
         let zero = T::from(0.0);
         Pull {
             per_normal: [zero, zero],
-            own: [-self.coefficient * slip[0], -self.coefficient * slip[1]],
+            own: Some([-self.coefficient * slip[0], -self.coefficient * slip[1]]),
         }
     }
 }

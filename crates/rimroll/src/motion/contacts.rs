@@ -8,7 +8,8 @@ use crate::impact;
 use crate::law::{
     Coulomb, Flight, Frictionless, Law, NoSlip, Parameters, Resisted, Sliding, Stribeck, Viscous,
 };
-use crate::state::Coordinates;
+use crate::solve::System;
+use crate::state::{COORDINATES, Coordinates, MOVING};
 use crate::surface::{FrictionLaw, Surface};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -41,10 +42,23 @@ impl Phase {
 pub(super) type DrySliding = Resisted<Sliding<f64, Coulomb<f64>>>;
 
 /// The law of a rim that slides.
+#[derive(Clone)]
 enum SlidingLaw {
     Never,
+    Free(Resisted<Frictionless<f64>>),
     Dry(DrySliding),
-    Smooth(Box<dyn Law<f64> + Send + Sync>),
+    Viscous(Resisted<Sliding<f64, Viscous<f64>>>),
+    Stribeck(Resisted<Sliding<f64, Stribeck<f64>>>),
+}
+
+/// Something to do with the system of equations that holds in a phase. It is compiled anew for each of
+/// the laws that most motions follow.
+pub(super) trait Task {
+    /// What comes of it.
+    type Output;
+
+    /// Does it: the first N coordinates are all that change.
+    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Self::Output;
 }
 
 /// What becomes of a rim on the table.
@@ -63,6 +77,7 @@ pub(super) enum Next {
 }
 
 /// The laws of a body on a surface.
+#[derive(Clone)]
 pub struct Contacts {
     parameters: Parameters<f64>,
     surface: Surface,
@@ -79,22 +94,18 @@ impl Contacts {
     pub(crate) fn new(body: &Body, surface: &Surface, gravity: f64, tolerance: f64) -> Self {
         let parameters = Parameters::new(body, gravity);
         let resistance = surface.resistance;
-        let dry = |friction| {
-            let law = Sliding::new(parameters, Coulomb { friction });
-            SlidingLaw::Dry(Resisted::new(law, resistance))
-        };
-        fn smooth(law: impl Law<f64> + Send + Sync + 'static) -> SlidingLaw {
-            SlidingLaw::Smooth(Box::new(law))
-        }
         let sliding = match surface.friction {
             FrictionLaw::NoSlip => SlidingLaw::Never,
             FrictionLaw::Frictionless => {
-                smooth(Resisted::new(Frictionless::new(parameters), resistance))
+                SlidingLaw::Free(Resisted::new(Frictionless::new(parameters), resistance))
             }
-            FrictionLaw::Coulomb { friction, .. } => dry(friction),
+            FrictionLaw::Coulomb { friction, .. } => {
+                let law = Sliding::new(parameters, Coulomb { friction });
+                SlidingLaw::Dry(Resisted::new(law, resistance))
+            }
             FrictionLaw::Viscous { coefficient } => {
                 let law = Sliding::new(parameters, Viscous { coefficient });
-                smooth(Resisted::new(law, resistance))
+                SlidingLaw::Viscous(Resisted::new(law, resistance))
             }
             FrictionLaw::Stribeck {
                 friction,
@@ -108,10 +119,8 @@ impl Contacts {
                     stribeck_speed,
                     creep_speed,
                 };
-                smooth(Resisted::new(
-                    Sliding::new(parameters, friction),
-                    resistance,
-                ))
+                let law = Sliding::new(parameters, friction);
+                SlidingLaw::Stribeck(Resisted::new(law, resistance))
             }
         };
         Contacts {
@@ -128,8 +137,10 @@ impl Contacts {
     pub fn law(&self, phase: Phase) -> &dyn Law<f64> {
         match (phase, &self.sliding) {
             (Phase::Rolling, _) | (Phase::Sliding, SlidingLaw::Never) => &self.rolling,
+            (Phase::Sliding, SlidingLaw::Free(law)) => law,
             (Phase::Sliding, SlidingLaw::Dry(law)) => law,
-            (Phase::Sliding, SlidingLaw::Smooth(law)) => &**law,
+            (Phase::Sliding, SlidingLaw::Viscous(law)) => law,
+            (Phase::Sliding, SlidingLaw::Stribeck(law)) => law,
             // Of a body that lies nothing is asked but its energy.
             (Phase::Flying | Phase::Lying, _) => &self.flying,
         }
@@ -142,6 +153,24 @@ impl Contacts {
             Mechanics::slowing_with_slip(law)
         } else {
             Mechanics::new(law)
+        }
+    }
+
+    /// Does something with the system of equations that holds in a phase.
+    pub(super) fn solve<K: Task>(&self, phase: Phase, task: K) -> K::Output {
+        match (phase, &self.sliding) {
+            (Phase::Rolling, _) | (Phase::Sliding, SlidingLaw::Never)
+                if self.rolling.only_moves() =>
+            {
+                task.with::<_, MOVING>(&Mechanics::new(self.rolling.law()))
+            }
+            (Phase::Sliding, SlidingLaw::Free(law)) if law.only_moves() => {
+                task.with::<_, MOVING>(&Mechanics::new(law.law()))
+            }
+            (Phase::Sliding, SlidingLaw::Dry(law)) => {
+                task.with::<_, COORDINATES>(&Mechanics::slowing_with_slip(law))
+            }
+            _ => task.with::<_, COORDINATES>(&Mechanics::new(self.law(phase))),
         }
     }
 

@@ -1,12 +1,14 @@
 //! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
 use super::contacts::{Contacts, Phase};
+use super::glance::{Glance, are_clear};
+use super::leg::{Leg, Polynomial};
 use super::mechanics::Mechanics;
-use super::track::{Instant, TIME};
+use super::track::Instant;
 use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track, turns};
 use crate::law::Law;
-use crate::solve::{Collocation, Dense, Step};
-use crate::state::{COORDINATES, Coordinates};
+use crate::solve::Step;
+use crate::state::{COORDINATES, Coordinates, MOVING, TIME};
 
 /// What happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,17 +120,17 @@ impl Goal {
 /// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
 /// rounding.
 struct Crossing {
-    dense: Dense<COORDINATES>,
-    step: Option<Step<COORDINATES>>,
-    phase: Phase,
+    leg: Leg,
+    dense: Polynomial,
     from: f64,
     to: f64,
 }
 
-/// A finished step; made explicitly or by collocation, when it is only known as a polynomial.
-pub(super) struct Piece<'s> {
-    pub dense: Dense<COORDINATES>,
-    pub step: Option<&'s Step<COORDINATES>>,
+/// A finished step, and the polynomial that it is.
+#[derive(Clone, Copy)]
+struct Piece<'p> {
+    leg: &'p Leg,
+    dense: &'p Polynomial,
 }
 
 /// A fraction of a step, and the coordinates there.
@@ -139,21 +141,21 @@ struct Look {
 }
 
 impl Look {
-    fn at(dense: &Dense<COORDINATES>, x: f64) -> Look {
+    fn at(dense: &Polynomial, x: f64) -> Look {
         let u = Coordinates::from_array(&dense.at(x));
         Look { x, u }
     }
 }
 
 /// Where the tilt rate changes sign between two looks.
-fn extreme(dense: &Dense<COORDINATES>, from: &Look, to: &Look) -> Option<f64> {
+fn extreme(dense: &Polynomial, from: &Look, to: &Look) -> Option<f64> {
     let reverses = (from.u.p < 0.0) != (to.u.p < 0.0);
     reverses.then(|| dense.root(from.x, to.x, |u| Coordinates::from_array(u).p))
 }
 
 /// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
 /// can be seen to land.
-fn in_the_air(dense: &Dense<COORDINATES>, from: f64, to: f64) -> f64 {
+fn in_the_air(dense: &Polynomial, from: f64, to: f64) -> f64 {
     let gap = |x: f64| Coordinates::from_array(&dense.at(x)).gap;
     let halves = (1..40).scan(to - from, |width, _| {
         *width *= 0.5;
@@ -266,32 +268,69 @@ impl<'a> Watch<'a> {
             .map(|(switch, _)| switch)
     }
 
+    /// Whether it is clear at a glance that nothing happens in a step, as in most.
+    #[inline]
+    pub(super) fn is_uneventful<const N: usize>(&self, phase: Phase, step: &Step<f64, N>) -> bool {
+        if self.direction == 0.0 {
+            return false;
+        }
+        let glance = Glance::new(step);
+        let side = glance.end().cos.signum();
+        glance.stays_above(0.0, |u| self.direction * u.p)
+            && glance.stays_above(0.0, |u| side * u.cos)
+            && match self.goal {
+                Goal::Time(end) | Goal::Turn(end) if N == MOVING && !self.contacts.can_fly() => {
+                    self.stays_on_an_ideal_table(&glance, end)
+                }
+                _ => self.ends_by_nothing(phase, &glance),
+            }
+    }
+
+    /// Whether it does not come near any of the few endings under an ideal law.
+    #[inline(always)]
+    fn stays_on_an_ideal_table(&self, glance: &Glance, end: f64) -> bool {
+        let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
+        glance.end().t < end
+            && glance.stays_above(self.flat, |u| u.sin)
+            && self.topple.is_none_or(upright)
+            && glance.stays_pressed(self.contacts.parameters())
+    }
+
+    /// Whether it does not come near any ending.
+    fn ends_by_nothing(&self, phase: Phase, glance: &Glance) -> bool {
+        let three = glance.three();
+        self.switches(phase).all(|(switch, before)| {
+            are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three[i])))
+        })
+    }
+
     /// Takes in an accepted step: notes what happened and adds it to the track, cut short where the
     /// phase ends.
     pub(super) fn pass(
         &mut self,
-        phase: Phase,
-        piece: Piece<'_>,
+        leg: Leg,
+        dense: &Polynomial,
         track: &mut Track,
     ) -> Option<Switch> {
-        let dense = &piece.dense;
+        let phase = leg.phase;
+        let piece = Piece { leg: &leg, dense };
         let looks = LOOKS.map(|x| Look::at(dense, x));
         let Some((switch, x)) = self.first_ending(phase, dense, &looks) else {
-            self.note_extremes(phase, &piece, &looks);
-            self.note_on_edge(phase, &piece, &looks);
-            track.push(phase, piece.dense);
+            self.note_extremes(piece, &looks);
+            self.note_on_edge(piece, &looks);
+            track.push(leg);
             return self.has_turned().then_some(Switch::Done);
         };
         let before = looks.into_iter().filter(|look| look.x < x);
         let looks: Vec<_> = before.chain([Look::at(dense, x)]).collect();
-        self.note_extremes(phase, &piece, &looks);
-        self.note_on_edge(phase, &piece, &looks);
-        let mut last = self.refine(phase, &piece, x, |u| self.level(switch, phase, u));
+        self.note_extremes(piece, &looks);
+        self.note_on_edge(piece, &looks);
+        let mut last = self.refine(piece, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration)) = (switch, self.goal) {
             // Not a rounding error short of what was asked for.
             last.end[TIME] = duration;
         }
-        track.push(phase, last);
+        track.push(last);
         Some(switch)
     }
 
@@ -330,7 +369,7 @@ impl<'a> Watch<'a> {
     fn first_ending(
         &self,
         phase: Phase,
-        dense: &Dense<COORDINATES>,
+        dense: &Polynomial,
         looks: &[Look],
     ) -> Option<(Switch, f64)> {
         looks.windows(2).find_map(|look| {
@@ -350,7 +389,7 @@ impl<'a> Watch<'a> {
     fn ending_between(
         &self,
         phase: Phase,
-        dense: &Dense<COORDINATES>,
+        dense: &Polynomial,
         from: &Look,
         to: &Look,
     ) -> Option<(Switch, f64)> {
@@ -382,14 +421,13 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn note_extremes(&mut self, phase: Phase, piece: &Piece<'_>, looks: &[Look]) {
+    fn note_extremes(&mut self, piece: Piece<'_>, looks: &[Look]) {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.p < 0.0) != (after.u.p < 0.0) {
                 self.crossing = Some(Crossing {
+                    leg: piece.leg.clone(),
                     dense: piece.dense.clone(),
-                    step: piece.step.cloned(),
-                    phase,
                     from: before.x,
                     to: after.x,
                 });
@@ -407,23 +445,23 @@ impl<'a> Watch<'a> {
     }
 
     fn note_extreme(&mut self, crossing: Crossing, direction: f64) {
-        let (from, to) = (crossing.from, crossing.to);
         let piece = Piece {
-            dense: crossing.dense,
-            step: crossing.step.as_ref(),
+            leg: &crossing.leg,
+            dense: &crossing.dense,
         };
-        let x = piece.dense.root(from, to, |u| Coordinates::from_array(u).p);
-        let at = self.instant(crossing.phase, &piece, x, |u| u.p);
+        let p = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
+        let x = piece.dense.root(crossing.from, crossing.to, p);
+        let at = self.instant(piece, x, |u| u.p);
         self.note(extreme_kind(direction), at);
     }
 
-    fn note_on_edge(&mut self, phase: Phase, piece: &Piece<'_>, looks: &[Look]) {
+    fn note_on_edge(&mut self, piece: Piece<'_>, looks: &[Look]) {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.cos > 0.0) != (after.u.cos > 0.0) {
                 let cos = |u: &[f64; COORDINATES]| Coordinates::from_array(u).cos;
                 let x = piece.dense.root(before.x, after.x, cos);
-                let at = self.instant(phase, piece, x, |u| u.cos);
+                let at = self.instant(piece, x, |u| u.cos);
                 self.note(EventKind::OnEdge, at);
             }
         }
@@ -431,41 +469,33 @@ impl<'a> Watch<'a> {
 
     fn instant(
         &self,
-        phase: Phase,
-        piece: &Piece<'_>,
+        piece: Piece<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> Instant {
         Instant {
-            phase,
-            u: Coordinates::from_array(&self.refine(phase, piece, x, level).end),
+            phase: piece.leg.phase,
+            u: Coordinates::from_array(&self.refine(piece, x, level).end),
         }
     }
 
     /// The step cut where `level` is zero, to the accuracy of the steps and not only of the dense
     /// output, which is one order less: x is corrected by the level that a real step finds there.
-    fn refine(
-        &self,
-        phase: Phase,
-        piece: &Piece<'_>,
-        x: f64,
-        level: impl Fn(&Coordinates<f64>) -> f64,
-    ) -> Dense<COORDINATES> {
+    fn refine(&self, piece: Piece<'_>, x: f64, level: impl Fn(&Coordinates<f64>) -> f64) -> Leg {
         const NUDGE: f64 = 1e-3;
-        let Piece { dense, step } = piece;
-        let Some(step) = step else {
-            return Collocation::get().cut(dense, x);
-        };
-        let mechanics = self.contacts.mechanics(phase);
+        let Piece { leg, dense } = piece;
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
+        let first = leg.cut(self.contacts, x);
+        if leg.is_polynomial() {
+            return first;
+        }
         let slope = (level(&dense.at(x + NUDGE)) - level(&dense.at(x - NUDGE))) / (2.0 * NUDGE);
-        let mut first = step.cut(&mechanics, x);
         let correction = level(&first.end) / slope;
         // A level that only grazes zero has no slope to go by; then x stays.
         if correction.abs() < 0.01 {
-            step.cut(&mechanics, x - correction).dense(&mechanics)
+            leg.cut(self.contacts, x - correction)
         } else {
-            first.dense(&mechanics)
+            first
         }
     }
 }

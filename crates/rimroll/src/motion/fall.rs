@@ -11,6 +11,7 @@ use crate::solve::Work;
 use crate::state::{Coordinates, State};
 use crate::surface::Surface;
 use core::ops::ControlFlow;
+use std::sync::Arc;
 
 /// What became of a body let go.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,9 +52,10 @@ pub fn fall(
     surface.check()?;
     let options = options.checked(body, start)?;
     let contacts = Contacts::new(body, surface, options.gravity, options.step_tolerance());
+    let contacts = Arc::new(contacts);
     let start = Coordinates::from_state(start);
     let mut run = Run::new(&contacts, &options, Goal::Turn(options.duration), start);
-    let status = run.follow_to_the_end(|_| ControlFlow::Continue(()));
+    let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
     let (track, events, work) = run.into_parts();
     let was = |phase, begins| {
         let later = events.iter().any(|event| event.kind == begins);

@@ -41,6 +41,7 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
     let k = law.parameters();
     let state = u.state();
     let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
+    let [x, y] = u.center();
     let rho = k.rho(u);
     let force = law.contact(u);
     let (along, across) = (force.along / u.sin, force.across / u.sin);
@@ -64,11 +65,11 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
         state.spin,
         state.spin_rate,
         u.s,
-        u.x,
-        u.y,
+        x,
+        y,
         k.z(u) + u.gap,
-        u.x - rho * cos_yaw,
-        u.y - rho * sin_yaw,
+        x - rho * cos_yaw,
+        y - rho * sin_yaw,
         force.normal / u.sin,
         along * cos_yaw - across * sin_yaw,
         along * sin_yaw + across * cos_yaw,

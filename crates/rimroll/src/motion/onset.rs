@@ -29,7 +29,7 @@ const FARTHEST: f64 = 10.0;
 /// The steps of an onset and a length for the next one.
 pub(super) struct Onset {
     /// From the first slip on; empty when no slip grows from here.
-    pub steps: Vec<Dense<COORDINATES>>,
+    pub steps: Vec<Dense<f64, COORDINATES>>,
     /// A first guess for the explicit step that follows.
     pub h: f64,
 }
@@ -67,7 +67,7 @@ struct Beginning<'a> {
 
 /// A step with its error, over what is tolerated, and how often δ relaxes in a step as long.
 struct Found {
-    step: Dense<COORDINATES>,
+    step: Dense<f64, COORDINATES>,
     end: Polar,
     error: f64,
     relaxation: f64,

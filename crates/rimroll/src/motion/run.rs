@@ -1,15 +1,17 @@
 //! The phases of a motion, one after another.
 
-use super::contacts::{Contacts, Next, Phase};
-use super::events::{Event, EventKind, Goal, Piece, Switch, Watch};
-use super::mechanics::Mechanics;
+use super::contacts::{Contacts, Next, Phase, Task};
+use super::events::{Event, EventKind, Goal, Switch, Watch};
+use super::leg::Leg;
+use super::mechanics::{Mechanics, first};
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
 use crate::law::Parameters;
-use crate::solve::{Implicit, Stepper, Work};
-use crate::state::Coordinates;
+use crate::solve::{Implicit, Stepper, System, Work};
+use crate::state::{COORDINATES, Coordinates};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
+use std::sync::Arc;
 
 /// So many phases of no length one after another are no motion.
 const MOST_EMPTY_PHASES: usize = 30;
@@ -53,7 +55,7 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub(super) fn new(
-        contacts: &'a Contacts,
+        contacts: &'a Arc<Contacts>,
         options: &'a Options,
         goal: Goal,
         start: Coordinates<f64>,
@@ -70,7 +72,7 @@ impl<'a> Run<'a> {
             contacts,
             options,
             watch: Watch::new(contacts, options, goal, &first),
-            track: Track::new(first, goal.wants_the_way()),
+            track: Track::new(contacts, first, goal.wants_the_way()),
             work: Work::default(),
             next: Then::End(Status::Failed),
             empty_phases: 0,
@@ -86,10 +88,10 @@ impl<'a> Run<'a> {
     /// Follows the motion to its end.
     pub(super) fn follow_to_the_end(
         &mut self,
-        mut report: impl FnMut(f64) -> ControlFlow<()>,
+        report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
-            if let Some(Over::For(status)) = self.out_of_steps(&mut report) {
+            if let Some(Over::For(status)) = self.out_of_steps(report) {
                 if !matches!(self.next, Then::End(_)) {
                     return status;
                 }
@@ -97,7 +99,7 @@ impl<'a> Run<'a> {
             match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
                 Then::End(status) => return status,
                 Then::Phase(phase, begin) => {
-                    self.next = match self.follow(phase, &begin, &mut report) {
+                    self.next = match self.follow(phase, &begin, report) {
                         Over::By(switch) => self.after(switch, &self.track.end()),
                         Over::For(status) => Then::End(status),
                     }
@@ -115,7 +117,7 @@ impl<'a> Run<'a> {
         &mut self,
         phase: Phase,
         begin: &Begin,
-        report: &mut impl FnMut(f64) -> ControlFlow<()>,
+        report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Over {
         if let Some(over) = self.out_of_steps(report) {
             return over;
@@ -126,47 +128,19 @@ impl<'a> Run<'a> {
             ControlFlow::Continue(begun) => begun,
             ControlFlow::Break(over) => return over,
         };
-        let tolerance = self.options.step_tolerance();
         let h = h / mechanics.clock(&start);
-        let mut stepper = Stepper::new(&mechanics, start.into_array(), h, tolerance);
-        let mut before = self.work;
-        loop {
-            if let Some(over) = self.out_of_steps(report) {
-                return over;
-            }
-            let Ok(step) = stepper.advance() else {
-                return Over::For(Status::Failed);
-            };
-            let dense = step.dense(&mechanics);
-            let h = dense.h;
-            let piece = Piece {
-                dense,
-                step: Some(step),
-            };
-            let switch = self.watch.pass(phase, piece, &mut self.track);
-            self.work = before + stepper.work;
-            if let Some(switch) = switch {
-                return self.over_by(switch, h);
-            }
-            self.empty_phases = 0;
-            if self.is_stopping(phase) {
-                return Over::By(Switch::Stop);
-            }
-            if stepper.work.steps % STIFF_AFTER == 0 {
-                match self.relax(&mechanics, phase, h, report) {
-                    ControlFlow::Break(over) => return over,
-                    ControlFlow::Continue(None) => {}
-                    ControlFlow::Continue(Some(h)) => {
-                        let u = self.track.end().u.into_array();
-                        stepper = Stepper::new(&mechanics, u, h, tolerance);
-                        before = self.work;
-                    }
-                }
-            }
-        }
+        let steps = Steps {
+            run: self,
+            mechanics: &mechanics,
+            phase,
+            start: start.into_array(),
+            h,
+            report,
+        };
+        contacts.solve(phase, steps)
     }
 
-    fn out_of_steps(&self, report: &mut impl FnMut(f64) -> ControlFlow<()>) -> Option<Over> {
+    fn out_of_steps(&self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<Over> {
         if self.work.steps >= self.options.max_steps {
             return Some(Over::For(Status::Failed));
         }
@@ -183,14 +157,14 @@ impl<'a> Run<'a> {
         mechanics: &Mechanics<'_>,
         phase: Phase,
         h: f64,
-        report: &mut impl FnMut(f64) -> ControlFlow<()>,
+        report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<Over, Option<f64>> {
         // Explicit steps are stable up to some 6 relaxations, and accurate rarely beyond 3.
         const STIFF: f64 = 4.0;
         const WORTH_IT: f64 = 20.0;
         let implicit = Implicit::new(mechanics, self.options.step_tolerance());
         let mut u = self.track.end().u.into_array();
-        if mechanics.law.only_moves() || h * implicit.relaxation(&u) < STIFF {
+        if h * implicit.relaxation(&u) < STIFF {
             return ControlFlow::Continue(None);
         }
         let mut next = None;
@@ -205,11 +179,9 @@ impl<'a> Run<'a> {
             if let Some(found) = found.filter(|found| found.error <= 1.0) {
                 self.work.steps += 1;
                 u = found.dense.end;
-                let piece = Piece {
-                    dense: found.dense,
-                    step: None,
-                };
-                if let Some(switch) = self.watch.pass(phase, piece, &mut self.track) {
+                let dense = found.dense;
+                let leg = Leg::polynomial(phase, dense.clone());
+                if let Some(switch) = self.watch.pass(leg, &dense, &mut self.track) {
                     return ControlFlow::Break(self.over_by(switch, h));
                 }
                 next = Some(h);
@@ -286,8 +258,8 @@ impl<'a> Run<'a> {
         for dense in slow.steps {
             self.work.steps += 1;
             let h = dense.h;
-            let piece = Piece { dense, step: None };
-            if let Some(switch) = self.watch.pass(Phase::Sliding, piece, &mut self.track) {
+            let leg = Leg::polynomial(Phase::Sliding, dense.clone());
+            if let Some(switch) = self.watch.pass(leg, &dense, &mut self.track) {
                 return ControlFlow::Break(self.over_by(switch, h));
             }
             if self.is_stopping(Phase::Sliding) {
@@ -407,6 +379,70 @@ fn departing(next: Next, u: Coordinates<f64>) -> Coordinates<f64> {
     }
 }
 
+/// The explicit steps of a phase.
+struct Steps<'r, 'a> {
+    run: &'r mut Run<'a>,
+    mechanics: &'r Mechanics<'r>,
+    phase: Phase,
+    start: [f64; COORDINATES],
+    h: f64,
+    report: &'r mut dyn FnMut(f64) -> ControlFlow<()>,
+}
+
+impl Task for Steps<'_, '_> {
+    type Output = Over;
+
+    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Over {
+        let Steps {
+            run,
+            mechanics,
+            phase,
+            start,
+            h,
+            report,
+        } = self;
+        let tolerance = run.options.step_tolerance();
+        let mut stepper = Stepper::new(system, first(&start), h, tolerance);
+        let mut before = run.work;
+        loop {
+            if let Some(over) = run.out_of_steps(report) {
+                return over;
+            }
+            let Ok(step) = stepper.advance() else {
+                return Over::For(Status::Failed);
+            };
+            let h = step.h;
+            let leg = Leg::explicit(phase, step, &start);
+            let switch = if run.watch.is_uneventful(phase, step) {
+                run.track.push(leg);
+                None
+            } else {
+                let dense = step.dense(system).widened(&start);
+                run.watch.pass(leg, &dense, &mut run.track)
+            };
+            run.work = before + stepper.work;
+            if let Some(switch) = switch {
+                return run.over_by(switch, h);
+            }
+            run.empty_phases = 0;
+            if run.is_stopping(phase) {
+                return Over::By(Switch::Stop);
+            }
+            if N == COORDINATES && stepper.work.steps % STIFF_AFTER == 0 {
+                match run.relax(mechanics, phase, h, report) {
+                    ControlFlow::Break(over) => return over,
+                    ControlFlow::Continue(None) => {}
+                    ControlFlow::Continue(Some(h)) => {
+                        let u = run.track.end().u.into_array();
+                        stepper = Stepper::new(system, first(&u), h, tolerance);
+                        before = run.work;
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// A first guess for the length of a step.
 fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
     let rate = u.p.abs() + u.w.abs() + u.s.abs() + mechanics.falling_rate;
@@ -480,6 +516,8 @@ fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
         sin: FACE_DOWN_TILT,
         p: -u.p,
         w: -u.w,
+        x1: -u.x1,
+        y1: -u.y1,
         slip_x: -u.slip_x,
         slip_y: -u.slip_y - 2.0 * k.r * u.s,
         gap_rate: u.gap_rate + 2.0 * k.rho(u) * u.p,
@@ -490,12 +528,12 @@ fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
 /// Follows the near-collision by itself, where sin φ = 0 and time stands still: from `start` until |w|
 /// has fallen to `faded` (rad/s) as the body rises.
 pub(crate) fn pass_near_collision(
-    contacts: &Contacts,
+    contacts: &Arc<Contacts>,
     start: Coordinates<f64>,
     faded: f64,
     options: &Options,
 ) -> (Track, Status) {
     let mut run = Run::new(contacts, options, Goal::Passed(faded), start);
-    let status = run.follow_to_the_end(|_| ControlFlow::Continue(()));
+    let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
     (run.track, status)
 }

@@ -1,12 +1,11 @@
 //! The path through the coordinates: accepted steps, to be evaluated at any time.
 
-use super::contacts::Phase;
+use super::contacts::{Contacts, Phase};
+use super::leg::{Leg, Polynomial};
 use crate::solve::Dense;
-use crate::state::{COORDINATES, Coordinates};
+use crate::state::{COORDINATES, Coordinates, TIME};
 use core::ops::Deref;
-
-/// Index of the time among the coordinates.
-pub(super) const TIME: usize = 4;
+use std::sync::Arc;
 
 /// The coordinates at a moment, and how the rim meets the table then.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,31 +26,35 @@ impl Deref for Instant {
 
 /// The accepted steps of a motion.
 pub struct Track {
+    contacts: Arc<Contacts>,
     start: Instant,
-    steps: Vec<(Phase, Dense<COORDINATES>)>,
+    legs: Vec<Leg>,
     /// Whether all of them are wanted, or only the last.
     whole: bool,
 }
 
 impl Track {
-    pub(super) fn new(start: Instant, whole: bool) -> Self {
+    pub(super) fn new(contacts: &Arc<Contacts>, start: Instant, whole: bool) -> Self {
         Track {
+            contacts: Arc::clone(contacts),
             start,
-            steps: Vec::new(),
+            legs: Vec::with_capacity(if whole { 256 } else { 1 }),
             whole,
         }
     }
 
-    pub(super) fn push(&mut self, phase: Phase, step: Dense<COORDINATES>) {
+    #[inline(always)]
+    pub(super) fn push(&mut self, leg: Leg) {
         if !self.whole {
-            self.steps.clear();
+            self.legs.clear();
         }
-        self.steps.push((phase, step));
+        self.legs.push(leg);
     }
 
     /// Ends the motion with a sudden change.
     pub(super) fn push_jump(&mut self, to: Instant) {
-        self.push(to.phase, Dense::still(to.u.into_array()));
+        let still = Dense::still(to.u.into_array());
+        self.push(Leg::polynomial(to.phase, still));
     }
 
     /// Where the motion began.
@@ -61,22 +64,22 @@ impl Track {
 
     /// Where the motion has come to so far.
     pub fn end(&self) -> Instant {
-        self.steps.last().map_or(self.start, end_of)
+        self.legs.last().map_or(self.start, end_of)
     }
 
     /// Where each phase begins.
     pub fn phases(&self) -> impl Iterator<Item = Instant> + '_ {
         let mut before = None;
-        let begins = move |(phase, step): &(Phase, Dense<COORDINATES>)| {
-            let changed = before.replace(*phase) != Some(*phase);
-            changed.then(|| instant(*phase, &step.start))
+        let begins = move |leg: &Leg| {
+            let changed = before.replace(leg.phase) != Some(leg.phase);
+            changed.then(|| instant(leg.phase, &leg.start))
         };
-        self.steps.iter().filter_map(begins)
+        self.legs.iter().filter_map(begins)
     }
 
     /// Length of the last step on the solver's clock.
     pub(super) fn last_step(&self) -> f64 {
-        self.steps.last().map_or(0.0, |(_, step)| step.h)
+        self.legs.last().map_or(0.0, |leg| leg.h)
     }
 
     /// The start and the ends of all steps, and a second time, as they are after it, the moments at
@@ -87,13 +90,23 @@ impl Track {
 
     /// The motion at a time, s, after what happens just then; times outside it give its ends.
     pub fn at(&self, t: f64) -> Instant {
-        if t <= self.start.t {
-            return self.start;
-        }
-        let index = self.steps.partition_point(|(_, step)| step.end[TIME] <= t);
-        match self.steps.get(index) {
-            Some((phase, step)) => instant(*phase, &step.at(step.where_component(TIME, t))),
-            None => self.end(),
+        self.look_up().at(t)
+    }
+
+    pub(super) fn legs(&self) -> &[Leg] {
+        &self.legs
+    }
+
+    /// The step and the fraction of it at a time, s; outside the motion those of its ends.
+    pub(super) fn locate(&self, t: f64) -> (usize, f64) {
+        self.look_up().locate(t)
+    }
+
+    /// To evaluate the motion at many times, the sooner the closer together they are.
+    pub fn look_up(&self) -> LookUp<'_> {
+        LookUp {
+            track: self,
+            opened: None,
         }
     }
 
@@ -104,23 +117,70 @@ impl Track {
     }
 
     fn sampled(&self, per_step: usize) -> impl Iterator<Item = Instant> + '_ {
-        let inside = move |(phase, step): &(Phase, Dense<COORDINATES>)| {
-            let mut samples: Vec<_> = (1..per_step)
-                .map(|i| instant(*phase, &step.at(i as f64 / per_step as f64)))
-                .collect();
-            samples.push(instant(*phase, &step.end));
+        let inside = move |leg: &Leg| {
+            let dense = (per_step > 1).then(|| leg.dense(&self.contacts));
+            let mut samples = Vec::with_capacity(per_step);
+            if let Some(dense) = dense {
+                let x = |i| i as f64 / per_step as f64;
+                samples.extend((1..per_step).map(|i| instant(leg.phase, &dense.at(x(i)))));
+            }
+            samples.push(instant(leg.phase, &leg.end));
             samples
         };
         let mut before = (self.start.phase, self.start.u.into_array());
-        let with_changes = move |piece: &(Phase, Dense<COORDINATES>)| {
-            let (phase, step) = piece;
+        let with_changes = move |leg: &Leg| {
             let (phase_before, end_before) = before;
-            before = (*phase, step.end);
-            let changed = phase_before != *phase || end_before != step.start;
-            let begun = changed.then(|| instant(*phase, &step.start));
-            begun.into_iter().chain(inside(piece))
+            before = (leg.phase, leg.end);
+            let changed = phase_before != leg.phase || end_before != leg.start;
+            let begun = changed.then(|| instant(leg.phase, &leg.start));
+            begun.into_iter().chain(inside(leg))
         };
-        core::iter::once(self.start).chain(self.steps.iter().flat_map(with_changes))
+        core::iter::once(self.start).chain(self.legs.iter().flat_map(with_changes))
+    }
+}
+
+/// A motion looked up at one time after another: the step looked into last is kept at hand.
+pub struct LookUp<'a> {
+    track: &'a Track,
+    opened: Option<(usize, Polynomial)>,
+}
+
+impl LookUp<'_> {
+    /// As [`Track::at`].
+    pub fn at(&mut self, t: f64) -> Instant {
+        let Track { start, legs, .. } = self.track;
+        if t <= start.t {
+            return *start;
+        }
+        match self.opened(t) {
+            Some((index, dense)) => {
+                let x = dense.where_component(TIME, t);
+                instant(legs[index].phase, &dense.at(x))
+            }
+            None => self.track.end(),
+        }
+    }
+
+    fn locate(&mut self, t: f64) -> (usize, f64) {
+        if t <= self.track.start.t {
+            return (0, 0.0);
+        }
+        match self.opened(t) {
+            Some((index, dense)) => (index, dense.where_component(TIME, t)),
+            None => (self.track.legs.len().saturating_sub(1), 1.0),
+        }
+    }
+
+    /// The step in which a time lies; none after the end.
+    fn opened(&mut self, t: f64) -> Option<(usize, &Polynomial)> {
+        let Track { contacts, legs, .. } = self.track;
+        let index = legs.partition_point(|leg| leg.end[TIME] <= t);
+        let leg = legs.get(index)?;
+        if self.opened.as_ref().is_none_or(|opened| opened.0 != index) {
+            self.opened = Some((index, leg.dense(contacts)));
+        }
+        let dense = self.opened.as_ref().map(|opened| &opened.1)?;
+        Some((index, dense))
     }
 }
 
@@ -131,6 +191,6 @@ fn instant(phase: Phase, u: &[f64; COORDINATES]) -> Instant {
     }
 }
 
-fn end_of((phase, step): &(Phase, Dense<COORDINATES>)) -> Instant {
-    instant(*phase, &step.end)
+fn end_of(leg: &Leg) -> Instant {
+    instant(leg.phase, &leg.end)
 }

@@ -3,24 +3,71 @@
 use super::Real;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value and its derivative along one direction.
+/// A value and its derivative along one direction or, with [`Slopes`], several.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dual {
+pub struct Dual<S = f64> {
     /// The value itself.
     pub value: f64,
     /// Its derivative along the chosen direction.
-    pub slope: f64,
+    pub slope: S,
 }
 
-impl From<f64> for Dual {
-    fn from(value: f64) -> Self {
-        Dual { value, slope: 0.0 }
+/// What can be a derivative: things that can be added and scaled.
+pub trait Slope: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {
+    /// Of a constant.
+    const ZERO: Self;
+}
+
+impl Slope for f64 {
+    const ZERO: f64 = 0.0;
+}
+
+/// Derivatives along K directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slopes<const K: usize>(pub [f64; K]);
+
+impl<const K: usize> Slope for Slopes<K> {
+    const ZERO: Self = Slopes([0.0; K]);
+}
+
+impl<const K: usize> Add for Slopes<K> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Slopes(core::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 }
 
-impl Add for Dual {
-    type Output = Dual;
-    fn add(self, other: Dual) -> Dual {
+impl<const K: usize> Sub for Slopes<K> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Slopes(core::array::from_fn(|i| self.0[i] - other.0[i]))
+    }
+}
+
+impl<const K: usize> Mul<f64> for Slopes<K> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        Slopes(core::array::from_fn(|i| self.0[i] * factor))
+    }
+}
+
+impl<S: Slope> From<f64> for Dual<S> {
+    #[inline(always)]
+    fn from(value: f64) -> Self {
+        Dual {
+            value,
+            slope: S::ZERO,
+        }
+    }
+}
+
+impl<S: Slope> Add for Dual<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
         Dual {
             value: self.value + other.value,
             slope: self.slope + other.slope,
@@ -28,9 +75,10 @@ impl Add for Dual {
     }
 }
 
-impl Sub for Dual {
-    type Output = Dual;
-    fn sub(self, other: Dual) -> Dual {
+impl<S: Slope> Sub for Dual<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
         Dual {
             value: self.value - other.value,
             slope: self.slope - other.slope,
@@ -38,69 +86,98 @@ impl Sub for Dual {
     }
 }
 
-impl Mul for Dual {
-    type Output = Dual;
-    fn mul(self, other: Dual) -> Dual {
+impl<S: Slope> Mul for Dual<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
         Dual {
             value: self.value * other.value,
-            slope: self.slope * other.value + self.value * other.slope,
+            slope: self.slope * other.value + other.slope * self.value,
         }
     }
 }
 
-impl Div for Dual {
-    type Output = Dual;
-    fn div(self, other: Dual) -> Dual {
+impl<S: Slope> Div for Dual<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         Dual {
             value,
-            slope: (self.slope - value * other.slope) / other.value,
+            slope: (self.slope - other.slope * value) * (1.0 / other.value),
         }
     }
 }
 
-impl Neg for Dual {
-    type Output = Dual;
-    fn neg(self) -> Dual {
+impl<S: Slope> Neg for Dual<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
         Dual {
             value: -self.value,
-            slope: -self.slope,
+            slope: self.slope * -1.0,
         }
     }
 }
 
-impl Real for Dual {
-    fn sin_cos(self) -> (Dual, Dual) {
+impl<S: Slope> Real for Dual<S> {
+    fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = libm::sincos(self.value);
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
-    fn sqrt(self) -> Dual {
+    fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, 0.5 / root)
     }
 
-    fn exp(self) -> Dual {
+    fn exp(self) -> Self {
         let power = libm::exp(self.value);
         self.chain(power, power)
     }
 
-    fn is_negative(self) -> bool {
-        self.value < 0.0
+    fn exp_m1(self) -> Self {
+        let less = Real::exp_m1(self.value);
+        self.chain(less, less + 1.0)
     }
 
-    fn odd_power(self, n: f64) -> Dual {
+    fn ln(self) -> Self {
+        self.chain(Real::ln(self.value), 1.0 / self.value)
+    }
+
+    fn atan(self) -> Self {
+        let slope = 1.0 / (1.0 + self.value * self.value);
+        self.chain(libm::atan(self.value), slope)
+    }
+
+    fn abs(self) -> Self {
+        self.where_negative(-self, self)
+    }
+
+    fn max(self, other: Self) -> Self {
+        if self.value > other.value {
+            self
+        } else {
+            other
+        }
+    }
+
+    fn where_negative(self, yes: Self, no: Self) -> Self {
+        if self.value < 0.0 { yes } else { no }
+    }
+
+    fn odd_power(self, n: f64) -> Self {
         let slope = n * libm::pow(self.value.abs(), n - 1.0);
         self.chain(self.value.odd_power(n), slope)
     }
 }
 
-impl Dual {
+impl<S: Slope> Dual<S> {
     /// f of this number, given f and f′ at its value.
-    fn chain(self, f: f64, derivative: f64) -> Dual {
+    pub(crate) fn chain(self, f: f64, derivative: f64) -> Self {
         Dual {
             value: f,
-            slope: derivative * self.slope,
+            slope: self.slope * derivative,
         }
     }
 }

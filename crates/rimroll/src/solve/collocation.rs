@@ -87,7 +87,7 @@ impl Collocation {
         h: f64,
         start: &[f64; N],
         states: &[[f64; N]; POINTS],
-    ) -> Dense<N> {
+    ) -> Dense<f64, N> {
         let mut coefficients = [[0.0; N]; POINTS];
         for (row, coefficient) in self.to_dense.iter().zip(&mut coefficients) {
             for (weight, state) in row.iter().zip(states) {
@@ -107,7 +107,7 @@ impl Collocation {
 
 impl Collocation {
     /// The part of a step up to the fraction x, as a step of its own.
-    pub fn cut<const N: usize>(&self, step: &Dense<N>, x: f64) -> Dense<N> {
+    pub fn cut<const N: usize>(&self, step: &Dense<f64, N>, x: f64) -> Dense<f64, N> {
         self.through(x * step.h, &step.start, &RADAU.map(|c| step.at(x * c)))
     }
 }

@@ -333,7 +333,7 @@ mod tests {
     /// A planet at unit distance scale: x, y and their rates under the attraction 1/r².
     struct Planet;
 
-    impl System<4> for Planet {
+    impl System<f64, 4> for Planet {
         fn rates(&self, u: &[f64; 4]) -> [f64; 4] {
             let [x, y, vx, vy] = *u;
             let square = x * x + y * y;
@@ -366,6 +366,18 @@ mod tests {
             .zip(b)
             .map(|(a, b)| (a - b).abs())
             .fold(0.0, f64::max)
+    }
+
+    /// Wide registers, where there are any, change nothing.
+    #[test]
+    fn a_step_has_the_same_bits_in_registers_of_any_width() {
+        let (start, h) = (planet(0.3), 0.2);
+        let any = Step::take(&Planet, &start, &Planet.rates(&start), h);
+        let mut narrow = Step::still(&start, &Planet.rates(&start));
+        narrow.go(&Planet, h);
+        assert_eq!(any.end, narrow.end);
+        assert_eq!(any.end_rates(), narrow.end_rates());
+        assert_eq!(any.error(&Planet, 1e-9), narrow.error(&Planet, 1e-9));
     }
 
     /// The order that an error shows when the step is halved.

@@ -20,6 +20,7 @@ use crate::motion::{Contacts, Options, Phase, Status, pass_near_collision, simul
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
 use core::ops::ControlFlow;
+use std::sync::Arc;
 
 /// How a body comes down on the table, at the end of its tipping phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -212,6 +213,7 @@ fn computed_passage(
         ..Options::default()
     };
     let contacts = Contacts::new(body, &surface, NO_GRAVITY, options.step_tolerance());
+    let contacts = Arc::new(contacts);
     let rate = arrival.tipping_rate;
     let flat = Coordinates {
         cos: 1.0,

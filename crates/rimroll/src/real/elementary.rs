@@ -1,0 +1,81 @@
+//! eˣ − 1 and ln x without a branch, from + − × ÷ and the bits of the exponent alone: what is
+//! calculated with for eight lanes at once is to the last bit what it is for one.
+
+use core::f64::consts::LN_2;
+
+/// ln 2 in two parts, the first with so few bits that its product with a whole number is exact.
+const LN_2_HIGH: f64 = 6.931_471_803_691_238_2e-1;
+const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
+
+/// Adding 1.5 · 2⁵² leaves the nearest whole number in the last bits.
+const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// Bits of the fraction of a double.
+const FRACTION: u32 = 52;
+
+/// eˣ − 1 for |x| ≤ 700, to 2 units in the last place.
+#[inline(always)]
+pub(super) fn exp_m1(x: f64) -> f64 {
+    // x = k ln 2 + r with |r| ≤ ln 2 / 2; eˣ − 1 = 2ᵏ (eʳ − 1) + (2ᵏ − 1).
+    let shifted = x * (1.0 / LN_2) + ROUNDER;
+    let k = shifted - ROUNDER;
+    let r = (x - k * LN_2_HIGH) - k * LN_2_LOW;
+    let power = f64::from_bits((shifted.to_bits() << FRACTION).wrapping_add(1.0_f64.to_bits()));
+    // The series of eʳ to r¹³: what is left out is less than 1e-17 of r.
+    let mut sum = 1.0 / 6_227_020_800.0;
+    for coefficient in INVERSE_FACTORIALS {
+        sum = sum * r + coefficient;
+    }
+    power * (r + r * r * sum) + (power - 1.0)
+}
+
+/// 1/12! … 1/2!.
+const INVERSE_FACTORIALS: [f64; 11] = [
+    1.0 / 479_001_600.0,
+    1.0 / 39_916_800.0,
+    1.0 / 3_628_800.0,
+    1.0 / 362_880.0,
+    1.0 / 40_320.0,
+    1.0 / 5_040.0,
+    1.0 / 720.0,
+    1.0 / 120.0,
+    1.0 / 24.0,
+    1.0 / 6.0,
+    0.5,
+];
+
+/// ln x for normal x > 0, to 2 units in the last place of the larger of ln x and its parts.
+#[inline(always)]
+pub(super) fn ln(x: f64) -> f64 {
+    // x = 2ᵏ m with m between √½ and √2; ln m = 2 artanh f, f = (m − 1)/(m + 1).
+    const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
+    let bits = x.to_bits().wrapping_sub(SQRT_HALF_BITS);
+    let exponent = (bits as i64) >> FRACTION;
+    let m = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << FRACTION));
+    // A whole number as a double without a conversion, which has no vector instruction.
+    let k = f64::from_bits(ROUNDER.to_bits().wrapping_add(exponent as u64)) - ROUNDER;
+    let f = (m - 1.0) / (m + 1.0);
+    let ff = f * f;
+    let mut sum = 1.0 / 23.0;
+    for odd in [21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
+        sum = sum * ff + 1.0 / odd;
+    }
+    k * LN_2_HIGH + (2.0 * (f + f * ff * sum) + k * LN_2_LOW)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{exp_m1, ln};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn both_are_the_library_s_to_the_last_bits(x in -40.0..40.0_f64, scale in -60.0..0.0_f64) {
+            let x = x * libm::exp(scale);
+            let wanted = libm::expm1(x);
+            prop_assert!((exp_m1(x) - wanted).abs() <= 4.0 * f64::EPSILON * wanted.abs());
+            let y = libm::exp(x);
+            prop_assert!((ln(y) - libm::log(y)).abs() <= 3.0 * f64::EPSILON * libm::log(y).abs());
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! The turn by quadrature, under the two laws without loss.
+//!
+//! Without slip and without friction energy is conserved and the other velocities follow from the tilt,
+//! so that the whole motion is quadrature (the paper says so of the frictionless one, section
+//! "Frictionless sliding"). No steps are made: the smallest and the largest tilt are roots, and yaw and
+//! time integrals with a rule that gains digits with every node. What makes that work however near the
+//! near-collision is:
+//!
+//! * the tilt's logarithm as clock ([`tilting`]), in which the collision and the rest of the motion are of
+//!   like length,
+//! * for rolling, a table of the body's fundamental solutions ([`fundamental`]),
+//! * the part of the yaw that the collision alone makes in closed form ([`pieces`]).
+//!
+//! [`alone`] treats one start with all that can become of it; [`together`] eight at a time that rock.
+
+mod alone;
+mod dispatch;
+mod extremes;
+mod fundamental;
+mod many;
+mod pieces;
+mod rolling;
+mod rule;
+mod sensitivity;
+mod sliding;
+mod start;
+mod tilting;
+mod together;
+mod wobble;
+
+use crate::body::Body;
+use crate::error::InvalidInput;
+use crate::law::{IdealLaw, Parameters};
+use crate::motion::{Fall, Options, Status, fall};
+use crate::state::State;
+use alone::{Alone, Outcome, Scalar};
+use core::f64::consts::FRAC_PI_2;
+use dispatch::Engine;
+use fundamental::Fundamental;
+use rolling::Rolling;
+use sliding::Sliding;
+use start::Start;
+use tilting::Tilting;
+
+/// Below this sin φ the base counts as flat on the table, as in a simulated motion.
+const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
+
+/// Nearer to an extreme than this, in η, G has no digits left.
+const SHORT: f64 = 3e-6;
+
+/// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
+const MOST_OUTER: f64 = 1.8;
+
+/// What becomes of a body let go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// It comes down and rocks up to a largest tilt.
+    Rocked,
+    /// It comes down and topples.
+    Toppled,
+    /// It topples without coming down.
+    FellBack,
+    /// The table would have to pull to keep the rim.
+    LiftedOff,
+    /// The whole rim meets the table at once.
+    FaceDown,
+}
+
+impl Ending {
+    /// All of them.
+    pub const ALL: [Ending; 5] = [
+        Ending::Rocked,
+        Ending::Toppled,
+        Ending::FellBack,
+        Ending::LiftedOff,
+        Ending::FaceDown,
+    ];
+
+    /// The name that the user reads.
+    pub fn name(self) -> &'static str {
+        match self {
+            Ending::Rocked => "rocked",
+            Ending::Toppled => "toppled",
+            Ending::FellBack => "fell_back",
+            Ending::LiftedOff => "lifted_off",
+            Ending::FaceDown => "face_down",
+        }
+    }
+}
+
+/// The first turn of a motion, and what became of it. What does not exist is NaN.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExactTurn {
+    /// How it ended.
+    pub ending: Ending,
+    /// Change of yaw from the release, or the largest tilt after it, through the smallest tilt to the
+    /// end, rad.
+    pub turn: f64,
+    /// The smallest tilt, rad.
+    pub min_tilt: f64,
+    /// The tilt at the end, the largest if it rocked, rad.
+    pub max_tilt: f64,
+    /// When the tilt was smallest, s.
+    pub min_time: f64,
+    /// When it was over, s.
+    pub time: f64,
+    /// Change of yaw from the release to the end, rad: the turn, and what came before it.
+    pub yaw: f64,
+}
+
+/// A body under one of the two laws, ready for many starts.
+pub struct Exact {
+    body: Body,
+    law: IdealLaw,
+    parameters: Parameters<f64>,
+    /// For rolling, over all tilts below the end.
+    table: Option<Fundamental<f64>>,
+    /// For rolling, over the tilts in which a body rocks: shorter.
+    rocking_table: Option<Fundamental<f64>>,
+    options: Options,
+}
+
+impl Exact {
+    /// Prepares for starts under gravity g (m/s²). `topple_tilt` (rad) as in [`Options`].
+    ///
+    /// # Errors
+    /// Refuses numbers outside their bounds.
+    pub fn new(
+        body: &Body,
+        law: IdealLaw,
+        gravity: f64,
+        topple_tilt: Option<f64>,
+    ) -> Result<Exact, InvalidInput> {
+        let options = Options {
+            gravity,
+            topple_tilt,
+            duration: 1000.0 * natural_time(body, gravity),
+            rtol: 1e-13,
+            ..Options::default()
+        };
+        // A start that none refuses shows whether the rest is in order.
+        let start = State {
+            tilt: 1e-9,
+            ..State::default()
+        };
+        let options = options.checked(body, &start)?;
+        let parameters = Parameters::new(body, gravity);
+        let rolls = law == IdealLaw::NoSlip;
+        let mut exact = Exact {
+            body: *body,
+            law,
+            parameters,
+            table: None,
+            rocking_table: None,
+            options,
+        };
+        exact.table = rolls.then(|| Fundamental::new(parameters, exact.end().0));
+        exact.rocking_table = rolls.then(|| Fundamental::new(parameters, exact.highest()));
+        Ok(exact)
+    }
+
+    /// Where a motion ends that nothing turns back, tan(φ/2), and what that is called. A disk may pass
+    /// the vertical, where its turn is over, and fall to the other face.
+    fn end(&self) -> (f64, Ending) {
+        match self.options.topple_tilt {
+            Some(tilt) if tilt < FRAC_PI_2 => (half_tangent(tilt), Ending::Toppled),
+            Some(tilt) if tilt == FRAC_PI_2 => (1.0, Ending::Toppled),
+            _ => (1.0, Ending::Rocked),
+        }
+    }
+
+    /// How far a body that rocks may tilt, tan(φ/2): to the balance point.
+    fn highest(&self) -> f64 {
+        half_tangent(self.body.balance_tilt()).min(self.end().0)
+    }
+
+    /// Whether quadrature does not reach the start.
+    fn is_beyond(&self, start: &State) -> bool {
+        start.tilt >= FRAC_PI_2 || self.options.topple_tilt > Some(FRAC_PI_2)
+    }
+
+    /// The turn of one start.
+    ///
+    /// # Errors
+    /// Refuses a start outside its bounds.
+    pub fn turn(&self, start: &State) -> Result<ExactTurn, InvalidInput> {
+        self.check(start)?;
+        Ok(self.turn_of(start))
+    }
+
+    fn check(&self, start: &State) -> Result<(), InvalidInput> {
+        start.check()?;
+        match self.options.topple_tilt {
+            // Only then with the whole message.
+            Some(topple) if start.tilt >= topple => {
+                self.options.checked(&self.body, start).map(|_| ())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn engine(&self) -> Engine<'_> {
+        match &self.rocking_table {
+            Some(table) => Engine::Rolling(table),
+            None => Engine::Sliding(&self.parameters),
+        }
+    }
+
+    fn turn_of(&self, start: &State) -> ExactTurn {
+        let outcome = if self.is_beyond(start) {
+            None
+        } else {
+            self.outcome(start)
+        };
+        outcome.map_or_else(|| self.stepped(start), |outcome| told(&outcome))
+    }
+
+    fn outcome(&self, start: &State) -> Option<Outcome<f64>> {
+        let start = Start::of(start);
+        match &self.table {
+            Some(table) => self.alone(&Rolling::new(table, &start), start),
+            None => self.alone(&Sliding::new(self.parameters, &start), start),
+        }
+    }
+
+    fn alone<T: Scalar>(&self, motion: &impl Tilting<T>, start: Start<T>) -> Option<Outcome<T>> {
+        let balance = half_tangent(self.body.balance_tilt());
+        Alone::new(motion, start, self.end(), balance).outcome()
+    }
+
+    /// The same by steps, where quadrature does not reach.
+    fn stepped(&self, start: &State) -> ExactTurn {
+        let fall = fall(&self.body, start, &self.law.into(), &self.options)
+            .expect("start and options were checked");
+        told_of_fall(&fall, start)
+    }
+}
+
+/// √(J/(mg√(R² + H²))): how long it takes to fall over, s.
+fn natural_time(body: &Body, gravity: f64) -> f64 {
+    let arm = libm::hypot(body.radius(), body.height());
+    (body.rim_inertia() / (body.mass() * gravity * arm)).sqrt()
+}
+
+fn half_tangent(tilt: f64) -> f64 {
+    let (sin, cos) = libm::sincos(tilt);
+    sin / (1.0 + cos)
+}
+
+fn told(outcome: &Outcome<f64>) -> ExactTurn {
+    let tilt = |y: Option<f64>| y.map_or(f64::NAN, |y| 2.0 * libm::atan(y));
+    let of = |piece: &Option<pieces::Piece<f64>>, number: fn(&pieces::Piece<f64>) -> f64| {
+        piece.as_ref().map_or(f64::NAN, number)
+    };
+    let before = outcome.before.unwrap_or(pieces::Piece::nothing());
+    let turn = of(&outcome.down, |piece| piece.yaw) + of(&outcome.up, |piece| piece.yaw);
+    let min_time = before.time + of(&outcome.down, |piece| piece.time);
+    ExactTurn {
+        ending: outcome.ending,
+        turn,
+        min_tilt: tilt(outcome.low),
+        max_tilt: tilt(outcome.high),
+        min_time,
+        time: min_time + of(&outcome.up, |piece| piece.time),
+        yaw: before.yaw + turn,
+    }
+}
+
+fn told_of_fall(fall: &Fall, start: &State) -> ExactTurn {
+    let of_turn =
+        |number: fn(&crate::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
+    let ending = match fall.status {
+        Status::Toppled if fall.turn.is_some() => Ending::Toppled,
+        Status::Toppled => Ending::FellBack,
+        Status::LiftedOff => Ending::LiftedOff,
+        Status::FaceDown => Ending::FaceDown,
+        _ => Ending::Rocked,
+    };
+    ExactTurn {
+        ending,
+        turn: of_turn(|turn| turn.angle),
+        min_tilt: of_turn(|turn| turn.min_tilt),
+        max_tilt: of_turn(|turn| turn.max_tilt),
+        min_time: of_turn(|turn| turn.t),
+        time: of_turn(|turn| turn.end),
+        yaw: fall.end.yaw - start.yaw,
+    }
+}

@@ -1,0 +1,365 @@
+//! One start by itself, whatever becomes of it.
+
+use super::extremes::{Extreme, highest, lowest};
+use super::pieces::{Piece, between, from_lowest, short, to_highest};
+use super::rule::{Choice, Rule};
+use super::start::Start;
+use super::tilting::Tilting;
+use super::wobble::{LONGEST, Wobble};
+use super::{Ending, FLAT, MOST_OUTER, SHORT};
+use crate::real::{Dual, Real, Slope};
+use crate::solve::bracketed;
+
+/// A number that stands for one motion, so that it can decide.
+pub(super) trait Scalar: Real {
+    /// Its value.
+    fn value(self) -> f64;
+}
+
+impl Scalar for f64 {
+    fn value(self) -> f64 {
+        self
+    }
+}
+
+impl<S: Slope> Scalar for Dual<S> {
+    fn value(self) -> f64 {
+        self.value
+    }
+}
+
+impl<T: Scalar> Piece<T> {
+    fn values(&self) -> Piece<f64> {
+        self.map(T::value)
+    }
+}
+
+/// What became of it: as [`ExactTurn`](super::ExactTurn), with tan(φ/2) for the tilts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outcome<T> {
+    pub(super) ending: Ending,
+    pub(super) low: Option<T>,
+    pub(super) high: Option<T>,
+    /// Yaw and time from the release to the first largest tilt, if it rises at first.
+    pub(super) before: Option<Piece<T>>,
+    /// From there, or the release, down to the smallest tilt.
+    pub(super) down: Option<Piece<T>>,
+    /// From there up to the end.
+    pub(super) up: Option<Piece<T>>,
+}
+
+impl<T> Outcome<T> {
+    fn without_turn(ending: Ending, low: Option<T>) -> Self {
+        Outcome {
+            ending,
+            low,
+            high: None,
+            before: None,
+            down: None,
+            up: None,
+        }
+    }
+}
+
+/// Where the way up ends.
+enum Top<T> {
+    /// At a largest tilt.
+    Rest(Extreme<T>),
+    /// On the move, at tan(φ/2).
+    Passing(T, Ending),
+}
+
+/// One motion and what is looked up on the way.
+pub(super) struct Alone<'a, M, T> {
+    motion: &'a M,
+    start: Start<T>,
+    /// Where it ends if nothing turns it back: tan(φ/2), and what that is called.
+    end: (f64, Ending),
+    /// tan(φ/2) at the balance point.
+    balance: f64,
+}
+
+/// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
+const SHORTEST: f64 = 1e-6;
+
+/// Points at which the sign of a function is looked at in search of a first root.
+const LOOKS: usize = 48;
+
+impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
+    pub(super) fn new(motion: &'a M, start: Start<T>, end: (f64, Ending), balance: f64) -> Self {
+        Alone {
+            motion,
+            start,
+            end,
+            balance,
+        }
+    }
+
+    /// `None` where quadrature does not reach: near the edge between rocking and toppling, and where
+    /// the tilt hardly changes.
+    pub(super) fn outcome(&self) -> Option<Outcome<T>> {
+        let start = self.start;
+        let point = self.motion.at(start.y, start.eta);
+        let p = start.p.value();
+        let rising = p > 0.0 || (p == 0.0 && point.slope.value() > 0.0);
+        let low = self.low(p == 0.0 && rising);
+        let high = self.high(p == 0.0 && !rising);
+        let low = match low {
+            Some(low) if low.point.sin.value() >= FLAT => low,
+            _ if rising && high.is_none() => return self.fell_back(),
+            _ => return Some(Outcome::without_turn(Ending::FaceDown, None)),
+        };
+        if rising && high.is_none() {
+            return self.fell_back();
+        }
+        let top = match high {
+            Some(high) => Top::Rest(high),
+            None => Top::Passing(T::from(self.end.0), self.end.1),
+        };
+        let top = match self.lifting(&low, &top, rising) {
+            None => top,
+            Some(None) => return Some(Outcome::without_turn(Ending::LiftedOff, None)),
+            Some(Some(y)) => Top::Passing(y, Ending::LiftedOff),
+        };
+        match top {
+            Top::Rest(high) if (high.eta - low.eta).value() < LONGEST => {
+                self.wobbling(&low, &high, rising)
+            }
+            top => self.along(self.motion, &start, &low, &top, rising),
+        }
+    }
+
+    /// The same with the energy of a tilt that hardly changes.
+    fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Outcome<T>> {
+        let Start { y, eta, p, .. } = self.start;
+        let (from, to) = ((low.eta - eta).value(), (high.eta - eta).value());
+        let margin = 0.1 * (to - from);
+        if to - from < SHORTEST {
+            return None;
+        }
+        let wobble = Wobble::new(self.motion, y, eta, p, from - margin, to + margin);
+        let near = |extreme: &Extreme<T>| [extreme.y, extreme.eta - eta];
+        let (low, high) = (
+            lowest(&wobble, near(low), 3),
+            highest(&wobble, near(high), 3),
+        );
+        let start = Start {
+            eta: T::from(0.0),
+            ..self.start
+        };
+        self.along(&wobble, &start, &low, &Top::Rest(high), rising)
+    }
+
+    fn fell_back(&self) -> Option<Outcome<T>> {
+        let eta = self.start.eta.value();
+        let end = libm::log(self.end.0);
+        let ending = match self.first_sign_change(eta, end, |eta| self.pressing(eta)) {
+            Some(_) => Ending::LiftedOff,
+            None => Ending::FellBack,
+        };
+        Some(Outcome::without_turn(ending, None))
+    }
+
+    /// Yaw and time along the whole.
+    fn along(
+        &self,
+        motion: &impl Tilting<T>,
+        start: &Start<T>,
+        low: &Extreme<T>,
+        top: &Top<T>,
+        rising: bool,
+    ) -> Option<Outcome<T>> {
+        let eta_top = match top {
+            Top::Rest(high) => high.eta,
+            Top::Passing(y, _) => y.ln(),
+        };
+        let length = eta_top - low.eta;
+        let outer = if length.value() > 2.0 * MOST_OUTER {
+            T::from(MOST_OUTER)
+        } else {
+            T::from(0.5) * length
+        };
+        let inner = length - outer;
+        let split = low.eta + inner;
+        let bottom = foot(motion, low, inner)?;
+        let upper = match top {
+            Top::Rest(high) => head(motion, high, outer)?,
+            Top::Passing(..) => passage(motion, split, outer)?,
+        };
+        let up = bottom + upper;
+        let from_start = eta_top - start.eta;
+        let to_start = start.eta - low.eta;
+        // From the smallest tilt to the start's.
+        let risen = if to_start.value() < SHORT {
+            let point = motion.at(start.y, start.eta);
+            short(motion, low, to_start, point.inertia * start.p * start.p)
+        } else if to_start.value() <= inner.value() {
+            foot(motion, low, to_start)?
+        } else {
+            match top {
+                Top::Rest(high) => up - last_leg(motion, start, high, from_start)?,
+                Top::Passing(..) => {
+                    let rest = to_start - inner;
+                    bottom + passage(motion, split, rest)?
+                }
+            }
+        };
+        let (before, down) = if rising {
+            (Some(up - risen), up)
+        } else {
+            (None, risen)
+        };
+        Some(Outcome {
+            ending: match top {
+                Top::Rest(_) => Ending::Rocked,
+                Top::Passing(_, ending) => *ending,
+            },
+            low: Some(low.y),
+            high: Some(match top {
+                Top::Rest(high) => high.y,
+                Top::Passing(y, _) => *y,
+            }),
+            before,
+            down: Some(down),
+            up: Some(up),
+        })
+    }
+
+    /// The smallest tilt, at the start if `here`.
+    fn low(&self, here: bool) -> Option<Extreme<T>> {
+        let start = self.start;
+        let guess = if here { start.y } else { self.motion.lowest() };
+        let guess = [guess, guess.ln()];
+        let good = |low: &Extreme<T>| {
+            low.change.value() < 1e-12
+                && low.point.slope.value() > 0.0
+                && low.y.value() <= start.y.value() * (1.0 + 1e-9)
+                && self.clear(low.eta.value(), start.eta.value())
+        };
+        let low = lowest(self.motion, guess, 12);
+        if good(&low) {
+            return Some(low);
+        }
+        let flat = libm::log(0.25 * FLAT);
+        let eta = self.first_sign_change(start.eta.value(), flat, |eta| self.drive(eta))?;
+        Some(lowest(self.motion, at(eta), 3))
+    }
+
+    /// The largest tilt, at the start if `here`; none if it goes past the end.
+    fn high(&self, here: bool) -> Option<Extreme<T>> {
+        let start = self.start;
+        let guess = if here { start.y } else { self.motion.highest() };
+        let guess = [guess, guess.ln()];
+        let good = |high: &Extreme<T>| {
+            high.change.value() < 1e-12
+                && high.point.slope.value() < 0.0
+                && high.y.value() >= start.y.value() * (1.0 - 1e-9)
+                && high.y.value() < self.end.0
+                && self.clear(start.eta.value(), high.eta.value())
+        };
+        if guess[0].value() < self.end.0 {
+            let high = highest(self.motion, guess, 12);
+            if good(&high) {
+                return Some(high);
+            }
+        }
+        let end = libm::log(self.end.0);
+        let eta = self.first_sign_change(start.eta.value(), end, |eta| self.drive(eta))?;
+        Some(highest(self.motion, at(eta), 3))
+    }
+
+    /// Whether the tilt does not turn back between two others.
+    fn clear(&self, from: f64, to: f64) -> bool {
+        (1..8).all(|i| self.drive(from + (to - from) * f64::from(i) / 8.0) >= 0.0)
+            || (to - from).abs() < SHORT
+    }
+
+    /// Where the table would have to pull: `Some(None)` before the smallest tilt is reached.
+    fn lifting(&self, low: &Extreme<T>, top: &Top<T>, rising: bool) -> Option<Option<T>> {
+        if let Top::Rest(high) = top {
+            let below_balance = high.y.value() < self.balance;
+            let sure = self.motion.surely_pressing(&low.point, &high.point).value();
+            if below_balance && sure > 0.0 {
+                return None;
+            }
+        }
+        let (bottom, start) = (low.eta.value(), self.start.eta.value());
+        let top = match top {
+            Top::Rest(high) => high.eta.value(),
+            Top::Passing(y, _) => libm::log(y.value()),
+        };
+        let pressing = |eta| self.pressing(eta);
+        let turned = if rising { top } else { start };
+        if self.first_sign_change(turned, bottom, pressing).is_some() {
+            return Some(None);
+        }
+        let eta = self.first_sign_change(start.max(bottom), top, pressing)?;
+        Some(Some(T::from(eta).exp()))
+    }
+
+    fn drive(&self, eta: f64) -> f64 {
+        self.motion
+            .at(T::from(libm::exp(eta)), T::from(eta))
+            .drive
+            .value()
+    }
+
+    fn pressing(&self, eta: f64) -> f64 {
+        let point = self.motion.at(T::from(libm::exp(eta)), T::from(eta));
+        self.motion.pressing(&point).value()
+    }
+
+    /// Where a function that is positive at first changes its sign.
+    fn first_sign_change(&self, from: f64, to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
+        let looks = (LOOKS as f64).max((to - from).abs() / 0.1) as usize;
+        let at = |i: usize| from + (to - from) * i as f64 / looks as f64;
+        let first = (1..=looks).find(|&i| f(at(i)) < 0.0)?;
+        Some(bracketed(at(first - 1), at(first), f))
+    }
+}
+
+/// A piece by a rule that resolves it, from a first choice on.
+fn resolved<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
+    core::iter::successors(Some(choice), |choice| choice.larger())
+        .map(|choice| (piece(choice.rule()), choice.nodes()))
+        .find(|(piece, nodes)| piece.values().is_resolved(*nodes))
+        .map(|(piece, _)| piece)
+}
+
+/// From the smallest tilt up by `length` in η.
+fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
+    let choice = Choice::from_lowest(length.value());
+    resolved(choice, |rule| from_lowest(motion, low, length, rule))
+}
+
+/// Up to the largest tilt by `length` in η.
+fn head<T: Scalar>(motion: &impl Tilting<T>, high: &Extreme<T>, length: T) -> Option<Piece<T>> {
+    let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
+    resolved(choice, |rule| to_highest(motion, high, length, rule))
+}
+
+/// From η up by `length` on the move.
+fn passage<T: Scalar>(motion: &impl Tilting<T>, eta: T, length: T) -> Option<Piece<T>> {
+    resolved(Choice::plain(8.0), |rule| {
+        between(motion, eta, length, rule)
+    })
+}
+
+/// From the start's tilt to the largest.
+fn last_leg<T: Scalar>(
+    motion: &impl Tilting<T>,
+    start: &Start<T>,
+    high: &Extreme<T>,
+    length: T,
+) -> Option<Piece<T>> {
+    if length.value() < SHORT {
+        let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
+        return Some(short(motion, high, -length, drive));
+    }
+    head(motion, high, length)
+}
+
+/// A guess of y and η.
+fn at<T: Scalar>(eta: f64) -> [T; 2] {
+    [T::from(libm::exp(eta)), T::from(eta)]
+}

@@ -1,0 +1,127 @@
+//! Eight starts at a time under one of the laws, compiled twice: as it is, and for machines that
+//! calculate with four numbers at once. The numbers are the same to the last bit.
+
+use super::extremes::Extreme;
+use super::fundamental::Fundamental;
+use super::many::Lane;
+use super::pieces::Piece;
+use super::rolling::Rolling;
+use super::rule::{Choice, Rule};
+use super::sliding::Sliding;
+use super::start::Start;
+use super::tilting::Tilting;
+use super::together::{Extremes, Part, extremes, part};
+use crate::law::Parameters;
+use crate::real::Lanes;
+
+/// A body under one of the laws.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Engine<'a> {
+    /// Without slip, by its table.
+    Rolling(&'a Fundamental<f64>),
+    /// Without friction.
+    Sliding(&'a Parameters<f64>),
+}
+
+/// Eight starts; where there are fewer, the last lanes repeat the first.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Eight {
+    start: Start<Lanes>,
+    low: [Lanes; 2],
+    high: [Lanes; 2],
+}
+
+impl Eight {
+    pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Eight {
+        let all = |number: fn(&Lane) -> f64| {
+            Lanes(core::array::from_fn(|i| {
+                number(&lanes[which[i % which.len()]])
+            }))
+        };
+        Eight {
+            start: Start {
+                y: all(|lane| lane.start.y),
+                eta: all(|lane| lane.start.eta),
+                p: all(|lane| lane.start.p),
+                w: all(|lane| lane.start.w),
+                s: all(|lane| lane.start.s),
+            },
+            low: [all(|lane| lane.low[0]), all(|lane| lane.low[1])],
+            high: [all(|lane| lane.high[0]), all(|lane| lane.high[1])],
+        }
+    }
+}
+
+/// What is asked of eight starts.
+trait Asked {
+    type Told;
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Self::Told;
+}
+
+struct AskExtremes {
+    most: f64,
+}
+
+impl Asked for AskExtremes {
+    type Told = Extremes;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Extremes {
+        extremes(motion, &eight.start, self.most)
+    }
+}
+
+struct AskPart {
+    part: Part,
+    rule: &'static Rule,
+}
+
+impl Asked for AskPart {
+    type Told = Piece<Lanes>;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Piece<Lanes> {
+        let extreme = |[y, eta]: [Lanes; 2]| Extreme {
+            y,
+            eta,
+            point: motion.at(y, eta),
+            change: Lanes::from(0.0),
+        };
+        let (low, high) = (extreme(eight.low), extreme(eight.high));
+        part(self.part, motion, &eight.start, &low, &high, self.rule)
+    }
+}
+
+impl Engine<'_> {
+    pub(super) fn extremes(&self, eight: &Eight, most: f64) -> Extremes {
+        self.ask(&AskExtremes { most }, eight)
+    }
+
+    pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Piece<Lanes> {
+        let rule = choice.rule();
+        self.ask(&AskPart { part, rule }, eight)
+    }
+
+    fn ask<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what the function is compiled for.
+            return unsafe { self.ask_by_fours(asked, eight) };
+        }
+        self.ask_anywhere(asked, eight)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn ask_by_fours<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
+        self.ask_anywhere(asked, eight)
+    }
+
+    #[inline(always)]
+    fn ask_anywhere<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
+        match self {
+            Engine::Rolling(table) => asked.of(&Rolling::new(table, &eight.start), eight),
+            Engine::Sliding(k) => asked.of(&Sliding::new(**k, &eight.start), eight),
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! Yaw and time along a piece of the motion, by quadrature in the tilt:
+//!
+//! ```text
+//! dψ = w √(I/G) dη        dt = sin φ √(I/G) dη
+//! ```
+//!
+//! At the smallest and the largest tilt G is zero; there η = η_end ± Λτ² makes the integrand an even
+//! analytic function of τ, for which a Gauss-Legendre rule gains digits with every node.
+
+use super::extremes::Extreme;
+use super::rule::Rule;
+use super::tilting::{Point, Tilting};
+use crate::real::Real;
+use core::ops::{Add, Sub};
+
+/// Error of the yaw of a piece, rad, or relative to a larger one.
+const YAW_TOLERANCE: f64 = 2e-14;
+
+/// Error of the time of a piece, relative to it.
+const TIME_TOLERANCE: f64 = 1e-11;
+
+/// Yaw and time along a piece, and what tells how well the rule has resolved it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece<T> {
+    /// rad.
+    pub(super) yaw: T,
+    /// s.
+    pub(super) time: T,
+    /// The last Legendre coefficient of both integrands that the rule can see.
+    last: [T; 2],
+    /// The last but two.
+    before: [T; 2],
+}
+
+impl<T: Real> Piece<T> {
+    #[inline(always)]
+    pub(super) fn nothing() -> Self {
+        let zero = T::from(0.0);
+        Piece {
+            yaw: zero,
+            time: zero,
+            last: [zero; 2],
+            before: [zero; 2],
+        }
+    }
+}
+
+impl<T: Copy> Piece<T> {
+    /// Number by number.
+    pub(super) fn map<U>(&self, f: impl Fn(T) -> U) -> Piece<U> {
+        Piece {
+            yaw: f(self.yaw),
+            time: f(self.time),
+            last: self.last.map(&f),
+            before: self.before.map(&f),
+        }
+    }
+}
+
+impl<T: Copy> Piece<T> {}
+
+impl Piece<f64> {
+    /// Whether a rule of n nodes has made no error that counts.
+    ///
+    /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
+    /// the rule like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
+    pub(super) fn is_resolved(&self, nodes: usize) -> bool {
+        let resolved = |i: usize, tolerance: f64| {
+            let (mut error, before) = (self.last[i].abs(), self.before[i].abs());
+            if error > tolerance {
+                let ratio = (error / before).min(1.0);
+                error = (0..nodes / 2).fold(error, |error, _| error * ratio);
+            }
+            error <= tolerance
+        };
+        resolved(0, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
+            && resolved(1, TIME_TOLERANCE * self.time.abs())
+    }
+}
+
+impl<T: Real> Add for Piece<T> {
+    type Output = Piece<T>;
+    #[inline(always)]
+    fn add(self, other: Piece<T>) -> Piece<T> {
+        Piece {
+            yaw: self.yaw + other.yaw,
+            time: self.time + other.time,
+            ..self
+        }
+    }
+}
+
+impl<T: Real> Sub for Piece<T> {
+    type Output = Piece<T>;
+    #[inline(always)]
+    fn sub(self, other: Piece<T>) -> Piece<T> {
+        Piece {
+            yaw: self.yaw - other.yaw,
+            time: self.time - other.time,
+            ..self
+        }
+    }
+}
+
+/// From the smallest tilt up by `length` in η.
+///
+/// The closer to a face-down collision, the more of the yaw is ∫ y_c dη / √(y² − y_c²), times its
+/// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
+#[inline(always)]
+pub(super) fn from_lowest<T: Real>(
+    motion: &impl Tilting<T>,
+    low: &Extreme<T>,
+    length: T,
+    rule: &Rule,
+) -> Piece<T> {
+    let two = T::from(2.0);
+    let factor = low.point.w * (two * low.point.inertia / low.point.slope).sqrt();
+    let risen = |excess: T| excess * (excess + two);
+    let whole = risen(length.exp_m1()).sqrt().atan();
+    let mut piece = Piece::nothing();
+    for node in &rule.nodes {
+        let above = length * T::from(node.at * node.at);
+        let excess = above.exp_m1();
+        let y = low.y + low.y * excess;
+        let point = motion.at(y, low.eta + above);
+        // √(I/G) and 1/√(y²/y_c² − 1) by one division.
+        let (drive, rise) = ((point.inertia * point.drive).sqrt(), risen(excess).sqrt());
+        let both = length * T::from(2.0 * node.at) / (drive * rise);
+        let (pace, split) = (point.inertia * rise * both, factor * drive * both);
+        let integrands = [point.w * pace - split, point.sin * pace];
+        piece.add_node(integrands, node.weight, node.last, node.before);
+    }
+    piece.yaw = piece.yaw + factor * whole;
+    piece
+}
+
+/// From `length` in η below the largest tilt up to it.
+#[inline(always)]
+pub(super) fn to_highest<T: Real>(
+    motion: &impl Tilting<T>,
+    high: &Extreme<T>,
+    length: T,
+    rule: &Rule,
+) -> Piece<T> {
+    let mut piece = Piece::nothing();
+    for node in &rule.nodes {
+        let below = length * T::from(-node.at * node.at);
+        let y = high.y + high.y * below.exp_m1();
+        let point = motion.at(y, high.eta + below);
+        let measure = length * T::from(2.0 * node.at);
+        piece.add_node(paced(&point, measure), node.weight, node.last, node.before);
+    }
+    piece
+}
+
+/// From η up by `length`, without a turning back at either end.
+pub(super) fn between<T: Real>(
+    motion: &impl Tilting<T>,
+    eta: T,
+    length: T,
+    rule: &Rule,
+) -> Piece<T> {
+    let half = length * T::from(0.5);
+    let middle = eta + half;
+    let mut piece = Piece::nothing();
+    for node in &rule.nodes {
+        let paced_at = |at: f64| {
+            let eta = middle + half * T::from(at);
+            paced(&motion.at(eta.exp(), eta), half)
+        };
+        let (up, down) = (paced_at(node.at), paced_at(-node.at));
+        // The rule's odd part tells as much as the even one about how well it resolves.
+        let both = [up[0] + down[0], up[1] + down[1]];
+        piece.add_node(both, node.weight, node.last, node.before);
+    }
+    piece
+}
+
+/// Between the start, where the tilt's energy is `drive`, and the extreme so close to it that G has no
+/// digits left in between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
+#[inline(always)]
+pub(super) fn short<T: Real>(
+    motion: &impl Tilting<T>,
+    extreme: &Extreme<T>,
+    length: T,
+    drive: T,
+) -> Piece<T> {
+    let mut piece = Piece::nothing();
+    for (part, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
+        let away = length * T::from(part * part);
+        let y = extreme.y + extreme.y * away.exp_m1();
+        let point = motion.at(y, extreme.eta + away);
+        let slowness = T::from(weight / 3.0) * (point.inertia * drive).sqrt() / point.slope.abs();
+        piece.yaw = piece.yaw + point.w * slowness;
+        piece.time = piece.time + point.sin * slowness;
+    }
+    piece
+}
+
+/// dψ and dt for a bit dη = `measure`.
+#[inline(always)]
+fn paced<T: Real>(point: &Point<T>, measure: T) -> [T; 2] {
+    let pace = point.inertia * measure / (point.inertia * point.drive).sqrt();
+    [point.w * pace, point.sin * pace]
+}
+
+impl<T: Real> Piece<T> {
+    #[inline(always)]
+    fn add_node(&mut self, integrands: [T; 2], weight: f64, last: f64, before: f64) {
+        self.yaw = self.yaw + T::from(weight) * integrands[0];
+        self.time = self.time + T::from(weight) * integrands[1];
+        for i in 0..2 {
+            self.last[i] = self.last[i] + T::from(last) * integrands[i];
+            self.before[i] = self.before[i] + T::from(before) * integrands[i];
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! The tilt of a body that rolls without slip. Its l = ψ̇ sin² φ and s obey linear equations with the
+//! tilt as clock, whose solutions [`Fundamental`] holds for the body, and
+//!
+//! ```text
+//! J φ̇² = 2E − 2mg (z − H) − K w² + 2mHR s w − (C + mR²) s²      w = l / sin φ
+//! ```
+
+use super::fundamental::Fundamental;
+use super::start::Start;
+use super::tilting::{Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine};
+use crate::real::Real;
+
+/// A body that rolls from one start; C the number of its constants, T of the start.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rolling<'a, C, T> {
+    body: &'a Fundamental<C>,
+    /// The part of the solution that is regular at φ = 0: (l, s) = (0, 1) there.
+    regular: T,
+    /// The part that is (1, κ ln y) there: l at φ = 0.
+    singular: T,
+    /// 2E over the body at rest upright.
+    energy: T,
+    /// The same without the yaw's and the spin's.
+    tilting_energy: T,
+}
+
+impl<'a, C: Copy + Into<T>, T: Real> Rolling<'a, C, T> {
+    #[inline(always)]
+    pub(super) fn new(body: &'a Fundamental<C>, start: &Start<T>) -> Self {
+        let Start { y, eta, p, w, s } = *start;
+        let [m, r, h, _, _, g] = body.parameters.letters().map(Into::into);
+        let (sin, versine) = sin_and_versine(y);
+        let l = w * sin;
+        let [l_regular, s_regular, l_singular, s_singular] = body.solutions(y, eta);
+        let rise = r * sin - h * versine;
+        let rim_inertia: T = body.rim_inertia.into();
+        let tilting_energy = rim_inertia * p * p + T::from(2.0) * m * g * rise;
+        let mut rolling = Rolling {
+            body,
+            // The determinant of the four is −1 at every tilt.
+            regular: s * l_singular - l * s_singular,
+            singular: l * s_regular - s * l_regular,
+            energy: tilting_energy,
+            tilting_energy,
+        };
+        rolling.energy = tilting_energy + rolling.wobbling(w, s);
+        rolling
+    }
+
+    /// Twice the kinetic energy of yaw and spin.
+    #[inline(always)]
+    fn wobbling(&self, w: T, s: T) -> T {
+        let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
+        let axial: T = self.body.axial_inertia.into();
+        w * (k * w - T::from(2.0) * mhr * s) + axial * s * s
+    }
+}
+
+impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
+    #[inline(always)]
+    fn at(&self, y: T, eta: T) -> Point<T> {
+        let [m, r, h, _, _, g] = self.body.parameters.letters().map(Into::into);
+        let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
+        let axial: T = self.body.axial_inertia.into();
+        let [l_of_s, l_of_l, s_of_l] = self.body.rates.map(Into::into);
+        let two = T::from(2.0);
+        let (sin, versine) = sin_and_versine(y);
+        let cos = T::from(1.0) - versine;
+        let [l_regular, s_regular, l_singular, s_singular] = self.body.solutions(y, eta);
+        let s = self.regular * s_regular + self.singular * s_singular;
+        let w = (self.regular * l_regular + self.singular * l_singular) / sin;
+        let dw = sin * (l_of_s * s - l_of_l * w) - w * cos;
+        let ds = sin * (s_of_l * w + l_of_l * s);
+        let weight = two * m * g;
+        let turning = (k * w - mhr * s) * dw + (axial * s - mhr * w) * ds;
+        Point {
+            sin,
+            cos,
+            w,
+            s,
+            inertia: self.body.rim_inertia.into(),
+            drive: self.energy - self.wobbling(w, s) - weight * (r * sin - h * versine),
+            slope: -weight * sin * (r * cos - h * sin) - two * turning,
+        }
+    }
+
+    /// The near-collision by itself: K w² − 2mHR s w + (C + mR²) s² = 2E, with the s that the
+    /// logarithm has brought there.
+    #[inline(always)]
+    fn lowest(&self) -> T {
+        let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
+        let (axial, s_of_l): (T, T) = (self.body.axial_inertia.into(), self.body.rates[2].into());
+        let mut s = self.regular;
+        let mut y = T::from(0.0);
+        for _ in 0..2 {
+            let pull = self.singular.where_negative(-mhr * s, mhr * s);
+            let root = (pull * pull + k * (self.energy - axial * s * s)).sqrt();
+            y = T::from(0.5) * self.singular.abs() * k / (pull + root);
+            s = self.regular + self.singular * s_of_l * y.ln();
+        }
+        y
+    }
+
+    #[inline(always)]
+    fn highest(&self) -> T {
+        let [m, r, h, .., g] = self.body.parameters.letters().map(Into::into);
+        half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
+    }
+
+    #[inline(always)]
+    fn gap_beyond(&self, y: T) -> T {
+        let k = &self.body.parameters;
+        gap_beyond(k.r.into(), k.h.into(), y)
+    }
+
+    /// 2 N J sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²) and dG/dη = 2 J φ̈ sin φ.
+    #[inline(always)]
+    fn pressing(&self, at: &Point<T>) -> T {
+        let [_, r, h, .., g] = self.body.parameters.letters().map(Into::into);
+        let rim_inertia: T = self.body.rim_inertia.into();
+        let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
+        T::from(2.0) * at.sin * (g * rim_inertia - z * at.drive) + rho * at.slope
+    }
+
+    /// With f = K cos φ / sin φ + mHR and e = mHR cos φ / sin φ + C + mR², yaw and spin bring to J φ̈
+    /// f w² − e s w ≥ −e² s² / 4f ≥ −s² ((mHR)² / (2K sin φ) + (C + mR²)² sin φ / (2K cos φ)).
+    #[inline(always)]
+    fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T {
+        let [_, r, h, .., g] = self.body.parameters.letters().map(Into::into);
+        let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
+        let axial: T = self.body.axial_inertia.into();
+        // Between the two s may be a little larger than at both: hence no half of its square.
+        let s = low.s.abs().max(high.s.abs()).max(self.regular.abs());
+        let pull = mhr * mhr / low.sin + axial * axial * high.sin / high.cos;
+        let z = (r * r + h * h).sqrt();
+        k * g - z * self.energy - r * s * s * pull / k
+    }
+}

@@ -1,0 +1,221 @@
+//! Gauss-Legendre rules for even functions: the n nodes in (0, 1) of the rule with 2n on (−1, 1).
+//!
+//! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
+//! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
+
+use std::sync::OnceLock;
+
+/// How many nodes each rule of the ladder has.
+const LADDER: [usize; 16] = [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
+
+/// How many rungs a rule is taken larger when it has not resolved its piece.
+const CLIMB: usize = 1;
+
+/// How often ε is halved, from 1 on; before that, rules that stretch nothing.
+const STRETCHES: usize = 26;
+
+/// How many rules there are.
+pub(super) const RULES: usize = STRETCHES * LADDER.len();
+
+static SHELF: [OnceLock<Rule>; RULES] = [const { OnceLock::new() }; RULES];
+
+/// Which of the rules.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Choice {
+    /// 0: none; k: ε = 2^(1 − k).
+    stretch: usize,
+    rung: usize,
+}
+
+impl Choice {
+    /// About so many nodes, and nothing stretched.
+    pub(super) fn plain(nodes: f64) -> Choice {
+        let enough = LADDER.iter().position(|&n| n as f64 >= nodes);
+        Choice {
+            stretch: 0,
+            rung: enough.unwrap_or(LADDER.len() - 1),
+        }
+    }
+
+    /// For a piece from the smallest tilt, `length` long in η: with each unit of η the time grows e-fold
+    /// over it.
+    pub(super) fn from_lowest(length: f64) -> Choice {
+        Choice::plain(9.0 + 0.8 * length)
+    }
+
+    /// For a piece to the largest tilt, `length` long in η, where the tilt's energy has its next root,
+    /// beyond the balance point, farther by `gap`: in the plane of τ at i √(gap/length).
+    pub(super) fn to_highest(length: f64, gap: f64) -> Choice {
+        let square = gap / length;
+        let (mut stretch, mut epsilon) = (1, 1.0);
+        if square >= 2.0 {
+            return Choice::plain(6.0);
+        }
+        while epsilon * epsilon > square && stretch + 1 < STRETCHES {
+            epsilon *= 0.5;
+            stretch += 1;
+        }
+        Choice {
+            stretch,
+            ..Choice::plain(NODES[stretch])
+        }
+    }
+
+    /// One with more nodes.
+    pub(super) fn larger(self) -> Option<Choice> {
+        let rung = self.rung + CLIMB;
+        (rung < LADDER.len()).then_some(Choice { rung, ..self })
+    }
+
+    /// Its place among the [`RULES`].
+    pub(super) fn place(self) -> usize {
+        self.stretch * LADDER.len() + self.rung
+    }
+
+    /// The one in that place.
+    pub(super) fn at(place: usize) -> Choice {
+        Choice {
+            stretch: place / LADDER.len(),
+            rung: place % LADDER.len(),
+        }
+    }
+
+    /// How many nodes it has.
+    pub(super) fn nodes(self) -> usize {
+        LADDER[self.rung]
+    }
+
+    /// The rule itself, made when it is first used.
+    pub(super) fn rule(self) -> &'static Rule {
+        SHELF[self.place()].get_or_init(|| Rule::new(self))
+    }
+}
+
+/// About how many nodes a stretched rule needs: the error falls off like exp(−4n asinh(π/(2A))).
+const NODES: [f64; STRETCHES] = [
+    0.0, 8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 20.0, 24.0, 28.0, 28.0, 34.0, 34.0, 42.0, 42.0, 42.0,
+    56.0, 56.0, 56.0, 56.0, 56.0, 56.0, 80.0, 80.0, 80.0, 80.0,
+];
+
+/// Nodes and weights on (0, 1).
+pub(super) struct Rule {
+    pub(super) nodes: Vec<Node>,
+}
+
+/// One of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Node {
+    /// τ.
+    pub(super) at: f64,
+    pub(super) weight: f64,
+    /// Weight, times P_{2n−2} at the node and its norm: what sums to the coefficient of the last
+    /// Legendre polynomial that the rule can see.
+    pub(super) last: f64,
+    /// The same of P_{2n−6}.
+    pub(super) before: f64,
+}
+
+impl Rule {
+    fn new(choice: Choice) -> Rule {
+        let n = choice.nodes();
+        let plain = (0..n).map(|i| node(2 * n, i));
+        let nodes = match choice.stretch {
+            0 => plain.collect(),
+            k => plain
+                .map(|node| node.stretched(libm::ldexp(1.0, 1 - k as i32)))
+                .collect(),
+        };
+        Rule { nodes }
+    }
+}
+
+impl Node {
+    fn stretched(self, epsilon: f64) -> Node {
+        let length = libm::asinh(1.0 / epsilon);
+        let factor = epsilon * length * libm::cosh(length * self.at);
+        Node {
+            at: epsilon * libm::sinh(length * self.at),
+            weight: factor * self.weight,
+            last: factor * self.last,
+            before: factor * self.before,
+        }
+    }
+}
+
+/// Node i of the rule with `degree` nodes, counted from the middle, by Newton's iteration on the
+/// Legendre polynomial (Numerical Recipes' first guess).
+fn node(degree: usize, i: usize) -> Node {
+    let outward = (degree / 2 - 1 - i) as f64;
+    let guess = core::f64::consts::PI * (outward + 0.75) / (degree as f64 + 0.5);
+    let mut x = libm::cos(guess);
+    for _ in 0..6 {
+        let (value, slope) = legendre(degree, x);
+        x -= value / slope;
+    }
+    let (_, slope) = legendre(degree, x);
+    let weight = 2.0 / ((1.0 - x * x) * slope * slope);
+    let of_degree = |m: usize| weight * (2 * m + 1) as f64 * legendre(m, x).0;
+    Node {
+        at: x,
+        weight,
+        last: of_degree(degree - 2),
+        before: of_degree(degree - 6),
+    }
+}
+
+/// P_n(x) and its slope, for n ≥ 1.
+fn legendre(n: usize, x: f64) -> (f64, f64) {
+    let (mut before, mut value) = (1.0, x);
+    for k in 2..=n {
+        let k = k as f64;
+        let next = ((2.0 * k - 1.0) * x * value - (k - 1.0) * before) / k;
+        before = value;
+        value = next;
+    }
+    (value, n as f64 * (before - x * value) / (1.0 - x * x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Choice, LADDER, RULES, STRETCHES};
+
+    #[test]
+    fn each_rule_integrates_even_polynomials() {
+        for n in LADDER {
+            for power in (0..=(4 * n - 2).min(300)).step_by(2) {
+                let power = power as i32;
+                let nodes = &Choice::plain(n as f64).rule().nodes;
+                let sum: f64 = nodes.iter().map(|k| k.weight * k.at.powi(power)).sum();
+                assert!(
+                    (sum * f64::from(power + 1) - 1.0).abs() < 1e-13,
+                    "{n} {power} {sum}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn stretched_rules_see_what_is_singular_near_the_end() {
+        // ∫₀¹ dτ/√(ε² + τ²) = asinh(1/ε), with ε not quite the rule's own.
+        for k in 0..2 * STRETCHES as i32 - 4 {
+            let epsilon = (0.5_f64).powf(0.5 * f64::from(k));
+            let choice = Choice::to_highest(1.0, epsilon * epsilon);
+            let one_over = |t: f64| 1.0 / epsilon.hypot(t);
+            let sum: f64 = choice
+                .rule()
+                .nodes
+                .iter()
+                .map(|k| k.weight * one_over(k.at))
+                .sum();
+            let off = sum / (1.0 / epsilon).asinh() - 1.0;
+            assert!(off.abs() < 2e-14, "{epsilon} {off} {choice:?}");
+        }
+    }
+
+    #[test]
+    fn every_choice_has_its_place() {
+        for place in 0..RULES {
+            assert_eq!(Choice::at(place).place(), place);
+        }
+    }
+}

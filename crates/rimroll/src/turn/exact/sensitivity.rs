@@ -1,0 +1,85 @@
+//! How a turn changes with its start, its body and gravity: the same formulas on dual numbers.
+
+use super::fundamental::Fundamental;
+use super::rolling::Rolling;
+use super::sliding::Sliding;
+use super::start::Start;
+use super::{Ending, Exact};
+use crate::error::InvalidInput;
+use crate::law::Parameters;
+use crate::motion::{PARAMETERS, Slope};
+use crate::real::{Dual, Slopes};
+use crate::state::State;
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
+
+type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
+
+impl Exact {
+    /// The derivatives of the turns of many starts by each of [`PARAMETERS`] (rad per SI unit), for
+    /// bodies that rock or topple; NaN for others, and for the few starts whose turn is not quadrature.
+    ///
+    /// # Errors
+    /// As [`Exact::turns`].
+    pub fn turn_slopes(&self, starts: &[State]) -> Result<Vec<Slope>, InvalidInput> {
+        for start in starts {
+            self.check(start)?;
+        }
+        let k = self.varied_parameters();
+        let table = self.table.as_ref().map(|table| Fundamental::like(table, k));
+        let slope = |start: &State| {
+            let slope = self.slope_of(start, k, table.as_ref());
+            slope.unwrap_or([f64::NAN; PARAMETERS.len()])
+        };
+        #[cfg(feature = "threads")]
+        let starts = starts.par_iter();
+        #[cfg(not(feature = "threads"))]
+        let starts = starts.iter();
+        Ok(starts.map(slope).collect())
+    }
+
+    fn slope_of(
+        &self,
+        start: &State,
+        k: Parameters<Number>,
+        table: Option<&Fundamental<Number>>,
+    ) -> Option<Slope> {
+        if self.is_beyond(start) {
+            return None;
+        }
+        let varied = [
+            (start.tilt, "tilt"),
+            (start.tilt_rate, "tilt_rate"),
+            (start.yaw_rate, "yaw_rate"),
+            (start.spin_rate, "spin_rate"),
+        ];
+        let start = Start::new(varied.map(|(value, name)| along(value, name)));
+        let outcome = match table {
+            Some(table) => self.alone(&Rolling::new(table, &start), start),
+            None => self.alone(&Sliding::new(k, &start), start),
+        }?;
+        let known = matches!(outcome.ending, Ending::Rocked | Ending::Toppled);
+        let turn = (outcome.down? + outcome.up?).yaw;
+        known.then_some(turn.slope.0)
+    }
+
+    fn varied_parameters(&self) -> Parameters<Number> {
+        let k = self.parameters;
+        Parameters {
+            m: along(k.m, "mass"),
+            r: along(k.r, "radius"),
+            h: along(k.h, "height"),
+            a: along(k.a, "transverse_inertia"),
+            c: along(k.c, "axial_inertia"),
+            g: along(k.g, "gravity"),
+        }
+    }
+}
+
+/// A number whose derivative is taken by itself.
+fn along(value: f64, name: &str) -> Number {
+    Dual {
+        value,
+        slope: Slopes(PARAMETERS.map(|parameter| f64::from(u8::from(parameter == name)))),
+    }
+}

@@ -1,0 +1,106 @@
+//! The tilt of a body that slides without friction: with s and the vertical angular momentum
+//! A l + C s cos φ constant (Eqs. `slipangmom` and `generalcyl`),
+//!
+//! ```text
+//! l = l₀ + (C s/A)(1 − cos φ)           w = l / sin φ
+//! (A + mρ²) φ̇² = 2E − A w² − 2mg (z − H)
+//! ```
+
+use super::start::Start;
+use super::tilting::{Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine};
+use crate::law::Parameters;
+use crate::real::Real;
+
+/// A body that slides from one start; C the number of its constants, T of the start.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sliding<C, T> {
+    k: Parameters<C>,
+    /// s.
+    s: T,
+    /// l₀ = l at φ = 0.
+    l_flat: T,
+    /// C s/A.
+    l_of_versine: T,
+    /// 2E over the body at rest upright, without the spin's.
+    energy: T,
+    /// The same without the yaw's.
+    tilting_energy: T,
+}
+
+impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
+    #[inline(always)]
+    pub(super) fn new(k: Parameters<C>, start: &Start<T>) -> Self {
+        let Start { y, p, w, s, .. } = *start;
+        let [m, r, h, a, c, g] = k.letters().map(Into::into);
+        let (sin, versine) = sin_and_versine(y);
+        let l_of_versine = c * s / a;
+        let rho = r * (T::from(1.0) - versine) - h * sin;
+        let rise = r * sin - h * versine;
+        let tilting_energy = (a + m * rho * rho) * p * p + T::from(2.0) * m * g * rise;
+        Sliding {
+            k,
+            s,
+            l_flat: w * sin - l_of_versine * versine,
+            l_of_versine,
+            energy: tilting_energy + a * w * w,
+            tilting_energy,
+        }
+    }
+}
+
+impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
+    #[inline(always)]
+    fn at(&self, y: T, _: T) -> Point<T> {
+        let [m, r, h, a, _, g] = self.k.letters().map(Into::into);
+        let two = T::from(2.0);
+        let (sin, versine) = sin_and_versine(y);
+        let cos = T::from(1.0) - versine;
+        let rho = r * cos - h * sin;
+        let w = (self.l_flat + self.l_of_versine * versine) / sin;
+        let weight = two * m * g;
+        Point {
+            sin,
+            cos,
+            w,
+            s: self.s,
+            inertia: a + m * rho * rho,
+            drive: self.energy - a * w * w - weight * (r * sin - h * versine),
+            slope: -weight * rho * sin - two * a * w * (self.l_of_versine * sin - w * cos),
+        }
+    }
+
+    #[inline(always)]
+    fn lowest(&self) -> T {
+        let a: T = self.k.a.into();
+        T::from(0.5) * self.l_flat.abs() * (a / self.energy).sqrt()
+    }
+
+    #[inline(always)]
+    fn highest(&self) -> T {
+        let [m, r, h, .., g] = self.k.letters().map(Into::into);
+        half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
+    }
+
+    #[inline(always)]
+    fn gap_beyond(&self, y: T) -> T {
+        gap_beyond(self.k.r.into(), self.k.h.into(), y)
+    }
+
+    /// N (A + mρ²) sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²).
+    #[inline(always)]
+    fn pressing(&self, at: &Point<T>) -> T {
+        let [_, r, h, a, c, g] = self.k.letters().map(Into::into);
+        let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
+        let falling = a * at.sin * (g - z * at.drive / at.inertia);
+        falling + rho * at.w * (a * at.w * at.cos - c * at.sin * at.s)
+    }
+
+    /// The yaw's part of `pressing` is, whatever w, no less than −ρ (C s)² sin φ / (4 A cos φ).
+    #[inline(always)]
+    fn surely_pressing(&self, _: &Point<T>, high: &Point<T>) -> T {
+        let [_, r, h, a, c, g] = self.k.letters().map(Into::into);
+        let z = (r * r + h * h).sqrt();
+        let cs = c * self.s;
+        a * g - z * self.energy - r * cs * cs / (T::from(4.0) * a * high.cos)
+    }
+}

@@ -1,0 +1,97 @@
+//! Eight starts at a time that rock, as most in a study do.
+//!
+//! The same formulas as for one start alone, without a branch. Each lane says afterwards whether they
+//! held for it: whether the iterations met, the rules resolved, the table pushed all the way. What comes
+//! out for a start depends on nothing but that start.
+
+use super::MOST_OUTER;
+use super::extremes::{Extreme, highest, lowest};
+use super::pieces::{Piece, from_lowest, short, to_highest};
+use super::rule::Rule;
+use super::start::Start;
+use super::tilting::Tilting;
+use super::wobble::LONGEST;
+use crate::real::{Lanes, Mask, Real};
+
+/// Newton's iterations for the extremes.
+const ROUNDS: usize = 3;
+
+/// What the change of the last of them may be: its square is below rounding.
+const MET: f64 = 1e-8;
+
+/// Where eight motions turn back.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Extremes {
+    pub(super) low: Extreme<Lanes>,
+    pub(super) high: Extreme<Lanes>,
+    /// The lanes for which these are what they are meant to be, and eight at a time can go on with.
+    pub(super) sound: Mask,
+}
+
+/// The smallest and the largest tilts, for bodies that rock below `highest`, tan(φ/2).
+#[inline(always)]
+pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most: f64) -> Extremes {
+    let guess = |y: Lanes| [y, y.ln()];
+    let low = lowest(motion, guess(motion.lowest()), ROUNDS);
+    let high = highest(motion, guess(motion.highest()), ROUNDS);
+    let (zero, met) = (Lanes::from(0.0), Lanes::from(MET));
+    let span = high.eta - low.eta;
+    let from_start = high.eta - start.eta;
+    let sound = low
+        .change
+        .at_most(met)
+        .and(high.change.at_most(met))
+        .and(zero.at_most(low.point.slope))
+        .and(high.point.slope.at_most(zero))
+        .and(zero.at_most(motion.surely_pressing(&low.point, &high.point)))
+        .and(Lanes::from(super::FLAT).at_most(low.point.sin))
+        .and(high.y.at_most(Lanes::from(most)))
+        .and(Lanes::from(LONGEST).at_most(span))
+        // The start lies in the upper piece.
+        .and(from_start.at_most(outer(&low, &high)))
+        .and((-from_start).at_most(Lanes::from(1e-12)));
+    Extremes { low, high, sound }
+}
+
+/// How much of the way between, in η, belongs to the largest tilt.
+#[inline(always)]
+fn outer(low: &Extreme<Lanes>, high: &Extreme<Lanes>) -> Lanes {
+    let half = (high.eta - low.eta) * Lanes::from(0.5);
+    half.min(Lanes::from(MOST_OUTER))
+}
+
+/// The pieces of which a turn is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// From the smallest tilt up.
+    Foot,
+    /// On to the largest tilt.
+    Head,
+    /// From the start's tilt to the largest.
+    Leg,
+    /// The same where the start all but is the largest.
+    ShortLeg,
+}
+
+/// Yaw and time of a part.
+#[inline(always)]
+pub(super) fn part(
+    part: Part,
+    motion: &impl Tilting<Lanes>,
+    start: &Start<Lanes>,
+    low: &Extreme<Lanes>,
+    high: &Extreme<Lanes>,
+    rule: &Rule,
+) -> Piece<Lanes> {
+    let outer = outer(low, high);
+    let leg = high.eta - start.eta;
+    match part {
+        Part::Foot => from_lowest(motion, low, high.eta - low.eta - outer, rule),
+        Part::Head => to_highest(motion, high, outer, rule),
+        Part::Leg => to_highest(motion, high, leg, rule),
+        Part::ShortLeg => {
+            let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
+            short(motion, high, -leg, drive)
+        }
+    }
+}

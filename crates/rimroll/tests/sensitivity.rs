@@ -1,0 +1,196 @@
+//! Derivatives of motions, against differences of neighbouring motions and against what follows from the
+//! units of the parameters alone.
+
+#[path = "given/motions.rs"]
+mod motions;
+
+use motions::{PAPER_GRAVITY, follow, paper_start, tight};
+use rimroll::motion::{PARAMETERS, Slope};
+use rimroll::{Body, FrictionLaw, IdealLaw, Motion, Options, State, Surface, presets};
+
+/// What a motion is computed from, in the order of [`PARAMETERS`].
+type Numbers = [f64; PARAMETERS.len()];
+
+/// A can that passes the near-collision in such a way that everything matters.
+fn numbers(body: &Body) -> Numbers {
+    let (a, c) = (body.transverse_inertia(), body.axial_inertia());
+    let [m, r, h] = [body.mass(), body.radius(), body.height()];
+    [0.5, -0.4, 0.3, 0.2, -0.1, 0.4, m, r, h, a, c, PAPER_GRAVITY]
+}
+
+fn moved(numbers: &Numbers, law: IdealLaw, duration: f64) -> Motion {
+    let [
+        tilt,
+        tilt_rate,
+        yaw,
+        yaw_rate,
+        spin,
+        spin_rate,
+        m,
+        r,
+        h,
+        a,
+        c,
+        gravity,
+    ] = *numbers;
+    let body = Body::new(m, r, h, a, c).expect("a body");
+    let start = State {
+        tilt,
+        tilt_rate,
+        yaw,
+        yaw_rate,
+        spin,
+        spin_rate,
+    };
+    let options = Options {
+        gravity,
+        ..tight(duration)
+    };
+    follow(&body, &start, law, &options)
+}
+
+fn can() -> Body {
+    presets::can_2007().expect("the paper's can")
+}
+
+/// Central differences of two widths, extrapolated: good to some 1e-8 of themselves.
+fn difference(index: usize, of: &Numbers, f: impl Fn(&Numbers) -> f64) -> f64 {
+    let width = 1e-3 * of[index].abs();
+    let slope = |width: f64| {
+        let beside = |by: f64| {
+            let mut numbers = *of;
+            numbers[index] += by;
+            f(&numbers)
+        };
+        (beside(width) - beside(-width)) / (2.0 * width)
+    };
+    let [wide, middle, narrow] = [width, 0.5 * width, 0.25 * width].map(slope);
+    let (better, best) = ((4.0 * middle - wide) / 3.0, (4.0 * narrow - middle) / 3.0);
+    (16.0 * best - better) / 15.0
+}
+
+fn size(slope: &Slope, of: &Numbers) -> f64 {
+    let terms = slope.iter().zip(of).map(|(slope, x)| (slope * x).abs());
+    terms.fold(0.0, f64::max)
+}
+
+/// Before, in and after the near-collision, which is over at 0.3 s, and at the end.
+const TIMES: [f64; 4] = [0.1, 0.25, 0.4, 0.9];
+
+#[test]
+fn the_state_changes_with_each_parameter_as_neighbouring_motions_say() {
+    let of = numbers(&can());
+    for law in IdealLaw::ALL {
+        let motion = moved(&of, law, 1.0);
+        let sensitivity = motion.sensitivity().expect("a smooth motion");
+        for t in TIMES {
+            let slopes = sensitivity.at(&motion.track, t);
+            for (quantity, slope) in slopes.iter().enumerate() {
+                let allowed = 1e-6 * size(slope, &of);
+                for (i, name) in PARAMETERS.iter().enumerate() {
+                    let state = |numbers: &Numbers| {
+                        moved(numbers, law, 1.0).track.at(t).state().numbers()[quantity]
+                    };
+                    let expected = difference(i, &of, state);
+                    let error = (slope[i] - expected).abs() * of[i].abs();
+                    assert!(
+                        error < allowed,
+                        "{law:?} {t} quantity {quantity} by {name}: {} not {expected}",
+                        slope[i]
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_angles_of_turn_change_with_each_parameter_as_neighbouring_motions_say() {
+    let of = numbers(&can());
+    for law in IdealLaw::ALL {
+        let motion = moved(&of, law, 2.0);
+        let sensitivity = motion.sensitivity().expect("a smooth motion");
+        assert_eq!(sensitivity.turns().len(), motion.turns.len());
+        assert!(motion.turns.len() > 1);
+        for (k, slope) in sensitivity.turns().iter().enumerate() {
+            for (i, name) in PARAMETERS.iter().enumerate() {
+                let turn = |numbers: &Numbers| moved(numbers, law, 2.0).turns[k].angle;
+                let expected = difference(i, &of, turn);
+                let error = (slope[i] - expected).abs() * of[i].abs();
+                assert!(
+                    error < 1e-6 * size(slope, &of),
+                    "{law:?} turn {k} by {name}: {} not {expected}",
+                    slope[i]
+                );
+            }
+        }
+    }
+}
+
+/// A disk goes from face to face over its edge, where the tilt has no extreme.
+#[test]
+fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
+    let disk = presets::disk(0.05).expect("a disk");
+    let mut of = numbers(&disk);
+    (of[0], of[1]) = (1.2, 5.5);
+    let moved = |numbers: &Numbers| moved(numbers, IdealLaw::NoSlip, 0.6);
+    let motion = moved(&of);
+    let kinds: Vec<_> = motion
+        .events
+        .iter()
+        .map(|event| event.kind.name())
+        .collect();
+    assert_eq!(kinds, ["on_edge", "tilt_max", "on_edge"]);
+    let slope = motion.sensitivity().expect("a smooth motion").turns()[0];
+    // Another height or moment of inertia alone no disk has.
+    for i in [0, 1, 3, 5, 7, 11] {
+        let expected = difference(i, &of, |numbers| moved(numbers).turns[0].angle);
+        let error = (slope[i] - expected).abs() * of[i].abs();
+        let name = PARAMETERS[i];
+        assert!(
+            error < 1e-6 * size(&slope, &of),
+            "by {name}: {} not {expected}",
+            slope[i]
+        );
+    }
+}
+
+/// A body twice as heavy, with all its moments, moves the same; and so does one that is twice as large
+/// where gravity is twice as strong. The yaw and the spin at the start are only added.
+#[test]
+fn derivatives_know_the_units_of_the_parameters() {
+    let of = numbers(&can());
+    for law in IdealLaw::ALL {
+        let motion = moved(&of, law, 1.0);
+        let sensitivity = motion.sensitivity().expect("a smooth motion");
+        let slopes = TIMES.map(|t| sensitivity.at(&motion.track, t));
+        let turns = sensitivity.turns().iter();
+        for slope in slopes.iter().flatten().chain(turns) {
+            let terms: [f64; 12] = core::array::from_fn(|i| slope[i] * of[i]);
+            let [.., m, r, h, a, c, g] = terms;
+            let rounding = 1e-10 * size(slope, &of);
+            assert!((m + a + c).abs() < rounding, "{law:?} {slope:?}");
+            assert!(
+                (r + h + 2.0 * (a + c) + g).abs() < rounding,
+                "{law:?} {slope:?}"
+            );
+        }
+        for [_, _, yaw, _, spin, _] in slopes {
+            assert_eq!((yaw[2], spin[4], yaw[4], spin[2]), (1.0, 1.0, 0.0, 0.0));
+        }
+    }
+}
+
+#[test]
+fn a_motion_joined_from_phases_has_no_derivative() {
+    let dry = Surface::from(FrictionLaw::Coulomb {
+        friction: 0.2,
+        static_friction: 0.2,
+    });
+    let motion = follow(&can(), &paper_start(0.005), dry, &tight(1.0));
+    let refusal = motion.sensitivity().err().expect("it slips").to_string();
+    assert!(
+        refusal.contains("the contact changes on the way"),
+        "{refusal}"
+    );
+}

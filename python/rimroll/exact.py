@@ -1,0 +1,173 @@
+"""First turns by quadrature: exact to rounding, and a million of them in seconds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.body import Body
+from rimroll.errors import RimrollError, expect, number
+from rimroll.jacobian import PARAMETERS
+from rimroll.laws import Frictionless, Law, NoSlip
+from rimroll.motion import thread_count
+from rimroll.state import Numbers, State
+
+Array = NDArray[np.float64]
+
+AT_A_TIME = 1 << 14
+"""Turns between two looks at Ctrl-C and a progress bar: a fraction of a second."""
+
+STATUSES = np.array(_core.EXACT_STATUSES)
+"""What can become of a body, by the core's codes."""
+
+NUMBERS = tuple(_core.EXACT_COLUMNS)
+"""Of an :class:`ExactTurn`."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExactTurn:
+    """The first turn from each of some starts; arrays shaped like these, or single numbers.
+
+    A turn begins at the release or, where the tilt rises then, at the tilt maximum that follows. It
+    ends at the first tilt maximum after the near-collision, or where the body topples or its rim
+    leaves the table before that. Numbers that a motion does not have are NaN.
+    """
+
+    turn: Numbers
+    """Signed change of yaw in the turn, rad."""
+    min_tilt: Numbers
+    """The smallest tilt, rad: how near the near-collision was."""
+    max_tilt: Numbers
+    """The tilt at which the turn ends, the largest of a body that rocked, rad."""
+    min_time: Numbers
+    """Time of the smallest tilt, s from the release."""
+    time: Numbers
+    """Time of the end of the turn, s from the release."""
+    yaw: Numbers
+    """Change of yaw from the release to the end of the turn, rad."""
+    status: str | NDArray[np.str_]
+    """What became of the body: ``rocked`` (came down and rose again to a tilt maximum), ``toppled``
+    (came down and rose over the topple tilt), ``fell_back`` (fell over without coming down),
+    ``lifted_off`` (the rim would have to be pulled down) or ``face_down`` (came down flat). The
+    last three have no turn, but one whose rim leaves the table as it rises."""
+    jacobian: Mapping[str, Numbers] | None = None
+    """If asked for: ∂turn/∂parameter for each of ``tilt``, ``tilt_rate``, ``yaw``, ``yaw_rate``,
+    ``spin``, ``spin_rate``, ``mass``, ``radius``, ``height``, ``transverse_inertia``,
+    ``axial_inertia`` and ``gravity``; rad per the parameter's SI unit."""
+
+
+def exact_turn(
+    body: Body,
+    start: State,
+    law: Law,
+    *,
+    gravity: float = _core.STANDARD_GRAVITY,
+    topple_tilt: float | None = None,
+    threads: int | None = None,
+    jacobian: bool = False,
+) -> ExactTurn:
+    """The first turn of a body that rocks, from each start, without stepping through its motion.
+
+    Without slip or without friction energy is kept, and yaw and spin rates follow from the tilt
+    alone; so turn and times are integrals over the tilt. Their error is a few units of the last
+    place, however flat the body comes down. The results are the same, to the last bit, for any
+    number of threads and in any company.
+
+    Parameters
+    ----------
+    body
+        What rolls.
+    start
+        One start or arrays of any shape.
+    law
+        ``NoSlip()`` or ``Frictionless()``.
+    gravity
+        m/s².
+    topple_tilt
+        The tilt at which the body counts as toppled, rad; π/2 unless given, none for a disk.
+    threads
+        How many to use; as many as there are processors unless given.
+    jacobian
+        Whether to differentiate the turn by all that it depends on.
+
+    Raises
+    ------
+    RimrollError
+        Another law, a resistance, a number outside its bounds.
+    """
+    if not conserves_energy(law):
+        raise RimrollError(f"law must be NoSlip or Frictionless without resistances, got {law!r}")
+    parts = turns_in_parts(body, start, law, gravity, topple_tilt, threads, bool(jacobian))
+    codes, table, derivatives = map(np.concatenate, zip(*parts, strict=True))
+    return ExactTurn(
+        **_named(NUMBERS, table, start.shape),
+        status=_shaped(STATUSES[codes], start.shape),
+        jacobian=_named(PARAMETERS, derivatives, start.shape) if jacobian else None,
+    )
+
+
+def turns_in_parts(
+    body: Body,
+    start: State,
+    law: Law,
+    gravity: float,
+    topple_tilt: float | None,
+    threads: int | None,
+    jacobian: bool = False,
+) -> Iterator[tuple[NDArray[np.uint8], Array, Array]]:
+    """The turns of :data:`AT_A_TIME` starts after the other, at least once.
+
+    For each start a code of :data:`STATUSES`, the :data:`NUMBERS` and, if asked for, derivatives.
+    """
+    expect("body", body, Body)
+    expect("start", start, State)
+    columns = _Starts(*(_column(start, name) for name in _Starts._fields))
+    options = (
+        number("gravity", gravity),
+        None if topple_tilt is None else number("topple_tilt", topple_tilt),
+        thread_count(threads),
+    )
+    for first in range(0, max(1, len(columns.tilt)), AT_A_TIME):
+        codes, table, derivatives = _core.exact_turns(
+            body, columns.part(first), law.name, *options, jacobian
+        )
+        none = np.empty((len(codes), 0))
+        yield codes, table, none if derivatives is None else derivatives
+
+
+def conserves_energy(law: Law) -> bool:
+    """Whether nothing is lost under a law, so that turns are integrals."""
+    expect("law", law, Law)
+    return type(law) in (NoSlip, Frictionless) and not law.resistances
+
+
+class _Starts(NamedTuple):
+    """Flat arrays of equal length, as the core reads them."""
+
+    tilt: Array
+    tilt_rate: Array
+    yaw: Array
+    yaw_rate: Array
+    spin: Array
+    spin_rate: Array
+
+    def part(self, first: int) -> _Starts:
+        return _Starts(*(column[first : first + AT_A_TIME] for column in self))
+
+
+def _column(start: State, name: str) -> Array:
+    whole = np.broadcast_to(getattr(start, name), start.shape)
+    return np.ascontiguousarray(whole, np.float64).reshape(-1)
+
+
+def _named(names: tuple[str, ...], table: Array, shape: tuple[int, ...]) -> dict[str, Numbers]:
+    return {name: _shaped(column, shape) for name, column in zip(names, table.T, strict=True)}
+
+
+def _shaped(column: NDArray[np.generic], shape: tuple[int, ...]) -> Any:
+    return np.ascontiguousarray(column).reshape(shape) if shape else column.item()

@@ -1,0 +1,80 @@
+"""Many falls without stepping: what quadrature has to tell of an ensemble."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.body import Body
+from rimroll.ensemble import VARIABLES, Interrupted, parameters
+from rimroll.errors import number
+from rimroll.exact import NUMBERS, STATUSES, turns_in_parts
+from rimroll.laws import Law
+from rimroll.state import State
+from rimroll.theory import balance_tilt
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+TOPPLED = np.where(STATUSES == "lifted_off", "toppled", STATUSES)
+"""What the core's codes mean for a turn that ends past the balance tilt."""
+
+
+def exact_falls(
+    body: Body,
+    starts: State,
+    law: Law,
+    *,
+    gravity: float,
+    topple_tilt: float | None,
+    threads: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> xr.Dataset:
+    """Follow a body from starts (n,) through its first turn: a row each, as of an ensemble.
+
+    Raises ``Interrupted`` on Ctrl-C; it carries the falls done so far.
+    """
+    gravity = number("gravity", gravity)
+    topple_tilt = None if topple_tilt is None else number("topple_tilt", topple_tilt)
+    (total,) = starts.shape
+    codes, table = np.empty(total, np.uint8), np.empty((total, len(NUMBERS)))
+    done = 0
+
+    def told() -> xr.Dataset:
+        options = {"gravity": gravity, "topple_tilt": topple_tilt}
+        falls = _dataset(codes[:done], table[:done], balance_tilt(body))
+        return falls.assign_attrs(parameters(body, law, options))
+
+    try:
+        for part, rows, _ in turns_in_parts(body, starts, law, gravity, topple_tilt, threads):
+            last = done + len(part)
+            codes[done:last], table[done:last] = part, rows
+            done = last
+            if progress is not None:
+                progress(done, total)
+    except KeyboardInterrupt:
+        raise Interrupted(told()) from None
+    return told()
+
+
+def _dataset(codes: NDArray[np.uint8], table: Array, balance: float) -> xr.Dataset:
+    import xarray as xr
+
+    told = dict(zip(NUMBERS, table.T, strict=True))
+    told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
+    told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]
+    # Rising, its centre of mass past the rim, a body falls over whether it lifts off or not.
+    outcome = np.where(told["max_tilt"] > balance, TOPPLED[codes], STATUSES[codes])
+    variables = {
+        name: ("trial", told[name], {"units": unit, "long_name": meaning})
+        for name, (unit, meaning) in VARIABLES.items()
+        if name in told
+    }
+    return xr.Dataset(
+        {"outcome": ("trial", outcome), **variables}, coords={"trial": np.arange(len(codes))}
+    )

@@ -1,0 +1,40 @@
+"""How a motion changes with what it was computed from: exact derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.names import choose
+
+QUANTITIES = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+"""What of the state changes, in the order of :attr:`Jacobian.values`."""
+
+PARAMETERS = tuple(_core.PARAMETERS)
+"""With what: the start, the body and gravity, in the order of :attr:`Jacobian.values`."""
+
+_INDEX_OF_QUANTITY = {name: i for i, name in enumerate(QUANTITIES)}
+_INDEX_OF_PARAMETER = {name: i for i, name in enumerate(PARAMETERS)}
+
+
+@dataclass(frozen=True)
+class Jacobian:
+    """The derivatives of a motion's state at fixed times.
+
+    ``jacobian["yaw", "tilt_rate"]`` is by how much the yaw there changes for each rad/s by which
+    the tilt rate at the start is larger, all other parameters being what they are. Units: those of
+    the quantity over those of the parameter, SI and radians.
+    """
+
+    values: NDArray[np.float64]
+    """Shape (6, 12) for one time, (n, 6, 12) for n."""
+
+    def __getitem__(self, names: tuple[str, str]) -> NDArray[np.float64] | np.float64:
+        """The derivative of a quantity by a parameter: a number for one time, else shape (n,)."""
+        row = choose("quantity", names[0], _INDEX_OF_QUANTITY)
+        column = choose("parameter", names[1], _INDEX_OF_PARAMETER)
+        derivative: NDArray[np.float64] | np.float64 = self.values[..., row, column]
+        return derivative
