@@ -7,7 +7,7 @@ PACKAGE := $(shell find python/rimroll -type f -not -path '*/__pycache__/*')
 REPORT  := out/paper/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo test bench lint clean toolchain
+.PHONY: help demo test bench coverage lint clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -19,7 +19,11 @@ test: .venv/.extension ## run the tests of the core (Rust) and of the package (P
 	cargo test
 	.venv/bin/python -m pytest
 
-bench: .venv/.extension ## measure how often the fit's intervals hold the truth (twenty minutes)
+bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)
+	bench/install.sh
+	.venv/bin/python bench/against_peers.py
+
+coverage: .venv/.extension ## measure how often the fit's intervals hold the truth (twenty minutes)
 	.venv/bin/python bench/coverage.py
 
 lint: .venv/.packages ## check format, lints and types

@@ -1,0 +1,1 @@
+"""rimroll against its peers: who takes part, on which starts, in rounds; tables and figures."""
