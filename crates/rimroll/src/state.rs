@@ -236,9 +236,10 @@ impl Coordinates<f64> {
         Coordinates::starting(state.numbers())
     }
 
-    /// φ, rad.
+    /// φ, rad; of a disk that all but lies on its other face the last number below π.
     pub fn tilt(&self) -> f64 {
-        libm::atan2(self.sin, self.cos)
+        const LAST_BELOW_PI: f64 = f64::from_bits(PI.to_bits() - 1);
+        libm::atan2(self.sin, self.cos).min(LAST_BELOW_PI)
     }
 
     /// Speed of slip, m/s.

@@ -29,7 +29,7 @@ mod together;
 mod wobble;
 
 use crate::body::Body;
-use crate::error::InvalidInput;
+use crate::error::{InvalidInput, positive};
 use crate::law::{IdealLaw, Parameters};
 use crate::motion::{Fall, Options, Status, fall};
 use crate::state::State;
@@ -131,6 +131,7 @@ impl Exact {
         gravity: f64,
         topple_tilt: Option<f64>,
     ) -> Result<Exact, InvalidInput> {
+        let gravity = positive("gravity", gravity, "m/s2")?;
         let options = Options {
             gravity,
             topple_tilt,

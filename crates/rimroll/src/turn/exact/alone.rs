@@ -107,7 +107,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let low = match low {
             Some(low) if low.point.sin.value() >= FLAT => low,
             _ if rising && high.is_none() => return self.fell_back(),
-            _ => return Some(Outcome::without_turn(Ending::FaceDown, None)),
+            _ => return Some(self.came_down_flat(&high)),
         };
         if rising && high.is_none() {
             return self.fell_back();
@@ -160,6 +160,21 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         Some(Outcome::without_turn(ending, None))
     }
 
+    /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way.
+    fn came_down_flat(&self, high: &Option<Extreme<T>>) -> Outcome<T> {
+        let highest = high.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
+        let (flat, pressing) = (libm::log(FLAT), |eta| self.pressing(eta));
+        let lifts = self
+            .first_sign_change(highest.value(), flat, pressing)
+            .is_some();
+        let ending = if lifts {
+            Ending::LiftedOff
+        } else {
+            Ending::FaceDown
+        };
+        Outcome::without_turn(ending, None)
+    }
+
     /// Yaw and time along the whole.
     fn along(
         &self,
@@ -191,13 +206,12 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let to_start = start.eta - low.eta;
         // From the smallest tilt to the start's.
         let risen = if to_start.value() < SHORT {
-            let point = motion.at(start.y, start.eta);
-            short(motion, low, to_start, point.inertia * start.p * start.p)
+            short(motion, low, to_start, speed(motion, start, rising))
         } else if to_start.value() <= inner.value() {
             foot(motion, low, to_start)?
         } else {
             match top {
-                Top::Rest(high) => up - last_leg(motion, start, high, from_start)?,
+                Top::Rest(high) => up - last_leg(motion, start, high, from_start, rising)?,
                 Top::Passing(..) => {
                     let rest = to_start - inner;
                     bottom + passage(motion, split, rest)?
@@ -351,12 +365,18 @@ fn last_leg<T: Scalar>(
     start: &Start<T>,
     high: &Extreme<T>,
     length: T,
+    rising: bool,
 ) -> Option<Piece<T>> {
     if length.value() < SHORT {
-        let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
-        return Some(short(motion, high, -length, drive));
+        return Some(short(motion, high, -length, speed(motion, start, rising)));
     }
     head(motion, high, length)
+}
+
+/// √G at the start. Its derivative has a sign also where the tilt is at rest.
+fn speed<T: Scalar>(motion: &impl Tilting<T>, start: &Start<T>, rising: bool) -> T {
+    let rate = if rising { start.p } else { -start.p };
+    motion.at(start.y, start.eta).inertia.sqrt() * rate
 }
 
 /// A guess of y and η.

@@ -45,10 +45,16 @@ impl Exact {
             self.check(start)?;
         }
         #[cfg(feature = "threads")]
-        let blocks = starts.par_chunks(BLOCK);
+        let blocks: Vec<_> = starts
+            .par_chunks(BLOCK)
+            .map(|block| self.block(block))
+            .collect();
         #[cfg(not(feature = "threads"))]
-        let blocks = starts.chunks(BLOCK);
-        Ok(blocks.flat_map_iter(|block| self.block(block)).collect())
+        let blocks: Vec<_> = starts
+            .chunks(BLOCK)
+            .map(|block| self.block(block))
+            .collect();
+        Ok(blocks.concat())
     }
 
     fn block(&self, starts: &[State]) -> Vec<ExactTurn> {

@@ -176,21 +176,21 @@ pub(super) fn between<T: Real>(
     piece
 }
 
-/// Between the start, where the tilt's energy is `drive`, and the extreme so close to it that G has no
-/// digits left in between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
+/// Between the start, where √G is `speed`, and the extreme so close to it that G has no digits left in
+/// between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
 #[inline(always)]
 pub(super) fn short<T: Real>(
     motion: &impl Tilting<T>,
     extreme: &Extreme<T>,
     length: T,
-    drive: T,
+    speed: T,
 ) -> Piece<T> {
     let mut piece = Piece::nothing();
     for (part, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
         let away = length * T::from(part * part);
         let y = extreme.y + extreme.y * away.exp_m1();
         let point = motion.at(y, extreme.eta + away);
-        let slowness = T::from(weight / 3.0) * (point.inertia * drive).sqrt() / point.slope.abs();
+        let slowness = T::from(weight / 3.0) * point.inertia.sqrt() * speed / point.slope.abs();
         piece.yaw = piece.yaw + point.w * slowness;
         piece.time = piece.time + point.sin * slowness;
     }

@@ -208,7 +208,8 @@ mod tests {
                 .map(|k| k.weight * one_over(k.at))
                 .sum();
             let off = sum / (1.0 / epsilon).asinh() - 1.0;
-            assert!(off.abs() < 2e-14, "{epsilon} {off} {choice:?}");
+            // What is_resolved finds too little it makes good.
+            assert!(off.abs() < 1e-12, "{epsilon} {off} {choice:?}");
         }
     }
 

@@ -90,8 +90,8 @@ pub(super) fn part(
         Part::Head => to_highest(motion, high, outer, rule),
         Part::Leg => to_highest(motion, high, leg, rule),
         Part::ShortLeg => {
-            let drive = motion.at(start.y, start.eta).inertia * start.p * start.p;
-            short(motion, high, -leg, drive)
+            let speed = motion.at(start.y, start.eta).inertia.sqrt() * start.p.abs();
+            short(motion, high, -leg, speed)
         }
     }
 }
