@@ -89,10 +89,10 @@ impl<'a> Run<'a> {
         mut report: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
-            if let Some(Over::For(status)) = self.out_of_steps(&mut report) {
-                if !matches!(self.next, Then::End(_)) {
-                    return status;
-                }
+            if let Some(Over::For(status)) = self.out_of_steps(&mut report)
+                && !matches!(self.next, Then::End(_))
+            {
+                return status;
             }
             match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
                 Then::End(status) => return status,
@@ -152,7 +152,7 @@ impl<'a> Run<'a> {
             if self.is_stopping(phase) {
                 return Over::By(Switch::Stop);
             }
-            if stepper.work.steps % STIFF_AFTER == 0 {
+            if stepper.work.steps.is_multiple_of(STIFF_AFTER) {
                 match self.relax(&mechanics, phase, h, report) {
                     ControlFlow::Break(over) => return over,
                     ControlFlow::Continue(None) => {}

@@ -23,11 +23,7 @@ pub struct Step<T, const N: usize> {
 
 /// Σ weight · stage of the first `count` components, summed in the order of the row.
 #[inline(always)]
-pub(crate) fn weigh<T: Real, const N: usize>(
-    row: Row,
-    stages: &[[T; N]; 16],
-    count: usize,
-) -> [T; N] {
+fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16], count: usize) -> [T; N] {
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
         let (stage, weight) = (&stages[stage], T::from(weight));
@@ -40,7 +36,7 @@ pub(crate) fn weigh<T: Real, const N: usize>(
 
 /// u + h Σ weight · stage.
 #[inline(always)]
-pub(crate) fn combine<T: Real, const N: usize>(
+fn combine<T: Real, const N: usize>(
     u: &[T; N],
     h: T,
     row: Row,
@@ -49,7 +45,7 @@ pub(crate) fn combine<T: Real, const N: usize>(
 ) -> [T; N] {
     let mut end = *u;
     let sum = weigh(row, stages, count);
-    for i in 0..count {
+    for i in 0..N {
         end[i] = end[i] + h * sum[i];
     }
     end
@@ -136,13 +132,12 @@ impl<T: Real, const N: usize> Step<T, N> {
         }
         let h = self.h;
         let mut coefficients = [[T::from(0.0); N]; 7];
-        for i in 0..N {
-            let rise = self.end[i] - self.start[i];
-            let (first, last) = (h * self.stages[0][i], h * self.stages[12][i]);
-            coefficients[0][i] = rise;
-            coefficients[1][i] = first - rise;
-            coefficients[2][i] = T::from(2.0) * rise - (first + last);
-        }
+        let rise: [T; N] = core::array::from_fn(|i| self.end[i] - self.start[i]);
+        let first = self.stages[0].map(|rate| h * rate);
+        let last = self.stages[12].map(|rate| h * rate);
+        coefficients[0] = rise;
+        coefficients[1] = core::array::from_fn(|i| first[i] - rise[i]);
+        coefficients[2] = core::array::from_fn(|i| T::from(2.0) * rise[i] - (first[i] + last[i]));
         for (j, row) in DENSE.iter().enumerate() {
             coefficients[3 + j] = weigh(row, &self.stages, count).map(|v| h * v);
         }
