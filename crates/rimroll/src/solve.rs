@@ -14,7 +14,6 @@ pub(crate) mod tableau;
 pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense::Dense;
 pub use dop853::Step;
-pub(crate) use dop853::{combine, weigh};
 pub use root::bracketed;
 pub use stiff::Implicit;
 

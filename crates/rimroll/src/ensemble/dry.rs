@@ -32,6 +32,7 @@ struct ToSlip {
 }
 
 /// How a phase is to begin.
+#[expect(clippy::large_enum_variant, reason = "it is taken apart at once")]
 enum Begins {
     Rolling(Waiting),
     Slipping(ToSlip),

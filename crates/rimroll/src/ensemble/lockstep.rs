@@ -4,8 +4,7 @@
 use super::carried::{Carried, tilt_rate_size};
 use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::real::{LANES, Lanes, Mask, Real};
-use crate::solve::tableau::{ERROR_3, ERROR_5, SOLUTION, STAGES};
-use crate::solve::{combine, weigh};
+use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
 
 /// Eight motions under way.
@@ -279,11 +278,41 @@ impl<const N: usize> Lockstep<N> {
         let growth = good.choose(self.growth, one);
         self.next = self.h * factor.min(growth);
         let free = Lanes::from(0.5).at_most(self.free);
-        let goes_on = quiet.or(good.not().and(free));
+        let goes_on = quiet.or((!good).and(free));
         self.h = goes_on.choose(self.next, self.h);
         self.growth = good.choose(Lanes::from(8.0), one);
         self.steps = quiet.choose(self.steps + one, self.steps);
     }
+}
+
+/// Σ weight · stage of the first `count` coordinates, summed in the order of the row.
+#[inline(always)]
+fn weigh<const N: usize>(row: Row, stages: &[[Lanes; N]; 16], count: usize) -> [Lanes; N] {
+    let mut sum = [Lanes::from(0.0); N];
+    for &(stage, weight) in row {
+        let (stage, weight) = (&stages[stage], Lanes::from(weight));
+        for i in 0..count {
+            sum[i] = sum[i] + weight * stage[i];
+        }
+    }
+    sum
+}
+
+/// u + h Σ weight · stage of the first `count` coordinates; the others stay.
+#[inline(always)]
+fn combine<const N: usize>(
+    u: &[Lanes; N],
+    h: Lanes,
+    row: Row,
+    stages: &[[Lanes; N]; 16],
+    count: usize,
+) -> [Lanes; N] {
+    let mut end = *u;
+    let sum = weigh(row, stages, count);
+    for i in 0..count {
+        end[i] = end[i] + h * sum[i];
+    }
+    end
 }
 
 /// The lanes of a set of bits.

@@ -201,6 +201,10 @@ impl Together {
         self.step_anywhere()
     }
 
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "the indices are those of the formulas"
+    )]
     #[inline(always)]
     fn step_anywhere(&mut self) -> Found {
         let method = Collocation::get();
@@ -302,6 +306,10 @@ impl Together {
     }
 
     /// q′ at the points, from σ q′ = what it is + slope · (change of q), which is linear in them.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "the indices are those of the formulas"
+    )]
     #[inline(always)]
     fn turns(
         &self,
@@ -350,6 +358,10 @@ impl Together {
         sizes
     }
 
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "the indices are those of the formulas"
+    )]
     #[inline(always)]
     fn found(
         &self,

@@ -91,10 +91,10 @@ impl<'a> Run<'a> {
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
-            if let Some(Over::For(status)) = self.out_of_steps(report) {
-                if !matches!(self.next, Then::End(_)) {
-                    return status;
-                }
+            if let Some(Over::For(status)) = self.out_of_steps(report)
+                && !matches!(self.next, Then::End(_))
+            {
+                return status;
             }
             match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
                 Then::End(status) => return status,

@@ -6,7 +6,7 @@
 
 use super::Real;
 use core::array::from_fn;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
 /// How many lanes there are.
 pub const LANES: usize = 8;
@@ -79,13 +79,6 @@ impl Mask {
         bits
     }
 
-    /// Holds where this does not.
-    #[inline(always)]
-    #[must_use]
-    pub fn not(self) -> Mask {
-        Mask(from_fn(|i| !self.0[i]))
-    }
-
     /// Holds where either does.
     #[inline(always)]
     #[must_use]
@@ -97,6 +90,14 @@ impl Mask {
     #[inline(always)]
     pub fn and(self, other: Mask) -> Mask {
         Mask(from_fn(|i| self.0[i] & other.0[i]))
+    }
+}
+
+impl Not for Mask {
+    type Output = Mask;
+    #[inline(always)]
+    fn not(self) -> Mask {
+        Mask(from_fn(|i| !self.0[i]))
     }
 }
 
@@ -238,9 +239,9 @@ mod tests {
         let numbers: [[f64; LANES]; 2] =
             from_fn(|k| from_fn(|i| libm::sin((3 * i + 7 * k + 1) as f64)));
         let together = formula(Lanes(numbers[0]), Lanes(numbers[1]));
-        for i in 0..LANES {
+        for (i, found) in together.0.into_iter().enumerate() {
             let alone = formula(numbers[0][i], numbers[1][i]);
-            assert_eq!(together.0[i].to_bits(), alone.to_bits());
+            assert_eq!(found.to_bits(), alone.to_bits());
         }
     }
 
@@ -252,8 +253,8 @@ mod tests {
         mixed.0[5] = f64::NAN;
         let small = mixed.at_most(two);
         assert_eq!(small.bits(), 0b1101_0111);
-        assert_eq!(small.not().bits(), 0b0010_1000);
+        assert_eq!((!small).bits(), 0b0010_1000);
         assert_eq!(small.choose(two, one).0[3], 1.0);
-        assert_eq!(small.or(small.not()).and(small), small);
+        assert_eq!(small.or(!small).and(small), small);
     }
 }

@@ -21,17 +21,13 @@ pub struct Step<T, const N: usize> {
     stages: [[T; N]; 16],
 }
 
-/// Σ weight · stage of the first `count` components, summed in the order of the row.
+/// Σ weight · stage, summed in the order of the row.
 #[inline(always)]
-pub(crate) fn weigh<T: Real, const N: usize>(
-    row: Row,
-    stages: &[[T; N]; 16],
-    count: usize,
-) -> [T; N] {
+fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16]) -> [T; N] {
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
         let (stage, weight) = (&stages[stage], T::from(weight));
-        for i in 0..count {
+        for i in 0..N {
             sum[i] = sum[i] + weight * stage[i];
         }
     }
@@ -40,16 +36,10 @@ pub(crate) fn weigh<T: Real, const N: usize>(
 
 /// u + h Σ weight · stage.
 #[inline(always)]
-pub(crate) fn combine<T: Real, const N: usize>(
-    u: &[T; N],
-    h: T,
-    row: Row,
-    stages: &[[T; N]; 16],
-    count: usize,
-) -> [T; N] {
+fn combine<T: Real, const N: usize>(u: &[T; N], h: T, row: Row, stages: &[[T; N]; 16]) -> [T; N] {
     let mut end = *u;
-    let sum = weigh(row, stages, count);
-    for i in 0..count {
+    let sum = weigh(row, stages);
+    for i in 0..N {
         end[i] = end[i] + h * sum[i];
     }
     end
@@ -93,12 +83,12 @@ impl<T: Real, const N: usize> Step<T, N> {
         // Written out, so that the weights are constants of the code.
         macro_rules! stages {
             ($($i:literal)*) => {
-                $(stages[$i + 1] = system.rates(&combine(start, h, STAGES[$i], stages, N));)*
+                $(stages[$i + 1] = system.rates(&combine(start, h, STAGES[$i], stages));)*
             };
         }
         stages!(0 1 2 3 4 5 6 7 8 9 10);
         self.h = h;
-        self.end = combine(start, h, SOLUTION, stages, N);
+        self.end = combine(start, h, SOLUTION, stages);
         stages[12] = system.rates(&self.end);
     }
 
@@ -138,8 +128,8 @@ impl<T: Real, const N: usize> Step<T, N> {
     pub fn error<S: System<T, N>>(&self, system: &S, tolerance: f64) -> T {
         let at_start = system.scale(&self.start);
         let at_end = system.scale(&self.end);
-        let fifth = weigh(ERROR_5, &self.stages, N);
-        let third = weigh(ERROR_3, &self.stages, N);
+        let fifth = weigh(ERROR_5, &self.stages);
+        let third = weigh(ERROR_3, &self.stages);
         let (mut sum5, mut sum3) = (T::from(0.0), T::from(0.0));
         for i in 0..N {
             let allowed = T::from(1.0) / (T::from(tolerance) * at_start[i].max(at_end[i]));
@@ -172,7 +162,7 @@ impl<T: Real, const N: usize> Step<T, N> {
     #[inline(always)]
     fn polynomial<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
-            let at = combine(&self.start, self.h, row, &self.stages, N);
+            let at = combine(&self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
@@ -183,7 +173,7 @@ impl<T: Real, const N: usize> Step<T, N> {
         coefficients[1] = core::array::from_fn(|i| first[i] - rise[i]);
         coefficients[2] = core::array::from_fn(|i| T::from(2.0) * rise[i] - (first[i] + last[i]));
         for (coefficient, row) in coefficients[3..].iter_mut().zip(&DENSE) {
-            *coefficient = weigh(row, &self.stages, N).map(|v| h * v);
+            *coefficient = weigh(row, &self.stages).map(|v| h * v);
         }
         Dense {
             h,
