@@ -114,10 +114,14 @@ def best_peer(rows: list[Row], law: str, error: float, of: list[Contestant]) -> 
     return min((row for row in found if row), key=lambda row: row.seconds, default=None)
 
 
+WRONG = 0.1
+"""Worst error (rad) from which on a setting has missed some turn altogether."""
+
+
 def frontier(rows: Iterable[Row]) -> tuple[np.ndarray, np.ndarray]:
     """Errors and costs of the settings that no other beats in both, worst error first."""
     kept: list[Row] = []
     for row in sorted(rows, key=lambda row: (row.seconds, row.worst)):
-        if math.isfinite(row.worst) and (not kept or row.worst < kept[-1].worst):
+        if row.worst < WRONG and (not kept or row.worst < kept[-1].worst):
             kept.append(row)
     return np.array([r.worst for r in kept]), np.array([r.seconds for r in kept])
