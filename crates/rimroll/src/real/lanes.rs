@@ -172,12 +172,20 @@ impl Real for Lanes {
     fn polynomials<C: Copy + Into<Lanes>>(rows: &[[C; 4]], x: Lanes) -> [Lanes; 4] {
         // Among other sums compilers lose the order of the lanes, and shuffle them in every round.
         let x = core::hint::black_box(x);
-        let mut sums = [Lanes::from(0.0); 4];
-        for row in rows {
-            for (sum, &coefficient) in sums.iter_mut().zip(row) {
-                *sum = *sum * x + coefficient.into();
+        let square = x * x;
+        // Even and odd powers by themselves, so that twice as many sums are under way.
+        let (mut even, mut odd) = ([Lanes::from(0.0); 4], [Lanes::from(0.0); 4]);
+        let (pairs, last) = rows.as_chunks::<2>();
+        for [higher, lower] in pairs {
+            for j in 0..4 {
+                odd[j] = odd[j] * square + higher[j].into();
+                even[j] = even[j] * square + lower[j].into();
             }
         }
+        let sums: [Lanes; 4] = match last {
+            [row] => from_fn(|j| (odd[j] * x + even[j]) * x + row[j].into()),
+            _ => from_fn(|j| odd[j] * x + even[j]),
+        };
         core::hint::black_box(sums)
     }
 

@@ -1,5 +1,5 @@
-//! Eight starts at a time under one of the laws, compiled twice: as it is, and for machines that
-//! calculate with four numbers at once. The numbers are the same to the last bit.
+//! Eight starts at a time under one of the laws, compiled three times: as it is, and for
+//! processors with registers of four or eight numbers. The numbers are the same to the last bit.
 
 use super::extremes::Extreme;
 use super::fundamental::Fundamental;
@@ -12,7 +12,7 @@ use super::start::Start;
 use super::tilting::Tilting;
 use super::together::{Extremes, Part, extremes, part};
 use crate::law::Parameters;
-use crate::real::Lanes;
+use crate::real::{LANES, Lanes};
 
 /// A body under one of the laws.
 #[derive(Debug, Clone, Copy)]
@@ -33,11 +33,9 @@ pub(super) struct Eight {
 
 impl Eight {
     pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Eight {
-        let all = |number: fn(&Lane) -> f64| {
-            Lanes(core::array::from_fn(|i| {
-                number(&lanes[which[i % which.len()]])
-            }))
-        };
+        let eight: [&Lane; LANES] =
+            core::array::from_fn(|i| &lanes[*which.get(i).unwrap_or(&which[0])]);
+        let all = |number: fn(&Lane) -> f64| Lanes(eight.map(number));
         Eight {
             start: Start {
                 y: all(|lane| lane.start.y),
@@ -104,16 +102,27 @@ impl Engine<'_> {
 
     fn ask<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
         #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx512dq") {
+            // SAFETY: the processor has what the function is compiled for.
+            return unsafe { self.ask_by_avx512(asked, eight) };
+        }
+        #[cfg(target_arch = "x86_64")]
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.ask_by_fours(asked, eight) };
+            return unsafe { self.ask_by_avx2(asked, eight) };
         }
         self.ask_anywhere(asked, eight)
     }
 
     #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512dq")]
+    fn ask_by_avx512<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
+        self.ask_anywhere(asked, eight)
+    }
+
+    #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn ask_by_fours<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
+    fn ask_by_avx2<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
         self.ask_anywhere(asked, eight)
     }
 
