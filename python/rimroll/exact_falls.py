@@ -66,7 +66,8 @@ def _dataset(codes: NDArray[np.uint8], table: Array, balance: float) -> xr.Datas
     import xarray as xr
 
     told = dict(zip(NUMBERS, table.T, strict=True))
-    told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
+    with np.errstate(invalid="ignore"):  # a NaN stays one
+        told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
     told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]
     # Rising, its centre of mass past the rim, a body falls over whether it lifts off or not.
     outcome = np.where(told["max_tilt"] > balance, TOPPLED[codes], STATUSES[codes])

@@ -428,7 +428,7 @@ impl Task for Steps<'_, '_> {
             if run.is_stopping(phase) {
                 return Over::By(Switch::Stop);
             }
-            if N == COORDINATES && stepper.work.steps % STIFF_AFTER == 0 {
+            if N == COORDINATES && stepper.work.steps.is_multiple_of(STIFF_AFTER) {
                 match run.relax(mechanics, phase, h, report) {
                     ControlFlow::Break(over) => return over,
                     ControlFlow::Continue(None) => {}

@@ -206,7 +206,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let to_start = start.eta - low.eta;
         // From the smallest tilt to the start's.
         let risen = if to_start.value() < SHORT {
-            short(motion, low, to_start, speed(motion, start, rising))
+            short(motion, low.place(), to_start, speed(motion, start, rising))
         } else if to_start.value() <= inner.value() {
             foot(motion, low, to_start)?
         } else {
@@ -349,7 +349,9 @@ fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Opt
 /// Up to the largest tilt by `length` in η.
 fn head<T: Scalar>(motion: &impl Tilting<T>, high: &Extreme<T>, length: T) -> Option<Piece<T>> {
     let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
-    resolved(choice, |rule| to_highest(motion, high, length, rule))
+    resolved(choice, |rule| {
+        to_highest(motion, high.place(), length, rule)
+    })
 }
 
 /// From η up by `length` on the move.
@@ -368,7 +370,12 @@ fn last_leg<T: Scalar>(
     rising: bool,
 ) -> Option<Piece<T>> {
     if length.value() < SHORT {
-        return Some(short(motion, high, -length, speed(motion, start, rising)));
+        return Some(short(
+            motion,
+            high.place(),
+            -length,
+            speed(motion, start, rising),
+        ));
     }
     head(motion, high, length)
 }

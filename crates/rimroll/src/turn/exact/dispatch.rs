@@ -1,7 +1,6 @@
 //! Eight starts at a time under one of the laws, compiled three times: as it is, and for
 //! processors with registers of four or eight numbers. The numbers are the same to the last bit.
 
-use super::extremes::Extreme;
 use super::fundamental::Fundamental;
 use super::many::Lane;
 use super::pieces::Piece;
@@ -35,7 +34,13 @@ impl Eight {
     pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Eight {
         let eight: [&Lane; LANES] =
             core::array::from_fn(|i| &lanes[*which.get(i).unwrap_or(&which[0])]);
-        let all = |number: fn(&Lane) -> f64| Lanes(eight.map(number));
+        let all = |number: fn(&Lane) -> f64| {
+            let mut lanes = [0.0; LANES];
+            for (lane, one) in lanes.iter_mut().zip(eight) {
+                *lane = number(one);
+            }
+            Lanes(lanes)
+        };
         Eight {
             start: Start {
                 y: all(|lane| lane.start.y),
@@ -79,14 +84,14 @@ impl Asked for AskPart {
 
     #[inline(always)]
     fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Piece<Lanes> {
-        let extreme = |[y, eta]: [Lanes; 2]| Extreme {
-            y,
-            eta,
-            point: motion.at(y, eta),
-            change: Lanes::from(0.0),
-        };
-        let (low, high) = (extreme(eight.low), extreme(eight.high));
-        part(self.part, motion, &eight.start, &low, &high, self.rule)
+        part(
+            self.part,
+            motion,
+            &eight.start,
+            eight.low,
+            eight.high,
+            self.rule,
+        )
     }
 }
 

@@ -16,6 +16,13 @@ pub(super) struct Extreme<T> {
     pub(super) change: T,
 }
 
+impl<T: Copy> Extreme<T> {
+    /// y and η.
+    pub(super) fn place(&self) -> [T; 2] {
+        [self.y, self.eta]
+    }
+}
+
 /// The smallest tilt, from a guess of y and η, by `rounds` of Newton's iteration in y⁻², of which the energy of
 /// yaw is all but a linear function.
 #[inline(always)]

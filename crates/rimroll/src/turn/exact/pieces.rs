@@ -134,19 +134,19 @@ pub(super) fn from_lowest<T: Real>(
     piece
 }
 
-/// From `length` in η below the largest tilt up to it.
+/// From `length` in η below the largest tilt, at y and η, up to it.
 #[inline(always)]
 pub(super) fn to_highest<T: Real>(
     motion: &impl Tilting<T>,
-    high: &Extreme<T>,
+    [y_high, eta_high]: [T; 2],
     length: T,
     rule: &Rule,
 ) -> Piece<T> {
     let mut piece = Piece::nothing();
     for node in &rule.nodes {
         let below = length * T::from(-node.at * node.at);
-        let y = high.y + high.y * below.exp_m1();
-        let point = motion.at(y, high.eta + below);
+        let y = y_high + y_high * below.exp_m1();
+        let point = motion.at(y, eta_high + below);
         let measure = length * T::from(2.0 * node.at);
         piece.add_node(paced(&point, measure), node.weight, node.last, node.before);
     }
@@ -176,20 +176,20 @@ pub(super) fn between<T: Real>(
     piece
 }
 
-/// Between the start, where √G is `speed`, and the extreme so close to it that G has no digits left in
-/// between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
+/// Between the start, where √G is `speed`, and the extreme, at y and η, so close to it that G has no
+/// digits left in between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
 #[inline(always)]
 pub(super) fn short<T: Real>(
     motion: &impl Tilting<T>,
-    extreme: &Extreme<T>,
+    [y_extreme, eta_extreme]: [T; 2],
     length: T,
     speed: T,
 ) -> Piece<T> {
     let mut piece = Piece::nothing();
     for (part, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
         let away = length * T::from(part * part);
-        let y = extreme.y + extreme.y * away.exp_m1();
-        let point = motion.at(y, extreme.eta + away);
+        let y = y_extreme + y_extreme * away.exp_m1();
+        let point = motion.at(y, eta_extreme + away);
         let slowness = T::from(weight / 3.0) * point.inertia.sqrt() * speed / point.slope.abs();
         piece.yaw = piece.yaw + point.w * slowness;
         piece.time = piece.time + point.sin * slowness;
@@ -209,9 +209,9 @@ impl<T: Real> Piece<T> {
     fn add_node(&mut self, integrands: [T; 2], weight: f64, last: f64, before: f64) {
         self.yaw = self.yaw + T::from(weight) * integrands[0];
         self.time = self.time + T::from(weight) * integrands[1];
-        for i in 0..2 {
-            self.last[i] = self.last[i] + T::from(last) * integrands[i];
-            self.before[i] = self.before[i] + T::from(before) * integrands[i];
+        for (i, &integrand) in integrands.iter().enumerate() {
+            self.last[i] = self.last[i] + T::from(last) * integrand;
+            self.before[i] = self.before[i] + T::from(before) * integrand;
         }
     }
 }

@@ -48,16 +48,15 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
         .and(high.y.at_most(Lanes::from(most)))
         .and(Lanes::from(LONGEST).at_most(span))
         // The start lies in the upper piece.
-        .and(from_start.at_most(outer(&low, &high)))
+        .and(from_start.at_most(outer(span)))
         .and((-from_start).at_most(Lanes::from(1e-12)));
     Extremes { low, high, sound }
 }
 
-/// How much of the way between, in η, belongs to the largest tilt.
+/// How much of a way, in η, belongs to the largest tilt.
 #[inline(always)]
-fn outer(low: &Extreme<Lanes>, high: &Extreme<Lanes>) -> Lanes {
-    let half = (high.eta - low.eta) * Lanes::from(0.5);
-    half.min(Lanes::from(MOST_OUTER))
+fn outer(span: Lanes) -> Lanes {
+    (span * Lanes::from(0.5)).min(Lanes::from(MOST_OUTER))
 }
 
 /// The pieces of which a turn is made.
@@ -73,21 +72,30 @@ pub(super) enum Part {
     ShortLeg,
 }
 
-/// Yaw and time of a part.
+/// Yaw and time of a part, between the smallest and the largest tilt at y and η.
 #[inline(always)]
 pub(super) fn part(
     part: Part,
     motion: &impl Tilting<Lanes>,
     start: &Start<Lanes>,
-    low: &Extreme<Lanes>,
-    high: &Extreme<Lanes>,
+    [y_low, eta_low]: [Lanes; 2],
+    high: [Lanes; 2],
     rule: &Rule,
 ) -> Piece<Lanes> {
-    let outer = outer(low, high);
-    let leg = high.eta - start.eta;
+    let [_, eta_high] = high;
+    let span = eta_high - eta_low;
+    let leg = eta_high - start.eta;
     match part {
-        Part::Foot => from_lowest(motion, low, high.eta - low.eta - outer, rule),
-        Part::Head => to_highest(motion, high, outer, rule),
+        Part::Foot => {
+            let low = Extreme {
+                y: y_low,
+                eta: eta_low,
+                point: motion.at(y_low, eta_low),
+                change: Lanes::from(0.0),
+            };
+            from_lowest(motion, &low, span - outer(span), rule)
+        }
+        Part::Head => to_highest(motion, high, outer(span), rule),
         Part::Leg => to_highest(motion, high, leg, rule),
         Part::ShortLeg => {
             let speed = motion.at(start.y, start.eta).inertia.sqrt() * start.p.abs();
