@@ -190,14 +190,7 @@ impl Exact {
     }
 
     fn check(&self, start: &State) -> Result<(), InvalidInput> {
-        start.check()?;
-        match self.options.topple_tilt {
-            // Only then with the whole message.
-            Some(topple) if start.tilt >= topple => {
-                self.options.checked(&self.body, start).map(|_| ())
-            }
-            _ => Ok(()),
-        }
+        self.options.checked(&self.body, start).map(|_| ())
     }
 
     fn engine(&self) -> Engine<'_> {
