@@ -45,16 +45,28 @@ pub trait Real:
     /// Four polynomials in x, whose coefficients are given by falling power.
     #[inline(always)]
     fn polynomials<C: Copy + Into<Self>>(rows: &[[C; 4]], x: Self) -> [Self; 4] {
-        let mut sums = [Self::from(0.0); 4];
-        for row in rows {
-            for (sum, &coefficient) in sums.iter_mut().zip(row) {
-                *sum = *sum * x + coefficient.into();
-            }
-        }
-        sums
+        even_and_odd(rows, x)
     }
     /// |x|ⁿ with the sign of x, for n ≥ 1.
     fn odd_power(self, n: f64) -> Self;
+}
+
+/// Polynomials by the sums of their even and odd powers, so that twice as many sums are under way.
+#[inline(always)]
+fn even_and_odd<T: Real, C: Copy + Into<T>>(rows: &[[C; 4]], x: T) -> [T; 4] {
+    let square = x * x;
+    let (mut even, mut odd) = ([T::from(0.0); 4], [T::from(0.0); 4]);
+    let (pairs, last) = rows.as_chunks::<2>();
+    for [higher, lower] in pairs {
+        for j in 0..4 {
+            odd[j] = odd[j] * square + higher[j].into();
+            even[j] = even[j] * square + lower[j].into();
+        }
+    }
+    match last {
+        [row] => core::array::from_fn(|j| (odd[j] * x + even[j]) * x + row[j].into()),
+        _ => core::array::from_fn(|j| odd[j] * x + even[j]),
+    }
 }
 
 impl Real for f64 {
@@ -95,7 +107,7 @@ impl Real for f64 {
 
     #[inline]
     fn max(self, other: Self) -> Self {
-        f64::max(self, other)
+        if self > other { self } else { other }
     }
 
     #[inline]

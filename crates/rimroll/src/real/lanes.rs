@@ -4,8 +4,9 @@
 //! neighbours and is to the last bit what `f64` alone computes. All is inlined: compiled into a function
 //! that may use vector instructions, an operation is one or two of them.
 
-use super::Real;
+use super::{Real, even_and_odd};
 use core::array::from_fn;
+use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
 /// How many lanes there are.
@@ -171,22 +172,7 @@ impl Real for Lanes {
     #[inline(always)]
     fn polynomials<C: Copy + Into<Lanes>>(rows: &[[C; 4]], x: Lanes) -> [Lanes; 4] {
         // Among other sums compilers lose the order of the lanes, and shuffle them in every round.
-        let x = core::hint::black_box(x);
-        let square = x * x;
-        // Even and odd powers by themselves, so that twice as many sums are under way.
-        let (mut even, mut odd) = ([Lanes::from(0.0); 4], [Lanes::from(0.0); 4]);
-        let (pairs, last) = rows.as_chunks::<2>();
-        for [higher, lower] in pairs {
-            for j in 0..4 {
-                odd[j] = odd[j] * square + higher[j].into();
-                even[j] = even[j] * square + lower[j].into();
-            }
-        }
-        let sums: [Lanes; 4] = match last {
-            [row] => from_fn(|j| (odd[j] * x + even[j]) * x + row[j].into()),
-            _ => from_fn(|j| odd[j] * x + even[j]),
-        };
-        core::hint::black_box(sums)
+        black_box(even_and_odd(rows, black_box(x)))
     }
 
     #[inline(always)]

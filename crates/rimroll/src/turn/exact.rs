@@ -54,7 +54,7 @@ const MOST_OUTER: f64 = 1.8;
 /// What becomes of a body let go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// It comes down and rocks up to a largest tilt.
+    /// It comes down and rocks up to a largest tilt; a disk may rise to the vertical, and past it.
     Rocked,
     /// It comes down and topples.
     Toppled,
@@ -64,16 +64,22 @@ pub enum Ending {
     LiftedOff,
     /// The whole rim meets the table at once.
     FaceDown,
+    /// It does neither come down nor topple for a thousand times as long as falling over takes.
+    Hovered,
+    /// It could not be computed.
+    Failed,
 }
 
 impl Ending {
     /// All of them.
-    pub const ALL: [Ending; 5] = [
+    pub const ALL: [Ending; 7] = [
         Ending::Rocked,
         Ending::Toppled,
         Ending::FellBack,
         Ending::LiftedOff,
         Ending::FaceDown,
+        Ending::Hovered,
+        Ending::Failed,
     ];
 
     /// The name that the user reads.
@@ -84,6 +90,8 @@ impl Ending {
             Ending::FellBack => "fell_back",
             Ending::LiftedOff => "lifted_off",
             Ending::FaceDown => "face_down",
+            Ending::Hovered => "hovered",
+            Ending::Failed => "failed",
         }
     }
 }
@@ -141,7 +149,7 @@ impl Exact {
         };
         // A start that none refuses shows whether the rest is in order.
         let start = State {
-            tilt: 1e-9,
+            tilt: 1e-300,
             ..State::default()
         };
         let options = options.checked(body, &start)?;
@@ -224,6 +232,12 @@ impl Exact {
 
     /// The same by steps, where quadrature does not reach.
     fn stepped(&self, start: &State) -> ExactTurn {
+        // The turn does not depend on where yaw and spin begin, nor shall its last digit.
+        let start = &State {
+            yaw: 0.0,
+            spin: 0.0,
+            ..*start
+        };
         let fall = fall(&self.body, start, &self.law.into(), &self.options)
             .expect("start and options were checked");
         told_of_fall(&fall, start)
@@ -268,7 +282,9 @@ fn told_of_fall(fall: &Fall, start: &State) -> ExactTurn {
         Status::Toppled => Ending::FellBack,
         Status::LiftedOff => Ending::LiftedOff,
         Status::FaceDown => Ending::FaceDown,
-        _ => Ending::Rocked,
+        Status::Finished if fall.turn.is_some() => Ending::Rocked,
+        Status::Finished => Ending::Hovered,
+        _ => Ending::Failed,
     };
     ExactTurn {
         ending,

@@ -80,10 +80,10 @@ pub(super) struct Alone<'a, M, T> {
 }
 
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST: f64 = 1e-4;
 
 /// Points at which the sign of a function is looked at in search of a first root.
-const LOOKS: usize = 48;
+const LOOKS: usize = 24;
 
 impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     pub(super) fn new(motion: &'a M, start: Start<T>, end: (f64, Ending), balance: f64) -> Self {
@@ -102,16 +102,13 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let point = self.motion.at(start.y, start.eta);
         let p = start.p.value();
         let rising = p > 0.0 || (p == 0.0 && point.slope.value() > 0.0);
-        let low = self.low(p == 0.0 && rising);
-        let high = self.high(p == 0.0 && !rising);
+        let low = self.low(p == 0.0 && rising).ok()?;
+        let high = self.high(p == 0.0 && !rising).ok()?;
         let low = match low {
-            Some(low) if low.point.sin.value() >= FLAT => low,
             _ if rising && high.is_none() => return self.fell_back(),
+            Some(low) if low.point.sin.value() >= FLAT => low,
             _ => return Some(self.came_down_flat(&high)),
         };
-        if rising && high.is_none() {
-            return self.fell_back();
-        }
         let top = match high {
             Some(high) => Top::Rest(high),
             None => Top::Passing(T::from(self.end.0), self.end.1),
@@ -151,6 +148,10 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 
     fn fell_back(&self) -> Option<Outcome<T>> {
+        if self.end.1 == Ending::Rocked {
+            // A disk, which goes on to its other face.
+            return None;
+        }
         let eta = self.start.eta.value();
         let end = libm::log(self.end.0);
         let ending = match self.first_sign_change(eta, end, |eta| self.pressing(eta)) {
@@ -205,13 +206,15 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let from_start = eta_top - start.eta;
         let to_start = start.eta - low.eta;
         // From the smallest tilt to the start's.
-        let risen = if to_start.value() < SHORT {
+        let risen = if is_short(to_start, length) {
             short(motion, low.place(), to_start, speed(motion, start, rising))
         } else if to_start.value() <= inner.value() {
             foot(motion, low, to_start)?
         } else {
             match top {
-                Top::Rest(high) => up - last_leg(motion, start, high, from_start, rising)?,
+                Top::Rest(high) => {
+                    up - last_leg(motion, start, high, [from_start, length], rising)?
+                }
                 Top::Passing(..) => {
                     let rest = to_start - inner;
                     bottom + passage(motion, split, rest)?
@@ -240,7 +243,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 
     /// The smallest tilt, at the start if `here`.
-    fn low(&self, here: bool) -> Option<Extreme<T>> {
+    fn low(&self, here: bool) -> Result<Option<Extreme<T>>, Unclear> {
         let start = self.start;
         let guess = if here { start.y } else { self.motion.lowest() };
         let guess = [guess, guess.ln()];
@@ -252,15 +255,16 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         };
         let low = lowest(self.motion, guess, 12);
         if good(&low) {
-            return Some(low);
+            return Ok(Some(low));
         }
         let flat = libm::log(0.25 * FLAT);
-        let eta = self.first_sign_change(start.eta.value(), flat, |eta| self.drive(eta))?;
-        Some(lowest(self.motion, at(eta), 3))
+        let root = self.first_sign_change(start.eta.value(), flat, |eta| self.drive(eta));
+        root.map(|eta| met(lowest(self.motion, at(eta), 4)))
+            .transpose()
     }
 
     /// The largest tilt, at the start if `here`; none if it goes past the end.
-    fn high(&self, here: bool) -> Option<Extreme<T>> {
+    fn high(&self, here: bool) -> Result<Option<Extreme<T>>, Unclear> {
         let start = self.start;
         let guess = if here { start.y } else { self.motion.highest() };
         let guess = [guess, guess.ln()];
@@ -274,12 +278,13 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         if guess[0].value() < self.end.0 {
             let high = highest(self.motion, guess, 12);
             if good(&high) {
-                return Some(high);
+                return Ok(Some(high));
             }
         }
         let end = libm::log(self.end.0);
-        let eta = self.first_sign_change(start.eta.value(), end, |eta| self.drive(eta))?;
-        Some(highest(self.motion, at(eta), 3))
+        let root = self.first_sign_change(start.eta.value(), end, |eta| self.drive(eta));
+        root.map(|eta| met(highest(self.motion, at(eta), 4)))
+            .transpose()
     }
 
     /// Whether the tilt does not turn back between two others.
@@ -290,25 +295,29 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
 
     /// Where the table would have to pull: `Some(None)` before the smallest tilt is reached.
     fn lifting(&self, low: &Extreme<T>, top: &Top<T>, rising: bool) -> Option<Option<T>> {
-        if let Top::Rest(high) = top {
-            let below_balance = high.y.value() < self.balance;
-            let sure = self.motion.surely_pressing(&low.point, &high.point).value();
-            if below_balance && sure > 0.0 {
-                return None;
-            }
-        }
         let (bottom, start) = (low.eta.value(), self.start.eta.value());
-        let top = match top {
+        let end = match top {
             Top::Rest(high) => high.eta.value(),
             Top::Passing(y, _) => libm::log(y.value()),
         };
         let pressing = |eta| self.pressing(eta);
-        let turned = if rising { top } else { start };
-        if self.first_sign_change(turned, bottom, pressing).is_some() {
+        let turned = if rising { end } else { start };
+        if !self.is_sure(low, turned) && self.first_sign_change(turned, bottom, pressing).is_some()
+        {
             return Some(None);
         }
-        let eta = self.first_sign_change(start.max(bottom), top, pressing)?;
+        if self.is_sure(low, end) {
+            return None;
+        }
+        let eta = self.first_sign_change(start.max(bottom), end, pressing)?;
         Some(Some(T::from(eta).exp()))
+    }
+
+    /// Whether it is sure that the table pushes all the way from the smallest tilt up to another.
+    fn is_sure(&self, low: &Extreme<T>, eta: f64) -> bool {
+        let y = libm::exp(eta);
+        let point = self.motion.at(T::from(y), T::from(eta));
+        y < self.balance && self.motion.surely_pressing(&low.point, &point).value() > 0.0
     }
 
     fn drive(&self, eta: f64) -> f64 {
@@ -325,51 +334,84 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
 
     /// Where a function that is positive at first changes its sign.
     fn first_sign_change(&self, from: f64, to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
-        let looks = (LOOKS as f64).max((to - from).abs() / 0.1) as usize;
+        let looks = (LOOKS as f64).max((to - from).abs() / 0.2) as usize;
         let at = |i: usize| from + (to - from) * i as f64 / looks as f64;
         let first = (1..=looks).find(|&i| f(at(i)) < 0.0)?;
         Some(bracketed(at(first - 1), at(first), f))
     }
 }
 
-/// A piece by a rule that resolves it, from a first choice on.
-fn resolved<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
-    core::iter::successors(Some(choice), |choice| choice.larger())
-        .map(|choice| (piece(choice.rule()), choice.nodes()))
-        .find(|(piece, nodes)| piece.values().is_resolved(*nodes))
-        .map(|(piece, _)| piece)
+/// A piece by the first rule, from a choice on, with which the next but one agrees: what one rule tells of
+/// itself can deceive where the integrand is singular at two points to the sides, as past the balance
+/// point, and its Legendre coefficients swing. Of the two the smaller, whose nodes keep farther from where
+/// G is rounding.
+fn agreed<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
+    /// Where G is a small difference, rounding lets rules agree no better than to so many tolerances.
+    const ROUNDING: f64 = 20.0;
+    let mut before = piece(choice.rule());
+    let mut best: Option<(f64, Piece<T>)> = None;
+    let mut next = choice.larger().and_then(Choice::larger);
+    while let Some(choice) = next {
+        let piece = piece(choice.rule());
+        let off = piece.values().difference(&before.values());
+        if off <= 1.0 {
+            return Some(before);
+        }
+        if best.is_none_or(|(least, _)| off < least) {
+            best = Some((off, before));
+        }
+        before = piece;
+        next = choice.larger().and_then(Choice::larger);
+    }
+    best.filter(|&(off, _)| off <= ROUNDING)
+        .map(|(_, piece)| piece)
 }
 
 /// From the smallest tilt up by `length` in η.
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
     let choice = Choice::from_lowest(length.value());
-    resolved(choice, |rule| from_lowest(motion, low, length, rule))
+    agreed(choice, |rule| from_lowest(motion, low, length, rule))
 }
 
 /// Up to the largest tilt by `length` in η.
 fn head<T: Scalar>(motion: &impl Tilting<T>, high: &Extreme<T>, length: T) -> Option<Piece<T>> {
     let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
-    resolved(choice, |rule| {
+    agreed(choice, |rule| {
         to_highest(motion, high.place(), length, rule)
     })
 }
 
 /// From η up by `length` on the move.
 fn passage<T: Scalar>(motion: &impl Tilting<T>, eta: T, length: T) -> Option<Piece<T>> {
-    resolved(Choice::plain(8.0), |rule| {
+    agreed(Choice::plain(12.0), |rule| {
         between(motion, eta, length, rule)
     })
 }
 
-/// From the start's tilt to the largest.
+/// An extreme on which the iteration does not settle: two of them are close together.
+struct Unclear;
+
+/// An extreme on which it does.
+fn met<T: Scalar>(extreme: Extreme<T>) -> Result<Extreme<T>, Unclear> {
+    let settled = extreme.change.value() < 1e-8;
+    settled.then_some(extreme).ok_or(Unclear)
+}
+
+/// Whether a piece next to an extreme is so short that G has no digits left in it, but not for being part
+/// of a motion that is no longer.
+fn is_short<T: Scalar>(piece: T, whole: T) -> bool {
+    piece.value() < SHORT.min(1e-3 * whole.value())
+}
+
+/// From the start's tilt to the largest, and how long that and the whole are in η.
 fn last_leg<T: Scalar>(
     motion: &impl Tilting<T>,
     start: &Start<T>,
     high: &Extreme<T>,
-    length: T,
+    [length, whole]: [T; 2],
     rising: bool,
 ) -> Option<Piece<T>> {
-    if length.value() < SHORT {
+    if is_short(length, whole) {
         return Some(short(
             motion,
             high.place(),

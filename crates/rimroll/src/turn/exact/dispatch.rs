@@ -107,7 +107,9 @@ impl Engine<'_> {
 
     fn ask<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
         #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512dq") {
+        if std::arch::is_x86_feature_detected!("avx512f")
+            && std::arch::is_x86_feature_detected!("avx512dq")
+        {
             // SAFETY: the processor has what the function is compiled for.
             return unsafe { self.ask_by_avx512(asked, eight) };
         }

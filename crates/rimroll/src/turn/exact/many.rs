@@ -17,7 +17,7 @@ use crate::state::State;
 use rayon::prelude::*;
 
 /// Starts that a thread takes at a time.
-const BLOCK: usize = 2048;
+const BLOCK: usize = 512;
 
 /// A start on its way through the lanes.
 #[derive(Debug, Clone, Copy)]

@@ -14,7 +14,7 @@ use crate::real::Real;
 use core::ops::{Add, Sub};
 
 /// Error of the yaw of a piece, rad, or relative to a larger one.
-const YAW_TOLERANCE: f64 = 2e-14;
+const YAW_TOLERANCE: f64 = 3e-14;
 
 /// Error of the time of a piece, relative to it.
 const TIME_TOLERANCE: f64 = 1e-11;
@@ -57,9 +57,14 @@ impl<T: Copy> Piece<T> {
     }
 }
 
-impl<T: Copy> Piece<T> {}
-
 impl Piece<f64> {
+    /// How much another, by another rule, differs, in tolerances.
+    pub(super) fn difference(&self, other: &Piece<f64>) -> f64 {
+        let yaw = (self.yaw - other.yaw).abs() / (YAW_TOLERANCE * (1.0 + self.yaw.abs()));
+        let time = (self.time - other.time).abs() / (TIME_TOLERANCE * self.time.abs());
+        if yaw > time { yaw } else { time }
+    }
+
     /// Whether a rule of n nodes has made no error that counts.
     ///
     /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
@@ -73,7 +78,9 @@ impl Piece<f64> {
             }
             error <= tolerance
         };
-        resolved(0, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
+        let finite = self.yaw.is_finite() && self.time.is_finite();
+        finite
+            && resolved(0, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
             && resolved(1, TIME_TOLERANCE * self.time.abs())
     }
 }

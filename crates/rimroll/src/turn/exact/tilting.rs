@@ -63,8 +63,10 @@ pub(super) fn gap_beyond<T: Real>(radius: T, height: T, y: T) -> T {
     let two = T::from(2.0);
     let rise = radius * sin - height * versine;
     let next = rise / (rise + two * height) / y;
-    // A little less than ln(next/y).
-    (two * (next - y) / (next + y)).max(T::from(0.0))
+    // A little less than ln(next/y). Past the balance point yaw or spin hold the body back, and where the
+    // next root is cannot be told: far, until the rule says otherwise.
+    let gap = two * (next - y) / (next + y);
+    gap.where_negative(two, gap)
 }
 
 /// tan(φ/2) where a centre of mass R beside and H over the rim is `rise` over H: R sin φ + H cos φ =
