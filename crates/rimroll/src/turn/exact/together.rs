@@ -28,7 +28,7 @@ pub(super) struct Extremes {
     pub(super) sound: Mask,
 }
 
-/// The smallest and the largest tilts, for bodies that rock below `highest`, tan(φ/2).
+/// The smallest and the largest tilts, for bodies that rock up to `most`, tan(φ/2).
 #[inline(always)]
 pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most: f64) -> Extremes {
     let guess = |y: Lanes| [y, y.ln()];
