@@ -199,7 +199,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let split = low.eta + inner;
         let bottom = foot(motion, low, inner)?;
         let upper = match top {
-            Top::Rest(high) => head(motion, high, outer)?,
+            Top::Rest(high) => head(motion, high, outer, 0.0)?,
             Top::Passing(..) => passage(motion, split, outer)?,
         };
         let up = bottom + upper;
@@ -213,7 +213,14 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         } else {
             match top {
                 Top::Rest(high) => {
-                    up - last_leg(motion, start, high, [from_start, length], rising)?
+                    up - last_leg(
+                        motion,
+                        start,
+                        high,
+                        [from_start, length],
+                        up.values().time,
+                        rising,
+                    )?
                 }
                 Top::Passing(..) => {
                     let rest = to_start - inner;
@@ -345,7 +352,11 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
 /// itself can deceive where the integrand is singular at two points to the sides, as past the balance
 /// point, and its Legendre coefficients swing. Of the two the smaller, whose nodes keep farther from where
 /// G is rounding.
-fn agreed<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Option<Piece<T>> {
+fn agreed<T: Scalar>(
+    choice: Choice,
+    whole: f64,
+    piece: impl Fn(&Rule) -> Piece<T>,
+) -> Option<Piece<T>> {
     /// Where G is a small difference, rounding lets rules agree no better than to so many tolerances.
     const ROUNDING: f64 = 20.0;
     let mut before = piece(choice.rule());
@@ -353,7 +364,7 @@ fn agreed<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Optio
     let mut next = choice.larger().and_then(Choice::larger);
     while let Some(choice) = next {
         let piece = piece(choice.rule());
-        let off = piece.values().difference(&before.values());
+        let off = piece.values().difference(&before.values(), whole);
         if off <= 1.0 {
             return Some(before);
         }
@@ -370,20 +381,25 @@ fn agreed<T: Scalar>(choice: Choice, piece: impl Fn(&Rule) -> Piece<T>) -> Optio
 /// From the smallest tilt up by `length` in η.
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
     let choice = Choice::from_lowest(length.value());
-    agreed(choice, |rule| from_lowest(motion, low, length, rule))
+    agreed(choice, 0.0, |rule| from_lowest(motion, low, length, rule))
 }
 
-/// Up to the largest tilt by `length` in η.
-fn head<T: Scalar>(motion: &impl Tilting<T>, high: &Extreme<T>, length: T) -> Option<Piece<T>> {
+/// Up to the largest tilt by `length` in η, of a motion that lasts `whole` (s) or as long.
+fn head<T: Scalar>(
+    motion: &impl Tilting<T>,
+    high: &Extreme<T>,
+    length: T,
+    whole: f64,
+) -> Option<Piece<T>> {
     let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
-    agreed(choice, |rule| {
+    agreed(choice, whole, |rule| {
         to_highest(motion, high.place(), length, rule)
     })
 }
 
 /// From η up by `length` on the move.
 fn passage<T: Scalar>(motion: &impl Tilting<T>, eta: T, length: T) -> Option<Piece<T>> {
-    agreed(Choice::plain(12.0), |rule| {
+    agreed(Choice::plain(12.0), 0.0, |rule| {
         between(motion, eta, length, rule)
     })
 }
@@ -403,12 +419,13 @@ fn is_short<T: Scalar>(piece: T, whole: T) -> bool {
     piece.value() < SHORT.min(1e-3 * whole.value())
 }
 
-/// From the start's tilt to the largest, and how long that and the whole are in η.
+/// From the start's tilt to the largest, and how long that and the whole are in η, and the whole in s.
 fn last_leg<T: Scalar>(
     motion: &impl Tilting<T>,
     start: &Start<T>,
     high: &Extreme<T>,
     [length, whole]: [T; 2],
+    time: f64,
     rising: bool,
 ) -> Option<Piece<T>> {
     if is_short(length, whole) {
@@ -419,7 +436,7 @@ fn last_leg<T: Scalar>(
             speed(motion, start, rising),
         ));
     }
-    head(motion, high, length)
+    head(motion, high, length, time)
 }
 
 /// √G at the start. Its derivative has a sign also where the tilt is at rest.

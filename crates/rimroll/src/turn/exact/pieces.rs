@@ -58,10 +58,11 @@ impl<T: Copy> Piece<T> {
 }
 
 impl Piece<f64> {
-    /// How much another, by another rule, differs, in tolerances.
-    pub(super) fn difference(&self, other: &Piece<f64>) -> f64 {
+    /// How much another, by another rule, differs, in tolerances, of a motion that lasts `whole` (s) or as
+    /// long as the piece itself.
+    pub(super) fn difference(&self, other: &Piece<f64>, whole: f64) -> f64 {
         let yaw = (self.yaw - other.yaw).abs() / (YAW_TOLERANCE * (1.0 + self.yaw.abs()));
-        let time = (self.time - other.time).abs() / (TIME_TOLERANCE * self.time.abs());
+        let time = (self.time - other.time).abs() / (TIME_TOLERANCE * self.time.abs().max(whole));
         if yaw > time { yaw } else { time }
     }
 
