@@ -105,7 +105,8 @@ def test_a_map_without_stepping_is_the_ensemble_of_its_starts(name, law):
             told = ~np.isnan(values)
             steps = stepped[variable].values[told]
             # Near the balance point errors of steps grow e-fold several times.
-            assert values[told] == pytest.approx(steps, rel=1e-8, abs=1e-6)
+            within = 2e-7 if name == "falling_back" else 1e-7
+            assert values[told] == pytest.approx(steps, rel=1e-8, abs=within)
             if variable in ("turn", "direction", "min_tilt", "near_time"):
                 assert np.array_equal(told, ~np.isnan(stepped[variable].values))
 
