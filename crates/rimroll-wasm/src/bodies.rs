@@ -1,0 +1,48 @@
+//! Bodies: ready-made, and put together by the visitor.
+
+use crate::asked::Asked;
+use crate::exchange::{answer, unless_refused};
+use rimroll::{Body, InvalidInput, presets};
+
+/// The numbers of the preset at a place in the page's list; its argument is the filling or the radius
+/// of those that have one.
+#[unsafe(no_mangle)]
+pub extern "C" fn preset(place: usize) -> bool {
+    let argument = Asked::new().number();
+    tell(match place {
+        0 => presets::can_2007(),
+        1 => presets::soda_can(argument),
+        2 => presets::beer_bottle(argument),
+        3 => presets::coin(),
+        4 => presets::ring(argument),
+        5 => presets::battery(),
+        _ => presets::euler_disk(),
+    })
+}
+
+/// The numbers of a body on a rim, put together from coaxial solids: the rim's radius, then the solids.
+#[unsafe(no_mangle)]
+pub extern "C" fn composed() -> bool {
+    let mut asked = Asked::new();
+    let radius = asked.number();
+    let mut solids = Vec::new();
+    while asked.more() {
+        solids.push(asked.solid());
+    }
+    let solids: Result<Vec<_>, _> = solids.into_iter().collect();
+    tell(solids.and_then(|solids| Body::from_solids(radius, &solids)))
+}
+
+fn tell(body: Result<Body, InvalidInput>) -> bool {
+    let Some(body) = unless_refused(body) else {
+        return false;
+    };
+    answer([
+        body.mass(),
+        body.radius(),
+        body.height(),
+        body.transverse_inertia(),
+        body.axial_inertia(),
+    ]);
+    true
+}

@@ -1,0 +1,138 @@
+// Time at which a motion is shown. A near-collision is over in microseconds, so time can stretch by
+// itself while the contact point races: the visitor's seconds follow a schedule, in which no moment
+// turns by more than so much in a second.
+
+import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
+import type { Motion } from "./core/motion";
+
+/** With the stretching on, the contact point runs no faster than this, rad per second of the visitor. */
+export const UNHURRIED = 2.5;
+
+export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.01, 0.001, 0.0001] as const;
+
+/** How the visitor's time goes through a motion's: both rise along the knots. */
+class Schedule {
+  constructor(
+    /** s of the motion */
+    private readonly times: Float64Array,
+    /** s of the visitor at speed 1 */
+    private readonly shown: Float64Array,
+  ) {}
+
+  static of(motion: Motion, stretched: boolean): Schedule {
+    const samples = motion.samples(4);
+    const [t, yaw] = [samples.column("t"), samples.column("yaw")];
+    const shown = new Float64Array(t.length);
+    for (let k = 1; k < t.length; k++) {
+      const [dt, turned] = [at(t, k) - at(t, k - 1), Math.abs(at(yaw, k) - at(yaw, k - 1))];
+      shown[k] = at(shown, k - 1) + (stretched ? Math.max(dt, turned / UNHURRIED) : dt);
+    }
+    return new Schedule(t, shown);
+  }
+
+  get length(): number {
+    return this.shown[this.shown.length - 1] ?? 0;
+  }
+
+  timeAt(shown: number): number {
+    return interpolated(this.shown, this.times, shown);
+  }
+
+  shownAt(time: number): number {
+    return interpolated(this.times, this.shown, time);
+  }
+}
+
+export class Clock {
+  readonly playing: Signal<boolean> = signal(false);
+  /** Seconds of the motion in a second of the visitor's, but for the stretching. */
+  readonly speed: Signal<number> = signal(1);
+  /** Whether time stretches by itself while the contact point races. */
+  readonly stretched: Signal<boolean> = signal(true);
+  /** s of the motion */
+  readonly time: Signal<number> = signal(0);
+  private readonly schedule: ReadonlySignal<Schedule | undefined>;
+
+  constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
+    this.schedule = computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
+  }
+
+  /** When the motion ends, s. */
+  get end(): number {
+    return this.motion.value?.end ?? 0;
+  }
+
+  /** How much of it has been shown, 0 to 1; set it to scrub. */
+  get progress(): number {
+    const schedule = this.schedule.value;
+    return schedule && schedule.length > 0
+      ? schedule.shownAt(this.time.value) / schedule.length
+      : 0;
+  }
+
+  set progress(part: number) {
+    const schedule = this.schedule.value;
+    if (schedule) this.time.value = schedule.timeAt(part * schedule.length);
+  }
+
+  /** How many times slower than life the motion is shown just now. */
+  get slowness(): number {
+    const schedule = this.schedule.value;
+    if (!schedule) return 1;
+    const shown = schedule.shownAt(this.time.value);
+    const ahead = Math.min(1e-3, Math.max(schedule.length - shown, 1e-9));
+    const passes = schedule.timeAt(shown + ahead) - schedule.timeAt(shown);
+    return ahead / Math.max(passes, 1e-15) / this.speed.value;
+  }
+
+  play(): void {
+    if (this.time.value >= this.end) this.time.value = 0;
+    this.playing.value = true;
+  }
+
+  pause(): void {
+    this.playing.value = false;
+  }
+
+  toggle(): void {
+    if (this.playing.value) this.pause();
+    else this.play();
+  }
+
+  /** Shows the beginning. */
+  rewind(): void {
+    this.time.value = 0;
+  }
+
+  /** So many seconds of the visitor's go by; negative ones go back. */
+  advance(seconds: number): void {
+    const schedule = this.schedule.value;
+    if (!schedule) return;
+    const shown = schedule.shownAt(this.time.value) + seconds * this.speed.value;
+    this.time.value = schedule.timeAt(Math.min(Math.max(shown, 0), schedule.length));
+    if (shown >= schedule.length) this.pause();
+  }
+
+  /** One picture on or back. */
+  step(pictures: number): void {
+    this.pause();
+    this.advance(pictures / 60);
+  }
+}
+
+/** y where x is between the knots of a rising x. */
+function interpolated(x: Float64Array, y: Float64Array, at_x: number): number {
+  let [low, high] = [0, x.length - 1];
+  if (at_x <= at(x, low)) return at(y, low);
+  if (at_x >= at(x, high)) return at(y, high);
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (at(x, middle) <= at_x) low = middle;
+    else high = middle;
+  }
+  const width = at(x, high) - at(x, low);
+  const part = width > 0 ? (at_x - at(x, low)) / width : 0;
+  return at(y, low) + part * (at(y, high) - at(y, low));
+}
+
+const at = (array: Float64Array, index: number) => array[index] as number;

@@ -1,0 +1,206 @@
+// The mechanics, as the page sees it: SI units and radians, the same numbers to the last bit as in
+// Python.
+
+import { Exchange, type Row } from "./exchange";
+import { Motion } from "./motion";
+
+export { Refused } from "./exchange";
+
+/** An axisymmetric rigid body on the circular rim of its base. */
+export interface Body {
+  /** kg */
+  mass: number;
+  /** of the rim, m */
+  radius: number;
+  /** of the centre of mass over the base, m */
+  height: number;
+  /** about an axis through the centre of mass across the body, kg m² */
+  transverseInertia: number;
+  /** about the body's own axis, kg m² */
+  axialInertia: number;
+}
+
+/** The paper's Euler angles (rad) and their rates (rad/s); the contact point is at azimuth yaw + π. */
+export interface State {
+  tilt: number;
+  tiltRate: number;
+  yaw: number;
+  yawRate: number;
+  spin: number;
+  spinRate: number;
+}
+
+export const LAWS = ["no_slip", "frictionless", "coulomb"] as const;
+export type LawName = (typeof LAWS)[number];
+
+/** What the table is like; what is left out is zero. */
+export interface Surface {
+  law: LawName;
+  /** μ of dry friction */
+  friction?: number;
+  /** of a landing, 0 to 1 */
+  restitution?: number;
+  /** resistance to rolling, N per N of normal force */
+  rollingDry?: number;
+}
+
+export interface Options {
+  /** s */
+  duration: number;
+  /** m/s² */
+  gravity: number;
+  rtol: number;
+  maxSteps: number;
+}
+
+export const PRESETS = [
+  "can_2007",
+  "soda_can",
+  "beer_bottle",
+  "coin",
+  "ring",
+  "battery",
+  "euler_disk",
+] as const;
+export type Preset = (typeof PRESETS)[number];
+
+const SHAPES = ["disc", "wall", "cylinder"] as const;
+
+/** A part of a body put together: SI units; `base` is the height of its lower end. */
+export interface Solid {
+  shape: (typeof SHAPES)[number];
+  mass: number;
+  radius: number;
+  length: number;
+  base: number;
+}
+
+/** What became of a body let go, through its first turn. */
+export interface Fall {
+  /** How it ended: `finished` when it rocked up again. */
+  ending: string;
+  /** Angle of turn, rad; NaN when it did not come down. */
+  turn: number;
+  minTilt: number;
+  /** s */
+  time: number;
+  endTilt: number;
+  endYaw: number;
+}
+
+/** What is known without computing a motion; angles in rad. */
+export interface Theory {
+  noSlip: number;
+  frictionless: number;
+  /** The limit on this surface, for a body that comes down as from this start; NaN if it does not. */
+  here: number;
+  /** μ*: the friction with which the body rolls through its near-collision. */
+  neededFriction: number;
+  painleveFriction: number;
+  balanceTilt: number;
+}
+
+export class Core {
+  private readonly endings: string[];
+
+  private constructor(private readonly exchange: Exchange) {
+    exchange.core.endings();
+    this.endings = exchange.names();
+  }
+
+  static async load(source: Response | BufferSource): Promise<Core> {
+    return new Core(await Exchange.with(source));
+  }
+
+  /** A ready-made body; `argument` is the part filled, or the radius of a ring (m). */
+  preset(name: Preset, argument = NaN): Body {
+    this.exchange.put([argument]);
+    this.exchange.granted(this.exchange.core.preset(PRESETS.indexOf(name)));
+    return this.body();
+  }
+
+  /** A body put together from solids on a rim of a radius (m). */
+  composed(radius: number, solids: readonly Solid[]): Body {
+    const numbers = solids.flatMap((s) => [
+      SHAPES.indexOf(s.shape),
+      s.mass,
+      s.radius,
+      s.length,
+      s.base,
+    ]);
+    this.exchange.put([radius, ...numbers]);
+    this.exchange.granted(this.exchange.core.composed());
+    return this.body();
+  }
+
+  /** Computes a motion. Throws {@link Refused} for what no motion can be computed from. */
+  simulate(body: Body, start: State, surface: Surface, options: Options): Motion {
+    this.exchange.put([
+      ...bodyNumbers(body),
+      ...startNumbers(start),
+      ...surfaceNumbers(surface),
+      ...optionNumbers(options),
+    ]);
+    return new Motion(this.exchange, this.exchange.granted(this.exchange.core.simulate()));
+  }
+
+  /** Follows a body through its first turn from each start; `grip` is a factor of the friction. */
+  falls(
+    body: Body,
+    surface: Surface,
+    options: Options,
+    trials: readonly { start: State; grip: number }[],
+  ): Fall[] {
+    this.exchange.put([
+      ...bodyNumbers(body),
+      ...surfaceNumbers(surface),
+      ...optionNumbers(options),
+      ...trials.flatMap(({ start, grip }) => [...startNumbers(start), grip]),
+    ]);
+    this.exchange.granted(this.exchange.core.falls());
+    const numbers = this.exchange.numbers();
+    return trials.map((_, k) => {
+      const [ending, turn, minTilt, time, endTilt, endYaw] = numbers.subarray(
+        6 * k,
+        6 * k + 6,
+      ) as unknown as Row<6>;
+      return { ending: this.endings[ending] ?? "failed", turn, minTilt, time, endTilt, endYaw };
+    });
+  }
+
+  theory(body: Body, start: State, surface: Surface, gravity: number): Theory {
+    this.exchange.put([
+      ...bodyNumbers(body),
+      ...startNumbers(start),
+      ...surfaceNumbers(surface),
+      gravity,
+    ]);
+    this.exchange.granted(this.exchange.core.theory());
+    const [noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt] =
+      this.exchange.numbers() as unknown as Row<6>;
+    return { noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt };
+  }
+
+  private body(): Body {
+    const [mass, radius, height, transverseInertia, axialInertia] =
+      this.exchange.numbers() as unknown as Row<5>;
+    return { mass, radius, height, transverseInertia, axialInertia };
+  }
+}
+
+const bodyNumbers = (b: Body) => [b.mass, b.radius, b.height, b.transverseInertia, b.axialInertia];
+
+const startNumbers = (s: State) => [s.tilt, s.tiltRate, s.yaw, s.yawRate, s.spin, s.spinRate];
+
+// In the order of the core's own list; NaN is what is not given.
+const surfaceNumbers = (s: Surface) => [
+  LAWS.indexOf(s.law),
+  s.friction ?? NaN,
+  NaN,
+  s.restitution ?? NaN,
+  s.rollingDry ?? NaN,
+  NaN,
+  NaN,
+];
+
+const optionNumbers = (o: Options) => [o.duration, o.gravity, o.rtol, o.maxSteps];

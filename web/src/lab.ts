@@ -1,0 +1,112 @@
+// What the page is about: the set-up, the motion that follows from it, and the time at which it is
+// shown. Everything on the page reads these signals; whoever changes the set-up changes all of it.
+
+import { type ReadonlySignal, type Signal, computed, effect, signal } from "@preact/signals-core";
+import { Clock } from "./clock";
+import { type Core, Refused, type Theory } from "./core/core";
+import type { Moment, Motion, Turn } from "./core/motion";
+import { flicked } from "./flicks/flicked";
+import { type Posed, posed } from "./setup/posed";
+import { INITIAL, type Refusal, type Setup } from "./setup/setup";
+
+/** What came of a set-up: a motion, or the reason why there is none. */
+export type Outcome =
+  { posed: Posed; motion: Motion; theory: Theory; milliseconds: number } | { refused: string };
+
+/** How a hand holds the body: its lean in rad. */
+export interface Held {
+  tilt: number;
+  yaw: number;
+}
+
+/** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
+export interface Turning {
+  angle: number;
+  start: number;
+  /** Yaw then. */
+  from: number;
+  /** The whole of it; none if the motion ends on the way. */
+  whole: Turn | undefined;
+}
+
+/** What became of one flick of many. */
+export interface Flicked {
+  /** `toppled`, `rocked` (up again), or how else it ended. */
+  outcome: string;
+  /** Where it fell or leaned at last, rad, anticlockwise from where it leaned at first, 0 to 2π. */
+  direction: number;
+}
+
+export class Lab {
+  readonly setup: Signal<Readonly<Setup>> = signal(INITIAL);
+  /** What was refused last, field by field. */
+  readonly refusals: Signal<readonly Refusal[]> = signal([]);
+  /** The body in a visitor's hand; while it is held nothing moves. */
+  readonly held: Signal<Held | undefined> = signal(undefined);
+  /** How many of the repeated flicks have been made; undefined while there are none. */
+  readonly flicksMade: Signal<number | undefined> = signal(undefined);
+  /** What becomes of all of them, those not made yet included. */
+  readonly flicks: ReadonlySignal<readonly Flicked[]>;
+  readonly outcome: ReadonlySignal<Outcome>;
+  readonly motion: ReadonlySignal<Motion | undefined>;
+  readonly theory: ReadonlySignal<Theory | undefined>;
+  readonly clock: Clock;
+  /** The motion at the time shown. */
+  readonly moment: ReadonlySignal<Moment | undefined>;
+  readonly turning: ReadonlySignal<Turning | undefined>;
+
+  constructor(readonly core: Core) {
+    this.outcome = computed(() => outcomeOf(core, this.setup.value));
+    this.motion = computed(() =>
+      "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
+    );
+    this.theory = computed(() =>
+      "theory" in this.outcome.value ? this.outcome.value.theory : undefined,
+    );
+    this.clock = new Clock(this.motion);
+    this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
+    this.turning = computed(() => this.turningAt(this.clock.time.value));
+    this.flicks = computed(() =>
+      this.flicksMade.value === undefined ? [] : flicked(core, this.setup.value),
+    );
+    let before: Motion | undefined;
+    effect(() => {
+      // Whoever still draws the motion before has done so by the next picture.
+      const gone = before;
+      before = this.motion.value;
+      if (gone && gone !== before) requestAnimationFrame(() => gone.forget());
+    });
+  }
+
+  /** Changes some of the set-up and shows the motion that follows from the beginning. */
+  change(part: Partial<Setup>): void {
+    this.clock.pause();
+    this.clock.rewind();
+    this.setup.value = { ...this.setup.value, ...part };
+  }
+
+  private turningAt(time: number): Turning | undefined {
+    const motion = this.motion.value;
+    const moment = this.moment.value;
+    if (!motion || !moment) return undefined;
+    const whole = motion.turns.find((turn) => time <= turn.end);
+    const before = motion.turns.findLast((turn) => turn.end <= time);
+    const start = whole?.start ?? before?.end ?? 0;
+    const from = motion.at([start]).moment(0).yaw;
+    return { angle: moment.yaw - from, start, from, whole };
+  }
+}
+
+function outcomeOf(core: Core, setup: Readonly<Setup>): Outcome {
+  try {
+    const { body, start, surface, options } = posed(core, setup);
+    const begun = performance.now();
+    const motion = core.simulate(body, start, surface, options);
+    const milliseconds = performance.now() - begun;
+    const theory = core.theory(body, start, surface, options.gravity);
+    return { posed: { body, start, surface, options }, motion, theory, milliseconds };
+  } catch (error) {
+    if (error instanceof Refused) return { refused: error.message };
+    throw error;
+  }
+}

@@ -1,0 +1,29 @@
+// Puts the page together: the core is loaded, the lab made, and each section mounted on it.
+
+import coreAddress from "./core/rimroll.wasm?url";
+import { mountControls } from "./controls/controls";
+import { Core } from "./core/core";
+import { mountFlicks } from "./flicks/flicks";
+import { Lab } from "./lab";
+import { mountPlots } from "./plots/plots";
+import { mountScene } from "./scene/scene";
+import { keepInAddress } from "./setup/address";
+import { mountShare } from "./share/share";
+import { mountStory } from "./story/story";
+import "./style/page.css";
+import { mountTransport } from "./transport/transport";
+import { mountVerdict } from "./verdict/verdict";
+
+const section = (id: string) => document.getElementById(id) as HTMLElement;
+
+const core = await Core.load(await fetch(coreAddress));
+const lab = new Lab(core);
+keepInAddress(lab);
+mountScene(lab, section("scene"));
+mountTransport(lab, section("transport"));
+mountVerdict(lab, section("verdict"));
+mountStory(lab, section("story"));
+mountControls(lab, section("controls"));
+mountFlicks(lab, section("flicks"));
+mountPlots(lab, section("plots"));
+mountShare(lab, section("share"));

@@ -1,0 +1,13 @@
+// The motion as a table for a spreadsheet: one row a moment, SI units and radians.
+
+import type { Motion } from "../core/motion";
+
+/** At the steps of the solver, the numbers with all their digits. */
+export function toCsv(motion: Motion): string {
+  const moments = motion.samples(1);
+  const columns = moments.names.map((name) => moments.column(name));
+  const rows = Array.from({ length: moments.length }, (_, k) =>
+    columns.map((column) => column[k]).join(","),
+  );
+  return [moments.names.join(","), ...rows, ""].join("\n");
+}

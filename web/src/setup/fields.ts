@@ -1,0 +1,265 @@
+// Every quantity that a visitor can set: its name in the URL, its words, its unit and its bounds.
+// Controls, URL and refusals are all made from this one table.
+
+import { LAWS, PRESETS } from "../core/core";
+
+export interface NumberField {
+  kind: "number";
+  label: string;
+  /** As it is shown and typed; the set-up holds numbers in this unit. */
+  unit: string;
+  initial: number;
+  /** Bounds of what is accepted. */
+  least: number;
+  most: number;
+  /** Whether the bounds themselves are left out. */
+  open?: boolean;
+  /** Where a slider ends, if not at the bounds, and its step. */
+  slider?: [low: number, high: number, step: number];
+  /** What it means, in a sentence. */
+  help: string;
+}
+
+export interface ChoiceField {
+  kind: "choice";
+  label: string;
+  initial: string;
+  choices: Record<string, string>;
+  help: string;
+}
+
+const BODIES: Record<(typeof PRESETS)[number] | "own", string> = {
+  can_2007: "The paper's can",
+  soda_can: "Soda can",
+  beer_bottle: "Beer bottle",
+  coin: "Coin (1 euro)",
+  ring: "Ring",
+  battery: "Battery (AA)",
+  euler_disk: "Euler's disk",
+  own: "Your own",
+};
+
+const LAW_NAMES: Record<(typeof LAWS)[number], string> = {
+  frictionless: "No friction at all",
+  coulomb: "Dry friction",
+  no_slip: "No slip at all",
+};
+
+export const FIELDS = {
+  body: {
+    kind: "choice",
+    label: "Body",
+    initial: "can_2007",
+    choices: BODIES,
+    help: "What stands on the table.",
+  },
+  fill: {
+    kind: "number",
+    label: "Filled",
+    unit: "%",
+    initial: 0,
+    least: 0,
+    most: 100,
+    slider: [0, 100, 1],
+    help: "How full the can or bottle is; the drink moves as if frozen.",
+  },
+  radius: {
+    kind: "number",
+    label: "Radius",
+    unit: "cm",
+    initial: 5,
+    least: 0.01,
+    most: 1000,
+    slider: [0.5, 20, 0.1],
+    help: "Radius of the rim.",
+  },
+  length: {
+    kind: "number",
+    label: "Height",
+    unit: "cm",
+    initial: 12,
+    least: 0,
+    most: 1000,
+    slider: [0, 40, 0.1],
+    help: "From bottom to top; 0 is a flat disk.",
+  },
+  mass: {
+    kind: "number",
+    label: "Mass",
+    unit: "g",
+    initial: 100,
+    least: 0.001,
+    most: 1e6,
+    slider: [1, 2000, 1],
+    help: "In all. No angle of turn depends on it.",
+  },
+  wall: {
+    kind: "number",
+    label: "Mass in the wall",
+    unit: "%",
+    initial: 80,
+    least: 0,
+    most: 100,
+    slider: [0, 100, 1],
+    help: "0 is solid through and through, 100 a thin tube.",
+  },
+  base: {
+    kind: "number",
+    label: "Mass in the base",
+    unit: "%",
+    initial: 10,
+    least: 0,
+    most: 100,
+    slider: [0, 100, 1],
+    help: "Of all of it, in a plate at the bottom.",
+  },
+  tilt: {
+    kind: "number",
+    label: "Tilt",
+    unit: "°",
+    initial: 20,
+    least: 0,
+    most: 180,
+    open: true,
+    slider: [0.5, 89.5, 0.5],
+    help: "How far it leans when it is let go.",
+  },
+  tilt_rate: {
+    kind: "number",
+    label: "Tilt rate",
+    unit: "rad/s",
+    initial: 0,
+    least: -1000,
+    most: 1000,
+    slider: [-10, 10, 0.1],
+    help: "0 is let go at rest; below 0 it is flicked upright.",
+  },
+  sideways: {
+    kind: "number",
+    label: "Sideways error",
+    unit: "rad/s",
+    initial: 0.002,
+    least: -1000,
+    most: 1000,
+    slider: [-0.5, 0.5, 0.001],
+    help: "How fast it also turns about the line along which it leans: no hand hits the middle.",
+  },
+  twist: {
+    kind: "number",
+    label: "Twist",
+    unit: "rad/s",
+    initial: 0,
+    least: -1000,
+    most: 1000,
+    slider: [-10, 10, 0.1],
+    help: "How fast it also turns about the vertical.",
+  },
+  yaw: {
+    kind: "number",
+    label: "Leans toward",
+    unit: "°",
+    initial: 0,
+    least: -360,
+    most: 360,
+    slider: [-180, 180, 1],
+    help: "The direction of the lean on the table; the motion turns with it.",
+  },
+  law: {
+    kind: "choice",
+    label: "Table",
+    initial: "coulomb",
+    choices: LAW_NAMES,
+    help: "The two ends are the paper's ideal limits.",
+  },
+  friction: {
+    kind: "number",
+    label: "Friction",
+    unit: "",
+    initial: 0.5,
+    least: 0,
+    most: 1e6,
+    slider: [0, 1, 0.01],
+    help: "μ: friction over the force that presses.",
+  },
+  rolling: {
+    kind: "number",
+    label: "Rolling resistance",
+    unit: "",
+    initial: 0,
+    least: 0,
+    most: 1,
+    slider: [0, 0.01, 0.0001],
+    help: "What wears the motion down: force to roll, over the force that presses.",
+  },
+  restitution: {
+    kind: "number",
+    label: "Bounce",
+    unit: "",
+    initial: 0,
+    least: 0,
+    most: 1,
+    slider: [0, 1, 0.01],
+    help: "Restitution of a landing after the rim has left the table.",
+  },
+  gravity: {
+    kind: "number",
+    label: "Gravity",
+    unit: "m/s²",
+    initial: 9.80665,
+    least: 0,
+    most: 1e4,
+    open: true,
+    slider: [0.1, 30, 0.1],
+    help: "9.81 on Earth, 1.62 on the Moon.",
+  },
+  duration: {
+    kind: "number",
+    label: "Followed for",
+    unit: "s",
+    initial: 3,
+    least: 0.001,
+    most: 120,
+    slider: [0.5, 20, 0.5],
+    help: "How long the motion is computed.",
+  },
+  flicks: {
+    kind: "number",
+    label: "Flicks",
+    unit: "",
+    initial: 42,
+    least: 1,
+    most: 1000,
+    slider: [1, 200, 1],
+    help: "How often the hand repeats the release. The paper: 42.",
+  },
+  unsteady: {
+    kind: "number",
+    label: "Unsteadiness of the hand",
+    unit: "%",
+    initial: 100,
+    least: 0,
+    most: 1000,
+    slider: [0, 300, 5],
+    help: "100 misses the middle by some three degrees.",
+  },
+  seed: {
+    kind: "number",
+    label: "Seed",
+    unit: "",
+    initial: 1,
+    least: 0,
+    most: 4294967295,
+    slider: [1, 100, 1],
+    help: "Of chance: the same seed scatters the hand in the same way.",
+  },
+} as const satisfies Record<string, NumberField | ChoiceField>;
+
+export type FieldName = keyof typeof FIELDS;
+export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
+
+/** Which fields matter for a body. */
+export const BODY_FIELDS: Record<string, readonly FieldName[]> = {
+  soda_can: ["fill"],
+  beer_bottle: ["fill"],
+  own: ["radius", "length", "mass", "wall", "base"],
+};

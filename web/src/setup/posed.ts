@@ -1,0 +1,74 @@
+// From the visitor's units to the core's: what is to be computed.
+
+import type { Body, Core, Options, Solid, State, Surface } from "../core/core";
+import type { Setup } from "./setup";
+
+export const RING_RADIUS = 0.05;
+
+const RADIANS = Math.PI / 180;
+
+/** Everything that a motion is computed from, SI units and radians. */
+export interface Posed {
+  body: Body;
+  start: State;
+  surface: Surface;
+  options: Options;
+}
+
+/** Throws `Refused` for a body that cannot be. */
+export function posed(core: Core, setup: Readonly<Setup>): Posed {
+  return {
+    body: bodyOf(core, setup),
+    start: startOf(setup),
+    surface: surfaceOf(setup),
+    options: { duration: setup.duration, gravity: setup.gravity, rtol: 1e-10, maxSteps: 100_000 },
+  };
+}
+
+export function bodyOf(core: Core, setup: Readonly<Setup>): Body {
+  switch (setup.body) {
+    case "own":
+      return core.composed(setup.radius / 100, solidsOf(setup));
+    case "ring":
+      return core.preset("ring", RING_RADIUS);
+    default:
+      return core.preset(setup.body, setup.fill / 100);
+  }
+}
+
+/** Your own body: a plate at the bottom, a wall, and a filling up to the top. */
+export function solidsOf(setup: Readonly<Setup>): Solid[] {
+  const [radius, length, mass] = [setup.radius / 100, setup.length / 100, setup.mass / 1000];
+  const inBase = setup.base / 100;
+  const inWall = (setup.wall / 100) * (1 - inBase);
+  const parts: [Solid["shape"], number][] = [
+    ["disc", inBase],
+    ["wall", inWall],
+    ["cylinder", 1 - inBase - inWall],
+  ];
+  return parts
+    .filter(([, part]) => part > 0)
+    .map(([shape, part]) => ({ shape, mass: part * mass, radius, length, base: 0 }));
+}
+
+/** A hand's release: besides tilting, the body turns about the line along which it leans and about
+ * the vertical; see rimroll.Release. */
+export function startOf(setup: Readonly<Setup>): State {
+  const tilt = setup.tilt * RADIANS;
+  const [sin, cos] = [Math.sin(tilt), Math.cos(tilt)];
+  return {
+    tilt,
+    tiltRate: setup.tilt_rate,
+    yaw: setup.yaw * RADIANS,
+    yawRate: setup.twist + (setup.sideways * cos) / sin,
+    spin: 0,
+    spinRate: -setup.sideways / sin,
+  };
+}
+
+export function surfaceOf(setup: Readonly<Setup>): Surface {
+  const resisted = setup.rolling > 0 ? { rollingDry: setup.rolling } : {};
+  if (setup.law !== "coulomb") return { law: setup.law, ...resisted };
+  const { friction, restitution } = setup;
+  return { law: "coulomb", friction, restitution, ...resisted };
+}

@@ -1,0 +1,54 @@
+// A set-up: what is tipped, how, on what table. Numbers in the units of their fields.
+
+import type { LawName, Preset } from "../core/core";
+import { FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
+
+type Values = {
+  [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "number" ? number : string;
+};
+
+export interface Setup extends Values {
+  body: Preset | "own";
+  law: LawName;
+}
+
+export const INITIAL = Object.freeze(
+  Object.fromEntries(FIELD_NAMES.map((name) => [name, FIELDS[name].initial])),
+) as Readonly<Setup>;
+
+/** Why a value is refused, for whoever typed it. */
+export interface Refusal {
+  field: FieldName;
+  message: string;
+}
+
+/** The value that a text stands for, or why it stands for none. */
+export function read(name: FieldName, text: string): { value: string | number } | Refusal {
+  const field: (typeof FIELDS)[FieldName] = FIELDS[name];
+  if (field.kind === "choice") {
+    if (Object.hasOwn(field.choices, text)) return { value: text };
+    const choices = Object.keys(field.choices).join(", ");
+    return { field: name, message: `${field.label} is one of ${choices}, not “${text}”.` };
+  }
+  // A comma may be somebody's decimal point; a minus sign may be a real one.
+  const value = Number(text.trim().replace(",", ".").replace("−", "-") || NaN);
+  const message = outOfBounds(field, value, text);
+  return message === undefined ? { value } : { field: name, message };
+}
+
+function outOfBounds(field: NumberField, value: number, text: string): string | undefined {
+  const { label, least, most, open } = field;
+  if (Number.isNaN(value)) return `${label} is a number, not “${text}”.`;
+  const inside = open ? value > least && value < most : value >= least && value <= most;
+  if (inside) return undefined;
+  const unit =
+    field.unit === ""
+      ? ""
+      : field.unit === "°" || field.unit === "%"
+        ? field.unit
+        : ` ${field.unit}`;
+  const bounds = open
+    ? `inside ${least} to ${most}${unit}, ends left out`
+    : `from ${least} to ${most}${unit}`;
+  return `${label} is ${bounds}; ${text.trim()} is outside.`;
+}
