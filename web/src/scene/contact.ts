@@ -7,6 +7,11 @@ import { PIXEL } from "./ribbon";
 export class Contact {
   readonly group = new Group();
   private readonly core = new MeshBasicMaterial({ toneMapped: false, transparent: true });
+  private readonly halo = new MeshBasicMaterial({
+    toneMapped: false,
+    transparent: true,
+    color: "#ffffff",
+  });
   private readonly ghost = new MeshBasicMaterial({
     toneMapped: false,
     transparent: true,
@@ -16,25 +21,20 @@ export class Contact {
   });
 
   constructor() {
-    const halo = new MeshBasicMaterial({ toneMapped: false, transparent: true, color: "#ffffff" });
     const disc = (size: number, material: MeshBasicMaterial, order: number) => {
       const mesh = new Mesh(new CircleGeometry(size, 32), material);
       mesh.renderOrder = order;
       this.group.add(mesh);
     };
     // Pixels.
-    disc(7.5, halo, 4);
+    disc(7.5, this.halo, 4);
     disc(5.5, this.core, 5);
     disc(4.5, this.ghost, 6);
-    for (const material of [halo, this.core]) {
-      material.polygonOffset = true;
-      material.polygonOffsetFactor = -4;
-      material.polygonOffsetUnits = -40;
-    }
   }
 
-  /** At a spot of the table, facing an eye at a distance. */
-  show(x: number, y: number, color: string, distance: number): void {
+  /** At a spot of the table, facing an eye at a distance; `near` if no body is before it. */
+  show(x: number, y: number, color: string, distance: number, near: boolean): void {
+    this.core.depthTest = this.halo.depthTest = !near;
     this.group.position.set(x, y, 0.004);
     this.group.scale.setScalar(PIXEL.value * distance);
     this.core.color.set(color);

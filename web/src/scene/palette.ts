@@ -26,7 +26,7 @@ export function readPalette(): Palette {
     ink: color("--ink", "#1a2127", "#e7ecef"),
     muted: color("--muted", "#535e67", "#a4b0b9"),
     raised: color("--raised", "#ffffff", "#1a2127"),
-    table: dark ? "#33404a" : "#e9dfcd",
+    table: dark ? "#33404a" : "#d8c4a2",
     rolling: color("--law-no_slip", "#0072b2", "#56b4e9"),
     sliding: color("--law-frictionless", "#d55e00", "#f0883e"),
     flying: color("--muted", "#535e67", "#a4b0b9"),

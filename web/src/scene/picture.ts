@@ -41,7 +41,7 @@ const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 export class Picture {
   readonly view: View;
   private readonly stage: Stage;
-  private readonly table = new Table();
+  private readonly table: Table;
   private readonly protractor = new Protractor();
   private readonly ruler = new Ruler();
   private readonly trail = new Trail();
@@ -80,6 +80,7 @@ export class Picture {
     private readonly frame: Frame,
   ) {
     this.stage = new Stage(frame.canvas);
+    this.table = new Table(this.stage.scene.environment);
     this.view = new View(this.stage.camera);
     this.words = new Words(frame.words);
     this.said = {
@@ -253,7 +254,12 @@ export class Picture {
     this.spot.set(contact.x / reach, contact.y / reach, 0);
     const distance = stage.camera.position.distanceTo(this.spot);
     this.contact.group.quaternion.copy(stage.camera.quaternion);
-    this.contact.show(this.spot.x, this.spot.y, color, distance);
+    const { x, y } = stage.camera.position;
+    // It is on the near side if the body leans toward the eye.
+    const near =
+      (contact.x - pose.x) * (x - this.spot.x) + (contact.y - pose.y) * (y - this.spot.y);
+    const above = stage.camera.position.z > 3 * Math.hypot(x, y);
+    this.contact.show(this.spot.x, this.spot.y, color, distance, near > 0 && !above);
   }
 
   private placeHull(): void {

@@ -4,6 +4,7 @@ import { BoxGeometry, Group, Mesh, MeshStandardMaterial } from "three";
 import { FlatDrawing } from "./flat";
 import { roundLength, unitOf } from "./lengths";
 import type { Palette } from "./palette";
+import { USUAL } from "./view";
 
 /** Of the ruler, in radii of the circle of degrees. */
 const [LENGTH, WIDTH, THICK] = [2.3, 0.2, 0.016];
@@ -21,7 +22,9 @@ export class Ruler {
     this.drawing.mesh.position.z = THICK + 0.001;
     this.drawing.mesh.renderOrder = -5;
     this.group.add(block, this.drawing.mesh);
-    this.group.position.set(0, -1.46, 0);
+    // In front of the viewer, who sees it level.
+    this.group.position.set(1.3 * Math.cos(USUAL.azimuth), 1.3 * Math.sin(USUAL.azimuth), 0);
+    this.group.rotation.z = USUAL.azimuth + Math.PI / 2;
   }
 
   /** `reach`: radius of the circle of degrees, m. */

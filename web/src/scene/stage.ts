@@ -50,7 +50,7 @@ export class Stage {
   paint({ dark }: Palette): void {
     this.sky.color.set(dark ? "#c9dcec" : "#ffffff");
     this.sky.groundColor.set(dark ? "#2a3036" : "#b9ab93");
-    this.sky.intensity = dark ? 0.5 : 0.75;
+    this.sky.intensity = dark ? 0.5 : 0.6;
     this.lamp.color.set(dark ? "#ffe9cf" : "#fff6e8");
     this.lamp.intensity = dark ? 2.3 : 2.5;
     this.scene.environmentIntensity = dark ? 0.5 : 0.62;
@@ -71,8 +71,8 @@ export class Stage {
     const { lamp } = this;
     this.follow(0, 0);
     lamp.castShadow = true;
-    lamp.shadow.mapSize.set(2048, 2048);
-    lamp.shadow.radius = 4.5;
+    lamp.shadow.mapSize.set(1024, 1024);
+    lamp.shadow.radius = 6;
     lamp.shadow.bias = -0.0004;
     lamp.shadow.normalBias = 0.006;
     Object.assign(lamp.shadow.camera, { left: -3, right: 3, top: 3, bottom: -3, near: 1, far: 14 });

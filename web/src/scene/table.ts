@@ -1,6 +1,6 @@
 // The table: a round patch that fades into the page, with a grid whose squares are a length.
 
-import { CircleGeometry, Color, Mesh, MeshStandardMaterial } from "three";
+import { CircleGeometry, Color, Mesh, MeshStandardMaterial, type Texture } from "three";
 import type { Palette } from "./palette";
 
 /** As far as there is table, in radii of the circle of degrees. */
@@ -11,7 +11,6 @@ export class Table {
   private readonly material = new MeshStandardMaterial({
     roughness: 0.92,
     transparent: true,
-    envMapIntensity: 0.55,
   });
   private readonly grid = {
     cell: { value: 1 },
@@ -20,7 +19,10 @@ export class Table {
     grain: { value: 0 },
   };
 
-  constructor() {
+  /** The room's light on it is `environment`, but dim: it is under the body. */
+  constructor(environment: Texture | null) {
+    this.material.envMap = environment;
+    this.material.envMapIntensity = 0.3;
     this.mesh = new Mesh(new CircleGeometry(EDGE, 96), this.material);
     this.mesh.receiveShadow = true;
     this.mesh.renderOrder = -10;
@@ -43,7 +45,7 @@ export class Table {
   paint({ table, ink, dark }: Palette): void {
     this.material.color.set(table);
     this.grid.ink.value.set(ink);
-    this.grid.depth.value = dark ? 0.16 : 0.2;
+    this.grid.depth.value = dark ? 0.085 : 0.17;
     this.grid.grain.value = dark ? 0.035 : 0.075;
   }
 }

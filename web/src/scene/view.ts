@@ -4,7 +4,7 @@ import type { PerspectiveCamera } from "three";
 
 /** rad; the eye never goes under the table nor quite over the top. */
 const [LOWEST, HIGHEST] = [0.06, Math.PI / 2 - 0.001];
-const USUAL = { azimuth: -1.13, elevation: 0.5 };
+export const USUAL = { azimuth: -1.13, elevation: 0.5 };
 /** s */
 const GLIDE = 0.45;
 
@@ -34,8 +34,8 @@ export class View {
 
   /** Frames a body of a height, in radii of the circle of degrees. */
   frame(height: number): void {
-    this.height = 0.3 * height;
-    this.radius = Math.max(1.22, 0.66 * height + 0.25);
+    this.height = 0.36 * height;
+    this.radius = Math.max(1.34, 0.72 * height + 0.46);
   }
 
   turn(azimuth: number, elevation: number): void {

@@ -32,7 +32,7 @@ export class Wedge {
   readonly group = new Group();
   private readonly fill: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly edge = new Ribbon(3);
-  private readonly limits = new Ribbon(2.2, 0.95);
+  private readonly limits = new Ribbon(3);
   private readonly paint = new Color();
   private readonly x = new Float64Array(PIECES + 3);
   private readonly y = new Float64Array(PIECES + 3);
