@@ -7,7 +7,7 @@ import { Ribbon } from "./ribbon";
 import { type Limit, limitStrokes } from "./wedge";
 
 /** In radii of the circle of degrees. */
-const [RING, DOT] = [1.07, 0.017];
+const [RING, DOT, HIGHEST] = [1.07, 0.02, 0.4];
 
 export class Dots {
   readonly group = new Group();
@@ -45,14 +45,11 @@ export class Dots {
       (color) => new Color(color),
     ) as [Color, Color, Color];
     const matrix = new Matrix4();
-    // In each small sector the next dot lies on those before.
-    const sector = (2.1 * DOT) / RING;
-    const piled = new Map<number, number>();
+    const under = piles(flicks);
+    // High piles are pressed together.
+    const step = Math.min(2.1 * DOT, HIGHEST / Math.max(...under, 1));
     flicks.forEach(({ direction, outcome }, k) => {
-      const place = Math.floor(direction / sector);
-      const under = piled.get(place) ?? 0;
-      piled.set(place, under + 1);
-      const far = RING + DOT * (1.2 + 2.1 * under);
+      const far = RING + 1.2 * DOT + step * (under[k] as number);
       const fell = outcome === "toppled" || outcome === "rocked";
       mesh.setColorAt(k, fell ? (direction > Math.PI ? left : right) : other);
       mesh.setMatrixAt(
@@ -78,4 +75,16 @@ export class Dots {
     this.ring.lay(count, around(Math.cos), around(Math.sin), () => grey);
     this.marks.layStrokes(limitStrokes(limits, 0.985 * RING, 1.1 * RING));
   }
+}
+
+/** How many dots lie under each: in each small sector the next lies on those before. */
+function piles(flicks: readonly Flicked[]): number[] {
+  const sector = (2.1 * DOT) / RING;
+  const piled = new Map<number, number>();
+  return flicks.map(({ direction }) => {
+    const place = Math.floor(direction / sector);
+    const under = piled.get(place) ?? 0;
+    piled.set(place, under + 1);
+    return under;
+  });
 }

@@ -175,7 +175,7 @@ export class Picture {
     this.reach = reachOf(this.size);
     this.rim = { radius: this.size.rim, height: bodyOf(this.lab.core, setup).height };
     this.view.frame(this.size.length / this.reach);
-    const cell = tenth(this.reach / 1.2);
+    const cell = tenth(this.reach / 2.5);
     this.table.measure(cell / this.reach);
     this.frame.scale.textContent = `1 square = ${spoken(cell)}`;
     this.followed = undefined;
@@ -192,7 +192,7 @@ export class Picture {
     const { shift } = this.footing;
     this.trail.follow(motion, shift, this.reach / 2500, 1 / this.reach, this.palette);
     this.limits = this.limitsHere();
-    this.wedge.mark(this.limits, 0.82);
+    this.wedge.mark(this.limits, 0.6);
   }
 
   /** The limit on this table, or if there is none both ideal ones. */
@@ -259,7 +259,13 @@ export class Picture {
     const near =
       (contact.x - pose.x) * (x - this.spot.x) + (contact.y - pose.y) * (y - this.spot.y);
     const above = stage.camera.position.z > 3 * Math.hypot(x, y);
-    this.contact.show(this.spot.x, this.spot.y, color, distance, near > 0 && !above);
+    this.contact.show(
+      this.spot.x,
+      this.spot.y,
+      color,
+      distance,
+      near > -0.3 * this.rim.radius * Math.hypot(x, y) && !above,
+    );
   }
 
   private placeHull(): void {
@@ -292,10 +298,10 @@ export class Picture {
     this.protractor.lay(x, y, zero, sense > 0, palette);
     const say = (index: number, text: string, angle: number, far: number) =>
       words.say(index, text, x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle));
-    say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.13);
+    say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.16);
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
-      say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), 1.13);
+      say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), 1.2);
     limit(said.theory, first);
     limit(said.other, second);
   }

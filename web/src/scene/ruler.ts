@@ -60,8 +60,8 @@ function ticks(pen: CanvasRenderingContext2D, pixels: number, length: number): v
   pen.textBaseline = "middle";
   for (let k = 0; k <= count; k++) {
     const value = Number(((k * step) / unit.size).toPrecision(6));
-    const text = k === count ? `${value} ${unit.name}` : String(value);
-    const away = k === count ? -0.012 * pixels : 0;
-    pen.fillText(text, first + k * step * metre + away, 0.22 * height);
+    pen.fillText(String(value), first + k * step * metre, 0.22 * height);
   }
+  pen.font = `400 ${0.26 * height}px system-ui, sans-serif`;
+  pen.fillText(unit.name, first + 0.45 * step * metre, 0.24 * height);
 }

@@ -50,7 +50,7 @@ export class Stage {
   paint({ dark }: Palette): void {
     this.sky.color.set(dark ? "#c9dcec" : "#ffffff");
     this.sky.groundColor.set(dark ? "#2a3036" : "#b9ab93");
-    this.sky.intensity = dark ? 0.5 : 0.6;
+    this.sky.intensity = dark ? 0.75 : 0.6;
     this.lamp.color.set(dark ? "#ffe9cf" : "#fff6e8");
     this.lamp.intensity = dark ? 2.3 : 2.5;
     this.scene.environmentIntensity = dark ? 0.5 : 0.62;
@@ -96,6 +96,7 @@ export class Stage {
     add("#dfeeff", 6, [0.2, 6, 5], [-9.5, 2, 4]);
     add("#fff1dc", 5, [0.2, 3, 4], [9.5, -3, 4]);
     add("#ffffff", 10, [4, 4, 0.2], [0, 0, 9.8]);
+    add("#eef3f8", 1.7, [11, 0.2, 6], [-4, 9.6, 4]);
     add("#262a2e", 1, [1.4, 0.3, 8], [4, 9, 3]);
     add("#262a2e", 1, [1.4, 0.3, 8], [-5, 9, 3]);
     add("#a59880", 0.8, [20, 20, 0.2], [0, 0, -1.9]);

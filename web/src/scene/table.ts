@@ -85,4 +85,4 @@ vec2 squares = spot / cell;
 float drawn = max(0.45 * lines(squares), lines(squares / 10.0));
 diffuseColor.rgb = mix(diffuseColor.rgb, ink, depth * drawn);
 float away = length(spot);
-diffuseColor.a *= 1.0 - smoothstep(1.7, ${EDGE.toFixed(1)} * 0.62, away);`;
+diffuseColor.a *= 1.0 - smoothstep(1.9, ${EDGE.toFixed(1)}, away);`;

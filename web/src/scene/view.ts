@@ -35,7 +35,7 @@ export class View {
   /** Frames a body of a height, in radii of the circle of degrees. */
   frame(height: number): void {
     this.height = 0.36 * height;
-    this.radius = Math.max(1.34, 0.72 * height + 0.46);
+    this.radius = Math.max(1.34, 0.64 * height + 0.52);
   }
 
   turn(azimuth: number, elevation: number): void {

@@ -91,7 +91,7 @@ export class Wedge {
   /** Draws limits to both sides, from the rim of the body (a radius) outward. */
   mark(limits: readonly Limit[], inner: number): void {
     this.limits.mesh.visible = limits.length > 0;
-    this.limits.layStrokes(limitStrokes(limits, inner, 1));
+    this.limits.layStrokes(limitStrokes(limits, inner, 1.07));
   }
 }
 
