@@ -101,7 +101,7 @@ export class Stage {
     add("#262a2e", 1, [1.4, 0.3, 8], [-5, 9, 3]);
     add("#a59880", 0.8, [20, 20, 0.2], [0, 0, -1.9]);
     const generator = new PMREMGenerator(this.renderer);
-    this.scene.environment = generator.fromScene(room, 0.03).texture;
+    this.scene.environment = generator.fromScene(room, 0.03, 0.1, 100, { size: 128 }).texture;
     generator.dispose();
   }
 }
