@@ -317,14 +317,26 @@ export class Picture {
     const sense = Math.sign(turning.whole?.angle ?? turning.angle) || 1;
     this.wedge.show(x, y, zero, turning.angle);
     this.protractor.lay(x, y, zero, sense > 0, palette);
-    const say = (index: number, text: string, angle: number, far: number) =>
-      words.say(index, text, x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle));
+    const say = (index: number, text: string, angle: number, far: number) => {
+      const [wx, wy] = [x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle)];
+      words.say(index, text, wx, wy);
+      words.dim(index, this.hidden(wx, wy));
+    };
     say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.13);
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
       say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), 1.2);
     limit(said.theory, first);
     limit(said.other, second);
+  }
+
+  /** Whether the body is before a spot of the table. */
+  private hidden(x: number, y: number): boolean {
+    const { position } = this.stage.camera;
+    const { ray } = this.caster;
+    ray.origin.copy(position);
+    ray.direction.set(x, y, 0).sub(position).normalize();
+    return this.caster.intersectObject(this.hull, false).length > 0;
   }
 
   /** Where the base lies when it is flattest in this turn: round there the body turns. */

@@ -35,8 +35,8 @@ export class View {
 
   /** Frames a body of a height, in radii of the circle of degrees. */
   frame(height: number): void {
-    this.height = 0.27 * height;
-    this.radius = Math.max(1.3, 0.62 * height + 0.47);
+    this.height = 0.29 * height;
+    this.radius = Math.max(1.32, 0.62 * height + 0.53);
   }
 
   turn(azimuth: number, elevation: number): void {
