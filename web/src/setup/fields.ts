@@ -140,7 +140,7 @@ export const FIELDS = {
     kind: "number",
     label: "Sideways error",
     unit: "rad/s",
-    initial: 0.002,
+    initial: 0.0005,
     least: -1000,
     most: 1000,
     slider: [-0.5, 0.5, 0.001],
