@@ -1,0 +1,44 @@
+"""Serves a built page on this machine, to this machine alone."""
+
+from __future__ import annotations
+
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import ClassVar
+
+
+class PageServer(ThreadingHTTPServer):
+    """Serves the files of a folder at ``address``; port 0 is any that is free."""
+
+    def __init__(self, folder: Path, port: int = 0) -> None:
+        super().__init__(("127.0.0.1", port), partial(_Handler, directory=str(folder)))
+
+    @property
+    def address(self) -> str:
+        """Where a browser finds the page."""
+        return f"http://127.0.0.1:{self.server_port}/"
+
+
+class _Handler(SimpleHTTPRequestHandler):
+    # All that a page consists of; machines differ in which of these they know by themselves.
+    extensions_map: ClassVar[dict[str, str]] = {
+        ".html": "text/html; charset=utf-8",
+        ".js": "text/javascript",
+        ".css": "text/css",
+        ".wasm": "application/wasm",
+        ".txt": "text/plain; charset=utf-8",
+        "": "application/octet-stream",
+    }
+
+    def end_headers(self) -> None:
+        # Another version of the page may have been at this port before.
+        self.send_header("Cache-Control", "no-cache")
+        super().end_headers()
+
+    def list_directory(self, path: object) -> None:
+        """A folder without a page is not shown."""
+        self.send_error(404)
+
+    def log_message(self, format: str, *arguments: object) -> None:
+        """Nothing: who asked for what is nobody's business."""
