@@ -72,7 +72,7 @@ def test_the_address_is_that_of_the_page(server):
 def test_nothing_beside_the_page_is_served(server, path):
     response, content = get(server, path)
     assert response.status == 404
-    assert b"secret" != content
+    assert content != b"secret"
 
 
 def test_folders_are_not_listed(server):
