@@ -121,7 +121,7 @@ export const FIELDS = {
     unit: "°",
     initial: 20,
     least: 0,
-    most: 180,
+    most: 90,
     open: true,
     slider: [0.5, 89.5, 0.5],
     help: "How far it leans when it is let go.",
