@@ -20,6 +20,7 @@ from rimroll import style
 from rimroll.directions import around, middle_of
 from rimroll.ensemble import FELL, fell, outcomes
 from rimroll.map_line import side_line
+from rimroll.ticks import powers_into_label
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -58,7 +59,8 @@ def map_figure(falls: xr.Dataset) -> Figure:
         extend = ends.get((below > 0.0, above > 0.0), "both")
         scale_of_directions(figure.colorbar(image, ax=ax, pad=0.03, extend=extend), below + above)
         style.settle(figure)
-        style.powers_into_labels(ax.xaxis, ax.yaxis)
+        powers_into_label(ax.xaxis)
+        powers_into_label(ax.yaxis)
         _draw_legend(ax, falls, line)
         return figure
 

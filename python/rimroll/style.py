@@ -18,7 +18,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter, NullLocator, ScalarFormatter
+from matplotlib.ticker import NullFormatter, NullLocator
 
 from rimroll.laws import Law
 
@@ -128,32 +128,6 @@ def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
     ax.set_title(f"({letter}) {title}" if letter else title, loc="left")
     ax.set_xlabel(x)
     ax.set_ylabel(y)
-
-
-def powers_into_labels(*axes: Axis) -> None:
-    """Write powers of ten and offsets into the labels of settled axes, which end in a unit.
-
-    Such as ``yaw rate (10⁻⁹ rad/s)``: beside an axis, where matplotlib writes them, they run into
-    the title or another label. Ticks that differ only in far digits are told from an offset.
-    """
-    for axis in axes:
-        low, high = sorted(axis.get_view_interval())
-        ticks = [tick for tick in axis.get_majorticklocs() if low <= tick <= high]
-        formatter = _short_numbers()
-        formatter.set_axis(axis)
-        axis.set_ticks(ticks, formatter.format_ticks(ticks))
-        name, unit = axis.get_label_text().removesuffix(")").rsplit(" (", 1)
-        if offset := formatter.offset:
-            name += f" {'−' if offset > 0.0 else '+'} {abs(offset):.12g} {unit}"
-        if power := formatter.orderOfMagnitude:
-            unit = f"10{superscript(power)} {unit}"
-        axis.set_label_text(f"{name} ({unit})")
-
-
-def _short_numbers() -> ScalarFormatter:
-    """Writes ticks in few digits, with a power of ten and an offset apart."""
-    with mpl.rc_context({"axes.formatter.offset_threshold": 2, "axes.formatter.limits": (-2, 4)}):
-        return ScalarFormatter()
 
 
 def look(law: Law) -> dict[str, Any]:
