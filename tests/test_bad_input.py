@@ -99,6 +99,23 @@ def test_a_simulation_has_a_span_a_pull_and_a_tolerance(option, value, says):
         rr.simulate(CAN, rr.State(tilt=0.5, yaw_rate=0.1), rr.NoSlip(), **{option: value})
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda progress: rr.topple(CAN, rr.NoSlip(), 3, progress=progress),
+        lambda progress: rr.predict_falls(CAN, progress=progress),
+        lambda progress: rr.fit(CAN, np.full(9, 3.8), progress=progress),
+        lambda progress: rr.simulate(CAN, rr.State(tilt=0.5, yaw_rate=0.1), rr.NoSlip()).animate(
+            "can.gif", progress=progress
+        ),
+    ],
+    ids=["topple", "predict_falls", "fit", "animate"],
+)
+def test_progress_is_something_to_call(call):
+    with pytest.raises(rr.RimrollError, match="progress must be None or something to call, got 3"):
+        call(3)
+
+
 def test_simulate_follows_one_start():
     starts = rr.State(tilt=np.array([0.4, 0.5]))
     with pytest.raises(rr.RimrollError, match=r"one start, got arrays of shape \(2,\)"):

@@ -372,7 +372,9 @@ REFUSED = [
         r"^balance_tilt: the centre of mass would be 19.0\d* cm above the base",
     ),
     (
-        without("swings", "swings_time", swing_period=0.9, pivot_height="14.0 cm", length="0.130 m"),
+        without(
+            "swings", "swings_time", swing_period=0.9, pivot_height="14.0 cm", length="0.130 m"
+        ),
         r"^pivot_height: the pivot would be 14 cm above the base, but must be at most 13 cm",
     ),
     (without(length="13 g"), r'^length must be a length.*"g" does not measure a length'),
