@@ -275,6 +275,8 @@ def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypa
         ("--spin-rates 3..1", "--spin-rates must rise, got '3..1'"),
         ("--spin-rates -1..1m", "does not measure an angular rate"),
         ("--points 1", "--points must be between 2 and 3000, got 1"),
+        ("--duration -1s", "duration must be > 0, got -1 s"),
+        ("--rtol 0.5", "rtol must be between 1e-14 and 1e-3, got 0.5"),
         ("-o map.txt", "cannot write map.txt: its suffix must be one of .csv"),
     ],
 )
