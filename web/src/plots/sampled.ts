@@ -1,0 +1,71 @@
+// The moments that a plot is drawn through: those of the solver's steps, and where they are fewer
+// than a smooth curve needs, even ones between them.
+
+import { type Motion, Moments } from "../core/motion";
+import type { Stretch } from "./view";
+
+/** `all` are the motion's own samples; there are at least `fewest` moments in the answer. */
+export function sampled(
+  motion: Motion,
+  all: Moments,
+  { origin, from, to }: Stretch,
+  fewest: number,
+): Moments {
+  const times = all.column("t");
+  // One beyond either end, for the lines to leave the plot.
+  const first = Math.max(countBelow(times, origin + from) - 1, 0);
+  const last = Math.min(countBelow(times, origin + to) + 1, all.length);
+  if (last - first >= fewest)
+    return picked(
+      all,
+      evenly(last - first, (k) => first + k),
+    );
+  const even = motion.at(evenly(fewest, (k) => origin + from + ((to - from) * k) / (fewest - 1)));
+  return merged(all, first, last, even);
+}
+
+/** How many of rising numbers are below a bound. */
+export function countBelow(rising: ArrayLike<number>, bound: number): number {
+  let [low, high] = [0, rising.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((rising[middle] as number) < bound) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+const evenly = (length: number, of: (index: number) => number) =>
+  Float64Array.from({ length }, (_, k) => of(k));
+
+/** Some of the moments, by their places. */
+function picked(moments: Moments, places: ArrayLike<number>): Moments {
+  const numbers = new Float64Array(places.length * moments.names.length);
+  moments.names.forEach((name, c) => {
+    const column = moments.column(name);
+    for (let k = 0; k < places.length; k++)
+      numbers[c * places.length + k] = column[places[k] as number] as number;
+  });
+  return new Moments(moments.names, numbers);
+}
+
+/** A part of some moments and all of others, in the order of time. */
+function merged(some: Moments, first: number, last: number, others: Moments): Moments {
+  const [t, other] = [some.column("t"), others.column("t")];
+  const length = last - first + others.length;
+  const numbers = new Float64Array(length * some.names.length);
+  // Places in the first are counted up from 0, places in the second down from −1.
+  const places = new Int32Array(length);
+  for (let k = 0, i = first, j = 0; k < length; k++) {
+    const mine = j >= others.length || (i < last && (t[i] as number) <= (other[j] as number));
+    places[k] = mine ? i++ : -1 - j++;
+  }
+  some.names.forEach((name, c) => {
+    const [mine, theirs] = [some.column(name), others.column(name)];
+    for (let k = 0; k < length; k++) {
+      const place = places[k] as number;
+      numbers[c * length + k] = (place < 0 ? theirs[-1 - place] : mine[place]) as number;
+    }
+  });
+  return new Moments(some.names, numbers);
+}

@@ -1,0 +1,34 @@
+// Fewer points than moments: a screen shows no more than the least and the largest value in a pixel.
+
+export type Values = ArrayLike<number | null>;
+
+/** The same curves over x through the extremes of each in `parts` even parts of x. */
+export function thinned(x: Float64Array, curves: readonly Values[], parts: number): Values[] {
+  const [start, end] = [x[0] as number, x[x.length - 1] as number];
+  const kept: number[] = [];
+  for (let k = 0; k < x.length;) {
+    const part = Math.floor((((x[k] as number) - start) / (end - start)) * parts);
+    const bound = start + ((part + 1) * (end - start)) / parts;
+    let next = k + 1;
+    while (next < x.length && (x[next] as number) < bound) next++;
+    kept.push(...extremes(curves, k, next));
+    k = next;
+  }
+  return [x, ...curves].map((values) => kept.map((k) => values[k] as number | null));
+}
+
+/** Where each curve is least and largest from one place up to another, and the first and last. */
+function extremes(curves: readonly Values[], from: number, to: number): number[] {
+  const places = new Set([from, to - 1]);
+  for (const values of curves) {
+    let [least, most] = [from, from];
+    for (let k = from; k < to; k++) {
+      const value = values[k];
+      if (value == null) continue;
+      if (value < (values[least] ?? Infinity)) least = k;
+      if (value > (values[most] ?? -Infinity)) most = k;
+    }
+    places.add(least).add(most);
+  }
+  return [...places].sort((a, b) => a - b);
+}
