@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { type ChoiceField, FIELDS } from "../setup/fields";
-import { element } from "./element";
+import { element } from "../elements";
 import type { Hand } from "./hand";
 
 type ChoiceName = "body" | "law";

@@ -3,7 +3,7 @@
 
 import { effect } from "@preact/signals-core";
 import { FIELDS, type FieldName, type NumberField } from "../setup/fields";
-import { element } from "./element";
+import { element } from "../elements";
 import type { Hand } from "./hand";
 import { scaleOf } from "./scale";
 import { shown, withUnit } from "./shown";
