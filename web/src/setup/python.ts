@@ -1,6 +1,7 @@
 // The set-up as Python code that computes the very same motion, to the last bit.
 
 import type { Body, State, Surface } from "../core/core";
+import { digits } from "./digits";
 import type { Posed } from "./posed";
 
 export function toPython({ body, start, surface, options }: Posed): string {
@@ -20,7 +21,7 @@ for turn in motion.turns:
 
 const call = (name: string, fields: Record<string, number>) =>
   `${name}(${Object.entries(fields)
-    .map(([field, value]) => `${field}=${value}`)
+    .map(([field, value]) => `${field}=${digits(value)}`)
     .join(", ")})`;
 
 const bodyCode = (b: Body) =>
