@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { choiceButtons, choiceList } from "../inputs/choice";
-import { button, element } from "../inputs/element";
+import { button, element } from "../elements";
 import { Hand } from "../inputs/hand";
 import { type NumberName, numberRow } from "../inputs/number";
 import type { Lab } from "../lab";

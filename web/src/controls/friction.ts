@@ -1,7 +1,7 @@
 // The friction of the table, with marks at what tables are made of and at what the body needs.
 
 import { effect } from "@preact/signals-core";
-import { button, element } from "../inputs/element";
+import { button, element } from "../elements";
 import type { Hand } from "../inputs/hand";
 import { numberRow } from "../inputs/number";
 import { scaleOf } from "../inputs/scale";

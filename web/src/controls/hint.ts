@@ -1,7 +1,7 @@
 // What the quantity means that is pointed at or has the focus, in a place of its own: a line under
 // each would not leave room for the table. Screen readers have it as the quantity's description.
 
-import { element } from "../inputs/element";
+import { element } from "../elements";
 
 export function hintFor(place: HTMLElement): HTMLElement {
   const hint = element("p", { class: "hint", "aria-hidden": "true" });

@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { type ChoiceField, FIELDS } from "../setup/fields";
-import { element } from "./element";
+import { element } from "../elements";
 import type { Hand } from "./hand";
 
 type ChoiceName = "body" | "law";
@@ -21,7 +21,7 @@ export function choiceList(hand: Hand, name: ChoiceName): HTMLElement {
   effect(() => {
     list.value = hand.lab.setup.value[name];
   });
-  const row = element("div", { class: "row choice", "data-help": field.help });
+  const row = element("div", { class: "quantity choice", "data-help": field.help });
   row.append(label, list, ...words(hand, name, field));
   return row;
 }

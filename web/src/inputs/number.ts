@@ -3,7 +3,7 @@
 
 import { effect } from "@preact/signals-core";
 import { FIELDS, type FieldName, type NumberField } from "../setup/fields";
-import { element } from "./element";
+import { element } from "../elements";
 import type { Hand } from "./hand";
 import { scaleOf } from "./scale";
 import { shown, withUnit } from "./shown";
@@ -40,6 +40,7 @@ export function numberRow(
     ...named,
     ...described,
   });
+  slider.classList.toggle("both-ways", scale.low < 0);
   const typed = element("input", {
     type: "text",
     id: id("field"),
@@ -52,7 +53,7 @@ export function numberRow(
   const unit = element("span", { id: id("unit"), class: "unit" }, field.unit);
   const help = element("p", { id: id("help"), class: "help" }, field.help);
   const refusal = element("p", { id: id("refusal"), class: "refusal", role: "alert" });
-  const row = element("div", { class: "row", "data-help": field.help });
+  const row = element("div", { class: "quantity", "data-help": field.help });
   row.append(label, slider, typed, unit, help, refusal);
 
   slider.addEventListener("input", () => hand.set(name, scale.value(Number(slider.value))));

@@ -18,7 +18,8 @@ export function shownWide(value: number, digits: number): string {
   const size = Math.abs(value);
   if (!Number.isFinite(value) || value === 0 || (size >= 1e-5 && size < 1e6)) {
     const text = shown(value, digits);
-    return text.includes("e") ? value.toFixed(6) : text;
+    if (text.includes("e")) return value.toFixed(6);
+    return size >= 1e4 ? text.replace(/(\d)(?=(\d{3})+$)/g, "$1\u202f") : text;
   }
   const [mantissa = "", exponent = ""] = value.toExponential(digits - 1).split("e");
   const raised = [...exponent.replace("+", "")]

@@ -1,7 +1,7 @@
 // What a visitor takes away: a link, Python code for the very same motion, and its numbers.
 
 import { effect } from "@preact/signals-core";
-import { button, element } from "../inputs/element";
+import { button, element } from "../elements";
 import type { Lab, Outcome } from "../lab";
 import { toCsv } from "../setup/csv";
 import { toPython } from "../setup/python";

@@ -3,7 +3,7 @@
 import type { Motion } from "../core/motion";
 
 export interface Passage {
-  /** Angle of turn, rad; as far as it came, if the motion ends on the way. */
+  /** Angle of turn, rad; as far as it came, if the motion ends on the way up. */
   angle: number;
   /** Whether it came up to a largest tilt again. */
   whole: boolean;
@@ -26,17 +26,12 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
       .map(({ moment }) => ({ t: moment.t, minTilt: moment.tilt, yawRate: moment.yaw_rate }))[0];
   if (!lowest) return undefined;
   const end = turn?.end ?? motion.end;
-  const samples = motion.samples(4);
-  const [times, yaws] = [samples.column("t"), samples.column("yaw")];
-  const from = motion.at([start]).moment(0).yaw;
-  const angle = turn?.angle ?? motion.at([end]).moment(0).yaw - from;
-  const crossing = (part: number) => {
-    const k = times.findIndex((t, k) => t >= start && ((yaws[k] ?? 0) - from) / angle >= part);
-    const [t0, t1] = [times[k - 1] ?? start, times[k] ?? end];
-    const [y0, y1] = [yaws[k - 1] ?? from, yaws[k] ?? from + angle];
-    return y1 === y0 ? t1 : t0 + ((from + part * angle - y0) / (y1 - y0)) * (t1 - t0);
-  };
-  const [begun, done] = [crossing(0.1), crossing(0.9)];
+  const yawAt = (time: number) => motion.at([time]).moment(0).yaw;
+  const from = yawAt(start);
+  const angle = turn?.angle ?? yawAt(end) - from;
+  const crosses = (part: number) => (time: number) => (yawAt(time) - from) / angle >= part;
+  const begun = firstTime(crosses(0.1), start, lowest.t);
+  const done = firstTime(crosses(0.9), lowest.t, end);
   const slides = (p: { kind: string; start: number; end: number }) =>
     p.kind === "sliding" && p.start < done && p.end > begun;
   return {
@@ -47,4 +42,14 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
     swiftness: done - begun,
     slipped: motion.phases.some(slides),
   };
+}
+
+/** When it comes true, by halving. */
+function firstTime(isTrue: (time: number) => boolean, low: number, high: number): number {
+  for (let k = 0; k < 60; k++) {
+    const middle = (low + high) / 2;
+    if (isTrue(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
 }

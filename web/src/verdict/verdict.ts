@@ -1,7 +1,7 @@
 // What happens, in big numbers and in words: the angle of turn beside the theory's.
 
 import { computed, effect } from "@preact/signals-core";
-import { element } from "../inputs/element";
+import { element } from "../elements";
 import { degrees, shownWide } from "../inputs/shown";
 import type { Lab } from "../lab";
 import { passageFrom } from "./passage";

@@ -10,11 +10,8 @@ import type { Passage } from "./passage";
 /** What the contact point did. */
 export function story(passage: Passage | undefined, setup: Readonly<Setup>): string {
   if (!passage) return "";
-  const { angle, whole, swiftness, slipped } = passage;
-  const size = Math.abs(angle);
-  const round = whole
-    ? `The contact point ran round the rim by ${degrees(size, 1)}`
-    : `It came down and rose, its contact point round by ${degrees(size, 1)} in the end`;
+  const { angle, swiftness, slipped } = passage;
+  const round = `The contact point ran round the rim by ${degrees(Math.abs(angle), 1)}`;
   const swift = `, most of that in ${shownTime(swiftness)}`;
   const law =
     setup.law !== "coulomb"
@@ -39,15 +36,18 @@ function beside(angle: number): string {
 /** How far round in all; or why there is no telling. */
 export function inAll(passage: Passage | undefined, motion: Motion | undefined): string {
   if (passage)
-    return `${degrees(Math.abs(passage.angle), 2)} ${passage.whole ? "in all" : "at the end"}`;
+    return `${degrees(Math.abs(passage.angle), 2)} ${passage.whole ? "in all" : ended(motion)}`;
   if (motion?.status === "face_down") return "it comes down flat";
   return motion?.turns.length ? "the next is not complete" : "it does not come down";
 }
 
+const ended = (motion: Motion | undefined) =>
+  motion?.status === "toppled" ? "where it fell" : "at the end";
+
 /** How what was computed compares with the theory; or why it does not. */
 export function comparison(passage: Passage | undefined, theory: Theory | undefined): string {
   if (!theory || Number.isNaN(theory.here)) return "it does not come down";
-  if (!passage?.whole) return "the limit on this table";
+  if (!passage) return "the limit on this table";
   const off = Math.abs(passage.angle) - theory.here;
   const difference = `${degrees(Math.abs(off), 2)} ${off >= 0 ? "less" : "more"}`;
   // The theory is the limit of coming down flat.
@@ -66,9 +66,9 @@ export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
     case "toppled":
       return came(motion)
         ? `It fell over after ${after}.`
-        : `It leaned too far and fell over after ${after}, back to where it leaned.`;
+        : `It fell over after ${after}, the way it leaned at first.`;
     case "lifted_off":
-      return `After ${after} the rim would jump off the table. The ideal laws know no jumping, so this is where the motion ends; with dry friction it can be followed.`;
+      return `${motion.end === 0 ? "At once" : `After ${after}`} the rim would jump off the table. The ideal laws know no jumping, so this is where the motion ends; with dry friction it can be followed.`;
     case "face_down":
       return faceDown(after, setup);
     case "at_rest":
