@@ -155,7 +155,7 @@ test("forty-two flicks are told in words and drawn as a histogram", async () => 
       undefined,
       { timeout: 30_000 },
     );
-    expect(await page.locator("#flicks svg").getAttribute("aria-labelledby")).toBe("flicks-said");
+    expect(await page.locator("#flicks svg").getAttribute("aria-describedby")).toBe("flicks-said");
     await page.getByRole("button", { name: "Clear" }).click();
     expect(await page.locator("#flicks-said").innerText()).toBe("");
   });
