@@ -43,7 +43,7 @@ export function frictionRow(hand: Hand): HTMLElement {
     mark.textContent = `μ* ${shown(friction, 3)}`;
     mark.setAttribute(
       "aria-label",
-      `Friction with which this body just rolls through, ${shown(friction, 3)}`,
+      `μ* ${shown(friction, 3)}, with which this body just rolls through`,
     );
     mark.dataset["help"] =
       `With μ* = ${shown(friction, 3)} or more this body rolls through its near-collision; with less it slips.`;

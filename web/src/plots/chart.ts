@@ -5,16 +5,14 @@ import type { Moment, Moments } from "../core/motion";
 import { element } from "../elements";
 import { significant } from "../time/words";
 import type { Figure, Line, Subject } from "./figures";
-import { drawEvents, drawPhases } from "./marks";
+import { type Mark, drawEvents, drawStrip, shadePhases } from "./marks";
 import type { Palette } from "./palette";
-import { powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } from "./ticks";
+import { powerText, powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } from "./ticks";
 import { type Values, thinned } from "./thinned";
 import type { Stretch } from "./view";
 
-/** More points than this are thinned before they are drawn. */
-const MANY = 5000;
-/** So many parts of the width has a curve that is thinned. */
-const PARTS = 1200;
+/** More points than this on a CSS px of the width are thinned before they are drawn. */
+const MANY = 4;
 
 export class Chart {
   readonly root: HTMLElement;
@@ -25,7 +23,7 @@ export class Chart {
   private readonly line = element("div", { class: "now-line" });
   private readonly title = element("strong");
   private readonly outputs: { line: Line; output: HTMLElement; entry: HTMLElement }[] = [];
-  private shown: Stretch = { origin: 0, from: 0, to: 1 };
+  private shown: Stretch = { since: "start", origin: 0, from: 0, to: 1 };
   private subject: Subject | undefined;
   /** What one of the unit shown is in the figure's unit: 1e-3 for milli. */
   private unit = { name: "", size: 1 };
@@ -62,10 +60,10 @@ export class Chart {
     this.unit = this.unitOf(curves);
     const { name } = this.unit;
     this.title.textContent = this.figure.title + (name === "" ? "" : `, ${name}`);
-    const data = x.length > MANY ? thinned(x, curves, PARTS) : [x, ...curves];
-    this.figure.lines.forEach((_, k) => {
-      const drawn = Array.from(curves[k] ?? []).some((value) => value !== null);
-      this.outputs[k]?.entry.toggleAttribute("hidden", !drawn || this.isNothing(k, curves));
+    const parts = Math.ceil(this.across);
+    const data = x.length > MANY * parts ? thinned(x, curves, parts) : [x, ...curves];
+    this.outputs.forEach(({ entry }, k) => {
+      entry.hidden = this.isNothing(k, curves);
     });
     this.plot.batch(() => {
       this.plot.setData(data as uPlot.AlignedData, false);
@@ -83,22 +81,26 @@ export class Chart {
   tell(place: number, moment: Moment): void {
     const inside = place >= 0 && place <= 1;
     this.line.hidden = !inside;
-    if (inside) this.line.style.transform = `translateX(${place * this.pad.clientWidth}px)`;
+    if (inside) this.line.style.transform = `translateX(${place * this.across}px)`;
     for (const { line, output } of this.outputs) {
       const value = this.subject && line.now?.(moment, this.subject);
       output.textContent = value === undefined ? "" : this.valueText(value);
     }
   }
 
+  /** Width of the curves, CSS px: asked of the plot, as the page would have to be laid out first. */
+  private get across(): number {
+    return this.plot.bbox.width / devicePixelRatio;
+  }
+
   select(range: [number, number] | undefined): void {
-    const { clientWidth, clientHeight } = this.pad;
     const [a, b] = range ?? [0, 0];
     this.plot.setSelect(
       {
-        left: Math.min(a, b) * clientWidth,
-        width: Math.abs(a - b) * clientWidth,
+        left: Math.min(a, b) * this.across,
+        width: Math.abs(a - b) * this.across,
         top: 0,
-        height: range ? clientHeight : 0,
+        height: range ? this.plot.bbox.height / devicePixelRatio : 0,
       },
       false,
     );
@@ -119,7 +121,8 @@ export class Chart {
     if (Number.isNaN(value)) return "";
     if (!Number.isFinite(value)) return "∞";
     const text = significant(value / this.unit.size, 4);
-    return this.unit.name === "°" ? `${text}°` : `${text} ${this.unit.name}`;
+    const { name } = this.unit;
+    return name === "" || name === "°" ? text + name : `${text} ${name}`;
   }
 
   private unitOf(curves: readonly Values[]): { name: string; size: number } {
@@ -130,11 +133,13 @@ export class Chart {
     return most >= 1e-3 ? { name: `m${unit}`, size: 1e-3 } : { name: `µ${unit}`, size: 1e-6 };
   }
 
-  /** Whether an area has no height anywhere. */
+  /** Whether there is nothing of a line or, but for the lowest, of an area. */
   private isNothing(index: number, curves: readonly Values[]): boolean {
-    if (!this.figure.stacked || index === 0) return false;
-    const [lower, upper] = [curves[index - 1] as Values, curves[index] as Values];
-    return Array.from(upper).every((value, k) => value === lower[k]);
+    const [lower, values] = [curves[index - 1], curves[index] as Values];
+    const floor = this.figure.stacked && lower ? lower : undefined;
+    for (let k = 0; k < values.length; k++)
+      if (values[k] != null && values[k] !== floor?.[k]) return false;
+    return true;
   }
 
   private summary(curves: readonly Values[]): string {
@@ -187,13 +192,11 @@ export class Chart {
           space: 28,
           ...(figure.stretched && {
             splits: (plot: uPlot, _axis: number, low: number, high: number) =>
-              powersOfTen(low, high, plot.bbox.height / devicePixelRatio / 22),
+              powersOfTen(low, high, plot.bbox.height / devicePixelRatio),
             filter: (_: uPlot, places: number[]) => places,
           }),
           values: (_, places) =>
-            figure.stretched
-              ? places.map((place) => significant(place, 1))
-              : tickTexts(places, this.unit.size),
+            figure.stretched ? places.map(powerText) : tickTexts(places, this.unit.size),
         },
       ],
       series: [{}, ...figure.lines.map((line) => this.series(line, colour))],
@@ -204,16 +207,19 @@ export class Chart {
         })),
       }),
       hooks: {
-        drawClear: [
-          (plot) =>
-            this.subject && drawPhases(plot, this.subject.motion, this.shown, this.palette()),
-        ],
+        drawClear: [(plot) => this.mark(plot, shadePhases)],
         draw: [
-          (plot) =>
-            this.subject && drawEvents(plot, this.subject.motion, this.shown, this.palette()),
+          (plot) => {
+            this.mark(plot, drawStrip);
+            this.mark(plot, drawEvents);
+          },
         ],
       },
     };
+  }
+
+  private mark(plot: uPlot, draw: Mark): void {
+    if (this.subject) draw(plot, this.subject.motion, this.shown, this.palette());
   }
 
   private series(line: Line, colour: (name: keyof Palette) => () => string): uPlot.Series {
@@ -221,7 +227,7 @@ export class Chart {
     const last = this.figure.lines.at(-1) === line;
     return {
       stroke: colour(areas ? "ink" : line.colour),
-      width: areas ? (last ? 1.5 : 0) : 2,
+      width: areas ? (last ? 1.5 : 0) : (line.width ?? 2),
       points: { show: false },
       spanGaps: false,
       ...(line.dash && { dash: line.dash }),
@@ -243,11 +249,11 @@ export class Chart {
 
 /** Each curve on those before it. */
 function stacked(curves: readonly Values[]): Values[] {
-  let below: Values | undefined;
+  let below: Float64Array | undefined;
   return curves.map((values) => {
-    const lower = below;
-    below = Array.from(values, (value, k) => (value ?? 0) + (lower?.[k] ?? 0));
-    return below;
+    const sum = new Float64Array(values.length);
+    for (let k = 0; k < sum.length; k++) sum[k] = (values[k] ?? 0) + (below?.[k] ?? 0);
+    return (below = sum);
   });
 }
 

@@ -20,6 +20,8 @@ export interface Line {
   label: string;
   colour: Colour;
   dash?: number[];
+  /** CSS px; 2 if not given. */
+  width?: number;
   /** Along the moments, in the figure's unit; null where there is nothing to draw. */
   values(moments: Moments, subject: Subject): Values;
   /** At the moment shown; without it the line is in the key, but not read out. */
@@ -77,16 +79,17 @@ export const FIGURES: readonly Figure[] = [
     unit: "",
     include: 0,
     lines: [
-      plain("needed |T|/N", "friction_ratio", "plot-first"),
       {
         label: "available μ",
         colour: "warn",
+        width: 5,
         values: (moments, { law, friction }) =>
           constant(moments, law === "coulomb" ? friction : NaN),
         now: (_, { law, friction }) => (law === "coulomb" ? friction : NaN),
       },
+      plain("used |T|/N", "friction_ratio", "plot-first"),
       {
-        label: "needed in theory μ*",
+        label: "needed to roll μ*",
         colour: "theory",
         dash: [6, 4],
         values: (moments, { theory }) => constant(moments, theory?.neededFriction ?? NaN),
@@ -126,8 +129,16 @@ function plain(label: string, column: Column, colour: Colour, factor = 1): Line 
   };
 }
 
+/** Where nothing presses the ratio of friction is infinite: a gap. */
 function finite(column: Float64Array, factor: number): Values {
+  if (column.every(Number.isFinite)) return factor === 1 ? column : scaled(column, factor);
   return Array.from(column, (value) => (Number.isFinite(value) ? factor * value : null));
+}
+
+function scaled(column: Float64Array, factor: number): Float64Array {
+  const values = column.slice();
+  for (let k = 0; k < values.length; k++) values[k] = factor * (values[k] as number);
+  return values;
 }
 
 const constant = ({ length }: Moments, value: number): Values =>

@@ -22,45 +22,65 @@ const EVENTS: Record<string, Colour> = {
 const SHADE = 0.13;
 const STRIP = 4;
 const TICK = 9;
+/** More events in view than this get smaller ticks. */
+const MANY = 40;
 
-/** Shades the phases, with a strip of the full colour on top. */
-export function drawPhases(plot: uPlot, motion: Motion, shown: Stretch, palette: Palette): void {
+/** Something drawn beside the curves. */
+export type Mark = (plot: uPlot, motion: Motion, shown: Stretch, palette: Palette) => void;
+
+/** Behind the curves, lightly. */
+export const shadePhases: Mark = (plot, motion, shown, palette) =>
+  fillPhases(plot, motion, shown, palette, SHADE, plot.bbox.height);
+
+/** On top, in full colour. */
+export const drawStrip: Mark = (plot, motion, shown, palette) =>
+  fillPhases(plot, motion, shown, palette, 1, STRIP * devicePixelRatio);
+
+function fillPhases(
+  plot: uPlot,
+  motion: Motion,
+  shown: Stretch,
+  palette: Palette,
+  opacity: number,
+  height: number,
+): void {
   const { ctx, bbox } = plot;
   const x = abscissa(plot, shown);
-  ctx.save();
   const starts = motion.phases.map((phase) => phase.start);
+  ctx.save();
+  ctx.globalAlpha = opacity;
   for (let k = Math.max(countBelow(starts, shown.origin + shown.from) - 1, 0); ; k++) {
     const phase = motion.phases[k];
     if (!phase || phase.start > shown.origin + shown.to) break;
     ctx.fillStyle = palette[PHASES[phase.kind] ?? "muted"];
-    const [left, right] = [x(phase.start), x(phase.end)];
-    ctx.globalAlpha = SHADE;
-    ctx.fillRect(left, bbox.top, right - left, bbox.height);
-    ctx.globalAlpha = 1;
-    ctx.fillRect(left, bbox.top, right - left, STRIP * devicePixelRatio);
+    ctx.fillRect(x(phase.start), bbox.top, x(phase.end) - x(phase.start), height);
   }
   ctx.restore();
 }
 
 /** Ticks up from the axis of time. */
-export function drawEvents(plot: uPlot, motion: Motion, shown: Stretch, palette: Palette): void {
+export const drawEvents: Mark = (plot, motion, shown, palette) => {
   const { ctx, bbox } = plot;
   const x = abscissa(plot, shown);
   const bottom = bbox.top + bbox.height;
   ctx.save();
   ctx.lineWidth = 1.5 * devicePixelRatio;
-  for (const { kind, moment } of motion.events) {
+  const inView = motion.events.filter(({ moment: { t } }) => {
+    const since = t - shown.origin;
+    return since >= shown.from && since <= shown.to;
+  });
+  const height = (inView.length > MANY ? TICK / 2 : TICK) * devicePixelRatio;
+  for (const { kind, moment } of inView) {
     const colour = EVENTS[kind];
-    const since = moment.t - shown.origin;
-    if (!colour || since < shown.from || since > shown.to) continue;
+    if (!colour) continue;
     ctx.strokeStyle = palette[colour];
     ctx.beginPath();
     ctx.moveTo(x(moment.t), bottom);
-    ctx.lineTo(x(moment.t), bottom - TICK * devicePixelRatio);
+    ctx.lineTo(x(moment.t), bottom - height);
     ctx.stroke();
   }
   ctx.restore();
-}
+};
 
 /** From a time (s) to a canvas pixel within the plot. */
 function abscissa({ bbox }: uPlot, { origin, from, to }: Stretch): (time: number) => number {

@@ -30,7 +30,6 @@ export function mountPlots(lab: Lab, place: HTMLElement): void {
   const width = signal(0);
 
   const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value));
-  const grid = element("div", { class: "grid" }, ...charts.map((chart) => chart.root));
   const absent = element("p", { class: "absent" }, "There is no motion to plot.");
   const hint = element(
     "p",
@@ -38,14 +37,14 @@ export function mountPlots(lab: Lab, place: HTMLElement): void {
     "Drag across a plot to zoom, click to go to a time, double-click for the whole motion; " +
       "the wheel zooms too, once you have clicked or with Ctrl. Touch: one finger goes to a time, two zoom.",
   );
+  const notes = element("div", { class: "notes" }, phaseKey(lab), hint);
+  const grid = element("div", { class: "grid" }, ...charts.map((chart) => chart.root), notes);
   const present = element(
     "div",
     {},
     toolbar(lab, view),
     chooser(FIGURES, FIGURES[0]?.name ?? "", (name) => (chosen.value = name)),
     grid,
-    phaseKey(lab),
-    hint,
   );
   place.append(absent, present);
 

@@ -15,11 +15,8 @@ export function sampled(
   // One beyond either end, for the lines to leave the plot.
   const first = Math.max(countBelow(times, origin + from) - 1, 0);
   const last = Math.min(countBelow(times, origin + to) + 1, all.length);
-  if (last - first >= fewest)
-    return picked(
-      all,
-      evenly(last - first, (k) => first + k),
-    );
+  if (last - first === all.length && all.length >= fewest) return all;
+  if (last - first >= fewest) return part(all, first, last);
   const even = motion.at(evenly(fewest, (k) => origin + from + ((to - from) * k) / (fewest - 1)));
   return merged(all, first, last, even);
 }
@@ -38,14 +35,12 @@ export function countBelow(rising: ArrayLike<number>, bound: number): number {
 const evenly = (length: number, of: (index: number) => number) =>
   Float64Array.from({ length }, (_, k) => of(k));
 
-/** Some of the moments, by their places. */
-function picked(moments: Moments, places: ArrayLike<number>): Moments {
-  const numbers = new Float64Array(places.length * moments.names.length);
-  moments.names.forEach((name, c) => {
-    const column = moments.column(name);
-    for (let k = 0; k < places.length; k++)
-      numbers[c * places.length + k] = column[places[k] as number] as number;
-  });
+function part(moments: Moments, first: number, last: number): Moments {
+  const length = last - first;
+  const numbers = new Float64Array(length * moments.names.length);
+  moments.names.forEach((name, c) =>
+    numbers.set(moments.column(name).subarray(first, last), c * length),
+  );
   return new Moments(moments.names, numbers);
 }
 

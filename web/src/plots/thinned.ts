@@ -11,7 +11,8 @@ export function thinned(x: Float64Array, curves: readonly Values[], parts: numbe
     const bound = start + ((part + 1) * (end - start)) / parts;
     let next = k + 1;
     while (next < x.length && (x[next] as number) < bound) next++;
-    kept.push(...extremes(curves, k, next));
+    if (next - k > 2) kept.push(...extremes(curves, k, next));
+    else for (; k < next; k++) kept.push(k);
     k = next;
   }
   return [x, ...curves].map((values) => kept.map((k) => values[k] as number | null));
@@ -19,16 +20,16 @@ export function thinned(x: Float64Array, curves: readonly Values[], parts: numbe
 
 /** Where each curve is least and largest from one place up to another, and the first and last. */
 function extremes(curves: readonly Values[], from: number, to: number): number[] {
-  const places = new Set([from, to - 1]);
+  const places = [from, to - 1];
   for (const values of curves) {
     let [least, most] = [from, from];
-    for (let k = from; k < to; k++) {
+    for (let k = from + 1; k < to; k++) {
       const value = values[k];
       if (value == null) continue;
       if (value < (values[least] ?? Infinity)) least = k;
       if (value > (values[most] ?? -Infinity)) most = k;
     }
-    places.add(least).add(most);
+    places.push(least, most);
   }
-  return [...places].sort((a, b) => a - b);
+  return [...new Set(places)].sort((a, b) => a - b);
 }

@@ -10,8 +10,13 @@ export function timeUnit({ from, to }: Stretch): TimeUnit {
 
 export function timeLabel(shown: Stretch): string {
   const { name } = timeUnit(shown);
-  if (shown.origin === 0) return `time, ${name}`;
-  return `${name} from the collision at ${significant(shown.origin, 6)} s`;
+  return shown.since === "start" ? `time, ${name}` : `${name} from ${originText(shown)}`;
+}
+
+function originText({ since, origin }: Stretch): string {
+  return since === "collision"
+    ? `the collision at ${significant(origin, 6)} s`
+    : `${Number(origin.toPrecision(12))} s`;
 }
 
 /** Places of an axis in a unit, with no more digits than tell them apart. */
@@ -28,17 +33,28 @@ export function tickTexts(places: readonly number[], unit: number): string[] {
 
 /** What a stretch is, in words. */
 export function stretchText(shown: Stretch): string {
-  const { origin, from, to } = shown;
-  if (origin === 0) return `from ${duration(from)} to ${duration(to)}`;
-  return `from ${signed(duration(from))} to ${duration(to)} about the collision at ${significant(origin, 6)} s`;
+  const { since, from, to } = shown;
+  const stretch = `from ${duration(from)} to ${duration(to)}`;
+  return since === "start" ? stretch : `${stretch} about ${originText(shown)}`;
 }
 
-/** Powers of ten, both signs and zero, for an axis on which small values are drawn larger. */
-export function powersOfTen(low: number, high: number, most: number): number[] {
-  const size = Math.max(Math.abs(low), Math.abs(high), 1);
-  const decades = Math.floor(Math.log10(size) + 1e-9);
-  const every = Math.max(Math.ceil((2 * decades + 1) / Math.max(most, 3)), 1);
+/** Places of labels have at least this many CSS px between them. */
+const APART = 18;
+
+/** Powers of ten, both signs and zero, for an axis (so many CSS px long) that is drawn as arsinh. */
+export function powersOfTen(low: number, high: number, length: number): number[] {
+  const scale = length / (Math.asinh(high) - Math.asinh(low));
+  const every = Math.max(Math.ceil(APART / (Math.LN10 * scale)), 1);
   const ticks = [0];
-  for (let k = decades; k >= 0; k -= every) ticks.push(10 ** k, -(10 ** k));
+  const largest = Math.floor(Math.log10(Math.max(-low, high)) + 1e-9);
+  for (let k = largest; Math.asinh(10 ** k) * scale >= APART; k -= every)
+    ticks.push(10 ** k, -(10 ** k));
   return ticks.filter((tick) => tick >= low && tick <= high).sort((a, b) => a - b);
+}
+
+/** A power of ten, as such where it has many zeros. */
+export function powerText(value: number): string {
+  if (Math.abs(value) < 1e4) return signed(String(value));
+  const size = [...String(Math.round(Math.log10(Math.abs(value))))];
+  return `${value < 0 ? "−" : ""}10${size.map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")}`;
 }

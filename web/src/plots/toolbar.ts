@@ -50,14 +50,14 @@ export function phaseKey(lab: Lab): HTMLElement {
     const phase = lab.motion.value?.phases.findLast((phase) => phase.start <= time);
     now.textContent = phase ? `At the time shown it is ${phase.kind}.` : "";
   });
-  const entries = PHASES.map((phase) =>
-    element(
-      "span",
-      { class: "entry" },
-      element("i", { class: "area", style: `--swatch: var(--${phase})` }),
-      phase,
-    ),
-  );
+  const entries = PHASES.map((phase) => {
+    const swatch = element("i", { class: "area", style: `--swatch: var(--${phase})` });
+    const entry = element("span", { class: "entry" }, swatch, phase);
+    effect(() => {
+      entry.hidden = !lab.motion.value?.phases.some(({ kind }) => kind === phase);
+    });
+    return entry;
+  });
   return element("p", { class: "phases" }, "Shaded: ", ...entries, now);
 }
 

@@ -5,9 +5,11 @@ import { type ReadonlySignal, type Signal, computed, signal } from "@preact/sign
 import type { Motion } from "../core/motion";
 import { type Collision, collisionsOf, nearest } from "../time/collisions";
 
-/** Times (s) from and to which is shown, counted from an origin: near a collision they are too
- * close to each other to be told apart as times from the start. */
+/** Times (s) from and to which is shown, counted from an origin: close to each other they could not
+ * be told apart as times from the start. */
 export interface Stretch {
+  /** Of the start, a collision, or any round time. */
+  since: "start" | "collision" | "time";
   origin: number;
   from: number;
   to: number;
@@ -17,6 +19,8 @@ export interface Stretch {
 const CLOSE_VIEW = 12;
 /** Stretches shorter than this (s) are counted from their collision. */
 const FROM_COLLISION = 0.05;
+/** But from a round time if that many times their length away from it. */
+const FAR = 30;
 /** The shortest stretch, s. */
 const SHORTEST = 1e-10;
 
@@ -32,11 +36,10 @@ export class View {
     this.shown = computed(() => {
       const end = motion.value?.end ?? 1;
       const zoomed = this.zoomed.value;
-      if (!zoomed) return { origin: 0, from: 0, to: end };
+      if (!zoomed) return { since: "start", origin: 0, from: 0, to: end };
       const at = this.collisions.value[zoomed.collision]?.t ?? 0;
       const inside = within(zoomed.from, zoomed.to, -at, end - at);
-      if (inside.to - inside.from < FROM_COLLISION) return { origin: at, ...inside };
-      return { origin: 0, from: at + inside.from, to: at + inside.to };
+      return counted(at, inside.from, inside.to);
     });
   }
 
@@ -71,6 +74,23 @@ export class View {
     const half = ((this.collisions.value[collision]?.lasts ?? 0) * CLOSE_VIEW) / 2;
     this.zoomed.value = half > 0 ? { collision, from: -half, to: half } : undefined;
   }
+}
+
+/** From what a stretch is best counted; times are from a collision. */
+function counted(collision: number, from: number, to: number): Stretch {
+  const length = to - from;
+  const countedFrom = (since: Stretch["since"], origin: number): Stretch => {
+    const shift = collision - origin;
+    return { since, origin, from: from + shift, to: to + shift };
+  };
+  if (length >= FROM_COLLISION) return countedFrom("start", 0);
+  const middle = (from + to) / 2;
+  if (Math.abs(middle) < FAR * length) return countedFrom("collision", collision);
+  const round = 10 ** Math.ceil(Math.log10(length));
+  return countedFrom(
+    "time",
+    Number((Math.round((collision + middle) / round) * round).toPrecision(12)),
+  );
 }
 
 /** A stretch moved into bounds, and cut to them if it is longer. */

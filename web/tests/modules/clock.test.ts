@@ -3,15 +3,15 @@
 import { readFileSync } from "node:fs";
 import { signal } from "@preact/signals-core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { Clock, UNHURRIED } from "../src/clock";
-import { Core } from "../src/core/core";
-import type { Motion } from "../src/core/motion";
-import { posed } from "../src/setup/posed";
-import { INITIAL, type Setup } from "../src/setup/setup";
+import { Clock, UNHURRIED } from "../../src/clock";
+import { Core } from "../../src/core/core";
+import type { Motion } from "../../src/core/motion";
+import { posed } from "../../src/setup/posed";
+import { INITIAL, type Setup } from "../../src/setup/setup";
 
 let core: Core;
 beforeAll(async () => {
-  core = await Core.load(readFileSync(new URL("../src/core/rimroll.wasm", import.meta.url)));
+  core = await Core.load(readFileSync(new URL("../../src/core/rimroll.wasm", import.meta.url)));
 });
 
 function motionOf(changes: Partial<Setup> = {}): Motion {
