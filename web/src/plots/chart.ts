@@ -120,8 +120,9 @@ export class Chart {
   private valueText(value: number): string {
     if (Number.isNaN(value)) return "";
     if (!Number.isFinite(value)) return "∞";
-    const text = significant(value / this.unit.size, 4);
-    const { name } = this.unit;
+    const { name, size } = this.unit;
+    // Of energies the small ones are as exact as the large ones.
+    const text = this.figure.prefixed ? (value / size).toFixed(3) : significant(value, 4);
     return name === "" || name === "°" ? text + name : `${text} ${name}`;
   }
 
