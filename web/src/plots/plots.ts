@@ -20,6 +20,7 @@ const NARROW = "(max-width: 47.99rem)";
 const DENSITY = 1;
 /** Samples of each step of the solver. */
 const PER_STEP = 4;
+/** CSS px, where type has its usual size. */
 const HEIGHT = 210;
 
 export function mountPlots(lab: Lab, section: HTMLElement): void {
@@ -30,7 +31,8 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   matchMedia(NARROW).addEventListener("change", (query) => (narrow.value = query.matches));
   const width = signal(0);
 
-  const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value));
+  const large = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+  const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value, large));
   const absent = element("p", { class: "absent" }, "There is no motion to plot.");
   const hint = element(
     "p",
@@ -73,7 +75,7 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     const shown = view.shown.value;
     const moments = sampled(now.motion, all, shown, Math.ceil(width.value * DENSITY));
     for (const chart of these) {
-      chart.resize(width.value, HEIGHT);
+      chart.resize(width.value, Math.round(HEIGHT * large));
       chart.show(now, moments, shown);
     }
     tell(these);
