@@ -158,7 +158,8 @@ export class Chart {
     const { figure } = this;
     const colour = (name: keyof Palette) => () => this.palette()[name];
     const { large } = this;
-    const font = `${12 * large}px system-ui, sans-serif`;
+    // A whole number: uPlot reads no other.
+    const font = `${Math.round(12 * large)}px system-ui, sans-serif`;
     const axis = {
       stroke: colour("muted"),
       font,
