@@ -1,31 +1,15 @@
 // The page is for everybody: with a keyboard alone, with a screen reader, without motion, without WebGL.
 
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import type axe from "axe-core";
 import type { ElementHandle, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
+import { violations } from "./axe";
 import { browserForAll, leave, visit } from "./visit";
 
 browserForAll();
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
 describe("axe finds nothing serious", () => {
-  async function violations(page: Page): Promise<string[]> {
-    await page.evaluate(AXE);
-    const { violations } = await page.evaluate(() =>
-      (window as unknown as { axe: typeof axe }).axe.run({ resultTypes: ["violations"] }),
-    );
-    return violations
-      .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .flatMap(({ id, nodes }) =>
-        nodes.map(({ html, any }) => `${id}: ${any[0]?.message} ${html}`),
-      );
-  }
-
   test.each(["light", "dark"] as const)("in the %s", { timeout: 90_000 }, async (colorScheme) => {
-    const visited = await visit({ colorScheme, webgl: true });
+    const visited = await visit({ colorScheme });
     const { page } = visited;
     expect(await violations(page)).toEqual([]);
     // With all that can be opened or comes later: a refusal, falls, code.
