@@ -3,6 +3,7 @@
 
 use super::fundamental::Fundamental;
 use super::many::Lane;
+use super::passing::{Passing, Stretch, Way, falling_back, passing, stretch};
 use super::pieces::Piece;
 use super::rolling::Rolling;
 use super::rule::{Choice, Rule};
@@ -11,7 +12,7 @@ use super::start::Start;
 use super::tilting::Tilting;
 use super::together::{Extremes, Part, extremes, part};
 use crate::law::Parameters;
-use crate::real::{LANES, Lanes};
+use crate::real::{LANES, Lanes, Mask};
 
 /// A body under one of the laws.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +29,7 @@ pub(super) struct Eight {
     start: Start<Lanes>,
     low: [Lanes; 2],
     high: [Lanes; 2],
+    width: Lanes,
 }
 
 impl Eight {
@@ -51,6 +53,7 @@ impl Eight {
             },
             low: [all(|lane| lane.low[0]), all(|lane| lane.low[1])],
             high: [all(|lane| lane.high[0]), all(|lane| lane.high[1])],
+            width: all(|lane| lane.width),
         }
     }
 }
@@ -95,6 +98,58 @@ impl Asked for AskPart {
     }
 }
 
+struct AskPassing<'a> {
+    way: &'a Way,
+}
+
+impl Asked for AskPassing<'_> {
+    type Told = Passing;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Passing {
+        passing(motion, &eight.start, self.way)
+    }
+}
+
+struct AskFallingBack<'a> {
+    way: &'a Way,
+}
+
+impl Asked for AskFallingBack<'_> {
+    type Told = Mask;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Mask {
+        falling_back(motion, &eight.start, self.way)
+    }
+}
+
+struct AskStretch<'a> {
+    stretch: Stretch,
+    way: &'a Way,
+    rule: &'static Rule,
+}
+
+impl Asked for AskStretch<'_> {
+    type Told = Piece<Lanes>;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Piece<Lanes> {
+        let Eight {
+            start, low, width, ..
+        } = eight;
+        stretch(
+            self.stretch,
+            motion,
+            start,
+            *low,
+            *width,
+            self.way,
+            self.rule,
+        )
+    }
+}
+
 impl Engine<'_> {
     pub(super) fn extremes(&self, eight: &Eight, most: f64) -> Extremes {
         self.ask(&AskExtremes { most }, eight)
@@ -103,6 +158,25 @@ impl Engine<'_> {
     pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Piece<Lanes> {
         let rule = choice.rule();
         self.ask(&AskPart { part, rule }, eight)
+    }
+
+    pub(super) fn passing(&self, eight: &Eight, way: &Way) -> Passing {
+        self.ask(&AskPassing { way }, eight)
+    }
+
+    pub(super) fn falling_back(&self, eight: &Eight, way: &Way) -> Mask {
+        self.ask(&AskFallingBack { way }, eight)
+    }
+
+    pub(super) fn stretch(
+        &self,
+        stretch: Stretch,
+        eight: &Eight,
+        way: &Way,
+        choice: Choice,
+    ) -> Piece<Lanes> {
+        let rule = choice.rule();
+        self.ask(&AskStretch { stretch, way, rule }, eight)
     }
 
     fn ask<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {

@@ -61,6 +61,12 @@ impl Choice {
         }
     }
 
+    /// For a passage over the balance point, `half` long to both sides by its clock, in whose plane the
+    /// integrand is singular at ± i π/2.
+    pub(super) fn across(half: f64) -> Choice {
+        Choice::plain(PASSING / libm::asinh(core::f64::consts::FRAC_PI_2 / half))
+    }
+
     /// One with more nodes.
     pub(super) fn larger(self) -> Option<Choice> {
         let rung = self.rung + CLIMB;
@@ -96,6 +102,9 @@ const NODES: [f64; STRETCHES] = [
     0.0, 8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 24.0, 28.0, 28.0, 34.0, 34.0, 42.0,
 ];
 
+/// The nodes that such a passage needs, times its error's logarithmic decrement.
+const PASSING: f64 = 9.0;
+
 /// Nodes and weights on (0, 1).
 pub(super) struct Rule {
     pub(super) nodes: Vec<Node>,
@@ -112,6 +121,10 @@ pub(super) struct Node {
     pub(super) last: f64,
     /// The same of P_{2n−6}.
     pub(super) before: f64,
+    /// The same of P_{2n−4} and P_{2n−8}, to look beside the two.
+    pub(super) beside: [f64; 2],
+    /// The same of P_{2n−1} and P_{2n−5}, of functions that are odd.
+    pub(super) odd: [f64; 2],
 }
 
 impl Rule {
@@ -137,6 +150,8 @@ impl Node {
             weight: factor * self.weight,
             last: factor * self.last,
             before: factor * self.before,
+            beside: self.beside.map(|weight| factor * weight),
+            odd: self.odd.map(|weight| factor * weight),
         }
     }
 }
@@ -159,11 +174,16 @@ fn node(degree: usize, i: usize) -> Node {
         weight,
         last: of_degree(degree - 2),
         before: of_degree(degree - 6),
+        beside: [of_degree(degree - 4), of_degree(degree - 8)],
+        odd: [of_degree(degree - 1), of_degree(degree - 5)],
     }
 }
 
-/// P_n(x) and its slope, for n ≥ 1.
+/// P_n(x) and its slope.
 fn legendre(n: usize, x: f64) -> (f64, f64) {
+    if n == 0 {
+        return (1.0, 0.0);
+    }
     let (mut before, mut value) = (1.0, x);
     for k in 2..=n {
         let k = k as f64;

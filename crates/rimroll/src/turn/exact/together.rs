@@ -14,7 +14,7 @@ use super::wobble::LONGEST;
 use crate::real::{Lanes, Mask, Real};
 
 /// Newton's iterations for the extremes.
-const ROUNDS: usize = 3;
+pub(super) const ROUNDS: usize = 3;
 
 /// What the change of the last of them may be: its square is below rounding.
 const MET: f64 = 1e-8;
@@ -34,14 +34,11 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
     let guess = |y: Lanes| [y, y.ln()];
     let low = lowest(motion, guess(motion.lowest()), ROUNDS);
     let high = highest(motion, guess(motion.highest()), ROUNDS);
-    let (zero, met) = (Lanes::from(0.0), Lanes::from(MET));
+    let zero = Lanes::from(0.0);
     let span = high.eta - low.eta;
     let from_start = high.eta - start.eta;
-    let sound = low
-        .change
-        .at_most(met)
-        .and(high.change.at_most(met))
-        .and(zero.at_most(low.point.slope))
+    let sound = is_lowest(&low)
+        .and(high.change.at_most(Lanes::from(MET)))
         .and(high.point.slope.at_most(zero))
         .and(zero.at_most(motion.surely_pressing(&low.point, &high.point)))
         .and(Lanes::from(super::FLAT).at_most(low.point.sin))
@@ -51,6 +48,13 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
         .and(from_start.at_most(outer(span)))
         .and((-from_start).at_most(Lanes::from(1e-12)));
     Extremes { low, high, sound }
+}
+
+/// The lanes in which the iteration has met a smallest tilt.
+#[inline(always)]
+pub(super) fn is_lowest(low: &Extreme<Lanes>) -> Mask {
+    let rises = Lanes::from(0.0).at_most(low.point.slope);
+    low.change.at_most(Lanes::from(MET)).and(rises)
 }
 
 /// How much of a way, in η, belongs to the largest tilt.
@@ -93,7 +97,7 @@ pub(super) fn part(
                 point: motion.at(y_low, eta_low),
                 change: Lanes::from(0.0),
             };
-            from_lowest(motion, &low, span - outer(span), rule)
+            from_lowest::<false, Lanes>(motion, &low, span - outer(span), rule)
         }
         Part::Head => to_highest(motion, high, outer(span), rule),
         Part::Leg => to_highest(motion, high, leg, rule),
