@@ -65,7 +65,11 @@ fn measured(exact: &Exact, starts: &[State], runs: usize) -> (Vec<ExactTurn>, f6
 
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
-    let number = |i: usize, default| given.get(i).map_or(default, |s| s.parse().expect("a number"));
+    let number = |i: usize, default| {
+        given
+            .get(i)
+            .map_or(default, |s| s.parse().expect("a number"))
+    };
     let (n, runs) = (number(0, 1 << 14), number(1, 20));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.expect("a thread");

@@ -3,7 +3,7 @@
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, across, from_lowest, short, to_highest};
 use super::ridge::{Balance, Ridge};
-use super::rule::{Choice, Rule};
+use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
@@ -83,7 +83,12 @@ pub(super) struct Alone<'a, M, T> {
 const SHORTEST: f64 = 1e-4;
 
 impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
-    pub(super) fn new(motion: &'a M, start: Start<T>, end: (f64, Ending), balance: Balance) -> Self {
+    pub(super) fn new(
+        motion: &'a M,
+        start: Start<T>,
+        end: (f64, Ending),
+        balance: Balance,
+    ) -> Self {
         Alone {
             motion,
             start,
@@ -249,7 +254,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let drive = self.motion.at(T::from(y), T::from(eta)).drive;
         let ridge = Ridge::new(self.balance, drive);
         let half = T::from(0.5) * (ridge.clock(to) - ridge.clock(from));
-        agreed(Choice::across(half.value()), 0.0, |rule| {
+        agreed(Choice::plain(nodes_across(half.value())), 0.0, |rule| {
             across(self.motion, [from, to], &ridge, rule)
         })
     }
@@ -385,7 +390,8 @@ fn agreed<T: Scalar>(
 
 /// From the smallest tilt up by `length` in η.
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
-    let choice = Choice::from_lowest(length.value());
+    // As for a rest that is a third of it.
+    let choice = Choice::plain(16.0);
     agreed(choice, 0.0, |rule| {
         from_lowest::<false, T>(motion, low, length, rule)
     })
@@ -398,7 +404,8 @@ fn head<T: Scalar>(
     length: T,
     whole: f64,
 ) -> Option<Piece<T>> {
-    let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
+    let square = (motion.gap_beyond(high.y) / length).value();
+    let choice = Choice::to_highest(nodes_to_highest(square, 4.0), square);
     agreed(choice, whole, |rule| {
         to_highest(motion, high.place(), length, rule)
     })

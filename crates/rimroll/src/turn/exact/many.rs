@@ -9,9 +9,9 @@ use super::passing::{Stretch, Way};
 use super::pieces::Piece;
 use super::rule::{Choice, RULES};
 use super::start::Start;
-use super::tilting::{gap_beyond, sin_and_versine};
+use super::tilting::sin_and_versine;
 use super::together::Part;
-use super::{Ending, Exact, ExactTurn, MOST_OUTER, SHORT, told};
+use super::{Ending, Exact, ExactTurn, SHORT, told};
 use crate::error::InvalidInput;
 use crate::real::{LANES, Lanes, Real};
 use crate::state::State;
@@ -30,6 +30,9 @@ pub(super) struct Lane {
     pub(super) high: [f64; 2],
     /// Of the ridge that it passes.
     pub(super) width: f64,
+    /// About how many nodes its three pieces need.
+    nodes: [f64; 3],
+    square: [f64; 2],
     course: Course,
     /// From the smallest tilt to the largest or, of one that passes, to the start.
     half: Piece<f64>,
@@ -57,23 +60,35 @@ impl Exact {
     /// # Errors
     /// Refuses a start outside its bounds: the first.
     pub fn turns(&self, starts: &[State]) -> Result<Vec<ExactTurn>, InvalidInput> {
+        let turns = self.turns_while(starts, || true)?;
+        Ok(turns.expect("nothing has ended the work"))
+    }
+
+    /// The same, unless `goes_on`, which is asked every few thousandths of a second, says that it is no longer
+    /// wanted.
+    ///
+    /// # Errors
+    /// As [`Exact::turns`].
+    pub fn turns_while(
+        &self,
+        starts: &[State],
+        goes_on: impl Fn() -> bool + Sync,
+    ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
         for start in starts {
             self.check(start)?;
         }
         #[cfg(feature = "threads")]
-        let blocks: Vec<_> = starts
-            .par_chunks(BLOCK)
-            .map(|block| self.block(block))
-            .collect();
+        let blocks = starts.par_chunks(BLOCK);
         #[cfg(not(feature = "threads"))]
-        let blocks: Vec<_> = starts
-            .chunks(BLOCK)
-            .map(|block| self.block(block))
-            .collect();
-        Ok(blocks.concat())
+        let blocks = starts.chunks(BLOCK);
+        let done: Option<Vec<_>> = blocks.map(|block| self.block(block, &goes_on)).collect();
+        Ok(done.map(|blocks| blocks.concat()))
     }
 
-    fn block(&self, starts: &[State]) -> Vec<ExactTurn> {
+    fn block(&self, starts: &[State], goes_on: impl Fn() -> bool) -> Option<Vec<ExactTurn>> {
+        if !goes_on() {
+            return None;
+        }
         let mut lanes: Vec<Lane> = starts.iter().map(Lane::new).collect();
         let near = (0..lanes.len()).filter(|&i| !self.is_beyond(&starts[i]));
         let (over, under) = near.partition(|&i| self.has_energy_to_pass(&lanes[i].start));
@@ -82,10 +97,11 @@ impl Exact {
         self.rock(&mut lanes);
         self.pass(&mut lanes);
         let turn = |(lane, start): (&Lane, &State)| match lane.course {
-            Course::Alone => self.turn_of(start),
-            Course::Rocks => lane.rocked(),
-            Course::Passes => lane.passed(self.end()),
-            Course::FallsBack => told(&Outcome::without_turn(Ending::FellBack, None)),
+            // One that has to be stepped may take long.
+            Course::Alone => goes_on().then(|| self.turn_of(start)),
+            Course::Rocks => Some(lane.rocked()),
+            Course::Passes => Some(lane.passed(self.end())),
+            Course::FallsBack => Some(told(&Outcome::without_turn(Ending::FellBack, None))),
         };
         lanes.iter().zip(starts).map(turn).collect()
     }
@@ -100,6 +116,8 @@ impl Exact {
             for (place, &i) in eight.iter().enumerate() {
                 lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];
                 lanes[i].high = [found.high.y.0[place], found.high.eta.0[place]];
+                lanes[i].nodes = found.nodes.map(|all| all.0[place]);
+                lanes[i].square = found.square.map(|all| all.0[place]);
                 if sound & (1 << place) != 0 {
                     lanes[i].course = Course::Rocks;
                 } else {
@@ -122,6 +140,7 @@ impl Exact {
                 if sound & (1 << place) != 0 {
                     lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];
                     lanes[i].width = found.width.0[place];
+                    lanes[i].nodes = found.nodes.map(|all| all.0[place]);
                     lanes[i].course = Course::Passes;
                 }
             }
@@ -163,8 +182,12 @@ impl Exact {
             add(
                 lanes,
                 |lane| {
-                    let passes = lane.course == Course::Passes;
-                    passes.then(|| way.choice(stretch, lane)).flatten()
+                    let has = match stretch {
+                        Stretch::Foot | Stretch::Rest => true,
+                        Stretch::Approach => way.has_approach(lane.start.eta),
+                    };
+                    let passes = lane.course == Course::Passes && has;
+                    passes.then(|| Choice::plain(lane.nodes[stretch as usize]))
                 },
                 |eight, choice| engine.stretch(stretch, eight, &way, choice),
                 Piece::is_surely_resolved,
@@ -181,7 +204,7 @@ impl Exact {
         }
     }
 
-    fn way(&self) -> Way {
+    pub(super) fn way(&self) -> Way {
         let (end, ending) = self.end();
         Way {
             balance: self.balance,
@@ -211,15 +234,15 @@ impl Exact {
         if lane.course != Course::Rocks {
             return None;
         }
-        let gap = || gap_beyond(self.body.radius(), self.body.height(), lane.high[0]);
-        let span = lane.high[1] - lane.low[1];
-        let outer = (0.5 * span).min(MOST_OUTER);
         let leg = lane.high[1] - lane.start.eta;
         let has_leg = lane.start.p != 0.0;
+        let [foot, head, along_leg] = lane.nodes;
         match part {
-            Part::Foot => Some(Choice::from_lowest(span - outer)),
-            Part::Head => Some(Choice::to_highest(outer, gap())),
-            Part::Leg if has_leg && leg >= SHORT => Some(Choice::to_highest(leg, gap())),
+            Part::Foot => Some(Choice::plain(foot)),
+            Part::Head => Some(Choice::to_highest(head, lane.square[0])),
+            Part::Leg if has_leg && leg >= SHORT => {
+                Some(Choice::to_highest(along_leg, lane.square[1]))
+            }
             Part::ShortLeg if has_leg && leg < SHORT => Some(Choice::plain(0.0)),
             Part::Leg | Part::ShortLeg => None,
         }
@@ -227,12 +250,14 @@ impl Exact {
 }
 
 impl Lane {
-    fn new(start: &State) -> Lane {
+    pub(super) fn new(start: &State) -> Lane {
         Lane {
             start: Start::of(start),
             low: [f64::NAN; 2],
             high: [f64::NAN; 2],
             width: f64::NAN,
+            nodes: [f64::NAN; 3],
+            square: [f64::NAN; 2],
             course: Course::Alone,
             half: Piece::nothing(),
             leg: Piece::nothing(),

@@ -5,10 +5,9 @@
 //! the tilt does not turn back on the way, and that the table pushes, is seen at the nodes of the rules.
 
 use super::extremes::{Extreme, lowest};
-use super::many::Lane;
 use super::pieces::{Piece, across, from_lowest};
 use super::ridge::{Balance, Ridge};
-use super::rule::{Choice, Rule};
+use super::rule::{Rule, nodes_across, nodes_towards};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::together::{ROUNDS, is_lowest};
@@ -36,30 +35,14 @@ pub(super) struct Way {
     pub(super) ending: Ending,
 }
 
-impl Way {
-    /// The rule to begin with for a stretch of a lane, if it has it.
-    pub(super) fn choice(&self, stretch: Stretch, lane: &Lane) -> Option<Choice> {
-        let start = lane.start.eta;
-        let split = split(start, self);
-        let half = |from: f64, to: f64| {
-            let ridge = Ridge::of_width(self.balance, lane.width);
-            0.5 * (ridge.clock(to) - ridge.clock(from))
-        };
-        match stretch {
-            Stretch::Foot => Some(Choice::from_lowest(split - lane.low[1])),
-            Stretch::Approach if split < start => Some(Choice::across(half(split, start))),
-            Stretch::Approach => None,
-            Stretch::Rest => Some(Choice::across(half(start, self.end[1]))),
-        }
-    }
-}
-
 /// How eight motions pass.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passing {
     pub(super) low: Extreme<Lanes>,
     /// Of the [`Ridge`].
     pub(super) width: Lanes,
+    /// About how many nodes the stretches need.
+    pub(super) nodes: [Lanes; 3],
     /// The lanes that come down, and eight at a time can go on with.
     pub(super) sound: Mask,
 }
@@ -81,9 +64,17 @@ pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &
         .and(Lanes::from(0.0).at_most(end.drive))
         .and(Lanes::from(0.0).at_most(motion.pressing(&end)))
         .and(Lanes::from(LEAST).at_most(foot));
+    let from_split = split(start.eta, way);
+    let half = |from: Lanes, to: Lanes| (ridge.clock(to) - ridge.clock(from)) * Lanes::from(0.5);
+    let rest = Lanes::from(way.balance.eta) - from_split;
     Passing {
         low,
         width: ridge.width(),
+        nodes: [
+            nodes_towards(foot, rest, ridge.width()),
+            nodes_across(half(from_split, start.eta)),
+            nodes_across(half(start.eta, Lanes::from(way.end[1]))),
+        ],
         sound,
     }
 }
@@ -97,7 +88,9 @@ pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, w
     let margin = step * step * Lanes::from(way.balance.curvature);
     let first = motion.at(start.y, start.eta);
     let rising = zero.at_most(first.slope);
-    let mut sound = rising.or(margin.at_most(first.drive)).and(step.at_most(Lanes::from(FARTHEST)));
+    let mut sound = rising
+        .or(margin.at_most(first.drive))
+        .and(step.at_most(Lanes::from(FARTHEST)));
     for look in 1..=LOOKS {
         let away = step * Lanes::from(look as f64);
         let y = start.y + start.y * away.exp_m1();
@@ -114,8 +107,15 @@ pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, w
 /// Where the piece from the smallest tilt ends: at the start or, where that is nearer to the balance point or past
 /// it, short of that.
 #[inline(always)]
-fn split<T: Real>(start: T, way: &Way) -> T {
-    -(-start).max(T::from(NEAR - way.balance.eta))
+fn split(start: Lanes, way: &Way) -> Lanes {
+    start.min(Lanes::from(way.balance.eta - NEAR))
+}
+
+impl Way {
+    /// Whether a start is so far up that it has a stretch of its own.
+    pub(super) fn has_approach(&self, eta: f64) -> bool {
+        eta > self.balance.eta - NEAR
+    }
 }
 
 /// The pieces of which such a turn is made.

@@ -20,6 +20,9 @@ const YAW_TOLERANCE: f64 = 3e-14;
 /// Error of the time of a piece, relative to it.
 const TIME_TOLERANCE: f64 = 1e-11;
 
+/// Where the table pushes less than this part of the weight at a node, it may have to pull between two.
+const LEAST_PUSH: f64 = 0.05;
+
 /// Yaw and time along a piece, and what tells how well the rule has resolved it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece<T> {
@@ -32,7 +35,7 @@ pub(super) struct Piece<T> {
     last: [[T; 2]; 2],
     /// Those four degrees lower.
     before: [[T; 2]; 2],
-    /// Not below zero if the table had to pull at a node, where that was watched.
+    /// Above zero if the table pushed little at a node, or had to pull, where that was watched.
     pub(super) pull: T,
 }
 
@@ -136,7 +139,7 @@ impl<T: Real> Sub for Piece<T> {
 /// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
 ///
 /// If `PASSES`, on to the balance point and over it, to both sides of which the integrand is singular, so that
-/// its Legendre coefficients swing; and whether the table has to pull is watched.
+/// its Legendre coefficients swing; and the table's push is watched.
 #[inline(always)]
 pub(super) fn from_lowest<const PASSES: bool, T: Real>(
     motion: &impl Tilting<T>,
@@ -265,6 +268,7 @@ impl<T: Real> Piece<T> {
 
     #[inline(always)]
     fn watch(&mut self, motion: &impl Tilting<T>, point: &Point<T>) {
-        self.pull = self.pull.max(-motion.pressing(point));
+        let least = T::from(LEAST_PUSH) * motion.resting(point);
+        self.pull = self.pull.max(least - motion.pressing(point));
     }
 }

@@ -6,7 +6,7 @@
 
 use super::half_tangent;
 use crate::body::Body;
-use crate::real::Real;
+use crate::real::{Real, asinh};
 
 /// Wider than this, in η, the clock need not be slowed.
 const WIDEST: f64 = 1.0;
@@ -71,10 +71,7 @@ impl<T: Real> Ridge<T> {
     /// u at η.
     #[inline(always)]
     pub(super) fn clock(&self, eta: T) -> T {
-        let sinh = (eta - T::from(self.balance.eta)) / self.width;
-        let size = sinh.abs();
-        let clock = (size + (size * size + T::from(1.0)).sqrt()).ln();
-        sinh.where_negative(-clock, clock)
+        asinh((eta - T::from(self.balance.eta)) / self.width)
     }
 
     /// y, η and dη/du at u.

@@ -4,13 +4,13 @@
 //! held for it: whether the iterations met, the rules resolved, the table pushed all the way. What comes
 //! out for a start depends on nothing but that start.
 
-use super::MOST_OUTER;
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, from_lowest, short, to_highest};
-use super::rule::Rule;
+use super::rule::{Rule, nodes_from_lowest, nodes_to_highest};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::LONGEST;
+use super::{MOST_OUTER, SHORT};
 use crate::real::{Lanes, Mask, Real};
 
 /// Newton's iterations for the extremes.
@@ -24,6 +24,10 @@ const MET: f64 = 1e-8;
 pub(super) struct Extremes {
     pub(super) low: Extreme<Lanes>,
     pub(super) high: Extreme<Lanes>,
+    /// About how many nodes the foot, the head and the leg need.
+    pub(super) nodes: [Lanes; 3],
+    /// Of head and leg, minus the square of the τ where the integrand is singular.
+    pub(super) square: [Lanes; 2],
     /// The lanes for which these are what they are meant to be, and eight at a time can go on with.
     pub(super) sound: Mask,
 }
@@ -47,7 +51,18 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
         // The start lies in the upper piece.
         .and(from_start.at_most(outer(span)))
         .and((-from_start).at_most(Lanes::from(1e-12)));
-    Extremes { low, high, sound }
+    let outer = outer(span);
+    let lengths = [outer, from_start.max(Lanes::from(SHORT))];
+    let gap = motion.gap_beyond(high.y);
+    let square = lengths.map(|length| gap / length);
+    let [head, leg] = [0, 1].map(|i| nodes_to_highest(square[i], span / lengths[i]));
+    Extremes {
+        low,
+        high,
+        nodes: [nodes_from_lowest(span - outer, outer), head, leg],
+        square,
+        sound,
+    }
 }
 
 /// The lanes in which the iteration has met a smallest tilt.
