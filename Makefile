@@ -1,13 +1,19 @@
-# What is installed and built is kept in .venv, target and out; each is made anew only when what it
-# is made from has changed. The work of setting up lives in tools/.
+# What is installed and built is kept in .venv, web/node_modules, target, out and, of the page, in
+# python/rimroll/page; each is made anew only when what it is made from has changed. The work of
+# setting up lives in tools/.
 
-CRATES  := crates/rimroll crates/rimroll-py
-RUST    := Cargo.toml $(wildcard Cargo.lock) $(shell find $(CRATES:=/Cargo.toml) $(CRATES:=/src))
-PACKAGE := $(shell find python/rimroll -type f -not -path '*/__pycache__/*')
+# What a crate is made from.
+sources = Cargo.toml $(wildcard Cargo.lock) $(shell find $(1:=/Cargo.toml) $(1:=/src) -type f)
+
+RUST    := $(call sources,crates/rimroll crates/rimroll-py)
+WASM    := $(call sources,crates/rimroll crates/rimroll-wasm)
+WEB     := $(shell find web/src -type f -not -name '*.wasm') $(wildcard web/*.html web/*.ts web/*.json)
+PACKAGE := $(shell find python/rimroll -type f -not -path '*/__pycache__/*' -not -path '*/page/*')
 REPORT  := out/paper/index.html
+PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo test bench coverage lint clean toolchain
+.PHONY: help demo web test bench coverage lint clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -15,9 +21,13 @@ help: ## say what can be made (the default)
 demo: $(REPORT) ## redo the paper's figures and tables as one page
 	@echo "The report is $(REPORT): open it in a browser."
 
-test: .venv/.extension ## run the tests of the core (Rust) and of the package (Python)
+web: $(PAGE) ## build the lab, the page that `rimroll lab` opens
+	@echo "The page is $(PAGE): .venv/bin/rimroll lab opens it."
+
+test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the package (Python) and of the page (in a browser)
 	cargo test
 	.venv/bin/python -m pytest
+	tools/test_page.sh
 
 bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)
 	bench/install.sh
@@ -26,18 +36,32 @@ bench: .venv/.extension ## measure against the peers, into bench/results (a quar
 coverage: .venv/.extension ## measure how often the fit's intervals hold the truth (twenty minutes)
 	.venv/bin/python bench/coverage.py
 
-lint: .venv/.packages ## check format, lints and types
+lint: .venv/.packages web/node_modules/.installed ## check format, lints and types
 	cargo fmt --all --check
 	PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo clippy --workspace --all-targets -- -D warnings
 	.venv/bin/ruff check
 	.venv/bin/ruff format --check
 	.venv/bin/mypy
+	tools/node.sh tsc --noEmit
+	tools/node.sh prettier --check .
 
 clean: ## remove all that was installed, built or made
-	rm -rf .venv target out python/rimroll/_core.*so
+	rm -rf .venv web/node_modules target out
+	rm -rf python/rimroll/page python/rimroll/_core.*so web/src/core/rimroll.wasm
 
 $(REPORT): $(PACKAGE) .venv/.extension
 	.venv/bin/rimroll reproduce --output $(@D)
+
+$(PAGE): $(WEB) web/src/core/rimroll.wasm web/node_modules/.installed
+	tools/node.sh vite build --logLevel warn
+
+web/src/core/rimroll.wasm: $(WASM) tools/build_wasm.sh tools/debian_rust.sh | toolchain
+	tools/build_wasm.sh
+
+# Where the machine has no Node.js, the one in .venv does.
+web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc tools/node.sh | .venv/.packages
+	tools/node.sh npm ci --silent
+	@touch $@
 
 .venv/.extension: $(RUST) tools/build_extension.sh .venv/.packages
 	tools/build_extension.sh

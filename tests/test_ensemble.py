@@ -227,8 +227,8 @@ START = rr.State(tilt=0.3)
         ({"law": "no_slip"}, "law must be a rimroll.Law"),
         ({"starts": 0.3}, "starts must be a rimroll.State"),
         ({"starts": rr.State(tilt=np.full((2, 2), 0.3))}, r"flat arrays, got shape \(2, 2\)"),
-        ({"grip": -0.1}, "grip must be >= 0, got -0.1"),
-        ({"grip": np.nan}, "grip must be >= 0, got nan"),
+        ({"grip": -0.1}, "grip must be finite and >= 0, got -0.1"),
+        ({"grip": np.nan}, "grip must be finite and >= 0, got nan"),
         ({"grip": [1.0, 1.0]}, "grip must be a number or 1 of them"),
         ({"grip": "much"}, "grip must be a number or 1 of them, got 'much'"),
         ({"threads": 0}, "threads must be a whole number >= 1"),
@@ -238,12 +238,29 @@ START = rr.State(tilt=0.3)
         ({"rtol": 0.5}, "rtol must be"),
         ({"max_steps": 0}, "max_steps must be a whole number >= 1"),
         ({"topple_tilt": 4.0}, "topple_tilt must be"),
+        ({"topple_tilt": 0.2}, r"^tilt must be below topple_tilt = 0.2 rad, got 0.3 rad"),
+        ({"progress": 3}, "progress must be None or something to call, got 3"),
     ],
 )
 def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
     asked = {"body": CAN, "starts": START, "law": rr.NoSlip(), **change}
     with pytest.raises(rr.RimrollError, match=words):
         rr.ensemble(**asked)
+
+
+@pytest.mark.parametrize("place", [0, 3, 4999])
+def test_the_start_of_many_that_is_at_fault_is_named(place):
+    tilts, yaws = np.full(5000, 0.3), np.zeros(5000)
+    tilts[place], yaws[place] = 1.2, 2e6
+    grip = np.where(np.arange(5000) == place, -1.0, 1.0)
+    for change, message in (
+        ({"starts": rr.State(tilt=tilts), "topple_tilt": 1.0}, "tilt[{}] must be below topple_"),
+        ({"starts": rr.State(tilt=0.3, yaw=yaws)}, "yaw[{}] must be between -1e6 and 1e6, got 200"),
+        ({"starts": rr.State(tilt=tilts), "grip": grip}, "grip[{}] must be finite and >= 0, got"),
+    ):
+        with pytest.raises(rr.RimrollError) as refusal:
+            rr.ensemble(**{"body": CAN, "law": rr.Coulomb(0.2), **change})
+        assert str(refusal.value).startswith(message.format(place))
 
 
 def test_a_dataset_of_something_else_is_refused():

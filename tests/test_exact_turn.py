@@ -373,6 +373,7 @@ def test_the_derivatives_are_those_of_finite_differences(rocking, law):
         ({"law": "no_slip"}, "law must be a rimroll.Law"),
         ({"law": rr.Coulomb(0.2)}, r"NoSlip or Frictionless .*got Coulomb\(friction=0.2\)"),
         ({"law": rr.NoSlip() + rr.RollingResistance(1e-3)}, "without resistances"),
+        ({"law": rr.Coulomb(0.2)}, r"integrals, got Coulomb.*rimroll.ensemble follows falls"),
         ({"gravity": -1.0}, "gravity must be"),
         ({"gravity": np.nan}, "gravity must be"),
         ({"gravity": "much"}, "gravity must be a single number"),

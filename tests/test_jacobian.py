@@ -165,6 +165,14 @@ def test_one_time_has_one_derivative():
         motion.jacobian(3.0)
 
 
+def test_a_jacobian_says_what_it_is_of():
+    motion = simulated(rr.NoSlip(), jacobian=True)
+    one, several = repr(motion.jacobian(0.3)), repr(motion.jacobian([0.1, 0.2, 0.3]))
+    assert one.startswith("<Jacobian at one time, shape (6, 12): d(tilt, tilt_rate, yaw, yaw_rate,")
+    assert "transverse_inertia, axial_inertia, gravity)" in one
+    assert several.startswith("<Jacobian at 3 times, shape (3, 6, 12): ")
+
+
 def test_a_motion_is_the_same_with_its_derivatives():
     plain, with_them = simulated(rr.NoSlip()), simulated(rr.NoSlip(), jacobian=True)
     assert np.array_equal(plain.yaw, with_them.yaw)

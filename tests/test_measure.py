@@ -363,6 +363,21 @@ REFUSED = [
     (without(rocking_tilt="20 deg"), r"^swings and rocking_tilt measure the same"),
     (without(across_period=0.73, slope_time=1), r"^across_period and slope_time measure the same"),
     (without(slope_length="2 m", slope_time="2 s"), r"also needs slope_height or slope_angle$"),
+    (
+        without(length="6.0 cm"),
+        r"^balance_point: the centre of mass would be 6.9 cm above the base, .* 6 cm.*length$",
+    ),
+    (
+        without("balance_point", balance_tilt="15 deg", length="130 mm"),
+        r"^balance_tilt: the centre of mass would be 19.0\d* cm above the base",
+    ),
+    (
+        without(
+            "swings", "swings_time", swing_period=0.9, pivot_height="14.0 cm", length="0.130 m"
+        ),
+        r"^pivot_height: the pivot would be 14 cm above the base, but must be at most 13 cm",
+    ),
+    (without(length="13 g"), r'^length must be a length.*"g" does not measure a length'),
     (without(mass="-70 g"), r"^mass must be > 0, got -70 g"),
     (without(diameter=0.0), r"^diameter must be > 0"),
     (without(balance_point="-1 mm"), r"^balance_point must be >= 0, got -0.1 cm"),
@@ -410,6 +425,14 @@ REFUSED = [
         r"^C cannot be guessed for so flat a body.*look at swing_period again",
     ),
 ]
+
+
+def test_how_tall_a_body_is_changes_nothing_and_may_be_as_uncertain_as_the_rest():
+    plain = rr.measure(**KITCHEN)
+    for length in ("13 cm", 0.0691, "6.8 cm"):  # the last two within their uncertainties
+        tall = rr.measure(**KITCHEN, length=length)
+        assert numbers(tall) == numbers(plain)
+        assert set(tall.readings) - set(plain.readings) == {"length"}
 
 
 @pytest.mark.parametrize(("readings", "complaint"), REFUSED)
@@ -496,6 +519,7 @@ def test_a_file_is_whole_or_not_there(capsys, monkeypatch, tmp_path):
         (f"{LINE} --balance-tilt 36deg", "--balance-point and --balance-tilt measure the same"),
         (f"{LINE} --swings 3", "--swings must be a whole number, at least 5"),
         (f"{LINE} --swings-time 19s", "--swings-time: a swing takes 0.38 s"),
+        (f"{LINE} --length 5cm", "--balance-point: the centre of mass would be 6.9 cm above"),
         (f"{LINE} --mass 70cm", '"cm" does not measure a mass'),
         (f"{LINE} -o can.csv", "cannot write can.csv: its suffix must be .toml"),
         (f"{LINE} --colour red", "No such option: --colour"),

@@ -111,6 +111,39 @@ def test_a_map_without_stepping_is_the_ensemble_of_its_starts(name, law):
                 assert np.array_equal(told, ~np.isnan(stepped[variable].values))
 
 
+def test_a_map_tells_of_the_exact_turns_of_its_starts_under_other_names():
+    rates = np.linspace(-7.0, 7.0, 6)
+    falls = rr.turn_map(CAN, FLICK, rr.NoSlip(), rates, rates)
+    starts = rr.State(
+        tilt=FLICK.tilt,
+        tilt_rate=FLICK.tilt_rate,
+        yaw_rate=rates[None, :] + 0.0 * rates[:, None],
+        spin_rate=rates[:, None] + 0.0 * rates[None, :],
+    )
+    turns = rr.exact_turn(CAN, starts, rr.NoSlip())
+    for name, other in (("turn", "turn"), ("near_time", "min_time"), ("end_tilt", "max_tilt")):
+        assert np.array_equal(falls[name].values, getattr(turns, other), equal_nan=True)
+    over = (turns.status == "lifted_off") & (turns.max_tilt > rr.balance_tilt(CAN))
+    assert np.array_equal(falls.outcome.values, np.where(over, "toppled", turns.status))
+
+
+@pytest.mark.parametrize("law", [rr.NoSlip(), rr.Coulomb(0.2)], ids=lambda law: law.name)
+@pytest.mark.parametrize(
+    ("option", "message"),
+    [
+        ({"duration": -1.0}, "duration must be > 0, got -1 s"),
+        ({"duration": "long"}, "duration must be a single number"),
+        ({"rtol": 0.5}, "rtol must be between"),
+        ({"max_steps": 0}, "max_steps must be a whole number >= 1, got 0"),
+        ({"topple_tilt": 0.1}, "tilt must be below topple_tilt = 0.1 rad"),
+        ({"progress": 3}, "progress must be None or something to call, got 3"),
+    ],
+)
+def test_a_map_refuses_a_bad_option_whether_it_is_stepped_or_not(law, option, message):
+    with pytest.raises(rr.RimrollError, match=f"^{message}"):
+        rr.turn_map(CAN, FLICK, law, [0.1, 0.2], [0.1], **option)
+
+
 @settings(max_examples=20, deadline=None)
 @given(bodies(), st.floats(0.1, 0.9), st.sampled_from(IDEAL))
 def test_the_watershed_of_linear_theory_is_where_falls_change_sides(body, share, law):
@@ -242,6 +275,8 @@ def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypa
         ("--spin-rates 3..1", "--spin-rates must rise, got '3..1'"),
         ("--spin-rates -1..1m", "does not measure an angular rate"),
         ("--points 1", "--points must be between 2 and 3000, got 1"),
+        ("--duration -1s", "duration must be > 0, got -1 s"),
+        ("--rtol 0.5", "rtol must be between 1e-14 and 1e-3, got 0.5"),
         ("-o map.txt", "cannot write map.txt: its suffix must be one of .csv"),
     ],
 )
@@ -254,12 +289,15 @@ def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.1, 0.0], [0.0]), "yaw_rates must rise"),
+        (
+            lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.1, 0.0], [0.0]),
+            r"yaw_rates must rise from one to the next, got yaw_rates\[1\] = 0.0 after 0.1 rad/s",
+        ),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.0], [0.1, 0.1]), "spin_rates must rise"),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [[0.1]], [0.0]), "yaw_rates must be a flat"),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [], [0.0]), "yaw_rates must be a flat"),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), ["a"], [0.0]), "yaw_rates must be a flat"),
-        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [np.inf], [0.0]), "yaw_rate must be finite"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [np.inf], [0.0]), "yaw_rates.0. must be fin"),
         (lambda: rr.turn_map(CAN, 0.3, rr.NoSlip(), [0.1], [0.0]), "start must be a rimroll.State"),
         (
             lambda: rr.turn_map(CAN, rr.State(tilt=[0.1, 0.2]), rr.NoSlip(), [0.1], [0.0]),

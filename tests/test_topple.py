@@ -471,7 +471,7 @@ def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(capsys, tmp_path, monke
 
     monkeypatch.setattr("rimroll.cli.topple.working", impatient)
     csv, picture = tmp_path / "falls.csv", tmp_path / "falls.svg"
-    asked = f"topple -n 300000 --seed 1 -o {csv} -o {picture} {asked_for}"
+    asked = f"topple -n 300000 --seed 1 --threads 1 -o {csv} -o {picture} {asked_for}"
     assert main(asked.split()) == 130
     captured = capsys.readouterr()
     assert captured.err == "rimroll: interrupted\n"

@@ -1,9 +1,34 @@
 #!/bin/sh
-# Compiles the Rust core to WebAssembly, where the page looks for it.
+# Compiles the Rust core to WebAssembly, where the page looks for it. The standard library for that
+# target is rustup's, or where rustup has none, Debian's; RIMROLL_WASM=rustup or =debian insists on one.
+# The results of the core are the same to the last bit, whoever's it is.
 set -eu
 cd "$(dirname "$0")/.."
 
 target=wasm32-unknown-unknown
-rustup target add "$target" >/dev/null 2>&1
-cargo build --quiet --package rimroll-wasm --profile page --target "$target"
-cp "target/$target/page/rimroll_wasm.wasm" web/src/core/rimroll.wasm
+build() {
+    cargo "$@" build --quiet --package rimroll-wasm --profile page --target "$target"
+    cp "${CARGO_TARGET_DIR:-target}/$target/page/rimroll_wasm.wasm" web/src/core/rimroll.wasm
+}
+
+# Whoever builds with a Rust that is not rustup's may have the target all the same.
+has_target() {
+    [ -d "$(rustc --print target-libdir --target "$target")" ] ||
+        rustup target add "$target" >/dev/null 2>&1
+}
+
+source=${RIMROLL_WASM:-any}
+if [ "$source" != debian ] && has_target; then
+    build
+elif [ "$source" != rustup ] && command -v apt-get >/dev/null && command -v dpkg >/dev/null; then
+    rust=$(tools/debian_rust.sh)
+    # A compiler that is no nightly builds its own standard library only if told that it may.
+    export RUSTC_BOOTSTRAP=1 RUSTC="$rust/usr/bin/rustc"
+    export LD_LIBRARY_PATH="$rust/usr/lib/$(uname -m)-linux-gnu"
+    export CARGO_TARGET_DIR=target/debian
+    export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$rust/usr/bin/wasm-ld"
+    build -Zbuild-std=std,panic_abort
+else
+    echo "rimroll: Rust cannot compile to WebAssembly here; run: rustup target add $target" >&2
+    exit 1
+fi

@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { licences } from "./licences";
 
 export default defineConfig({
   // The page works from any folder of any server, so nothing is named from the root.
@@ -10,5 +11,21 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
   },
-  test: { include: ["tests/**/*.test.ts"] },
+  plugins: [licences("licences.txt")],
+  test: {
+    // One browser at a time: it draws in software and takes all processors by itself.
+    fileParallelism: false,
+    projects: [
+      { extends: true, test: { name: "modules", include: ["tests/modules/**/*.test.ts"] } },
+      {
+        extends: true,
+        test: {
+          name: "browser",
+          include: ["tests/browser/**/*.test.ts"],
+          testTimeout: 60_000,
+          hookTimeout: 60_000,
+        },
+      },
+    ],
+  },
 });

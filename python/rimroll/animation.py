@@ -21,7 +21,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from rimroll import scene
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, callback
 from rimroll.falling import Span, turn_spans
 from rimroll.output import writing
 from rimroll.scene import Array, Camera, Motion, RoundBody
@@ -111,6 +111,7 @@ def animate(
     """
     path = Path(path)
     write = _writer(path)
+    callback("progress", progress)
     if not 0.0 < fps <= 100.0:
         raise RimrollError(f"fps is {fps:g}; it must be above 0 and at most 100")
     clock = film_clock(motion, speed=speed, seconds=seconds, slow_collision=slow_collision)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core, laws
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, callback, element, expect, hold, number
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
 from rimroll.motion import thread_count, whole_number
 from rimroll.options import Options
@@ -109,12 +110,14 @@ def ensemble(
         One row a ``trial``: ``outcome`` (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it
         was computed from, and the :data:`VARIABLES`. ``turn``, ``direction``, ``min_tilt`` and
         ``near_time`` are NaN for a fall that did not come down. The attributes hold everything
-        else that it was computed from.
+        else that it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are what
+        :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``.
 
     Raises
     ------
     RimrollError
-        A number outside its bounds, or starts that are no flat arrays.
+        A number outside its bounds, or starts that are no flat arrays; of an array the message
+        names the element, ``tilt[1]``.
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
@@ -129,6 +132,7 @@ def ensemble(
         whole_number("max_steps", max_steps),
     )
     workers = thread_count(threads)
+    callback("progress", progress)
     rows = _rows(starts)
     grips = _grips(grip, len(rows.tilt))
     count = len(rows.tilt)
@@ -137,7 +141,10 @@ def ensemble(
         if progress is not None:
             progress(done, count)
 
-    table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
+    try:
+        table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
+    except RimrollError as refusal:
+        raise _placed(refusal, starts, lambda k: _refused(body, rows, law, options, k)) from None
     dataset = _dataset(rows, grips, table, balance_tilt(body))
     dataset = dataset.assign_attrs(parameters(body, law, asdict(options)))
     if isinstance(stopped, KeyboardInterrupt):
@@ -145,6 +152,29 @@ def ensemble(
     if stopped is not None:
         raise stopped
     return dataset
+
+
+def _placed(refusal: RimrollError, starts: State, refused: Callable[[int], bool]) -> RimrollError:
+    """A refusal that names the element of the array it is about, ``tilt[3] must be``.
+
+    ``refused`` says whether any of the first so many starts is.
+    """
+    field, rest = str(refusal).split(" ", 1)
+    if not np.ndim(getattr(starts, field, 0.0)):
+        return refusal
+    first = bisect_left(range(1, starts.shape[0] + 1), True, key=refused)
+    return RimrollError(f"{element(field, [first])} {rest}")
+
+
+def _refused(body: Body, rows: _Rows, law: Law, options: Options, count: int) -> bool:
+    """Whether any of the first so many starts is refused; the others go no farther than a step."""
+    some = _Rows(**{name: column[:count] for name, column in vars(rows).items()})
+    hasty = replace(options, max_steps=1).values
+    try:
+        _core.ensemble(body, some, law, np.ones(count), *hasty, 0, None)
+    except RimrollError:
+        return True
+    return False
 
 
 @dataclass(frozen=True)
@@ -178,9 +208,7 @@ def _grips(grip: ArrayLike, count: int) -> Array:
         raise RimrollError(f"grip must be a number or {count} of them, got {grip!r}") from None
     if grips.shape not in ((), (count,)):
         raise RimrollError(f"grip must be a number or {count} of them, got shape {grips.shape}")
-    bad = np.atleast_1d(grips)[~(np.isfinite(grips) & (grips >= 0.0)).reshape(-1)]
-    if bad.size:
-        raise RimrollError(f"grip must be >= 0, got {bad[0]}")
+    hold("grip", grips, np.isfinite(grips) & (grips >= 0.0), "finite and >= 0")
     return np.array(np.broadcast_to(grips, (count,)))
 
 

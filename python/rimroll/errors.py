@@ -1,6 +1,10 @@
 """The errors rimroll raises on purpose."""
 
+from collections.abc import Iterable
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 
 class RimrollError(ValueError):
@@ -30,6 +34,31 @@ def number(field: str, value: object) -> float:
         except (TypeError, ValueError, OverflowError):
             pass
     raise RimrollError(f"{field} must be a single number, got {value!r}")
+
+
+def hold(
+    field: str, values: NDArray[np.float64], holds: NDArray[np.bool_], bound: str, unit: str = ""
+) -> None:
+    """Raise ``RimrollError`` unless the bound holds for a number, or for each element of an array.
+
+    The message names the first that is at fault, as in ``tilt[1] must be finite, got nan``.
+    """
+    if not holds.all():
+        index = tuple(np.argwhere(~holds)[0])
+        got = f"{values[index]} {unit}".rstrip()
+        raise RimrollError(f"{element(field, index)} must be {bound}, got {got}")
+
+
+def element(field: str, index: Iterable[int]) -> str:
+    """How messages name an element of an array, ``tilt[1]``, and a single number, ``tilt``."""
+    place = ", ".join(map(str, index))
+    return f"{field}[{place}]" if place else field
+
+
+def callback(field: str, value: object) -> None:
+    """Raise ``RimrollError`` unless the value is None or can be called."""
+    if value is not None and not callable(value):
+        raise RimrollError(f"{field} must be None or something to call, got {value!r}")
 
 
 class UnitError(RimrollError):

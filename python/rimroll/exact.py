@@ -105,7 +105,10 @@ def exact_turn(
         Another law, a resistance, a number outside its bounds.
     """
     if not conserves_energy(law):
-        raise RimrollError(f"law must be NoSlip or Frictionless without resistances, got {law!r}")
+        raise RimrollError(
+            "law must be NoSlip or Frictionless without resistances, under which turns are"
+            f" integrals, got {law!r}: rimroll.ensemble follows falls under any law"
+        )
     parts = turns_in_parts(body, start, law, gravity, topple_tilt, threads, bool(jacobian))
     codes, table, derivatives = map(np.concatenate, zip(*parts, strict=True))
     return ExactTurn(

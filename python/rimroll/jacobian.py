@@ -38,3 +38,10 @@ class Jacobian:
         column = choose("parameter", names[1], _INDEX_OF_PARAMETER)
         derivative: NDArray[np.float64] | np.float64 = self.values[..., row, column]
         return derivative
+
+    def __repr__(self) -> str:
+        number = "one time" if self.values.ndim == 2 else f"{len(self.values)} times"
+        return (
+            f"<Jacobian at {number}, shape {self.values.shape}:"
+            f" d({', '.join(QUANTITIES)}) by d({', '.join(PARAMETERS)})>"
+        )

@@ -6,25 +6,39 @@ from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colorbar import Colorbar
 from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from rimroll import style
 from rimroll.directions import around, middle_of
-from rimroll.ensemble import FELL, body_of, fell, law_of, outcomes
-from rimroll.laws import IDEAL
-from rimroll.sensitivity import watershed_slope
+from rimroll.ensemble import FELL, fell, outcomes
+from rimroll.map_line import side_line
+from rimroll.ticks import powers_into_label
 
 if TYPE_CHECKING:
     import xarray as xr
 
 NOWHERE = "#9A9A9A"
 """Colour of starts with another outcome."""
+
+Array = NDArray[np.float64]
+Line = tuple[Array, Array]
+
+LINE_WIDTH = 1.0
+"""Of the line on which the side changes, points."""
+
+FEW = 0.01
+"""Of the falls, for which the scale of colours is not drawn out."""
+
+SPOT = 1.0
+"""What can be seen, square points."""
 
 YAW, SPIN = "yaw rate at the start (rad/s)", "spin rate at the start (rad/s)"
 DIRECTION = "direction of fall (degrees)"
@@ -36,18 +50,22 @@ def map_figure(falls: xr.Dataset) -> Figure:
         figure = style.page(86.0, 110.0)
         ax = figure.subplots()
         middle = middle_of_map(falls)
-        image = draw_map(ax, falls, span(falls, middle), middle)
-        _draw_watershed(ax, falls)
+        reach = span(falls, middle)
+        image = draw_map(ax, falls, reach, middle)
+        line = _draw_line(ax, falls)
         style.label(ax, "", _title(falls), YAW, SPIN)
-        scale_of_directions(figure.colorbar(image, ax=ax, pad=0.03))
-        others = set(outcomes(falls)) - set(FELL)
-        if others:
-            name = ", ".join(sorted(others)).replace("_", " ")
-            ax.legend(handles=[Patch(color=NOWHERE, label=name)], loc="lower right", frameon=True)
-        return style.settle(figure)
+        below, above = beyond(falls, reach, middle)
+        ends = {(False, False): "neither", (True, False): "min", (False, True): "max"}
+        extend = ends.get((below > 0.0, above > 0.0), "both")
+        scale_of_directions(figure.colorbar(image, ax=ax, pad=0.03, extend=extend), below + above)
+        style.settle(figure)
+        powers_into_label(ax.xaxis)
+        powers_into_label(ax.yaxis)
+        _draw_legend(ax, falls, line)
+        return figure
 
 
-def directions(falls: xr.Dataset, middle: float = 180.0) -> NDArray[np.float64]:
+def directions(falls: xr.Dataset, middle: float = 180.0) -> Array:
     """Directions of fall, degrees, round a middle; NaN where the body did not rise again."""
     return np.where(fell(falls), around(middle, np.degrees(falls.direction.values)), np.nan)
 
@@ -60,12 +78,32 @@ def middle_of_map(falls: xr.Dataset) -> float:
 
 
 def span(falls: xr.Dataset, middle: float = 180.0) -> float:
-    """How far a scale of colours has to reach on both sides of its middle; 180: all round."""
-    found = directions(falls, middle)
-    if np.all(np.isnan(found)):
+    """How far a scale of colours has to reach on both sides of its middle; 180: all round.
+
+    To the farthest fall, but not for the sake of a few that are twice as far as the others.
+    """
+    away = _away(falls, middle)
+    if not away.size:
         return 180.0
-    most = float(np.nanmax(np.abs(found - middle)))
-    return 180.0 if most > 90.0 else max(10.0 * np.ceil(most / 10.0), 10.0)
+    ends = np.quantile(away, [1.0, 1.0 - FEW], method="higher")
+    most, usual = np.maximum(10.0 * np.ceil(ends / 10.0), 10.0)
+    reach = float(usual if most >= 2.0 * usual else most)
+    return 180.0 if reach > 90.0 else reach
+
+
+def beyond(falls: xr.Dataset, reach: float, middle: float = 180.0) -> tuple[float, float]:
+    """The shares of a map's falls that lie below a scale of colours, and above it."""
+    found = directions(falls, middle)
+    found = found[~np.isnan(found)]
+    if not found.size:
+        return 0.0, 0.0
+    return float(np.mean(found < middle - reach)), float(np.mean(found > middle + reach))
+
+
+def _away(falls: xr.Dataset, middle: float) -> Array:
+    """How far each fall's direction is from another, degrees."""
+    found = directions(falls, middle)
+    return np.abs(found[~np.isnan(found)] - middle)
 
 
 def colors(reach: float, middle: float = 180.0) -> Colormap:
@@ -89,20 +127,53 @@ def draw_map(ax: Axes, falls: xr.Dataset, reach: float, middle: float = 180.0) -
     return image
 
 
-def _draw_watershed(ax: Axes, falls: xr.Dataset) -> None:
-    """The line on which the body comes down flat, where theory has it."""
-    law = law_of(falls)
-    if law in IDEAL:
-        slope = watershed_slope(body_of(falls), falls.attrs["start_tilt"], law)
-        within = {"x": ax.get_xlim(), "y": ax.get_ylim()}
-        spin = np.array(within["y"])
-        ax.plot(slope * spin, spin, color=style.THEORY, lw=1.0)
-        ax.set(xlim=within["x"], ylim=within["y"])
+def _draw_line(ax: Axes, falls: xr.Dataset) -> Line:
+    """The line on which the side changes and the body comes down flat, if it is on the map."""
+    xlim, ylim = ax.get_xlim(), ax.get_ylim()
+    yaw, spin = side_line(falls, *ylim)
+    if not yaw.size or yaw.max() < xlim[0] or yaw.min() > xlim[1]:
+        return np.empty(0), np.empty(0)
+    ax.plot(yaw, spin, color=style.THEORY, lw=LINE_WIDTH)
+    ax.set(xlim=xlim, ylim=ylim)
+    return yaw, spin
 
 
-def scale_of_directions(bar: Colorbar) -> None:
-    """Name the scale of colours."""
-    bar.set_label(DIRECTION)
+def _draw_legend(ax: Axes, falls: xr.Dataset, line: Line) -> None:
+    """Name the line, and other outcomes than falls where they can be seen."""
+    handles: list[Artist] = []
+    if line[0].size:
+        handles.append(Line2D([], [], color=style.THEORY, lw=LINE_WIDTH, label="comes down flat"))
+    others = set(outcomes(falls)) - set(FELL)
+    if seen := sorted(name for name in others if _seen(ax, falls, name, line)):
+        handles.append(Patch(color=NOWHERE, label=", ".join(seen).replace("_", " ")))
+    if handles:
+        ax.legend(handles=handles, loc="lower right", frameon=True)
+
+
+def _seen(ax: Axes, falls: xr.Dataset, outcome: str, line: Line) -> bool:
+    """Whether the starts of an outcome, without those that the line covers, make a spot."""
+    rows, columns = np.nonzero(falls.outcome.values == outcome)
+    x, y = _on_paper(ax, falls.yaw_rate.values[columns], falls.spin_rate.values[rows])
+    shown = x.size
+    if line[0].size > 1:
+        line_x, line_y = _on_paper(ax, *line)
+        lean = (line_x[-1] - line_x[0]) / (line_y[-1] - line_y[0])
+        off = np.abs(x - np.interp(y, line_y, line_x)) / np.hypot(1.0, lean)
+        shown = np.count_nonzero(off > 0.5 * LINE_WIDTH)
+    width, height = np.ptp(_on_paper(ax, np.array(ax.get_xlim()), np.array(ax.get_ylim())), axis=1)
+    return bool(shown * width * height >= SPOT * falls.outcome.size)
+
+
+def _on_paper(ax: Axes, yaw: Array, spin: Array) -> Array:
+    """Where starts lie in a drawn picture, points, shape (2, n)."""
+    pixels = ax.transData.transform(np.column_stack([yaw, spin]))
+    return np.asarray(72.0 / ax.figure.dpi * pixels.T)
+
+
+def scale_of_directions(bar: Colorbar, beyond: float = 0.0) -> None:
+    """Name the scale of colours, and the share of falls that lie beyond its ends."""
+    note = f"\n{100.0 * beyond:.2g} % of the falls lie beyond" if beyond else ""
+    bar.set_label(DIRECTION + note)
     bar.ax.yaxis.set_major_formatter(lambda value, _: f"{value % 360.0:g}")
     bar.outline.set_linewidth(0.6)
     bar.ax.tick_params(bottom=False, labelbottom=False)

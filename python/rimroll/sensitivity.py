@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,10 +18,11 @@ from numpy.typing import ArrayLike, NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.ensemble import VARIABLES, Interrupted, ensemble
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, callback, expect, hold, number
 from rimroll.exact import conserves_energy
 from rimroll.exact_falls import exact_falls
 from rimroll.laws import IDEAL, Frictionless, Law, ideal
+from rimroll.motion import whole_number
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
@@ -61,7 +62,8 @@ def turn_map(
     gravity, duration, rtol, topple_tilt, max_steps, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
         Under ``NoSlip()`` and ``Frictionless()`` nothing is stepped: turns are exact, see
-        :func:`rimroll.exact_turn`, and ``duration``, ``rtol`` and ``max_steps`` play no part.
+        :func:`rimroll.exact_turn`; ``duration``, ``rtol`` and ``max_steps`` must be such as a
+        stepped map takes, and play no other part.
 
     Returns
     -------
@@ -70,7 +72,10 @@ def turn_map(
         ``direction`` and ``min_tilt``, over (``spin_rate``, ``yaw_rate``); without those about
         losses and steps where nothing is stepped. Angles in rad; a direction above π is a fall to
         the left of a hand that flicks the body away from itself. The attributes hold all else that
-        it was computed from.
+        it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are what
+        :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``; but a body whose
+        rim leaves the table as it rises past its balance tilt has the outcome ``toppled`` here, and
+        the status ``lifted_off`` there.
 
     Raises
     ------
@@ -82,31 +87,18 @@ def turn_map(
     expect("start", start, State)
     start = single(start)
     yaw, spin = _rising("yaw_rates", yaw_rates), _rising("spin_rates", spin_rates)
+    callback("progress", progress)
     starts = replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw)))
+    shared: dict[str, Any] = {"gravity": gravity, "topple_tilt": topple_tilt, "threads": threads}
+    stepping: dict[str, Any] = {"duration": duration, "rtol": rtol, "max_steps": max_steps}
     try:
         if conserves_energy(law):
-            falls = exact_falls(
-                body,
-                starts,
-                law,
-                gravity=gravity,
-                topple_tilt=topple_tilt,
-                threads=threads,
-                progress=progress,
-            )
+            # One step of one fall: what a stepped map would refuse is refused here, too.
+            whole_number("max_steps", max_steps)
+            ensemble(body, start, law, **shared, **stepping | {"max_steps": 1})
+            falls = exact_falls(body, starts, law, **shared, progress=progress)
         else:
-            falls = ensemble(
-                body,
-                starts,
-                law,
-                gravity=gravity,
-                duration=duration,
-                rtol=rtol,
-                topple_tilt=topple_tilt,
-                max_steps=max_steps,
-                threads=threads,
-                progress=progress,
-            )
+            falls = ensemble(body, starts, law, **shared, **stepping, progress=progress)
     except Interrupted as interrupted:
         raise Interrupted(_plane(interrupted.done, yaw, spin, start)) from None
     return _plane(falls, yaw, spin, start)
@@ -138,19 +130,31 @@ def watershed(
 
     def to_the_left(yaw_rate: Array) -> NDArray[np.bool_]:
         starts = replace(start, yaw_rate=yaw_rate, spin_rate=spin)
-        turn = ensemble(body, starts, law, gravity=gravity, rtol=rtol).turn.values
-        # Rolling with a spin along its turn, the rim is lifted off before it is lowest.
-        return np.where(np.isnan(turn), spin > 0.0, turn > 0.0)
+        return goes_left(body, starts, law, gravity=gravity, rtol=rtol)
 
     turning = spin != 0.0  # without spin it is the start without yaw, by symmetry
     low, high = ends
     if np.any(to_the_left(low)[turning]) or not np.all(to_the_left(high)[turning]):
         raise RimrollError("these starts have no watershed between falls to the left and right")
-    for _ in range(HALVINGS):
+    return np.where(turning, halved(to_the_left, low, high, HALVINGS), 0.0)
+
+
+def goes_left(body: Body, starts: State, law: Law, **options: Any) -> NDArray[np.bool_]:
+    """Whether bodies turn left from starts (n,), with options of :func:`rimroll.ensemble`."""
+    turn = ensemble(body, starts, law, **options).turn.values
+    # Rolling with a spin along its turn, the rim is lifted off before it is lowest.
+    return np.where(np.isnan(turn), starts.spin_rate > 0.0, turn > 0.0)
+
+
+def halved(
+    to_the_left: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, times: int
+) -> Array:
+    """Where between yaw rates from which a body turns right and left the side changes, by trial."""
+    for _ in range(times):
         middle = 0.5 * (low + high)
         left = to_the_left(middle)
         low, high = np.where(left, low, middle), np.where(left, middle, high)
-    return np.where(turning, 0.5 * (low + high), 0.0)
+    return 0.5 * (low + high)
 
 
 def watershed_slope(body: Body, tilt: float, law: Law) -> float:
@@ -233,11 +237,18 @@ def _flat(name: str, values: ArrayLike) -> Array:
     array = np.atleast_1d(np.asarray(values))
     if array.dtype.kind not in "iuf" or array.ndim > 1 or not array.size:
         raise RimrollError(f"{name} must be a flat array of numbers, got {values!r}")
-    return array.astype(np.float64)
+    array = array.astype(np.float64)
+    hold(name, array, np.isfinite(array), "finite")
+    return array
 
 
 def _rising(name: str, values: ArrayLike) -> Array:
     array = _flat(name, values)
-    if not np.all(np.diff(array) > 0.0):
-        raise RimrollError(f"{name} must rise from one to the next, got {values!r}")
+    falling = np.flatnonzero(np.diff(array) <= 0.0)
+    if falling.size:
+        k = falling[0]
+        raise RimrollError(
+            f"{name} must rise from one to the next, got {name}[{k + 1}] = {array[k + 1]} after"
+            f" {array[k]} rad/s"
+        )
     return array

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, hold
 
 Numbers = float | NDArray[np.float64]
 
@@ -37,7 +37,8 @@ class State:
     Raises
     ------
     RimrollError
-        A value that is not a finite number, a tilt outside (0, π), arrays that differ in shape.
+        A value that is not a finite number, a tilt outside (0, π), arrays that differ in shape; of
+        an array the message names the element, ``tilt[1]``.
     """
 
     tilt: Numbers
@@ -55,10 +56,8 @@ class State:
         if len({shape for shape in shapes.values() if shape}) > 1:
             arrays = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
             raise RimrollError(f"the arrays of a State must agree in shape, got {arrays}")
-        outside = np.atleast_1d(self.tilt)
-        outside = outside[(outside <= 0.0) | (outside >= np.pi)]
-        if outside.size:
-            raise RimrollError(f"tilt must be inside (0, pi), got {outside[0]} rad")
+        tilt = np.asarray(self.tilt)
+        hold("tilt", tilt, (tilt > 0.0) & (tilt < np.pi), "inside (0, pi)", "rad")
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -84,9 +83,7 @@ def times(t: ArrayLike) -> NDArray[np.float64]:
 
 def _finite(field: str, value: object) -> NDArray[np.float64]:
     array = _numbers(field, value)
-    bad = array[~np.isfinite(array)]
-    if bad.size:
-        raise RimrollError(f"{field} must be finite, got {bad.flat[0]}")
+    hold(field, array, np.isfinite(array), "finite")
     return array
 
 

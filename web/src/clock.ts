@@ -41,6 +41,17 @@ class Schedule {
   shownAt(time: number): number {
     return interpolated(this.times, this.shown, time);
   }
+
+  /** Seconds of the visitor in one of the motion, between the knots about a time. */
+  slownessAt(time: number): number {
+    const { length } = this.times;
+    let low = knotBefore(this.times, time);
+    // Two sides of an impact are at one time; look past them, and back from the end.
+    while (low < length - 2 && at(this.times, low + 1) === at(this.times, low)) low++;
+    while (low > 0 && at(this.times, low + 1) === at(this.times, low)) low--;
+    const passes = at(this.times, low + 1) - at(this.times, low);
+    return passes > 0 ? (at(this.shown, low + 1) - at(this.shown, low)) / passes : 1;
+  }
 }
 
 export class Clock {
@@ -64,10 +75,7 @@ export class Clock {
 
   /** How much of it has been shown, 0 to 1; set it to scrub. */
   get progress(): number {
-    const schedule = this.schedule.value;
-    return schedule && schedule.length > 0
-      ? schedule.shownAt(this.time.value) / schedule.length
-      : 0;
+    return this.progressAt(this.time.value);
   }
 
   set progress(part: number) {
@@ -75,14 +83,15 @@ export class Clock {
     if (schedule) this.time.value = schedule.timeAt(part * schedule.length);
   }
 
+  /** How much of it has been shown when it is shown at a time (s), 0 to 1. */
+  progressAt(time: number): number {
+    const schedule = this.schedule.value;
+    return schedule && schedule.length > 0 ? schedule.shownAt(time) / schedule.length : 0;
+  }
+
   /** How many times slower than life the motion is shown just now. */
   get slowness(): number {
-    const schedule = this.schedule.value;
-    if (!schedule) return 1;
-    const shown = schedule.shownAt(this.time.value);
-    const ahead = Math.min(1e-3, Math.max(schedule.length - shown, 1e-9));
-    const passes = schedule.timeAt(shown + ahead) - schedule.timeAt(shown);
-    return ahead / Math.max(passes, 1e-15) / this.speed.value;
+    return (this.schedule.value?.slownessAt(this.time.value) ?? 1) / this.speed.value;
   }
 
   play(): void {
@@ -122,17 +131,24 @@ export class Clock {
 
 /** y where x is between the knots of a rising x. */
 function interpolated(x: Float64Array, y: Float64Array, at_x: number): number {
+  const last = x.length - 1;
+  if (at_x <= at(x, 0)) return at(y, 0);
+  if (at_x >= at(x, last)) return at(y, last);
+  const low = knotBefore(x, at_x);
+  const width = at(x, low + 1) - at(x, low);
+  const part = width > 0 ? (at_x - at(x, low)) / width : 0;
+  return at(y, low) + part * (at(y, low + 1) - at(y, low));
+}
+
+/** The last knot but the end that is not beyond a place. */
+function knotBefore(x: Float64Array, place: number): number {
   let [low, high] = [0, x.length - 1];
-  if (at_x <= at(x, low)) return at(y, low);
-  if (at_x >= at(x, high)) return at(y, high);
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (at(x, middle) <= at_x) low = middle;
+    if (at(x, middle) <= place) low = middle;
     else high = middle;
   }
-  const width = at(x, high) - at(x, low);
-  const part = width > 0 ? (at_x - at(x, low)) / width : 0;
-  return at(y, low) + part * (at(y, high) - at(y, low));
+  return low;
 }
 
 const at = (array: Float64Array, index: number) => array[index] as number;

@@ -12,6 +12,7 @@ from rimroll._core import __version__
 from rimroll.cli.bodies import bodies
 from rimroll.cli.compare import compare
 from rimroll.cli.fit import fit
+from rimroll.cli.lab import lab
 from rimroll.cli.map import map
 from rimroll.cli.measure import measure
 from rimroll.cli.options import unfolded
@@ -37,6 +38,7 @@ COMMANDS = (
     measure,
     protractor,
     fit,
+    lab,
     reproduce,
     bodies,
 )

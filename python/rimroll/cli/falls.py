@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rimroll.cli.formats import Forms, write_json
 from rimroll.cli.screen import Bar
@@ -23,29 +23,39 @@ SMALL_INTEGERS = 2**31  # netCDF's; a larger seed is written down as text
 
 def _csv(part: Path, falls: xr.Dataset, bar: Bar) -> None:
     """One line of ``name[unit]``, comments with the parameters, and a row a fall in full."""
-    frame = falls.to_dataframe().reset_index(drop=set(falls.sizes) == {"trial"})
-    flags = frame.select_dtypes("bool").columns
-    frame = frame.astype(dict.fromkeys(flags, int))
-    frame.insert(0, "direction in degrees", np.degrees(frame["direction"]))
-    frame.insert(1, "outcome", frame.pop("outcome"))
-    frame.columns = list(_names(falls, frame.columns))
+    columns = _columns(falls)
     with part.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(",".join(frame.columns) + "\n")
+        file.write(",".join(columns) + "\n")
         for name, value in {**falls.attrs, "direction": DIRECTION}.items():
             file.write(f"# {name} = {value}\n")
-        for first in range(0, len(frame), ROWS):
-            bar(first, len(frame), "")
-            rows = frame[first : first + ROWS]
-            rows.to_csv(file, header=False, index=False, na_rep="nan", lineterminator="\n")
+        for first in range(0, falls.outcome.size, ROWS):
+            bar(first, falls.outcome.size, "")
+            some = (_texts(column[first : first + ROWS]) for column in columns.values())
+            file.writelines(f"{','.join(row)}\n" for row in zip(*some, strict=True))
 
 
-def _names(falls: xr.Dataset, columns: Any) -> Iterator[str]:
-    for column in columns:
-        if column == "direction in degrees":
-            yield "direction[deg]"
-        else:
-            unit = falls[column].attrs.get("units")
-            yield f"{column}[{unit}]" if unit else column
+def _columns(falls: xr.Dataset) -> dict[str, NDArray[Any]]:
+    """The columns of a table of falls by ``name[unit]``, those for people first."""
+    outcome = falls["outcome"]
+    plane = [falls[name] for name in outcome.dims if name != "trial"]
+    others = [falls[name] for name in falls.data_vars if name != "outcome"]
+    return {
+        "direction[deg]": np.degrees(falls["direction"].values).ravel(),
+        "outcome": outcome.values.ravel(),
+        **{_name(one): one.broadcast_like(outcome).values.ravel() for one in [*plane, *others]},
+    }
+
+
+def _name(column: xr.DataArray) -> str:
+    unit = column.attrs.get("units")
+    return f"{column.name}[{unit}]" if unit else str(column.name)
+
+
+def _texts(column: NDArray[Any]) -> list[str]:
+    """Numbers in full; flags as 0 and 1."""
+    if column.dtype.kind == "U":
+        return list(column.tolist())
+    return [*map(repr, (column.astype(int) if column.dtype == bool else column).tolist())]
 
 
 def _netcdf(part: Path, falls: xr.Dataset, bar: Bar) -> None:

@@ -89,7 +89,7 @@ MapOutputOption = Annotated[
         "--output",
         "-o",
         help="Write a file; may be repeated. Its suffix says what: .png, .svg or .pdf a picture,"
-        " .csv, .nc or .json numbers.",
+        " .csv, .nc or .json numbers; of a large map .nc is the smallest and quickest.",
         metavar="FILE",
         rich_help_panel="Output",
     ),

@@ -53,6 +53,9 @@ class MeasureOptions:
     mass: Annotated[Text, _given("On the scales.", "MASS", SIZE)] = None
     radius: Annotated[Text, _given("Of the rim that touches the table.", "LENGTH", SIZE)] = None
     diameter: Annotated[Text, _given("Or this: twice the radius.", "LENGTH", SIZE)] = None
+    length: Annotated[
+        Text, _given("How tall it is, base to top: a check on the others.", "LENGTH", SIZE)
+    ] = None
     balance_point: Annotated[
         Text,
         _given(

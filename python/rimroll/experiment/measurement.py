@@ -89,6 +89,7 @@ def measure(
     mass: Reading = None,
     radius: Reading = None,
     diameter: Reading = None,
+    length: Reading = None,
     balance_point: Reading = None,
     balance_tilt: Reading = None,
     swings: Reading = None,
@@ -128,6 +129,9 @@ def measure(
         m; needed, as is one way each to R, H and A.
     radius, diameter
         R of the rim, or 2R.
+    length
+        How tall the body is, from its base to its top. Nothing is computed from it; but its centre
+        of mass and where it hangs must lie within.
     balance_point, balance_tilt
         H, the distance from the base at which the body on its side balances across an edge; or the
         tilt at which it balances on its rim.
@@ -194,6 +198,7 @@ class _Bench:
         self.mass, self.gravity = readings["mass"], readings["gravity"]
         self.radius = 0.5 * readings["diameter"] if "diameter" in readings else readings["radius"]
         self.height = self._height()
+        self._check_length()
         self.pivot = self._pivot(across_pivot)
         across = readings.get("pivot_radius", self.radius)
         below = self.height - readings.get("pivot_height", 0.0)
@@ -204,6 +209,25 @@ class _Bench:
             return self.readings["balance_point"]
         tilt = self.readings["balance_tilt"]
         return self.radius * umath.cos(tilt) / umath.sin(tilt)
+
+    def _check_length(self) -> None:
+        """Refuse what lies above the top of the body, by more than its readings leave open."""
+        if "length" not in self.readings:
+            return
+        length, way = self.readings["length"], self.readings.way(HEIGHT)
+        assert way is not None
+        heights = {way[0]: self.height}
+        if "pivot_height" in self.readings:
+            heights["pivot_height"] = self.readings["pivot_height"]
+        for name, height in heights.items():
+            over = height - length
+            if over.nominal_value > 2.0 * over.std_dev + ROUNDING * length.nominal_value:
+                what = "the pivot" if name == "pivot_height" else "the centre of mass"
+                raise RimrollError(
+                    f"{self.typed(name)}: {what} would be {pretty(height.nominal_value, 'm')} above"
+                    f" the base, but must be at most {pretty(length.nominal_value, 'm')}, the"
+                    f" {self.typed('length')}"
+                )
 
     def _pivot(self, across_pivot: str | None) -> str:
         swung = self.readings.way(ACROSS) is not None

@@ -21,6 +21,7 @@ UNITS = {
     "mass": "kg",
     "radius": "m",
     "diameter": "m",
+    "length": "m",
     "balance_point": "m",
     "balance_tilt": "rad",
     "swings": "1",

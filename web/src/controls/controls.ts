@@ -1,3 +1,83 @@
-import type { Lab } from "../lab";
+// What one sets: the body, how it is let go, and the table.
 
-export function mountControls(_lab: Lab, _place: HTMLElement): void {}
+import { effect } from "@preact/signals-core";
+import { choiceButtons, choiceList } from "../inputs/choice";
+import { button, element } from "../elements";
+import { Hand } from "../inputs/hand";
+import { type NumberName, numberRow } from "../inputs/number";
+import type { Lab } from "../lab";
+import { BODY_FIELDS, type FieldName } from "../setup/fields";
+import { frictionRow, idleUnderIdealLaws } from "./friction";
+import { hintFor } from "./hint";
+
+const RELEASE: NumberName[] = ["tilt", "tilt_rate", "sideways"];
+const MORE: NumberName[] = ["twist", "yaw", "rolling", "restitution", "gravity", "duration"];
+
+export function mountControls(lab: Lab, place: HTMLElement): void {
+  const hand = new Hand(lab);
+  const rows = (names: readonly NumberName[]) => names.map((name) => numberRow(hand, name).row);
+  place.append(
+    element("h2", { class: "unseen" }, "Set-up"),
+    choiceList(hand, "body"),
+    ...bodyRows(hand),
+    ...rows(RELEASE),
+    choiceButtons(hand, "law"),
+    frictionRow(hand),
+    more(hand),
+    otherRefusals(lab),
+    element(
+      "div",
+      { class: "foot" },
+      hintFor(place),
+      button("Let go", () => hand.letGo(), { class: "primary", id: "let-go" }),
+      button("As at the start", () => hand.reset(), { id: "reset" }),
+    ),
+  );
+}
+
+/** Each body's own numbers, there only with it. */
+function bodyRows(hand: Hand): HTMLElement[] {
+  const names = [...new Set(Object.values(BODY_FIELDS).flat())] as NumberName[];
+  return names.map((name) => {
+    const { row } = numberRow(hand, name);
+    row.classList.add("own");
+    effect(() => {
+      row.hidden = !BODY_FIELDS[hand.lab.setup.value.body]?.includes(name);
+    });
+    return row;
+  });
+}
+
+/** Where all quantities have room beside the table. */
+const ROOMY = "(min-width: 60em) and (min-height: 64em)";
+
+/** What few will want to set; it opens by itself for what was refused in it, and on large screens. */
+function more(hand: Hand): HTMLElement {
+  const open = matchMedia(ROOMY).matches;
+  const details = element("details", { class: "more", open }, element("summary", {}, "More"));
+  for (const name of MORE) {
+    const idle = name === "restitution" ? idleUnderIdealLaws(hand) : undefined;
+    details.append(numberRow(hand, name, idle).row);
+  }
+  effect(() => {
+    const inside = MORE as FieldName[];
+    if (hand.lab.refusals.value.some(({ field }) => inside.includes(field))) details.open = true;
+  });
+  return details;
+}
+
+/** What a link holds wrongly for a body that is not shown. */
+function otherRefusals(lab: Lab): HTMLElement {
+  const list = element("p", { class: "refusal", role: "alert" });
+  effect(() => {
+    const { body } = lab.setup.value;
+    const hidden = Object.values(BODY_FIELDS)
+      .flat()
+      .filter((name) => !BODY_FIELDS[body]?.includes(name));
+    const messages = lab.refusals.value
+      .filter(({ field }) => hidden.includes(field))
+      .map(({ message }) => message);
+    list.textContent = messages.join(" ");
+  });
+  return list;
+}

@@ -90,6 +90,8 @@ export class Motion {
   /** When it ends, s. */
   readonly end: number;
   private readonly names: readonly Column[];
+  /** The samples asked for last: several parts of the page look at the same ones. */
+  private sampled: { perStep: number; moments: Moments } | undefined;
 
   constructor(
     private readonly exchange: Exchange,
@@ -129,14 +131,18 @@ export class Motion {
 
   /** Moments inside each step of the solver and at its end: close together just where it is fast. */
   samples(perStep: number): Moments {
-    this.exchange.core.samples(this.kept(), perStep);
-    return this.table();
+    if (this.sampled?.perStep !== perStep) {
+      this.exchange.core.samples(this.kept(), perStep);
+      this.sampled = { perStep, moments: this.table() };
+    }
+    return this.sampled.moments;
   }
 
   /** Gives the core's memory back; the motion cannot be looked up afterwards. */
   forget(): void {
     this.exchange.core.forget(this.kept());
     this.address = 0;
+    this.sampled = undefined;
   }
 
   private kept(): number {

@@ -1,3 +1,86 @@
-import type { Lab } from "../lab";
+// The panel of the flicks: one button repeats the release, falls appear one after the other.
 
-export function mountFlicks(_lab: Lab, _place: HTMLElement): void {}
+import { effect } from "@preact/signals-core";
+import type { Lab } from "../lab";
+import "./flicks.css";
+import { histogram } from "./histogram";
+import { makeThem } from "./making";
+import { inWords, tallied } from "./tally";
+
+export function mountFlicks(lab: Lab, place: HTMLElement): void {
+  place.innerHTML = `
+    <h2>Forty-two flicks</h2>
+    <p class="hint">No hand does the same thing twice. Repeat this release with a little scatter, and mark where the body falls.</p>
+    <div class="row">
+      <button type="button" class="make primary"></button>
+      <button type="button" class="clear">Clear</button>
+      <label>How often <input class="count" type="number" min="1" max="1000" step="1" inputmode="numeric"></label>
+    </div>
+    <figure>
+      <svg viewBox="-106 -106 212 212" role="img" aria-label="Where it fell, all round the body" aria-describedby="flicks-said"></svg>
+      <figcaption>
+        <p id="flicks-said" role="status"></p>
+        <ul class="legend">
+          <li><i class="no-slip"></i>limit without slip <b class="no-slip-limit"></b></li>
+          <li><i class="frictionless"></i>limit without friction <b class="frictionless-limit"></b></li>
+          <li class="for-here"><i class="here"></i>limit on this table <b class="here-limit"></b></li>
+          <li class="for-measured"><i class="measured"></i>the paper: 213.0 ± 3.9° and 217.9 ± 4.5°</li>
+        </ul>
+      </figcaption>
+    </figure>`;
+  const part = <E extends Element>(selector: string) => place.querySelector(selector) as E;
+  const make = part<HTMLButtonElement>(".make");
+  const clear = part<HTMLButtonElement>(".clear");
+  const count = part<HTMLInputElement>(".count");
+  const picture = part<SVGElement>("svg");
+  const said = part<HTMLElement>("#flicks-said");
+
+  make.addEventListener("click", () => {
+    // Another evening, another hand: chance begins anew each time, from a seed that the link keeps.
+    if (lab.flicksMade.value !== undefined) lab.setup.value = withNextSeed(lab);
+    makeThem(lab);
+  });
+  clear.addEventListener("click", () => (lab.flicksMade.value = undefined));
+  count.addEventListener("change", () => {
+    const number = Math.round(Number(count.value));
+    if (number >= 1 && number <= 1000) lab.setup.value = { ...lab.setup.value, flicks: number };
+    else count.value = String(lab.setup.value.flicks);
+  });
+
+  effect(() => {
+    const { flicks } = lab.setup.value;
+    count.value = String(flicks);
+    const again = lab.flicksMade.value !== undefined;
+    make.textContent =
+      flicks === 1 ? "Flick it once" : `Flick it ${flicks} times${again ? " again" : ""}`;
+    clear.hidden = !again;
+  });
+  effect(() => {
+    const made = Math.min(lab.flicksMade.value ?? 0, lab.flicks.value.length);
+    const tally = tallied(lab.flicks.value.slice(0, made));
+    const theory = lab.theory.value;
+    const measured = lab.setup.value.body === "can_2007";
+    picture.innerHTML = histogram({ tally, theory, measured });
+    const done = made === lab.flicks.value.length;
+    // Said once, not at every fall.
+    if (done)
+      said.textContent =
+        inWords(tally, made) ||
+        (lab.flicksMade.value === undefined ? "" : "This set-up cannot be flicked.");
+    part<HTMLElement>(".for-measured").hidden = !measured;
+    part<HTMLElement>(".for-here").hidden = !theory || Number.isNaN(theory.here);
+    for (const [name, limit] of [
+      ["no-slip", theory?.noSlip],
+      ["frictionless", theory?.frictionless],
+      ["here", theory?.here],
+    ] as const)
+      part<HTMLElement>(`.${name}-limit`).textContent = limit === undefined ? "" : degrees(limit);
+  });
+}
+
+const withNextSeed = (lab: Lab) => ({
+  ...lab.setup.value,
+  seed: (lab.setup.value.seed + 1) % 4294967296,
+});
+
+const degrees = (radians: number) => `${((radians * 180) / Math.PI).toFixed(1)}°`;

@@ -1,3 +1,139 @@
-import type { Lab } from "../lab";
+// Five plots over one axis of time, linked to the time shown.
 
-export function mountPlots(_lab: Lab, _place: HTMLElement): void {}
+import { computed, effect, signal } from "@preact/signals-core";
+import "uplot/dist/uPlot.min.css";
+import { element } from "../elements";
+import type { Lab } from "../lab";
+import { Chart } from "./chart";
+import { FIGURES, type Subject } from "./figures";
+import { attachGestures } from "./gestures";
+import { paletteOf } from "./palette";
+import "./plots.css";
+import { sampled } from "./sampled";
+import { chooser, phaseKey, toolbar } from "./toolbar";
+import { View } from "./view";
+import { inSight, oncePerPicture, onceQuiet } from "./when";
+
+/** Below this width (CSS px) of the page one plot is shown at a time. */
+const NARROW = "(max-width: 47.99rem)";
+/** Moments of a smooth curve, per CSS px of its width. */
+const DENSITY = 1;
+/** Samples of each step of the solver. */
+const PER_STEP = 4;
+/** CSS px, where type has its usual size. */
+const HEIGHT = 210;
+
+export function mountPlots(lab: Lab, section: HTMLElement): void {
+  const view = new View(lab.motion);
+  const palette = paletteOf(section);
+  const chosen = signal(FIGURES[0]?.name);
+  const narrow = signal(matchMedia(NARROW).matches);
+  matchMedia(NARROW).addEventListener("change", (query) => (narrow.value = query.matches));
+  const width = signal(0);
+
+  const large = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+  const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value, large));
+  const absent = element("p", { class: "absent" }, "There is no motion to plot.");
+  const hint = element(
+    "p",
+    { class: "hint" },
+    "Drag across a plot to zoom, click to go to a time, double-click for the whole motion; " +
+      "the wheel zooms too, once you have clicked or with Ctrl. Touch: one finger goes to a time, two zoom.",
+  );
+  const notes = element("div", { class: "notes" }, phaseKey(lab), hint);
+  const grid = element("div", { class: "grid" }, ...charts.map((chart) => chart.root), notes);
+  const present = element(
+    "div",
+    {},
+    toolbar(lab, view),
+    chooser(FIGURES, FIGURES[0]?.name ?? "", (name) => (chosen.value = name)),
+    grid,
+  );
+  section.append(absent, present);
+
+  const samples = computed(() => lab.motion.value?.samples(PER_STEP));
+  const subject = computed((): Subject | undefined => {
+    const motion = lab.motion.value;
+    const all = samples.value;
+    if (!motion || !all) return undefined;
+    const { law, friction } = lab.setup.value;
+    const ground = all.column("potential_energy").reduce((a, b) => Math.min(a, b), Infinity);
+    return { motion, theory: lab.theory.value, law, friction, ground };
+  });
+  const chosenCharts = computed(() =>
+    charts.filter((chart) => !narrow.value || chart.figure.name === chosen.value),
+  );
+  // Those out of sight are drawn when nothing has changed for a while: a slider drags no more than
+  // is looked at, and who is read to hears of all.
+  const seen = inSight(charts.map((chart) => chart.root));
+  const visible = computed(() => chosenCharts.value.filter(({ root }) => seen.value.has(root)));
+
+  const draw = (these: readonly Chart[]) => {
+    const now = subject.value;
+    const all = samples.value;
+    if (!now || !all || width.value === 0 || these.length === 0) return;
+    const shown = view.shown.value;
+    const moments = sampled(now.motion, all, shown, Math.ceil(width.value * DENSITY));
+    for (const chart of these) {
+      chart.resize(width.value, Math.round(HEIGHT * large));
+      chart.show(now, moments, shown);
+    }
+    tell(these);
+  };
+  const tell = (these: readonly Chart[]) => {
+    const moment = lab.moment.value;
+    const place = view.placeOf(lab.clock.time.value);
+    if (moment) for (const chart of these) chart.tell(place, moment);
+  };
+
+  effect(() => {
+    const there = lab.motion.value !== undefined;
+    present.hidden = !there;
+    absent.hidden = there;
+    for (const chart of charts) chart.root.hidden = !chosenCharts.value.includes(chart);
+  });
+  const drawn = () => [subject.value, view.shown.value, chosenCharts.value, width.value];
+  oncePerPicture(
+    () => [drawn(), visible.value],
+    () => draw(visible.value),
+  );
+  onceQuiet(drawn, () => draw(chosenCharts.value));
+  oncePerPicture(
+    () => lab.clock.time.value,
+    () => tell(visible.value),
+  );
+  onceQuiet(
+    () => lab.clock.time.value,
+    () => tell(chosenCharts.value),
+  );
+  oncePerPicture(
+    () => palette.value,
+    () => charts.forEach((chart) => chart.recolour()),
+  );
+  new ResizeObserver(() => {
+    const shownFigure = chosenCharts.value[0]?.root;
+    if (shownFigure) width.value = Math.floor(shownFigure.clientWidth);
+  }).observe(grid);
+
+  for (const chart of charts) link(chart, lab, view);
+}
+
+/** What hands do on a plot, in times. */
+function link(chart: Chart, { clock }: Lab, view: View): void {
+  const timeAt = (place: number) => {
+    const { from, to } = view.shown.value;
+    return from + place * (to - from);
+  };
+  attachGestures(chart.pad, chart.root, {
+    scrub(place) {
+      clock.pause();
+      clock.time.value = view.shown.value.origin + timeAt(place);
+    },
+    now: () => view.placeOf(clock.time.value),
+    select: (range) => chart.select(range),
+    zoomTo: ([from, to]) => view.show(timeAt(from), timeAt(to)),
+    zoom: (factor, about) => view.zoom(factor, timeAt(about)),
+    canZoomOut: () => !view.isWhole,
+    reset: () => view.whole(),
+  });
+}

@@ -1,13 +1,14 @@
 // The motion as a table for a spreadsheet: one row a moment, SI units and radians.
 
 import type { Motion } from "../core/motion";
+import { digits } from "./digits";
 
 /** At the steps of the solver, the numbers with all their digits. */
 export function toCsv(motion: Motion): string {
   const moments = motion.samples(1);
   const columns = moments.names.map((name) => moments.column(name));
   const rows = Array.from({ length: moments.length }, (_, k) =>
-    columns.map((column) => column[k]).join(","),
+    columns.map((column) => digits(column[k] as number)).join(","),
   );
   return [moments.names.join(","), ...rows, ""].join("\n");
 }

@@ -16,6 +16,8 @@ export interface NumberField {
   open?: boolean;
   /** Where a slider ends, if not at the bounds, and its step. */
   slider?: [low: number, high: number, step: number];
+  /** The slider goes by orders of magnitude, on both sides of 0, down to this. */
+  finest?: number;
   /** What it means, in a sentence. */
   help: string;
 }
@@ -119,7 +121,7 @@ export const FIELDS = {
     unit: "°",
     initial: 20,
     least: 0,
-    most: 180,
+    most: 90,
     open: true,
     slider: [0.5, 89.5, 0.5],
     help: "How far it leans when it is let go.",
@@ -138,10 +140,11 @@ export const FIELDS = {
     kind: "number",
     label: "Sideways error",
     unit: "rad/s",
-    initial: 0.002,
+    initial: 0.0005,
     least: -1000,
     most: 1000,
     slider: [-0.5, 0.5, 0.001],
+    finest: 1e-6,
     help: "How fast it also turns about the line along which it leans: no hand hits the middle.",
   },
   twist: {

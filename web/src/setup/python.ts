@@ -1,10 +1,12 @@
 // The set-up as Python code that computes the very same motion, to the last bit.
 
 import type { Body, State, Surface } from "../core/core";
+import { digits } from "./digits";
 import type { Posed } from "./posed";
 
 export function toPython({ body, start, surface, options }: Posed): string {
-  return `import rimroll as rr
+  return `import math
+import rimroll as rr
 
 body = ${bodyCode(body)}
 start = ${startCode(start)}
@@ -15,12 +17,12 @@ motion = rr.simulate(body, start, law, duration=${options.duration}, gravity=${o
 print(motion.message)
 for turn in motion.turns:
     print(f"turned by {math.degrees(turn.angle):.3f} degrees")
-`.replace("import rimroll", "import math\nimport rimroll");
+`;
 }
 
 const call = (name: string, fields: Record<string, number>) =>
   `${name}(${Object.entries(fields)
-    .map(([field, value]) => `${field}=${value}`)
+    .map(([field, value]) => `${field}=${digits(value)}`)
     .join(", ")})`;
 
 const bodyCode = (b: Body) =>

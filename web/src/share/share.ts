@@ -1,3 +1,66 @@
-import type { Lab } from "../lab";
+// What a visitor takes away: a link, Python code for the very same motion, and its numbers.
 
-export function mountShare(_lab: Lab, _place: HTMLElement): void {}
+import { effect } from "@preact/signals-core";
+import { button, element } from "../elements";
+import type { Lab, Outcome } from "../lab";
+import { toCsv } from "../setup/csv";
+import { toPython } from "../setup/python";
+import { toHash } from "../setup/url";
+import { copied } from "./copy";
+import { download } from "./download";
+
+export function mountShare(lab: Lab, place: HTMLElement): void {
+  const said = element("p", { class: "done", role: "status" });
+  const link = element("input", { type: "text", id: "share-link", readonly: true });
+  const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": "Python code" });
+  const copy = async (text: string, shownIn: HTMLElement, what: string) => {
+    const done = await copied(text, shownIn);
+    say(said, done ? `${what} copied.` : "Selected: copy it with Ctrl+C or ⌘C.");
+  };
+  const copyLink = button("Copy link", () => void copy(link.value, link, "Link"));
+  const copyCode = button("Copy as Python", () => void copy(code.textContent, code, "Python code"));
+  const saveCsv = button("Download CSV", () => {
+    const motion = lab.motion.value;
+    if (!motion) return;
+    const name = `rimroll-${lab.setup.value.body}.csv`;
+    download(name, toCsv(motion), "text/csv");
+    say(said, `${name} downloaded.`);
+  });
+  place.append(
+    element("h2", {}, "Share"),
+    element("p", { class: "help" }, "All that is set here is in the link; no server sees it."),
+    element(
+      "div",
+      { class: "link" },
+      element("label", { for: link.id, class: "unseen" }, "Link to this set-up"),
+      link,
+      copyLink,
+    ),
+    element("div", { class: "buttons" }, copyCode, saveCsv),
+    said,
+    element("details", {}, element("summary", {}, "The same motion in Python"), code),
+  );
+  effect(() => {
+    link.value = addressOf(lab);
+  });
+  effect(() => {
+    const outcome = lab.outcome.value;
+    code.textContent = pythonOf(outcome);
+    copyCode.disabled = saveCsv.disabled = "refused" in outcome;
+  });
+}
+
+/** The address, as it is about to be in the browser's own field. */
+function addressOf(lab: Lab): string {
+  const hash = toHash(lab.setup.value);
+  return location.href.replace(/#.*$/, "") + (hash === "" ? "" : `#${hash}`);
+}
+
+const pythonOf = (outcome: Outcome) =>
+  "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.posed);
+
+/** Also the same words a second time are to be read out. */
+function say(place: HTMLElement, text: string): void {
+  place.textContent = "";
+  setTimeout(() => (place.textContent = text), 50);
+}

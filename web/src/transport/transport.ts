@@ -1,3 +1,159 @@
-import type { Lab } from "../lab";
+// Playing: the buttons, the scrubber, the speed, and what time it is.
 
-export function mountTransport(_lab: Lab, _place: HTMLElement): void {}
+import { effect } from "@preact/signals-core";
+import { SPEEDS } from "../clock";
+import { element } from "../elements";
+import type { Lab } from "../lab";
+import { collisionsOf, nearest } from "../time/collisions";
+import { type Icon, icon } from "./icons";
+import { keysOn, onKeys } from "./keys";
+import { collisionText, slownessText } from "./readout";
+import { scrubber } from "./scrubber";
+import "./transport.css";
+
+export function mountTransport(lab: Lab, place: HTMLElement): void {
+  const { clock } = lab;
+  const rewind = () => {
+    clock.pause();
+    clock.rewind();
+  };
+  const actions = {
+    " ": () => clock.toggle(),
+    ",": () => clock.step(-1),
+    ".": () => clock.step(1),
+    Home: rewind,
+  };
+  const play = button("play", "Play", "Space", () => clock.toggle());
+  const buttons = [
+    button("rewind", "Back to the release", "Home", rewind),
+    button("before", "To the collision before", "", () => jump(lab, -1)),
+    button("back", "One picture back", ",", actions[","]),
+    play,
+    button("on", "One picture on", ".", actions["."]),
+    button("after", "To the next collision", "", () => jump(lab, 1)),
+  ];
+  effect(() => {
+    const playing = clock.playing.value;
+    const name = playing ? "Pause" : "Play";
+    play.replaceChildren(icon(playing ? "pause" : "play"));
+    play.setAttribute("aria-label", name);
+    play.title = `${name} (Space)`;
+  });
+  effect(() => {
+    for (const one of buttons) one.disabled = lab.motion.value === undefined;
+  });
+  onKeys(actions);
+  place.append(
+    scrubber(lab),
+    element(
+      "div",
+      { class: "row" },
+      element("div", { class: "buttons", role: "group", "aria-label": "Playing" }, ...buttons),
+      readout(lab),
+      element("div", { class: "pace" }, speed(lab), stretching(lab)),
+    ),
+    keys(),
+  );
+}
+
+/** To the nearest collision ahead (1) or behind (-1), or to that end of the motion. */
+function jump(lab: Lab, way: 1 | -1): void {
+  const motion = lab.motion.value;
+  if (!motion) return;
+  const { clock } = lab;
+  const now = clock.time.value;
+  const times = collisionsOf(motion).map((collision) => collision.t);
+  const next =
+    way > 0
+      ? (times.find((time) => time > now) ?? motion.end)
+      : (times.findLast((time) => time < now) ?? 0);
+  clock.pause();
+  clock.time.value = next;
+}
+
+function button(name: Icon, label: string, key: string, press: () => void): HTMLButtonElement {
+  const shortcut = key === "" ? {} : { "aria-keyshortcuts": key };
+  const title = key === "" ? label : `${label} (${key})`;
+  const made = element("button", { type: "button", "aria-label": label, title, ...shortcut });
+  made.append(icon(name));
+  made.classList.add(name);
+  made.addEventListener("click", press);
+  return made;
+}
+
+/** No live region: it changes with every picture. */
+function readout(lab: Lab): HTMLElement {
+  const time = element("strong");
+  const since = element("span");
+  const pace = element("span");
+  effect(() => {
+    const { clock } = lab;
+    const motion = lab.motion.value;
+    time.textContent = `${clock.time.value.toFixed(4)} s`;
+    const collisions = motion ? collisionsOf(motion) : [];
+    since.textContent = collisionText(
+      clock.time.value,
+      collisions[nearest(collisions, clock.time.value)]?.t,
+    );
+    pace.textContent = motion ? slownessText(clock.slowness) : "";
+  });
+  return element("p", { class: "readout" }, time, since, pace);
+}
+
+function speed(lab: Lab): HTMLElement {
+  const select = element(
+    "select",
+    {},
+    ...SPEEDS.map((one) =>
+      element(
+        "option",
+        { value: String(one) },
+        one === 1 ? "as in life" : `1/${Math.round(1 / one)}`,
+      ),
+    ),
+  );
+  select.addEventListener("change", () => (lab.clock.speed.value = Number(select.value)));
+  effect(() => {
+    select.value = String(lab.clock.speed.value);
+  });
+  return element("label", {}, "Speed ", select);
+}
+
+function stretching(lab: Lab): HTMLElement {
+  const box = element("input", { type: "checkbox" });
+  box.addEventListener("change", () => (lab.clock.stretched.value = box.checked));
+  effect(() => {
+    box.checked = lab.clock.stretched.value;
+  });
+  return element(
+    "label",
+    { title: "Time stretches by itself while the contact point races round the rim" },
+    box,
+    " Slow at the collision",
+  );
+}
+
+/** Which keys there are, and a switch for those whom they disturb. */
+function keys(): HTMLElement {
+  const box = element("input", { type: "checkbox" });
+  box.addEventListener("change", () => (keysOn.value = box.checked));
+  effect(() => {
+    box.checked = keysOn.value;
+  });
+  const key = (name: string, what: string) =>
+    element("li", {}, element("kbd", {}, name), ` ${what}`);
+  return element(
+    "details",
+    { class: "keys" },
+    element("summary", {}, "Keys"),
+    element(
+      "ul",
+      {},
+      key("Space", "play, pause"),
+      key(",", "one picture back"),
+      key(".", "one picture on"),
+      key("Home", "back to the release"),
+    ),
+    element("label", {}, box, " These keys work anywhere on the page"),
+  );
+}

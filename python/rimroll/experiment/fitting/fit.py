@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, callback, expect, number
 from rimroll.experiment.fitting.estimate import Estimate, Interval, estimate
 from rimroll.experiment.fitting.likelihood import (
     FEWEST_OF_A_SIDE,
@@ -172,6 +172,7 @@ def fit(
     expect("body", body, Body)
     data = _checked(directions)
     expect("predicted", predicted, Predicted | None)
+    callback("progress", progress)
     confidence = number("confidence", confidence)
     if not 0.5 <= confidence <= 0.9999:
         raise RimrollError(f"confidence must be between 0.5 and 0.9999, got {confidence}")

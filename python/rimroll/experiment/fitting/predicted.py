@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, callback, expect, number
 from rimroll.experiment.release import Release
 from rimroll.laws import Coulomb, NoSlip
 from rimroll.motion import whole_number
@@ -115,6 +115,7 @@ def predict_falls(
     from rimroll.ensemble import ensemble
 
     expect("body", body, Body)
+    callback("progress", progress)
     gravity, error = number("gravity", gravity), number("reading_error", reading_error)
     if not LEAST_ERROR <= error <= 1.0:
         raise RimrollError(

@@ -1,0 +1,67 @@
+"""``rimroll lab``: tip the can in a browser."""
+
+from __future__ import annotations
+
+import webbrowser
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+from urllib.parse import quote
+
+import typer
+
+from rimroll.cli.screen import say
+from rimroll.errors import RimrollError
+
+if TYPE_CHECKING:
+    from rimroll.cli.page_server import PageServer
+
+
+def lab(
+    setup: Annotated[
+        str,
+        typer.Option(
+            help="The set-up to begin with, as in the page's address after #.", metavar="SETUP"
+        ),
+    ] = "",
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Where to serve it; 0 is any port that is free.")
+    ] = 0,
+    browser: Annotated[
+        bool, typer.Option(help="Open it in the browser, or only say where it is.")
+    ] = True,
+) -> int:
+    """Tip the can in a browser, on a page that computes with the mechanics used here.
+
+    It is served on this machine and to this machine alone, until Ctrl-C.
+
+    Examples:
+
+    $ rimroll lab
+
+    $ rimroll lab --setup "body=coin&tilt=60" --no-browser
+    """
+    folder = resources.files("rimroll") / "page"
+    with resources.as_file(folder) as page, _server(page, port) as server:
+        address = server.address + (f"#{quote(setup, safe='=&%+')}" if setup else "")
+        try:
+            say(f"The lab is at {address}")
+            say("Press Ctrl-C to end it.")
+            if browser:
+                webbrowser.open(address)
+            server.serve_forever()
+        except KeyboardInterrupt:
+            say()  # ends the line on which the terminal shows Ctrl-C
+    return 0
+
+
+def _server(page: Path, port: int) -> PageServer:
+    from rimroll.cli.page_server import PageServer  # brings http.server, slow to load
+
+    if not (page / "index.html").is_file():
+        raise RimrollError("the page is not built yet; in rimroll's source tree, run: make web")
+    try:
+        return PageServer(page, port)
+    except OSError as error:
+        reason = error.strerror or error
+        raise RimrollError(f"--port {port} cannot be served on ({reason}); try without") from None

@@ -1,0 +1,47 @@
+"""Serves a built page on this machine, to this machine alone."""
+
+from __future__ import annotations
+
+import os
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+
+class PageServer(ThreadingHTTPServer):
+    """Serves the files of a folder at ``address``; port 0 is any that is free."""
+
+    def __init__(self, folder: Path, port: int = 0) -> None:
+        super().__init__(("127.0.0.1", port), partial(_Handler, directory=str(folder)))
+
+    @property
+    def address(self) -> str:
+        """Where a browser finds the page."""
+        return f"http://127.0.0.1:{self.server_port}/"
+
+
+# All that a page consists of; machines differ in which of these they know by themselves.
+_TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript",
+    ".css": "text/css",
+    ".wasm": "application/wasm",
+    ".txt": "text/plain; charset=utf-8",
+}
+
+
+class _Handler(SimpleHTTPRequestHandler):
+    def guess_type(self, path: str | os.PathLike[str]) -> str:
+        return _TYPES.get(Path(path).suffix, "application/octet-stream")
+
+    def end_headers(self) -> None:
+        # Another version of the page may have been at this port before.
+        self.send_header("Cache-Control", "no-cache")
+        super().end_headers()
+
+    def list_directory(self, path: object) -> None:
+        """A folder without a page is not shown."""
+        self.send_error(404)
+
+    def log_message(self, format: str, *arguments: object) -> None:
+        """Nothing: who asked for what is nobody's business."""

@@ -1,0 +1,145 @@
+"""``rimroll lab`` serves the page that comes with the package, to this machine alone."""
+
+import re
+import signal
+import subprocess
+import sys
+from http.client import HTTPConnection
+from threading import Thread
+
+import pytest
+
+from rimroll.cli import main
+from rimroll.cli.page_server import PageServer
+
+FILES = {
+    "index.html": (b"<!doctype html><title>a page</title>", "text/html; charset=utf-8"),
+    "assets/page.js": (b"console.log(1)", "text/javascript"),
+    "assets/page.css": (b":root { color: red }", "text/css"),
+    "assets/core.wasm": (b"\0asm\1\0\0\0" + bytes(range(256)), "application/wasm"),
+    "licences.txt": ("François".encode(), "text/plain; charset=utf-8"),
+}
+
+
+@pytest.fixture
+def package(tmp_path, monkeypatch):
+    """A package with a page of a few files, and a file beside it that is nobody's business."""
+    for name, (content, _) in FILES.items():
+        file = tmp_path / "page" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(content)
+    (tmp_path / "secret.txt").write_text("secret")
+    monkeypatch.setattr("rimroll.cli.lab.resources.files", lambda _name: tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def server(package):
+    with PageServer(package / "page") as server:
+        thread = Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        yield server
+        server.shutdown()
+        thread.join()
+
+
+def get(server, path):
+    """Asks for a path just as it is; a client that tidies it up would hide what it does."""
+    connection = HTTPConnection("127.0.0.1", server.server_port)
+    connection.request("GET", path)
+    response = connection.getresponse()
+    content = response.read()
+    connection.close()
+    return response, content
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_what_is_served_is_the_file_and_says_what_it_is(server, name):
+    response, content = get(server, "/" + name)
+    assert response.status == 200
+    assert (content, response.headers["Content-Type"]) == FILES[name]
+
+
+def test_the_address_is_that_of_the_page(server):
+    assert server.address == f"http://127.0.0.1:{server.server_port}/"
+    assert get(server, "/")[1] == FILES["index.html"][0]
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["/../secret.txt", "/%2e%2e/secret.txt", "/assets/../../secret.txt", "//../secret.txt"],
+)
+def test_nothing_beside_the_page_is_served(server, path):
+    response, content = get(server, path)
+    assert response.status == 404
+    assert content != b"secret"
+
+
+def test_folders_are_not_listed(server):
+    response, content = get(server, "/assets/")
+    assert response.status == 404
+    assert b"page.js" not in content
+
+
+def test_only_this_machine_is_served(server):
+    assert server.server_address[0] == "127.0.0.1"
+
+
+def test_two_labs_take_two_ports(package):
+    with PageServer(package / "page") as one, PageServer(package / "page") as other:
+        assert one.server_port != other.server_port
+
+
+def test_a_port_that_is_taken_is_refused_by_its_number(server, capsys):
+    assert main(["lab", "--no-browser", "--port", str(server.server_port)]) == 2
+    assert f"--port {server.server_port} cannot be served on" in capsys.readouterr().err
+
+
+def test_without_the_built_page_it_says_how_to_build_it(package, capsys):
+    (package / "page" / "index.html").unlink()
+    assert main(["lab", "--no-browser"]) == 2
+    assert "make web" in capsys.readouterr().err
+
+
+def opened(monkeypatch, *arguments):
+    """Which address the browser is opened at, by a visitor who ends the lab at once."""
+    addresses = []
+
+    def browser(address):
+        addresses.append(address)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("rimroll.cli.lab.webbrowser.open", browser)
+    assert main(["lab", *arguments]) == 0
+    return addresses[0]
+
+
+def test_the_browser_is_opened_at_the_page(package, monkeypatch, capsys):
+    address = opened(monkeypatch)
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address)
+    assert f"The lab is at {address}" in capsys.readouterr().out
+
+
+def test_the_browser_is_opened_with_the_set_up(package, monkeypatch):
+    assert opened(monkeypatch, "--setup", "body=coin&tilt=60").endswith("/#body=coin&tilt=60")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is no signal there")
+def test_ctrl_c_ends_it_in_peace(package):
+    code = (
+        "import pathlib, sys; from importlib import resources;"
+        f"resources.files = lambda _: pathlib.Path({str(package)!r});"
+        "from rimroll.cli import main; sys.exit(main(['lab', '--no-browser']))"
+    )
+    lab = subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env={"PYTHONUNBUFFERED": "1"},
+        text=True,
+    )
+    assert "http://127.0.0.1:" in lab.stdout.readline()
+    assert "Ctrl-C" in lab.stdout.readline()
+    lab.send_signal(signal.SIGINT)
+    _, errors = lab.communicate()
+    assert (lab.returncode, errors) == (0, "")

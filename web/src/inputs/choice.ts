@@ -1,0 +1,58 @@
+// One choice of the set-up, from a list or from a few side by side.
+
+import { effect } from "@preact/signals-core";
+import { type ChoiceField, FIELDS } from "../setup/fields";
+import { element } from "../elements";
+import type { Hand } from "./hand";
+
+type ChoiceName = "body" | "law";
+
+export function choiceList(hand: Hand, name: ChoiceName): HTMLElement {
+  const field: ChoiceField = FIELDS[name];
+  const id = (part: string) => `${name}-${part}`;
+  const label = element("label", { id: id("label"), for: id("field") }, field.label);
+  const list = element("select", {
+    id: id("field"),
+    "aria-describedby": `${id("help")} ${id("refusal")}`,
+  });
+  for (const [value, text] of Object.entries(field.choices))
+    list.append(element("option", { value }, text));
+  list.addEventListener("change", () => hand.set(name, list.value));
+  effect(() => {
+    list.value = hand.lab.setup.value[name];
+  });
+  const row = element("div", { class: "quantity choice", "data-help": field.help });
+  row.append(label, list, ...words(hand, name, field));
+  return row;
+}
+
+export function choiceButtons(hand: Hand, name: ChoiceName): HTMLElement {
+  const field: ChoiceField = FIELDS[name];
+  const group = element("fieldset", {
+    class: "choices",
+    "data-help": field.help,
+    "aria-describedby": `${name}-help ${name}-refusal`,
+  });
+  group.append(element("legend", {}, field.label));
+  for (const [value, text] of Object.entries(field.choices)) {
+    const one = element("input", { type: "radio", name, value, id: `${name}-${value}` });
+    one.addEventListener("change", () => hand.set(name, value));
+    effect(() => {
+      one.checked = hand.lab.setup.value[name] === value;
+    });
+    group.append(element("label", { for: one.id, class: value }, one, element("span", {}, text)));
+  }
+  group.append(...words(hand, name, field));
+  return group;
+}
+
+/** What the choice means, and why one in a link was refused. */
+function words(hand: Hand, name: ChoiceName, field: ChoiceField): HTMLElement[] {
+  const help = element("p", { id: `${name}-help`, class: "help" }, field.help);
+  const refusal = element("p", { id: `${name}-refusal`, class: "refusal", role: "alert" });
+  effect(() => {
+    const refused = hand.lab.refusals.value.find((one) => one.field === name);
+    refusal.textContent = refused?.message ?? "";
+  });
+  return [help, refusal];
+}

@@ -1,0 +1,80 @@
+// One number of the set-up: its name, a slider for the usual range, a field for any value, its unit,
+// what it means, and why a value was refused.
+
+import { effect } from "@preact/signals-core";
+import { FIELDS, type FieldName, type NumberField } from "../setup/fields";
+import { element } from "../elements";
+import type { Hand } from "./hand";
+import { scaleOf } from "./scale";
+import { shown, withUnit } from "./shown";
+
+/** Names of the fields that hold numbers. */
+export type NumberName = {
+  [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "number" ? Name : never;
+}[FieldName];
+
+export interface Row {
+  row: HTMLElement;
+  slider: HTMLInputElement;
+}
+
+/** `idle` says why the number does not matter just now, if it does not. */
+export function numberRow(
+  hand: Hand,
+  name: NumberName,
+  idle: () => string | undefined = () => undefined,
+): Row {
+  const field: NumberField = FIELDS[name];
+  const scale = scaleOf(field);
+  const id = (part: string) => `${name}-${part}`;
+  const named = { "aria-labelledby": `${id("label")} ${id("unit")}` };
+  const described = { "aria-describedby": `${id("help")} ${id("refusal")}` };
+
+  const label = element("label", { id: id("label"), for: id("field") }, field.label);
+  const slider = element("input", {
+    type: "range",
+    id: id("slider"),
+    min: scale.low,
+    max: scale.high,
+    step: scale.step || "any",
+    ...named,
+    ...described,
+  });
+  slider.classList.toggle("both-ways", scale.low < 0);
+  const typed = element("input", {
+    type: "text",
+    id: id("field"),
+    inputmode: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    ...named,
+    ...described,
+  });
+  const unit = element("span", { id: id("unit"), class: "unit" }, field.unit);
+  const help = element("p", { id: id("help"), class: "help" }, field.help);
+  const refusal = element("p", { id: id("refusal"), class: "refusal", role: "alert" });
+  const row = element("div", { class: "quantity", "data-help": field.help });
+  row.append(label, slider, typed, unit, help, refusal);
+
+  slider.addEventListener("input", () => hand.set(name, scale.value(Number(slider.value))));
+  typed.addEventListener("change", () => hand.type(name, typed.value));
+
+  effect(() => {
+    const value = hand.lab.setup.value[name];
+    const refused = hand.lab.refusals.value.find((one) => one.field === name);
+    refusal.textContent = refused?.message ?? "";
+    typed.setAttribute("aria-invalid", String(refused !== undefined));
+    slider.value = String(scale.position(value));
+    slider.setAttribute("aria-valuetext", withUnit(shown(value), field.unit));
+    // What was refused stays as it was typed, to be mended; from a link there is nothing to mend.
+    if (!refused || typed.value === "") typed.value = shown(value);
+  });
+  effect(() => {
+    const reason = idle();
+    slider.disabled = typed.disabled = reason !== undefined;
+    help.textContent = reason ?? field.help;
+    row.dataset["help"] = help.textContent;
+    row.classList.toggle("idle", reason !== undefined);
+  });
+  return { row, slider };
+}

@@ -1,0 +1,43 @@
+// Where on its slider a value lies.
+
+import type { NumberField } from "../setup/fields";
+
+/** A slider's positions and what they stand for. */
+export interface Scale {
+  low: number;
+  high: number;
+  step: number;
+  /** The value at a position. */
+  value(position: number): number;
+  position(value: number): number;
+}
+
+export function scaleOf(field: NumberField): Scale {
+  const [low, high, step] = field.slider ?? [field.least, field.most, 0];
+  if (field.finest !== undefined) return signedLog(field.finest, high);
+  const same = (x: number) => x;
+  return { low, high, step, value: same, position: same };
+}
+
+const PER_DECADE = 20;
+
+/** 0 in the middle, and beside it on both sides so many steps a decade from the finest to the
+ * largest: for what matters in every order of magnitude. */
+function signedLog(finest: number, largest: number): Scale {
+  const steps = Math.ceil(PER_DECADE * Math.log10(largest / finest));
+  const size = (position: number) => finest * 10 ** ((Math.abs(position) - 1) / PER_DECADE);
+  return {
+    low: -steps - 1,
+    high: steps + 1,
+    step: 1,
+    value: (position) =>
+      position === 0
+        ? 0
+        : Math.sign(position) * Math.min(Number(size(position).toPrecision(2)), largest),
+    position: (value) => {
+      const distance = Math.abs(value) / finest;
+      if (distance < 1) return 0;
+      return Math.sign(value) * Math.min(1 + PER_DECADE * Math.log10(distance), steps + 1);
+    },
+  };
+}

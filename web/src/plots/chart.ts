@@ -1,0 +1,276 @@
+// One plot on the page: its head with the values at the time shown, and the curves.
+
+import uPlot from "uplot";
+import type { Moment, Moments } from "../core/motion";
+import { element } from "../elements";
+import { significant } from "../time/words";
+import type { Figure, Line, Subject } from "./figures";
+import { type Mark, drawEvents, drawStrip, shadePhases } from "./marks";
+import type { Palette } from "./palette";
+import { powerText, powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } from "./ticks";
+import { type Values, thinned } from "./thinned";
+import type { Stretch } from "./view";
+
+/** More points than this on a CSS px of the width are thinned before they are drawn. */
+const MANY = 4;
+
+export class Chart {
+  readonly root: HTMLElement;
+  /** Where hands are felt. */
+  readonly pad: HTMLElement;
+  private readonly plot: uPlot;
+  private readonly picture = element("div", { class: "picture", role: "img" });
+  private readonly line = element("div", { class: "now-line" });
+  private readonly title = element("strong");
+  private readonly outputs: { line: Line; output: HTMLElement; entry: HTMLElement }[] = [];
+  private shown: Stretch = { since: "start", origin: 0, from: 0, to: 1 };
+  private subject: Subject | undefined;
+  /** What one of the unit shown is in the figure's unit: 1e-3 for milli. */
+  private unit = { name: "", size: 1 };
+
+  constructor(
+    readonly figure: Figure,
+    private readonly palette: () => Palette,
+    /** How much larger than usual the page's type is. */
+    private readonly large: number,
+  ) {
+    this.title.id = `plot-${figure.name}`;
+    const key = element("span", { class: "key" }, ...figure.lines.map((line) => this.entry(line)));
+    this.root = element(
+      "figure",
+      { class: "plot", tabindex: "-1", "aria-labelledby": this.title.id },
+      element("figcaption", {}, this.title, key),
+      this.picture,
+    );
+    this.plot = new uPlot(this.options(), [[], ...figure.lines.map(() => [])], this.picture);
+    this.pad = this.plot.over;
+    this.pad.append(this.line);
+  }
+
+  resize(width: number, height: number): void {
+    if (width !== this.plot.width || height !== this.plot.height)
+      this.plot.setSize({ width, height });
+  }
+
+  /** Draws a stretch of a motion through moments that cover it. */
+  show(subject: Subject, moments: Moments, shown: Stretch): void {
+    this.subject = subject;
+    this.shown = shown;
+    const x = moments.column("t").map((time) => time - shown.origin);
+    let curves = this.figure.lines.map((line) => line.values(moments, subject));
+    if (this.figure.stacked) curves = stacked(curves);
+    this.unit = this.unitOf(curves);
+    const { name } = this.unit;
+    this.title.textContent = this.figure.title + (name === "" ? "" : `, ${name}`);
+    const parts = Math.ceil(this.across);
+    const data = x.length > MANY * parts ? thinned(x, curves, parts) : [x, ...curves];
+    this.outputs.forEach(({ entry }, k) => {
+      entry.hidden = this.isNothing(k, curves);
+    });
+    this.plot.batch(() => {
+      this.plot.setData(data as uPlot.AlignedData, false);
+      this.plot.setScale("x", { min: shown.from, max: shown.to });
+    });
+    this.picture.setAttribute("aria-label", this.summary(curves));
+  }
+
+  /** Draws it again in other colours. */
+  recolour(): void {
+    this.plot.redraw(false);
+  }
+
+  /** Puts the line at a place, 0 to 1, and reads the values out. */
+  tell(place: number, moment: Moment): void {
+    const inside = place >= 0 && place <= 1;
+    this.line.hidden = !inside;
+    if (inside) this.line.style.transform = `translateX(${place * this.across}px)`;
+    for (const { line, output } of this.outputs) {
+      const value = this.subject && line.now?.(moment, this.subject);
+      output.textContent = value === undefined ? "" : this.valueText(value);
+    }
+  }
+
+  /** Width of the curves, CSS px: asked of the plot, as the page would have to be laid out first. */
+  private get across(): number {
+    return this.plot.bbox.width / devicePixelRatio;
+  }
+
+  select(range: [number, number] | undefined): void {
+    const [a, b] = range ?? [0, 0];
+    this.plot.setSelect(
+      {
+        left: Math.min(a, b) * this.across,
+        width: Math.abs(a - b) * this.across,
+        top: 0,
+        height: range ? this.plot.bbox.height / devicePixelRatio : 0,
+      },
+      false,
+    );
+  }
+
+  private entry(line: Line): HTMLElement {
+    const output = element("span", { class: "value" });
+    const swatch = element("i", {
+      class: this.figure.stacked ? "area" : line.dash ? "dashed" : "",
+      style: `--swatch: var(--${line.colour})`,
+    });
+    const entry = element("span", { class: "entry" }, swatch, `${line.label} `, output);
+    this.outputs.push({ line, output, entry });
+    return entry;
+  }
+
+  private valueText(value: number): string {
+    if (Number.isNaN(value)) return "";
+    if (!Number.isFinite(value)) return "∞";
+    const { name, size } = this.unit;
+    // Of energies the small ones are as exact as the large ones.
+    const text = this.figure.prefixed ? (value / size).toFixed(3) : significant(value, 4);
+    return name === "" || name === "°" ? text + name : `${text} ${name}`;
+  }
+
+  private unitOf(curves: readonly Values[]): { name: string; size: number } {
+    const { unit, prefixed } = this.figure;
+    if (!prefixed) return { name: unit, size: 1 };
+    const [, most] = bounds(curves);
+    if (most >= 1) return { name: unit, size: 1 };
+    return most >= 1e-3 ? { name: `m${unit}`, size: 1e-3 } : { name: `µ${unit}`, size: 1e-6 };
+  }
+
+  /** Whether there is nothing of a line or, but for the lowest, of an area. */
+  private isNothing(index: number, curves: readonly Values[]): boolean {
+    const [lower, values] = [curves[index - 1], curves[index] as Values];
+    const floor = this.figure.stacked && lower ? lower : undefined;
+    for (let k = 0; k < values.length; k++)
+      if (values[k] != null && values[k] !== floor?.[k]) return false;
+    return true;
+  }
+
+  private summary(curves: readonly Values[]): string {
+    const [least, most] = bounds(curves);
+    const range =
+      least > most
+        ? "nothing to show"
+        : `between ${this.valueText(least)} and ${this.valueText(most)}`;
+    return `${this.figure.title} over time ${stretchText(this.shown)}: ${range}`;
+  }
+
+  private options(): uPlot.Options {
+    const { figure } = this;
+    const colour = (name: keyof Palette) => () => this.palette()[name];
+    const { large } = this;
+    // A whole number: uPlot reads no other.
+    const font = `${Math.round(12 * large)}px system-ui, sans-serif`;
+    const axis = {
+      stroke: colour("muted"),
+      font,
+      labelFont: font,
+      grid: { stroke: colour("line"), width: 1 },
+      ticks: { stroke: colour("line"), width: 1, size: 4 },
+      gap: 4,
+    };
+    return {
+      width: 320,
+      height: 200,
+      pxAlign: false,
+      padding: [8 * large, 12 * large, 0, 0],
+      legend: { show: false },
+      cursor: { show: false },
+      scales: {
+        x: { time: false, auto: false },
+        y: {
+          distr: figure.stretched ? 4 : 1,
+          range: (_, low, high) => this.range(low, high),
+        },
+      },
+      axes: [
+        {
+          ...axis,
+          space: 48 * large,
+          size: 24 * large,
+          label: () => timeLabel(this.shown),
+          labelSize: 18 * large,
+          labelGap: 0,
+          values: (_, places) => tickTexts(places, timeUnit(this.shown).size),
+        } as uPlot.Axis,
+        {
+          ...axis,
+          size: 58 * large,
+          space: 28 * large,
+          ...(figure.stretched && {
+            splits: (plot: uPlot, _axis: number, low: number, high: number) =>
+              powersOfTen(low, high, plot.bbox.height / devicePixelRatio / large),
+            filter: (_: uPlot, places: number[]) => places,
+          }),
+          values: (_, places) =>
+            figure.stretched ? places.map(powerText) : tickTexts(places, this.unit.size),
+        },
+      ],
+      series: [{}, ...figure.lines.map((line) => this.series(line, colour))],
+      ...(figure.stacked && {
+        bands: figure.lines.slice(1).map((line, k) => ({
+          series: [k + 2, k + 1] as [number, number],
+          fill: () => this.palette()[line.colour],
+        })),
+      }),
+      hooks: {
+        drawClear: [(plot) => this.mark(plot, shadePhases)],
+        draw: [
+          (plot) => {
+            this.mark(plot, drawStrip);
+            this.mark(plot, drawEvents);
+          },
+        ],
+      },
+    };
+  }
+
+  private mark(plot: uPlot, draw: Mark): void {
+    if (this.subject) draw(plot, this.subject.motion, this.shown, this.palette());
+  }
+
+  private series(line: Line, colour: (name: keyof Palette) => () => string): uPlot.Series {
+    const areas = this.figure.stacked;
+    const last = this.figure.lines.at(-1) === line;
+    return {
+      stroke: colour(areas ? "ink" : line.colour),
+      width: areas ? (last ? 1.5 : 0) : (line.width ?? 2),
+      points: { show: false },
+      spanGaps: false,
+      ...(line.dash && { dash: line.dash }),
+      ...(areas && this.figure.lines[0] === line && { fill: () => this.palette()[line.colour] }),
+    };
+  }
+
+  /** From the least to the largest value in view, with some room. */
+  private range(low: number | null, high: number | null): [number, number] {
+    const { include, stretched, stacked: areas } = this.figure;
+    let [least, most] = [low ?? 0, high ?? 1];
+    if (include !== undefined) [least, most] = [Math.min(least, include), Math.max(most, include)];
+    if (stretched) return [Math.min(least * 2, -1), Math.max(most * 2, 1)];
+    const room = most > least ? (most - least) * 0.08 : Math.abs(most) * 0.1 || 1;
+    const onFloor = include !== undefined && least >= include - 1e-6 * room;
+    return [onFloor ? include : least - room, most + (areas ? room / 2 : room)];
+  }
+}
+
+/** Each curve on those before it. */
+function stacked(curves: readonly Values[]): Values[] {
+  let below: Float64Array | undefined;
+  return curves.map((values) => {
+    const sum = new Float64Array(values.length);
+    for (let k = 0; k < sum.length; k++) sum[k] = (values[k] ?? 0) + (below?.[k] ?? 0);
+    return (below = sum);
+  });
+}
+
+function bounds(curves: readonly Values[]): [number, number] {
+  let [least, most] = [Infinity, -Infinity];
+  for (const values of curves)
+    for (let k = 0; k < values.length; k++) {
+      const value = values[k];
+      if (value == null) continue;
+      if (value < least) least = value;
+      if (value > most) most = value;
+    }
+  return [least, most];
+}

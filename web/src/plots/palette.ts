@@ -1,0 +1,47 @@
+// The page's colours for a canvas, which knows no custom properties.
+
+import { type ReadonlySignal, signal } from "@preact/signals-core";
+
+const NAMES = [
+  "ground",
+  "raised",
+  "ink",
+  "muted",
+  "line",
+  "accent",
+  "theory",
+  "warn",
+  "plot-first",
+  "plot-second",
+  "plot-third",
+  "plot-fourth",
+  "plot-fifth",
+  "rolling",
+  "sliding",
+  "flying",
+] as const;
+
+export type Colour = (typeof NAMES)[number];
+export type Palette = Readonly<Record<Colour, string>>;
+
+/** The colours as they are now, followed when the theme changes. */
+export function paletteOf(place: HTMLElement): ReadonlySignal<Palette> {
+  const palette = signal(read(place));
+  const again = () => (palette.value = read(place));
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
+  matchMedia("(prefers-contrast: more)").addEventListener("change", again);
+  // A page may have a switch of its own; it shows on the root.
+  new MutationObserver(again).observe(document.documentElement, { attributes: true });
+  return palette;
+}
+
+/** Through an element: the value of a custom property itself may be a formula. */
+function read(place: HTMLElement): Palette {
+  const probe = place.appendChild(document.createElement("span"));
+  const entries = NAMES.map((name) => {
+    probe.style.color = `var(--${name})`;
+    return [name, getComputedStyle(probe).color];
+  });
+  probe.remove();
+  return Object.fromEntries(entries) as Palette;
+}

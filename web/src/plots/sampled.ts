@@ -1,0 +1,68 @@
+// The moments that a plot is drawn through: those of the solver's steps, and where they are fewer
+// than a smooth curve needs, even ones between them.
+
+import { type Motion, Moments } from "../core/motion";
+import type { Stretch } from "./view";
+
+/** `all` are the motion's own samples; there are at least `fewest` moments in the answer. */
+export function sampled(
+  motion: Motion,
+  all: Moments,
+  { origin, from, to }: Stretch,
+  fewest: number,
+): Moments {
+  const times = all.column("t");
+  let first = countBelow(times, origin + from);
+  let last = countBelow(times, origin + to);
+  if (last - first < fewest) {
+    const even = motion.at(evenly(fewest, (k) => origin + from + ((to - from) * k) / (fewest - 1)));
+    return merged(all, first, last, even);
+  }
+  // One beyond either end, for the lines to leave the plot.
+  [first, last] = [Math.max(first - 1, 0), Math.min(last + 1, all.length)];
+  return last - first === all.length ? all : part(all, first, last);
+}
+
+/** How many of rising numbers are below a bound. */
+export function countBelow(rising: ArrayLike<number>, bound: number): number {
+  let [low, high] = [0, rising.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((rising[middle] as number) < bound) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+const evenly = (length: number, of: (index: number) => number) =>
+  Float64Array.from({ length }, (_, k) => of(k));
+
+function part(moments: Moments, first: number, last: number): Moments {
+  const length = last - first;
+  const numbers = new Float64Array(length * moments.names.length);
+  moments.names.forEach((name, c) =>
+    numbers.set(moments.column(name).subarray(first, last), c * length),
+  );
+  return new Moments(moments.names, numbers);
+}
+
+/** A part of some moments and all of others, in the order of time. */
+function merged(some: Moments, first: number, last: number, others: Moments): Moments {
+  const [t, other] = [some.column("t"), others.column("t")];
+  const length = last - first + others.length;
+  const numbers = new Float64Array(length * some.names.length);
+  // Places in the first are counted up from 0, places in the second down from −1.
+  const places = new Int32Array(length);
+  for (let k = 0, i = first, j = 0; k < length; k++) {
+    const mine = j >= others.length || (i < last && (t[i] as number) <= (other[j] as number));
+    places[k] = mine ? i++ : -1 - j++;
+  }
+  some.names.forEach((name, c) => {
+    const [mine, theirs] = [some.column(name), others.column(name)];
+    for (let k = 0; k < length; k++) {
+      const place = places[k] as number;
+      numbers[c * length + k] = (place < 0 ? theirs[-1 - place] : mine[place]) as number;
+    }
+  });
+  return new Moments(some.names, numbers);
+}

@@ -1,0 +1,60 @@
+// How axes are labelled.
+
+import { duration, signed, significant, unitFor, type TimeUnit } from "../time/words";
+import type { Stretch } from "./view";
+
+/** The unit in which the times of a stretch are written. */
+export function timeUnit({ from, to }: Stretch): TimeUnit {
+  return unitFor(Math.max(Math.abs(from), Math.abs(to)) * 0.5);
+}
+
+export function timeLabel(shown: Stretch): string {
+  const { name } = timeUnit(shown);
+  return shown.since === "start" ? `time, ${name}` : `${name} from ${originText(shown)}`;
+}
+
+function originText({ since, origin }: Stretch): string {
+  return since === "collision"
+    ? `the collision at ${significant(origin, 6)} s`
+    : `${Number(origin.toPrecision(12))} s`;
+}
+
+/** Places of an axis in a unit, with no more digits than tell them apart. */
+export function tickTexts(places: readonly number[], unit: number): string[] {
+  const step = Math.abs((places[1] ?? 1) - (places[0] ?? 0)) / unit;
+  let digits = 0;
+  while (digits < 12 && Math.abs(step * 10 ** digits - Math.round(step * 10 ** digits)) > 1e-3)
+    digits++;
+  return places.map((place) => {
+    const text = (place / unit).toFixed(digits);
+    return Number(text) === 0 ? "0" : signed(text);
+  });
+}
+
+/** What a stretch is, in words. */
+export function stretchText(shown: Stretch): string {
+  const { since, from, to } = shown;
+  const stretch = `from ${duration(from)} to ${duration(to)}`;
+  return since === "start" ? stretch : `${stretch} about ${originText(shown)}`;
+}
+
+/** Places of labels have at least this many CSS px between them. */
+const APART = 18;
+
+/** Powers of ten, both signs and zero, for an axis (so many CSS px long) that is drawn as arsinh. */
+export function powersOfTen(low: number, high: number, length: number): number[] {
+  const scale = length / (Math.asinh(high) - Math.asinh(low));
+  const every = Math.max(Math.ceil(APART / (Math.LN10 * scale)), 1);
+  const ticks = [0];
+  const largest = Math.floor(Math.log10(Math.max(-low, high)) + 1e-9);
+  for (let k = largest; Math.asinh(10 ** k) * scale >= APART; k -= every)
+    ticks.push(10 ** k, -(10 ** k));
+  return ticks.filter((tick) => tick >= low && tick <= high).sort((a, b) => a - b);
+}
+
+/** A power of ten, as such where it has many zeros. */
+export function powerText(value: number): string {
+  if (Math.abs(value) < 1e4) return signed(String(value));
+  const size = [...String(Math.round(Math.log10(Math.abs(value))))];
+  return `${value < 0 ? "−" : ""}10${size.map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")}`;
+}

@@ -1,0 +1,11 @@
+// A text as a file in the visitor's downloads.
+
+export function download(name: string, text: string, type: string): void {
+  const address = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  // Safari has not begun to read it yet.
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}

@@ -1,0 +1,68 @@
+// The paper in six steps: what is said, and how the lab is set up for it.
+
+import type { Setup } from "../setup/setup";
+
+export interface Step {
+  title: string;
+  text: string;
+  /** What differs from the initial set-up. */
+  setup: Partial<Setup>;
+  /** How time is shown: its speed, and whether it stretches by itself in the collision. */
+  speed: number;
+  stretched: boolean;
+  /** What happens: one release, or many flicks. */
+  shows: "release" | "flicks";
+}
+
+const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0, duration: 2 };
+
+export const STEPS: readonly Step[] = [
+  {
+    title: "It looks like rocking",
+    text: "Tip a can and let it go. It seems to slap down flat on the table and rock up on the other side. Watch where it comes up: not quite opposite.",
+    setup: {},
+    speed: 1,
+    stretched: false,
+    shows: "release",
+  },
+  {
+    title: "Look slower",
+    text: "Let it go from close by, and look fifty times slower. The base never slaps. It comes within a hair of lying flat, and one point of its rim keeps touching.",
+    setup: { tilt: 5, sideways: 0.02 },
+    speed: 0.02,
+    stretched: false,
+    shows: "release",
+  },
+  {
+    title: "It is rolling",
+    text: "Now time stretches by itself while the contact point races round the rim. The can rolls along its rim, by more than half a turn, in a few thousandths of a second.",
+    setup: {},
+    speed: 1,
+    stretched: true,
+    shows: "release",
+  },
+  {
+    title: "The angle is the same every time",
+    text: "Let it go again and again with an unsteady hand. To the left or to the right is chance, but how far round is not: 202°, whatever the hand did. Only the shape of the can decides, by π √((A + mR² + mH²)/(A + mH²)).",
+    setup: { law: "no_slip", unsteady: 100 },
+    speed: 1,
+    stretched: true,
+    shows: "flicks",
+  },
+  {
+    title: "Friction",
+    text: "On a table without friction the can slides instead of rolling, and turns by 221°. A real table lies between. The paper flicked a can 42 times and measured 213° and 218°: try a friction near 0.1, and switch the table to see the two humps move.",
+    setup: { ...FLICK, law: "coulomb", friction: 0.12 },
+    speed: 1,
+    stretched: true,
+    shows: "flicks",
+  },
+  {
+    title: "Your turn",
+    text: "Take the top of the body and tilt it. Let go, or flick it by letting go in motion. Change the body and the table, fill the bottle, spin a coin, and send the link to a friend.",
+    setup: {},
+    speed: 1,
+    stretched: true,
+    shows: "release",
+  },
+];

@@ -1,0 +1,22 @@
+// The time shown, in words.
+
+import { duration, significant } from "../time/words";
+
+/** Where in a motion: 0.3214 s of 3 s. */
+export function timeText(time: number, end: number): string {
+  return `${time.toFixed(4)} s of ${significant(end, 4)} s`;
+}
+
+/** Where it is from a collision at a time (s): 12.3 µs before the collision. */
+export function collisionText(time: number, collision: number | undefined): string {
+  if (collision === undefined) return "";
+  const since = time - collision;
+  if (since === 0) return "at the collision";
+  return `${duration(Math.abs(since))} ${since < 0 ? "before" : "after"} the collision`;
+}
+
+/** How the speed compares with life's. */
+export function slownessText(slowness: number): string {
+  if (slowness < 1.005) return "as fast as in life";
+  return `${significant(slowness, 2)} times slower than life`;
+}

@@ -1,0 +1,42 @@
+// Goes to any time of the motion, by hand.
+
+import { effect } from "@preact/signals-core";
+import { element } from "../elements";
+import type { Lab } from "../lab";
+import { marks } from "./marks";
+import { timeText } from "./readout";
+
+const ARROWS: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+/** Pictures that an arrow with Shift goes. */
+const LEAP = 10;
+
+export function scrubber(lab: Lab): HTMLElement {
+  const range = element("input", {
+    type: "range",
+    min: "0",
+    max: "1",
+    step: "any",
+    value: "0",
+    "aria-label": "Time shown",
+  });
+  range.addEventListener("input", () => {
+    lab.clock.pause();
+    lab.clock.progress = range.valueAsNumber;
+  });
+  range.addEventListener("keydown", (event) => {
+    const pictures = ARROWS[event.key];
+    if (pictures === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    lab.clock.step(event.shiftKey ? LEAP * pictures : pictures);
+  });
+  effect(() => {
+    const { clock } = lab;
+    range.disabled = lab.motion.value === undefined;
+    range.value = String(clock.progress);
+    range.style.setProperty("--part", String(clock.progress));
+    // While it plays, a screen reader would do nothing but read times.
+    if (!clock.playing.value)
+      range.setAttribute("aria-valuetext", timeText(clock.time.value, clock.end));
+  });
+  return element("div", { class: "scrubber" }, range, marks(lab));
+}

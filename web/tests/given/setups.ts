@@ -1,0 +1,42 @@
+// Set-ups as a visitor may make them.
+
+import { FIELDS, FIELD_NAMES, type FieldName } from "../../src/setup/fields";
+import { INITIAL, type Setup } from "../../src/setup/setup";
+import type { Chance } from "./chance";
+
+/** Any value that a field accepts, between its ends and on them. */
+function anyValue(name: FieldName, chance: Chance): number | string {
+  const field: (typeof FIELDS)[FieldName] = FIELDS[name];
+  if (field.kind === "choice") return chance.one(Object.keys(field.choices));
+  const inside = chance.between(field.least, field.most);
+  return chance.one([inside, field.initial, "open" in field ? inside : field.least]);
+}
+
+/** Whatever the fields let through, whether it can be computed or not. */
+export const anySetup = (chance: Chance): Setup =>
+  Object.fromEntries(FIELD_NAMES.map((name) => [name, anyValue(name, chance)])) as unknown as Setup;
+
+/** A body of any kind, tilted and let go or flicked on any table, followed for half a second. */
+export function likelySetup(chance: Chance): Setup {
+  return {
+    ...INITIAL,
+    body: chance.one(Object.keys(FIELDS.body.choices)) as Setup["body"],
+    law: chance.one(Object.keys(FIELDS.law.choices)) as Setup["law"],
+    fill: chance.between(0, 100),
+    radius: chance.between(1, 10),
+    length: chance.one([0, chance.between(1, 30)]),
+    mass: chance.between(5, 500),
+    wall: chance.between(0, 100),
+    base: chance.between(0, 60),
+    tilt: chance.between(3, 40),
+    tilt_rate: chance.one([0, chance.between(-2, 0.5)]),
+    sideways: chance.one([0, 1]) * chance.between(-0.1, 0.1),
+    twist: chance.one([0, chance.between(-0.1, 0.1)]),
+    yaw: chance.one([0, chance.between(-180, 180)]),
+    friction: chance.between(0.02, 0.9),
+    rolling: chance.one([0, chance.between(0, 0.01)]),
+    restitution: chance.one([0, chance.between(0, 0.9)]),
+    gravity: chance.one([INITIAL.gravity, 1.62]),
+    duration: 0.5,
+  };
+}

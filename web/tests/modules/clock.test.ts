@@ -1,0 +1,141 @@
+// The time at which a motion is shown, in the visitor's seconds and its own.
+
+import { signal } from "@preact/signals-core";
+import { beforeAll, describe, expect, test } from "vitest";
+import { Clock, UNHURRIED } from "../../src/clock";
+import type { Core } from "../../src/core/core";
+import type { Motion } from "../../src/core/motion";
+import { posed } from "../../src/setup/posed";
+import { INITIAL, type Setup } from "../../src/setup/setup";
+import { loadCore } from "../given/core";
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadCore();
+});
+
+function motionOf(changes: Partial<Setup> = {}): Motion {
+  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
+  return core.simulate(body, start, surface, options);
+}
+
+const clockOf = (motion: Motion) => new Clock(signal<Motion | undefined>(motion));
+
+describe("at the speed of life, unstretched", () => {
+  test("a second of the visitor's is a second of the motion's", () => {
+    const clock = clockOf(motionOf());
+    clock.stretched.value = false;
+    clock.advance(1);
+    expect(clock.time.value).toBeCloseTo(1, 12);
+    expect(clock.slowness).toBeCloseTo(1, 9);
+    expect(clock.progress).toBeCloseTo(1 / 3, 12);
+  });
+
+  test("a ten-thousandth of the speed shows a ten-thousandth of the motion", () => {
+    const clock = clockOf(motionOf());
+    clock.stretched.value = false;
+    clock.speed.value = 1e-4;
+    clock.advance(2);
+    expect(clock.time.value).toBeCloseTo(2e-4, 15);
+    expect(clock.slowness).toBeCloseTo(1e4, 5);
+  });
+});
+
+describe("stretched", () => {
+  test("no picture turns the contact point by more than is unhurried", () => {
+    const motion = motionOf();
+    const clock = clockOf(motion);
+    const picture = 1 / 60;
+    let most = 0;
+    for (let yaw = 0; clock.time.value < motion.end;) {
+      clock.advance(picture);
+      const now = motion.at([clock.time.value]).moment(0).yaw;
+      most = Math.max(most, Math.abs(now - yaw));
+      yaw = now;
+    }
+    // Between the knots of the schedule the yaw bends a little.
+    expect(most).toBeLessThan(UNHURRIED * picture * 1.05);
+    expect(most).toBeGreaterThan(UNHURRIED * picture * 0.95);
+  });
+
+  test("in the middle of a collision it is slower by the yaw rate over the unhurried one", () => {
+    const motion = motionOf();
+    const clock = clockOf(motion);
+    const turn = motion.turns[0]!;
+    clock.time.value = turn.t;
+    const slowness = Math.abs(turn.yawRate) / UNHURRIED;
+    expect(clock.slowness / slowness).toBeGreaterThan(0.9);
+    expect(clock.slowness / slowness).toBeLessThan(1.01);
+    // Half as fast is twice as slow.
+    const before = clock.slowness;
+    clock.speed.value = 0.5;
+    expect(clock.slowness).toBeCloseTo(2 * before, 3);
+  });
+
+  test("it is as in life at the release and at the end", () => {
+    const motion = motionOf({ duration: 0.3528 });
+    const clock = clockOf(motion);
+    expect(clock.slowness).toBeCloseTo(1, 9);
+    clock.time.value = motion.end;
+    expect(clock.slowness).toBeCloseTo(1, 9);
+  });
+
+  test("it is a number that is not below life's even where impacts pile up", () => {
+    const motion = motionOf({ tilt_rate: -3, sideways: 0.1, friction: 0.1, restitution: 0.5 });
+    const clock = clockOf(motion);
+    for (const event of motion.events) {
+      clock.time.value = event.moment.t;
+      expect(clock.slowness).toBeGreaterThan(0.999999);
+      expect(clock.slowness).toBeLessThan(1e9);
+    }
+  });
+});
+
+describe("scrubbing", () => {
+  test("goes where it is put, and back", () => {
+    const clock = clockOf(motionOf());
+    for (const part of [0, 0.05, 0.0532, 0.5, 0.999, 1]) {
+      clock.progress = part;
+      expect(clock.progress).toBeCloseTo(part, 9);
+      expect(clock.progressAt(clock.time.value)).toBe(clock.progress);
+    }
+    expect(clock.time.value).toBe(clock.end);
+  });
+
+  test("a step back undoes a step on, and pauses", () => {
+    const clock = clockOf(motionOf());
+    clock.play();
+    clock.progress = 0.05;
+    const before = clock.time.value;
+    clock.step(1);
+    expect(clock.playing.value).toBe(false);
+    expect(clock.time.value).toBeGreaterThan(before);
+    clock.step(-1);
+    expect(clock.time.value).toBeCloseTo(before, 12);
+  });
+});
+
+describe("the ends", () => {
+  test("it stops at the end, and plays from the beginning then", () => {
+    const clock = clockOf(motionOf());
+    clock.play();
+    clock.advance(1e6);
+    expect(clock.playing.value).toBe(false);
+    expect(clock.time.value).toBe(clock.end);
+    clock.play();
+    expect(clock.time.value).toBe(0);
+  });
+
+  test("it does not go back before the beginning", () => {
+    const clock = clockOf(motionOf());
+    clock.advance(-1);
+    expect(clock.time.value).toBe(0);
+  });
+
+  test("without a motion it stands still", () => {
+    const clock = new Clock(signal<Motion | undefined>(undefined));
+    clock.advance(1);
+    clock.progress = 0.5;
+    expect([clock.time.value, clock.end, clock.progress, clock.slowness]).toEqual([0, 0, 0, 1]);
+  });
+});

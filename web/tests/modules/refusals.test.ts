@@ -1,0 +1,53 @@
+import { describe, expect, test } from "vitest";
+import { FIELDS, FIELD_NAMES } from "../../src/setup/fields";
+import { read } from "../../src/setup/setup";
+
+const message = (...asked: Parameters<typeof read>) => {
+  const result = read(...asked);
+  return "message" in result ? result.message : undefined;
+};
+
+test("each field accepts what it begins with", () => {
+  for (const name of FIELD_NAMES)
+    expect(read(name, String(FIELDS[name].initial))).toEqual({ value: FIELDS[name].initial });
+});
+
+test("a slider stays inside what its field accepts", () => {
+  for (const name of FIELD_NAMES) {
+    const field = FIELDS[name];
+    if (field.kind !== "number" || !field.slider) continue;
+    for (const end of field.slider.slice(0, 2)) expect(message(name, String(end))).toBe(undefined);
+  }
+});
+
+test.each(["12,5", " 12.5 ", "1.25e1", "+12.5"])("“%s” is twelve and a half", (text) => {
+  expect(read("tilt", text)).toEqual({ value: 12.5 });
+});
+
+test("a minus sign may be a real one", () => {
+  expect(read("tilt_rate", "−2.5")).toEqual({ value: -2.5 });
+});
+
+describe("what is refused is refused in words", () => {
+  test.each(["", " ", "abc", "1 2", "NaN", "twelve"])("no number: “%s”", (text) => {
+    expect(message("tilt", text)).toBe(`Tilt is a number, not “${text}”.`);
+  });
+
+  test.each(["0", "90", "-20", "Infinity"])("outside open bounds: %s", (text) => {
+    expect(message("tilt", text)).toBe(
+      `Tilt is inside 0 to 90°, ends left out; ${text} is outside.`,
+    );
+  });
+
+  test.each(["-0.1", "1.1"])("outside bounds: %s", (text) => {
+    expect(message("restitution", text)).toBe(`Bounce is from 0 to 1; ${text} is outside.`);
+  });
+
+  test("a unit that is a word stands apart", () => {
+    expect(message("duration", "1000")).toContain("from 0.001 to 120 s; 1000 is outside.");
+  });
+
+  test.each(["teapot", "", "constructor"])("no such body: “%s”", (text) => {
+    expect(message("body", text)).toMatch(/^Body is one of can_2007, soda_can, .*, not “.*”\.$/);
+  });
+});
