@@ -13,6 +13,7 @@ import { Dots } from "./dots";
 import type { Frame } from "./frame";
 import type { Touched } from "./gestures";
 import { spoken, tenth } from "./lengths";
+import { Pace } from "./pace";
 import { readPalette } from "./palette";
 import {
   type Footing,
@@ -69,8 +70,9 @@ export class Picture {
   private rim: Rim = { radius: 1, height: 0 };
   /** Radius of the circle of degrees, m. */
   private reach = 1;
+  private readonly pace = new Pace();
   /** A speed that suits the body, √(gR), m/s. */
-  private pace = 1;
+  private speed = 1;
   private footing = UPRIGHT;
   private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
   private limits: readonly Limit[] = [];
@@ -187,6 +189,7 @@ export class Picture {
     this.stage.render();
     this.words.arrange(camera, this.width, this.height);
     if (gliding) this.changed();
+    if (lab.clock.playing.peek() && this.pace.slow(now) && this.stage.coarsen()) this.resize();
   }
 
   /** Makes another picture of the body if it has become another body. */
@@ -218,7 +221,7 @@ export class Picture {
     this.centre.of = NaN;
     if (!motion) return;
     this.footing = footingOf(motion, this.rim);
-    this.pace = Math.sqrt(this.lab.setup.peek().gravity * this.rim.radius);
+    this.speed = Math.sqrt(this.lab.setup.peek().gravity * this.rim.radius);
     const { shift } = this.footing;
     this.trail.follow(motion, shift, this.reach / 2500, 1 / this.reach, this.palette);
     this.limits = this.limitsHere();
@@ -302,7 +305,7 @@ export class Picture {
     const { palette, reach, stage } = this;
     const { position, quaternion } = stage.camera;
     this.spot.set(contact.x / reach, contact.y / reach, 0);
-    this.slip.show(this.spot, moment, this.pace);
+    this.slip.show(this.spot, moment, this.speed);
     const phases = moment && this.lab.motion.peek()?.phases;
     const kind = phases?.findLast(({ start }) => start <= (moment?.t ?? 0))?.kind;
     const color = kind === "sliding" || kind === "flying" ? palette[kind] : palette.rolling;

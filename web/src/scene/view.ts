@@ -44,7 +44,7 @@ export class View {
   /** Frames a body of a height, in radii of the circle of degrees. */
   frame(height: number): void {
     this.height = 0.29 * height;
-    this.radius = Math.max(1.32, 0.62 * height + 0.53);
+    this.radius = Math.max(1.2, 0.62 * height + 0.53);
   }
 
   /** Goes after what has gone far from the middle, but not for who would rather not see things move. */
