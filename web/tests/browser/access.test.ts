@@ -1,31 +1,15 @@
 // The page is for everybody: with a keyboard alone, with a screen reader, without motion, without WebGL.
 
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import type axe from "axe-core";
 import type { ElementHandle, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
+import { violations } from "./axe";
 import { browserForAll, leave, visit } from "./visit";
 
 browserForAll();
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
 describe("axe finds nothing serious", () => {
-  async function violations(page: Page): Promise<string[]> {
-    await page.evaluate(AXE);
-    const { violations } = await page.evaluate(() =>
-      (window as unknown as { axe: typeof axe }).axe.run({ resultTypes: ["violations"] }),
-    );
-    return violations
-      .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .flatMap(({ id, nodes }) =>
-        nodes.map(({ html, any }) => `${id}: ${any[0]?.message} ${html}`),
-      );
-  }
-
   test.each(["light", "dark"] as const)("in the %s", { timeout: 90_000 }, async (colorScheme) => {
-    const visited = await visit({ colorScheme, webgl: true });
+    const visited = await visit({ colorScheme });
     const { page } = visited;
     expect(await violations(page)).toEqual([]);
     // With all that can be opened or comes later: a refusal, falls, code.
@@ -74,10 +58,9 @@ describe("with the keyboard alone", () => {
       timeout: 90_000,
     },
     async () => {
-      const visited = await visit({ webgl: true });
+      const visited = await visit({ reducedMotion: "reduce" });
       const { page } = visited;
-      for (const summary of await page.locator("details:not([open]) > summary").all())
-        await summary.press("Enter");
+      await unfold(page);
       const controls = await usable(page);
       expect(controls.length).toBeGreaterThan(30);
       for (const [k, control] of controls.entries())
@@ -92,11 +75,11 @@ describe("with the keyboard alone", () => {
       const complaints: string[] = [];
       for (let k = 0; k < controls.length + 10; k++) {
         await page.keyboard.press("Tab");
-        const { which, name, marked, seen } = await page.evaluate(focused);
+        const { which, name, marked, seen, by } = await page.evaluate(focused);
         if (which === undefined) continue;
         reached.add(which);
         if (!marked) complaints.push(`no focus to be seen: ${name}`);
-        if (!seen) complaints.push(`covered: ${name}`);
+        if (!seen) complaints.push(`covered by ${by}: ${name}`);
       }
       for (const [k, control] of controls.entries())
         if (!reached.has(k))
@@ -137,7 +120,9 @@ describe("with the keyboard alone", () => {
 });
 
 /** About the element with the focus: which it is, whether that shows, whether it can be seen. */
-function focused() {
+async function focused() {
+  // Scrolling to it takes a picture or two.
+  for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
   const it = document.activeElement as HTMLElement;
   const name = it.id || it.getAttribute("aria-label") || it.textContent?.trim() || it.outerHTML;
   const which = it.dataset["tested"];
@@ -152,7 +137,8 @@ function focused() {
   const [x, y] = [box.left + box.width / 2, box.top + Math.min(box.height / 2, 20)];
   const top = document.elementFromPoint(x, y);
   const seen = top !== null && (it.contains(top) || top.contains(it) || !!label?.contains(top));
-  return { which: which === undefined ? undefined : Number(which), name, marked: ringed, seen };
+  const by = top?.closest("[id]")?.id ?? "being off the screen";
+  return { which: which === undefined ? undefined : Number(which), name, marked: ringed, seen, by };
 }
 
 describe("without WebGL", () => {

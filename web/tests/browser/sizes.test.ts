@@ -1,8 +1,9 @@
-// The page at the sizes of a telephone, a laptop and a large screen; out/lab has the pictures.
+// The page in space, at the sizes of a telephone, a laptop and a large screen; out/lab has the pictures.
 
 import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
-import { browserForAll, leave, visit } from "./visit";
+import { violations } from "./axe";
+import { browserForAll, elsewhere, leave, visit } from "./visit";
 
 browserForAll();
 
@@ -13,14 +14,17 @@ test.each([
   [360, 740, "light"],
   [1366, 768, "dark"],
   [3840, 2160, "light"],
-] as const)("%i by %i, %s", { timeout: 120_000 }, async (width, height, colorScheme) => {
+] as const)("%i by %i, %s", { timeout: 180_000 }, async (width, height, colorScheme) => {
   const visited = await visit({ viewport: { width, height }, colorScheme, webgl: true });
-  const { page, complaints } = visited;
+  const { page, complaints, requests } = visited;
+  expect(await page.locator("#scene canvas").count()).toBe(1);
   // Nobody scrolls sideways, and no words run out of their place.
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
     width,
   );
-  await page.screenshot({ path: pictured(`${width}x${height}`) });
+  await page.screenshot({ path: pictured(`${width}x${height}`), timeout: 120_000 });
+  expect(await violations(page)).toEqual([]);
   expect(complaints).toEqual([]);
+  expect(elsewhere(requests)).toEqual([]);
   await leave(visited);
 });

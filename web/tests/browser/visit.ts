@@ -10,7 +10,7 @@ const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swift
 export interface VisitOptions extends BrowserContextOptions {
   /** What the address holds after #. */
   hash?: string;
-  /** Whether the browser can draw in space; without it pages come much sooner. */
+  /** Whether the browser can draw in space; without a graphics card that takes its time. */
   webgl?: boolean;
 }
 
@@ -39,8 +39,9 @@ export function browserForAll(): void {
   });
 }
 
-/** The address of the page. */
-export const address = () => served.address;
+/** Requests that leave the folder of the page. */
+export const elsewhere = (requests: readonly string[]): string[] =>
+  requests.filter((one) => !one.startsWith(served.address) && !/^(data|blob):/.test(one));
 
 /** Opens the page as a visitor whom nobody knows, and waits until there is something to see. */
 export async function visit(options: VisitOptions = {}): Promise<Visit> {
@@ -52,16 +53,19 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
     ...rest,
   });
   if (!webgl) await context.addInitScript(withoutWebGL);
-  context.setDefaultTimeout(20_000);
+  context.setDefaultTimeout(50_000);
   const page = await context.newPage();
   const requests: string[] = [];
   const complaints: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
   page.on("requestfailed", (request) => complaints.push(`not loaded: ${request.url()}`));
   page.on("pageerror", (error) => complaints.push(String(error)));
+  // Chromium remarks on drawing in software, three.js on there being nothing to draw with.
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type()) && !ofTheDriver(message.text()))
-      complaints.push(message.text());
+    const text = message.text();
+    const expected =
+      /GPU stall|GL Driver Message|software WebGL/i.test(text) || (!webgl && /WebGL/.test(text));
+    if (["error", "warning"].includes(message.type()) && !expected) complaints.push(text);
   });
   await page.goto(served.address + (hash && `#${hash}`));
   await page.getByRole("button", { name: "Let go" }).waitFor();
@@ -70,9 +74,6 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
 
 /** Closes a visit, so that it draws no longer. */
 export const leave = ({ page }: Visit): Promise<void> => page.context().close();
-
-/** Chromium's own remarks on drawing in software. */
-const ofTheDriver = (text: string) => /GPU stall|GL Driver Message|software WebGL/i.test(text);
 
 function withoutWebGL(): void {
   const getContext = HTMLCanvasElement.prototype.getContext as (...a: unknown[]) => unknown;
