@@ -31,6 +31,8 @@ export class Chart {
   constructor(
     readonly figure: Figure,
     private readonly palette: () => Palette,
+    /** How much larger than usual the page's type is. */
+    private readonly large: number,
   ) {
     this.title.id = `plot-${figure.name}`;
     const key = element("span", { class: "key" }, ...figure.lines.map((line) => this.entry(line)));
@@ -120,8 +122,9 @@ export class Chart {
   private valueText(value: number): string {
     if (Number.isNaN(value)) return "";
     if (!Number.isFinite(value)) return "∞";
-    const text = significant(value / this.unit.size, 4);
-    const { name } = this.unit;
+    const { name, size } = this.unit;
+    // Of energies the small ones are as exact as the large ones.
+    const text = this.figure.prefixed ? (value / size).toFixed(3) : significant(value, 4);
     return name === "" || name === "°" ? text + name : `${text} ${name}`;
   }
 
@@ -154,10 +157,13 @@ export class Chart {
   private options(): uPlot.Options {
     const { figure } = this;
     const colour = (name: keyof Palette) => () => this.palette()[name];
+    const { large } = this;
+    // A whole number: uPlot reads no other.
+    const font = `${Math.round(12 * large)}px system-ui, sans-serif`;
     const axis = {
       stroke: colour("muted"),
-      font: "12px system-ui, sans-serif",
-      labelFont: "12px system-ui, sans-serif",
+      font,
+      labelFont: font,
       grid: { stroke: colour("line"), width: 1 },
       ticks: { stroke: colour("line"), width: 1, size: 4 },
       gap: 4,
@@ -166,7 +172,7 @@ export class Chart {
       width: 320,
       height: 200,
       pxAlign: false,
-      padding: [8, 12, 0, 0],
+      padding: [8 * large, 12 * large, 0, 0],
       legend: { show: false },
       cursor: { show: false },
       scales: {
@@ -179,20 +185,20 @@ export class Chart {
       axes: [
         {
           ...axis,
-          space: 48,
-          size: 24,
+          space: 48 * large,
+          size: 24 * large,
           label: () => timeLabel(this.shown),
-          labelSize: 18,
+          labelSize: 18 * large,
           labelGap: 0,
           values: (_, places) => tickTexts(places, timeUnit(this.shown).size),
         } as uPlot.Axis,
         {
           ...axis,
-          size: 58,
-          space: 28,
+          size: 58 * large,
+          space: 28 * large,
           ...(figure.stretched && {
             splits: (plot: uPlot, _axis: number, low: number, high: number) =>
-              powersOfTen(low, high, plot.bbox.height / devicePixelRatio),
+              powersOfTen(low, high, plot.bbox.height / devicePixelRatio / large),
             filter: (_: uPlot, places: number[]) => places,
           }),
           values: (_, places) =>

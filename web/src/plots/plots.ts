@@ -12,6 +12,7 @@ import "./plots.css";
 import { sampled } from "./sampled";
 import { chooser, phaseKey, toolbar } from "./toolbar";
 import { View } from "./view";
+import { inSight, oncePerPicture, onceQuiet } from "./when";
 
 /** Below this width (CSS px) of the page one plot is shown at a time. */
 const NARROW = "(max-width: 47.99rem)";
@@ -19,17 +20,19 @@ const NARROW = "(max-width: 47.99rem)";
 const DENSITY = 1;
 /** Samples of each step of the solver. */
 const PER_STEP = 4;
+/** CSS px, where type has its usual size. */
 const HEIGHT = 210;
 
-export function mountPlots(lab: Lab, place: HTMLElement): void {
+export function mountPlots(lab: Lab, section: HTMLElement): void {
   const view = new View(lab.motion);
-  const palette = paletteOf(place);
+  const palette = paletteOf(section);
   const chosen = signal(FIGURES[0]?.name);
   const narrow = signal(matchMedia(NARROW).matches);
   matchMedia(NARROW).addEventListener("change", (query) => (narrow.value = query.matches));
   const width = signal(0);
 
-  const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value));
+  const large = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+  const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value, large));
   const absent = element("p", { class: "absent" }, "There is no motion to plot.");
   const hint = element(
     "p",
@@ -46,7 +49,7 @@ export function mountPlots(lab: Lab, place: HTMLElement): void {
     chooser(FIGURES, FIGURES[0]?.name ?? "", (name) => (chosen.value = name)),
     grid,
   );
-  place.append(absent, present);
+  section.append(absent, present);
 
   const samples = computed(() => lab.motion.value?.samples(PER_STEP));
   const subject = computed((): Subject | undefined => {
@@ -57,79 +60,80 @@ export function mountPlots(lab: Lab, place: HTMLElement): void {
     const ground = all.column("potential_energy").reduce((a, b) => Math.min(a, b), Infinity);
     return { motion, theory: lab.theory.value, law, friction, ground };
   });
-  const visible = computed(() =>
+  const chosenCharts = computed(() =>
     charts.filter((chart) => !narrow.value || chart.figure.name === chosen.value),
   );
+  // Those out of sight are drawn when nothing has changed for a while: a slider drags no more than
+  // is looked at, and who is read to hears of all.
+  const seen = inSight(charts.map((chart) => chart.root));
+  const visible = computed(() => chosenCharts.value.filter(({ root }) => seen.value.has(root)));
 
-  const draw = () => {
+  const draw = (these: readonly Chart[]) => {
     const now = subject.value;
     const all = samples.value;
-    if (!now || !all || width.value === 0) return;
+    if (!now || !all || width.value === 0 || these.length === 0) return;
     const shown = view.shown.value;
     const moments = sampled(now.motion, all, shown, Math.ceil(width.value * DENSITY));
-    for (const chart of visible.value) {
-      chart.resize(width.value, HEIGHT);
+    for (const chart of these) {
+      chart.resize(width.value, Math.round(HEIGHT * large));
       chart.show(now, moments, shown);
     }
-    tell();
+    tell(these);
   };
-  const tell = () => {
+  const tell = (these: readonly Chart[]) => {
     const moment = lab.moment.value;
-    const { origin, from, to } = view.shown.value;
-    const at = (lab.clock.time.value - origin - from) / (to - from);
-    if (moment) for (const chart of visible.value) chart.tell(at, moment);
+    const place = view.placeOf(lab.clock.time.value);
+    if (moment) for (const chart of these) chart.tell(place, moment);
   };
 
   effect(() => {
     const there = lab.motion.value !== undefined;
     present.hidden = !there;
     absent.hidden = there;
-    for (const chart of charts) chart.root.hidden = !visible.value.includes(chart);
+    for (const chart of charts) chart.root.hidden = !chosenCharts.value.includes(chart);
   });
-  oncePerPicture(() => [subject.value, view.shown.value, visible.value, width.value], draw);
-  oncePerPicture(() => [lab.clock.time.value], tell);
+  const drawn = () => [subject.value, view.shown.value, chosenCharts.value, width.value];
   oncePerPicture(
-    () => [palette.value],
+    () => [drawn(), visible.value],
+    () => draw(visible.value),
+  );
+  onceQuiet(drawn, () => draw(chosenCharts.value));
+  oncePerPicture(
+    () => lab.clock.time.value,
+    () => tell(visible.value),
+  );
+  onceQuiet(
+    () => lab.clock.time.value,
+    () => tell(chosenCharts.value),
+  );
+  oncePerPicture(
+    () => palette.value,
     () => charts.forEach((chart) => chart.recolour()),
   );
   new ResizeObserver(() => {
-    const shownFigure = visible.value[0]?.root;
+    const shownFigure = chosenCharts.value[0]?.root;
     if (shownFigure) width.value = Math.floor(shownFigure.clientWidth);
   }).observe(grid);
 
-  for (const chart of charts) {
-    const timeAt = (part: number) => {
-      const { from, to } = view.shown.value;
-      return from + part * (to - from);
-    };
-    attachGestures(chart.pad, chart.root, {
-      scrub(part) {
-        lab.clock.pause();
-        lab.clock.time.value = view.shown.value.origin + timeAt(part);
-      },
-      now() {
-        const { origin, from, to } = view.shown.value;
-        return (lab.clock.time.value - origin - from) / (to - from);
-      },
-      select: (range) => chart.select(range),
-      zoomTo: ([from, to]) => view.show(timeAt(from), timeAt(to)),
-      zoom: (factor, about) => view.zoom(factor, timeAt(about)),
-      canZoomOut: () => !view.isWhole,
-      reset: () => view.whole(),
-    });
-  }
+  for (const chart of charts) link(chart, lab, view);
 }
 
-/** Does something before the next picture is painted whenever signals have changed. */
-function oncePerPicture(read: () => unknown, act: () => void): void {
-  let waiting = false;
-  effect(() => {
-    read();
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      act();
-    });
+/** What hands do on a plot, in times. */
+function link(chart: Chart, { clock }: Lab, view: View): void {
+  const timeAt = (place: number) => {
+    const { from, to } = view.shown.value;
+    return from + place * (to - from);
+  };
+  attachGestures(chart.pad, chart.root, {
+    scrub(place) {
+      clock.pause();
+      clock.time.value = view.shown.value.origin + timeAt(place);
+    },
+    now: () => view.placeOf(clock.time.value),
+    select: (range) => chart.select(range),
+    zoomTo: ([from, to]) => view.show(timeAt(from), timeAt(to)),
+    zoom: (factor, about) => view.zoom(factor, timeAt(about)),
+    canZoomOut: () => !view.isWhole,
+    reset: () => view.whole(),
   });
 }

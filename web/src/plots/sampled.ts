@@ -12,13 +12,15 @@ export function sampled(
   fewest: number,
 ): Moments {
   const times = all.column("t");
+  let first = countBelow(times, origin + from);
+  let last = countBelow(times, origin + to);
+  if (last - first < fewest) {
+    const even = motion.at(evenly(fewest, (k) => origin + from + ((to - from) * k) / (fewest - 1)));
+    return merged(all, first, last, even);
+  }
   // One beyond either end, for the lines to leave the plot.
-  const first = Math.max(countBelow(times, origin + from) - 1, 0);
-  const last = Math.min(countBelow(times, origin + to) + 1, all.length);
-  if (last - first === all.length && all.length >= fewest) return all;
-  if (last - first >= fewest) return part(all, first, last);
-  const even = motion.at(evenly(fewest, (k) => origin + from + ((to - from) * k) / (fewest - 1)));
-  return merged(all, first, last, even);
+  [first, last] = [Math.max(first - 1, 0), Math.min(last + 1, all.length)];
+  return last - first === all.length ? all : part(all, first, last);
 }
 
 /** How many of rising numbers are below a bound. */

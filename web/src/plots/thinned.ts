@@ -23,11 +23,12 @@ function extremes(curves: readonly Values[], from: number, to: number): number[]
   const places = [from, to - 1];
   for (const values of curves) {
     let [least, most] = [from, from];
-    for (let k = from + 1; k < to; k++) {
+    let [low, high] = [Infinity, -Infinity];
+    for (let k = from; k < to; k++) {
       const value = values[k];
       if (value == null) continue;
-      if (value < (values[least] ?? Infinity)) least = k;
-      if (value > (values[most] ?? -Infinity)) most = k;
+      if (value < low) [low, least] = [value, k];
+      if (value > high) [high, most] = [value, k];
     }
     places.push(least, most);
   }

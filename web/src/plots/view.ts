@@ -47,6 +47,12 @@ export class View {
     return this.zoomed.value === undefined;
   }
 
+  /** Where a time (s from the start) is in what is shown: 0 at its beginning, 1 at its end. */
+  placeOf(time: number): number {
+    const { origin, from, to } = this.shown.value;
+    return (time - origin - from) / (to - from);
+  }
+
   whole(): void {
     this.zoomed.value = undefined;
   }

@@ -29,6 +29,7 @@ import { Protractor } from "./protractor";
 import { PIXEL } from "./ribbon";
 import { Ruler } from "./ruler";
 import { Shade } from "./shade";
+import { Slip } from "./slip";
 import { Stage } from "./stage";
 import { Table } from "./table";
 import { Trail } from "./trail";
@@ -41,12 +42,13 @@ const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 export class Picture {
   readonly view: View;
   private readonly stage: Stage;
-  private readonly table: Table;
+  private readonly table = new Table();
   private readonly protractor = new Protractor();
   private readonly ruler = new Ruler();
   private readonly trail = new Trail();
   private readonly wedge = new Wedge();
   private readonly contact = new Contact();
+  private readonly slip = new Slip();
   private readonly dots = new Dots();
   private readonly shade = new Shade();
   private readonly words: Words;
@@ -59,6 +61,8 @@ export class Picture {
   private rim: Rim = { radius: 1, height: 0 };
   /** Radius of the circle of degrees, m. */
   private reach = 1;
+  /** A speed that suits the body, √(gR), m/s. */
+  private pace = 1;
   private footing = UPRIGHT;
   private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
   private limits: readonly Limit[] = [];
@@ -80,7 +84,7 @@ export class Picture {
     private readonly frame: Frame,
   ) {
     this.stage = new Stage(frame.canvas);
-    this.table = new Table(this.stage.scene.environment);
+    this.table.stand(this.stage.scene.environment);
     this.view = new View(this.stage.camera);
     this.words = new Words(frame.words);
     this.said = {
@@ -91,7 +95,14 @@ export class Picture {
     this.body.matrixAutoUpdate = this.hull.matrixAutoUpdate = false;
     const { scene } = this.stage;
     scene.add(this.table.mesh, this.shade.mesh, this.protractor.mesh, this.ruler.group);
-    scene.add(this.wedge.group, this.trail.mesh, this.dots.group, this.contact.group, this.body);
+    scene.add(
+      this.wedge.group,
+      this.trail.mesh,
+      this.slip.mesh,
+      this.dots.group,
+      this.contact.group,
+      this.body,
+    );
     this.repaint();
   }
 
@@ -111,12 +122,20 @@ export class Picture {
     if (this.stage.fit(clientWidth, clientHeight)) this.changed();
   };
 
+  /** The graphics card had lost everything, and is back. */
+  readonly restore = (): void => {
+    this.stage.furnish();
+    this.table.stand(this.stage.scene.environment);
+    this.repaint();
+  };
+
   /** The colours have changed. */
   readonly repaint = (): void => {
     this.palette = readPalette();
     this.stage.paint(this.palette);
     this.table.paint(this.palette);
     this.wedge.repaint(this.palette);
+    this.slip.paint(this.palette);
     this.shade.paint(this.palette);
     this.followed = this.flicksLaid = undefined;
     this.changed();
@@ -189,6 +208,7 @@ export class Picture {
     this.centre.of = NaN;
     if (!motion) return;
     this.footing = footingOf(motion, this.rim);
+    this.pace = Math.sqrt(this.lab.setup.peek().gravity * this.rim.radius);
     const { shift } = this.footing;
     this.trail.follow(motion, shift, this.reach / 2500, 1 / this.reach, this.palette);
     this.limits = this.limitsHere();
@@ -254,6 +274,7 @@ export class Picture {
     this.spot.set(contact.x / reach, contact.y / reach, 0);
     const distance = stage.camera.position.distanceTo(this.spot);
     this.contact.group.quaternion.copy(stage.camera.quaternion);
+    this.slip.show(this.spot, held ? undefined : moment, this.pace);
     const { x, y } = stage.camera.position;
     // It is on the near side if the body leans toward the eye.
     const near =
@@ -296,14 +317,26 @@ export class Picture {
     const sense = Math.sign(turning.whole?.angle ?? turning.angle) || 1;
     this.wedge.show(x, y, zero, turning.angle);
     this.protractor.lay(x, y, zero, sense > 0, palette);
-    const say = (index: number, text: string, angle: number, far: number) =>
-      words.say(index, text, x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle));
-    say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.16);
+    const say = (index: number, text: string, angle: number, far: number) => {
+      const [wx, wy] = [x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle)];
+      words.say(index, text, wx, wy);
+      words.dim(index, this.hidden(wx, wy));
+    };
+    say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.13);
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
       say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), 1.2);
     limit(said.theory, first);
     limit(said.other, second);
+  }
+
+  /** Whether the body is before a spot of the table. */
+  private hidden(x: number, y: number): boolean {
+    const { position } = this.stage.camera;
+    const { ray } = this.caster;
+    ray.origin.copy(position);
+    ray.direction.set(x, y, 0).sub(position).normalize();
+    return this.caster.intersectObject(this.hull, false).length > 0;
   }
 
   /** Where the base lies when it is flattest in this turn: round there the body turns. */

@@ -4,10 +4,9 @@ import { BoxGeometry, Group, Mesh, MeshStandardMaterial } from "three";
 import { FlatDrawing } from "./flat";
 import { roundLength, unitOf } from "./lengths";
 import type { Palette } from "./palette";
-import { USUAL } from "./view";
 
 /** Of the ruler, in radii of the circle of degrees. */
-const [LENGTH, WIDTH, THICK] = [2.3, 0.2, 0.016];
+const [LENGTH, WIDTH, THICK] = [2.3, 0.17, 0.016];
 
 export class Ruler {
   readonly group = new Group();
@@ -22,9 +21,7 @@ export class Ruler {
     this.drawing.mesh.position.z = THICK + 0.001;
     this.drawing.mesh.renderOrder = -5;
     this.group.add(block, this.drawing.mesh);
-    // In front of the viewer, who sees it level.
-    this.group.position.set(1.3 * Math.cos(USUAL.azimuth), 1.3 * Math.sin(USUAL.azimuth), 0);
-    this.group.rotation.z = USUAL.azimuth + Math.PI / 2;
+    this.group.position.set(0, -1.27, 0);
   }
 
   /** `reach`: radius of the circle of degrees, m. */

@@ -79,8 +79,9 @@ export class Stage {
     this.scene.add(this.sky, lamp, lamp.target);
   }
 
-  /** What shiny bodies mirror: a room with a window, lamps and a dim floor. */
-  private furnish(): void {
+  /** What shiny bodies mirror: a room with a window, lamps and a dim floor. The graphics card keeps
+   * it, so it is to be made anew when the card has lost it. */
+  furnish(): void {
     const room = new Scene();
     const add = (color: string, strength: number, size: number[], at: number[], inside = false) => {
       const material = new MeshBasicMaterial({
@@ -100,8 +101,9 @@ export class Stage {
     add("#262a2e", 1, [1.4, 0.3, 8], [4, 9, 3]);
     add("#262a2e", 1, [1.4, 0.3, 8], [-5, 9, 3]);
     add("#a59880", 0.8, [20, 20, 0.2], [0, 0, -1.9]);
+    this.scene.environment?.dispose();
     const generator = new PMREMGenerator(this.renderer);
-    this.scene.environment = generator.fromScene(room, 0.03).texture;
+    this.scene.environment = generator.fromScene(room, 0.03, 0.1, 100, { size: 128 }).texture;
     generator.dispose();
   }
 }

@@ -19,10 +19,7 @@ export class Table {
     grain: { value: 0 },
   };
 
-  /** The room's light on it is `environment`, but dim: it is under the body. */
-  constructor(environment: Texture | null) {
-    this.material.envMap = environment;
-    this.material.envMapIntensity = 0.3;
+  constructor() {
     this.mesh = new Mesh(new CircleGeometry(EDGE, 96), this.material);
     this.mesh.receiveShadow = true;
     this.mesh.renderOrder = -10;
@@ -35,6 +32,12 @@ export class Table {
         .replace("#include <common>", `#include <common>\n${DRAWN}`)
         .replace("#include <color_fragment>", LAID);
     };
+  }
+
+  /** The room's light on it is dim: it is under the body. */
+  stand(room: Texture | null): void {
+    this.material.envMap = room;
+    this.material.envMapIntensity = 0.3;
   }
 
   /** `cell`: the side of a square, in radii of the circle of degrees. */

@@ -54,6 +54,11 @@ export class Words {
     if (length !== text.length || word.width === 0) word.width = 0;
   }
 
+  /** Pales a word whose spot is hidden. */
+  dim(index: number, hidden: boolean): void {
+    this.words[index]?.element.classList.toggle("hidden-spot", hidden);
+  }
+
   /** Puts all of them in their places, first come first served, none over another. */
   arrange(camera: Camera, width: number, height: number): void {
     for (const word of this.words) {

@@ -13,14 +13,20 @@ export function keepInAddress(lab: Lab): void {
   };
   take();
   addEventListener("hashchange", take);
+  let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     const hash = toHash(lab.setup.value);
-    // Without an entry in the history for every move of a slider.
-    if (hash !== location.hash.replace(/^#/, ""))
-      history.replaceState(
-        null,
-        "",
-        hash === "" ? location.pathname + location.search : `#${hash}`,
-      );
+    clearTimeout(waiting);
+    waiting = setTimeout(() => write(hash), QUIET);
   });
+}
+
+/** How long the set-up stays as it is before it is written, ms: browsers refuse a hundred addresses
+ * in a few seconds, and a slider makes more. */
+const QUIET = 200;
+
+function write(hash: string): void {
+  // Without an entry in the history for every move of a slider.
+  if (hash !== location.hash.replace(/^#/, ""))
+    history.replaceState(null, "", hash === "" ? location.pathname + location.search : `#${hash}`);
 }

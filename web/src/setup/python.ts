@@ -5,7 +5,8 @@ import { digits } from "./digits";
 import type { Posed } from "./posed";
 
 export function toPython({ body, start, surface, options }: Posed): string {
-  return `import rimroll as rr
+  return `import math
+import rimroll as rr
 
 body = ${bodyCode(body)}
 start = ${startCode(start)}
@@ -16,7 +17,7 @@ motion = rr.simulate(body, start, law, duration=${options.duration}, gravity=${o
 print(motion.message)
 for turn in motion.turns:
     print(f"turned by {math.degrees(turn.angle):.3f} degrees")
-`.replace("import rimroll", "import math\nimport rimroll");
+`;
 }
 
 const call = (name: string, fields: Record<string, number>) =>

@@ -21,9 +21,11 @@ export function duration(seconds: number): string {
   return `${significant(seconds / unit.size, 3)} ${unit.name}`;
 }
 
-/** A number with so many digits that count, no powers of ten up to a million, and a real minus. */
-export function significant(value: number, digits: number): string {
-  if (value === 0) return "0";
+/** A number with so many digits that count, without powers of ten unless it is tiny, and with a real
+ * minus. */
+export function significant(exact: number, digits: number): string {
+  if (exact === 0) return "0";
+  const value = Number(exact.toPrecision(digits));
   const size = Math.floor(Math.log10(Math.abs(value)));
   if (size < -5) return signed(value.toExponential(digits - 1));
   return signed(grouped(value.toFixed(Math.min(Math.max(digits - 1 - size, 0), 12))));

@@ -1,17 +1,17 @@
 // The time at which a motion is shown, in the visitor's seconds and its own.
 
-import { readFileSync } from "node:fs";
 import { signal } from "@preact/signals-core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { Clock, UNHURRIED } from "../../src/clock";
-import { Core } from "../../src/core/core";
+import type { Core } from "../../src/core/core";
 import type { Motion } from "../../src/core/motion";
 import { posed } from "../../src/setup/posed";
 import { INITIAL, type Setup } from "../../src/setup/setup";
+import { loadCore } from "../given/core";
 
 let core: Core;
 beforeAll(async () => {
-  core = await Core.load(readFileSync(new URL("../../src/core/rimroll.wasm", import.meta.url)));
+  core = await loadCore();
 });
 
 function motionOf(changes: Partial<Setup> = {}): Motion {
