@@ -11,6 +11,7 @@ import { keepInAddress } from "./setup/address";
 import { mountShare } from "./share/share";
 import { mountStory } from "./story/story";
 import "./style/page.css";
+import { startTicker } from "./ticker";
 import { mountTransport } from "./transport/transport";
 import { mountVerdict } from "./verdict/verdict";
 
@@ -19,6 +20,7 @@ const section = (id: string) => document.getElementById(id) as HTMLElement;
 const core = await Core.load(await fetch(coreAddress));
 const lab = new Lab(core);
 keepInAddress(lab);
+startTicker(lab.clock);
 mountScene(lab, section("scene"));
 mountTransport(lab, section("transport"));
 mountVerdict(lab, section("verdict"));

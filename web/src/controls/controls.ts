@@ -48,9 +48,13 @@ function bodyRows(hand: Hand): HTMLElement[] {
   });
 }
 
-/** What few will want to set; it opens by itself for what was refused in it. */
+/** Where all quantities have room beside the table. */
+const ROOMY = "(min-width: 60em) and (min-height: 64em)";
+
+/** What few will want to set; it opens by itself for what was refused in it, and on large screens. */
 function more(hand: Hand): HTMLElement {
-  const details = element("details", { class: "more" }, element("summary", {}, "More"));
+  const open = matchMedia(ROOMY).matches;
+  const details = element("details", { class: "more", open }, element("summary", {}, "More"));
   for (const name of MORE) {
     const idle = name === "restitution" ? idleUnderIdealLaws(hand) : undefined;
     details.append(numberRow(hand, name, idle).row);

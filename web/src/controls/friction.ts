@@ -5,7 +5,6 @@ import { button, element } from "../elements";
 import type { Hand } from "../inputs/hand";
 import { numberRow } from "../inputs/number";
 import { scaleOf } from "../inputs/scale";
-import { shown } from "../inputs/shown";
 import { FIELDS } from "../setup/fields";
 
 /** Dry friction of a metal rim, as rimroll.surfaces. */
@@ -32,7 +31,8 @@ export function frictionRow(hand: Hand): HTMLElement {
       ),
     );
   const needed = element("div", { class: "marks needed" });
-  const mark = button("", () => hand.set("friction", Number(neededFriction(hand).toPrecision(4))));
+  // Rounded up, so that it does roll.
+  const mark = button("", () => hand.set("friction", Math.ceil(1e4 * neededFriction(hand)) / 1e4));
   needed.append(mark);
   slider.before(needed);
   slider.after(marks);
@@ -40,13 +40,11 @@ export function frictionRow(hand: Hand): HTMLElement {
   effect(() => {
     const friction = neededFriction(hand);
     needed.hidden = !(friction >= 0);
-    mark.textContent = `μ* ${shown(friction, 3)}`;
-    mark.setAttribute(
-      "aria-label",
-      `Friction with which this body just rolls through, ${shown(friction, 3)}`,
-    );
+    const words = `μ* ${friction.toFixed(3)}`;
+    mark.textContent = words;
+    mark.setAttribute("aria-label", `${words}, with which this body just rolls through`);
     mark.dataset["help"] =
-      `With μ* = ${shown(friction, 3)} or more this body rolls through its near-collision; with less it slips.`;
+      `With ${words} or more this body rolls through its near-collision; with less it slips.`;
     placed(mark, friction);
   });
   effect(() => {

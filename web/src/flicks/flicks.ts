@@ -17,7 +17,7 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
       <label>How often <input class="count" type="number" min="1" max="1000" step="1" inputmode="numeric"></label>
     </div>
     <figure>
-      <svg viewBox="-106 -106 212 212" role="img" aria-labelledby="flicks-said"></svg>
+      <svg viewBox="-106 -106 212 212" role="img" aria-label="Where it fell, all round the body" aria-describedby="flicks-said"></svg>
       <figcaption>
         <p id="flicks-said" role="status"></p>
         <ul class="legend">

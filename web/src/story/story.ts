@@ -12,7 +12,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     <p class="where"></p>
     <div aria-live="polite"><h2></h2><p class="text"></p></div>
     <div class="row">
-      <button type="button" class="back" aria-label="Step before">‹ Back</button>
+      <button type="button" class="back" aria-label="Back, to the step before">‹ Back</button>
       <button type="button" class="show primary">Show me</button>
       <button type="button" class="next" aria-label="Next step">Next ›</button>
     </div>`;

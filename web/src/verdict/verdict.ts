@@ -7,7 +7,7 @@ import type { Lab } from "../lab";
 import { passageFrom } from "./passage";
 import { comparison, ending, inAll, story } from "./words";
 
-/** s without a change after which the words are read out. */
+/** s without a change after which the words are read out; not while it moves. */
 const SETTLED = 0.8;
 
 export function mountVerdict(lab: Lab, place: HTMLElement): void {
@@ -59,9 +59,15 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
       story(passage.value, lab.setup.value),
       ending(lab.outcome.value, lab.setup.value),
     ];
-    const settled = setTimeout(() => (heard.textContent = text.join(" ")), 1000 * SETTLED);
+    if (lab.clock.playing.value) return undefined;
+    const settled = setTimeout(() => hear(heard, text.join(" ").trim()), 1000 * SETTLED);
     return () => clearTimeout(settled);
   });
+}
+
+/** The same words again are not read out again. */
+function hear(place: HTMLElement, text: string): void {
+  if (place.textContent !== text) place.textContent = text;
 }
 
 function tile(name: string, kind: string) {

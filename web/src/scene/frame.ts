@@ -1,0 +1,88 @@
+// The elements of the scene: the picture, its buttons, its key to the colours, and what is said when
+// there can be no picture.
+
+import { KEYS } from "./keys";
+
+export interface Frame {
+  stage: HTMLElement;
+  canvas: HTMLCanvasElement;
+  words: HTMLElement;
+  /** How long a square of the grid is. */
+  scale: HTMLElement;
+  notice: HTMLElement;
+  reset: HTMLButtonElement;
+  above: HTMLButtonElement;
+}
+
+function element<Name extends keyof HTMLElementTagNameMap>(
+  name: Name,
+  className: string,
+  text = "",
+): HTMLElementTagNameMap[Name] {
+  const made = document.createElement(name);
+  made.className = className;
+  made.textContent = text;
+  return made;
+}
+
+export function frameIn(place: HTMLElement): Frame {
+  const stage = element("div", "table-stage");
+  const canvas = element("canvas", "table-picture");
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "application");
+  canvas.setAttribute("aria-label", "The body on the table");
+  canvas.setAttribute("aria-describedby", "table-keys");
+  const words = element("div", "table-words");
+  const notice = element("p", "table-notice");
+  notice.setAttribute("role", "status");
+  const reset = button("Reset view");
+  const above = button("From above");
+  const tools = element("div", "table-tools");
+  tools.append(reset, above, help());
+  const [legend, scale] = key();
+  stage.append(canvas, words, legend, tools, notice);
+  place.replaceChildren(stage);
+  return { stage, canvas, words, scale, notice, reset, above };
+}
+
+function button(text: string): HTMLButtonElement {
+  const made = element("button", "table-button", text);
+  made.type = "button";
+  return made;
+}
+
+function help(): HTMLElement {
+  const details = element("details", "table-help");
+  const summary = element("summary", "table-button", "?");
+  summary.setAttribute("aria-label", "How to move things here");
+  const box = element("div", "table-help-box");
+  box.id = "table-keys";
+  box.append(
+    element(
+      "p",
+      "",
+      "Drag the body to tip it. Let go to release it; let go while moving to flick it. " +
+        "Drag the table to look from elsewhere, scroll or pinch to come nearer.",
+    ),
+    element("p", "", "With the keyboard, once the picture is focused:"),
+  );
+  const list = element("dl", "");
+  for (const [name, does] of KEYS) list.append(element("dt", "", name), element("dd", "", does));
+  box.append(list);
+  details.append(summary, box);
+  return details;
+}
+
+/** What the colours of the trail mean, and the scale. */
+function key(): [HTMLElement, HTMLElement] {
+  const legend = element("p", "table-key");
+  for (const [kind, means] of [
+    ["rolling", "rolls"],
+    ["sliding", "slips"],
+    ["flying", "in the air"],
+  ] as const)
+    legend.append(element("span", `trail-${kind}`, means));
+  const scale = element("span", "table-scale");
+  legend.append(scale);
+  return [legend, scale];
+}

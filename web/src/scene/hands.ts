@@ -1,0 +1,135 @@
+// A hand on the body: tipping it, letting it go at rest, or flicking it by letting go in motion.
+
+import type { Lab } from "../lab";
+import { FIELDS } from "../setup/fields";
+import type { Setup } from "../setup/setup";
+
+const DEGREES = 180 / Math.PI;
+/** What a hand can hold, rad. */
+const [LEAST, MOST] = [0.5 / DEGREES, 89 / DEGREES];
+/** The motion of the hand is that of its last moments, ms. */
+const LATELY = 80;
+/** A hand slower than this is at rest, rad/s. */
+const AT_REST = 0.12;
+/** Faster than this no hand flicks, rad/s. */
+const FASTEST = 25;
+/** A hand that lets go at rest errs sideways by no more, rad/s. */
+const STEADY = 0.05;
+
+/** How far the body leans, and whereto: the tilt, rad, as an arrow on the table. */
+export interface Lean {
+  x: number;
+  y: number;
+}
+
+export class Hands {
+  private lean: Lean = { x: 0, y: 0 };
+  private readonly lately: { x: number; y: number; when: number }[] = [];
+
+  constructor(private readonly lab: Lab) {}
+
+  get holding(): boolean {
+    return this.lab.held.peek() !== undefined;
+  }
+
+  /** Takes the body as it stands now. */
+  take(): void {
+    const { tilt, yaw } = this.lab.moment.peek() ?? start(this.lab.setup.peek());
+    this.lab.clock.pause();
+    this.lately.length = 0;
+    // It leans toward the point at which it touches the table, opposite to its yaw.
+    this.hold({ x: -tilt * Math.cos(yaw), y: -tilt * Math.sin(yaw) });
+  }
+
+  /** Leans it further by an arrow on the table, rad. */
+  push(x: number, y: number): void {
+    this.hold({ x: this.lean.x + x, y: this.lean.y + y });
+  }
+
+  /** Tips it further, or less far, the way it leans, rad. */
+  tip(by: number): void {
+    const tilt = Math.hypot(this.lean.x, this.lean.y);
+    const times = Math.min(Math.max(tilt + by, LEAST), MOST) / tilt;
+    this.hold({ x: this.lean.x * times, y: this.lean.y * times });
+  }
+
+  /** Leads the lean round, rad. */
+  round(by: number): void {
+    const [c, s] = [Math.cos(by), Math.sin(by)];
+    const { x, y } = this.lean;
+    this.hold({ x: c * x - s * y, y: s * x + c * y });
+  }
+
+  /** Puts it back as it was. */
+  giveUp(): void {
+    this.lab.held.value = undefined;
+  }
+
+  /** Lets go, with the motion of the hand if it is in motion. */
+  release(moving = true): void {
+    const held = this.lab.held.peek();
+    if (!held) return;
+    const rate = moving ? this.rate() : { x: 0, y: 0 };
+    this.lab.change(released(held, rate, this.lab.setup.peek()));
+    this.lab.held.value = undefined;
+    this.lab.clock.play();
+  }
+
+  private hold(lean: Lean): void {
+    const tilt = Math.hypot(lean.x, lean.y);
+    const kept = Math.min(Math.max(tilt, LEAST), MOST);
+    const way = tilt > 1e-9 ? Math.atan2(lean.y, lean.x) : Math.PI;
+    this.lean = { x: kept * Math.cos(way), y: kept * Math.sin(way) };
+    this.lab.held.value = { tilt: kept, yaw: way + Math.PI };
+    const when = performance.now();
+    this.lately.push({ ...lean, when });
+    while (this.lately.length > 2 && when - (this.lately[0]?.when ?? when) > LATELY)
+      this.lately.shift();
+  }
+
+  /** How fast the hand has led the lean lately, rad/s. */
+  private rate(): Lean {
+    const now = performance.now();
+    const recent = this.lately.filter(({ when }) => now - when <= LATELY);
+    const [first, last] = [recent[0], recent[recent.length - 1]];
+    // Up to now, not to its last move: a hand that has stopped is at rest.
+    const passed = first ? (now - first.when) / 1000 : 0;
+    if (!first || !last || passed < 0.008) return { x: 0, y: 0 };
+    return { x: (last.x - first.x) / passed, y: (last.y - first.y) / passed };
+  }
+}
+
+function start({ tilt, yaw }: Readonly<Setup>): { tilt: number; yaw: number } {
+  return { tilt: tilt / DEGREES, yaw: yaw / DEGREES };
+}
+
+/** The set-up that a hand lets go, in the units of its fields. */
+export function released(
+  held: { tilt: number; yaw: number },
+  rate: Lean,
+  setup: Readonly<Setup>,
+): Partial<Setup> {
+  const tilt = rounded(held.tilt * DEGREES, 10);
+  const yaw = rounded(within(held.yaw * DEGREES), 10);
+  const human = Math.abs(setup.sideways) <= STEADY ? setup.sideways : FIELDS.sideways.initial;
+  if (Math.hypot(rate.x, rate.y) < AT_REST)
+    return { tilt, yaw, tilt_rate: 0, twist: 0, sideways: human };
+  const [c, s] = [-Math.cos(held.yaw), -Math.sin(held.yaw)];
+  const along = rate.x * c + rate.y * s;
+  // A lean led round, without turning the body about its own axis: it turns about the line along
+  // which it leans.
+  const across = ((rate.y * c - rate.x * s) * Math.tan(held.tilt)) / held.tilt;
+  const aside = rounded(limited(across), 1000);
+  return {
+    tilt,
+    yaw,
+    tilt_rate: rounded(limited(along), 100),
+    twist: 0,
+    sideways: aside === 0 ? human : aside,
+  };
+}
+
+const limited = (rate: number) => Math.min(Math.max(rate, -FASTEST), FASTEST);
+const rounded = (value: number, times: number) => Math.round(value * times) / times || 0;
+/** The same direction from −180 up to 180 degrees. */
+const within = (degrees: number) => degrees - 360 * Math.floor((degrees + 180) / 360);

@@ -1,0 +1,43 @@
+// The page's colours, for what is drawn on a canvas.
+
+export interface Palette {
+  dark: boolean;
+  ink: string;
+  muted: string;
+  raised: string;
+  /** Of the three-dimensional table. */
+  table: string;
+  rolling: string;
+  sliding: string;
+  flying: string;
+  wedge: string;
+  theory: string;
+  left: string;
+  right: string;
+}
+
+export function readPalette(): Palette {
+  const style = getComputedStyle(document.documentElement);
+  const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const color = (name: string, light: string, night: string) =>
+    style.getPropertyValue(name).trim() || (dark ? night : light);
+  return {
+    dark,
+    ink: color("--ink", "#1a2127", "#e7ecef"),
+    muted: color("--muted", "#535e67", "#a4b0b9"),
+    raised: color("--raised", "#ffffff", "#1a2127"),
+    table: dark ? "#33404a" : "#d8c4a2",
+    rolling: color("--law-no_slip", "#0072b2", "#56b4e9"),
+    sliding: color("--law-frictionless", "#d55e00", "#f0883e"),
+    flying: color("--muted", "#535e67", "#a4b0b9"),
+    wedge: dark ? "#f2b632" : "#e69f00",
+    theory: color("--theory", "#009e73", "#2fc79a"),
+    left: color("--left", "#0072b2", "#56b4e9"),
+    right: color("--right", "#d55e00", "#f0883e"),
+  };
+}
+
+/** Calls when the visitor changes from light to dark or back. */
+export function onTheme(changed: () => void): void {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+}

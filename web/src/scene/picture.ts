@@ -1,0 +1,334 @@
+// What is seen: the body on the table, and all that is drawn round it. It is drawn when something
+// has changed, and not otherwise.
+
+import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
+import type { Held, Lab, Turning } from "../lab";
+import type { Motion } from "../core/motion";
+import { bodyOf } from "../setup/posed";
+import type { Setup } from "../setup/setup";
+import { dispose, pictureOf } from "./bodies/bodies";
+import { type Size, reachOf, sizeOf } from "./bodies/shapes";
+import { Contact } from "./contact";
+import { Dots } from "./dots";
+import type { Frame } from "./frame";
+import type { Touched } from "./gestures";
+import { spoken, tenth } from "./lengths";
+import { readPalette } from "./palette";
+import {
+  type Footing,
+  type Pose,
+  type Rim,
+  type Spot,
+  footingOf,
+  heldContact,
+  heldPose,
+  placed,
+  poseOf,
+} from "./pose";
+import { Protractor } from "./protractor";
+import { PIXEL } from "./ribbon";
+import { Ruler } from "./ruler";
+import { Shade } from "./shade";
+import { Stage } from "./stage";
+import { Table } from "./table";
+import { Trail } from "./trail";
+import { View } from "./view";
+import { type Limit, Wedge } from "./wedge";
+import { Words } from "./words";
+
+const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
+
+export class Picture {
+  readonly view: View;
+  private readonly stage: Stage;
+  private readonly table: Table;
+  private readonly protractor = new Protractor();
+  private readonly ruler = new Ruler();
+  private readonly trail = new Trail();
+  private readonly wedge = new Wedge();
+  private readonly contact = new Contact();
+  private readonly dots = new Dots();
+  private readonly shade = new Shade();
+  private readonly words: Words;
+  private readonly said: { turned: number; theory: number; other: number };
+  private palette = readPalette();
+  private body = new Group();
+  /** What the body takes up, for a pointer to hit. */
+  private readonly hull = new Mesh(new CylinderGeometry(1, 1, 1, 24).rotateX(Math.PI / 2));
+  private size: Size = { rim: 1, widest: 1, length: 1 };
+  private rim: Rim = { radius: 1, height: 0 };
+  /** Radius of the circle of degrees, m. */
+  private reach = 1;
+  private footing = UPRIGHT;
+  private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
+  private limits: readonly Limit[] = [];
+  private width = 0;
+  private height = 0;
+  /** What was drawn last, to see what has changed. */
+  private looked = "";
+  private followed: Motion | undefined;
+  private flicksLaid: unknown;
+  private waiting = false;
+  private readonly matrix = new Matrix4();
+  private readonly caster = new Raycaster();
+  private readonly pointed = new Vector2();
+  private readonly spot = new Vector3();
+
+  /** Throws if the browser has no WebGL. */
+  constructor(
+    private readonly lab: Lab,
+    private readonly frame: Frame,
+  ) {
+    this.stage = new Stage(frame.canvas);
+    this.table = new Table(this.stage.scene.environment);
+    this.view = new View(this.stage.camera);
+    this.words = new Words(frame.words);
+    this.said = {
+      turned: this.words.add("turned"),
+      theory: this.words.add("theory"),
+      other: this.words.add("theory"),
+    };
+    this.body.matrixAutoUpdate = this.hull.matrixAutoUpdate = false;
+    const { scene } = this.stage;
+    scene.add(this.table.mesh, this.shade.mesh, this.protractor.mesh, this.ruler.group);
+    scene.add(this.wedge.group, this.trail.mesh, this.dots.group, this.contact.group, this.body);
+    this.repaint();
+  }
+
+  /** To be drawn anew with the next picture. */
+  readonly changed = (): void => {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame((now) => {
+      this.waiting = false;
+      this.draw(now);
+    });
+  };
+
+  readonly resize = (): void => {
+    const { clientWidth, clientHeight } = this.frame.stage;
+    [this.width, this.height] = [clientWidth, clientHeight];
+    if (this.stage.fit(clientWidth, clientHeight)) this.changed();
+  };
+
+  /** The colours have changed. */
+  readonly repaint = (): void => {
+    this.palette = readPalette();
+    this.stage.paint(this.palette);
+    this.table.paint(this.palette);
+    this.wedge.repaint(this.palette);
+    this.shade.paint(this.palette);
+    this.followed = this.flicksLaid = undefined;
+    this.changed();
+  };
+
+  /** The body, if it is at a place of the picture (px). */
+  readonly bodyAt = (x: number, y: number): Touched | undefined => {
+    this.pointed.set((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
+    this.caster.setFromCamera(this.pointed, this.stage.camera);
+    const [hit] = this.caster.intersectObject(this.hull, false);
+    if (!hit) return undefined;
+    // Its top follows the pointer, whichever part of it was grasped.
+    const lever = Math.max(hit.point.length(), (0.8 * this.size.rim) / this.reach);
+    const pixel = (PIXEL.value * hit.distance) / lever;
+    return { lean: (dx, dy) => this.leanBy(dx * pixel, -dy * pixel) };
+  };
+
+  /** From right and up on the screen to an arrow on the table. */
+  private leanBy(right: number, up: number): Spot {
+    const { azimuth, elevation } = this.view;
+    const away = up / Math.max(Math.sin(elevation), 0.45);
+    const [c, s] = [Math.cos(azimuth), Math.sin(azimuth)];
+    return { x: -s * right - c * away, y: c * right - s * away };
+  }
+
+  private draw(now: number): void {
+    if (this.width < 2 || this.height < 2) return;
+    const { lab } = this;
+    const setup = lab.setup.peek();
+    this.look(setup);
+    this.follow(lab.motion.peek());
+    this.layFlicks(setup);
+    const gliding = this.view.update(now);
+    const { camera } = this.stage;
+    camera.updateMatrixWorld();
+    PIXEL.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
+    this.pose(lab.held.peek(), setup);
+    this.turn(lab.held.peek() ? undefined : lab.turning.peek());
+    this.stage.render();
+    this.words.arrange(camera, this.width, this.height);
+    if (gliding) this.changed();
+  }
+
+  /** Makes another picture of the body if it has become another body. */
+  private look(setup: Readonly<Setup>): void {
+    const { body, fill, radius, length, wall, base } = setup;
+    const look = [body, ...(body === "own" ? [radius, length, wall, base] : [fill])].join(" ");
+    if (look === this.looked) return;
+    this.looked = look;
+    dispose(this.body);
+    this.stage.scene.remove(this.body);
+    this.body = pictureOf(setup);
+    this.body.matrixAutoUpdate = false;
+    this.stage.scene.add(this.body);
+    this.size = sizeOf(setup);
+    this.reach = reachOf(this.size);
+    this.rim = { radius: this.size.rim, height: bodyOf(this.lab.core, setup).height };
+    this.view.frame(this.size.length / this.reach);
+    const cell = tenth(this.reach / 2.5);
+    this.table.measure(cell / this.reach);
+    this.frame.scale.textContent = `1 square = ${spoken(cell)}`;
+    this.followed = undefined;
+  }
+
+  private follow(motion: Motion | undefined): void {
+    this.ruler.measure(this.reach, this.palette);
+    if (motion === this.followed && motion) return;
+    this.followed = motion;
+    this.trail.mesh.visible = motion !== undefined;
+    this.centre.of = NaN;
+    if (!motion) return;
+    this.footing = footingOf(motion, this.rim);
+    const { shift } = this.footing;
+    this.trail.follow(motion, shift, this.reach / 2500, 1 / this.reach, this.palette);
+    this.limits = this.limitsHere();
+    this.wedge.mark(this.limits, 0.6);
+  }
+
+  /** The limit on this table, or if there is none both ideal ones. */
+  private limitsHere(): Limit[] {
+    const theory = this.lab.theory.peek();
+    if (!theory) return [];
+    const { here, noSlip, frictionless } = theory;
+    const { palette } = this;
+    if (!Number.isNaN(here)) return [{ angle: here, color: palette.theory, name: "theory" }];
+    return [
+      { angle: noSlip, color: palette.rolling, name: "no slip" },
+      { angle: frictionless, color: palette.sliding, name: "no friction" },
+    ].filter(({ angle }) => !Number.isNaN(angle));
+  }
+
+  private layFlicks({ yaw }: Readonly<Setup>): void {
+    const flicks = this.lab.flicks.peek();
+    if (flicks !== this.flicksLaid) {
+      this.flicksLaid = flicks;
+      const theory = this.lab.theory.peek();
+      const limits: Limit[] = theory
+        ? [
+            { angle: theory.noSlip, color: this.palette.rolling, name: "" },
+            { angle: theory.frictionless, color: this.palette.sliding, name: "" },
+          ]
+        : [];
+      this.dots.lay(flicks, (yaw * Math.PI) / 180 + Math.PI, limits, this.palette);
+    }
+    this.dots.show(this.lab.flicksMade.peek() ?? 0);
+  }
+
+  private pose(held: Held | undefined, setup: Readonly<Setup>): void {
+    const moment = this.lab.moment.peek();
+    const { rim, footing, reach } = this;
+    let [pose, contact, kind]: [Pose, Spot, string] = [UNTIPPED, UNTIPPED, "rolling"];
+    if (held || !moment) {
+      const { tilt, yaw } = held ?? {
+        tilt: (setup.tilt * Math.PI) / 180,
+        yaw: (setup.yaw * Math.PI) / 180,
+      };
+      pose = heldPose(rim, tilt, yaw, footing.slide);
+      contact = heldContact(rim, tilt, yaw, footing.slide);
+    } else {
+      pose = poseOf(moment, rim.height, footing.shift);
+      contact = {
+        x: moment.contact_x + footing.shift.x,
+        y: moment.contact_y + footing.shift.y,
+      };
+      kind = this.lab.motion.peek()?.phases.findLast((p) => p.start <= moment.t)?.kind ?? kind;
+    }
+    this.body.matrix.copy(placed(this.matrix, pose)).premultiply(scaling(1 / reach));
+    this.body.matrixWorldNeedsUpdate = true;
+    this.placeHull();
+    this.shade.show(pose.x / reach, pose.y / reach, rim.radius / reach, pose.tilt);
+    this.stage.follow(pose.x / reach, pose.y / reach);
+    const { palette, stage } = this;
+    const color =
+      kind === "sliding" ? palette.sliding : kind === "flying" ? palette.flying : palette.rolling;
+    this.spot.set(contact.x / reach, contact.y / reach, 0);
+    const distance = stage.camera.position.distanceTo(this.spot);
+    this.contact.group.quaternion.copy(stage.camera.quaternion);
+    const { x, y } = stage.camera.position;
+    // It is on the near side if the body leans toward the eye.
+    const near =
+      (contact.x - pose.x) * (x - this.spot.x) + (contact.y - pose.y) * (y - this.spot.y);
+    const above = stage.camera.position.z > 3 * Math.hypot(x, y);
+    this.contact.show(
+      this.spot.x,
+      this.spot.y,
+      color,
+      distance,
+      near > -0.3 * this.rim.radius * Math.hypot(x, y) && !above,
+    );
+  }
+
+  private placeHull(): void {
+    const { widest, length } = this.size;
+    const high = Math.max(length, 0.2 * widest);
+    this.hull.matrixWorld
+      .copy(this.body.matrix)
+      .multiply(this.matrix.makeTranslation(0, 0, high / 2))
+      .multiply(this.matrix.makeScale(1.05 * widest, 1.05 * widest, high));
+  }
+
+  /** The wedge of the angle of turn, the circle of degrees round it, and their words. */
+  private turn(turning: Turning | undefined): void {
+    const { lab, said, words, palette } = this;
+    const motion = lab.motion.peek();
+    const shown = turning !== undefined && motion !== undefined;
+    this.wedge.group.visible = this.trail.mesh.visible = shown;
+    if (!shown) {
+      const { yaw } = lab.held.peek() ?? { yaw: (lab.setup.peek().yaw * Math.PI) / 180 };
+      this.protractor.lay(0, 0, yaw + Math.PI, true, palette);
+      for (const index of Object.values(said)) words.say(index, "", 0, 0);
+      return;
+    }
+    const before = motion.turns.findLast((turn) => turn.end <= turning.start);
+    this.trail.show(lab.clock.time.peek(), turning.start, before?.start ?? 0);
+    const { x, y } = this.centreOf(motion, turning);
+    const zero = turning.from + Math.PI;
+    const sense = Math.sign(turning.whole?.angle ?? turning.angle) || 1;
+    this.wedge.show(x, y, zero, turning.angle);
+    this.protractor.lay(x, y, zero, sense > 0, palette);
+    const say = (index: number, text: string, angle: number, far: number) =>
+      words.say(index, text, x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle));
+    say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.16);
+    const [first, second] = this.limits;
+    const limit = (index: number, one: Limit | undefined) =>
+      say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), 1.2);
+    limit(said.theory, first);
+    limit(said.other, second);
+  }
+
+  /** Where the base lies when it is flattest in this turn: round there the body turns. */
+  private centreOf(motion: Motion, { start, whole }: Turning): Spot {
+    const { centre, rim, reach, footing } = this;
+    if (centre.of === start) return centre;
+    const lowest =
+      whole?.t ??
+      motion.events.find(({ kind, moment }) => kind === "tilt_min" && moment.t >= start)?.moment.t;
+    const moment = motion.at([lowest ?? start]).moment(0);
+    const flat =
+      lowest === undefined
+        ? {
+            x: moment.contact_x + rim.radius * Math.cos(moment.yaw) + footing.shift.x,
+            y: moment.contact_y + rim.radius * Math.sin(moment.yaw) + footing.shift.y,
+          }
+        : poseOf(moment, rim.height, footing.shift);
+    this.centre = { x: flat.x / reach, y: flat.y / reach, of: start };
+    return this.centre;
+  }
+}
+
+const UNTIPPED: Pose = { tilt: 0, yaw: 0, spin: 0, x: 0, y: 0, z: 0 };
+
+const scale = new Matrix4();
+const scaling = (factor: number) => scale.makeScale(factor, factor, factor);
+
+const degrees = (angle: number) => `${((Math.abs(angle) * 180) / Math.PI).toFixed(1)}°`;

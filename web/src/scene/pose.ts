@@ -1,0 +1,108 @@
+// Where the body is on the table: from the angles of the mechanics to a placement of its picture.
+
+import type { Matrix4 } from "three";
+import type { Motion, Moment } from "../core/motion";
+
+/** Angles in rad; x, y, z of the centre of the base, m. */
+export interface Pose {
+  tilt: number;
+  yaw: number;
+  spin: number;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** A spot of the table, m. */
+export interface Spot {
+  x: number;
+  y: number;
+}
+
+/** The radius of the rim and the height of the centre of mass, m. */
+export interface Rim {
+  radius: number;
+  height: number;
+}
+
+/** Places a picture whose axis is z and whose base is at z = 0. */
+export function placed(matrix: Matrix4, { tilt, yaw, spin, x, y, z }: Pose): Matrix4 {
+  const [ct, st, cy, sy] = [Math.cos(tilt), Math.sin(tilt), Math.cos(yaw), Math.sin(yaw)];
+  const [cs, ss] = [Math.cos(spin), Math.sin(spin)];
+  // Columns: the body's axes after yaw, tilt (about −y) and spin.
+  const [ax, ay, az] = [ct * cy, ct * sy, st];
+  const [bx, by] = [-sy, cy];
+  return matrix.set(
+    ...[cs * ax + ss * bx, cs * bx - ss * ax, -st * cy, x],
+    ...[cs * ay + ss * by, cs * by - ss * ay, -st * sy, y],
+    ...[cs * az, -ss * az, ct, z],
+    ...[0, 0, 0, 1],
+  );
+}
+
+/** Where the base is at a moment of a motion. */
+export function poseOf(moment: Moment, height: number, shift: Spot): Pose {
+  const { tilt, yaw, spin } = moment;
+  const out = height * Math.sin(tilt);
+  return {
+    tilt,
+    yaw,
+    spin,
+    x: moment.x + out * Math.cos(yaw) + shift.x,
+    y: moment.y + out * Math.sin(yaw) + shift.y,
+    z: moment.z - height * Math.cos(tilt),
+  };
+}
+
+/** How the motion lies on the drawn table.
+ *
+ * The mechanics begins with the centre of mass over the origin. Here the base comes down round the
+ * origin, where the visitor's body stands when it is upright. */
+export interface Footing {
+  /** Added to every place of the motion, m. */
+  shift: Spot;
+  /** How a body that is tipped slides away: 0 about its rim at rest, 1 with its centre of mass at
+   * rest over the origin, as on ice. */
+  slide: number;
+}
+
+export function footingOf(motion: Motion, rim: Rim): Footing {
+  const start = motion.at([0]).moment(0);
+  const slide = slideOf(motion, rim, start);
+  const contact = heldContact(rim, start.tilt, start.yaw, slide);
+  return { shift: { x: contact.x - start.contact_x, y: contact.y - start.contact_y }, slide };
+}
+
+function slideOf(motion: Motion, rim: Rim, start: Moment): number {
+  const turn = motion.turns[0];
+  if (!turn) return 0;
+  const flat = poseOf(motion.at([turn.t]).moment(0), rim.height, { x: 0, y: 0 });
+  const [c, s] = [Math.cos(start.yaw), Math.sin(start.yaw)];
+  const along = (start.contact_x - flat.x) * c + (start.contact_y - flat.y) * s;
+  const most = rim.radius - reach(rim, start.tilt);
+  return most > 1e-9 ? Math.min(Math.max((along + rim.radius) / most, 0), 1) : 0;
+}
+
+/** How far the centre of mass is from over the contact point. */
+const reach = ({ radius, height }: Rim, tilt: number) =>
+  radius * Math.cos(tilt) - height * Math.sin(tilt);
+
+/** Where a body in the hand touches the table. */
+export function heldContact(rim: Rim, tilt: number, yaw: number, slide: number): Spot {
+  const out = -rim.radius + slide * (rim.radius - reach(rim, tilt));
+  return { x: out * Math.cos(yaw), y: out * Math.sin(yaw) };
+}
+
+/** Where a body in the hand is. */
+export function heldPose(rim: Rim, tilt: number, yaw: number, slide: number): Pose {
+  const { x, y } = heldContact(rim, tilt, yaw, slide);
+  const out = rim.radius * Math.cos(tilt);
+  return {
+    tilt,
+    yaw,
+    spin: 0,
+    x: x + out * Math.cos(yaw),
+    y: y + out * Math.sin(yaw),
+    z: rim.radius * Math.sin(tilt),
+  };
+}

@@ -1,0 +1,107 @@
+// Renderer, lamp and the room that metal mirrors. Lengths of the stage: the circle of degrees has
+// radius 1, whatever the body.
+
+import {
+  BackSide,
+  BoxGeometry,
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PMREMGenerator,
+  PerspectiveCamera,
+  Scene,
+  WebGLRenderer,
+} from "three";
+import type { Palette } from "./palette";
+
+export class Stage {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
+  readonly renderer: WebGLRenderer;
+  private readonly sky = new HemisphereLight();
+  private readonly lamp = new DirectionalLight();
+
+  /** Throws if the browser has no WebGL. */
+  constructor(canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    const { shadowMap } = this.renderer;
+    shadowMap.enabled = true;
+    shadowMap.type = PCFShadowMap;
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.camera.up.set(0, 0, 1);
+    this.light();
+    this.furnish();
+  }
+
+  /** Fits the picture to its place; whether there is room at all. */
+  fit(width: number, height: number): boolean {
+    if (width < 2 || height < 2) return false;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    return true;
+  }
+
+  paint({ dark }: Palette): void {
+    this.sky.color.set(dark ? "#c9dcec" : "#ffffff");
+    this.sky.groundColor.set(dark ? "#2a3036" : "#b9ab93");
+    this.sky.intensity = dark ? 0.75 : 0.6;
+    this.lamp.color.set(dark ? "#ffe9cf" : "#fff6e8");
+    this.lamp.intensity = dark ? 2.3 : 2.5;
+    this.scene.environmentIntensity = dark ? 0.5 : 0.62;
+  }
+
+  /** Keeps the lamp over a spot, so that the shadow of what moves away stays sharp. */
+  follow(x: number, y: number): void {
+    this.lamp.position.set(x - 2.6, y - 2.2, 6.2);
+    this.lamp.target.position.set(x, y, 0);
+  }
+
+  render(): void {
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** A lamp over the viewer's left shoulder, and its soft shadow. */
+  private light(): void {
+    const { lamp } = this;
+    this.follow(0, 0);
+    lamp.castShadow = true;
+    lamp.shadow.mapSize.set(1024, 1024);
+    lamp.shadow.radius = 6;
+    lamp.shadow.bias = -0.0004;
+    lamp.shadow.normalBias = 0.006;
+    Object.assign(lamp.shadow.camera, { left: -3, right: 3, top: 3, bottom: -3, near: 1, far: 14 });
+    this.scene.add(this.sky, lamp, lamp.target);
+  }
+
+  /** What shiny bodies mirror: a room with a window, lamps and a dim floor. */
+  private furnish(): void {
+    const room = new Scene();
+    const add = (color: string, strength: number, size: number[], at: number[], inside = false) => {
+      const material = new MeshBasicMaterial({
+        color: new Color(color).multiplyScalar(strength),
+        ...(inside && { side: BackSide }),
+      });
+      const box = new Mesh(new BoxGeometry(...size), material);
+      box.position.fromArray(at);
+      room.add(box);
+    };
+    add("#8b9096", 0.75, [20, 20, 12], [0, 0, 4], true);
+    add("#ffffff", 9, [7, 0.2, 4], [-3, -9, 5]);
+    add("#dfeeff", 6, [0.2, 6, 5], [-9.5, 2, 4]);
+    add("#fff1dc", 5, [0.2, 3, 4], [9.5, -3, 4]);
+    add("#ffffff", 10, [4, 4, 0.2], [0, 0, 9.8]);
+    add("#eef3f8", 1.7, [11, 0.2, 6], [-4, 9.6, 4]);
+    add("#262a2e", 1, [1.4, 0.3, 8], [4, 9, 3]);
+    add("#262a2e", 1, [1.4, 0.3, 8], [-5, 9, 3]);
+    add("#a59880", 0.8, [20, 20, 0.2], [0, 0, -1.9]);
+    const generator = new PMREMGenerator(this.renderer);
+    this.scene.environment = generator.fromScene(room, 0.03).texture;
+    generator.dispose();
+  }
+}

@@ -1,0 +1,114 @@
+// Where the picture is taken from: round the body at an azimuth, an elevation and a distance.
+
+import type { PerspectiveCamera } from "three";
+
+/** rad; the eye never goes under the table nor quite over the top. */
+const [LOWEST, HIGHEST] = [0.06, Math.PI / 2 - 0.001];
+export const USUAL = { azimuth: -1.13, elevation: 0.5 };
+/** s */
+const GLIDE = 0.45;
+
+interface Eye {
+  azimuth: number;
+  elevation: number;
+  /** Distance over that from which all is seen. */
+  farness: number;
+}
+
+export class View {
+  private eye: Eye = { ...USUAL, farness: 1 };
+  private way: { from: Eye; to: Eye; begun: number } | undefined;
+  /** Height of what is looked at and the radius of what is to be seen round it. */
+  private height = 0.3;
+  private radius = 1.4;
+
+  constructor(private readonly camera: PerspectiveCamera) {}
+
+  get azimuth(): number {
+    return this.eye.azimuth;
+  }
+
+  get elevation(): number {
+    return this.eye.elevation;
+  }
+
+  /** Frames a body of a height, in radii of the circle of degrees. */
+  frame(height: number): void {
+    this.height = 0.36 * height;
+    this.radius = Math.max(1.34, 0.64 * height + 0.52);
+  }
+
+  turn(azimuth: number, elevation: number): void {
+    this.go({
+      ...this.eye,
+      azimuth: this.eye.azimuth + azimuth,
+      elevation: this.eye.elevation + elevation,
+    });
+  }
+
+  zoom(factor: number): void {
+    this.go({ ...this.eye, farness: this.eye.farness * factor });
+  }
+
+  reset(): void {
+    this.glide({ ...USUAL, farness: 1 });
+  }
+
+  fromAbove(): void {
+    this.glide({ azimuth: -Math.PI / 2, elevation: HIGHEST, farness: 1 });
+  }
+
+  /** Moves the camera; whether it is still on its way. */
+  update(now: number): boolean {
+    if (this.way) {
+      const part = Math.min((now - this.way.begun) / 1000 / GLIDE, 1);
+      const eased = part * part * (3 - 2 * part);
+      const { from, to } = this.way;
+      const between = (key: keyof Eye) => from[key] + eased * (to[key] - from[key]);
+      this.eye = {
+        azimuth: between("azimuth"),
+        elevation: between("elevation"),
+        farness: between("farness"),
+      };
+      if (part === 1) this.way = undefined;
+    }
+    this.place();
+    return this.way !== undefined;
+  }
+
+  private place(): void {
+    const { camera, eye, height } = this;
+    const half = (camera.fov * Math.PI) / 360;
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
+    const distance = (this.radius / Math.sin(narrow)) * eye.farness;
+    const flat = distance * Math.cos(eye.elevation);
+    const lookAt = height * Math.cos(eye.elevation);
+    camera.position.set(
+      flat * Math.cos(eye.azimuth),
+      flat * Math.sin(eye.azimuth),
+      lookAt + distance * Math.sin(eye.elevation),
+    );
+    camera.lookAt(0, 0, lookAt);
+  }
+
+  private go(eye: Eye): void {
+    this.way = undefined;
+    this.eye = {
+      azimuth: eye.azimuth,
+      elevation: Math.min(Math.max(eye.elevation, LOWEST), HIGHEST),
+      farness: Math.min(Math.max(eye.farness, 0.12), 3),
+    };
+  }
+
+  /** Goes there smoothly, or at once for who would rather not see things move. */
+  private glide(to: Eye): void {
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return this.go(to);
+    // The short way round.
+    const round = 2 * Math.PI * Math.round((this.eye.azimuth - to.azimuth) / (2 * Math.PI));
+    this.way = {
+      from: this.eye,
+      to: { ...to, azimuth: to.azimuth + round },
+      begun: performance.now(),
+    };
+  }
+}

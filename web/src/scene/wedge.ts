@@ -1,0 +1,106 @@
+// The angle of turn on the table: a sector from the first direction to the present one, and lines
+// where the theory has its limit.
+
+import {
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  DynamicDrawUsage,
+  Float32BufferAttribute,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+} from "three";
+import type { Palette } from "./palette";
+import { Ribbon, type Stroke } from "./ribbon";
+
+const PIECES = 180;
+/** Radius of the sector, in radii of the circle of degrees. */
+const SIZE = 0.82;
+/** A further full turn is so much further out. */
+const SPIRAL = 0.035;
+
+/** A limit of the angle of turn, rad, in a colour. */
+export interface Limit {
+  angle: number;
+  color: string;
+  /** What it is called beside its line. */
+  name: string;
+}
+
+export class Wedge {
+  readonly group = new Group();
+  private readonly fill: Mesh<BufferGeometry, MeshBasicMaterial>;
+  private readonly edge = new Ribbon(3);
+  private readonly limits = new Ribbon(3);
+  private readonly paint = new Color();
+  private readonly x = new Float64Array(PIECES + 3);
+  private readonly y = new Float64Array(PIECES + 3);
+
+  constructor() {
+    const positions = new Float32BufferAttribute(3 * (PIECES + 2), 3).setUsage(DynamicDrawUsage);
+    const index = Array.from({ length: PIECES }, (_, k) => [0, k + 1, k + 2]).flat();
+    this.fill = new Mesh(
+      new BufferGeometry().setAttribute("position", positions).setIndex(index),
+      new MeshBasicMaterial({
+        transparent: true,
+        opacity: 0.3,
+        depthWrite: false,
+        side: DoubleSide,
+        toneMapped: false,
+      }),
+    );
+    this.fill.frustumCulled = false;
+    this.fill.renderOrder = -5;
+    this.edge.mesh.renderOrder = -4;
+    this.limits.mesh.renderOrder = -3;
+    this.group.add(this.fill, this.edge.mesh, this.limits.mesh);
+    this.group.position.z = 0.0014;
+  }
+
+  repaint({ wedge, dark }: Palette): void {
+    this.paint.set(wedge);
+    this.fill.material.color.set(wedge);
+    this.fill.material.opacity = dark ? 0.3 : 0.34;
+  }
+
+  /** Round a spot, from an azimuth on through an angle, rad. */
+  show(x: number, y: number, from: number, angle: number): void {
+    this.group.position.set(x, y, this.group.position.z);
+    this.group.rotation.z = from;
+    const positions = this.fill.geometry.getAttribute("position") as Float32BufferAttribute;
+    const filled = Math.min(Math.abs(angle), 2 * Math.PI) * Math.sign(angle);
+    for (let k = 0; k <= PIECES; k++) {
+      const part = (filled * k) / PIECES;
+      positions.setXYZ(k + 1, SIZE * Math.cos(part), SIZE * Math.sin(part), 0);
+    }
+    positions.needsUpdate = true;
+    // Out along the first direction, round, and back to the middle.
+    const [sx, sy] = [this.x, this.y];
+    sx[0] = sy[0] = 0;
+    for (let k = 0; k <= PIECES; k++) {
+      const part = (angle * k) / PIECES;
+      const size = SIZE + SPIRAL * Math.max(Math.abs(part) / (2 * Math.PI) - 1, 0);
+      sx[k + 1] = size * Math.cos(part);
+      sy[k + 1] = size * Math.sin(part);
+    }
+    sx[PIECES + 2] = sy[PIECES + 2] = 0;
+    this.edge.lay(PIECES + 3, sx, sy, () => this.paint);
+  }
+
+  /** Draws limits to both sides, from the rim of the body (a radius) outward. */
+  mark(limits: readonly Limit[], inner: number): void {
+    this.limits.mesh.visible = limits.length > 0;
+    this.limits.layStrokes(limitStrokes(limits, inner, 1.07));
+  }
+}
+
+/** Lines at limits of the angle of turn, to both sides, between two radii. */
+export const limitStrokes = (limits: readonly Limit[], inner: number, outer: number): Stroke[] =>
+  limits.flatMap(({ angle, color }) =>
+    [angle, -angle].map((way) => ({
+      from: [inner * Math.cos(way), inner * Math.sin(way)] as const,
+      to: [outer * Math.cos(way), outer * Math.sin(way)] as const,
+      color,
+    })),
+  );

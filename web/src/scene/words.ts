@@ -1,0 +1,90 @@
+// Words at places of the scene: elements of the page laid over the picture, so that they are crisp.
+
+import { type Camera, Vector3 } from "three";
+
+const MARGIN = 6;
+
+interface Word {
+  element: HTMLElement;
+  spot: Vector3;
+  /** Where it goes on the screen, px from the left and the top; negative infinity when unseen. */
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  shown: boolean;
+}
+
+export class Words {
+  private readonly words: Word[] = [];
+  private readonly seen = new Vector3();
+
+  /** The picture says in other ways too what these words say, so they are not read out. */
+  constructor(private readonly place: HTMLElement) {
+    place.setAttribute("aria-hidden", "true");
+  }
+
+  add(name: string): number {
+    const element = document.createElement("span");
+    element.className = `word ${name}`;
+    element.hidden = true;
+    this.place.append(element);
+    this.words.push({
+      element,
+      spot: new Vector3(),
+      x: 0,
+      y: 0,
+      width: 0,
+      height: 0,
+      shown: false,
+    });
+    return this.words.length - 1;
+  }
+
+  /** Says a text at a spot of the stage; nothing for an empty one. */
+  say(index: number, text: string, x: number, y: number, z = 0): void {
+    const word = this.words[index] as Word;
+    word.spot.set(x, y, z);
+    word.shown = text !== "";
+    word.element.hidden = !word.shown;
+    if (!word.shown || word.element.textContent === text) return;
+    const { length } = word.element.textContent;
+    word.element.textContent = text;
+    // Measured only when it may have changed: measuring costs a layout.
+    if (length !== text.length || word.width === 0) word.width = 0;
+  }
+
+  /** Puts all of them in their places, first come first served, none over another. */
+  arrange(camera: Camera, width: number, height: number): void {
+    for (const word of this.words) {
+      if (!word.shown) continue;
+      if (word.width === 0) {
+        word.width = word.element.offsetWidth;
+        word.height = word.element.offsetHeight;
+      }
+      const { x, y, z } = this.seen.copy(word.spot).project(camera);
+      const behind = z > 1;
+      word.x = ((x + 1) / 2) * width - word.width / 2;
+      word.y = ((1 - y) / 2) * height - word.height / 2;
+      word.x = Math.min(Math.max(word.x, MARGIN), width - word.width - MARGIN);
+      word.y = Math.min(Math.max(word.y, MARGIN), height - word.height - MARGIN);
+      this.makeRoom(word);
+      word.element.style.visibility = behind ? "hidden" : "visible";
+      word.element.style.transform = `translate(${word.x.toFixed(1)}px, ${word.y.toFixed(1)}px)`;
+    }
+  }
+
+  /** Moves a word up or down, past the words before it. */
+  private makeRoom(word: Word): void {
+    for (const other of this.words) {
+      if (other === word) return;
+      if (!other.shown) continue;
+      const beside =
+        word.x > other.x + other.width + 4 || other.x > word.x + word.width + 4 ? true : false;
+      const gap = (word.height + other.height) / 2 + 3;
+      const apart = word.y + word.height / 2 - (other.y + other.height / 2);
+      if (beside || Math.abs(apart) >= gap) continue;
+      word.y = other.y + other.height / 2 + (apart < 0 ? -gap : gap) - word.height / 2;
+    }
+  }
+}

@@ -1,0 +1,26 @@
+// The page at the sizes of a telephone, a laptop and a large screen; out/lab has the pictures.
+
+import { fileURLToPath } from "node:url";
+import { expect, test } from "vitest";
+import { browserForAll, leave, visit } from "./visit";
+
+browserForAll();
+
+const pictured = (name: string) =>
+  fileURLToPath(new URL(`../../../out/lab/${name}.png`, import.meta.url));
+
+test.each([
+  [360, 740, "light"],
+  [1366, 768, "dark"],
+  [3840, 2160, "light"],
+] as const)("%i by %i, %s", { timeout: 120_000 }, async (width, height, colorScheme) => {
+  const visited = await visit({ viewport: { width, height }, colorScheme, webgl: true });
+  const { page, complaints } = visited;
+  // Nobody scrolls sideways, and no words run out of their place.
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
+    width,
+  );
+  await page.screenshot({ path: pictured(`${width}x${height}`) });
+  expect(complaints).toEqual([]);
+  await leave(visited);
+});

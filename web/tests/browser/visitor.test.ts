@@ -1,0 +1,176 @@
+// What a visitor does, and what the page answers.
+
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
+import { type Visit, browserForAll, leave, visit } from "./visit";
+
+browserForAll();
+
+const degreesIn = async (page: Page, place: string) =>
+  Number.parseFloat((await page.locator(place).innerText()).replace("−", "-"));
+
+/** What the page says happens. */
+const verdict = (page: Page) => page.locator("#verdict");
+
+async function visited(hash: string, what: (visit: Visit) => Promise<void>): Promise<void> {
+  const one = await visit({ hash });
+  await what(one);
+  expect(one.complaints).toEqual([]);
+  await leave(one);
+}
+
+describe("a can let go", () => {
+  // So little beside the middle that the motion is at its limit.
+  test.each([
+    ["no_slip", "&law=no_slip", 202.287],
+    ["frictionless", "&law=frictionless", 220.969],
+    ["coulomb", "", 202.287],
+  ])("turns as the theory says: %s", { timeout: 60_000 }, async (_law, law, limit) => {
+    await visited(`tilt=10&sideways=0.000001&duration=0.5${law}`, async ({ page }) => {
+      await page.getByRole("button", { name: "Let go" }).click();
+      // It has turned as far as it will when the first turn is over; the rest is drift.
+      await page.waitForFunction(
+        (least) =>
+          Number.parseFloat(document.querySelector(".turned .big")?.textContent ?? "") > least,
+        limit - 0.1,
+        { timeout: 45_000 },
+      );
+      expect(Math.abs((await degreesIn(page, ".turned .big")) - limit)).toBeLessThan(0.1);
+      expect(Math.abs((await degreesIn(page, ".theory .big")) - limit)).toBeLessThan(0.01);
+      expect(Math.abs((await degreesIn(page, ".turned .note")) - limit)).toBeLessThan(0.1);
+    });
+  });
+});
+
+describe("a link", () => {
+  test("restores what was set, in every control", async () => {
+    const hash = "body=own&radius=3.5&length=9&wall=55&tilt=33&law=frictionless&gravity=1.62";
+    await visited(hash, async ({ page }) => {
+      await expectValues(page, {
+        "#body-field": "own",
+        "#radius-field": "3.5",
+        "#radius-slider": "3.5",
+        "#length-field": "9",
+        "#wall-field": "55",
+        "#tilt-field": "33",
+        "#gravity-field": "1.62",
+      });
+      expect(await page.locator("#law-frictionless").isChecked()).toBe(true);
+      expect(await page.locator("#share-link").inputValue()).toBe(page.url());
+      expect(new URL(page.url()).hash).toBe(`#${hash}`);
+    });
+  });
+
+  test("follows what is set, and holds it when the page is loaded again", async () => {
+    await visited("", async ({ page }) => {
+      await page.locator("#tilt-field").fill("12,5");
+      await page.locator("#tilt-field").press("Enter");
+      await page.locator("#body-field").selectOption("coin");
+      await page.waitForFunction(() => location.hash === "#body=coin&tilt=12.5");
+      await page.reload();
+      await expectValues(page, { "#tilt-field": "12.5", "#body-field": "coin" });
+      await page.getByRole("button", { name: "As at the start" }).click();
+      await page.waitForFunction(() => location.hash === "");
+    });
+  });
+
+  test("that was changed by hand is followed", async () => {
+    await visited("tilt=12", async ({ page }) => {
+      await page.evaluate(() => (location.hash = "tilt=13"));
+      await page.waitForFunction(
+        () => (document.querySelector("#tilt-field") as HTMLInputElement).value === "13",
+      );
+    });
+  });
+});
+
+async function expectValues(page: Page, values: Record<string, string>): Promise<void> {
+  for (const [place, value] of Object.entries(values))
+    expect(await page.locator(place).inputValue(), place).toBe(value);
+}
+
+describe("what cannot be is refused at its field, in words", () => {
+  test("from a link", async () => {
+    await visited("tilt=200&body=teapot&gravity=heavy&law=no_slip", async ({ page }) => {
+      for (const [field, words] of [
+        ["tilt", "Tilt is inside 0 to 90°"],
+        ["body", "Body is one of can_2007, "],
+        ["gravity", "Gravity is a number, not “heavy”."],
+      ] as const) {
+        expect(await page.locator(`#${field}-refusal`).innerText()).toContain(words);
+        const described = await page.locator(`#${field}-field`).getAttribute("aria-describedby");
+        expect(described).toContain(`${field}-refusal`);
+      }
+      expect(await page.locator("#law-no_slip").isChecked()).toBe(true);
+    });
+  });
+
+  test("as it is typed, and no longer when it is mended", async () => {
+    await visited("", async ({ page }) => {
+      const [field, refusal] = [page.locator("#tilt-field"), page.locator("#tilt-refusal")];
+      await field.fill("95");
+      await field.press("Enter");
+      expect(await refusal.innerText()).toContain("95 is outside");
+      expect(await field.getAttribute("aria-invalid")).toBe("true");
+      await field.fill("25");
+      await field.press("Enter");
+      await page.waitForFunction(() => location.hash === "#tilt=25");
+      expect(await refusal.innerText()).toBe("");
+    });
+  });
+});
+
+describe("a motion that ends early is explained", () => {
+  test.each([
+    ["face down", "sideways=0", /face down.*at once/is],
+    [
+      "Painlevé's paradox",
+      "body=coin&tilt=60&tilt_rate=-10&sideways=0.5&friction=2.2",
+      /Painlevé.*no one answer/is,
+    ],
+    ["fallen over", "tilt_rate=-3", /fell over/i],
+    ["refused", "tilt=1e-300", /no motion.*yaw_rate/is],
+  ])("%s", async (_what, hash, words) => {
+    await visited(hash, async ({ page }) => {
+      expect(await verdict(page).innerText()).toMatch(words);
+    });
+  });
+
+  test("and one that is refused cannot be taken away, but mended", async () => {
+    await visited("tilt=1e-300", async ({ page }) => {
+      expect(await page.getByRole("button", { name: "Copy as Python" }).isDisabled()).toBe(true);
+      expect(await page.getByRole("button", { name: "Download CSV" }).isDisabled()).toBe(true);
+      await page.locator("#tilt-field").fill("20");
+      await page.locator("#tilt-field").press("Enter");
+      await page.locator(".turned .big").waitFor();
+    });
+  });
+});
+
+test("forty-two flicks are told in words and drawn as a histogram", async () => {
+  await visited("tilt_rate=-5&sideways=0&law=no_slip", async ({ page }) => {
+    await page.getByRole("button", { name: "Flick it 42 times" }).click();
+    await page.waitForFunction(
+      () => /fell|toppled/.test(document.querySelector("#flicks-said")?.textContent ?? ""),
+      undefined,
+      { timeout: 30_000 },
+    );
+    expect(await page.locator("#flicks svg").getAttribute("aria-describedby")).toBe("flicks-said");
+    await page.getByRole("button", { name: "Clear" }).click();
+    expect(await page.locator("#flicks-said").innerText()).toBe("");
+  });
+});
+
+test("the story goes through its six steps, each another set-up", { timeout: 60_000 }, async () => {
+  await visited("", async ({ page }) => {
+    const story = page.getByRole("region", { name: "The story" });
+    const titles = new Set<string>();
+    for (let step = 1; step <= 6; step++) {
+      expect(await story.innerText()).toContain(`step ${step} of 6`);
+      titles.add(await story.getByRole("heading").innerText());
+      if (step < 6) await story.getByRole("button", { name: "Next step" }).click();
+    }
+    expect(titles.size).toBe(6);
+    expect(await story.getByRole("button", { name: "Next step" }).isDisabled()).toBe(true);
+  });
+});
