@@ -10,6 +10,7 @@ export default defineConfig({
     emptyOutDir: true,
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 800, // kB: three.js by itself has most of it
   },
   plugins: [licences("licences.txt")],
   test: {

@@ -17,7 +17,6 @@ test.each([
 ] as const)("%i by %i, %s", { timeout: 180_000 }, async (width, height, colorScheme) => {
   const visited = await visit({ viewport: { width, height }, colorScheme, webgl: true });
   const { page, complaints, requests } = visited;
-  expect(await page.locator("#scene canvas").count()).toBe(1);
   // Nobody scrolls sideways, and no words run out of their place.
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
     width,

@@ -69,6 +69,9 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
   });
   await page.goto(served.address + (hash && `#${hash}`));
   await page.getByRole("button", { name: "Let go" }).waitFor();
+  // three.js marks the canvas that it draws on.
+  const scene = page.locator("#scene");
+  await (webgl ? scene.locator("canvas[data-engine]") : scene.getByText("WebGL")).waitFor();
   return { page, requests, complaints };
 }
 
