@@ -7,6 +7,7 @@ import { type Core, Refused, type Theory } from "./core/core";
 import type { Moment, Motion, Turn } from "./core/motion";
 import { flicked } from "./flicks/flicked";
 import { type Posed, posed } from "./setup/posed";
+import { FLICK_FIELDS } from "./setup/fields";
 import { INITIAL, type Refusal, type Setup } from "./setup/setup";
 
 /** What came of a set-up: a motion, or the reason why there is none. */
@@ -56,7 +57,8 @@ export class Lab {
   readonly turning: ReadonlySignal<Turning | undefined>;
 
   constructor(readonly core: Core) {
-    this.outcome = computed(() => outcomeOf(core, this.setup.value));
+    const release = computed(() => withoutFlicks(this.setup.value));
+    this.outcome = computed(() => outcomeOf(core, JSON.parse(release.value) as Setup));
     this.motion = computed(() =>
       "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
     );
@@ -80,8 +82,10 @@ export class Lab {
 
   /** Changes some of the set-up and shows the motion that follows from the beginning. */
   change(part: Partial<Setup>): void {
-    this.clock.pause();
-    this.clock.rewind();
+    if (withoutFlicks({ ...this.setup.value, ...part }) !== withoutFlicks(this.setup.value)) {
+      this.clock.pause();
+      this.clock.rewind();
+    }
     this.setup.value = { ...this.setup.value, ...part };
   }
 
@@ -95,6 +99,14 @@ export class Lab {
     const from = motion.at([start]).moment(0).yaw;
     return { angle: moment.yaw - from, start, from, whole };
   }
+}
+
+/** What one motion depends on, to be compared. */
+function withoutFlicks(setup: Readonly<Setup>): string {
+  const hidden: readonly string[] = FLICK_FIELDS;
+  return JSON.stringify(setup, (name, value: unknown) =>
+    hidden.includes(name) ? undefined : value,
+  );
 }
 
 function outcomeOf(core: Core, setup: Readonly<Setup>): Outcome {

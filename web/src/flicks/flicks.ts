@@ -1,7 +1,10 @@
 // The panel of the flicks: one button repeats the release, falls appear one after the other.
 
 import { effect } from "@preact/signals-core";
+import { Hand } from "../inputs/hand";
+import { numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
+import { FLICK_FIELDS } from "../setup/fields";
 import "./flicks.css";
 import { histogram } from "./histogram";
 import { makeThem } from "./making";
@@ -14,8 +17,8 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
     <div class="row">
       <button type="button" class="make primary"></button>
       <button type="button" class="clear">Clear</button>
-      <label>How often <input class="count" type="number" min="1" max="1000" step="1" inputmode="numeric"></label>
     </div>
+    <details><summary>The hand</summary></details>
     <figure>
       <svg viewBox="-106 -106 212 212" role="img" aria-label="Where it fell, all round the body" aria-describedby="flicks-said"></svg>
       <figcaption>
@@ -31,7 +34,6 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   const part = <E extends Element>(selector: string) => place.querySelector(selector) as E;
   const make = part<HTMLButtonElement>(".make");
   const clear = part<HTMLButtonElement>(".clear");
-  const count = part<HTMLInputElement>(".count");
   const picture = part<SVGElement>("svg");
   const said = part<HTMLElement>("#flicks-said");
 
@@ -41,15 +43,18 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
     makeThem(lab);
   });
   clear.addEventListener("click", () => (lab.flicksMade.value = undefined));
-  count.addEventListener("change", () => {
-    const number = Math.round(Number(count.value));
-    if (number >= 1 && number <= 1000) lab.setup.value = { ...lab.setup.value, flicks: number };
-    else count.value = String(lab.setup.value.flicks);
+  const hand = new Hand(lab);
+  const details = part<HTMLDetailsElement>("details");
+  details.append(...FLICK_FIELDS.map((name) => numberRow(hand, name).row));
+  effect(() => {
+    const refused = lab.refusals.value.some(({ field }) =>
+      (FLICK_FIELDS as readonly string[]).includes(field),
+    );
+    if (refused) details.open = true;
   });
 
   effect(() => {
     const { flicks } = lab.setup.value;
-    count.value = String(flicks);
     const again = lab.flicksMade.value !== undefined;
     make.textContent =
       flicks === 1 ? "Flick it once" : `Flick it ${flicks} times${again ? " again" : ""}`;

@@ -56,14 +56,16 @@ export class Chart {
   show(subject: Subject, moments: Moments, shown: Stretch): void {
     this.subject = subject;
     this.shown = shown;
-    const x = moments.column("t").map((time) => time - shown.origin);
-    let curves = this.figure.lines.map((line) => line.values(moments, subject));
-    if (this.figure.stacked) curves = stacked(curves);
+    const x = moments.column("t").slice();
+    for (let k = 0; k < x.length; k++) x[k] = (x[k] as number) - shown.origin;
+    let lines = this.figure.lines.map((line) => line.values(moments, subject));
+    if (this.figure.stacked) lines = stacked(lines);
+    const parts = Math.ceil(this.across);
+    const data = x.length > MANY * parts ? thinned(x, lines, parts) : [x, ...lines];
+    const curves = data.slice(1);
     this.unit = this.unitOf(curves);
     const { name } = this.unit;
     this.title.textContent = this.figure.title + (name === "" ? "" : `, ${name}`);
-    const parts = Math.ceil(this.across);
-    const data = x.length > MANY * parts ? thinned(x, curves, parts) : [x, ...curves];
     this.outputs.forEach(({ entry }, k) => {
       entry.hidden = this.isNothing(k, curves);
     });

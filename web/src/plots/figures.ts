@@ -131,7 +131,10 @@ function plain(label: string, column: Column, colour: Colour, factor = 1): Line 
 
 /** Where nothing presses the ratio of friction is infinite: a gap. */
 function finite(column: Float64Array, factor: number): Values {
-  if (column.every(Number.isFinite)) return factor === 1 ? column : scaled(column, factor);
+  // A sum is finite just if all of its terms are, these being nowhere near the largest number.
+  let sum = 0;
+  for (let k = 0; k < column.length; k++) sum += column[k] as number;
+  if (Number.isFinite(sum)) return factor === 1 ? column : scaled(column, factor);
   return Array.from(column, (value) => (Number.isFinite(value) ? factor * value : null));
 }
 

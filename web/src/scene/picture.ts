@@ -3,7 +3,7 @@
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
 import type { Held, Lab, Turning } from "../lab";
-import type { Motion } from "../core/motion";
+import type { Moment, Motion } from "../core/motion";
 import { bodyOf } from "../setup/posed";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "./bodies/bodies";
@@ -13,6 +13,7 @@ import { Dots } from "./dots";
 import type { Frame } from "./frame";
 import type { Touched } from "./gestures";
 import { spoken, tenth } from "./lengths";
+import { Pace } from "./pace";
 import { readPalette } from "./palette";
 import {
   type Footing,
@@ -39,6 +40,14 @@ import { Words } from "./words";
 
 const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 
+/** Where the body is just now, m. */
+interface Stood {
+  pose: Pose;
+  contact: Spot;
+  /** Of its motion, unless it is held. */
+  moment: Moment | undefined;
+}
+
 export class Picture {
   readonly view: View;
   private readonly stage: Stage;
@@ -61,8 +70,9 @@ export class Picture {
   private rim: Rim = { radius: 1, height: 0 };
   /** Radius of the circle of degrees, m. */
   private reach = 1;
+  private readonly pace = new Pace();
   /** A speed that suits the body, √(gR), m/s. */
-  private pace = 1;
+  private speed = 1;
   private footing = UPRIGHT;
   private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
   private limits: readonly Limit[] = [];
@@ -168,15 +178,18 @@ export class Picture {
     this.look(setup);
     this.follow(lab.motion.peek());
     this.layFlicks(setup);
-    const gliding = this.view.update(now);
     const { camera } = this.stage;
-    camera.updateMatrixWorld();
     PIXEL.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
-    this.pose(lab.held.peek(), setup);
+    const stood = this.stand(lab.held.peek(), setup);
+    this.goAfter(stood.pose);
+    const gliding = this.view.update(now);
+    camera.updateMatrixWorld();
+    this.mark(stood);
     this.turn(lab.held.peek() ? undefined : lab.turning.peek());
     this.stage.render();
     this.words.arrange(camera, this.width, this.height);
     if (gliding) this.changed();
+    if (lab.clock.playing.peek() && this.pace.slow(now) && this.stage.coarsen()) this.resize();
   }
 
   /** Makes another picture of the body if it has become another body. */
@@ -208,7 +221,7 @@ export class Picture {
     this.centre.of = NaN;
     if (!motion) return;
     this.footing = footingOf(motion, this.rim);
-    this.pace = Math.sqrt(this.lab.setup.peek().gravity * this.rim.radius);
+    this.speed = Math.sqrt(this.lab.setup.peek().gravity * this.rim.radius);
     const { shift } = this.footing;
     this.trail.follow(motion, shift, this.reach / 2500, 1 / this.reach, this.palette);
     this.limits = this.limitsHere();
@@ -244,49 +257,65 @@ export class Picture {
     this.dots.show(this.lab.flicksMade.peek() ?? 0);
   }
 
-  private pose(held: Held | undefined, setup: Readonly<Setup>): void {
-    const moment = this.lab.moment.peek();
-    const { rim, footing, reach } = this;
-    let [pose, contact, kind]: [Pose, Spot, string] = [UNTIPPED, UNTIPPED, "rolling"];
-    if (held || !moment) {
-      const { tilt, yaw } = held ?? {
-        tilt: (setup.tilt * Math.PI) / 180,
-        yaw: (setup.yaw * Math.PI) / 180,
-      };
-      pose = heldPose(rim, tilt, yaw, footing.slide);
-      contact = heldContact(rim, tilt, yaw, footing.slide);
-    } else {
-      pose = poseOf(moment, rim.height, footing.shift);
-      contact = {
-        x: moment.contact_x + footing.shift.x,
-        y: moment.contact_y + footing.shift.y,
-      };
-      kind = this.lab.motion.peek()?.phases.findLast((p) => p.start <= moment.t)?.kind ?? kind;
-    }
+  /** Puts the body where it is, in the hand or in its motion. */
+  private stand(held: Held | undefined, setup: Readonly<Setup>): Stood {
+    const stood = this.stoodAt(held, held ? undefined : this.lab.moment.peek(), setup);
+    const { pose } = stood;
+    const { rim, reach } = this;
     this.body.matrix.copy(placed(this.matrix, pose)).premultiply(scaling(1 / reach));
     this.body.matrixWorldNeedsUpdate = true;
     this.placeHull();
     this.shade.show(pose.x / reach, pose.y / reach, rim.radius / reach, pose.tilt);
-    this.stage.follow(pose.x / reach, pose.y / reach);
-    const { palette, stage } = this;
-    const color =
-      kind === "sliding" ? palette.sliding : kind === "flying" ? palette.flying : palette.rolling;
+    return stood;
+  }
+
+  private stoodAt(
+    held: Held | undefined,
+    moment: Moment | undefined,
+    setup: Readonly<Setup>,
+  ): Stood {
+    const { rim, footing } = this;
+    if (moment) {
+      const { x, y } = footing.shift;
+      return {
+        pose: poseOf(moment, rim.height, footing.shift),
+        contact: { x: moment.contact_x + x, y: moment.contact_y + y },
+        moment,
+      };
+    }
+    const start = { tilt: (setup.tilt * Math.PI) / 180, yaw: (setup.yaw * Math.PI) / 180 };
+    const { tilt, yaw } = held ?? start;
+    return {
+      pose: heldPose(rim, tilt, yaw, footing.slide),
+      contact: heldContact(rim, tilt, yaw, footing.slide),
+      moment: undefined,
+    };
+  }
+
+  /** Lamp, table and eye go after a body that rolls away. */
+  private goAfter(pose: Pose): void {
+    const [x, y] = [pose.x / this.reach, pose.y / this.reach];
+    this.view.follow(x, y);
+    this.stage.follow(this.view.focus.x, this.view.focus.y);
+    this.table.follow(this.view.focus.x, this.view.focus.y);
+  }
+
+  /** Shows the contact point, and how it slips. */
+  private mark({ pose, contact, moment }: Stood): void {
+    const { palette, reach, stage } = this;
+    const { position, quaternion } = stage.camera;
     this.spot.set(contact.x / reach, contact.y / reach, 0);
-    const distance = stage.camera.position.distanceTo(this.spot);
-    this.contact.group.quaternion.copy(stage.camera.quaternion);
-    this.slip.show(this.spot, held ? undefined : moment, this.pace);
-    const { x, y } = stage.camera.position;
+    this.slip.show(this.spot, moment, this.speed);
+    const phases = moment && this.lab.motion.peek()?.phases;
+    const kind = phases?.findLast(({ start }) => start <= (moment?.t ?? 0))?.kind;
+    const color = kind === "sliding" || kind === "flying" ? palette[kind] : palette.rolling;
     // It is on the near side if the body leans toward the eye.
-    const near =
-      (contact.x - pose.x) * (x - this.spot.x) + (contact.y - pose.y) * (y - this.spot.y);
-    const above = stage.camera.position.z > 3 * Math.hypot(x, y);
-    this.contact.show(
-      this.spot.x,
-      this.spot.y,
-      color,
-      distance,
-      near > -0.3 * this.rim.radius * Math.hypot(x, y) && !above,
-    );
+    const [ex, ey] = [position.x - this.spot.x, position.y - this.spot.y];
+    const flat = Math.hypot(ex, ey);
+    const toward = (contact.x - pose.x) * ex + (contact.y - pose.y) * ey;
+    const near = toward > -0.3 * this.rim.radius * flat && position.z < 3 * flat;
+    this.contact.group.quaternion.copy(quaternion);
+    this.contact.show(this.spot.x, this.spot.y, color, position.distanceTo(this.spot), near);
   }
 
   private placeHull(): void {
@@ -323,9 +352,11 @@ export class Picture {
       words.dim(index, this.hidden(wx, wy));
     };
     say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.13);
+    // Beyond the dots where many flicks have fallen, if there are any.
+    const far = lab.flicksMade.peek() === undefined ? 1.2 : 1.6;
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
-      say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), 1.2);
+      say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), far);
     limit(said.theory, first);
     limit(said.other, second);
   }
@@ -358,8 +389,6 @@ export class Picture {
     return this.centre;
   }
 }
-
-const UNTIPPED: Pose = { tilt: 0, yaw: 0, spin: 0, x: 0, y: 0, z: 0 };
 
 const scale = new Matrix4();
 const scaling = (factor: number) => scale.makeScale(factor, factor, factor);

@@ -1,13 +1,12 @@
 // Lines on the table that are as wide on the screen at any distance.
 
 import {
+  BufferAttribute,
   BufferGeometry,
   Color,
   DynamicDrawUsage,
-  Float32BufferAttribute,
   Mesh,
   ShaderMaterial,
-  Uint32BufferAttribute,
 } from "three";
 
 /** Shared by all that is as large on the screen at any distance: the length (of the stage) of a pixel
@@ -62,11 +61,12 @@ export interface Stroke {
   color: string;
 }
 
-type Attributes = Record<"position" | "way" | "color", Float32BufferAttribute>;
-
 export class Ribbon {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private room = 0;
+  private positions = new Float32Array(0);
+  private ways = new Float32Array(0);
+  private colors = new Float32Array(0);
   private count = 0;
 
   constructor(width: number, opacity = 1) {
@@ -102,7 +102,8 @@ export class Ribbon {
   lay(count: number, x: ArrayLike<number>, y: ArrayLike<number>, paint: (k: number) => Color) {
     this.begin(count);
     for (let k = 0; k < count; k++) {
-      const [a, b] = [Math.max(k - 1, 0), Math.min(k + 1, count - 1)];
+      const a = k > 0 ? k - 1 : 0;
+      const b = k < count - 1 ? k + 1 : k;
       this.put(k, x[k]!, y[k]!, x[b]! - x[a]!, y[b]! - y[a]!, paint(k));
     }
   }
@@ -131,12 +132,17 @@ export class Ribbon {
     this.mesh.geometry.setDrawRange(0, 6 * Math.max(count - 1, 0));
   }
 
-  private put(k: number, x: number, y: number, dx: number, dy: number, { r, g, b }: Color): void {
-    const { position, way, color } = this.mesh.geometry.attributes as Attributes;
-    for (const v of [2 * k, 2 * k + 1]) {
-      position.setXYZ(v, x, y, 0);
-      way.setXY(v, dx, dy);
-      color.setXYZ(v, r, g, b);
+  /** Puts down both sides of a point. */
+  private put(k: number, x: number, y: number, dx: number, dy: number, paint: Color): void {
+    const { positions, ways, colors } = this;
+    for (let v = 2 * k; v < 2 * k + 2; v++) {
+      positions[3 * v] = x;
+      positions[3 * v + 1] = y;
+      ways[2 * v] = dx;
+      ways[2 * v + 1] = dy;
+      colors[3 * v] = paint.r;
+      colors[3 * v + 1] = paint.g;
+      colors[3 * v + 2] = paint.b;
     }
   }
 
@@ -144,24 +150,28 @@ export class Ribbon {
     this.mesh.geometry.dispose();
     this.room = Math.ceil(count * 1.3);
     const geometry = new BufferGeometry();
-    const floats = (name: string, size: number) =>
-      geometry.setAttribute(
-        name,
-        new Float32BufferAttribute(2 * this.room * size, size).setUsage(DynamicDrawUsage),
-      );
-    floats("position", 3);
-    floats("way", 2);
-    floats("color", 3);
-    const sides = Float32Array.from({ length: 2 * this.room }, (_, v) => (v % 2 ? 1 : -1));
-    const places = Float32Array.from({ length: 2 * this.room }, (_, v) => v >> 1);
-    geometry.setAttribute("side", new Float32BufferAttribute(sides, 1));
-    geometry.setAttribute("place", new Float32BufferAttribute(places, 1));
+    const floats = (name: string, size: number) => {
+      const numbers = new Float32Array(2 * this.room * size);
+      geometry.setAttribute(name, new BufferAttribute(numbers, size).setUsage(DynamicDrawUsage));
+      return numbers;
+    };
+    this.positions = floats("position", 3);
+    this.ways = floats("way", 2);
+    this.colors = floats("color", 3);
+    const [sides, places] = [floats("side", 1), floats("place", 1)];
+    for (let v = 0; v < 2 * this.room; v++) {
+      sides[v] = v % 2 ? 1 : -1;
+      places[v] = v >> 1;
+    }
     const index = new Uint32Array(6 * (this.room - 1));
     for (let k = 0; k < this.room - 1; k++) {
       const a = 2 * k;
-      index.set([a, a + 2, a + 1, a + 1, a + 2, a + 3], 6 * k);
+      index[6 * k] = a;
+      index[6 * k + 1] = index[6 * k + 4] = a + 2;
+      index[6 * k + 2] = index[6 * k + 3] = a + 1;
+      index[6 * k + 5] = a + 3;
     }
-    geometry.setIndex(new Uint32BufferAttribute(index, 1));
+    geometry.setIndex(new BufferAttribute(index, 1));
     this.mesh.geometry = geometry;
   }
 }

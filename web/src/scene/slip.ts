@@ -27,14 +27,14 @@ export class Slip {
     this.color = sliding;
   }
 
-  /** From a spot of the stage; `pace` is √(gR), m/s. */
-  show({ x, y }: Spot, moment: Moment | undefined, pace: number): void {
+  /** From a spot of the stage; `unit` is √(gR), m/s. */
+  show({ x, y }: Spot, moment: Moment | undefined, unit: number): void {
     const [vx, vy] = [moment?.slip_x ?? 0, moment?.slip_y ?? 0];
-    const speed = Math.hypot(vx, vy) / pace;
+    const speed = Math.hypot(vx, vy) / unit;
     this.mesh.visible = speed > SLOWEST;
     if (!this.mesh.visible) return;
     const length = Math.min(LENGTH * speed, LONGEST);
-    const [ex, ey] = [(vx / pace / speed) * length, (vy / pace / speed) * length];
+    const [ex, ey] = [(vx / unit / speed) * length, (vy / unit / speed) * length];
     const to = [x + ex, y + ey] as const;
     const barb = (side: number) =>
       [to[0] - 0.22 * ex - side * 0.12 * ey, to[1] - 0.22 * ey + side * 0.12 * ex] as const;

@@ -22,6 +22,8 @@ export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
   readonly renderer: WebGLRenderer;
+  /** Pixels drawn over pixels there are. */
+  private fineness = 1;
   private readonly sky = new HemisphereLight();
   private readonly lamp = new DirectionalLight();
 
@@ -40,10 +42,17 @@ export class Stage {
   /** Fits the picture to its place; whether there is room at all. */
   fit(width: number, height: number): boolean {
     if (width < 2 || height < 2) return false;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.fineness * Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    return true;
+  }
+
+  /** Draws fewer pixels, for a machine that does not keep up; whether it can. */
+  coarsen(): boolean {
+    if (this.fineness < 0.6) return false;
+    this.fineness *= 0.8;
     return true;
   }
 
@@ -96,7 +105,7 @@ export class Stage {
     add("#ffffff", 9, [7, 0.2, 4], [-3, -9, 5]);
     add("#dfeeff", 6, [0.2, 6, 5], [-9.5, 2, 4]);
     add("#fff1dc", 5, [0.2, 3, 4], [9.5, -3, 4]);
-    add("#ffffff", 10, [4, 4, 0.2], [0, 0, 9.8]);
+    add("#ffffff", 4, [5, 2, 0.2], [-2, -2, 9.8]);
     add("#eef3f8", 1.7, [11, 0.2, 6], [-4, 9.6, 4]);
     add("#262a2e", 1, [1.4, 0.3, 8], [4, 9, 3]);
     add("#262a2e", 1, [1.4, 0.3, 8], [-5, 9, 3]);

@@ -26,8 +26,11 @@ export class Table {
     this.material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.grid);
       shader.vertexShader = shader.vertexShader
-        .replace("#include <common>", "#include <common>\nvarying vec2 spot;")
-        .replace("#include <begin_vertex>", "#include <begin_vertex>\nspot = position.xy;");
+        .replace("#include <common>", "#include <common>\nvarying vec2 spot, off;")
+        .replace(
+          "#include <begin_vertex>",
+          "#include <begin_vertex>\noff = position.xy;\nspot = (modelMatrix * vec4(position, 1.0)).xy;",
+        );
       shader.fragmentShader = shader.fragmentShader
         .replace("#include <common>", `#include <common>\n${DRAWN}`)
         .replace("#include <color_fragment>", LAID);
@@ -45,6 +48,11 @@ export class Table {
     this.grid.cell.value = cell;
   }
 
+  /** There is table wherever the eye goes; the grid stays. */
+  follow(x: number, y: number): void {
+    this.mesh.position.set(x, y, 0);
+  }
+
   paint({ table, ink, dark }: Palette): void {
     this.material.color.set(table);
     this.grid.ink.value.set(ink);
@@ -55,7 +63,7 @@ export class Table {
 
 // Lines are one pixel wide at any distance, and fade where they would run together.
 const DRAWN = `
-varying vec2 spot;
+varying vec2 spot, off;
 uniform float cell, depth, grain;
 uniform vec3 ink;
 float lines(vec2 p) {
@@ -87,5 +95,5 @@ diffuseColor.rgb *= 1.0 + grain * 2.0 * wood(spot);
 vec2 squares = spot / cell;
 float drawn = max(0.45 * lines(squares), lines(squares / 10.0));
 diffuseColor.rgb = mix(diffuseColor.rgb, ink, depth * drawn);
-float away = length(spot);
+float away = length(off);
 diffuseColor.a *= 1.0 - smoothstep(1.9, ${EDGE.toFixed(1)}, away);`;

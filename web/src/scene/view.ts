@@ -9,6 +9,11 @@ const USUAL = { azimuth: -1.36, elevation: 0.5 };
 /** s */
 const GLIDE = 0.45;
 
+/** As far as a body goes without the eye going after it, in radii of the circle of degrees. */
+const ROAM = 0.9;
+
+const stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 interface Eye {
   azimuth: number;
   elevation: number;
@@ -23,6 +28,9 @@ export class View {
   private height = 0.3;
   private radius = 1.4;
 
+  /** The spot of the table that is in the middle of the picture. */
+  readonly focus = { x: 0, y: 0 };
+
   constructor(private readonly camera: PerspectiveCamera) {}
 
   get azimuth(): number {
@@ -36,7 +44,15 @@ export class View {
   /** Frames a body of a height, in radii of the circle of degrees. */
   frame(height: number): void {
     this.height = 0.29 * height;
-    this.radius = Math.max(1.32, 0.62 * height + 0.53);
+    this.radius = Math.max(1.2, 0.62 * height + 0.53);
+  }
+
+  /** Goes after what has gone far from the middle, but not for who would rather not see things move. */
+  follow(x: number, y: number): void {
+    const far = Math.hypot(x, y);
+    const part = far > ROAM && !stillness() ? 1 - ROAM / far : 0;
+    this.focus.x = part * x;
+    this.focus.y = part * y;
   }
 
   turn(azimuth: number, elevation: number): void {
@@ -84,12 +100,13 @@ export class View {
     const distance = (this.radius / Math.sin(narrow)) * eye.farness;
     const flat = distance * Math.cos(eye.elevation);
     const lookAt = height * Math.cos(eye.elevation);
+    const { x, y } = this.focus;
     camera.position.set(
-      flat * Math.cos(eye.azimuth),
-      flat * Math.sin(eye.azimuth),
+      x + flat * Math.cos(eye.azimuth),
+      y + flat * Math.sin(eye.azimuth),
       lookAt + distance * Math.sin(eye.elevation),
     );
-    camera.lookAt(0, 0, lookAt);
+    camera.lookAt(x, y, lookAt);
   }
 
   private go(eye: Eye): void {
@@ -103,7 +120,7 @@ export class View {
 
   /** Goes there smoothly, or at once for who would rather not see things move. */
   private glide(to: Eye): void {
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return this.go(to);
+    if (stillness()) return this.go(to);
     // The short way round.
     const round = 2 * Math.PI * Math.round((this.eye.azimuth - to.azimuth) / (2 * Math.PI));
     this.way = {

@@ -14,6 +14,8 @@ export interface NumberField {
   most: number;
   /** Whether the bounds themselves are left out. */
   open?: boolean;
+  /** Whether it counts something. */
+  whole?: boolean;
   /** Where a slider ends, if not at the bounds, and its step. */
   slider?: [low: number, high: number, step: number];
   /** The slider goes by orders of magnitude, on both sides of 0, down to this. */
@@ -232,6 +234,7 @@ export const FIELDS = {
     initial: 42,
     least: 1,
     most: 1000,
+    whole: true,
     slider: [1, 200, 1],
     help: "How often the hand repeats the release. The paper: 42.",
   },
@@ -252,6 +255,7 @@ export const FIELDS = {
     initial: 1,
     least: 0,
     most: 4294967295,
+    whole: true,
     slider: [1, 100, 1],
     help: "Of chance: the same seed scatters the hand in the same way.",
   },
@@ -259,6 +263,9 @@ export const FIELDS = {
 
 export type FieldName = keyof typeof FIELDS;
 export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
+
+/** Which fields are those of a hand that repeats the release; one motion does not depend on them. */
+export const FLICK_FIELDS = ["flicks", "unsteady", "seed"] as const satisfies readonly FieldName[];
 
 /** Which fields matter for a body. */
 export const BODY_FIELDS: Record<string, readonly FieldName[]> = {

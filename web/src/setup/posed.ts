@@ -21,7 +21,7 @@ export function posed(core: Core, setup: Readonly<Setup>): Posed {
     body: bodyOf(core, setup),
     start: startOf(setup),
     surface: surfaceOf(setup),
-    options: { duration: setup.duration, gravity: setup.gravity, rtol: 1e-10, maxSteps: 100_000 },
+    options: { duration: setup.duration, gravity: setup.gravity, rtol: 1e-10, maxSteps: 50_000 },
   };
 }
 

@@ -37,8 +37,9 @@ export function read(name: FieldName, text: string): { value: string | number } 
 }
 
 function outOfBounds(field: NumberField, value: number, text: string): string | undefined {
-  const { label, least, most, open } = field;
+  const { label, least, most, open, whole } = field;
   if (Number.isNaN(value)) return `${label} is a number, not “${text}”.`;
+  if (whole && !Number.isInteger(value)) return `${label} is a whole number, not ${text.trim()}.`;
   const inside = open ? value > least && value < most : value >= least && value <= most;
   if (inside) return undefined;
   const unit =

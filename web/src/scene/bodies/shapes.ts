@@ -37,4 +37,4 @@ export function sizeOf(setup: Readonly<Setup>): Size {
 
 /** Radius of the circle of degrees round a body, m: what the whole scene is measured by. */
 export const reachOf = ({ widest, length }: Size) =>
-  Math.max(1.75 * widest, 0.95 * widest + 0.4 * length);
+  Math.max(1.6 * widest, 0.95 * widest + 0.4 * length);

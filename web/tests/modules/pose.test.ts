@@ -1,0 +1,56 @@
+// Where the body of the picture stands, against where the mechanics has its contact point.
+
+import { Matrix4, Vector3 } from "three";
+import { beforeAll, expect, test } from "vitest";
+import type { Core } from "../../src/core/core";
+import { footingOf, heldPose, placed, poseOf } from "../../src/scene/pose";
+import { posed } from "../../src/setup/posed";
+import { INITIAL, type Setup } from "../../src/setup/setup";
+import { loadCore } from "../given/core";
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadCore();
+});
+
+function moved(changes: Partial<Setup>) {
+  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
+  const motion = core.simulate(body, start, surface, options);
+  return { body, motion, footing: footingOf(motion, body) };
+}
+
+const SETUPS: [string, Partial<Setup>][] = [
+  ["a can that rolls", {}],
+  ["a can on ice, leaning elsewhere", { law: "frictionless", yaw: 70 }],
+  ["a can that slips", { friction: 0.1, yaw: -140 }],
+  ["a coin set spinning", { body: "coin", tilt: 80, twist: 6 }],
+];
+
+test.each(SETUPS)("%s touches the table where the mechanics says", (_, changes) => {
+  const { body, motion, footing } = moved(changes);
+  for (const t of [0, 0.1, 0.3, 1, 2]) {
+    const moment = motion.at([t]).moment(0);
+    const place = placed(new Matrix4(), poseOf(moment, body.height, footing.shift));
+    const { spin } = moment;
+    // The point of the rim that is lowest: behind the spin by half a turn.
+    const low = new Vector3(-Math.cos(spin), Math.sin(spin), 0).multiplyScalar(body.radius);
+    const { x, y, z } = low.applyMatrix4(place);
+    expect(x).toBeCloseTo(moment.contact_x + footing.shift.x, 12);
+    expect(y).toBeCloseTo(moment.contact_y + footing.shift.y, 12);
+    expect(z).toBeCloseTo(moment.gap, 12);
+  }
+});
+
+test.each(SETUPS)("%s starts where the hand held it", (_, changes) => {
+  const { body, motion, footing } = moved(changes);
+  const start = motion.at([0]).moment(0);
+  const held = heldPose(body, start.tilt, start.yaw, footing.slide);
+  const begun = poseOf(start, body.height, footing.shift);
+  for (const key of ["tilt", "yaw", "x", "y", "z"] as const)
+    expect(begun[key]).toBeCloseTo(held[key], 12);
+});
+
+test("what rolls is tipped about its rim at rest, what is on ice about its centre of mass", () => {
+  expect(moved({}).footing.slide).toBeLessThan(0.01);
+  expect(moved({ law: "frictionless" }).footing.slide).toBeGreaterThan(0.99);
+});
