@@ -25,6 +25,6 @@ def test_the_five_lines_print_what_the_readme_says():
 
 def test_the_pictures_of_the_readme_are_there():
     pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", README)
-    assert len(pictures) == 4
+    assert len(pictures) == 5
     for picture in pictures:
         assert (Path(__file__).parents[1] / picture).is_file()
