@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -48,6 +49,8 @@ class State:
     spin_rate: Numbers = 0.0
 
     def __post_init__(self) -> None:
+        if self._is_plain():
+            return
         for field in fields(self):
             value = _finite(field.name, getattr(self, field.name))
             object.__setattr__(self, field.name, float(value) if value.ndim == 0 else value)
@@ -59,6 +62,12 @@ class State:
         outside = outside[(outside <= 0.0) | (outside >= np.pi)]
         if outside.size:
             raise RimrollError(f"tilt must be inside (0, pi), got {outside[0]} rad")
+
+    def _is_plain(self) -> bool:
+        """Whether it is of valid floats, as most are, for which nothing more is to be done."""
+        values = vars(self).values()
+        plain = all(type(value) is float and math.isfinite(value) for value in values)
+        return plain and 0.0 < self.tilt < math.pi  # type: ignore[operator, return-value]
 
     @property
     def shape(self) -> tuple[int, ...]:
