@@ -218,10 +218,6 @@ impl Together {
         self.step_anywhere()
     }
 
-    #[expect(
-        clippy::needless_range_loop,
-        reason = "the indices are those of the formulas"
-    )]
     #[inline(always)]
     fn step_anywhere(&mut self) -> Found {
         let method = Collocation::get();
