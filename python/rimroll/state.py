@@ -66,7 +66,7 @@ class State:
         """Whether it is of valid floats, as most are, for which nothing more is to be done."""
         values = vars(self).values()
         plain = all(type(value) is float and math.isfinite(value) for value in values)
-        return plain and 0.0 < self.tilt < math.pi  # type: ignore[operator, return-value]
+        return plain and 0.0 < self.tilt < math.pi  # type: ignore[return-value]
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -197,7 +197,7 @@ impl<T: Real, const N: usize> Step<T, N> {
 }
 
 /// Something to do in registers of either kind.
-trait Work<const N: usize> {
+trait Job<const N: usize> {
     type Output;
 
     fn with(self, registers: impl Registers<f64, N>) -> Self::Output;
@@ -205,27 +205,27 @@ trait Work<const N: usize> {
 
 /// Does it in wide registers, where the processor has them: the results are the same.
 #[inline(always)]
-fn in_registers<const N: usize, W: Work<N>>(unfelt: usize, work: W) -> W::Output {
+fn in_registers<const N: usize, J: Job<N>>(unfelt: usize, job: J) -> J::Output {
     #[cfg(target_arch = "x86_64")]
     {
         #[target_feature(enable = "avx2")]
-        unsafe fn wide<const N: usize, W: Work<N>>(unfelt: usize, work: W) -> W::Output {
+        unsafe fn wide<const N: usize, J: Job<N>>(unfelt: usize, job: J) -> J::Output {
             // SAFETY: AVX2 comes with AVX.
-            work.with(unsafe { super::registers::Wide::new(unfelt) })
+            job.with(unsafe { super::registers::Wide::new(unfelt) })
         }
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has what is asked for.
-            return unsafe { wide(unfelt, work) };
+            return unsafe { wide(unfelt, job) };
         }
     }
-    work.with(OneByOne { unfelt })
+    job.with(OneByOne { unfelt })
 }
 
 impl<const N: usize> Step<f64, N> {
     /// A step of length h from `start`: as [`Step::take`], in the widest registers.
     pub fn again<S: System<f64, N>>(system: &S, start: &[f64; N], h: f64) -> Self {
         struct Go<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64);
-        impl<S: System<f64, N>, const N: usize> Work<N> for Go<'_, S, N> {
+        impl<S: System<f64, N>, const N: usize> Job<N> for Go<'_, S, N> {
             type Output = ();
 
             #[inline(always)]
@@ -246,7 +246,7 @@ impl<const N: usize> Step<f64, N> {
         tolerance: f64,
     ) -> Estimate<f64> {
         struct Attempt<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64, f64);
-        impl<S: System<f64, N>, const N: usize> Work<N> for Attempt<'_, S, N> {
+        impl<S: System<f64, N>, const N: usize> Job<N> for Attempt<'_, S, N> {
             type Output = Estimate<f64>;
 
             #[inline(always)]
@@ -262,7 +262,7 @@ impl<const N: usize> Step<f64, N> {
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
     pub fn dense<S: System<f64, N>>(&mut self, system: &S) -> Dense<f64, N> {
         struct Open<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S);
-        impl<S: System<f64, N>, const N: usize> Work<N> for Open<'_, S, N> {
+        impl<S: System<f64, N>, const N: usize> Job<N> for Open<'_, S, N> {
             type Output = Dense<f64, N>;
 
             #[inline(always)]
