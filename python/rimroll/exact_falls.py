@@ -21,8 +21,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-TOPPLED = np.where(STATUSES == "lifted_off", "toppled", STATUSES)
-"""What the core's codes mean for a turn that ends past the balance tilt."""
+PAST_BALANCE = len(STATUSES)
+"""To be added to a code of a turn that ends past the balance tilt."""
+
+OUTCOMES = np.concatenate([STATUSES, np.where(STATUSES == "lifted_off", "toppled", STATUSES)])
+"""What codes mean. Rising past it a body falls over whether its rim leaves the table or not."""
 
 
 def exact_falls(
@@ -69,8 +72,7 @@ def _dataset(codes: NDArray[np.uint8], table: Array, balance: float) -> xr.Datas
     with np.errstate(invalid="ignore"):  # a NaN stays one
         told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
     told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]
-    # Rising, its centre of mass past the rim, a body falls over whether it lifts off or not.
-    outcome = np.where(told["max_tilt"] > balance, TOPPLED[codes], STATUSES[codes])
+    outcome = OUTCOMES[codes + PAST_BALANCE * (told["max_tilt"] > balance)]
     variables = {
         name: ("trial", told[name], {"units": unit, "long_name": meaning})
         for name, (unit, meaning) in VARIABLES.items()

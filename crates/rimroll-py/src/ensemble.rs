@@ -148,13 +148,13 @@ pub fn ensemble<'py>(
 
 /// Work that other threads do while this one listens to Python.
 #[derive(Default)]
-struct Watched {
+pub struct Watched {
     done: AtomicUsize,
     stop: AtomicBool,
 }
 
 impl Watched {
-    fn count(&self, falls: usize) -> ControlFlow<()> {
+    pub fn count(&self, falls: usize) -> ControlFlow<()> {
         self.done.fetch_add(falls, Relaxed);
         if self.stop.load(Relaxed) {
             ControlFlow::Break(())
@@ -165,7 +165,7 @@ impl Watched {
 
     /// Waits for the work, looks for Ctrl-C and tells of the progress; what Python raises meanwhile stops
     /// the work.
-    fn until_done(&self, told: &Receiver<()>, progress: Option<&Py<PyAny>>) -> Option<PyErr> {
+    pub fn until_done(&self, told: &Receiver<()>, progress: Option<&Py<PyAny>>) -> Option<PyErr> {
         const NOW_AND_THEN: Duration = Duration::from_millis(100);
         let mut stopped = None;
         loop {

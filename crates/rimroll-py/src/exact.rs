@@ -1,13 +1,14 @@
 //! Turns by quadrature.
 
 use crate::arguments::{BodyArgument, ideal_law, refusal};
-use crate::ensemble::StartsArgument;
+use crate::ensemble::{StartsArgument, Watched};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rimroll::State;
 use rimroll::motion::PARAMETERS;
 use rimroll::turn::exact::{Ending, Exact, ExactTurn};
+use std::sync::mpsc::channel;
 
 /// What is told of a turn, in the order of [`numbers`].
 pub const EXACT_COLUMNS: [&str; 6] = ["turn", "min_tilt", "max_tilt", "min_time", "time", "yaw"];
@@ -32,7 +33,7 @@ type Table<'py> = Bound<'py, PyArray2<f64>>;
 
 /// Codes of the endings, a table with one row a start and a column for each of [`EXACT_COLUMNS`], and
 /// if asked for another with the turn's derivative by each of [`PARAMETERS`]. `threads` = 0 means as
-/// many as there are processors.
+/// many as there are processors. Ctrl-C stops the work.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn exact_turns<'py>(
@@ -52,13 +53,29 @@ pub fn exact_turns<'py>(
         .num_threads(threads)
         .build()
         .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-    let (turns, slopes) = py
-        .detach(|| {
-            pool.install(|| {
-                let slopes = jacobian.then(|| exact.turn_slopes(&starts)).transpose()?;
-                Ok((exact.turns(&starts)?, slopes))
-            })
+    let watched = Watched::default();
+    let work = || {
+        let slopes = jacobian.then(|| exact.turn_slopes(&starts)).transpose()?;
+        let turns = exact.turns_while(&starts, || watched.count(0).is_continue())?;
+        Ok((turns.unwrap_or_default(), slopes))
+    };
+    let (done, stopped) = py.detach(|| {
+        std::thread::scope(|scope| {
+            let (tell, told) = channel();
+            let done = scope.spawn(|| {
+                let done = pool.install(work);
+                drop(tell);
+                done
+            });
+            let stopped = watched.until_done(&told, None);
+            (done.join(), stopped)
         })
+    });
+    if let Some(stopped) = stopped {
+        return Err(stopped);
+    }
+    let (turns, slopes) = done
+        .map_err(|_| PyRuntimeError::new_err("the quadrature has come to grief"))?
         .map_err(refusal)?;
     let code = |turn: &ExactTurn| Ending::ALL.iter().position(|&ending| ending == turn.ending);
     let codes: Vec<u8> = turns

@@ -9,6 +9,8 @@ mod dual;
 mod elementary;
 mod lanes;
 
+pub(crate) use elementary::{acosh, asinh};
+
 pub use dual::{Dual, Slope, Slopes};
 pub use lanes::{LANES, Lanes, Mask};
 

@@ -1,6 +1,7 @@
 //! eˣ − 1 and ln x without a branch, from + − × ÷ and the bits of the exponent alone: what is
 //! calculated with for eight lanes at once is to the last bit what it is for one.
 
+use super::Real;
 use core::f64::consts::LN_2;
 
 /// ln 2 in two parts, the first with so few bits that its product with a whole number is exact.
@@ -58,6 +59,20 @@ pub(super) fn ln(x: f64) -> f64 {
         sum = sum * ff + 1.0 / odd;
     }
     k * LN_2_HIGH + (2.0 * (f + f * ff * sum) + k * LN_2_LOW)
+}
+
+/// The inverse of the hyperbolic sine, absolutely to rounding, for |x| < 1e150.
+#[inline(always)]
+pub(crate) fn asinh<T: Real>(x: T) -> T {
+    let size = x.abs();
+    let positive = (size + (size * size + T::from(1.0)).sqrt()).ln();
+    x.where_negative(-positive, positive)
+}
+
+/// The inverse of the hyperbolic cosine, absolutely to the root of rounding, for 1 ≤ x < 1e150.
+#[inline(always)]
+pub(crate) fn acosh<T: Real>(x: T) -> T {
+    (x + (x * x - T::from(1.0)).sqrt()).ln()
 }
 
 #[cfg(test)]

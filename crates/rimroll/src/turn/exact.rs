@@ -11,14 +11,17 @@
 //! * for rolling, a table of the body's fundamental solutions ([`fundamental`]),
 //! * the part of the yaw that the collision alone makes in closed form ([`pieces`]).
 //!
-//! [`alone`] treats one start with all that can become of it; [`together`] eight at a time that rock.
+//! [`alone`] treats one start with all that can become of it; [`together`] eight at a time that rock,
+//! [`passing`] eight that topple.
 
 mod alone;
 mod dispatch;
 mod extremes;
 mod fundamental;
 mod many;
+mod passing;
 mod pieces;
+mod ridge;
 mod rolling;
 mod rule;
 mod sensitivity;
@@ -37,6 +40,7 @@ use alone::{Alone, Outcome, Scalar};
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use fundamental::Fundamental;
+use ridge::Balance;
 use rolling::Rolling;
 use sliding::Sliding;
 use start::Start;
@@ -50,6 +54,9 @@ const SHORT: f64 = 3e-6;
 
 /// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
 const MOST_OUTER: f64 = 1.8;
+
+/// Points at which the sign of a function is looked at in search of a first root.
+const LOOKS: usize = 24;
 
 /// What becomes of a body let go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,6 +132,7 @@ pub struct Exact {
     table: Option<Fundamental<f64>>,
     /// For rolling, over the tilts in which a body rocks: shorter.
     rocking_table: Option<Fundamental<f64>>,
+    balance: Balance,
     options: Options,
 }
 
@@ -161,6 +169,7 @@ impl Exact {
             parameters,
             table: None,
             rocking_table: None,
+            balance: Balance::new(body, gravity, end(&options).0),
             options,
         };
         exact.table = rolls.then(|| Fundamental::new(parameters, exact.end().0));
@@ -168,19 +177,13 @@ impl Exact {
         Ok(exact)
     }
 
-    /// Where a motion ends that nothing turns back, tan(φ/2), and what that is called. A disk may pass
-    /// the vertical, where its turn is over, and fall to the other face.
     fn end(&self) -> (f64, Ending) {
-        match self.options.topple_tilt {
-            Some(tilt) if tilt < FRAC_PI_2 => (half_tangent(tilt), Ending::Toppled),
-            Some(tilt) if tilt == FRAC_PI_2 => (1.0, Ending::Toppled),
-            _ => (1.0, Ending::Rocked),
-        }
+        end(&self.options)
     }
 
     /// How far a body that rocks may tilt, tan(φ/2): to the balance point.
     fn highest(&self) -> f64 {
-        half_tangent(self.body.balance_tilt()).min(self.end().0)
+        self.balance.y
     }
 
     /// Whether quadrature does not reach the start.
@@ -201,8 +204,18 @@ impl Exact {
         self.options.checked(&self.body, start).map(|_| ())
     }
 
-    fn engine(&self) -> Engine<'_> {
-        match &self.rocking_table {
+    /// For starts that rock.
+    fn rocking_engine(&self) -> Engine<'_> {
+        self.engine(&self.rocking_table)
+    }
+
+    /// For all others.
+    fn passing_engine(&self) -> Engine<'_> {
+        self.engine(&self.table)
+    }
+
+    fn engine<'a>(&'a self, table: &'a Option<Fundamental<f64>>) -> Engine<'a> {
+        match table {
             Some(table) => Engine::Rolling(table),
             None => Engine::Sliding(&self.parameters),
         }
@@ -226,8 +239,7 @@ impl Exact {
     }
 
     fn alone<T: Scalar>(&self, motion: &impl Tilting<T>, start: Start<T>) -> Option<Outcome<T>> {
-        let balance = half_tangent(self.body.balance_tilt());
-        Alone::new(motion, start, self.end(), balance).outcome()
+        Alone::new(motion, start, self.end(), self.balance).outcome()
     }
 
     /// The same by steps, where quadrature does not reach.
@@ -241,6 +253,16 @@ impl Exact {
         let fall = fall(&self.body, start, &self.law.into(), &self.options)
             .expect("start and options were checked");
         told_of_fall(&fall, start)
+    }
+}
+
+/// Where a motion ends that nothing turns back, tan(φ/2), and what that is called. A disk may pass
+/// the vertical, where its turn is over, and fall to the other face.
+fn end(options: &Options) -> (f64, Ending) {
+    match options.topple_tilt {
+        Some(tilt) if tilt < FRAC_PI_2 => (half_tangent(tilt), Ending::Toppled),
+        Some(tilt) if tilt == FRAC_PI_2 => (1.0, Ending::Toppled),
+        _ => (1.0, Ending::Rocked),
     }
 }
 

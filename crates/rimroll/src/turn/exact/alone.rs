@@ -1,12 +1,13 @@
 //! One start by itself, whatever becomes of it.
 
 use super::extremes::{Extreme, highest, lowest};
-use super::pieces::{Piece, between, from_lowest, short, to_highest};
-use super::rule::{Choice, Rule};
+use super::pieces::{Piece, across, from_lowest, short, to_highest};
+use super::ridge::{Balance, Ridge};
+use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
-use super::{Ending, FLAT, MOST_OUTER, SHORT};
+use super::{Ending, FLAT, LOOKS, MOST_OUTER, SHORT};
 use crate::real::{Dual, Real, Slope};
 use crate::solve::bracketed;
 
@@ -49,7 +50,7 @@ pub(super) struct Outcome<T> {
 }
 
 impl<T> Outcome<T> {
-    fn without_turn(ending: Ending, low: Option<T>) -> Self {
+    pub(super) fn without_turn(ending: Ending, low: Option<T>) -> Self {
         Outcome {
             ending,
             low,
@@ -75,18 +76,19 @@ pub(super) struct Alone<'a, M, T> {
     start: Start<T>,
     /// Where it ends if nothing turns it back: tan(φ/2), and what that is called.
     end: (f64, Ending),
-    /// tan(φ/2) at the balance point.
-    balance: f64,
+    balance: Balance,
 }
 
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
 const SHORTEST: f64 = 1e-4;
 
-/// Points at which the sign of a function is looked at in search of a first root.
-const LOOKS: usize = 24;
-
 impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
-    pub(super) fn new(motion: &'a M, start: Start<T>, end: (f64, Ending), balance: f64) -> Self {
+    pub(super) fn new(
+        motion: &'a M,
+        start: Start<T>,
+        end: (f64, Ending),
+        balance: Balance,
+    ) -> Self {
         Alone {
             motion,
             start,
@@ -200,7 +202,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let bottom = foot(motion, low, inner)?;
         let upper = match top {
             Top::Rest(high) => head(motion, high, outer, 0.0)?,
-            Top::Passing(..) => passage(motion, split, outer)?,
+            Top::Passing(..) => self.passage([split, eta_top])?,
         };
         let up = bottom + upper;
         let from_start = eta_top - start.eta;
@@ -222,10 +224,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
                         rising,
                     )?
                 }
-                Top::Passing(..) => {
-                    let rest = to_start - inner;
-                    bottom + passage(motion, split, rest)?
-                }
+                Top::Passing(..) => bottom + self.passage([split, start.eta])?,
             }
         };
         let (before, down) = if rising {
@@ -246,6 +245,17 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             before,
             down: Some(down),
             up: Some(up),
+        })
+    }
+
+    /// From one η to another on the move.
+    fn passage(&self, [from, to]: [T; 2]) -> Option<Piece<T>> {
+        let Balance { y, eta, .. } = self.balance;
+        let drive = self.motion.at(T::from(y), T::from(eta)).drive;
+        let ridge = Ridge::new(self.balance, drive);
+        let half = T::from(0.5) * (ridge.clock(to) - ridge.clock(from));
+        agreed(Choice::plain(nodes_across(half.value())), 0.0, |rule| {
+            across(self.motion, [from, to], &ridge, rule)
         })
     }
 
@@ -324,7 +334,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     fn is_sure(&self, low: &Extreme<T>, eta: f64) -> bool {
         let y = libm::exp(eta);
         let point = self.motion.at(T::from(y), T::from(eta));
-        y < self.balance && self.motion.surely_pressing(&low.point, &point).value() > 0.0
+        y < self.balance.y && self.motion.surely_pressing(&low.point, &point).value() > 0.0
     }
 
     fn drive(&self, eta: f64) -> f64 {
@@ -380,8 +390,11 @@ fn agreed<T: Scalar>(
 
 /// From the smallest tilt up by `length` in η.
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
-    let choice = Choice::from_lowest(length.value());
-    agreed(choice, 0.0, |rule| from_lowest(motion, low, length, rule))
+    // As for a rest that is a third of it.
+    let choice = Choice::plain(16.0);
+    agreed(choice, 0.0, |rule| {
+        from_lowest::<false, T>(motion, low, length, rule)
+    })
 }
 
 /// Up to the largest tilt by `length` in η, of a motion that lasts `whole` (s) or as long.
@@ -391,16 +404,10 @@ fn head<T: Scalar>(
     length: T,
     whole: f64,
 ) -> Option<Piece<T>> {
-    let choice = Choice::to_highest(length.value(), motion.gap_beyond(high.y).value());
+    let square = (motion.gap_beyond(high.y) / length).value();
+    let choice = Choice::to_highest(nodes_to_highest(square, 4.0), square);
     agreed(choice, whole, |rule| {
         to_highest(motion, high.place(), length, rule)
-    })
-}
-
-/// From η up by `length` on the move.
-fn passage<T: Scalar>(motion: &impl Tilting<T>, eta: T, length: T) -> Option<Piece<T>> {
-    agreed(Choice::plain(12.0), 0.0, |rule| {
-        between(motion, eta, length, rule)
     })
 }
 

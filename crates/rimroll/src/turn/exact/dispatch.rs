@@ -3,6 +3,7 @@
 
 use super::fundamental::Fundamental;
 use super::many::Lane;
+use super::passing::{Passing, Stretch, Way, falling_back, passing, stretch};
 use super::pieces::Piece;
 use super::rolling::Rolling;
 use super::rule::{Choice, Rule};
@@ -11,7 +12,7 @@ use super::start::Start;
 use super::tilting::Tilting;
 use super::together::{Extremes, Part, extremes, part};
 use crate::law::Parameters;
-use crate::real::{LANES, Lanes};
+use crate::real::{LANES, Lanes, Mask};
 
 /// A body under one of the laws.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +29,7 @@ pub(super) struct Eight {
     start: Start<Lanes>,
     low: [Lanes; 2],
     high: [Lanes; 2],
+    width: Lanes,
 }
 
 impl Eight {
@@ -51,6 +53,7 @@ impl Eight {
             },
             low: [all(|lane| lane.low[0]), all(|lane| lane.low[1])],
             high: [all(|lane| lane.high[0]), all(|lane| lane.high[1])],
+            width: all(|lane| lane.width),
         }
     }
 }
@@ -95,6 +98,58 @@ impl Asked for AskPart {
     }
 }
 
+struct AskPassing<'a> {
+    way: &'a Way,
+}
+
+impl Asked for AskPassing<'_> {
+    type Told = Passing;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Passing {
+        passing(motion, &eight.start, self.way)
+    }
+}
+
+struct AskFallingBack<'a> {
+    way: &'a Way,
+}
+
+impl Asked for AskFallingBack<'_> {
+    type Told = Mask;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Mask {
+        falling_back(motion, &eight.start, self.way)
+    }
+}
+
+struct AskStretch<'a> {
+    stretch: Stretch,
+    way: &'a Way,
+    rule: &'static Rule,
+}
+
+impl Asked for AskStretch<'_> {
+    type Told = Piece<Lanes>;
+
+    #[inline(always)]
+    fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Piece<Lanes> {
+        let Eight {
+            start, low, width, ..
+        } = eight;
+        stretch(
+            self.stretch,
+            motion,
+            start,
+            *low,
+            *width,
+            self.way,
+            self.rule,
+        )
+    }
+}
+
 impl Engine<'_> {
     pub(super) fn extremes(&self, eight: &Eight, most: f64) -> Extremes {
         self.ask(&AskExtremes { most }, eight)
@@ -103,6 +158,25 @@ impl Engine<'_> {
     pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Piece<Lanes> {
         let rule = choice.rule();
         self.ask(&AskPart { part, rule }, eight)
+    }
+
+    pub(super) fn passing(&self, eight: &Eight, way: &Way) -> Passing {
+        self.ask(&AskPassing { way }, eight)
+    }
+
+    pub(super) fn falling_back(&self, eight: &Eight, way: &Way) -> Mask {
+        self.ask(&AskFallingBack { way }, eight)
+    }
+
+    pub(super) fn stretch(
+        &self,
+        stretch: Stretch,
+        eight: &Eight,
+        way: &Way,
+        choice: Choice,
+    ) -> Piece<Lanes> {
+        let rule = choice.rule();
+        self.ask(&AskStretch { stretch, way, rule }, eight)
     }
 
     fn ask<A: Asked>(&self, asked: &A, eight: &Eight) -> A::Told {
@@ -138,6 +212,91 @@ impl Engine<'_> {
         match self {
             Engine::Rolling(table) => asked.of(&Rolling::new(table, &eight.start), eight),
             Engine::Sliding(k) => asked.of(&Sliding::new(**k, &eight.start), eight),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        AskExtremes, AskFallingBack, AskPart, AskPassing, AskStretch, Asked, Eight, Engine,
+    };
+    use crate::law::IdealLaw;
+    use crate::presets;
+    use crate::real::LANES;
+    use crate::state::State;
+    use crate::turn::exact::Exact;
+    use crate::turn::exact::many::Lane;
+    use crate::turn::exact::passing::Stretch;
+    use crate::turn::exact::rule::Choice;
+    use crate::turn::exact::together::Part;
+    use core::fmt::Debug;
+
+    /// What is told by registers of each width that the processor has; digits enough for every bit.
+    fn told<A: Asked<Told: Debug>>(engine: &Engine<'_>, asked: &A, eight: &Eight) -> Vec<String> {
+        let mut told = vec![format!("{:?}", engine.ask_anywhere(asked, eight))];
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what the function is compiled for.
+            told.push(format!("{:?}", unsafe { engine.ask_by_avx2(asked, eight) }));
+        }
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx512f")
+            && std::arch::is_x86_feature_detected!("avx512dq")
+        {
+            // SAFETY: the processor has what the function is compiled for.
+            told.push(format!("{:?}", unsafe {
+                engine.ask_by_avx512(asked, eight)
+            }));
+        }
+        told
+    }
+
+    fn eight(tilt_rate: f64) -> [State; LANES] {
+        core::array::from_fn(|i| State {
+            tilt: 0.3 + 0.01 * i as f64,
+            tilt_rate,
+            yaw_rate: 0.3 - 0.07 * i as f64,
+            spin_rate: 0.1 * i as f64,
+            ..State::default()
+        })
+    }
+
+    #[test]
+    fn registers_of_every_width_tell_the_same_bits() {
+        let can = presets::can_2007().unwrap();
+        let same = |told: Vec<String>| assert!(told.iter().all(|one| *one == told[0]), "{told:?}");
+        for law in [IdealLaw::NoSlip, IdealLaw::Frictionless] {
+            let exact = Exact::new(&can, law, 9.8, None).unwrap();
+            let way = &exact.way();
+            let rule = Choice::plain(20.0).rule();
+            let lanes = |rate: f64| eight(rate).map(|start| Lane::new(&start));
+            let all: Vec<usize> = (0..LANES).collect();
+
+            let engine = exact.rocking_engine();
+            let mut rocking = Eight::of(&lanes(-1.0), &all);
+            let most = exact.highest();
+            let found = engine.extremes(&rocking, most);
+            assert_eq!(found.sound.bits(), u8::MAX);
+            same(told(&engine, &AskExtremes { most }, &rocking));
+            (rocking.low, rocking.high) = (found.low.place(), found.high.place());
+            for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
+                same(told(&engine, &AskPart { part, rule }, &rocking));
+            }
+
+            let engine = exact.passing_engine();
+            let mut passing = Eight::of(&lanes(-5.0), &all);
+            let found = engine.passing(&passing, way);
+            assert_eq!(found.sound.bits(), u8::MAX);
+            same(told(&engine, &AskPassing { way }, &passing));
+            (passing.low, passing.width) = (found.low.place(), found.width);
+            for stretch in [Stretch::Foot, Stretch::Approach, Stretch::Rest] {
+                same(told(&engine, &AskStretch { stretch, way, rule }, &passing));
+            }
+
+            let falling_back = Eight::of(&lanes(4.0), &all);
+            assert_eq!(engine.falling_back(&falling_back, way).bits(), u8::MAX);
+            same(told(&engine, &AskFallingBack { way }, &falling_back));
         }
     }
 }

@@ -1,17 +1,19 @@
 //! Many starts, by lanes and threads.
 //!
 //! A block of starts goes through the parts of its turns one after another; in each, starts that need
-//! rules of the same size share lanes. Those that do not rock, and the odd ones, are treated alone.
+//! rules of the same size share lanes. What is rare is treated alone.
 
-use super::dispatch::{Eight, Engine};
+use super::alone::Outcome;
+use super::dispatch::Eight;
+use super::passing::{Stretch, Way};
 use super::pieces::Piece;
 use super::rule::{Choice, RULES};
 use super::start::Start;
-use super::tilting::gap_beyond;
+use super::tilting::sin_and_versine;
 use super::together::Part;
-use super::{Ending, Exact, ExactTurn, MOST_OUTER, SHORT};
+use super::{Ending, Exact, ExactTurn, SHORT, told};
 use crate::error::InvalidInput;
-use crate::real::LANES;
+use crate::real::{LANES, Lanes, Real};
 use crate::state::State;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
@@ -26,12 +28,29 @@ pub(super) struct Lane {
     /// tan(φ/2) and its logarithm at the smallest and the largest tilt.
     pub(super) low: [f64; 2],
     pub(super) high: [f64; 2],
-    /// From the one to the other.
+    /// Of the ridge that it passes.
+    pub(super) width: f64,
+    /// About how many nodes its three pieces need.
+    nodes: [f64; 3],
+    square: [f64; 2],
+    course: Course,
+    /// From the smallest tilt to the largest or, of one that passes, to the start.
     half: Piece<f64>,
-    /// From the start's tilt to the largest.
+    /// From the start's tilt to the largest, or to the end.
     leg: Piece<f64>,
-    /// Whether it is still among the others.
-    together: bool,
+}
+
+/// What is known of what becomes of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Course {
+    /// Nothing: it is treated alone.
+    Alone,
+    /// It comes down and rocks.
+    Rocks,
+    /// It comes down and passes over the balance point.
+    Passes,
+    /// It falls over as it is.
+    FallsBack,
 }
 
 impl Exact {
@@ -41,96 +60,189 @@ impl Exact {
     /// # Errors
     /// Refuses a start outside its bounds: the first.
     pub fn turns(&self, starts: &[State]) -> Result<Vec<ExactTurn>, InvalidInput> {
+        let turns = self.turns_while(starts, || true)?;
+        Ok(turns.expect("nothing has ended the work"))
+    }
+
+    /// The same, unless `goes_on`, which is asked every few thousandths of a second, says that it is no longer
+    /// wanted.
+    ///
+    /// # Errors
+    /// As [`Exact::turns`].
+    pub fn turns_while(
+        &self,
+        starts: &[State],
+        goes_on: impl Fn() -> bool + Sync,
+    ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
         for start in starts {
             self.check(start)?;
         }
         #[cfg(feature = "threads")]
-        let blocks: Vec<_> = starts
-            .par_chunks(BLOCK)
-            .map(|block| self.block(block))
-            .collect();
+        let blocks = starts.par_chunks(BLOCK);
         #[cfg(not(feature = "threads"))]
-        let blocks: Vec<_> = starts
-            .chunks(BLOCK)
-            .map(|block| self.block(block))
-            .collect();
-        Ok(blocks.concat())
+        let blocks = starts.chunks(BLOCK);
+        let done: Option<Vec<_>> = blocks.map(|block| self.block(block, &goes_on)).collect();
+        Ok(done.map(|blocks| blocks.concat()))
     }
 
-    fn block(&self, starts: &[State]) -> Vec<ExactTurn> {
-        let engine = self.engine();
+    fn block(&self, starts: &[State], goes_on: impl Fn() -> bool) -> Option<Vec<ExactTurn>> {
+        if !goes_on() {
+            return None;
+        }
         let mut lanes: Vec<Lane> = starts.iter().map(Lane::new).collect();
-        for (lane, start) in lanes.iter_mut().zip(starts) {
-            lane.together = !self.is_beyond(start);
-        }
-        self.find_extremes(&engine, &mut lanes);
-        for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
-            self.add(part, &engine, &mut lanes);
-        }
-        let turn = |(lane, start): (&Lane, &State)| {
-            if lane.together {
-                lane.told()
-            } else {
-                self.turn_of(start)
-            }
+        let near = (0..lanes.len()).filter(|&i| !self.is_beyond(&starts[i]));
+        let (over, under) = near.partition(|&i| self.has_energy_to_pass(&lanes[i].start));
+        let left = self.find_rocking(&mut lanes, under);
+        self.find_passing(&mut lanes, [over, left].concat());
+        self.rock(&mut lanes);
+        self.pass(&mut lanes);
+        let turn = |(lane, start): (&Lane, &State)| match lane.course {
+            // One that has to be stepped may take long.
+            Course::Alone => goes_on().then(|| self.turn_of(start)),
+            Course::Rocks => Some(lane.rocked()),
+            Course::Passes => Some(lane.passed(self.end())),
+            Course::FallsBack => Some(told(&Outcome::without_turn(Ending::FellBack, None))),
         };
         lanes.iter().zip(starts).map(turn).collect()
     }
 
-    fn find_extremes(&self, engine: &Engine<'_>, lanes: &mut [Lane]) {
-        let open: Vec<usize> = (0..lanes.len()).filter(|&i| lanes[i].together).collect();
-        for eight in open.chunks(LANES) {
+    /// Finds those that rock, and returns the others.
+    fn find_rocking(&self, lanes: &mut [Lane], which: Vec<usize>) -> Vec<usize> {
+        let engine = self.rocking_engine();
+        let mut left = Vec::new();
+        for eight in which.chunks(LANES) {
             let found = engine.extremes(&Eight::of(lanes, eight), self.highest());
             let sound = found.sound.bits();
-            for (lane, &i) in eight.iter().enumerate() {
-                lanes[i].low = [found.low.y.0[lane], found.low.eta.0[lane]];
-                lanes[i].high = [found.high.y.0[lane], found.high.eta.0[lane]];
-                lanes[i].together = sound & (1 << lane) != 0;
+            for (place, &i) in eight.iter().enumerate() {
+                lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];
+                lanes[i].high = [found.high.y.0[place], found.high.eta.0[place]];
+                lanes[i].nodes = found.nodes.map(|all| all.0[place]);
+                lanes[i].square = found.square.map(|all| all.0[place]);
+                if sound & (1 << place) != 0 {
+                    lanes[i].course = Course::Rocks;
+                } else {
+                    left.push(i);
+                }
             }
         }
+        left
     }
 
-    /// Adds a part to all lanes that have it, each by the smallest rule that resolves it.
-    fn add(&self, part: Part, engine: &Engine<'_>, lanes: &mut [Lane]) {
-        let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); RULES];
-        for (i, lane) in lanes.iter().enumerate() {
-            if let Some(choice) = self.choice(part, lane) {
-                waiting[choice.place()].push(i);
+    /// Finds those that nothing turns back below the end.
+    fn find_passing(&self, lanes: &mut [Lane], which: Vec<usize>) {
+        let (engine, way) = (self.passing_engine(), self.way());
+        let (falling, rising): (Vec<_>, Vec<_>) =
+            which.into_iter().partition(|&i| lanes[i].start.p < 0.0);
+        for eight in falling.chunks(LANES) {
+            let found = engine.passing(&Eight::of(lanes, eight), &way);
+            let sound = found.sound.bits();
+            for (place, &i) in eight.iter().enumerate() {
+                if sound & (1 << place) != 0 {
+                    lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];
+                    lanes[i].width = found.width.0[place];
+                    lanes[i].nodes = found.nodes.map(|all| all.0[place]);
+                    lanes[i].course = Course::Passes;
+                }
             }
         }
-        for place in 0..RULES {
-            let open = core::mem::take(&mut waiting[place]);
-            let choice = Choice::at(place);
-            for eight in open.chunks(LANES) {
-                let pieces = engine.part(part, &Eight::of(lanes, eight), choice);
-                for (place, &i) in eight.iter().enumerate() {
-                    let piece = pieces.map(|all| all.0[place]);
-                    if part == Part::ShortLeg || piece.is_resolved(choice.nodes()) {
-                        lanes[i].add(part, piece);
-                    } else if let Some(larger) = choice.larger() {
-                        waiting[larger.place()].push(i);
-                    } else {
-                        lanes[i].together = false;
-                    }
+        if way.ending == Ending::Rocked {
+            return; // A disk goes on to its other face.
+        }
+        for eight in rising.chunks(LANES) {
+            let sound = engine.falling_back(&Eight::of(lanes, eight), &way).bits();
+            for (place, &i) in eight.iter().enumerate() {
+                if sound & (1 << place) != 0 {
+                    lanes[i].course = Course::FallsBack;
                 }
             }
         }
     }
 
-    /// The rule to begin with, where a lane has that part.
+    /// Yaw and time of those that rock.
+    fn rock(&self, lanes: &mut [Lane]) {
+        let engine = self.rocking_engine();
+        for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
+            add(
+                lanes,
+                |lane| self.choice(part, lane),
+                |eight, choice| engine.part(part, eight, choice),
+                Piece::is_resolved,
+                |lane, piece| match part {
+                    Part::Foot | Part::Head => lane.half = lane.half + piece,
+                    Part::Leg | Part::ShortLeg => lane.leg = piece,
+                },
+            );
+        }
+    }
+
+    /// Yaw and time of those that pass.
+    fn pass(&self, lanes: &mut [Lane]) {
+        let (engine, way) = (self.passing_engine(), self.way());
+        for stretch in [Stretch::Foot, Stretch::Approach, Stretch::Rest] {
+            add(
+                lanes,
+                |lane| {
+                    let has = match stretch {
+                        Stretch::Foot | Stretch::Rest => true,
+                        Stretch::Approach => way.has_approach(lane.start.eta),
+                    };
+                    let passes = lane.course == Course::Passes && has;
+                    passes.then(|| Choice::plain(lane.nodes[stretch as usize]))
+                },
+                |eight, choice| engine.stretch(stretch, eight, &way, choice),
+                Piece::is_surely_resolved,
+                |lane, piece| {
+                    if piece.pull > 0.0 {
+                        lane.course = Course::Alone;
+                    }
+                    match stretch {
+                        Stretch::Foot | Stretch::Approach => lane.half = lane.half + piece,
+                        Stretch::Rest => lane.leg = piece,
+                    }
+                },
+            );
+        }
+    }
+
+    pub(super) fn way(&self) -> Way {
+        let (end, ending) = self.end();
+        Way {
+            balance: self.balance,
+            end: [end, Real::ln(end)],
+            ending,
+        }
+    }
+
+    /// Whether it is past the balance point or, but for yaw and spin, goes there.
+    fn has_energy_to_pass(&self, start: &Start<f64>) -> bool {
+        let (balance, k) = (self.balance.y, &self.parameters);
+        let (sin, versine) = sin_and_versine(start.y);
+        let (sin_balance, versine_balance) = sin_and_versine(balance);
+        let to_rise = k.r * (sin_balance - sin) - k.h * (versine_balance - versine);
+        let inertia = match &self.table {
+            Some(table) => table.rim_inertia,
+            None => {
+                let rho = k.r * (1.0 - versine) - k.h * sin;
+                k.a + k.m * rho * rho
+            }
+        };
+        start.y > balance || inertia * start.p * start.p > 2.0 * k.m * k.g * to_rise
+    }
+
+    /// The rule to begin with, where a lane that rocks has that part.
     fn choice(&self, part: Part, lane: &Lane) -> Option<Choice> {
-        if !lane.together {
+        if lane.course != Course::Rocks {
             return None;
         }
-        let gap = || gap_beyond(self.body.radius(), self.body.height(), lane.high[0]);
-        let span = lane.high[1] - lane.low[1];
-        let outer = (0.5 * span).min(MOST_OUTER);
         let leg = lane.high[1] - lane.start.eta;
         let has_leg = lane.start.p != 0.0;
+        let [foot, head, along_leg] = lane.nodes;
         match part {
-            Part::Foot => Some(Choice::from_lowest(span - outer)),
-            Part::Head => Some(Choice::to_highest(outer, gap())),
-            Part::Leg if has_leg && leg >= SHORT => Some(Choice::to_highest(leg, gap())),
+            Part::Foot => Some(Choice::plain(foot)),
+            Part::Head => Some(Choice::to_highest(head, lane.square[0])),
+            Part::Leg if has_leg && leg >= SHORT => {
+                Some(Choice::to_highest(along_leg, lane.square[1]))
+            }
             Part::ShortLeg if has_leg && leg < SHORT => Some(Choice::plain(0.0)),
             Part::Leg | Part::ShortLeg => None,
         }
@@ -138,25 +250,21 @@ impl Exact {
 }
 
 impl Lane {
-    fn new(start: &State) -> Lane {
+    pub(super) fn new(start: &State) -> Lane {
         Lane {
             start: Start::of(start),
             low: [f64::NAN; 2],
             high: [f64::NAN; 2],
+            width: f64::NAN,
+            nodes: [f64::NAN; 3],
+            square: [f64::NAN; 2],
+            course: Course::Alone,
             half: Piece::nothing(),
             leg: Piece::nothing(),
-            together: true,
         }
     }
 
-    fn add(&mut self, part: Part, piece: Piece<f64>) {
-        match part {
-            Part::Foot | Part::Head => self.half = self.half + piece,
-            Part::Leg | Part::ShortLeg => self.leg = piece,
-        }
-    }
-
-    fn told(&self) -> ExactTurn {
+    fn rocked(&self) -> ExactTurn {
         let Lane { half, leg, .. } = self;
         let (turn, min_time, yaw) = if self.start.p > 0.0 {
             let turn = 2.0 * half.yaw;
@@ -173,6 +281,53 @@ impl Lane {
             min_time,
             time: min_time + half.time,
             yaw,
+        }
+    }
+
+    fn passed(&self, (end, ending): (f64, Ending)) -> ExactTurn {
+        let Lane { half, leg, .. } = self;
+        let turn = half.yaw + (half.yaw + leg.yaw);
+        ExactTurn {
+            ending,
+            turn,
+            min_tilt: 2.0 * libm::atan(self.low[0]),
+            max_tilt: 2.0 * libm::atan(end),
+            min_time: half.time,
+            time: half.time + (half.time + leg.time),
+            yaw: turn,
+        }
+    }
+}
+
+/// Adds a piece to all lanes that have it, each by the smallest rule that resolves it.
+fn add(
+    lanes: &mut [Lane],
+    choice: impl Fn(&Lane) -> Option<Choice>,
+    ask: impl Fn(&Eight, Choice) -> Piece<Lanes>,
+    is_resolved: impl Fn(&Piece<f64>, usize) -> bool,
+    done: impl Fn(&mut Lane, Piece<f64>),
+) {
+    let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); RULES];
+    for (i, lane) in lanes.iter().enumerate() {
+        if let Some(choice) = choice(lane) {
+            waiting[choice.place()].push(i);
+        }
+    }
+    for place in 0..RULES {
+        let open = core::mem::take(&mut waiting[place]);
+        let choice = Choice::at(place);
+        for eight in open.chunks(LANES) {
+            let pieces = ask(&Eight::of(lanes, eight), choice);
+            for (place, &i) in eight.iter().enumerate() {
+                let piece = pieces.map(|all| all.0[place]);
+                if is_resolved(&piece, choice.nodes()) {
+                    done(&mut lanes[i], piece);
+                } else if let Some(larger) = choice.larger() {
+                    waiting[larger.place()].push(i);
+                } else {
+                    lanes[i].course = Course::Alone;
+                }
+            }
         }
     }
 }

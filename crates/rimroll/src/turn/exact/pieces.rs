@@ -8,7 +8,8 @@
 //! analytic function of τ, for which a Gauss-Legendre rule gains digits with every node.
 
 use super::extremes::Extreme;
-use super::rule::Rule;
+use super::ridge::Ridge;
+use super::rule::{Node, Rule};
 use super::tilting::{Point, Tilting};
 use crate::real::Real;
 use core::ops::{Add, Sub};
@@ -19,6 +20,9 @@ const YAW_TOLERANCE: f64 = 3e-14;
 /// Error of the time of a piece, relative to it.
 const TIME_TOLERANCE: f64 = 1e-11;
 
+/// Where the table pushes less than this part of the weight at a node, it may have to pull between two.
+const LEAST_PUSH: f64 = 0.05;
+
 /// Yaw and time along a piece, and what tells how well the rule has resolved it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece<T> {
@@ -26,10 +30,13 @@ pub(super) struct Piece<T> {
     pub(super) yaw: T,
     /// s.
     pub(super) time: T,
-    /// The last Legendre coefficient of both integrands that the rule can see.
-    last: [T; 2],
-    /// The last but two.
-    before: [T; 2],
+    /// The last Legendre coefficients of both integrands that the rule can see: one, or, where they may
+    /// swing through zero, one beside it.
+    last: [[T; 2]; 2],
+    /// Those four degrees lower.
+    before: [[T; 2]; 2],
+    /// Above zero if the table pushed little at a node, or had to pull, where that was watched.
+    pub(super) pull: T,
 }
 
 impl<T: Real> Piece<T> {
@@ -39,8 +46,9 @@ impl<T: Real> Piece<T> {
         Piece {
             yaw: zero,
             time: zero,
-            last: [zero; 2],
-            before: [zero; 2],
+            last: [[zero; 2]; 2],
+            before: [[zero; 2]; 2],
+            pull: T::from(f64::NEG_INFINITY),
         }
     }
 }
@@ -51,8 +59,9 @@ impl<T: Copy> Piece<T> {
         Piece {
             yaw: f(self.yaw),
             time: f(self.time),
-            last: self.last.map(&f),
-            before: self.before.map(&f),
+            last: self.last.map(|pair| pair.map(&f)),
+            before: self.before.map(|pair| pair.map(&f)),
+            pull: f(self.pull),
         }
     }
 }
@@ -71,8 +80,9 @@ impl Piece<f64> {
     /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
     /// the rule like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
     pub(super) fn is_resolved(&self, nodes: usize) -> bool {
+        let larger = |[one, beside]: [[f64; 2]; 2], i: usize| one[i].abs().max(beside[i].abs());
         let resolved = |i: usize, tolerance: f64| {
-            let (mut error, before) = (self.last[i].abs(), self.before[i].abs());
+            let (mut error, before) = (larger(self.last, i), larger(self.before, i));
             if error > tolerance {
                 let ratio = (error / before).min(1.0);
                 error = (0..nodes / 2).fold(error, |error, _| error * ratio);
@@ -83,6 +93,19 @@ impl Piece<f64> {
         finite
             && resolved(0, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
             && resolved(1, TIME_TOLERANCE * self.time.abs())
+    }
+
+    /// The same where the coefficients swing, so that their last ratio may deceive: as they have fallen off
+    /// from the first to the last they also have to go on.
+    pub(super) fn is_surely_resolved(&self, nodes: usize) -> bool {
+        const MARGIN: f64 = 30.0;
+        let resolved = |i: usize, whole: f64, tolerance: f64| {
+            let last = self.last[0][i].abs().max(self.last[1][i].abs());
+            MARGIN * last * last <= tolerance * whole.abs()
+        };
+        self.is_resolved(nodes)
+            && resolved(0, self.yaw, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
+            && resolved(1, self.time, TIME_TOLERANCE * self.time.abs())
     }
 }
 
@@ -114,8 +137,11 @@ impl<T: Real> Sub for Piece<T> {
 ///
 /// The closer to a face-down collision, the more of the yaw is ∫ y_c dη / √(y² − y_c²), times its
 /// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
+///
+/// If `PASSES`, on to the balance point and over it, to both sides of which the integrand is singular, so that
+/// its Legendre coefficients swing; and the table's push is watched.
 #[inline(always)]
-pub(super) fn from_lowest<T: Real>(
+pub(super) fn from_lowest<const PASSES: bool, T: Real>(
     motion: &impl Tilting<T>,
     low: &Extreme<T>,
     length: T,
@@ -136,7 +162,11 @@ pub(super) fn from_lowest<T: Real>(
         let both = length * T::from(2.0 * node.at) / (drive * rise);
         let (pace, split) = (point.inertia * rise * both, factor * drive * both);
         let integrands = [point.w * pace - split, point.sin * pace];
-        piece.add_node(integrands, node.weight, node.last, node.before);
+        piece.add_node(integrands, node);
+        if PASSES {
+            piece.look_beside(integrands, node.beside);
+            piece.watch(motion, &point);
+        }
     }
     piece.yaw = piece.yaw + factor * whole;
     piece
@@ -156,30 +186,33 @@ pub(super) fn to_highest<T: Real>(
         let y = y_high + y_high * below.exp_m1();
         let point = motion.at(y, eta_high + below);
         let measure = length * T::from(2.0 * node.at);
-        piece.add_node(paced(&point, measure), node.weight, node.last, node.before);
+        piece.add_node(paced(&point, measure), node);
     }
     piece
 }
 
-/// From η up by `length`, without a turning back at either end.
-pub(super) fn between<T: Real>(
+/// From one η to another without a turning back, over the balance point or to its side.
+#[inline(always)]
+pub(super) fn across<T: Real>(
     motion: &impl Tilting<T>,
-    eta: T,
-    length: T,
+    [from, to]: [T; 2],
+    ridge: &Ridge<T>,
     rule: &Rule,
 ) -> Piece<T> {
-    let half = length * T::from(0.5);
-    let middle = eta + half;
+    let (first, last) = (ridge.clock(from), ridge.clock(to));
+    let half = T::from(0.5) * (last - first);
+    let middle = first + half;
     let mut piece = Piece::nothing();
     for node in &rule.nodes {
-        let paced_at = |at: f64| {
-            let eta = middle + half * T::from(at);
-            paced(&motion.at(eta.exp(), eta), half)
+        let mut paced_at = |at: f64| {
+            let (y, eta, rate) = ridge.at(middle + half * T::from(at));
+            let point = motion.at(y, eta);
+            piece.watch(motion, &point);
+            paced(&point, half * rate)
         };
         let (up, down) = (paced_at(node.at), paced_at(-node.at));
-        // The rule's odd part tells as much as the even one about how well it resolves.
-        let both = [up[0] + down[0], up[1] + down[1]];
-        piece.add_node(both, node.weight, node.last, node.before);
+        piece.add_node([up[0] + down[0], up[1] + down[1]], node);
+        piece.look_beside([up[0] - down[0], up[1] - down[1]], node.odd);
     }
     piece
 }
@@ -214,12 +247,28 @@ fn paced<T: Real>(point: &Point<T>, measure: T) -> [T; 2] {
 
 impl<T: Real> Piece<T> {
     #[inline(always)]
-    fn add_node(&mut self, integrands: [T; 2], weight: f64, last: f64, before: f64) {
-        self.yaw = self.yaw + T::from(weight) * integrands[0];
-        self.time = self.time + T::from(weight) * integrands[1];
-        for (i, &integrand) in integrands.iter().enumerate() {
-            self.last[i] = self.last[i] + T::from(last) * integrand;
-            self.before[i] = self.before[i] + T::from(before) * integrand;
+    fn add_node(&mut self, integrands: [T; 2], node: &Node) {
+        self.yaw = self.yaw + T::from(node.weight) * integrands[0];
+        self.time = self.time + T::from(node.weight) * integrands[1];
+        self.look(0, integrands, [node.last, node.before]);
+    }
+
+    #[inline(always)]
+    fn look_beside(&mut self, integrands: [T; 2], weights: [f64; 2]) {
+        self.look(1, integrands, weights);
+    }
+
+    #[inline(always)]
+    fn look(&mut self, beside: usize, integrands: [T; 2], [last, before]: [f64; 2]) {
+        for (i, integrand) in integrands.into_iter().enumerate() {
+            self.last[beside][i] = self.last[beside][i] + T::from(last) * integrand;
+            self.before[beside][i] = self.before[beside][i] + T::from(before) * integrand;
         }
+    }
+
+    #[inline(always)]
+    fn watch(&mut self, motion: &impl Tilting<T>, point: &Point<T>) {
+        let least = T::from(LEAST_PUSH) * motion.resting(point);
+        self.pull = self.pull.max(least - motion.pressing(point));
     }
 }

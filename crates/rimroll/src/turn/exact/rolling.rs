@@ -122,6 +122,12 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
         T::from(2.0) * at.sin * (g * rim_inertia - z * at.drive) + rho * at.slope
     }
 
+    #[inline(always)]
+    fn resting(&self, at: &Point<T>) -> T {
+        let g: T = self.body.parameters.g.into();
+        T::from(2.0) * g * at.inertia * at.sin
+    }
+
     /// With f = K cos φ / sin φ + mHR and e = mHR cos φ / sin φ + C + mR², yaw and spin bring to J φ̈
     /// f w² − e s w ≥ −e² s² / 4f ≥ −s² ((mHR)² / (2K sin φ) + (C + mR²)² sin φ / (2K cos φ)).
     #[inline(always)]

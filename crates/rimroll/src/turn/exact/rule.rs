@@ -3,6 +3,7 @@
 //! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
 //! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
 
+use crate::real::{Real, acosh, asinh};
 use std::sync::OnceLock;
 
 /// How many nodes each rule of the ladder has.
@@ -37,19 +38,11 @@ impl Choice {
         }
     }
 
-    /// For a piece from the smallest tilt, `length` long in η: with each unit of η the time grows e-fold
-    /// over it.
-    pub(super) fn from_lowest(length: f64) -> Choice {
-        Choice::plain(9.0 + 0.8 * length)
-    }
-
-    /// For a piece to the largest tilt, `length` long in η, where the tilt's energy has its next root,
-    /// beyond the balance point, farther by `gap`: in the plane of τ at i √(gap/length).
-    pub(super) fn to_highest(length: f64, gap: f64) -> Choice {
-        let square = gap / length;
+    /// For a piece to the largest tilt, of so many nodes, where that of the square of [`singular`] is given.
+    pub(super) fn to_highest(nodes: f64, square: f64) -> Choice {
         let (mut stretch, mut epsilon) = (1, 1.0);
-        if square >= 2.0 {
-            return Choice::plain(6.0);
+        if square >= UNSTRETCHED {
+            return Choice::plain(nodes);
         }
         while epsilon * epsilon > square && stretch + 1 < STRETCHES {
             epsilon *= 0.5;
@@ -57,7 +50,7 @@ impl Choice {
         }
         Choice {
             stretch,
-            ..Choice::plain(NODES[stretch])
+            ..Choice::plain(nodes)
         }
     }
 
@@ -91,10 +84,61 @@ impl Choice {
     }
 }
 
-/// About how many nodes a stretched rule needs: the error falls off like exp(−4n asinh(π/(2A))).
-const NODES: [f64; STRETCHES] = [
-    0.0, 8.0, 10.0, 12.0, 14.0, 16.0, 20.0, 24.0, 28.0, 28.0, 34.0, 34.0, 42.0,
-];
+/// Where the integrand is singular at a greater distance, squared, nothing is stretched.
+const UNSTRETCHED: f64 = 2.0;
+
+/// Nodes that a piece needs, times the error's logarithmic decrement ln ρ: it falls off like ρ^−4n.
+const DIGITS: f64 = 9.4;
+
+/// The same where it takes more to be sure.
+const SURE_DIGITS: f64 = 11.0;
+
+/// Nodes for what else the integrand does in a passage.
+const ELSEWHERE: f64 = 2.0;
+
+/// About how many nodes a piece from the smallest tilt needs, `length` long in η, where beyond that the integrand
+/// is singular after another `rest`: in the plane of τ at √(1 + rest/length).
+#[inline(always)]
+pub(super) fn nodes_from_lowest<T: Real>(length: T, rest: T) -> T {
+    T::from(DIGITS) / asinh((rest / length).sqrt())
+}
+
+/// The same for a piece on to the balance point, that far, to whose sides the integrand is singular.
+#[inline(always)]
+pub(super) fn nodes_towards<T: Real>(length: T, rest: T, aside: T) -> T {
+    let distance = (rest * rest + aside * aside).sqrt();
+    let decrement = asinh(((distance + rest) / (length + length)).sqrt());
+    T::from(SURE_DIGITS) / decrement
+}
+
+/// For a passage over the balance point, `half` long to both sides by its clock, in whose plane the integrand is
+/// singular at ± i π/2.
+#[inline(always)]
+pub(super) fn nodes_across<T: Real>(half: T) -> T {
+    let decrement = asinh(T::from(core::f64::consts::FRAC_PI_2) / half);
+    T::from(ELSEWHERE) + T::from(SURE_DIGITS) / decrement
+}
+
+/// For a piece to the largest tilt, where beyond the balance point the integrand is singular at τ² = −`square`, and
+/// at the smallest tilt at τ² = `far`.
+#[inline(always)]
+pub(super) fn nodes_to_highest<T: Real>(square: T, far: T) -> T {
+    let one = T::from(1.0);
+    let (near, far) = (square.sqrt(), far.sqrt());
+    let plain = least(asinh(near), acosh(far));
+    // Of a stretch between the distance and half of it.
+    let epsilon = least(T::from(0.7) * near, one);
+    let length = asinh(one / epsilon);
+    let aside = asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
+    let stretched = least(aside, acosh(asinh(far / epsilon) / length));
+    let is_stretched = square - T::from(UNSTRETCHED);
+    T::from(DIGITS) / is_stretched.where_negative(stretched, plain)
+}
+
+#[inline(always)]
+fn least<T: Real>(a: T, b: T) -> T {
+    -(-a).max(-b)
+}
 
 /// Nodes and weights on (0, 1).
 pub(super) struct Rule {
@@ -112,6 +156,10 @@ pub(super) struct Node {
     pub(super) last: f64,
     /// The same of P_{2n−6}.
     pub(super) before: f64,
+    /// The same of P_{2n−4} and P_{2n−8}, to look beside the two.
+    pub(super) beside: [f64; 2],
+    /// The same of P_{2n−1} and P_{2n−5}, of functions that are odd.
+    pub(super) odd: [f64; 2],
 }
 
 impl Rule {
@@ -137,6 +185,8 @@ impl Node {
             weight: factor * self.weight,
             last: factor * self.last,
             before: factor * self.before,
+            beside: self.beside.map(|weight| factor * weight),
+            odd: self.odd.map(|weight| factor * weight),
         }
     }
 }
@@ -159,11 +209,16 @@ fn node(degree: usize, i: usize) -> Node {
         weight,
         last: of_degree(degree - 2),
         before: of_degree(degree - 6),
+        beside: [of_degree(degree - 4), of_degree(degree - 8)],
+        odd: [of_degree(degree - 1), of_degree(degree - 5)],
     }
 }
 
-/// P_n(x) and its slope, for n ≥ 1.
+/// P_n(x) and its slope.
 fn legendre(n: usize, x: f64) -> (f64, f64) {
+    if n == 0 {
+        return (1.0, 0.0);
+    }
     let (mut before, mut value) = (1.0, x);
     for k in 2..=n {
         let k = k as f64;
@@ -176,7 +231,7 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Choice, LADDER, RULES, STRETCHES};
+    use super::{Choice, LADDER, RULES, STRETCHES, nodes_to_highest};
 
     #[test]
     fn each_rule_integrates_even_polynomials() {
@@ -201,7 +256,8 @@ mod tests {
         // ∫₀¹ dτ/√(ε² + τ²) = asinh(1/ε), with ε not quite the rule's own.
         for k in 0..2 * STRETCHES as i32 - 4 {
             let epsilon = libm::exp2(-0.5 * f64::from(k));
-            let choice = Choice::to_highest(1.0, epsilon * epsilon);
+            let square = epsilon * epsilon;
+            let choice = Choice::to_highest(nodes_to_highest(square, 100.0), square);
             let one_over = |t: f64| 1.0 / libm::hypot(epsilon, t);
             let sum: f64 = choice
                 .rule()

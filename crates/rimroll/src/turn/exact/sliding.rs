@@ -95,6 +95,12 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
         falling + rho * at.w * (a * at.w * at.cos - c * at.sin * at.s)
     }
 
+    #[inline(always)]
+    fn resting(&self, at: &Point<T>) -> T {
+        let g: T = self.k.g.into();
+        g * at.inertia * at.sin
+    }
+
     /// The yaw's part of `pressing` is, whatever w, no less than −ρ (C s)² sin φ / (4 A cos φ).
     #[inline(always)]
     fn surely_pressing(&self, _: &Point<T>, high: &Point<T>) -> T {

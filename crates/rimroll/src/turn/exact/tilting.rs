@@ -43,6 +43,9 @@ pub(super) trait Tilting<T: Real> {
     /// Of the sign of the table's push N, and finite.
     fn pressing(&self, point: &Point<T>) -> T;
 
+    /// About what that is, at a tilt, where the body rests on the table.
+    fn resting(&self, point: &Point<T>) -> T;
+
     /// Positive where it is sure that the table pushes all the way between two tilts, the second below
     /// the balance point; it may not be sure.
     fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T;

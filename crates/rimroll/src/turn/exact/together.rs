@@ -4,17 +4,17 @@
 //! held for it: whether the iterations met, the rules resolved, the table pushed all the way. What comes
 //! out for a start depends on nothing but that start.
 
-use super::MOST_OUTER;
 use super::extremes::{Extreme, highest, lowest};
 use super::pieces::{Piece, from_lowest, short, to_highest};
-use super::rule::Rule;
+use super::rule::{Rule, nodes_from_lowest, nodes_to_highest};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::LONGEST;
+use super::{MOST_OUTER, SHORT};
 use crate::real::{Lanes, Mask, Real};
 
 /// Newton's iterations for the extremes.
-const ROUNDS: usize = 3;
+pub(super) const ROUNDS: usize = 3;
 
 /// What the change of the last of them may be: its square is below rounding.
 const MET: f64 = 1e-8;
@@ -24,6 +24,10 @@ const MET: f64 = 1e-8;
 pub(super) struct Extremes {
     pub(super) low: Extreme<Lanes>,
     pub(super) high: Extreme<Lanes>,
+    /// About how many nodes the foot, the head and the leg need.
+    pub(super) nodes: [Lanes; 3],
+    /// Of head and leg, minus the square of the τ where the integrand is singular.
+    pub(super) square: [Lanes; 2],
     /// The lanes for which these are what they are meant to be, and eight at a time can go on with.
     pub(super) sound: Mask,
 }
@@ -34,14 +38,11 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
     let guess = |y: Lanes| [y, y.ln()];
     let low = lowest(motion, guess(motion.lowest()), ROUNDS);
     let high = highest(motion, guess(motion.highest()), ROUNDS);
-    let (zero, met) = (Lanes::from(0.0), Lanes::from(MET));
+    let zero = Lanes::from(0.0);
     let span = high.eta - low.eta;
     let from_start = high.eta - start.eta;
-    let sound = low
-        .change
-        .at_most(met)
-        .and(high.change.at_most(met))
-        .and(zero.at_most(low.point.slope))
+    let sound = is_lowest(&low)
+        .and(high.change.at_most(Lanes::from(MET)))
         .and(high.point.slope.at_most(zero))
         .and(zero.at_most(motion.surely_pressing(&low.point, &high.point)))
         .and(Lanes::from(super::FLAT).at_most(low.point.sin))
@@ -50,7 +51,25 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
         // The start lies in the upper piece.
         .and(from_start.at_most(outer(span)))
         .and((-from_start).at_most(Lanes::from(1e-12)));
-    Extremes { low, high, sound }
+    let outer = outer(span);
+    let lengths = [outer, from_start.max(Lanes::from(SHORT))];
+    let gap = motion.gap_beyond(high.y);
+    let square = lengths.map(|length| gap / length);
+    let [head, leg] = [0, 1].map(|i| nodes_to_highest(square[i], span / lengths[i]));
+    Extremes {
+        low,
+        high,
+        nodes: [nodes_from_lowest(span - outer, outer), head, leg],
+        square,
+        sound,
+    }
+}
+
+/// The lanes in which the iteration has met a smallest tilt.
+#[inline(always)]
+pub(super) fn is_lowest(low: &Extreme<Lanes>) -> Mask {
+    let rises = Lanes::from(0.0).at_most(low.point.slope);
+    low.change.at_most(Lanes::from(MET)).and(rises)
 }
 
 /// How much of a way, in η, belongs to the largest tilt.
@@ -93,7 +112,7 @@ pub(super) fn part(
                 point: motion.at(y_low, eta_low),
                 change: Lanes::from(0.0),
             };
-            from_lowest(motion, &low, span - outer(span), rule)
+            from_lowest::<false, Lanes>(motion, &low, span - outer(span), rule)
         }
         Part::Head => to_highest(motion, high, outer(span), rule),
         Part::Leg => to_highest(motion, high, leg, rule),

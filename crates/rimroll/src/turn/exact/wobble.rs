@@ -95,6 +95,10 @@ impl<M: Tilting<T>, T: Real> Tilting<T> for Wobble<'_, M, T> {
         self.motion.pressing(point)
     }
 
+    fn resting(&self, point: &Point<T>) -> T {
+        self.motion.resting(point)
+    }
+
     fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T {
         self.motion.surely_pressing(low, high)
     }

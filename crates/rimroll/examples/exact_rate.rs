@@ -1,0 +1,97 @@
+//! What an exact turn costs: microseconds on one thread, of starts that rock, of a flick that topples and of
+//! throws of all kinds, with what becomes of them. The time of the thread is Linux's.
+
+use rimroll::turn::exact::{Ending, Exact, ExactTurn};
+use rimroll::{IdealLaw, State, presets};
+
+/// Numbers between 0 and 1 without a pattern.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1u64 << 53) as f64
+}
+
+fn starts(kind: &str, n: usize) -> Vec<State> {
+    let mut seed = 1;
+    let mut between = |low: f64, high: f64| low + (high - low) * random(&mut seed);
+    (0..n)
+        .map(|_| {
+            let [tilt, tilt_rate, yaw_rate, spin_rate] = match kind {
+                "rocking" => {
+                    let mut tiny = || libm::pow(10.0, between(-5.0, -1.0));
+                    let (yaw, spin) = (tiny(), tiny());
+                    [between(0.3, 0.6), -between(0.0, 1.0), yaw, spin]
+                }
+                "flick" => [0.318_26, -4.0, between(-1.0, 1.0), between(-1.0, 1.0)],
+                "thrown" => [
+                    between(0.1, 1.2),
+                    between(-5.0, 5.0),
+                    between(-1.0, 1.0),
+                    between(-1.0, 1.0),
+                ],
+                other => panic!("no kind {other}"),
+            };
+            State {
+                tilt,
+                tilt_rate,
+                yaw_rate,
+                spin_rate,
+                ..State::default()
+            }
+        })
+        .collect()
+}
+
+/// Of this thread on a processor, which on a busy machine is less than what passes.
+fn seconds() -> f64 {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
+    let first = told.split(' ').next().and_then(|ns| ns.parse::<f64>().ok());
+    first.expect("nanoseconds") * 1e-9
+}
+
+/// The least of some runs, which is the least disturbed, in microseconds a turn.
+fn measured(exact: &Exact, starts: &[State], runs: usize) -> (Vec<ExactTurn>, f64) {
+    let once = |_| {
+        let begin = seconds();
+        let turns = exact.turns(starts).expect("valid");
+        (turns, (seconds() - begin) / starts.len() as f64 * 1e6)
+    };
+    (0..runs)
+        .map(once)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .expect("a run")
+}
+
+fn main() {
+    let given: Vec<String> = std::env::args().skip(1).collect();
+    let number = |i: usize, default| {
+        given
+            .get(i)
+            .map_or(default, |s| s.parse().expect("a number"))
+    };
+    let (n, runs) = (number(0, 1 << 14), number(1, 20));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.expect("a thread");
+    let can = presets::can_2007().expect("a can");
+    for kind in ["rocking", "flick", "thrown"] {
+        if given.get(2).is_some_and(|only| only != kind) {
+            continue;
+        }
+        for law in [IdealLaw::NoSlip, IdealLaw::Frictionless] {
+            if given.get(3).is_some_and(|only| only != law.name()) {
+                continue;
+            }
+            let exact = Exact::new(&can, law, 9.8, None).expect("valid");
+            let (turns, cost) = pool.install(|| measured(&exact, &starts(kind, n), runs));
+            print!("{kind:8} {:13} {cost:7.3} us ", law.name());
+            for ending in Ending::ALL {
+                let count = turns.iter().filter(|turn| turn.ending == ending).count();
+                if count > 0 {
+                    print!(" {} {:.1}%", ending.name(), 100.0 * count as f64 / n as f64);
+                }
+            }
+            println!();
+        }
+    }
+}

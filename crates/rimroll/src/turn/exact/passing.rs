@@ -1,0 +1,159 @@
+//! Eight starts at a time that nothing turns back below the end: which come down and topple, and which fall over
+//! as they are.
+//!
+//! As [`together`](super::together): without a branch, and each lane says whether the formulas held for it. That
+//! the tilt does not turn back on the way, and that the table pushes, is seen at the nodes of the rules.
+
+use super::extremes::{Extreme, lowest};
+use super::pieces::{Piece, across, from_lowest};
+use super::ridge::{Balance, Ridge};
+use super::rule::{Rule, nodes_across, nodes_towards};
+use super::start::Start;
+use super::tilting::Tilting;
+use super::together::{ROUNDS, is_lowest};
+use super::{Ending, FLAT, LOOKS};
+use crate::real::{Lanes, Mask, Real};
+
+/// So much of the way up to the balance point, in η, belongs to its passage.
+const NEAR: f64 = 0.7;
+
+/// A piece from the smallest tilt that is shorter, in η, is left to [`alone`](super::alone).
+const LEAST: f64 = 1e-2;
+
+/// Below this width of the ridge, in η, G is rounding.
+const NARROWEST: f64 = 1e-2;
+
+/// Looks at G farther apart, in η, may miss something.
+const FARTHEST: f64 = 0.25;
+
+/// Where a motion may pass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Way {
+    pub(super) balance: Balance,
+    /// Where it ends: tan(φ/2) and its logarithm.
+    pub(super) end: [f64; 2],
+    pub(super) ending: Ending,
+}
+
+/// How eight motions pass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passing {
+    pub(super) low: Extreme<Lanes>,
+    /// Of the [`Ridge`].
+    pub(super) width: Lanes,
+    /// About how many nodes the stretches need.
+    pub(super) nodes: [Lanes; 3],
+    /// The lanes that come down, and eight at a time can go on with.
+    pub(super) sound: Mask,
+}
+
+/// What is on the way of starts that fall.
+#[inline(always)]
+pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &Way) -> Passing {
+    let guess = motion.lowest();
+    let low = lowest(motion, [guess, guess.ln()], ROUNDS);
+    let [balance, end] = [[way.balance.y, way.balance.eta], way.end]
+        .map(|place| place.map(Lanes::from))
+        .map(|[y, eta]| motion.at(y, eta));
+    let ridge = Ridge::new(way.balance, balance.drive);
+    let foot = split(start.eta, way) - low.eta;
+    let sound = is_lowest(&low)
+        .and(Lanes::from(FLAT).at_most(low.point.sin))
+        .and(Lanes::from(0.0).at_most(balance.drive))
+        .and(Lanes::from(NARROWEST).at_most(ridge.width()))
+        .and(Lanes::from(0.0).at_most(end.drive))
+        .and(Lanes::from(0.0).at_most(motion.pressing(&end)))
+        .and(Lanes::from(LEAST).at_most(foot));
+    let from_split = split(start.eta, way);
+    let half = |from: Lanes, to: Lanes| (ridge.clock(to) - ridge.clock(from)) * Lanes::from(0.5);
+    let rest = Lanes::from(way.balance.eta) - from_split;
+    Passing {
+        low,
+        width: ridge.width(),
+        nodes: [
+            nodes_towards(foot, rest, ridge.width()),
+            nodes_across(half(from_split, start.eta)),
+            nodes_across(half(start.eta, Lanes::from(way.end[1]))),
+        ],
+        sound,
+    }
+}
+
+/// Whether starts that rise fall over as they are: the tilt does not turn back, and the table pushes.
+#[inline(always)]
+pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &Way) -> Mask {
+    let zero = Lanes::from(0.0);
+    let step = (Lanes::from(way.end[1]) - start.eta) * Lanes::from(1.0 / LOOKS as f64);
+    // Between two looks G may be smaller by a quarter of this, but where it grows.
+    let margin = step * step * Lanes::from(way.balance.curvature);
+    let first = motion.at(start.y, start.eta);
+    let rising = zero.at_most(first.slope);
+    let mut sound = rising
+        .or(margin.at_most(first.drive))
+        .and(step.at_most(Lanes::from(FARTHEST)));
+    for look in 1..=LOOKS {
+        let away = step * Lanes::from(look as f64);
+        let y = start.y + start.y * away.exp_m1();
+        let point = motion.at(y, start.eta + away);
+        let stays = margin.at_most(point.drive).or(zero.at_most(point.slope));
+        sound = sound
+            .and(stays)
+            .and(zero.at_most(point.drive))
+            .and(zero.at_most(motion.pressing(&point)));
+    }
+    sound
+}
+
+/// Where the piece from the smallest tilt ends: at the start or, where that is nearer to the balance point or past
+/// it, short of that.
+#[inline(always)]
+fn split(start: Lanes, way: &Way) -> Lanes {
+    start.min(Lanes::from(way.balance.eta - NEAR))
+}
+
+impl Way {
+    /// Whether a start is so far up that it has a stretch of its own.
+    pub(super) fn has_approach(&self, eta: f64) -> bool {
+        eta > self.balance.eta - NEAR
+    }
+}
+
+/// The pieces of which such a turn is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stretch {
+    /// From the smallest tilt up to the start or short of the balance point.
+    Foot,
+    /// From there to the start.
+    Approach,
+    /// From the start to the end.
+    Rest,
+}
+
+/// Yaw and time of a stretch, the smallest tilt at y and η, over a ridge of some width.
+#[inline(always)]
+pub(super) fn stretch(
+    stretch: Stretch,
+    motion: &impl Tilting<Lanes>,
+    start: &Start<Lanes>,
+    [y_low, eta_low]: [Lanes; 2],
+    width: Lanes,
+    way: &Way,
+    rule: &Rule,
+) -> Piece<Lanes> {
+    let split = split(start.eta, way);
+    let end = Lanes::from(way.end[1]);
+    let ridge = Ridge::of_width(way.balance, width);
+    match stretch {
+        Stretch::Foot => {
+            let low = Extreme {
+                y: y_low,
+                eta: eta_low,
+                point: motion.at(y_low, eta_low),
+                change: Lanes::from(0.0),
+            };
+            from_lowest::<true, Lanes>(motion, &low, split - eta_low, rule)
+        }
+        Stretch::Approach => across(motion, [split, start.eta], &ridge, rule),
+        Stretch::Rest => across(motion, [start.eta, end], &ridge, rule),
+    }
+}
