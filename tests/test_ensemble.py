@@ -307,3 +307,8 @@ def test_another_error_of_the_progress_callback_arrives_as_it_was_raised():
 def test_no_starts_are_no_falls():
     falls = rr.ensemble(CAN, rr.State(tilt=np.array([])), rr.NoSlip())
     assert falls.sizes["trial"] == 0 and set(VARIABLES) <= set(falls)
+
+
+def test_bad_options_are_refused_even_where_nothing_starts():
+    with pytest.raises(rr.RimrollError, match="gravity must be > 0, got -1"):
+        rr.ensemble(CAN, rr.State(tilt=np.array([])), rr.NoSlip(), gravity=-1.0)

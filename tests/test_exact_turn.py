@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from dataclasses import fields
 from types import SimpleNamespace
 
@@ -360,6 +361,24 @@ def test_the_derivatives_are_those_of_finite_differences(rocking, law):
         assert scales[name] * found.jacobian[name] == pytest.approx(
             derivative, abs=1e-5 * (1 + size)
         )
+
+
+# Ctrl-C
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
+def test_ctrl_c_is_heard_while_starts_are_stepped():
+    """Steady precession, which is followed for very long, many times over."""
+    yaw = precessing(CAN, 0.3, rr.NoSlip())
+    start = rr.State(tilt=np.full(AT_A_TIME, 0.3), yaw_rate=yaw, spin_rate=-yaw * np.cos(0.3))
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        with pytest.raises(KeyboardInterrupt):
+            rr.exact_turn(CAN, start, rr.NoSlip(), threads=1)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
 
 
 # What is refused

@@ -137,3 +137,10 @@ def test_numbers_of_laws_carry_units(text, unit, value):
 def test_air_drag_in_another_exponents_unit_is_refused():
     with pytest.raises(rr.RimrollError, match="does not measure a coefficient of air drag"):
         units.quantity("1e-9 W s^4/rad^4", units.air_unit(2.5))
+
+
+def test_laws_are_values_that_are_found_by_name():
+    assert rr.NoSlip() == rr.NoSlip() != rr.Frictionless()
+    assert laws.by_name("no-slip") == rr.NoSlip()
+    with pytest.raises(rr.RimrollError, match="unknown law 'glue': choose from no-slip"):
+        laws.by_name("glue")

@@ -299,6 +299,21 @@ class Motion(Moments):
         return self._core.nodes()
 
     @cached_property
+    def _poses(self) -> Array:
+        return self._core.poses()
+
+    def __getitem__(self, column: str) -> Array:
+        """One column by its name in :data:`rimroll.motion.UNITS`."""
+        row = _ROW[column]
+        # Forces and energies are computed for those who ask for them.
+        table = self._poses if row < len(self._poses) else self._table
+        values: Array = table[row]
+        return values
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    @cached_property
     def message(self) -> str:
         """How it ended, in a sentence."""
         return self._core.message
@@ -450,13 +465,11 @@ class Motion(Moments):
 def _events(core: _core.CoreMotion) -> list[Event]:
     kinds, table = core.events()
     names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+    times = table[_ROW["t"]].tolist()
+    states = zip(*(table[_ROW[name]].tolist() for name in names), strict=True)
     return [
-        Event(
-            kind,
-            float(table[_ROW["t"], i]),
-            State(**{name: float(table[_ROW[name], i]) for name in names}),
-        )
-        for i, kind in enumerate(kinds)
+        Event(kind, t, State(**dict(zip(names, numbers, strict=True))))
+        for kind, t, numbers in zip(kinds, times, states, strict=True)
     ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -49,6 +50,8 @@ class State:
     spin_rate: Numbers = 0.0
 
     def __post_init__(self) -> None:
+        if self._is_plain():
+            return
         for field in fields(self):
             value = _finite(field.name, getattr(self, field.name))
             object.__setattr__(self, field.name, float(value) if value.ndim == 0 else value)
@@ -58,6 +61,12 @@ class State:
             raise RimrollError(f"the arrays of a State must agree in shape, got {arrays}")
         tilt = np.asarray(self.tilt)
         hold("tilt", tilt, (tilt > 0.0) & (tilt < np.pi), "inside (0, pi)", "rad")
+
+    def _is_plain(self) -> bool:
+        """Whether it is of valid floats, as most are, for which nothing more is to be done."""
+        values = vars(self).values()
+        plain = all(type(value) is float and math.isfinite(value) for value in values)
+        return plain and 0.0 < self.tilt < math.pi  # type: ignore[operator, return-value]
 
     @property
     def shape(self) -> tuple[int, ...]:

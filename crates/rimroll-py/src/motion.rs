@@ -3,7 +3,7 @@
 use crate::arguments::{BodyArgument, RimrollError, StateArgument, SurfaceArgument, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::motion::{COLUMNS, Instant, Moment, PARAMETERS, Sensitivity};
+use rimroll::motion::{Instant, PARAMETERS, Sensitivity, pose};
 use rimroll::{Options, simulate as simulate_in_core};
 use std::ops::ControlFlow;
 
@@ -19,20 +19,13 @@ pub struct CoreMotion {
 }
 
 impl CoreMotion {
+    /// All that is known at each moment.
     fn table<'py>(
         &self,
         py: Python<'py>,
         moments: impl Iterator<Item = Instant>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows: Vec<Moment> = moments.map(|at| self.motion.moment(&at)).collect();
-        let count = rows.len();
-        let mut flat = vec![0.0; COLUMNS.len() * count];
-        for (i, row) in rows.iter().enumerate() {
-            for (j, value) in row.iter().enumerate() {
-                flat[j * count + i] = *value;
-            }
-        }
-        flat.into_pyarray(py).reshape([COLUMNS.len(), count])
+        in_columns(py, moments.map(|at| self.motion.moment(&at)))
     }
 
     fn sensitivity(&self) -> PyResult<&Sensitivity> {
@@ -43,8 +36,29 @@ impl CoreMotion {
     }
 }
 
+/// One column for each of what comes.
+fn in_columns<const ROWS: usize>(
+    py: Python<'_>,
+    columns: impl Iterator<Item = [f64; ROWS]>,
+) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    let mut all = Vec::new();
+    // A chain of iterators is run through faster in one go than asked for one after another.
+    columns.for_each(|column| all.push(column));
+    let count = all.len();
+    let mut flat = Vec::with_capacity(ROWS * count);
+    for row in 0..ROWS {
+        flat.extend(all.iter().map(|column| column[row]));
+    }
+    flat.into_pyarray(py).reshape([ROWS, count])
+}
+
 #[pymethods]
 impl CoreMotion {
+    /// When, where and how fast the body is at the accepted steps: the first rows of `nodes`.
+    fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        in_columns(py, self.motion.track.nodes().map(|at| pose(&at)))
+    }
+
     /// The accepted steps.
     fn nodes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.table(py, self.motion.track.nodes())

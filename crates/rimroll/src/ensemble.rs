@@ -51,7 +51,12 @@ pub fn ensemble(
     options: &Options,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Vec<Fall>, InvalidInput> {
-    let mut checked = *options;
+    // Options are checked where nothing starts, too, by a start that no option refuses.
+    let any = State {
+        tilt: f64::MIN_POSITIVE,
+        ..State::default()
+    };
+    let mut checked = options.checked(body, &any)?;
     for (start, surface) in trials {
         surface.check()?;
         checked = options.checked(body, start)?;

@@ -23,7 +23,7 @@ pub(crate) use contacts::Next;
 pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
 pub use fall::{End, Fall, fall};
-pub use moment::{COLUMNS, Moment, moment};
+pub use moment::{COLUMNS, Moment, Pose, moment, pose};
 pub(crate) use run::{pass_near_collision, stopped};
 pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
 pub use track::{Instant, LookUp, Track};

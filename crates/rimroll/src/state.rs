@@ -70,8 +70,12 @@ pub const COORDINATES: usize = 17;
 /// How many of them, the first, say where the body is and how it turns.
 pub const MOVING: usize = 10;
 
+/// How many of them, the first, no rate depends on: yaw and spin. (Nor does one on the time, which makes
+/// up the eight that fill two registers.)
+pub(crate) const UNFELT: usize = 2;
+
 /// Index of the time among them.
-pub const TIME: usize = 2;
+pub const TIME: usize = 7;
 
 /// The coordinates that are integrated: regular through the near-collision.
 ///
@@ -126,11 +130,11 @@ impl<T: Copy> Coordinates<T> {
     #[inline(always)]
     pub fn from_array(array: &[T; COORDINATES]) -> Self {
         let [
-            yaw, spin, t, sin, cos, p, w, s, x1, y1, slip_x, slip_y, gap, gap_rate,
+            yaw, spin, sin, cos, p, w, s, t, x1, y1, slip_x, slip_y, gap, gap_rate,
             friction_loss, resistance_loss, impact_loss,
         ] = *array;
         Coordinates {
-            yaw, spin, t, sin, cos, p, w, s, x1, y1, slip_x, slip_y, gap, gap_rate,
+            yaw, spin, sin, cos, p, w, s, t, x1, y1, slip_x, slip_y, gap, gap_rate,
             friction_loss, resistance_loss, impact_loss,
         }
     }
@@ -140,7 +144,7 @@ impl<T: Copy> Coordinates<T> {
     #[inline(always)]
     pub fn into_array(self) -> [T; COORDINATES] {
         [
-            self.yaw, self.spin, self.t, self.sin, self.cos, self.p, self.w, self.s, self.x1, self.y1,
+            self.yaw, self.spin, self.sin, self.cos, self.p, self.w, self.s, self.t, self.x1, self.y1,
             self.slip_x, self.slip_y, self.gap, self.gap_rate,
             self.friction_loss, self.resistance_loss, self.impact_loss,
         ]

@@ -243,6 +243,28 @@ fn one_bad_start_is_refused_for_all() {
 }
 
 #[test]
+fn bad_options_are_refused_even_where_nothing_starts() {
+    let can = presets::can_2007().expect("the paper's can");
+    let watch = |_| ControlFlow::Continue(());
+    let falls = |gravity: f64| {
+        let options = Options {
+            gravity,
+            topple_tilt: Some(1e-3),
+            ..options()
+        };
+        ensemble(&can, &[], &options, watch)
+    };
+    assert_eq!(falls(9.8).expect("valid options"), []);
+    assert!(matches!(
+        falls(-9.8),
+        Err(InvalidInput::OutOfBounds {
+            field: "gravity",
+            ..
+        })
+    ));
+}
+
+#[test]
 fn grip_scales_every_coefficient_of_friction() {
     let dry = FrictionLaw::Coulomb {
         friction: 0.2,

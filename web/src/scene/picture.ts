@@ -76,6 +76,8 @@ export class Picture {
   private footing = UPRIGHT;
   private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
   private limits: readonly Limit[] = [];
+  /** The length (of the stage) of a pixel at distance 1. */
+  private pixel = 0;
   private width = 0;
   private height = 0;
   /** What was drawn last, to see what has changed. */
@@ -159,7 +161,7 @@ export class Picture {
     if (!hit) return undefined;
     // Its top follows the pointer, whichever part of it was grasped.
     const lever = Math.max(hit.point.length(), (0.8 * this.size.rim) / this.reach);
-    const pixel = (PIXEL.value * hit.distance) / lever;
+    const pixel = (this.pixel * hit.distance) / lever;
     return { lean: (dx, dy) => this.leanBy(dx * pixel, -dy * pixel) };
   };
 
@@ -179,7 +181,10 @@ export class Picture {
     this.follow(lab.motion.peek());
     this.layFlicks(setup);
     const { camera } = this.stage;
-    PIXEL.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
+    // On large screens lines are a little wider too.
+    const wider = Math.min(Math.max(Math.min(this.width, this.height) / 600, 1), 2);
+    this.pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
+    PIXEL.value = wider * this.pixel;
     const stood = this.stand(lab.held.peek(), setup);
     this.goAfter(stood.pose);
     const gliding = this.view.update(now);

@@ -188,16 +188,42 @@ impl<T: Real> Slipping<T> {
         Self::of(&rates)
     }
 
+    /// For a slip in a direction out of rest: negative where nothing presses the rim to the table, where
+    /// what does is not determined, or where friction would have to push by more than a rounding error.
+    #[inline(always)]
+    pub(super) fn can_begin(&self, u: &[T; 10], direction: [T; 2]) -> T {
+        // At loose tolerances sin² φ + cos² φ = 1, and with it the laws' agreement on when slip begins, is
+        // kept to some 1e-8.
+        const ROUNDING: f64 = 1e-6;
+        let u = Self::all(u);
+        let pull = self.law.friction().against(direction);
+        let (contact, rates) = self.law.under_but_place(&u, &pull);
+        let forward = rates.slip_x * direction[0] + rates.slip_y * direction[1];
+        let across = rates.slip_y * direction[0] - rates.slip_x * direction[1];
+        let friction = contact.along.abs() + contact.across.abs();
+        let size =
+            friction * self.law.parameters().sideways_mobility() + forward.abs() + across.abs();
+        let pushed = forward + T::from(ROUNDING) * size;
+        let least = |a: T, b: T| -(-a).max(-b);
+        least(pushed, least(contact.normal, self.law.inertia(&u, &pull)))
+    }
+
+    /// The solver's clock goes as fast as τ times the speed of the slip over this, m/s. How slow is slow
+    /// need be known but roughly, and without a root.
+    #[inline(always)]
+    fn slowed(&self, u: &Coordinates<T>) -> T {
+        // A slip this slow, beside the other velocities, is about to end.
+        const SLOW: f64 = 0.1;
+        let k = self.law.parameters();
+        let fall = u.sin * self.falling_rate;
+        let rates_squared = u.p * u.p + u.w * u.w + fall * fall;
+        speed(u) + T::from(SLOW) * k.r * self.per_falling_rate * rates_squared
+    }
+
     /// How fast the solver's clock goes, as a part of τ.
     #[inline(always)]
     pub(super) fn clock(&self, u: &Coordinates<T>) -> T {
-        // A slip this slow, beside the other velocities, is about to end.
-        const SLOW: f64 = 0.05;
-        let k = self.law.parameters();
-        let fall = u.sin * self.falling_rate;
-        let slow = T::from(SLOW) * k.r * (u.p * u.p + u.w * u.w + fall * fall).sqrt();
-        let speed = speed(u);
-        speed / (speed + slow)
+        speed(u) / self.slowed(u)
     }
 }
 
@@ -219,15 +245,24 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         }
     }
 
-    carries!(sin, cos, p, w, s, slip_x, slip_y, yaw, t, friction_loss; 10);
+    // The root of the slip's speed is what takes longest, and so it is begun first.
+    carries!(slip_x, slip_y, p, w, sin, cos, s, yaw, t, friction_loss; 10);
 
     #[inline(always)]
     fn rates(&self, u: &[T; 10]) -> [T; 10] {
         let u = Self::all(u);
-        let clock = self.clock(&u);
-        Self::of(&self.law.rates_but_place(&u)).map(|rate| clock * rate)
+        let pull = self.law.pull(&u);
+        // One division for the clock and for the law.
+        let (inertia, slowed) = (self.law.inertia(&u, &pull), self.slowed(&u));
+        let per_both = T::from(1.0) / (inertia * slowed);
+        let clock = speed(&u) * (inertia * per_both);
+        let (_, rates) = self.law.moving(&u, &pull, slowed * per_both);
+        Self::of(&rates).map(|rate| clock * rate)
     }
 
+    /// While the rim slips, friction across e_x1 turns what is lost in sideways slip into w and s, and
+    /// errors of the three count alike: a slip so slow that its direction follows the forces at once need
+    /// not be known as well as the forces are.
     #[inline(always)]
     fn sizes(&self, u: &[T; 10]) -> [T; 10] {
         // Well below what counts as stopped, a tenth of the tolerance.
@@ -236,24 +271,24 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         let u = Self::all(u);
         let sizes = sizes(&u, self.falling_rate, self.per_falling_rate);
         let tilting = sizes.p;
-        let fast = speed(&u) + T::from(SLOW) * k.r * tilting;
         let fallen = self.falling_rate * self.falling_rate;
         Self::of(&Coordinates {
-            slip_x: fast,
-            slip_y: u.slip_y.abs() + fast * sizes.w / tilting + T::from(NEVER_ZERO),
+            s: u.s.abs() + u.w.abs() + T::from(NEVER_ZERO),
+            slip_x: speed(&u) + T::from(SLOW) * k.r * tilting,
+            slip_y: u.slip_y.abs() + k.r * sizes.w,
             friction_loss: k.m * k.r * k.r * (tilting * tilting + u.s * u.s + u.sin * fallen),
             ..sizes
         })
     }
 
-    /// N sin φ, as long as it is determined.
+    /// As long as it is determined, N sin φ times what is then positive.
     #[inline(always)]
     fn holds(&self, u: &[T; 10]) -> T {
         // What counts as Painlevé's paradox is less.
         const CLEAR: f64 = 1e-3;
         let u = Self::all(u);
         let clear = self.law.clearance(&u, T::from(CLEAR));
-        clear.where_negative(clear, self.law.contact(&u).normal)
+        clear.where_negative(clear, self.law.pressing(&u))
     }
 
     /// As [`Stopping`](crate::motion) has it, without its divisions.

@@ -8,7 +8,7 @@ use super::pool::{Exit, Pool};
 use super::together::first_step;
 use super::trial::Trial;
 use crate::body::Body;
-use crate::law::Parameters;
+use crate::law::{Law, NoSlip, Parameters};
 use crate::motion::{Contacts, Fall, Next, Options, stopped};
 use crate::real::{LANES, Lanes};
 use crate::state::{Coordinates, State};
@@ -44,6 +44,7 @@ pub(super) struct Dry<'a> {
     options: &'a Options,
     limits: &'a Limits,
     parameters: Parameters<f64>,
+    rolling: NoSlip<f64>,
     /// The length of a slip's first step, in first steps.
     onset: f64,
     done: &'a mut [Option<Fall>],
@@ -57,12 +58,14 @@ impl<'a> Dry<'a> {
         limits: &'a Limits,
         done: &'a mut [Option<Fall>],
     ) -> Self {
+        let parameters = Parameters::new(body, options.gravity);
         Dry {
             body,
             trials,
             options,
             limits,
-            parameters: Parameters::new(body, options.gravity),
+            parameters,
+            rolling: NoSlip::new(parameters),
             onset: onset_length(limits.tolerance),
             done,
         }
@@ -189,6 +192,18 @@ impl<'a> Dry<'a> {
         }
     }
 
+    /// The direction (unit vector) against the friction that holds a rolling rim: that in which it begins
+    /// to slip, but for what it takes more to let go than to slip.
+    fn against_friction(&self, at: &Coordinates<f64>) -> [f64; 2] {
+        let needed = self.rolling.contact(at);
+        let size = (needed.along * needed.along + needed.across * needed.across).sqrt();
+        if size > 0.0 {
+            [-needed.along / size, -needed.across / size]
+        } else {
+            [1.0, 0.0]
+        }
+    }
+
     /// Makes a step in the slips of up to eight falls that begin.
     fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
         let first = to_slip.len().saturating_sub(LANES);
@@ -232,8 +247,8 @@ impl<'a> Dry<'a> {
                 None
             }
             Exit::GivesWay => {
-                let contacts = self.contacts(&trial);
-                self.going_on(trial, contacts.begin_to_slip(at), at)
+                let against = self.against_friction(at);
+                self.going_on(trial, Next::BeginToSlip(against), at)
             }
             Exit::Stops | Exit::Rare => None,
         }

@@ -6,6 +6,7 @@ use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::real::{LANES, Lanes, Mask, Real};
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
+use core::hint::black_box;
 
 /// Eight motions under way.
 pub(super) struct Lockstep<const N: usize> {
@@ -210,8 +211,8 @@ impl<const N: usize> Lockstep<N> {
     fn attempt<P: Carried<Lanes, N>>(&mut self, phase: &P) {
         self.stages[0] = self.rates;
         self.inside = Lanes::from(f64::INFINITY);
-        for (i, row) in STAGES.into_iter().enumerate() {
-            let at = combine(&self.u, self.h, row, &self.stages, P::FELT);
+        for i in 0..STAGES.len() {
+            let at = self.before_stage(i, P::FELT);
             self.stages[i + 1] = phase.rates(&at);
             // At 1/3, 3/5 and 6/7 of the step.
             if matches!(i, 4 | 8 | 9) {
@@ -223,17 +224,30 @@ impl<const N: usize> Lockstep<N> {
         self.end_rates = phase.rates(&self.end);
     }
 
+    /// Where the next stage after some is to be made.
+    #[inline(always)]
+    fn before_stage(&self, made: usize, count: usize) -> [Lanes; N] {
+        macro_rules! rows {
+            ($($row:literal)*) => {
+                match made {
+                    $($row => combine(&self.u, self.h, STAGES[$row], &self.stages, count),)*
+                    _ => unreachable!("a step has no more stages"),
+                }
+            };
+        }
+        rows!(0 1 2 3 4 5 6 7 8 9 10)
+    }
+
     /// The estimated error over what the tolerance allows.
     #[inline(always)]
     fn error(&self, tolerance: f64) -> Lanes {
-        let fifth = weigh(ERROR_5, &self.stages, N);
-        let third = weigh(ERROR_3, &self.stages, N);
         let zero = Lanes::from(0.0);
         let (mut sum5, mut sum3) = (zero, zero);
         for i in 0..N {
             let per_size =
                 Lanes::from(1.0) / (Lanes::from(tolerance) * self.sizes[i].max(self.end_sizes[i]));
-            let (e5, e3) = (fifth[i] * per_size, third[i] * per_size);
+            let e5 = weigh(ERROR_5, &self.stages, i) * per_size;
+            let e3 = weigh(ERROR_3, &self.stages, i) * per_size;
             sum5 = sum5 + e5 * e5;
             sum3 = sum3 + e3 * e3;
         }
@@ -285,16 +299,23 @@ impl<const N: usize> Lockstep<N> {
     }
 }
 
-/// Σ weight · stage of the first `count` coordinates, summed in the order of the row.
+/// Σ weight · stage of a coordinate, summed in the order of the row, which is to be known when this is
+/// compiled. The terms are written out, and compilers kept from taking several coordinates together: else
+/// they lose the order of the lanes.
 #[inline(always)]
-fn weigh<const N: usize>(row: Row, stages: &[[Lanes; N]; 16], count: usize) -> [Lanes; N] {
-    let mut sum = [Lanes::from(0.0); N];
-    for &(stage, weight) in row {
-        let (stage, weight) = (&stages[stage], Lanes::from(weight));
-        for i in 0..count {
-            sum[i] = sum[i] + weight * stage[i];
-        }
+fn weigh<const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> Lanes {
+    debug_assert!(row.len() <= 9, "a term for each that is written out");
+    let (i, mut sum) = (black_box(i), Lanes::from(0.0));
+    // Asked once rather than for every term.
+    assert!(i < N, "a coordinate");
+    macro_rules! add {
+        ($($term:literal)*) => {
+            $(if let Some(&(stage, weight)) = row.get($term) {
+                sum = sum + Lanes::from(weight) * stages[stage][i];
+            })*
+        };
     }
+    add!(0 1 2 3 4 5 6 7 8);
     sum
 }
 
@@ -308,9 +329,8 @@ fn combine<const N: usize>(
     count: usize,
 ) -> [Lanes; N] {
     let mut end = *u;
-    let sum = weigh(row, stages, count);
-    for i in 0..count {
-        end[i] = end[i] + h * sum[i];
+    for (i, end) in end.iter_mut().enumerate().take(count) {
+        *end = *end + h * weigh(row, stages, i);
     }
     end
 }

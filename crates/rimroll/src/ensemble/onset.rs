@@ -16,21 +16,31 @@ use super::carried::{Carried, Slipping};
 use crate::real::{LANES, Lanes, Real};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
+use core::hint::black_box;
 
 /// The coordinates that are carried; the slip's are σ and q here.
 const N: usize = 10;
 
-/// Where σ and q stand.
-const ALONG: usize = 5;
-const ACROSS: usize = 6;
+/// Those of them that the rates depend on.
+const FELT: usize = <Slipping<Lanes> as Carried<Lanes, N>>::FELT;
 
-const ROUNDS: usize = 10;
+const NEVER_ZERO: f64 = 1e-200;
+
+/// Where σ and q stand.
+const ALONG: usize = 0;
+const ACROSS: usize = 1;
+
+const ROUNDS: usize = 9;
 
 /// After so many rounds the slopes are as good as those of the solution.
 const FRESH_SLOPES: usize = 2;
 
+/// The same for the direction in which a slip begins.
+const TURNS: usize = 5;
+const FRESH_TURNS: usize = 3;
+
 /// Explicit steps take over where q relaxes no oftener than this in a step of collocation.
-const FOLLOWED: f64 = 10.0;
+const FOLLOWED: f64 = 20.0;
 
 /// So many steps are made at most, and tried in vain.
 const MOST_STEPS: usize = 12;
@@ -51,7 +61,7 @@ pub(super) struct Beginning {
 }
 
 impl Beginning {
-    /// Out of rest in a direction, a unit vector; `h` is a first guess for the length of a step.
+    /// Out of rest in about this direction, a unit vector; `h` is a first guess for the length of a step.
     pub(super) fn from_rest(
         at: &Coordinates<f64>,
         direction: [f64; 2],
@@ -109,8 +119,13 @@ pub(super) fn begin<F: Fn(Lanes) -> Slipping<Lanes>>(
 
 impl Found {
     fn begun(&self, lane: usize, beginning: &Beginning) -> Begun {
-        let [error, change, relaxation] =
-            [self.error, self.change, self.relaxation].map(|of_all| of_all.0[lane]);
+        let [error, change, relaxation, possible] =
+            [self.error, self.change, self.relaxation, self.possible].map(|of_all| of_all.0[lane]);
+        // Written so that a NaN is not possible.
+        let possible = possible >= 0.0;
+        if !possible {
+            return Begun::Lost;
+        }
         let h = beginning.h;
         let steps = beginning.steps + 1;
         let factor = 0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0);
@@ -169,6 +184,8 @@ struct Found {
     change: Lanes,
     /// How often q relaxes in the step.
     relaxation: Lanes,
+    /// Not negative where the slip can begin.
+    possible: Lanes,
 }
 
 /// Rates at the points: of σ in the place of `ALONG`; σ q′ in the place of `ACROSS`.
@@ -201,18 +218,16 @@ impl Together {
         self.step_anywhere()
     }
 
-    #[expect(
-        clippy::needless_range_loop,
-        reason = "the indices are those of the formulas"
-    )]
     #[inline(always)]
     fn step_anywhere(&mut self) -> Found {
         let method = Collocation::get();
         let zero = Lanes::from(0.0);
         let mut start = self.start;
         (start[ALONG], start[ACROSS]) = (self.speed, zero);
-        let first = self.rates(&start);
         let from_rest = self.speed.at_most(zero);
+        let settled = self.settle(&start);
+        let possible = settled.min(self.slipping.can_begin(&start, self.direction));
+        let first = self.rates(&start);
         self.push = from_rest.choose((-first[ALONG]).max(zero), zero);
         let mut points: Points = RADAU.map(|c| self.moved(&start, &first, c));
         let mut rates = points;
@@ -229,21 +244,79 @@ impl Together {
             for j in 0..POINTS {
                 rates[j][ACROSS] = turns[j];
             }
-            let sizes = self.sizes(&points[POINTS - 1]);
-            change = zero;
             let before = points;
-            for i in 0..POINTS {
-                for k in 0..N {
-                    let mut sum = zero;
-                    for j in 0..POINTS {
-                        sum = sum + Lanes::from(method.integral[i][j]) * rates[j][k];
-                    }
-                    points[i][k] = start[k] + self.h * sum;
-                    change = change.max((points[i][k] - before[i][k]).abs() / sizes[k]);
-                }
+            let last = round + 1 == ROUNDS;
+            let count = if last { N } else { FELT };
+            self.integrate(method, &start, &rates, &mut points, count);
+            if last {
+                change = self.change(&before, &points);
             }
         }
-        self.found(method, &points, &rates, &slopes, change)
+        let possible = from_rest.choose(possible, zero);
+        self.found(method, &points, &rates, &slopes, change, possible)
+    }
+
+    /// Turns the direction of a slip out of rest to the one that it keeps: any other is left at once.
+    /// Not negative where one is found close by. By Newton's method.
+    #[inline(always)]
+    fn settle(&mut self, start: &[Lanes; N]) -> Lanes {
+        let zero = Lanes::from(0.0);
+        let from_rest = self.speed.at_most(zero);
+        let (mut point, mut slope, mut turn) = (*start, zero, zero);
+        for round in 0..TURNS {
+            if round < FRESH_TURNS {
+                slope = self.slope(&point);
+            }
+            turn = from_rest.choose(self.rates(&point)[ACROSS] / slope, zero);
+            point[ACROSS] = point[ACROSS] - turn;
+        }
+        let q = point[ACROSS].abs();
+        self.direction = self.along(point[ACROSS]);
+        let size = q + self.direction[1].abs() + Lanes::from(NEVER_ZERO);
+        let close = Lanes::from(self.tolerance) * size - turn.abs();
+        // A direction attracts when the slip is turned toward it from both sides.
+        close.min(-slope).min(Lanes::from(1.0) - q)
+    }
+
+    /// The first `count` coordinates at the points, by the rates there.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "the indices are those of the formulas"
+    )]
+    #[inline(always)]
+    fn integrate(
+        &self,
+        method: &Collocation,
+        start: &[Lanes; N],
+        rates: &Points,
+        points: &mut Points,
+        count: usize,
+    ) {
+        // Compilers are kept from taking several at once: else they lose the order of the lanes.
+        for k in (0..count).map(black_box) {
+            for i in (0..POINTS).map(black_box) {
+                let mut sum = Lanes::from(0.0);
+                for j in 0..POINTS {
+                    sum = sum + Lanes::from(method.integral[i][j]) * rates[j][k];
+                }
+                points[i][k] = start[k] + self.h * sum;
+            }
+        }
+    }
+
+    /// The largest change of what the rates depend on.
+    #[inline(always)]
+    fn change(&self, before: &Points, after: &Points) -> Lanes {
+        let sizes = self.sizes(&after[POINTS - 1]);
+        let mut largest = Lanes::from(0.0);
+        for k in 0..FELT {
+            let mut change = Lanes::from(0.0);
+            for i in 0..POINTS {
+                change = change.max((after[i][k] - before[i][k]).abs());
+            }
+            largest = largest.max(change / sizes[k]);
+        }
+        largest
     }
 
     /// A first guess for a point.
@@ -352,9 +425,11 @@ impl Together {
     /// What errors are compared with.
     #[inline(always)]
     fn sizes(&self, end: &[Lanes; N]) -> [Lanes; N] {
-        const NEVER_ZERO: f64 = 1e-200;
         let mut sizes = self.slipping.sizes(&self.whole(end));
-        sizes[ACROSS] = end[ACROSS].abs() + self.direction[1].abs() + Lanes::from(NEVER_ZERO);
+        let [x, y] = self.direction;
+        // As good as the slip across.
+        let across = x.abs() * sizes[ACROSS] + y.abs() * sizes[ALONG];
+        sizes[ACROSS] = across / end[ALONG].max(Lanes::from(NEVER_ZERO));
         sizes
     }
 
@@ -370,6 +445,7 @@ impl Together {
         rates: &Points,
         slopes: &[Lanes; POINTS],
         change: Lanes,
+        possible: Lanes,
     ) -> Found {
         let end = points[POINTS - 1];
         let sizes = self.sizes(&end);
@@ -396,6 +472,7 @@ impl Together {
             error: error * Lanes::from(1.0 / self.tolerance),
             change: change * Lanes::from(50.0 / self.tolerance),
             relaxation: self.h * slopes[POINTS - 1].abs() / end[ALONG],
+            possible,
         }
     }
 }

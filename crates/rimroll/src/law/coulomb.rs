@@ -25,7 +25,7 @@ impl<T: Real> Coulomb<T> {
 impl<T: Real> Friction<T> for Coulomb<T> {
     #[inline(always)]
     fn pull(&self, slip: [T; 2]) -> Pull<T> {
-        let per_speed = T::from(1.0) / (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        self.against([per_speed * slip[0], per_speed * slip[1]])
+        let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
+        Pull::per_normals(slip, self.friction, speed)
     }
 }

@@ -27,8 +27,11 @@ use crate::state::Coordinates;
 /// The force T = N a + b of a table on a rim that slips.
 #[derive(Debug, Clone, Copy)]
 pub struct Pull<T> {
-    /// a: for each newton of normal force, along e_x1 and e_y1.
+    /// a times `of`: the friction along e_x1 and e_y1 that so many newtons of normal force bring. Dry
+    /// friction is −μu for each |u|, which takes no division.
     pub per_normal: [T; 2],
+    /// Positive.
+    pub of: T,
     /// b: whatever the normal force, N; `None` where there is no such part.
     pub own: Option<[T; 2]>,
 }
@@ -37,8 +40,15 @@ impl<T: Real> Pull<T> {
     /// Friction −factor · slip for each newton of normal force.
     #[inline(always)]
     pub fn per_normal(slip: [T; 2], factor: T) -> Self {
+        Pull::per_normals(slip, factor, T::from(1.0))
+    }
+
+    /// Friction −factor · slip for so many newtons of normal force.
+    #[inline(always)]
+    pub fn per_normals(slip: [T; 2], factor: T, of: T) -> Self {
         Pull {
             per_normal: [-(factor * slip[0]), -(factor * slip[1])],
+            of,
             own: None,
         }
     }
@@ -92,21 +102,36 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         &self.friction
     }
 
-    /// The table's force, and φ̈ times sin φ.
+    /// η times what the pull is of.
     #[inline(always)]
-    fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, T) {
+    fn eta(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
+        pull.of * self.k.rho(u) - pull.per_normal[0] * self.k.z(u)
+    }
+
+    /// What a push on the rim has to move, A + mρη, times what the pull is of.
+    #[inline(always)]
+    pub(crate) fn inertia(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
+        self.k.a * pull.of + self.k.m * self.k.rho(u) * self.eta(u, pull)
+    }
+
+    /// The table's force, and φ̈ times sin φ; `per_inertia` is 1 over the [inertia](Self::inertia).
+    #[inline(always)]
+    fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>, per_inertia: T) -> (Contact<T>, T) {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let Pull { per_normal, own } = *pull;
-        let eta = rho - per_normal[0] * z;
-        let per_inertia = T::from(1.0) / (k.a + k.m * rho * eta);
+        let Pull {
+            per_normal,
+            of,
+            own,
+        } = *pull;
         let mut turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
         let pressing = u.sin * (k.g - z * u.p * u.p);
+        // N, too, over what the pull is of.
         let unaided = k.m * (k.a * pressing + rho * turning) * per_inertia;
         let mut contact = Contact {
             along: unaided * per_normal[0],
             across: unaided * per_normal[1],
-            normal: unaided,
+            normal: unaided * of,
         };
         if let Some(own) = own {
             let lifting = -(k.m * rho * u.sin * own[0] * z) * per_inertia;
@@ -117,10 +142,21 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
             contact = Contact {
                 along: normal * per_normal[0] + own[0],
                 across: normal * per_normal[1] + own[1],
-                normal,
+                normal: normal * of,
             };
         }
-        (contact, (turning - k.m * pressing * eta) * per_inertia)
+        let falling = of * turning - k.m * pressing * self.eta(u, pull);
+        (contact, falling * per_inertia)
+    }
+
+    /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over what the pull is of, which
+    /// is no division.
+    #[inline(always)]
+    pub(crate) fn pressing(&self, u: &Coordinates<T>) -> T {
+        let k = &self.k;
+        let turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
+        let pressing = u.sin * (k.g - k.z(u) * u.p * u.p);
+        k.m * (k.a * pressing + k.rho(u) * turning)
     }
 
     #[inline(always)]
@@ -157,7 +193,18 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         u: &Coordinates<T>,
         pull: &Pull<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        let (contact, dp) = self.forces(u, pull);
+        self.moving(u, pull, T::from(1.0) / self.inertia(u, pull))
+    }
+
+    /// The same for whoever has 1 over the [inertia](Self::inertia).
+    #[inline(always)]
+    pub(crate) fn moving(
+        &self,
+        u: &Coordinates<T>,
+        pull: &Pull<T>,
+        per_inertia: T,
+    ) -> (Contact<T>, Coordinates<T>) {
+        let (contact, dp) = self.forces(u, pull, per_inertia);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
         let rates = Coordinates {
             p,
@@ -176,20 +223,23 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     pub(crate) fn consistency_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        T::from(1.0) - k.m * rho * z * pull.per_normal[0] / (k.a + k.m * rho * rho)
+        let along = pull.per_normal[0] / pull.of;
+        T::from(1.0) - k.m * rho * z * along / (k.a + k.m * rho * rho)
     }
 
-    /// [`Law::consistency`] less `margin`, times A + mρ², which is no division.
+    /// [`Law::consistency`] less `margin`, times A + mρ² and what the pull is of, which is no division.
     #[inline(always)]
     pub(crate) fn clearance(&self, u: &Coordinates<T>, margin: T) -> T {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let along = self.pull(u).per_normal[0];
-        (T::from(1.0) - margin) * (k.a + k.m * rho * rho) - k.m * rho * z * along
+        let pull = self.pull(u);
+        let kept = (T::from(1.0) - margin) * (k.a + k.m * rho * rho);
+        kept * pull.of - k.m * rho * z * pull.per_normal[0]
     }
 
+    /// The friction at the slip that there is.
     #[inline(always)]
-    fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
+    pub(crate) fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
         self.friction.pull([u.slip_x, u.slip_y])
     }
 }
@@ -206,7 +256,9 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
 
     #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
-        self.forces(u, &self.pull(u)).0
+        let pull = self.pull(u);
+        self.forces(u, &pull, T::from(1.0) / self.inertia(u, &pull))
+            .0
     }
 
     #[inline(always)]

@@ -18,6 +18,7 @@ impl<T: Real> Friction<T> for Viscous<T> {
         let zero = T::from(0.0);
         Pull {
             per_normal: [zero, zero],
+            of: T::from(1.0),
             own: Some([-self.coefficient * slip[0], -self.coefficient * slip[1]]),
         }
     }

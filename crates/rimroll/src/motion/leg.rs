@@ -76,8 +76,7 @@ impl Leg {
 
     /// The step made again with a length of h.
     fn again<S: System<f64, N>, const N: usize>(&self, system: &S, h: f64) -> Step<f64, N> {
-        let start = first(&self.start);
-        Step::take(system, &start, &system.rates(&start), h)
+        Step::again(system, &first(&self.start), h)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::law::Law;
 use crate::real::Real;
 use crate::solve::System;
-use crate::state::{COORDINATES, Coordinates, MOVING};
+use crate::state::{COORDINATES, Coordinates, MOVING, UNFELT};
 
 /// A law, and the sizes that errors are compared with.
 pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Law<T> + 'a> {
@@ -116,6 +116,8 @@ impl<T: Real, L: Law<T> + ?Sized> Mechanics<'_, T, L> {
 
 /// Every coordinate.
 impl<T: Real, L: Law<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
+    const UNFELT: usize = UNFELT;
+
     #[inline(always)]
     fn rates(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
         let u = Coordinates::from_array(u);
@@ -136,6 +138,8 @@ impl<T: Real, L: Law<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L>
 /// Those that say where the body is and how it turns, under a law by which
 /// [only they change](Law::only_moves).
 impl<T: Real, L: Law<T> + ?Sized> System<T, MOVING> for Mechanics<'_, T, L> {
+    const UNFELT: usize = UNFELT;
+
     #[inline(always)]
     fn rates(&self, u: &[T; MOVING]) -> [T; MOVING] {
         first(&self.law.rates(&Coordinates::from_first(u)).into_array())

@@ -36,10 +36,28 @@ pub const COLUMNS: [&str; 25] = [
 /// One moment: a number for each of [`COLUMNS`].
 pub type Moment = [f64; COLUMNS.len()];
 
+/// The first of a [`Moment`]: when, where the body is and how it moves, which no law is needed to tell.
+pub type Pose = [f64; 8];
+
+/// What can be read off the coordinates by themselves.
+pub fn pose(u: &Coordinates<f64>) -> Pose {
+    let state = u.state();
+    [
+        u.t,
+        state.tilt,
+        state.tilt_rate,
+        state.yaw,
+        state.yaw_rate,
+        state.spin,
+        state.spin_rate,
+        u.s,
+    ]
+}
+
 /// All that is known when a motion under `law` is at `u`.
 pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
     let k = law.parameters();
-    let state = u.state();
+    let [t, tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate, s] = pose(u);
     let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
     let [x, y] = u.center();
     let rho = k.rho(u);
@@ -57,14 +75,14 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
     let energy = law.energy(u);
     let [slip_along, slip_across] = law.slip(u);
     [
-        u.t,
-        state.tilt,
-        state.tilt_rate,
-        state.yaw,
-        state.yaw_rate,
-        state.spin,
-        state.spin_rate,
-        u.s,
+        t,
+        tilt,
+        tilt_rate,
+        yaw,
+        yaw_rate,
+        spin,
+        spin_rate,
+        s,
         x,
         y,
         k.z(u) + u.gap,

@@ -412,11 +412,11 @@ impl Task for Steps<'_, '_> {
                 return Over::For(Status::Failed);
             };
             let h = step.h;
-            let leg = Leg::explicit(phase, step, &start);
             let switch = if run.watch.is_uneventful(phase, step) {
-                run.track.push(leg);
+                run.track.push(Leg::explicit(phase, step, &start));
                 None
             } else {
+                let leg = Leg::explicit(phase, step, &start);
                 let dense = step.dense(system).widened(&start);
                 run.watch.pass(leg, &dense, &mut run.track)
             };

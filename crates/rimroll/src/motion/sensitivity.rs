@@ -17,7 +17,7 @@ use crate::error::InvalidInput;
 use crate::law::{Frictionless, Law, NoSlip, Parameters};
 use crate::motion::Phase;
 use crate::real::{Dual, Slopes};
-use crate::solve::{Step, System};
+use crate::solve::Step;
 use crate::state::{Coordinates, MOVING};
 
 /// What a motion is computed from, in the order of [`Slope`]; SI units and radians.
@@ -97,8 +97,7 @@ impl Sensitivity {
 
     fn step(&self, start: &[Number; MOVING], h: f64) -> [Number; MOVING] {
         let mechanics = Mechanics::new(&*self.law);
-        let rates = mechanics.rates(start);
-        Step::take(&mechanics, start, &rates, h.into()).end
+        Step::take(&mechanics, start, h.into()).end
     }
 
     fn moving(&self, track: &Track, t: f64) -> Moving {

@@ -118,14 +118,13 @@ impl Track {
 
     fn sampled(&self, per_step: usize) -> impl Iterator<Item = Instant> + '_ {
         let inside = move |leg: &Leg| {
+            let (phase, end) = (leg.phase, instant(leg.phase, &leg.end));
             let dense = (per_step > 1).then(|| leg.dense(&self.contacts));
-            let mut samples = Vec::with_capacity(per_step);
-            if let Some(dense) = dense {
-                let x = |i| i as f64 / per_step as f64;
-                samples.extend((1..per_step).map(|i| instant(leg.phase, &dense.at(x(i)))));
-            }
-            samples.push(instant(leg.phase, &leg.end));
-            samples
+            let at = move |i| {
+                let dense = dense.as_ref()?;
+                Some(instant(phase, &dense.at(i as f64 / per_step as f64)))
+            };
+            (1..per_step).filter_map(at).chain([end])
         };
         let mut before = (self.start.phase, self.start.u.into_array());
         let with_changes = move |leg: &Leg| {

@@ -4,6 +4,7 @@
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sections II.5,
 //! II.6 and II.10. Use it for smooth systems at tolerances from 1e-5 down to rounding.
 
+use super::registers::{OneByOne, Registers};
 use super::tableau::{DENSE, ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
 use super::{Dense, System};
 use crate::real::Real;
@@ -19,40 +20,66 @@ pub struct Step<T, const N: usize> {
     pub end: [T; N],
     /// The stages: 12 of the step, the slope at its end, 3 for the dense output.
     stages: [[T; N]; 16],
+    /// The point of the twelfth: the end, but of a lower order and known earlier.
+    before_end: [T; N],
+}
+
+/// The estimated error of a step: the step is good when `error_squared` ≤ `allowed`.
+#[derive(Debug, Clone, Copy)]
+pub struct Estimate<T> {
+    /// The square of the error over what the tolerance allows, times `allowed`.
+    pub error_squared: T,
+    /// What that is to be compared with.
+    pub allowed: T,
 }
 
 /// Σ weight · stage, summed in the order of the row.
 #[inline(always)]
-fn weigh<T: Real, const N: usize>(row: Row, stages: &[[T; N]; 16]) -> [T; N] {
+fn weigh<T: Real, const N: usize>(
+    with: impl Registers<T, N>,
+    row: Row,
+    stages: &[[T; N]; 16],
+) -> [T; N] {
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
-        let (stage, weight) = (&stages[stage], T::from(weight));
-        for i in 0..N {
-            sum[i] = sum[i] + weight * stage[i];
-        }
+        with.add(&mut sum, T::from(weight), &stages[stage]);
+        with.add_unfelt(&mut sum, T::from(weight), &stages[stage]);
     }
     sum
 }
 
-/// u + h Σ weight · stage.
+/// u + h Σ weight · stage where the rates are to be asked next, so without the components that they do
+/// not feel. The last of the stages has only just been computed: all else is done before it comes in.
 #[inline(always)]
-fn combine<T: Real, const N: usize>(u: &[T; N], h: T, row: Row, stages: &[[T; N]; 16]) -> [T; N] {
-    let mut end = *u;
-    let sum = weigh(row, stages);
-    for i in 0..N {
-        end[i] = end[i] + h * sum[i];
+fn ahead<T: Real, const N: usize>(
+    with: impl Registers<T, N>,
+    u: &[T; N],
+    h: T,
+    row: Row,
+    stages: &[[T; N]; 16],
+) -> [T; N] {
+    let mut at = *u;
+    if let [known @ .., (last, weight)] = row {
+        if !known.is_empty() {
+            let mut sum = [T::from(0.0); N];
+            for &(stage, weight) in known {
+                with.add(&mut sum, T::from(weight), &stages[stage]);
+            }
+            with.add(&mut at, h, &sum);
+        }
+        with.add(&mut at, h * T::from(*weight), &stages[*last]);
     }
-    end
+    at
 }
 
 impl<T: Real, const N: usize> Step<T, N> {
     /// Evaluations of the right-hand side that a step costs, given the rates at its start.
     pub const EVALUATIONS: usize = 12;
 
-    /// A step of length h from `start`, where the rates are `rates`.
-    pub fn take(system: &impl System<T, N>, start: &[T; N], rates: &[T; N], h: T) -> Self {
-        let mut step = Step::still(start, rates);
-        step.attempt(system, h, 1.0);
+    /// A step of length h from `start`.
+    pub fn take<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
+        let mut step = Step::still(start, &system.rates(start));
+        step.go(OneByOne { unfelt: S::UNFELT }, system, h);
         step
     }
 
@@ -66,6 +93,7 @@ impl<T: Real, const N: usize> Step<T, N> {
             start: *start,
             end: *start,
             stages,
+            before_end: *start,
         }
     }
 
@@ -78,39 +106,24 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     /// Goes from the start by the length h, whatever the step was before.
     #[inline(always)]
-    pub(super) fn go<S: System<T, N>>(&mut self, system: &S, h: T) {
+    fn go<S: System<T, N>>(&mut self, with: impl Registers<T, N>, system: &S, h: T) {
         let (start, stages) = (&self.start, &mut self.stages);
+        let mut at;
         // Written out, so that the weights are constants of the code.
         macro_rules! stages {
-            ($($i:literal)*) => {
-                $(stages[$i + 1] = system.rates(&combine(start, h, STAGES[$i], stages));)*
-            };
+            ($($i:literal)*) => {$(
+                at = ahead(with, start, h, STAGES[$i], stages);
+                with.keep(&mut stages[$i + 1], &system.rates(&at));
+            )*};
         }
         stages!(0 1 2 3 4 5 6 7 8 9 10);
+        self.before_end = at;
         self.h = h;
-        self.end = combine(start, h, SOLUTION, stages);
-        stages[12] = system.rates(&self.end);
-    }
-
-    /// Goes from the start by the length h, and gives the [`Self::error`].
-    ///
-    /// On processors that have wide registers they are used: the operations and their order stay the
-    /// same, and so do the results.
-    pub fn attempt<S: System<T, N>>(&mut self, system: &S, h: T, tolerance: f64) -> T {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has what is asked for.
-            return unsafe { self.attempt_wide(system, h, tolerance) };
-        }
-        self.go(system, h);
-        self.error(system, tolerance)
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    unsafe fn attempt_wide<S: System<T, N>>(&mut self, system: &S, h: T, tolerance: f64) -> T {
-        self.go(system, h);
-        self.error(system, tolerance)
+        let sum = weigh(with, SOLUTION, stages);
+        self.end = *start;
+        with.add(&mut self.end, h, &sum);
+        with.add_unfelt(&mut self.end, h, &sum);
+        with.keep(&mut stages[12], &system.rates(&self.end));
     }
 
     /// Rates at the start.
@@ -123,46 +136,45 @@ impl<T: Real, const N: usize> Step<T, N> {
         &self.stages[12]
     }
 
-    /// The estimated error over what the tolerance allows: the step is good when this is ≤ 1.
+    /// The error, by the sizes at both ends: at the end those of the twelfth stage, so that they are at
+    /// hand when the last rates come in.
     #[inline(always)]
-    pub fn error<S: System<T, N>>(&self, system: &S, tolerance: f64) -> T {
+    fn estimate<S: System<T, N>>(
+        &self,
+        with: impl Registers<T, N>,
+        system: &S,
+        tolerance: f64,
+    ) -> Estimate<T> {
         let at_start = system.scale(&self.start);
-        let at_end = system.scale(&self.end);
-        let fifth = weigh(ERROR_5, &self.stages);
-        let third = weigh(ERROR_3, &self.stages);
-        let (mut sum5, mut sum3) = (T::from(0.0), T::from(0.0));
+        let at_end = system.scale(&self.before_end);
+        let fifth = weigh(with, ERROR_5, &self.stages);
+        let third = weigh(with, ERROR_3, &self.stages);
+        let [mut fifths, mut thirds] = [[T::from(0.0); 4]; 2];
         for i in 0..N {
             let allowed = T::from(1.0) / (T::from(tolerance) * at_start[i].max(at_end[i]));
             let (fifth, third) = (fifth[i] * allowed, third[i] * allowed);
-            sum5 = sum5 + fifth * fifth;
-            sum3 = sum3 + third * third;
+            fifths[i % 4] = fifths[i % 4] + fifth * fifth;
+            thirds[i % 4] = thirds[i % 4] + third * third;
         }
+        let [fifth, third] = [fifths, thirds].map(|[a, b, c, d]| (a + b) + (c + d));
         // Where nothing is wrong, not 0/0.
         const NEVER_ZERO: f64 = 1e-300;
-        let both = (sum5 + T::from(0.01) * sum3) * T::from(N as f64);
-        self.h * sum5 / both.max(T::from(NEVER_ZERO)).sqrt()
-    }
-
-    /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
-    pub fn dense<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has what is asked for.
-            return unsafe { self.dense_wide(system) };
+        let both = (fifth + T::from(0.01) * third) * T::from(N as f64);
+        let error = self.h * fifth;
+        Estimate {
+            error_squared: error * error,
+            allowed: both.max(T::from(NEVER_ZERO)),
         }
-        self.polynomial(system)
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    unsafe fn dense_wide<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
-        self.polynomial(system)
     }
 
     #[inline(always)]
-    fn polynomial<S: System<T, N>>(&mut self, system: &S) -> Dense<T, N> {
+    fn polynomial<S: System<T, N>>(
+        &mut self,
+        with: impl Registers<T, N>,
+        system: &S,
+    ) -> Dense<T, N> {
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
-            let at = combine(&self.start, self.h, row, &self.stages);
+            let at = ahead(with, &self.start, self.h, row, &self.stages);
             self.stages[13 + i] = system.rates(&at);
         }
         let h = self.h;
@@ -173,13 +185,139 @@ impl<T: Real, const N: usize> Step<T, N> {
         coefficients[1] = core::array::from_fn(|i| first[i] - rise[i]);
         coefficients[2] = core::array::from_fn(|i| T::from(2.0) * rise[i] - (first[i] + last[i]));
         for (coefficient, row) in coefficients[3..].iter_mut().zip(&DENSE) {
-            *coefficient = weigh(row, &self.stages).map(|v| h * v);
+            *coefficient = weigh(with, row, &self.stages).map(|v| h * v);
         }
         Dense {
             h,
             start: self.start,
             end: self.end,
             coefficients,
+        }
+    }
+}
+
+/// Something to do in registers of either kind.
+trait Work<const N: usize> {
+    type Output;
+
+    fn with(self, registers: impl Registers<f64, N>) -> Self::Output;
+}
+
+/// Does it in wide registers, where the processor has them: the results are the same.
+#[inline(always)]
+fn in_registers<const N: usize, W: Work<N>>(unfelt: usize, work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        #[target_feature(enable = "avx2")]
+        unsafe fn wide<const N: usize, W: Work<N>>(unfelt: usize, work: W) -> W::Output {
+            // SAFETY: AVX2 comes with AVX.
+            work.with(unsafe { super::registers::Wide::new(unfelt) })
+        }
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what is asked for.
+            return unsafe { wide(unfelt, work) };
+        }
+    }
+    work.with(OneByOne { unfelt })
+}
+
+impl<const N: usize> Step<f64, N> {
+    /// A step of length h from `start`: as [`Step::take`], in the widest registers.
+    pub fn again<S: System<f64, N>>(system: &S, start: &[f64; N], h: f64) -> Self {
+        struct Go<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64);
+        impl<S: System<f64, N>, const N: usize> Work<N> for Go<'_, S, N> {
+            type Output = ();
+
+            #[inline(always)]
+            fn with(self, registers: impl Registers<f64, N>) {
+                self.0.go(registers, self.1, self.2);
+            }
+        }
+        let mut step = Step::still(start, &system.rates(start));
+        in_registers(S::UNFELT, Go(&mut step, system, h));
+        step
+    }
+
+    /// Goes from the start by the length h, whatever the step was before, and estimates the error.
+    pub fn attempt<S: System<f64, N>>(
+        &mut self,
+        system: &S,
+        h: f64,
+        tolerance: f64,
+    ) -> Estimate<f64> {
+        struct Attempt<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64, f64);
+        impl<S: System<f64, N>, const N: usize> Work<N> for Attempt<'_, S, N> {
+            type Output = Estimate<f64>;
+
+            #[inline(always)]
+            fn with(self, registers: impl Registers<f64, N>) -> Estimate<f64> {
+                let Attempt(step, system, h, tolerance) = self;
+                step.go(registers, system, h);
+                step.estimate(registers, system, tolerance)
+            }
+        }
+        in_registers(S::UNFELT, Attempt(self, system, h, tolerance))
+    }
+
+    /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
+    pub fn dense<S: System<f64, N>>(&mut self, system: &S) -> Dense<f64, N> {
+        struct Open<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S);
+        impl<S: System<f64, N>, const N: usize> Work<N> for Open<'_, S, N> {
+            type Output = Dense<f64, N>;
+
+            #[inline(always)]
+            fn with(self, registers: impl Registers<f64, N>) -> Dense<f64, N> {
+                self.0.polynomial(registers, self.1)
+            }
+        }
+        in_registers(S::UNFELT, Open(self, system))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{OneByOne, Step, System};
+
+    /// A chain of coupled oscillators, and two sums that none of them feels.
+    struct Chain;
+
+    impl System<f64, 13> for Chain {
+        const UNFELT: usize = 2;
+
+        fn rates(&self, u: &[f64; 13]) -> [f64; 13] {
+            let [_, _, felt @ ..] = u;
+            let coupled = |i: usize| felt[(i + 1) % 11] * felt[i] - 0.7 * felt[(i + 10) % 11];
+            core::array::from_fn(|i| match i {
+                0 => felt.iter().sum(),
+                1 => felt[0] * felt[10],
+                _ => coupled(i - 2),
+            })
+        }
+
+        fn scale(&self, u: &[f64; 13]) -> [f64; 13] {
+            u.map(|value| 1.0 + value.abs())
+        }
+    }
+
+    #[test]
+    fn the_width_of_the_registers_changes_no_bit() {
+        let start = core::array::from_fn(|i| 0.3 + 0.1 * i as f64 - 0.02 * (i * i) as f64);
+        let unfelt = OneByOne {
+            unfelt: Chain::UNFELT,
+        };
+        for h in [1e-3, 0.07, 0.3] {
+            let (mut wide, mut plain) = (
+                Step::again(&Chain, &start, h),
+                Step::take(&Chain, &start, h),
+            );
+            assert_eq!(wide.stages, plain.stages);
+            assert_eq!(wide.end, plain.end);
+            let wide_error = wide.attempt(&Chain, h, 1e-9);
+            let plain_error = plain.estimate(unfelt, &Chain, 1e-9);
+            assert_eq!(wide_error.allowed, plain_error.allowed);
+            assert_eq!(wide_error.error_squared, plain_error.error_squared);
+            let (wide, plain) = (wide.dense(&Chain), plain.polynomial(unfelt, &Chain));
+            assert_eq!(wide.at(0.3), plain.at(0.3));
         }
     }
 }

@@ -390,8 +390,8 @@ fn agreed<T: Scalar>(
 
 /// From the smallest tilt up by `length` in η.
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
-    // As for a rest that is a third of it.
-    let choice = Choice::plain(16.0);
+    // With each unit of η the time grows e-fold over it.
+    let choice = Choice::plain(9.0 + 0.8 * length.value());
     agreed(choice, 0.0, |rule| {
         from_lowest::<false, T>(motion, low, length, rule)
     })
@@ -404,8 +404,10 @@ fn head<T: Scalar>(
     length: T,
     whole: f64,
 ) -> Option<Piece<T>> {
+    // The smallest tilt, in the plane of τ².
+    const FAR: f64 = 100.0;
     let square = (motion.gap_beyond(high.y) / length).value();
-    let choice = Choice::to_highest(nodes_to_highest(square, 4.0), square);
+    let choice = Choice::to_highest(nodes_to_highest(square, FAR), square);
     agreed(choice, whole, |rule| {
         to_highest(motion, high.place(), length, rule)
     })

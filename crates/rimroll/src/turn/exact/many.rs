@@ -331,3 +331,76 @@ fn add(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Exact;
+    use crate::body::Body;
+    use crate::law::IdealLaw;
+    use crate::presets;
+    use crate::state::State;
+
+    /// Throws of all kinds, by Halton's points.
+    fn throws(body: &Body, count: usize) -> Vec<State> {
+        let natural = (9.8 / body.radius()).sqrt();
+        let digits_reversed = |mut i: usize, base: usize| {
+            let (mut sum, mut unit) = (0.0, 1.0);
+            while i > 0 {
+                unit /= base as f64;
+                sum += unit * (i % base) as f64;
+                i /= base;
+            }
+            sum
+        };
+        let thrown = |i: usize| State {
+            tilt: 0.05 + 1.35 * digits_reversed(i, 2),
+            tilt_rate: 0.4 * natural * (2.0 * digits_reversed(i, 3) - 1.0),
+            yaw_rate: 0.1 * natural * (2.0 * digits_reversed(i, 5) - 1.0),
+            spin_rate: 0.1 * natural * (2.0 * digits_reversed(i, 7) - 1.0),
+            ..State::default()
+        };
+        (1..=count).map(thrown).collect()
+    }
+
+    #[test]
+    fn many_end_and_turn_as_each_does_alone() {
+        let bodies = [
+            presets::can_2007().unwrap(),
+            Body::new(0.3, 0.1, 0.05, 0.003, 0.005).unwrap(),
+            Body::new(0.3, 0.02, 0.2, 0.016, 0.0001).unwrap(),
+            Body::new(0.1, 0.02, 0.0, 1e-5, 2e-5).unwrap(),
+        ];
+        for (body, law) in bodies
+            .iter()
+            .flat_map(|body| [(body, IdealLaw::NoSlip), (body, IdealLaw::Frictionless)])
+        {
+            let exact = Exact::new(body, law, 9.8, None).unwrap();
+            let starts = throws(body, 600);
+            let together = exact.turns(&starts).unwrap();
+            for (start, many) in starts.iter().zip(&together) {
+                let one = exact.turn(start).unwrap();
+                assert_eq!(one.ending, many.ending, "{start:?}");
+                assert_eq!(one.turn.is_nan(), many.turn.is_nan(), "{start:?}");
+                // Next to the balance point the last digits of a start decide more.
+                for (a, b) in [(one.turn, many.turn), (one.time, many.time)] {
+                    assert!(
+                        a.is_nan() || (a - b).abs() < 1e-11 * (1.0 + a.abs()),
+                        "{start:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn work_that_is_no_longer_wanted_ends_without_turns() {
+        let can = presets::can_2007().unwrap();
+        let exact = Exact::new(&can, IdealLaw::NoSlip, 9.8, None).unwrap();
+        let starts = throws(&can, 100);
+        assert!(exact.turns_while(&starts, || false).unwrap().is_none());
+        assert_eq!(
+            exact.turns_while(&starts, || true).unwrap().unwrap().len(),
+            100
+        );
+    }
+}
