@@ -143,10 +143,11 @@ def test_make_says_no_more_than_the_one_line_and_its_own(machine):
     shutil.copytree(ROOT / "tools", tree / "tools")
     for tool in "cat", "find", "sh":
         (machine.path / tool).symlink_to(shutil.which(tool))
-    for crate in "rimroll", "rimroll-py":
+    for crate in "rimroll", "rimroll-py", "rimroll-wasm":
         (tree / "crates" / crate / "src").mkdir(parents=True)
         (tree / "crates" / crate / "Cargo.toml").touch()
-    (tree / "python/rimroll").mkdir(parents=True)
+    for folder in "python/rimroll", "web/src":
+        (tree / folder).mkdir(parents=True)
     run = subprocess.run(
         [shutil.which("make"), "test"],
         cwd=tree,

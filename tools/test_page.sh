@@ -7,8 +7,9 @@ cd "$(dirname "$0")/.."
 chromium() {
     for name in "${RIMROLL_CHROMIUM:-}" chromium-headless-shell chromium chromium-browser google-chrome \
         "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"; do
-        command -v "$name" && return
+        path=$(command -v "$name") && [ -f "$path" ] && [ -x "$path" ] && echo "$path" && return
     done
+    return 1
 }
 
 if RIMROLL_CHROMIUM=$(chromium); then

@@ -10,6 +10,7 @@ import json
 import sys
 
 import numpy as np
+
 from rimroll.motion import UNITS
 
 for code in json.load(sys.stdin):
@@ -18,8 +19,7 @@ for code in json.load(sys.stdin):
         exec(code, names)
     motion = names["motion"]
     columns = {
-        name: base64.b64encode(np.asarray(motion[name], "<f8").tobytes()).decode()
-        for name in UNITS
+        name: base64.b64encode(np.asarray(motion[name], "<f8").tobytes()).decode() for name in UNITS
     }
     answer = {"status": motion.status, "columns": columns, "printed": printed.getvalue()}
     print(json.dumps(answer))
