@@ -35,6 +35,7 @@ export class Chart {
     private readonly large: number,
   ) {
     this.title.id = `plot-${figure.name}`;
+    this.picture.setAttribute("aria-label", `${figure.title}, not drawn yet`);
     const key = element("span", { class: "key" }, ...figure.lines.map((line) => this.entry(line)));
     this.root = element(
       "figure",
