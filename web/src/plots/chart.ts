@@ -35,7 +35,9 @@ export class Chart {
     private readonly large: number,
   ) {
     this.title.id = `plot-${figure.name}`;
-    this.picture.setAttribute("aria-label", `${figure.title}, not drawn yet`);
+    // Until it is drawn, as its place comes into view.
+    this.title.textContent = figure.title;
+    this.picture.setAttribute("aria-label", figure.title);
     const key = element("span", { class: "key" }, ...figure.lines.map((line) => this.entry(line)));
     this.root = element(
       "figure",
