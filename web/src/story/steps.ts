@@ -14,7 +14,7 @@ export interface Step {
   shows: "release" | "flicks";
 }
 
-const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0, duration: 2 };
+const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0.02, duration: 2 };
 
 export const STEPS: readonly Step[] = [
   {
