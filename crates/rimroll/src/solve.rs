@@ -23,7 +23,8 @@ use crate::real::Real;
 /// An autonomous system of N first-order equations, in numbers of the type T: each lane of lanes, and the
 /// slopes of dual numbers, go with the steps of their values.
 pub trait System<T: Real, const N: usize> {
-    /// How many components, the first, no rate depends on: they need not be known inside a step.
+    /// How many components, the first, no rate and no size depends on: inside a step they are as they
+    /// were at its start, in what is given to `rates` and to `scale`.
     const UNFELT: usize = 0;
 
     /// u′ = f(u).

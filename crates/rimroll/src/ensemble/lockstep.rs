@@ -299,12 +299,23 @@ impl<const N: usize> Lockstep<N> {
     }
 }
 
+/// How many terms of a row are written out.
+const TERMS: usize = 9;
+
+const _: () = {
+    let mut i = 0;
+    while i < STAGES.len() {
+        assert!(STAGES[i].len() <= TERMS);
+        i += 1;
+    }
+    assert!(SOLUTION.len() <= TERMS && ERROR_5.len() <= TERMS && ERROR_3.len() <= TERMS);
+};
+
 /// Σ weight · stage of a coordinate, summed in the order of the row, which is to be known when this is
 /// compiled. The terms are written out, and compilers kept from taking several coordinates together: else
 /// they lose the order of the lanes.
 #[inline(always)]
 fn weigh<const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> Lanes {
-    debug_assert!(row.len() <= 9, "a term for each that is written out");
     let (i, mut sum) = (black_box(i), Lanes::from(0.0));
     // Asked once rather than for every term.
     assert!(i < N, "a coordinate");

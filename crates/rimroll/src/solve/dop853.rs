@@ -20,7 +20,8 @@ pub struct Step<T, const N: usize> {
     pub end: [T; N],
     /// The stages: 12 of the step, the slope at its end, 3 for the dense output.
     stages: [[T; N]; 16],
-    /// The point of the twelfth: the end, but of a lower order and known earlier.
+    /// The point of the twelfth: the end, but of a lower order and known earlier; what is not felt is
+    /// as it was at the start.
     before_end: [T; N],
 }
 
@@ -278,45 +279,56 @@ impl<const N: usize> Step<f64, N> {
 mod tests {
     use super::{OneByOne, Step, System};
 
-    /// A chain of coupled oscillators, and two sums that none of them feels.
-    struct Chain;
+    /// A chain of `N` − 2 coupled oscillators, and two sums that none of them feels.
+    struct Chain<const N: usize>;
 
-    impl System<f64, 13> for Chain {
+    impl<const N: usize> System<f64, N> for Chain<N> {
         const UNFELT: usize = 2;
 
-        fn rates(&self, u: &[f64; 13]) -> [f64; 13] {
-            let [_, _, felt @ ..] = u;
-            let coupled = |i: usize| felt[(i + 1) % 11] * felt[i] - 0.7 * felt[(i + 10) % 11];
+        fn rates(&self, u: &[f64; N]) -> [f64; N] {
+            let (felt, m) = (&u[2..], N - 2);
+            let coupled = |i: usize| felt[(i + 1) % m] * felt[i] - 0.7 * felt[(i + m - 1) % m];
             core::array::from_fn(|i| match i {
                 0 => felt.iter().sum(),
-                1 => felt[0] * felt[10],
+                1 => felt[0] * felt[m - 1],
                 _ => coupled(i - 2),
             })
         }
 
-        fn scale(&self, u: &[f64; 13]) -> [f64; 13] {
+        fn scale(&self, u: &[f64; N]) -> [f64; N] {
             u.map(|value| 1.0 + value.abs())
         }
     }
 
+    /// With 1, 3, 8, 11 and 15 that are felt: none, one and more of each width, and odd ones.
     #[test]
     fn the_width_of_the_registers_changes_no_bit() {
-        let start = core::array::from_fn(|i| 0.3 + 0.1 * i as f64 - 0.02 * (i * i) as f64);
+        compare::<3>();
+        compare::<5>();
+        compare::<10>();
+        compare::<13>();
+        compare::<17>();
+    }
+
+    fn compare<const N: usize>() {
+        let chain = Chain::<N>;
+        let start: [f64; N] =
+            core::array::from_fn(|i| 0.3 + 0.1 * i as f64 - 0.02 * (i * i) as f64);
         let unfelt = OneByOne {
-            unfelt: Chain::UNFELT,
+            unfelt: Chain::<N>::UNFELT,
         };
         for h in [1e-3, 0.07, 0.3] {
             let (mut wide, mut plain) = (
-                Step::again(&Chain, &start, h),
-                Step::take(&Chain, &start, h),
+                Step::again(&chain, &start, h),
+                Step::take(&chain, &start, h),
             );
             assert_eq!(wide.stages, plain.stages);
             assert_eq!(wide.end, plain.end);
-            let wide_error = wide.attempt(&Chain, h, 1e-9);
-            let plain_error = plain.estimate(unfelt, &Chain, 1e-9);
+            let wide_error = wide.attempt(&chain, h, 1e-9);
+            let plain_error = plain.estimate(unfelt, &chain, 1e-9);
             assert_eq!(wide_error.allowed, plain_error.allowed);
             assert_eq!(wide_error.error_squared, plain_error.error_squared);
-            let (wide, plain) = (wide.dense(&Chain), plain.polynomial(unfelt, &Chain));
+            let (wide, plain) = (wide.dense(&chain), plain.polynomial(unfelt, &chain));
             assert_eq!(wide.at(0.3), plain.at(0.3));
         }
     }
