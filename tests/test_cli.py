@@ -421,7 +421,8 @@ def test_compare_in_json_is_the_api(said):
         assert one["turn_limit"] == rr.turn_limit(CAN_2007, law, arrival)
         assert one["arrival"]["slip"] == arrival.slip
         lost = motion.evaluate(motion.turns[0].end).friction_loss[0] / motion.energy[0]
-        assert one["energy_lost"] == pytest.approx(lost, abs=1e-12)
+        # What is told is the change of the energy, which keeps to the tolerance of 1e-10.
+        assert one["energy_lost"] == pytest.approx(lost, abs=1e-11)
     assert [one["slips_while_tipping"] for one in answer["outcomes"]] == [True, True, False, True]
     assert [one["slips"] for one in answer["outcomes"]] == [True, True, False, True]
 

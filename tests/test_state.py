@@ -21,9 +21,9 @@ def test_fields_of_a_state_may_be_arrays_of_one_shape():
     ("fields", "complaint"),
     [
         ({"tilt": 0.0}, "tilt must be inside (0, pi), got 0.0 rad"),
-        ({"tilt": [0.5, 3.2]}, "tilt must be inside (0, pi), got 3.2 rad"),
+        ({"tilt": [0.5, 3.2]}, "tilt[1] must be inside (0, pi), got 3.2 rad"),
         ({"tilt": 0.5, "yaw": np.nan}, "yaw must be finite, got nan"),
-        ({"tilt": 0.5, "spin_rate": [0.0, -np.inf]}, "spin_rate must be finite, got -inf"),
+        ({"tilt": 0.5, "spin_rate": [0.0, -np.inf]}, "spin_rate[1] must be finite, got -inf"),
         ({"tilt": "steep"}, "tilt must be a number or an array of numbers, got 'steep'"),
         ({"tilt": [0.1, 0.2], "yaw": [1, 2, 3]}, "must agree in shape, got tilt (2,), yaw (3,)"),
     ],

@@ -69,6 +69,7 @@ def _half_time(motion: Motion) -> float:
 
 def _numbers(law: Law, motion: Motion) -> dict[str, object]:
     turn = motion.turns[1]
+    samples = motion.samples(8)  # a peak lies between steps
     return {
         "turn": abs(turn.angle),
         "turn_limit": turn_limit(motion.body, law),
@@ -78,7 +79,7 @@ def _numbers(law: Law, motion: Motion) -> dict[str, object]:
         "peak_yaw_rate": abs(turn.yaw_rate),
         "rocking_period": turn.end - turn.start,
         "max_tilt": turn.max_tilt,
-        "peak_normal_force": float(motion.normal_force.max()),
-        "peak_friction_ratio": float(motion.friction_ratio.max()),
+        "peak_normal_force": float(samples.normal_force.max()),
+        "peak_friction_ratio": float(samples.friction_ratio.max()),
         "needed_friction": needed_friction(motion.body),
     }
