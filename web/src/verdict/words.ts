@@ -101,7 +101,7 @@ export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
 function faceDown(after: string, { sideways, twist, rolling }: Readonly<Setup>): string {
   const unknown = "the mechanics of rigid bodies does not say";
   if (sideways === 0 && twist === 0)
-    return `Face down after ${after}: without any sideways motion the whole rim meets the table at once, and what follows then ${unknown}. Any sideways error, however small, lets the contact point run round instead.`;
+    return `Face down after ${after}: without any sideways motion the whole rim meets the table at once, and what follows then ${unknown}. Any sideways error, however small, lets the contact point run round instead; from 10⁻¹² rad/s on that can be followed.`;
   if (rolling > 0)
     return `Face down after ${after}: rolling resistance stopped the contact point, and the base slaps the table flat. What follows when every point of the rim collides at once, ${unknown}; less resistance lets it run round.`;
   return `Face down after ${after}: it came down so flat that no clock could follow the contact point round the rim. A larger sideways error can be followed.`;

@@ -31,7 +31,7 @@ describe("what the rim did", () => {
   test.each([
     ["rolled", {}, "it rolled all the way"],
     ["slipped", { friction: 0.3 }, "slipped on the way"],
-    ["jumped", { tilt_rate: -6, sideways: 0.1, friction: 0.3 }, "jumped off the table"],
+    ["jumped", { tilt_rate: -14, sideways: 0.3, friction: 0.3 }, "jumped off the table"],
   ] as const)("%s", (rim, changed, words) => {
     const { passage, story } = saidOf(changed);
     expect(passage?.rim).toBe(rim);
@@ -81,7 +81,7 @@ describe("face down", () => {
       /without any sideways motion/,
     ],
     ["by resistance", { sideways: 1e-6, rolling: 0.01 }, /rolling resistance stopped/],
-    ["too flat to be followed", { sideways: 1e-14 }, /so flat.*larger sideways error/],
+    ["too flat to be followed", { sideways: 1e-15 }, /so flat.*larger sideways error/],
   ])("%s", (_how, changed, words) => {
     const { motion, ending } = saidOf(changed);
     expect(motion.status).toBe("face_down");
