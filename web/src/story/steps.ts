@@ -43,7 +43,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The angle is the same every time",
-    text: "Let it go again and again. To the left or to the right is chance, but how far round is not: close to 202° every time, and the closer the flatter it comes down. Only the shape of the can decides, by π √((A + mR² + mH²)/(A + mH²)): m is its mass, R the radius of its base, H the height of its middle of mass over it, and A how hard it is to tip about that middle.",
+    text: "Let it go again and again. To the left or to the right is chance, but how far round is not: close to 202° every time, and the flatter it comes down, the closer. Only the shape of the can decides, by π √((A + mR² + mH²)/(A + mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A how hard it is to tip about that centre.",
     setup: { law: "no_slip", unsteady: 10 },
     speed: 1,
     stretched: true,
