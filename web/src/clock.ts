@@ -8,7 +8,7 @@ import type { Motion } from "./core/motion";
 /** With the stretching on, the contact point runs no faster than this, rad per second of the visitor. */
 export const UNHURRIED = 2.5;
 
-export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.01, 0.001, 0.0001] as const;
+export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
 
 /** How the visitor's time goes through a motion's: both rise along the knots. */
 class Schedule {

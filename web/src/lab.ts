@@ -1,18 +1,25 @@
 // What the page is about: the set-up, the motion that follows from it, and the time at which it is
 // shown. Everything on the page reads these signals; whoever changes the set-up changes all of it.
 
-import { type ReadonlySignal, type Signal, computed, effect, signal } from "@preact/signals-core";
+import {
+  type ReadonlySignal,
+  type Signal,
+  batch,
+  computed,
+  effect,
+  signal,
+} from "@preact/signals-core";
 import { Clock } from "./clock";
-import { type Core, Refused, type Theory } from "./core/core";
+import type { Core, Theory } from "./core/core";
 import type { Moment, Motion, Turn } from "./core/motion";
-import { flicked } from "./flicks/flicked";
+import { reasonFrom } from "./core/reason";
+import { type Flicked, flicked } from "./falls/flicked";
 import { type Posed, posed } from "./setup/posed";
 import { FLICK_FIELDS } from "./setup/fields";
 import { INITIAL, type Refusal, type Setup } from "./setup/setup";
 
 /** What came of a set-up: a motion, or the reason why there is none. */
-export type Outcome =
-  { posed: Posed; motion: Motion; theory: Theory; milliseconds: number } | { refused: string };
+export type Outcome = { posed: Posed; motion: Motion; theory: Theory } | { refused: string };
 
 /** How a hand holds the body: its lean in rad. */
 export interface Held {
@@ -30,22 +37,16 @@ export interface Turning {
   whole: Turn | undefined;
 }
 
-/** What became of one flick of many. */
-export interface Flicked {
-  /** `toppled`, `rocked` (up again), or how else it ended. */
-  outcome: string;
-  /** Where it fell or leaned at last, rad, anticlockwise from where it leaned at first, 0 to 2π. */
-  direction: number;
-}
-
 export class Lab {
   readonly setup: Signal<Readonly<Setup>> = signal(INITIAL);
   /** What was refused last, field by field. */
   readonly refusals: Signal<readonly Refusal[]> = signal([]);
   /** The body in a visitor's hand; while it is held nothing moves. */
   readonly held: Signal<Held | undefined> = signal(undefined);
-  /** How many of the repeated flicks have been made; undefined while there are none. */
+  /** How many of the repeated flicks are shown; undefined while none were asked for. */
   readonly flicksMade: Signal<number | undefined> = signal(undefined);
+  /** Whether more of them are on their way. */
+  readonly making: Signal<boolean> = signal(false);
   /** What becomes of all of them, those not made yet included. */
   readonly flicks: ReadonlySignal<readonly Flicked[]>;
   readonly outcome: ReadonlySignal<Outcome>;
@@ -68,9 +69,9 @@ export class Lab {
     this.clock = new Clock(this.motion);
     this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
     this.turning = computed(() => this.turningAt(this.clock.time.value));
-    this.flicks = computed(() =>
-      this.flicksMade.value === undefined ? [] : flicked(core, this.setup.value),
-    );
+    // Computed once, not anew for each that is shown.
+    const asked = computed(() => this.flicksMade.value !== undefined);
+    this.flicks = computed(() => (asked.value ? flicked(core, this.setup.value) : []));
     let before: Motion | undefined;
     effect(() => {
       // Whoever still draws the motion before has done so by the next picture.
@@ -82,11 +83,16 @@ export class Lab {
 
   /** Changes some of the set-up and shows the motion that follows from the beginning. */
   change(part: Partial<Setup>): void {
-    if (withoutFlicks({ ...this.setup.value, ...part }) !== withoutFlicks(this.setup.value)) {
-      this.clock.pause();
-      this.clock.rewind();
-    }
-    this.setup.value = { ...this.setup.value, ...part };
+    const setup = { ...this.setup.value, ...part };
+    batch(() => {
+      if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
+        this.clock.pause();
+        this.clock.rewind();
+      }
+      // Of fewer flicks no more can have been made.
+      if ((this.flicksMade.value ?? 0) > setup.flicks) this.flicksMade.value = setup.flicks;
+      this.setup.value = setup;
+    });
   }
 
   private turningAt(time: number): Turning | undefined {
@@ -112,13 +118,15 @@ function withoutFlicks(setup: Readonly<Setup>): string {
 function outcomeOf(core: Core, setup: Readonly<Setup>): Outcome {
   try {
     const { body, start, surface, options } = posed(core, setup);
-    const begun = performance.now();
     const motion = core.simulate(body, start, surface, options);
-    const milliseconds = performance.now() - begun;
-    const theory = core.theory(body, start, surface, options.gravity);
-    return { posed: { body, start, surface, options }, motion, theory, milliseconds };
+    try {
+      const theory = core.theory(body, start, surface, options.gravity);
+      return { posed: { body, start, surface, options }, motion, theory };
+    } catch (error) {
+      motion.forget();
+      throw error;
+    }
   } catch (error) {
-    if (error instanceof Refused) return { refused: error.message };
-    throw error;
+    return { refused: reasonFrom(error) };
   }
 }

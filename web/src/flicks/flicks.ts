@@ -1,14 +1,15 @@
 // The panel of the flicks: one button repeats the release, falls appear one after the other.
 
 import { effect } from "@preact/signals-core";
+import { clearThem, makeThem } from "../falls/making";
 import { Hand } from "../inputs/hand";
 import { numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
 import { FLICK_FIELDS } from "../setup/fields";
 import "./flicks.css";
 import { histogram } from "./histogram";
-import { makeThem } from "./making";
-import { inWords, tallied } from "./tally";
+import { tallied } from "./tally";
+import { told } from "./words";
 
 export function mountFlicks(lab: Lab, place: HTMLElement): void {
   place.innerHTML = `
@@ -24,11 +25,14 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
       <figcaption>
         <p id="flicks-said" role="status"></p>
         <ul class="legend">
+          <li><i class="left"></i>to the left of the hand</li>
+          <li><i class="right"></i>to the right</li>
           <li><i class="no-slip"></i>limit without slip <b class="no-slip-limit"></b></li>
           <li><i class="frictionless"></i>limit without friction <b class="frictionless-limit"></b></li>
           <li class="for-here"><i class="here"></i>limit on this table <b class="here-limit"></b></li>
           <li class="for-measured"><i class="measured"></i>the paper: 213.0 ± 3.9° and 217.9 ± 4.5°</li>
         </ul>
+        <p class="hint for-twisted">The limits are for a body that is not twisted.</p>
       </figcaption>
     </figure>`;
   const part = <E extends Element>(selector: string) => place.querySelector(selector) as E;
@@ -39,10 +43,14 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
 
   make.addEventListener("click", () => {
     // Another evening, another hand: chance begins anew each time, from a seed that the link keeps.
-    if (lab.flicksMade.value !== undefined) lab.setup.value = withNextSeed(lab);
+    if (lab.flicksMade.value !== undefined) lab.change({ seed: nextSeed(lab) });
     makeThem(lab);
   });
-  clear.addEventListener("click", () => (lab.flicksMade.value = undefined));
+  clear.addEventListener("click", () => {
+    clearThem(lab);
+    // This button goes, and the focus would go with it.
+    make.focus();
+  });
   const hand = new Hand(lab);
   const details = part<HTMLDetailsElement>("details");
   details.append(...FLICK_FIELDS.map((name) => numberRow(hand, name).row));
@@ -61,17 +69,17 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
     clear.hidden = !again;
   });
   effect(() => {
-    const made = Math.min(lab.flicksMade.value ?? 0, lab.flicks.value.length);
-    const tally = tallied(lab.flicks.value.slice(0, made));
+    const text = told(lab);
+    // The same words again are not read out again.
+    if (said.textContent !== text) said.textContent = text;
+  });
+  effect(() => {
+    const { body, twist } = lab.setup.value;
+    const tally = tallied(lab.flicks.value.slice(0, lab.flicksMade.value ?? 0));
     const theory = lab.theory.value;
-    const measured = lab.setup.value.body === "can_2007";
+    const measured = body === "can_2007";
     picture.innerHTML = histogram({ tally, theory, measured });
-    const done = made === lab.flicks.value.length;
-    // Said once, not at every fall.
-    if (done)
-      said.textContent =
-        inWords(tally, made) ||
-        (lab.flicksMade.value === undefined ? "" : "This set-up cannot be flicked.");
+    part<HTMLElement>(".for-twisted").hidden = twist === 0;
     part<HTMLElement>(".for-measured").hidden = !measured;
     part<HTMLElement>(".for-here").hidden = !theory || Number.isNaN(theory.here);
     for (const [name, limit] of [
@@ -83,9 +91,6 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   });
 }
 
-const withNextSeed = (lab: Lab) => ({
-  ...lab.setup.value,
-  seed: (lab.setup.value.seed + 1) % 4294967296,
-});
+const nextSeed = (lab: Lab) => (lab.setup.value.seed + 1) % 4294967296;
 
 const degrees = (radians: number) => `${((radians * 180) / Math.PI).toFixed(1)}°`;

@@ -1,8 +1,8 @@
 // What many flicks came to: how many fell left and right, and how far round.
 
-import type { Flicked } from "../lab";
+import type { Flicked } from "../falls/flicked";
 
-/** The falls of one side, turns in degrees. */
+/** The falls of one side; how far round they came, in degrees, whichever way round. */
 export interface Side {
   count: number;
   mean: number;
@@ -12,7 +12,7 @@ export interface Side {
 export interface Tally {
   /** What the body did more often, and what is counted: `toppled`, or `rocked` up again. */
   word: "toppled" | "rocked";
-  /** Turns counted, degrees: from 180 on to the left, below it to the right. */
+  /** Where those that are counted lie, degrees: from 180 on to the left, below it to the right. */
   directions: number[];
   left: Side;
   right: Side;
@@ -26,13 +26,18 @@ const DEGREES = 180 / Math.PI;
 export function tallied(flicks: readonly Flicked[]): Tally {
   const of = (outcome: string) => flicks.filter((flick) => flick.outcome === outcome);
   const word = of("toppled").length >= of("rocked").length ? "toppled" : "rocked";
-  const directions = of(word).map((flick) => flick.direction * DEGREES);
+  const counted = of(word);
+  const directions = counted.map(({ direction }) => direction * DEGREES);
+  const turnsWhere = (here: (direction: number) => boolean) =>
+    counted
+      .filter(({ direction }) => here(direction * DEGREES))
+      .map(({ turn }) => Math.abs(turn) * DEGREES);
   return {
     word,
     directions,
-    left: side(directions.filter((d) => d >= 180)),
-    right: side(directions.filter((d) => d < 180).map((d) => 360 - d)),
-    others: flicks.length - directions.length,
+    left: side(turnsWhere((direction) => direction >= 180)),
+    right: side(turnsWhere((direction) => direction < 180)),
+    others: flicks.length - counted.length,
   };
 }
 
@@ -41,17 +46,4 @@ function side(turns: number[]): Side {
   const mean = turns.reduce((sum, turn) => sum + turn, 0) / count;
   const squares = turns.reduce((sum, turn) => sum + (turn - mean) ** 2, 0);
   return { count, mean, deviation: Math.sqrt(squares / (count - 1)) };
-}
-
-/** The tally in a sentence. */
-export function inWords({ word, left, right, others }: Tally, made: number): string {
-  if (made === 0) return "";
-  const did = word === "toppled" ? "fell" : "came up";
-  const told = (side: Side, name: string) => {
-    if (side.count === 0) return `none ${did} to the ${name}`;
-    const spread = side.count > 1 ? ` ± ${side.deviation.toFixed(1)}°` : "";
-    return `${side.count} ${did} to the ${name} after ${side.mean.toFixed(1)}°${spread}`;
-  };
-  const rest = others > 0 ? `; ${others} did something else` : "";
-  return `Of ${made} flicks ${told(left, "left")}, ${told(right, "right")}${rest}.`;
 }

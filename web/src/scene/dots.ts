@@ -1,7 +1,7 @@
 // Where each of many flicks fell: dots on a ring, stacked outward where they are many.
 
 import { CircleGeometry, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
-import type { Flicked } from "../lab";
+import type { Flicked } from "../falls/flicked";
 import type { Palette } from "./palette";
 import { Ribbon } from "./ribbon";
 import { type Limit, limitStrokes } from "./wedge";

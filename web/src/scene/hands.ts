@@ -72,6 +72,8 @@ export class Hands {
     const rate = moving ? this.rate() : { x: 0, y: 0 };
     this.lab.change(released(held, rate, this.lab.setup.peek()));
     this.lab.held.value = undefined;
+    // Also when it is let go just as it was before.
+    this.lab.clock.rewind();
     this.lab.clock.play();
   }
 

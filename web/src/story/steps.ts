@@ -35,7 +35,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "It is rolling",
-    text: "Now time stretches by itself while the contact point races round the rim. The can rolls along its rim, by more than half a turn, in a few thousandths of a second.",
+    text: "Now time stretches by itself while the contact point races round the rim. The can rolls along its rim, by more than half a turn, in less than a ten-thousandth of a second.",
     setup: {},
     speed: 1,
     stretched: true,
@@ -43,8 +43,8 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The angle is the same every time",
-    text: "Let it go again and again with an unsteady hand. To the left or to the right is chance, but how far round is not: 202°, whatever the hand did. Only the shape of the can decides, by π √((A + mR² + mH²)/(A + mH²)).",
-    setup: { law: "no_slip", unsteady: 100 },
+    text: "Let it go again and again. To the left or to the right is chance, but how far round is not: close to 202° every time, and the flatter it comes down, the closer. Only the shape of the can decides, by π √((A + mR² + mH²)/(A + mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A how hard it is to tip about that centre.",
+    setup: { law: "no_slip", unsteady: 10 },
     speed: 1,
     stretched: true,
     shows: "flicks",

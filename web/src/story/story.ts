@@ -1,9 +1,9 @@
 // The story: a card with one step of six, which sets the lab up and shows it.
 
 import { effect, signal } from "@preact/signals-core";
-import { makeThem } from "../flicks/making";
 import type { Lab } from "../lab";
-import { INITIAL } from "../setup/setup";
+import { wantsStillness } from "../stillness";
+import { show } from "./show";
 import { STEPS, type Step } from "./steps";
 import "./story.css";
 
@@ -18,29 +18,23 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     </div>`;
   const part = <E extends HTMLElement>(selector: string) => place.querySelector(selector) as E;
   const at = signal(0);
-  const go = (step: number) => {
-    at.value = step;
-    show(lab, STEPS[step] as Step);
+  const step = () => STEPS[at.value] as Step;
+  const go = (by: 1 | -1) => {
+    if (STEPS[at.value + by] === undefined) return;
+    at.value += by;
+    // Who wants no motion did not ask for any yet.
+    show(lab, step(), !wantsStillness());
   };
-  part(".back").addEventListener("click", () => go(at.value - 1));
-  part(".show").addEventListener("click", () => go(at.value));
-  part(".next").addEventListener("click", () => go(at.value + 1));
+  part(".back").addEventListener("click", () => go(-1));
+  part(".show").addEventListener("click", () => show(lab, step(), true));
+  part(".next").addEventListener("click", () => go(1));
   effect(() => {
-    const step = STEPS[at.value] as Step;
+    const { title, text } = step();
     part(".where").textContent = `The story, step ${at.value + 1} of ${STEPS.length}`;
-    part("h2").textContent = step.title;
-    part(".text").textContent = step.text;
-    part<HTMLButtonElement>(".back").disabled = at.value === 0;
-    part<HTMLButtonElement>(".next").disabled = at.value === STEPS.length - 1;
+    part("h2").textContent = title;
+    part(".text").textContent = text;
+    // Not disabled, or whoever has just pressed it would lose the focus.
+    part(".back").setAttribute("aria-disabled", String(at.value === 0));
+    part(".next").setAttribute("aria-disabled", String(at.value === STEPS.length - 1));
   });
-}
-
-/** Sets the lab up for a step and lets it happen. */
-function show(lab: Lab, step: Step): void {
-  lab.flicksMade.value = undefined;
-  lab.change({ ...INITIAL, ...step.setup });
-  lab.clock.speed.value = step.speed;
-  lab.clock.stretched.value = step.stretched;
-  if (step.shows === "flicks") makeThem(lab);
-  lab.clock.play();
 }

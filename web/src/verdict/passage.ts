@@ -12,8 +12,8 @@ export interface Passage {
   yawRate: number;
   /** From a tenth to nine tenths of the angle, s. */
   swiftness: number;
-  /** Whether the rim slipped on its way from the one to the other. */
-  slipped: boolean;
+  /** What the rim did on the way: it only rolled, or slipped at times, or even left the table. */
+  rim: "rolled" | "slipped" | "jumped";
 }
 
 /** The one that begins at a time; none if the body does not come down after it. */
@@ -32,15 +32,15 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
   const crosses = (part: number) => (time: number) => (yawAt(time) - from) / angle >= part;
   const begun = firstTime(crosses(0.1), start, lowest.t);
   const done = firstTime(crosses(0.9), lowest.t, end);
-  const slides = (p: { kind: string; start: number; end: number }) =>
-    p.kind === "sliding" && p.start < done && p.end > begun;
+  const met = (kind: string) =>
+    motion.phases.some((phase) => phase.kind === kind && phase.start < end && phase.end > start);
   return {
     angle,
     whole: turn !== undefined,
     minTilt: lowest.minTilt,
     yawRate: lowest.yawRate,
     swiftness: done - begun,
-    slipped: motion.phases.some(slides),
+    rim: met("flying") ? "jumped" : met("sliding") ? "slipped" : "rolled",
   };
 }
 

@@ -38,7 +38,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
     numbers.hidden = lab.motion.value === undefined;
     turned.note.textContent = inAll(now, lab.motion.value);
     theory.number.textContent = degrees(lab.theory.value?.here ?? NaN, 2);
-    theory.note.textContent = comparison(now, lab.theory.value);
+    theory.note.textContent = comparison(now, lab.theory.value, lab.setup.value);
     const tilt = now && (now.minTilt * 180) / Math.PI;
     lowest.number.textContent = tilt === undefined ? "–" : `${shownWide(tilt, 2)}°`;
     lowest.note.textContent = "smallest tilt";

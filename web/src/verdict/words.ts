@@ -7,20 +7,21 @@ import { degrees, shown, shownTime } from "../inputs/shown";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "./passage";
 
-/** What the contact point did. */
+/** What the body did on its way down and up. */
 export function story(passage: Passage | undefined, setup: Readonly<Setup>): string {
   if (!passage) return "";
-  const { angle, swiftness, slipped } = passage;
-  const round = `The contact point ran round the rim by ${degrees(Math.abs(angle), 1)}`;
+  const { angle, swiftness, rim } = passage;
+  const round = `The lean swung round by ${degrees(Math.abs(angle), 1)}`;
   const swift = `, most of that in ${shownTime(swiftness)}`;
-  const law =
-    setup.law !== "coulomb"
-      ? ""
-      : slipped
-        ? " The rim slipped on the way."
-        : " Friction held: it rolled, without slipping.";
+  const law = setup.law === "coulomb" ? ` ${RIM[rim]}` : "";
   return `${round}${swift}.${beside(angle)}${law}`;
 }
+
+const RIM: Record<Passage["rim"], string> = {
+  rolled: "Friction held: it rolled all the way, without slipping.",
+  slipped: "The rim slipped on the way.",
+  jumped: "The rim jumped off the table on the way.",
+};
 
 /** An angle of turn beside the half turn that a plain rocking would be. */
 function beside(angle: number): string {
@@ -44,15 +45,30 @@ export function inAll(passage: Passage | undefined, motion: Motion | undefined):
 const ended = (motion: Motion | undefined) =>
   motion?.status === "toppled" ? "where it fell" : "at the end";
 
-/** How what was computed compares with the theory; or why it does not. */
-export function comparison(passage: Passage | undefined, theory: Theory | undefined): string {
+/** How the theory compares with what was computed; or why it does not. */
+export function comparison(
+  passage: Passage | undefined,
+  theory: Theory | undefined,
+  setup: Readonly<Setup>,
+): string {
   if (!theory || Number.isNaN(theory.here)) return "it does not come down";
-  if (!passage) return "the limit on this table";
-  const off = Math.abs(passage.angle) - theory.here;
-  const difference = `${degrees(Math.abs(off), 2)} ${off >= 0 ? "less" : "more"}`;
-  // The theory is the limit of coming down flat.
-  const FLAT = Math.PI / 180;
-  return passage.minTilt > FLAT ? `${difference}; it is for coming down flat` : difference;
+  const limits = [
+    ...(passage && passage.minTilt > FLAT ? ["for coming down flat"] : []),
+    ...(setup.twist === 0 ? [] : ["for a body that is not twisted"]),
+  ];
+  const said = passage
+    ? difference(theory.here, Math.abs(passage.angle))
+    : "the limit on this table";
+  return limits.length === 0 ? said : `${said}; it is ${limits.join(" and ")}`;
+}
+
+/** The theory is the limit of coming down flat: flatter than this, rad, it is near. */
+const FLAT = Math.PI / 180;
+
+function difference(theory: number, happened: number): string {
+  const size = degrees(Math.abs(happened - theory), 2);
+  if (size === degrees(0, 2)) return "what happened here";
+  return `${size} ${happened > theory ? "below" : "above"} what happened here`;
 }
 
 /** How it ended, or why there is nothing. */
@@ -82,10 +98,13 @@ export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
   }
 }
 
-function faceDown(after: string, setup: Readonly<Setup>): string {
-  if (setup.rolling > 0)
-    return `Face down after ${after}: rolling resistance stopped the contact point, and the base slaps the table flat. What follows when every point of the rim collides at once, the mechanics of rigid bodies does not say; less resistance lets it run round.`;
-  return `Face down after ${after}: without any sideways motion the whole rim meets the table at once, and what follows then the mechanics of rigid bodies does not say. The least sideways error, 0.000001 rad/s, is enough for the contact point to run round instead.`;
+function faceDown(after: string, { sideways, twist, rolling }: Readonly<Setup>): string {
+  const unknown = "the mechanics of rigid bodies does not say";
+  if (sideways === 0 && twist === 0)
+    return `Face down after ${after}: without any sideways motion the whole rim meets the table at once, and what follows then ${unknown}. Any sideways error, however small, lets the contact point run round instead; from 10⁻¹² rad/s on that can be followed.`;
+  if (rolling > 0)
+    return `Face down after ${after}: rolling resistance stopped the contact point, and the base slaps the table flat. What follows when every point of the rim collides at once, ${unknown}; less resistance lets it run round.`;
+  return `Face down after ${after}: it came down so flat that no clock could follow the contact point round the rim. A larger sideways error can be followed.`;
 }
 
 const came = (motion: Motion) => motion.events.some(({ kind }) => kind === "tilt_min");

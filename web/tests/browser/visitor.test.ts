@@ -158,6 +158,8 @@ test("forty-two flicks are told in words and drawn as a histogram", async () => 
     expect(await page.locator("#flicks svg").getAttribute("aria-describedby")).toBe("flicks-said");
     await page.getByRole("button", { name: "Clear" }).click();
     expect(await page.locator("#flicks-said").innerText()).toBe("");
+    // The button has gone, the focus has not.
+    expect(await page.locator("#flicks .make:focus").count()).toBe(1);
   });
 });
 
@@ -172,5 +174,6 @@ test("the story goes through its six steps, each another set-up", { timeout: 60_
     }
     expect(titles.size).toBe(6);
     expect(await story.getByRole("button", { name: "Next step" }).isDisabled()).toBe(true);
+    expect(await story.locator(".next:focus").count()).toBe(1);
   });
 });

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core, State } from "../../src/core/core";
-import { flicked } from "../../src/flicks/flicked";
-import { scattered } from "../../src/flicks/scatter";
+import { flicked } from "../../src/falls/flicked";
+import { scattered } from "../../src/falls/scatter";
 import { bodyOf, startOf } from "../../src/setup/posed";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";

@@ -1,12 +1,23 @@
 // The same release again and again by a human hand, and where the body falls each time.
 
-import { type Core, type Fall, Refused } from "../core/core";
-import type { Flicked } from "../lab";
+import type { Core, Fall } from "../core/core";
+import { reasonFrom } from "../core/reason";
 import { posed } from "../setup/posed";
 import type { Setup } from "../setup/setup";
 import { scattered } from "./scatter";
 
-/** What becomes of each flick; nothing for a set-up that is refused. */
+/** What became of one flick of many. */
+export interface Flicked {
+  /** `toppled`, `rocked` (up again), or how else it ended. */
+  outcome: string;
+  /** How far round it came, rad, anticlockwise: flat bodies go round more than once. */
+  turn: number;
+  /** Where on the table it fell or leaned at last, rad, anticlockwise from where it leaned at first,
+   * 0 to 2π. */
+  direction: number;
+}
+
+/** What becomes of each flick; nothing for a set-up of which there is no motion. */
 export function flicked(core: Core, setup: Readonly<Setup>): Flicked[] {
   try {
     const { body, start, surface, options } = posed(core, setup);
@@ -14,13 +25,16 @@ export function flicked(core: Core, setup: Readonly<Setup>): Flicked[] {
     const trials = scattered(setup, body).map((start) => ({ start, grip: 1 }));
     // Right to 1e-4 degrees, as rimroll.topple.
     const coarse = { ...options, duration: 10, rtol: 1e-6 };
-    return core.falls(body, surface, coarse, trials).map((fall) => ({
-      outcome: outcomeOf(fall, balanceTilt),
-      direction: cycled(fall.endYaw - start.yaw),
-    }));
+    return core.falls(body, surface, coarse, trials).map((fall) => {
+      const outcome = outcomeOf(fall, balanceTilt);
+      const round = fall.endYaw - start.yaw;
+      // One that was let go rising turns from where it was highest.
+      const turn = outcome === "rocked" ? fall.turn : round;
+      return { outcome, turn, direction: cycled(round) };
+    });
   } catch (error) {
-    if (error instanceof Refused) return [];
-    throw error;
+    reasonFrom(error);
+    return [];
   }
 }
 

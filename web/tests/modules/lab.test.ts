@@ -1,0 +1,73 @@
+// What everything on the page reads.
+
+import { effect } from "@preact/signals-core";
+import { beforeAll, describe, expect, test, vi } from "vitest";
+import { type Core, Refused } from "../../src/core/core";
+import { Motion } from "../../src/core/motion";
+import { Hands } from "../../src/scene/hands";
+import { ending } from "../../src/verdict/words";
+import { loadCore } from "../given/core";
+import { labWith } from "../given/page";
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadCore();
+});
+
+test("whoever watches sees a change of the set-up in one piece", () => {
+  const lab = labWith(core);
+  lab.clock.time.value = 1;
+  lab.clock.playing.value = true;
+  const seen: unknown[] = [];
+  effect(() => {
+    seen.push([lab.setup.value.tilt, lab.clock.time.value, lab.clock.playing.value]);
+  });
+  lab.change({ tilt: 10 });
+  expect(seen).toEqual([
+    [20, 1, true],
+    [10, 0, false],
+  ]);
+});
+
+test("a body let go as before is shown from the release again", () => {
+  const lab = labWith(core, { sideways: 0.003 });
+  const hands = new Hands(lab);
+  lab.clock.time.value = 0;
+  hands.take();
+  lab.clock.time.value = 1;
+  hands.release(false);
+  expect([lab.clock.time.value, lab.clock.playing.value]).toEqual([0, true]);
+});
+
+describe("where the core gives no answer", () => {
+  test("a motion without a theory is forgotten", () => {
+    const forget = vi.spyOn(Motion.prototype, "forget");
+    const theory = vi.spyOn(core, "theory").mockImplementation(() => {
+      throw new Refused("there is no theory of it");
+    });
+    const lab = labWith(core, { tilt: 21 });
+    expect(lab.outcome.value).toEqual({ refused: "there is no theory of it" });
+    expect(forget).toHaveBeenCalled();
+    theory.mockRestore();
+    forget.mockRestore();
+  });
+
+  test("a computation that breaks off is an outcome in words, and the next one goes on", () => {
+    const simulate = vi.spyOn(core, "simulate").mockImplementation(() => {
+      throw new WebAssembly.RuntimeError("unreachable");
+    });
+    const lab = labWith(core, { tilt: 22 });
+    expect(ending(lab.outcome.value, lab.setup.value)).toMatch(/^There is no motion.*broke off/);
+    simulate.mockRestore();
+    lab.change({ tilt: 23 });
+    expect(lab.motion.value?.status).toBe("finished");
+  });
+
+  test("a fault of the page itself is not hidden", () => {
+    const simulate = vi.spyOn(core, "simulate").mockImplementation(() => {
+      throw new TypeError("no such thing");
+    });
+    expect(() => labWith(core, { tilt: 24 })).toThrow("no such thing");
+    simulate.mockRestore();
+  });
+});

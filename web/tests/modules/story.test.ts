@@ -1,0 +1,83 @@
+// The story: what its steps say, and that it shows what they say.
+
+import { beforeAll, describe, expect, test } from "vitest";
+import { SPEEDS } from "../../src/clock";
+import type { Core } from "../../src/core/core";
+import { flicked } from "../../src/falls/flicked";
+import { tallied } from "../../src/flicks/tally";
+import { FIELD_NAMES } from "../../src/setup/fields";
+import { INITIAL, read } from "../../src/setup/setup";
+import { show } from "../../src/story/show";
+import { STEPS, type Step } from "../../src/story/steps";
+import { passageFrom } from "../../src/verdict/passage";
+import { loadCore } from "../given/core";
+import { labWith } from "../given/page";
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadCore();
+});
+
+const step = (title: string) => STEPS.find((one) => one.title === title) as Step;
+
+describe.each(STEPS)("$title", ({ setup, speed, shows }) => {
+  test("is set up as a visitor could do it", () => {
+    const all = { ...INITIAL, ...setup };
+    for (const name of FIELD_NAMES)
+      expect(read(name, String(all[name]))).toEqual({ value: all[name] });
+    expect(SPEEDS).toContain(speed);
+  });
+
+  test("has something to show", () => {
+    const lab = labWith(core, setup);
+    expect(lab.motion.value?.status).toMatch(/^(finished|toppled)$/);
+    const falls = flicked(core, lab.setup.value);
+    if (shows === "flicks") expect(tallied(falls).others).toBeLessThan(5);
+  });
+});
+
+test("it rolls round in less than a ten-thousandth of a second", () => {
+  const lab = labWith(core, step("It is rolling").setup);
+  const passage = passageFrom(lab.motion.value!, 0)!;
+  expect(passage.swiftness).toBeLessThan(1e-4);
+  expect(passage.angle).toBeGreaterThan(Math.PI);
+});
+
+test("the angle is close to 202° every time", () => {
+  const { setup } = step("The angle is the same every time");
+  const falls = flicked(core, { ...INITIAL, ...setup });
+  const sizes = falls.map(({ turn }) => (Math.abs(turn) * 180) / Math.PI);
+  for (const size of sizes) expect(Math.abs(size - 202.3)).toBeLessThan(1);
+  const { left, right, others } = tallied(falls);
+  expect(others).toBe(0);
+  for (const side of [left, right]) {
+    expect(side.count).toBeGreaterThan(10);
+    expect(Math.abs(side.mean - 202.3)).toBeLessThan(0.4);
+  }
+});
+
+describe("a step that is shown", () => {
+  test("plays from the release, also when it is set up already", () => {
+    const lab = labWith(core);
+    show(lab, STEPS[0] as Step, true);
+    lab.clock.time.value = 1;
+    show(lab, STEPS[0] as Step, true);
+    expect([lab.clock.time.value, lab.clock.playing.value]).toEqual([0, true]);
+  });
+
+  test("rests at the end of its turn for who wants no motion", () => {
+    const lab = labWith(core, {}, true);
+    show(lab, STEPS[1] as Step, true);
+    show(lab, STEPS[0] as Step, false);
+    expect(lab.clock.playing.value).toBe(false);
+    expect(((lab.turning.value?.angle ?? 0) * 180) / Math.PI).toBeCloseTo(202.4, 1);
+  });
+
+  test("takes away the flicks of another", () => {
+    const lab = labWith(core, {}, true);
+    show(lab, STEPS[3] as Step, false);
+    expect(lab.flicksMade.value).toBe(42);
+    show(lab, STEPS[2] as Step, false);
+    expect(lab.flicksMade.value).toBe(undefined);
+  });
+});
