@@ -61,7 +61,7 @@ export interface Event {
   moment: Moment;
 }
 
-/** A stretch of a motion: `rolling`, `sliding` or `flying`, from a time (s) on. */
+/** A stretch of a motion: `rolling`, `sliding`, `flying` or `lying`, from a time (s) on. */
 export interface Phase {
   kind: string;
   start: number;
