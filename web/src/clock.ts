@@ -4,11 +4,10 @@
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
 import type { Motion } from "./core/motion";
+import { INITIAL_PACE, type Pace } from "./setup/pace";
 
 /** With the stretching on, the contact point runs no faster than this, rad per second of the visitor. */
 export const UNHURRIED = 2.5;
-
-export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.01, 0.001, 0.0001] as const;
 
 /** How the visitor's time goes through a motion's: both rise along the knots. */
 class Schedule {
@@ -57,15 +56,24 @@ class Schedule {
 export class Clock {
   readonly playing: Signal<boolean> = signal(false);
   /** Seconds of the motion in a second of the visitor's, but for the stretching. */
-  readonly speed: Signal<number> = signal(1);
+  readonly speed: Signal<number> = signal(INITIAL_PACE.speed);
   /** Whether time stretches by itself while the contact point races. */
-  readonly stretched: Signal<boolean> = signal(true);
+  readonly stretched: Signal<boolean> = signal(INITIAL_PACE.stretched);
   /** s of the motion */
   readonly time: Signal<number> = signal(0);
   private readonly schedule: ReadonlySignal<Schedule | undefined>;
 
   constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
     this.schedule = computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
+  }
+
+  get pace(): Pace {
+    return { speed: this.speed.value, stretched: this.stretched.value };
+  }
+
+  setPace({ speed, stretched }: Readonly<Pace>): void {
+    this.speed.value = speed;
+    this.stretched.value = stretched;
   }
 
   /** When the motion ends, s. */
