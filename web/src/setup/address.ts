@@ -6,17 +6,18 @@ import { fromHash, holdsSetup, toHash } from "./url";
 
 /** Takes the set-up from the address, now and whenever the visitor changes it, and writes it there. */
 export function keepInAddress(lab: Lab): void {
-  const take = () => {
-    if (!holdsSetup(location.hash)) return;
-    const { setup, pace, refusals } = fromHash(location.hash);
+  const take = (link: string) => {
+    if (!holdsSetup(link)) return;
+    const { setup, pace, refusals } = fromHash(link);
     batch(() => {
       lab.refusals.value = refusals;
       lab.change(setup);
       lab.clock.setPace(pace);
     });
   };
-  take();
-  addEventListener("hashchange", take);
+  take(location.hash);
+  // The address that the visitor gave, though another may have been written since.
+  addEventListener("hashchange", ({ newURL }) => take(new URL(newURL).hash));
   let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     const hash = toHash(lab.setup.value, lab.clock.pace);

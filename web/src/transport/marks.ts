@@ -1,7 +1,7 @@
 // Marks under the scrubber where something happens.
 
 import { effect } from "@preact/signals-core";
-import { drawn } from "../elements";
+import { element } from "../elements";
 import type { Lab } from "../lab";
 
 /** Kinds of marks, each with the events that it stands for; the first are the more important. */
@@ -12,16 +12,10 @@ const KINDS: Record<string, readonly string[]> = {
 };
 
 /** Closer together than this, in parts of the whole, two marks would be a smudge. */
-const APART = 0.006;
+const APART = 0.012;
 
-export function marks(lab: Lab): SVGElement {
-  const paths = Object.keys(KINDS).map((kind) =>
-    drawn("path", {
-      class: kind,
-      "vector-effect": "non-scaling-stroke",
-      "shape-rendering": "crispEdges",
-    }),
-  );
+export function marks(lab: Lab): HTMLElement {
+  const all = element("div", { class: "marks", "aria-hidden": "true" });
   effect(() => {
     const events = lab.motion.value?.events ?? [];
     const placed = Object.values(KINDS).map((kinds) =>
@@ -29,15 +23,16 @@ export function marks(lab: Lab): SVGElement {
         .filter((event) => kinds.includes(event.kind))
         .map((event) => lab.clock.progressAt(event.moment.t)),
     );
-    apart(placed).forEach((places, k) =>
-      paths[k]?.setAttribute("d", places.map((place) => `M${place.toFixed(5)} 0V1`).join("")),
+    const names = Object.keys(KINDS);
+    all.replaceChildren(
+      ...apart(placed).flatMap((places, k) =>
+        places.map((place) =>
+          element("i", { class: names[k] as string, style: `--place: ${place.toFixed(5)}` }),
+        ),
+      ),
     );
   });
-  return drawn(
-    "svg",
-    { class: "marks", viewBox: "0 0 1 1", preserveAspectRatio: "none", "aria-hidden": "true" },
-    ...paths,
-  );
+  return all;
 }
 
 /** Without those that are too close to one before them, or to one of a kind before theirs. */

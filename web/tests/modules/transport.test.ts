@@ -6,7 +6,7 @@ import { unlessHeld } from "../../src/transport/transport";
 
 test("marks that would run into each other are one, of the more important kind", () => {
   const collisions = [0.05, 0.0501, 0.5];
-  const landings = [0.0502, 0.2, 0.201, 0.499, 0.9];
+  const landings = [0.0502, 0.2, 0.201, 0.495, 0.9];
   expect(apart([collisions, landings])).toEqual([
     [0.05, 0.5],
     [0.2, 0.9],
