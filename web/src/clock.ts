@@ -3,12 +3,11 @@
 // turns by more than so much in a second.
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
-import type { Motion } from "./core/motion";
+import type { Moments, Motion } from "./core/motion";
+import { INITIAL_PACE, type Pace } from "./setup/pace";
 
 /** With the stretching on, the contact point runs no faster than this, rad per second of the visitor. */
 export const UNHURRIED = 2.5;
-
-export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
 
 /** How the visitor's time goes through a motion's: both rise along the knots. */
 class Schedule {
@@ -20,8 +19,7 @@ class Schedule {
   ) {}
 
   static of(motion: Motion, stretched: boolean): Schedule {
-    const samples = motion.samples(4);
-    const [t, yaw] = [samples.column("t"), samples.column("yaw")];
+    const [t, yaw] = refined(motion.samples(1), PARTS);
     const shown = new Float64Array(t.length);
     for (let k = 1; k < t.length; k++) {
       const [dt, turned] = [at(t, k) - at(t, k - 1), Math.abs(at(yaw, k) - at(yaw, k - 1))];
@@ -54,18 +52,54 @@ class Schedule {
   }
 }
 
+/** Into so many parts each step of the solver is divided, in which the yaw rate hardly changes. */
+const PARTS = 4;
+
+/** Times and yaws at the steps and between them, by cubics through yaw and yaw rate at their ends:
+ * to ask the core for as many moments takes a hundred times as long. */
+function refined(steps: Moments, parts: number): [times: Float64Array, yaws: Float64Array] {
+  const [t, yaw, rate] = [steps.column("t"), steps.column("yaw"), steps.column("yaw_rate")];
+  const length = parts * (t.length - 1) + 1;
+  const [times, yaws] = [new Float64Array(length), new Float64Array(length)];
+  times[0] = at(t, 0);
+  yaws[0] = at(yaw, 0);
+  for (let k = 1, n = 1; k < t.length; k++) {
+    const [from, to] = [at(t, k - 1), at(t, k)];
+    const [start, rise] = [at(yaw, k - 1), at(yaw, k) - at(yaw, k - 1)];
+    const [first, last] = [at(rate, k - 1) * (to - from), at(rate, k) * (to - from)];
+    for (let part = 1; part < parts; part++, n++) {
+      const s = part / parts;
+      times[n] = from + s * (to - from);
+      yaws[n] =
+        start + s * (first + s * (3 * rise - 2 * first - last + s * (first + last - 2 * rise)));
+    }
+    times[n] = to;
+    yaws[n++] = at(yaw, k);
+  }
+  return [times, yaws];
+}
+
 export class Clock {
   readonly playing: Signal<boolean> = signal(false);
   /** Seconds of the motion in a second of the visitor's, but for the stretching. */
-  readonly speed: Signal<number> = signal(1);
+  readonly speed: Signal<number> = signal(INITIAL_PACE.speed);
   /** Whether time stretches by itself while the contact point races. */
-  readonly stretched: Signal<boolean> = signal(true);
+  readonly stretched: Signal<boolean> = signal(INITIAL_PACE.stretched);
   /** s of the motion */
   readonly time: Signal<number> = signal(0);
   private readonly schedule: ReadonlySignal<Schedule | undefined>;
 
   constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
     this.schedule = computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
+  }
+
+  get pace(): Pace {
+    return { speed: this.speed.value, stretched: this.stretched.value };
+  }
+
+  setPace({ speed, stretched }: Readonly<Pace>): void {
+    this.speed.value = speed;
+    this.stretched.value = stretched;
   }
 
   /** When the motion ends, s. */

@@ -1,8 +1,10 @@
 // Puts the page together: the core is loaded, the lab made, and each section mounted on it.
 
+import { followAnchors } from "./anchors";
 import coreAddress from "./core/rimroll.wasm?url";
 import { mountControls } from "./controls/controls";
 import { Core } from "./core/core";
+import { element } from "./elements";
 import { mountFlicks } from "./flicks/flicks";
 import { Lab } from "./lab";
 import { mountPlots } from "./plots/plots";
@@ -17,15 +19,28 @@ import { mountVerdict } from "./verdict/verdict";
 
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 
-const core = await Core.load(await fetch(coreAddress));
-const lab = new Lab(core);
-keepInAddress(lab);
-startTicker(lab.clock);
-mountScene(lab, section("scene"));
-mountTransport(lab, section("transport"));
-mountVerdict(lab, section("verdict"));
-mountStory(lab, section("story"));
-mountControls(lab, section("controls"));
-mountFlicks(lab, section("flicks"));
-mountPlots(lab, section("plots"));
-mountShare(lab, section("share"));
+async function start(): Promise<void> {
+  const core = await Core.load(await fetch(coreAddress));
+  const lab = new Lab(core);
+  keepInAddress(lab);
+  startTicker(lab.clock);
+  mountScene(lab, section("scene"));
+  mountTransport(lab, section("transport"));
+  mountVerdict(lab, section("verdict"));
+  mountStory(lab, section("story"));
+  mountControls(lab, section("controls"));
+  mountFlicks(lab, section("flicks"));
+  mountPlots(lab, section("plots"));
+  mountShare(lab, section("share"));
+}
+
+followAnchors();
+start().catch((error: unknown) => {
+  console.error(error);
+  section("lab").replaceChildren(
+    element("p", { class: "no-page", role: "alert" }, `This page could not start: ${why(error)}`),
+  );
+});
+
+const why = (error: unknown) =>
+  `${error instanceof Error ? error.message : String(error)}. Loading it again may help.`;

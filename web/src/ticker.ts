@@ -14,7 +14,14 @@ export function startTicker(clock: Clock): void {
       before = undefined;
       return;
     }
-    if (before !== undefined) clock.advance(Math.min((now - before) / 1000, LONGEST));
+    try {
+      if (before !== undefined) clock.advance(Math.min((now - before) / 1000, LONGEST));
+    } catch (error) {
+      // Whoever presses play again is to be heard.
+      before = undefined;
+      clock.pause();
+      throw error;
+    }
     before = now;
     requestAnimationFrame(tick);
   };

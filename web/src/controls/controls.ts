@@ -6,7 +6,7 @@ import { button, element } from "../elements";
 import { Hand } from "../inputs/hand";
 import { type NumberName, numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
-import { BODY_FIELDS, type FieldName } from "../setup/fields";
+import { BODY_FIELDS } from "../setup/fields";
 import { frictionRow, idleUnderIdealLaws } from "./friction";
 import { hintFor } from "./hint";
 
@@ -60,22 +60,22 @@ function more(hand: Hand): HTMLElement {
     details.append(numberRow(hand, name, idle).row);
   }
   effect(() => {
-    const inside = MORE as FieldName[];
+    const inside: readonly string[] = MORE;
     if (hand.lab.refusals.value.some(({ field }) => inside.includes(field))) details.open = true;
   });
   return details;
 }
 
-/** What a link holds wrongly for a body that is not shown. */
+/** What a link holds wrongly that has no field here: of a body that is not shown, or of the pace. */
 function otherRefusals(lab: Lab): HTMLElement {
   const list = element("p", { class: "refusal", role: "alert" });
   effect(() => {
     const { body } = lab.setup.value;
-    const hidden = Object.values(BODY_FIELDS)
+    const hidden: string[] = Object.values(BODY_FIELDS)
       .flat()
       .filter((name) => !BODY_FIELDS[body]?.includes(name));
     const messages = lab.refusals.value
-      .filter(({ field }) => hidden.includes(field))
+      .filter(({ field }) => field === "speed" || field === "slow" || hidden.includes(field))
       .map(({ message }) => message);
     list.textContent = messages.join(" ");
   });

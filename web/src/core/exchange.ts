@@ -43,6 +43,8 @@ export class Exchange {
 
   /** From the compiled core: what was fetched, or its bytes. */
   static async with(core: Response | BufferSource): Promise<Exchange> {
+    if (core instanceof Response && !core.ok)
+      throw new Error(`the mechanics could not be loaded (the server says ${core.status})`);
     const bytes = core instanceof Response ? await core.arrayBuffer() : core;
     const { instance } = await WebAssembly.instantiate(bytes);
     return new Exchange(instance.exports as unknown as Exports);

@@ -61,7 +61,7 @@ export interface Event {
   moment: Moment;
 }
 
-/** A stretch of a motion: `rolling`, `sliding` or `flying`, from a time (s) on. */
+/** A stretch of a motion: `rolling`, `sliding`, `flying` or `lying`, from a time (s) on. */
 export interface Phase {
   kind: string;
   start: number;
@@ -81,6 +81,9 @@ export interface Turn {
   maxTilt: number;
 }
 
+/** More steps than this are more points than a picture shows. */
+const MANY = 4000;
+
 export class Motion {
   readonly status: string;
   readonly message: string;
@@ -92,6 +95,7 @@ export class Motion {
   private readonly names: readonly Column[];
   /** The samples asked for last: several parts of the page look at the same ones. */
   private sampled: { perStep: number; moments: Moments } | undefined;
+  private lines: Moments | undefined;
 
   constructor(
     private readonly exchange: Exchange,
@@ -131,18 +135,28 @@ export class Motion {
 
   /** Moments inside each step of the solver and at its end: close together just where it is fast. */
   samples(perStep: number): Moments {
-    if (this.sampled?.perStep !== perStep) {
-      this.exchange.core.samples(this.kept(), perStep);
-      this.sampled = { perStep, moments: this.table() };
-    }
+    if (this.sampled?.perStep !== perStep)
+      this.sampled = { perStep, moments: this.sample(perStep) };
     return this.sampled.moments;
+  }
+
+  private sample(perStep: number): Moments {
+    this.exchange.core.samples(this.kept(), perStep);
+    return this.table();
+  }
+
+  /** Moments to draw lines through: at the solver's steps, and where these are few, between them. In
+   * a step no body turns by more than a line may have corners. */
+  drawn(): Moments {
+    const steps = this.samples(1);
+    return steps.length > MANY ? steps : (this.lines ??= this.sample(4));
   }
 
   /** Gives the core's memory back; the motion cannot be looked up afterwards. */
   forget(): void {
     this.exchange.core.forget(this.kept());
     this.address = 0;
-    this.sampled = undefined;
+    this.sampled = this.lines = undefined;
   }
 
   private kept(): number {

@@ -4,6 +4,7 @@
 import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import type { FieldName } from "../setup/fields";
+import { INITIAL_PACE } from "../setup/pace";
 import { INITIAL, type Setup, read } from "../setup/setup";
 
 export class Hand {
@@ -35,6 +36,7 @@ export class Hand {
     this.gathered = { ...INITIAL };
     batch(() => {
       this.lab.refusals.value = [];
+      this.lab.clock.setPace(INITIAL_PACE);
       this.give();
     });
   }

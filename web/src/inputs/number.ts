@@ -6,7 +6,7 @@ import { FIELDS, type FieldName, type NumberField } from "../setup/fields";
 import { element } from "../elements";
 import type { Hand } from "./hand";
 import { scaleOf } from "./scale";
-import { shown, withUnit } from "./shown";
+import { shown, withUnit, written } from "./shown";
 
 /** Names of the fields that hold numbers. */
 export type NumberName = {
@@ -66,8 +66,8 @@ export function numberRow(
     typed.setAttribute("aria-invalid", String(refused !== undefined));
     slider.value = String(scale.position(value));
     slider.setAttribute("aria-valuetext", withUnit(shown(value), field.unit));
-    // What was refused stays as it was typed, to be mended; from a link there is nothing to mend.
-    if (!refused || typed.value === "") typed.value = shown(value);
+    // What was refused stays as it was written, to be mended; what was not has all its digits.
+    typed.value = refused?.text ?? written(value);
   });
   effect(() => {
     const reason = idle();

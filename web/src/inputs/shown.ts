@@ -1,10 +1,15 @@
 // Numbers as they are read.
 
+export { duration as shownTime } from "../time/words";
+
 /** With so many digits and none that say nothing. */
 export function shown(value: number, digits = 6): string {
   if (Number.isNaN(value)) return "–";
   return String(Number(value.toPrecision(digits))).replace(/^-/, "−");
 }
+
+/** With all its digits, as it is read again. */
+export const written = (value: number): string => String(value).replaceAll("-", "−");
 
 /** With a unit in front of which there is a space, if it is written with one. */
 export function withUnit(value: string, unit: string): string {
@@ -26,18 +31,6 @@ export function shownWide(value: number, digits: number): string {
     .map((digit) => (digit === "-" ? "⁻" : RAISED[Number(digit)]))
     .join("");
   return `${mantissa.replace(/^-/, "−")} × 10${raised}`;
-}
-
-/** A time in the unit that suits it. */
-export function shownTime(seconds: number): string {
-  const units: [number, string][] = [
-    [1, "s"],
-    [1e-3, "ms"],
-    [1e-6, "µs"],
-    [1e-9, "ns"],
-  ];
-  const [size, unit] = units.find(([size]) => seconds >= 0.0995 * size) ?? [1e-9, "ns"];
-  return `${shownWide(seconds / size, 2)} ${unit}`;
 }
 
 /** An angle in rad, shown in degrees with so many decimals. */

@@ -39,7 +39,7 @@ export interface Figure {
   stretched?: boolean;
   /** What is always in view. */
   include?: number;
-  /** A number that the unit is multiplied by to suit the values: 1e-3 is milli. */
+  /** Whether the unit gets the prefix that suits the values, as milli. */
   prefixed?: boolean;
 }
 

@@ -6,7 +6,12 @@ import type { Colour, Palette } from "./palette";
 import { countBelow } from "./sampled";
 import type { Stretch } from "./view";
 
-const PHASES: Record<string, Colour> = { rolling: "rolling", sliding: "sliding", flying: "flying" };
+const PHASES: Record<string, Colour> = {
+  rolling: "rolling",
+  sliding: "sliding",
+  flying: "flying",
+  lying: "muted",
+};
 
 /** Which events get a tick, and its colour. */
 const EVENTS: Record<string, Colour> = {

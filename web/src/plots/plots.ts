@@ -18,8 +18,6 @@ import { inSight, oncePerPicture, onceQuiet } from "./when";
 const NARROW = "(max-width: 47.99rem)";
 /** Moments of a smooth curve, per CSS px of its width. */
 const DENSITY = 1;
-/** Samples of each step of the solver. */
-const PER_STEP = 4;
 /** CSS px, where type has its usual size. */
 const HEIGHT = 210;
 
@@ -51,7 +49,7 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   );
   section.append(absent, present);
 
-  const samples = computed(() => lab.motion.value?.samples(PER_STEP));
+  const samples = computed(() => lab.motion.value?.drawn());
   const subject = computed((): Subject | undefined => {
     const motion = lab.motion.value;
     const all = samples.value;

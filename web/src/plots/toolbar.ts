@@ -7,7 +7,8 @@ import type { Figure } from "./figures";
 import { stretchText } from "./ticks";
 import type { View } from "./view";
 
-export const PHASES = ["rolling", "sliding", "flying"] as const;
+/** Each with its colour. */
+const PHASES = { rolling: "rolling", sliding: "sliding", flying: "flying", lying: "muted" };
 
 export function toolbar(lab: Lab, view: View): HTMLElement {
   const about = () => {
@@ -50,8 +51,8 @@ export function phaseKey(lab: Lab): HTMLElement {
     const phase = lab.motion.value?.phases.findLast((phase) => phase.start <= time);
     now.textContent = phase ? `At the time shown it is ${phase.kind}.` : "";
   });
-  const entries = PHASES.map((phase) => {
-    const swatch = element("i", { class: "area", style: `--swatch: var(--${phase})` });
+  const entries = Object.entries(PHASES).map(([phase, colour]) => {
+    const swatch = element("i", { class: "area", style: `--swatch: var(--${colour})` });
     const entry = element("span", { class: "entry" }, swatch, phase);
     effect(() => {
       entry.hidden = !lab.motion.value?.phases.some(({ kind }) => kind === phase);

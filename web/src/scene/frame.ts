@@ -62,7 +62,8 @@ function help(): HTMLElement {
       "p",
       "",
       "Drag the body to tip it. Let go to release it; let go while moving to flick it. " +
-        "Drag the table to look from elsewhere, scroll or pinch to come nearer.",
+        "Drag the table to look from elsewhere. Pinch to come nearer, or turn the wheel: " +
+        "once you have clicked here, or with Ctrl.",
     ),
     element("p", "", "With the keyboard, once the picture is focused:"),
   );

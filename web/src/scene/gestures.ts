@@ -89,6 +89,8 @@ export function listen(
   canvas.addEventListener(
     "wheel",
     (event) => {
+      // Past a picture that nobody has clicked the page scrolls.
+      if (!event.ctrlKey && document.activeElement !== canvas) return;
       event.preventDefault();
       const pixels = event.deltaMode === 1 ? 30 * event.deltaY : event.deltaY;
       view.zoom(Math.exp(Math.min(Math.max(pixels, -240), 240) * 0.0012));

@@ -70,7 +70,17 @@ export class Hands {
     const held = this.lab.held.peek();
     if (!held) return;
     const rate = moving ? this.rate() : { x: 0, y: 0 };
-    this.lab.change(released(held, rate, this.lab.setup.peek()));
+    this.letGo(released(held, rate, this.lab.setup.peek()));
+  }
+
+  /** Lets go with the rates that are set, as keys do not move like a hand. */
+  flick(): void {
+    const held = this.lab.held.peek();
+    if (held) this.letGo(leaning(held));
+  }
+
+  private letGo(part: Partial<Setup>): void {
+    this.lab.change(part);
     this.lab.held.value = undefined;
     // Also when it is let go just as it was before.
     this.lab.clock.rewind();
@@ -105,20 +115,27 @@ function start({ tilt, yaw }: Readonly<Setup>): { tilt: number; yaw: number } {
   return { tilt: tilt / DEGREES, yaw: yaw / DEGREES };
 }
 
+/** How a body that is held leans, in the units of the fields. */
+function leaning(held: { tilt: number; yaw: number }): { tilt: number; yaw: number } {
+  return {
+    tilt: rounded(held.tilt * DEGREES, 10),
+    yaw: rounded(within(held.yaw * DEGREES), 10),
+  };
+}
+
 /** The set-up that a hand lets go, in the units of its fields. */
 export function released(
   held: { tilt: number; yaw: number },
   rate: Lean,
   setup: Readonly<Setup>,
 ): Partial<Setup> {
-  const tilt = rounded(held.tilt * DEGREES, 10);
-  const yaw = rounded(within(held.yaw * DEGREES), 10);
+  const { tilt, yaw } = leaning(held);
   const human = Math.abs(setup.sideways) <= STEADY ? setup.sideways : FIELDS.sideways.initial;
   if (Math.hypot(rate.x, rate.y) < AT_REST)
     return { tilt, yaw, tilt_rate: 0, twist: 0, sideways: human };
   const [c, s] = [-Math.cos(held.yaw), -Math.sin(held.yaw)];
   const along = rate.x * c + rate.y * s;
-  // A lean led round, without turning the body about its own axis: it turns about the line along
+  // A lean led round, without turning the body about the vertical: it turns about the line along
   // which it leans.
   const across = ((rate.y * c - rate.x * s) * Math.tan(held.tilt)) / held.tilt;
   const aside = rounded(limited(across), 1000);

@@ -12,7 +12,8 @@ export const KEYS: readonly (readonly [key: string, does: string])[] = [
   ["Home", "the usual view"],
   ["+ and −", "take the body and tip it by a degree"],
   ["Shift + ← →", "lead it round while you hold it"],
-  ["Enter", "let it go"],
+  ["Enter", "let it go at rest"],
+  ["Shift + Enter", "flick it, with the tilt rate and the twist that are set"],
   ["Escape", "put it back"],
 ];
 
@@ -40,7 +41,7 @@ export function listenToKeys(
     "=": () => hold(() => hands.tip(DEGREE)),
     "-": () => hold(() => hands.tip(-DEGREE)),
     "−": () => hold(() => hands.tip(-DEGREE)),
-    Enter: () => hands.release(false),
+    Enter: (shift) => (shift ? hands.flick() : hands.release(false)),
     Escape: () => hands.giveUp(),
   };
   canvas.addEventListener("keydown", (event) => {

@@ -1,21 +1,26 @@
 // Keeps the address and the set-up the same.
 
-import { effect } from "@preact/signals-core";
+import { batch, effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
-import { fromHash, toHash } from "./url";
+import { fromHash, holdsSetup, toHash } from "./url";
 
 /** Takes the set-up from the address, now and whenever the visitor changes it, and writes it there. */
 export function keepInAddress(lab: Lab): void {
-  const take = () => {
-    const { setup, refusals } = fromHash(location.hash);
-    lab.refusals.value = refusals;
-    lab.change(setup);
+  const take = (link: string) => {
+    if (!holdsSetup(link)) return;
+    const { setup, pace, refusals } = fromHash(link);
+    batch(() => {
+      lab.refusals.value = refusals;
+      lab.change(setup);
+      lab.clock.setPace(pace);
+    });
   };
-  take();
-  addEventListener("hashchange", take);
+  take(location.hash);
+  // The address that the visitor gave, though another may have been written since.
+  addEventListener("hashchange", ({ newURL }) => take(new URL(newURL).hash));
   let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    const hash = toHash(lab.setup.value);
+    const hash = toHash(lab.setup.value, lab.clock.pace);
     clearTimeout(waiting);
     waiting = setTimeout(() => write(hash), QUIET);
   });

@@ -122,7 +122,7 @@ export const FIELDS = {
     label: "Tilt",
     unit: "°",
     initial: 20,
-    least: 0,
+    least: 1e-6,
     most: 90,
     open: true,
     slider: [0.5, 89.5, 0.5],

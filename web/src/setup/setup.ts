@@ -1,7 +1,9 @@
 // A set-up: what is tipped, how, on what table. Numbers in the units of their fields.
 
+import { withUnit } from "../inputs/shown";
 import type { LawName, Preset } from "../core/core";
 import { FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
+import type { PaceName } from "./pace";
 
 type Values = {
   [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "number" ? number : string;
@@ -18,7 +20,9 @@ export const INITIAL = Object.freeze(
 
 /** Why a value is refused, for whoever typed it. */
 export interface Refusal {
-  field: FieldName;
+  field: FieldName | PaceName;
+  /** As it was written. */
+  text: string;
   message: string;
 }
 
@@ -28,28 +32,26 @@ export function read(name: FieldName, text: string): { value: string | number } 
   if (field.kind === "choice") {
     if (Object.hasOwn(field.choices, text)) return { value: text };
     const choices = Object.keys(field.choices).join(", ");
-    return { field: name, message: `${field.label} is one of ${choices}, not “${text}”.` };
+    return { field: name, text, message: `${field.label} is one of ${choices}, not “${text}”.` };
   }
   // A comma may be somebody's decimal point; a minus sign may be a real one.
-  const value = Number(text.trim().replace(",", ".").replace("−", "-") || NaN);
+  const value = Number(text.trim().replace(",", ".").replaceAll("−", "-") || NaN);
   const message = outOfBounds(field, value, text);
-  return message === undefined ? { value } : { field: name, message };
+  return message === undefined ? { value } : { field: name, text, message };
 }
 
+/** One thousand, or one with three decimals after somebody's comma. */
+const THOUSANDS = /^\s*[-+−]?[1-9]\d{0,2}(,\d{3})+\s*$/;
+
 function outOfBounds(field: NumberField, value: number, text: string): string | undefined {
-  const { label, least, most, open, whole } = field;
+  const { label, unit, least, most, open, whole } = field;
+  if (THOUSANDS.test(text))
+    return `${label}: “${text.trim()}” can be read in two ways; write decimals after a point, and nothing between thousands.`;
   if (Number.isNaN(value)) return `${label} is a number, not “${text}”.`;
   if (whole && !Number.isInteger(value)) return `${label} is a whole number, not ${text.trim()}.`;
   const inside = open ? value > least && value < most : value >= least && value <= most;
   if (inside) return undefined;
-  const unit =
-    field.unit === ""
-      ? ""
-      : field.unit === "°" || field.unit === "%"
-        ? field.unit
-        : ` ${field.unit}`;
-  const bounds = open
-    ? `inside ${least} to ${most}${unit}, ends left out`
-    : `from ${least} to ${most}${unit}`;
+  const upTo = `${least} to ${withUnit(String(most), unit)}`;
+  const bounds = open ? `inside ${upTo}, ends left out` : `from ${upTo}`;
   return `${label} is ${bounds}; ${text.trim()} is outside.`;
 }

@@ -1,23 +1,38 @@
 // The whole set-up in the part of the address after #, so that a link holds it and no server sees it.
 
-import { FIELDS, FIELD_NAMES, type FieldName } from "./fields";
+import { FIELD_NAMES } from "./fields";
+import { INITIAL_PACE, type Pace, paceInLink, paceOf } from "./pace";
 import { INITIAL, type Refusal, type Setup, read } from "./setup";
 
-/** What differs from the initial set-up, as `name=value&…`. */
-export function toHash(setup: Readonly<Setup>): string {
-  const changed = FIELD_NAMES.filter((name) => setup[name] !== INITIAL[name]);
-  return new URLSearchParams(changed.map((name) => [name, String(setup[name])])).toString();
+/** What a link holds. */
+export interface Linked {
+  setup: Setup;
+  pace: Pace;
+  refusals: Refusal[];
 }
 
-/** The set-up that a link holds; what it holds wrongly stays as it is initially, with the reason. */
-export function fromHash(hash: string): { setup: Setup; refusals: Refusal[] } {
+/** What differs from the initial set-up and pace, as `name=value&…`. */
+export function toHash(setup: Readonly<Setup>, pace: Readonly<Pace> = INITIAL_PACE): string {
+  const changed = FIELD_NAMES.filter((name) => setup[name] !== INITIAL[name]);
+  const pairs = changed.map((name) => [name, String(setup[name])]);
+  return new URLSearchParams([...pairs, ...paceInLink(pace)]).toString();
+}
+
+/** Whether an address is about a set-up, and not about a part of the page. */
+export const holdsSetup = (hash: string): boolean => hash.length <= 1 || hash.includes("=");
+
+/** What a link holds wrongly stays as it is initially, with the reason; of what it holds twice the
+ * last counts. */
+export function fromHash(hash: string): Linked {
+  const link = new Map(new URLSearchParams(hash.replace(/^#/, "")));
   const setup: Record<string, string | number> = { ...INITIAL };
-  const refusals: Refusal[] = [];
-  for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
-    if (!Object.hasOwn(FIELDS, name)) continue;
-    const result = read(name as FieldName, text);
+  const { pace, refusals } = paceOf(link);
+  for (const name of FIELD_NAMES) {
+    const text = link.get(name);
+    if (text === undefined) continue;
+    const result = read(name, text);
     if ("value" in result) setup[name] = result.value;
     else refusals.push(result);
   }
-  return { setup: setup as unknown as Setup, refusals };
+  return { setup: setup as unknown as Setup, pace, refusals };
 }

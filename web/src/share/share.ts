@@ -52,7 +52,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
 
 /** The address, as it is about to be in the browser's own field. */
 function addressOf(lab: Lab): string {
-  const hash = toHash(lab.setup.value);
+  const hash = toHash(lab.setup.value, lab.clock.pace);
   return location.href.replace(/#.*$/, "") + (hash === "" ? "" : `#${hash}`);
 }
 

@@ -1,9 +1,9 @@
 // Playing: the buttons, the scrubber, the speed, and what time it is.
 
 import { effect } from "@preact/signals-core";
-import { SPEEDS } from "../clock";
 import { element } from "../elements";
 import type { Lab } from "../lab";
+import { SPEEDS } from "../setup/pace";
 import { collisionsOf, nearest } from "../time/collisions";
 import { type Icon, icon } from "./icons";
 import { keysOn, onKeys } from "./keys";
@@ -18,10 +18,10 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     clock.rewind();
   };
   const actions = {
-    " ": () => clock.toggle(),
-    ",": () => clock.step(-1),
-    ".": () => clock.step(1),
-    Home: rewind,
+    " ": unlessHeld(lab, () => clock.toggle()),
+    ",": unlessHeld(lab, () => clock.step(-1)),
+    ".": unlessHeld(lab, () => clock.step(1)),
+    Home: unlessHeld(lab, rewind),
   };
   const play = button("play", "Play", "Space", () => clock.toggle());
   const buttons = [
@@ -55,6 +55,11 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     keys(),
   );
 }
+
+/** While a hand holds the body no time passes, whatever key is pressed. */
+export const unlessHeld = (lab: Pick<Lab, "held">, act: () => void) => () => {
+  if (!lab.held.peek()) act();
+};
 
 /** To the nearest collision ahead (1) or behind (-1), or to that end of the motion. */
 function jump(lab: Lab, way: 1 | -1): void {

@@ -60,10 +60,13 @@ function hexadecimal(value = NaN): string {
   return `${value} (${bits.getBigUint64(0).toString(16).padStart(16, "0")})`;
 }
 
+/** As Python writes numbers. */
+const numberOf = (cell: string) => Number(cell.replace("inf", "Infinity").replace("nan", "NaN"));
+
 /** The columns of a CSV file as the page writes it. */
 export function columnsOf(csv: string): Map<string, Float64Array> {
   const [head = "", ...rows] = csv.trimEnd().split("\n");
-  const cells = rows.map((row) => row.split(",").map(Number));
+  const cells = rows.map((row) => row.split(",").map(numberOf));
   return new Map(
     head.split(",").map((name, k) => [name, Float64Array.from(cells, (row) => row[k] as number)]),
   );

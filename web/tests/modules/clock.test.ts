@@ -139,3 +139,20 @@ describe("the ends", () => {
     expect([clock.time.value, clock.end, clock.progress, clock.slowness]).toEqual([0, 0, 0, 1]);
   });
 });
+
+test("however many steps a motion has, its pace is even", () => {
+  const motion = motionOf({ body: "coin" });
+  const clock = clockOf(motion);
+  const picture = 1 / 60;
+  clock.progress = 0.5;
+  let before = motion.at([clock.time.value]).moment(0);
+  for (let k = 0; k < 200; k++) {
+    clock.advance(picture);
+    const now = motion.at([clock.time.value]).moment(0);
+    const [turned, passed] = [Math.abs(now.yaw - before.yaw), now.t - before.t];
+    expect(turned).toBeLessThan(UNHURRIED * picture * 1.05);
+    // Where it is slow enough time goes by as in life, in a picture or in a part of one.
+    expect(turned + UNHURRIED * passed).toBeGreaterThan(UNHURRIED * picture * 0.95);
+    before = now;
+  }
+});

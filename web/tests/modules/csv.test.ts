@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { Moments, type Motion } from "../../src/core/motion";
 import { posed } from "../../src/setup/posed";
 import { toCsv } from "../../src/setup/csv";
 import { INITIAL } from "../../src/setup/setup";
@@ -17,4 +18,11 @@ test("a motion is a table of numbers with all their digits", async () => {
     const column = rows.map((row) => Number(row.split(",")[k]));
     expect(column).toEqual([...moments.column(name)]);
   }
+});
+
+test("where nothing presses, the infinite ratio of friction is written as Python writes it", () => {
+  const numbers = Float64Array.from([0, 0.5, 1, 0.3, Infinity, NaN]);
+  const moments = new Moments(["t", "friction_ratio"], numbers);
+  const motion = { samples: () => moments } as unknown as Motion;
+  expect(toCsv(motion)).toBe("t,friction_ratio\n0,0.3\n0.5,inf\n1,nan\n");
 });

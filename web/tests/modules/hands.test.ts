@@ -1,9 +1,11 @@
 // What a hand lets go, as values of the set-up.
 
-import { expect, test } from "vitest";
-import { released } from "../../src/scene/hands";
+import { expect, test, vi } from "vitest";
+import { Lab } from "../../src/lab";
+import { Hands, released } from "../../src/scene/hands";
 import { FIELDS } from "../../src/setup/fields";
 import { INITIAL } from "../../src/setup/setup";
+import { loadCore } from "../given/core";
 
 const DEGREE = Math.PI / 180;
 const REST = { x: 0, y: 0 };
@@ -41,4 +43,24 @@ test("a direction is from −180 up to 180 degrees, whichever way round the hand
 test("no hand flicks faster than fields allow", () => {
   const { tilt_rate } = released({ tilt: 0.4, yaw: 0 }, { x: -1e4, y: 0 }, INITIAL);
   expect(tilt_rate).toBe(25);
+});
+
+test("with keys a held body is flicked as the sliders say", async () => {
+  vi.stubGlobal("requestAnimationFrame", () => 0);
+  const lab = new Lab(await loadCore());
+  lab.change({ tilt_rate: -3, sideways: 0.25, twist: 1 });
+  const hands = new Hands(lab);
+  hands.flick();
+  expect(lab.clock.playing.value).toBe(false);
+  hands.take();
+  hands.tip(5 * DEGREE);
+  hands.flick();
+  const { tilt, tilt_rate, sideways, twist } = lab.setup.value;
+  expect([tilt, tilt_rate, sideways, twist]).toEqual([25, -3, 0.25, 1]);
+  expect(lab.held.value).toBe(undefined);
+  expect(lab.clock.playing.value).toBe(true);
+  hands.take();
+  hands.release(false);
+  expect(lab.setup.value.tilt_rate).toBe(0);
+  vi.unstubAllGlobals();
 });

@@ -82,3 +82,16 @@ test("what cannot be computed is refused in a sentence", () => {
   expect(() => simulate({ tilt: 1e-300 })).toThrow(Refused);
   expect(() => simulate({ tilt: 1e-300 })).toThrow(/^yaw_rate must be between .* rad\/s$/);
 });
+
+test("lines are drawn through no fewer moments than steps, and close together", () => {
+  for (const changed of [{}, { body: "coin" }] as const) {
+    const motion = simulate(changed);
+    const moments = motion.drawn();
+    const yaw = moments.column("yaw");
+    expect(moments.length).toBeGreaterThanOrEqual(motion.samples(1).length);
+    for (let k = 1; k < yaw.length; k++) {
+      if (Math.abs(yaw[k]! - yaw[k - 1]!) > 0.3) throw new Error(`a corner at ${k}`);
+    }
+    motion.forget();
+  }
+});

@@ -75,7 +75,7 @@ describe("the moments of a curve", () => {
     const motion = motionOf();
     const { t } = motion.turns[0]!;
     const shown = { since: "collision", origin: t, from: -1e-6, to: 1e-6 } as const;
-    const moments = sampled(motion, motion.samples(4), shown, 300);
+    const moments = sampled(motion, motion.drawn(), shown, 300);
     const times = moments.column("t");
     expect(times.length).toBeGreaterThanOrEqual(300);
     expect([times[0], times.at(-1)]).toEqual([t - 1e-6, t + 1e-6]);
@@ -86,7 +86,7 @@ describe("the moments of a curve", () => {
   test("of the whole motion are those of the solver", () => {
     const motion = motionOf();
     const shown = { since: "start", origin: 0, from: 0, to: motion.end } as const;
-    expect(sampled(motion, motion.samples(4), shown, 300)).toBe(motion.samples(4));
+    expect(sampled(motion, motion.drawn(), shown, 300)).toBe(motion.drawn());
   });
 
   test("are counted below a bound", () => {

@@ -1,6 +1,8 @@
 import { describe, expect, test } from "vitest";
+import { written } from "../../src/inputs/shown";
 import { FIELDS, FIELD_NAMES } from "../../src/setup/fields";
 import { read } from "../../src/setup/setup";
+import { Chance } from "../given/chance";
 
 const message = (...asked: Parameters<typeof read>) => {
   const result = read(...asked);
@@ -24,6 +26,21 @@ test.each(["12,5", " 12.5 ", "1.25e1", "+12.5"])("“%s” is twelve and a half"
   expect(read("tilt", text)).toEqual({ value: 12.5 });
 });
 
+test.each(["0,125", "1,25", "1,0005"])("no thousands: “%s”", (text) => {
+  expect(read("restitution", "0,125")).toEqual({ value: 0.125 });
+  expect(message("tilt", text)).toBe(undefined);
+});
+
+test("a number is read as it is written in its field, to the last digit", () => {
+  const chance = new Chance(3);
+  for (let k = 0; k < 500; k++) {
+    const value = chance.between(-1, 1) * 10 ** Math.round(chance.between(-20, 2));
+    expect(read("tilt_rate", written(value))).toEqual({ value });
+  }
+  expect(written(9.80665001)).toBe("9.80665001");
+  expect(written(-1e-7)).toBe("−1e−7");
+});
+
 test("a minus sign may be a real one", () => {
   expect(read("tilt_rate", "−2.5")).toEqual({ value: -2.5 });
 });
@@ -33,14 +50,24 @@ describe("what is refused is refused in words", () => {
     expect(message("tilt", text)).toBe(`Tilt is a number, not “${text}”.`);
   });
 
-  test.each(["0", "90", "-20", "Infinity"])("outside open bounds: %s", (text) => {
+  test.each(["0", "1e-300", "90", "-20", "Infinity"])("outside open bounds: %s", (text) => {
     expect(message("tilt", text)).toBe(
-      `Tilt is inside 0 to 90°, ends left out; ${text} is outside.`,
+      `Tilt is inside 0.000001 to 90°, ends left out; ${text} is outside.`,
     );
   });
 
   test.each(["-0.1", "1.1"])("outside bounds: %s", (text) => {
     expect(message("restitution", text)).toBe(`Bounce is from 0 to 1; ${text} is outside.`);
+  });
+
+  test.each(["1,000", "-12,500", "1,000,000"])("what may be thousands: %s", (text) => {
+    expect(message("mass", text)).toBe(
+      `Mass: “${text}” can be read in two ways; write decimals after a point, and nothing between thousands.`,
+    );
+  });
+
+  test("with what was written, to be mended", () => {
+    expect(read("tilt", " 95 ")).toMatchObject({ field: "tilt", text: " 95 " });
   });
 
   test("a unit that is a word stands apart", () => {

@@ -1,20 +1,23 @@
-import { expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
+import { INITIAL_PACE, SPEEDS } from "../../src/setup/pace";
 import { INITIAL } from "../../src/setup/setup";
-import { fromHash, toHash } from "../../src/setup/url";
+import { fromHash, holdsSetup, toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";
 import { anySetup } from "../given/setups";
+
+const NOTHING = { setup: INITIAL, pace: INITIAL_PACE, refusals: [] };
 
 test("a link restores every set-up, to the last digit", () => {
   const chance = new Chance(1);
   for (let k = 0; k < 500; k++) {
     const setup = anySetup(chance);
-    expect(fromHash(`#${toHash(setup)}`)).toEqual({ setup, refusals: [] });
+    expect(fromHash(`#${toHash(setup)}`)).toEqual({ setup, pace: INITIAL_PACE, refusals: [] });
   }
 });
 
 test("the initial set-up needs nothing in the link", () => {
   expect(toHash(INITIAL)).toBe("");
-  expect(fromHash("")).toEqual({ setup: INITIAL, refusals: [] });
+  expect(fromHash("")).toEqual(NOTHING);
 });
 
 test("a link names only what differs", () => {
@@ -24,9 +27,49 @@ test("a link names only what differs", () => {
 test("what was refused stays as it is initially, the rest is taken", () => {
   const { setup, refusals } = fromHash("#tilt=abc&gravity=1.62");
   expect(setup).toEqual({ ...INITIAL, gravity: 1.62 });
-  expect(refusals).toEqual([{ field: "tilt", message: "Tilt is a number, not “abc”." }]);
+  expect(refusals).toEqual([
+    { field: "tilt", text: "abc", message: "Tilt is a number, not “abc”." },
+  ]);
 });
 
 test("names that no field has are passed over", () => {
-  expect(fromHash("#utm_source=mail&constructor=1")).toEqual({ setup: INITIAL, refusals: [] });
+  expect(fromHash("#utm_source=mail&constructor=1")).toEqual(NOTHING);
+});
+
+test("of what a link says twice the last counts", () => {
+  expect(fromHash("#tilt=abc&tilt=25")).toEqual({ ...NOTHING, setup: { ...INITIAL, tilt: 25 } });
+  const { setup, refusals } = fromHash("#tilt=25&tilt=abc");
+  expect(setup).toEqual(INITIAL);
+  expect(refusals.map(({ text }) => text)).toEqual(["abc"]);
+});
+
+test.each(["#plots", "#flicks", "#share", "#controls"])("%s is a part of the page", (hash) => {
+  expect(holdsSetup(hash)).toBe(false);
+});
+
+test.each(["", "#", "#tilt=12", "#slow=0"])("“%s” is about the set-up", (hash) => {
+  expect(holdsSetup(hash)).toBe(true);
+});
+
+describe("the pace", () => {
+  test.each(SPEEDS)("%d is in the link, but that of life", (speed) => {
+    for (const stretched of [true, false]) {
+      const pace = { speed, stretched };
+      expect(fromHash(toHash(INITIAL, pace))).toEqual({ ...NOTHING, pace });
+    }
+  });
+
+  test("is written after the set-up", () => {
+    const hash = toHash({ ...INITIAL, tilt: 5 }, { speed: 0.02, stretched: false });
+    expect(hash).toBe("tilt=5&speed=0.02&slow=0");
+  });
+
+  test("is refused in words", () => {
+    const { pace, refusals } = fromHash("#speed=0&slow=maybe");
+    expect(pace).toEqual(INITIAL_PACE);
+    expect(refusals.map(({ message }) => message)).toEqual([
+      "Speed is one of 1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001, not “0”.",
+      "Slow at the collision is one of 0, 1, not “maybe”.",
+    ]);
+  });
 });
