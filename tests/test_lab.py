@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 from http.client import HTTPConnection
-from threading import Thread
+from threading import Thread, Timer
 
 import pytest
 
@@ -131,15 +131,22 @@ def test_ctrl_c_ends_it_in_peace(package):
         f"resources.files = lambda _: pathlib.Path({str(package)!r});"
         "from rimroll.cli import main; sys.exit(main(['lab', '--no-browser']))"
     )
-    lab = subprocess.Popen(
+    with subprocess.Popen(
         [sys.executable, "-c", code],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env={"PYTHONUNBUFFERED": "1"},
         text=True,
-    )
-    assert "http://127.0.0.1:" in lab.stdout.readline()
-    assert "Ctrl-C" in lab.stdout.readline()
-    lab.send_signal(signal.SIGINT)
-    _, errors = lab.communicate()
+    ) as lab:
+        # Whatever it waits for, this test does not wait with it for ever.
+        watch = Timer(60, lab.kill)
+        watch.start()
+        try:
+            assert "http://127.0.0.1:" in lab.stdout.readline()
+            assert "Ctrl-C" in lab.stdout.readline()
+            lab.send_signal(signal.SIGINT)
+            _, errors = lab.communicate()
+        finally:
+            watch.cancel()
+            lab.kill()
     assert (lab.returncode, errors) == (0, "")

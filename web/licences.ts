@@ -1,8 +1,11 @@
-// A plugin that puts the licences of all packages in the page beside it, as these ask.
+// A plugin that puts the licences of all that is in the page beside it, as these ask.
 
+import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import type { Plugin } from "vite";
+
+const PROJECT = join(import.meta.dirname, "..");
 
 export function licences(file: string): Plugin {
   return {
@@ -14,11 +17,17 @@ export function licences(file: string): Plugin {
       );
       // uPlot's style sheet is its module, too; no package is in the page by its styles alone.
       const folders = new Set(modules.map(packageOf).filter((folder) => folder !== undefined));
-      const source = [...folders]
-        .sort()
-        .map(licenceOf)
-        .join(`\n${"-".repeat(80)}\n\n`);
-      this.emitFile({ type: "asset", fileName: file, source });
+      const texts = [
+        ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"].map((name) => read(PROJECT, name)).join("\n"),
+        ...[...folders].sort().map(licenceOfPackage),
+        ...crates().map(licenceOfCrate),
+        read(import.meta.dirname, "licences/rust.txt"),
+      ];
+      this.emitFile({
+        type: "asset",
+        fileName: file,
+        source: texts.join(`\n${"-".repeat(80)}\n\n`),
+      });
     },
   };
 }
@@ -36,9 +45,48 @@ function packageOf(module: string): string | undefined {
 const described = (folder: string): { name?: string; version?: string } =>
   JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
 
-function licenceOf(folder: string): string {
+function licenceOfPackage(folder: string): string {
   const { name, version } = described(folder);
-  const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
-  if (file === undefined) throw new Error(`${name} comes without a licence`);
-  return `${name} ${version}\n\n${readFileSync(join(folder, file), "utf8").trim()}\n`;
+  return `${name} ${version}\n\n${licenceIn(folder)}`;
 }
+
+interface Crate {
+  name: string;
+  version: string;
+  authors: string[];
+  manifest_path: string;
+  /** Whence it comes; null for the project's own. */
+  source: string | null;
+}
+
+/** Crates of others that are compiled into the core. */
+function crates(): Crate[] {
+  const target = "wasm32-unknown-unknown";
+  const cargo = (...asked: string[]) =>
+    execFileSync("cargo", asked, { cwd: PROJECT, encoding: "utf8", maxBuffer: 2 ** 26 });
+  const tree = ["--package=rimroll-wasm", `--target=${target}`, "--edges=normal,no-proc-macro"];
+  // Each as “libm v0.2.16”; the project's own have their folder behind it.
+  const compiled = cargo("tree", ...tree, "--prefix=none").split("\n");
+  const known = JSON.parse(
+    cargo("metadata", "--format-version=1", `--filter-platform=${target}`),
+  ) as { packages: Crate[] };
+  return known.packages.filter(
+    ({ name, version, source }) => source !== null && compiled.includes(`${name} v${version}`),
+  );
+}
+
+function licenceOfCrate({ name, version, authors, manifest_path }: Crate): string {
+  const by = authors.map((author) => author.replace(/ <.*/, "")).join(", ");
+  return `${name} ${version}${by && `, by ${by}`}\n\n${licenceIn(dirname(manifest_path))}`;
+}
+
+/** The licence in a folder: the MIT licence, where one may choose. */
+function licenceIn(folder: string): string {
+  const found = readdirSync(folder).filter((entry) => /^licen[cs]e/i.test(entry));
+  const file = found.find((entry) => /mit/i.test(entry)) ?? found[0];
+  if (file === undefined) throw new Error(`${folder} comes without a licence`);
+  return read(folder, file);
+}
+
+const read = (folder: string, file: string) =>
+  `${readFileSync(join(folder, file), "utf8").trim()}\n`;

@@ -2,6 +2,9 @@
 
 use rimroll::{Body, FrictionLaw, InvalidInput, Options, Solid, State, Surface};
 
+/// The shapes of solids by their places in the page's list.
+const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
+
 /// The numbers of a surface by name, in the order in which the page writes them; NaN where one is not
 /// given.
 const SURFACE: [&str; 6] = [
@@ -54,12 +57,12 @@ impl Asked {
         Body::new(mass, radius, height, transverse, axial)
     }
 
-    /// Which shape (0 a disc, 1 a wall, 2 a cylinder), mass, radius, length and height of its base.
+    /// The shape's place in [`SHAPES`], mass, radius, length and height of its base.
     pub fn solid(&mut self) -> Result<Solid, InvalidInput> {
         let [shape, mass, radius, length, base] = self.array();
-        match shape {
-            0.0 => Solid::disc(mass, radius, base),
-            1.0 => Solid::wall(mass, radius, length, base),
+        match named("shape", shape, &SHAPES)? {
+            "disc" => Solid::disc(mass, radius, base),
+            "wall" => Solid::wall(mass, radius, length, base),
             _ => Solid::cylinder(mass, radius, length, base),
         }
     }
@@ -79,13 +82,12 @@ impl Asked {
 
     /// The law's place in [`FrictionLaw::NAMES`], then the numbers of [`SURFACE`].
     pub fn surface(&mut self) -> Result<Surface, InvalidInput> {
-        let law = self.number() as usize;
-        let name = FrictionLaw::NAMES.get(law).copied().unwrap_or_default();
+        let law = named("law", self.number(), &FrictionLaw::NAMES)?;
         let given: Vec<_> = SURFACE
             .into_iter()
             .filter_map(|name| Some((name.to_owned(), self.given()?)))
             .collect();
-        Surface::named(name, &given)
+        Surface::named(law, &given)
     }
 
     /// Duration, gravity, rtol and the most steps.
@@ -99,4 +101,20 @@ impl Asked {
             max_steps: max_steps as usize,
         }
     }
+}
+
+/// The name at a place of a list. What is no place of it, as the page's -1 for a name that it does not
+/// find, is refused, not taken for another.
+pub fn named(
+    what: &'static str,
+    place: f64,
+    names: &[&'static str],
+) -> Result<&'static str, InvalidInput> {
+    let found = (0..).zip(names).find(|&(at, _)| f64::from(at) == place);
+    let (_, name) = found.ok_or_else(|| InvalidInput::UnknownName {
+        what,
+        name: place.to_string(),
+        choices: names.join(", "),
+    })?;
+    Ok(name)
 }

@@ -1,23 +1,36 @@
 //! Bodies: ready-made, and put together by the visitor.
 
-use crate::asked::Asked;
+use crate::asked::{Asked, named};
 use crate::exchange::{answer, unless_refused};
 use rimroll::{Body, InvalidInput, presets};
 
-/// The numbers of the preset at a place in the page's list; its argument is the filling or the radius
+/// The ready-made bodies by their places in the page's list.
+const PRESETS: [&str; 7] = [
+    "can_2007",
+    "soda_can",
+    "beer_bottle",
+    "coin",
+    "ring",
+    "battery",
+    "euler_disk",
+];
+
+/// The numbers of the preset at a place in [`PRESETS`]; its argument is the filling or the radius
 /// of those that have one.
 #[unsafe(no_mangle)]
-pub extern "C" fn preset(place: usize) -> bool {
+pub extern "C" fn preset(place: f64) -> bool {
     let argument = Asked::new().number();
-    tell(match place {
-        0 => presets::can_2007(),
-        1 => presets::soda_can(argument),
-        2 => presets::beer_bottle(argument),
-        3 => presets::coin(),
-        4 => presets::ring(argument),
-        5 => presets::battery(),
-        _ => presets::euler_disk(),
-    })
+    tell(
+        named("preset", place, &PRESETS).and_then(|name| match name {
+            "can_2007" => presets::can_2007(),
+            "soda_can" => presets::soda_can(argument),
+            "beer_bottle" => presets::beer_bottle(argument),
+            "coin" => presets::coin(),
+            "ring" => presets::ring(argument),
+            "battery" => presets::battery(),
+            _ => presets::euler_disk(),
+        }),
+    )
 }
 
 /// The numbers of a body on a rim, put together from coaxial solids: the rim's radius, then the solids.

@@ -8,7 +8,7 @@ import { toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";
 import { columnsOf, difference, run } from "../given/python";
 import { likelySetup } from "../given/setups";
-import { browserForAll, leave, visit } from "./visit";
+import { browserForAll, visit } from "./visit";
 
 browserForAll();
 
@@ -44,7 +44,6 @@ test("Python computes from the copied code what was downloaded", async () => {
     );
     ours.push(await taken(visited.page));
   }
-  await leave(visited);
 
   const theirs = await run(ours.map(({ code }) => code));
   for (const [k, { code, csv }] of ours.entries())

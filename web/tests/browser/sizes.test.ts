@@ -3,7 +3,7 @@
 import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
 import { violations } from "./axe";
-import { browserForAll, elsewhere, leave, visit } from "./visit";
+import { browserForAll, elsewhere, visit } from "./visit";
 
 browserForAll();
 
@@ -25,19 +25,4 @@ test.each([
   expect(await violations(page)).toEqual([]);
   expect(complaints).toEqual([]);
   expect(elsewhere(requests)).toEqual([]);
-  await leave(visited);
-});
-
-test("keys tip the body on the table and let it go", { timeout: 120_000 }, async () => {
-  const visited = await visit({ viewport: { width: 360, height: 740 }, webgl: true });
-  const { page, complaints } = visited;
-  const table = page.locator("#scene canvas");
-  for (const key of ["+", "+", "-", "Enter"]) await table.press(key);
-  await page.waitForFunction(() => location.hash === "#tilt=21");
-  expect(await page.locator("#tilt-field").inputValue()).toBe("21");
-  await table.press("+");
-  await table.press("Escape");
-  expect(await page.evaluate(() => location.hash)).toBe("#tilt=21");
-  expect(complaints).toEqual([]);
-  await leave(visited);
 });

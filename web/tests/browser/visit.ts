@@ -1,7 +1,7 @@
 // Visits to the page in a headless Chromium.
 
 import { type Browser, type BrowserContextOptions, type Page, chromium } from "playwright-core";
-import { afterAll, beforeAll } from "vitest";
+import { afterAll, afterEach, beforeAll } from "vitest";
 import { type Served, serve } from "../given/server";
 
 // Without a graphics card, as on a machine for tests, WebGL is drawn in software.
@@ -26,12 +26,16 @@ export interface Visit {
 let browser: Browser;
 let served: Served;
 
-/** Opens a browser for the tests of a file, and closes it after them. */
+/** Opens a browser for the tests of a file, and closes it after them. Each test's visits end with it,
+ * whether it passes or not: a page that is left open goes on drawing. */
 export function browserForAll(): void {
   beforeAll(async () => {
     served = await serve();
     const executablePath = process.env["RIMROLL_CHROMIUM"] ?? "/usr/bin/chromium-headless-shell";
     browser = await chromium.launch({ executablePath, args: FLAGS });
+  });
+  afterEach(async () => {
+    await Promise.all(browser.contexts().map((context) => context.close()));
   });
   afterAll(async () => {
     await browser?.close();
@@ -74,9 +78,6 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
   await (webgl ? scene.locator("canvas[data-engine]") : scene.getByText("WebGL")).waitFor();
   return { page, requests, complaints };
 }
-
-/** Closes a visit, so that it draws no longer. */
-export const leave = ({ page }: Visit): Promise<void> => page.context().close();
 
 function withoutWebGL(): void {
   const getContext = HTMLCanvasElement.prototype.getContext as (...a: unknown[]) => unknown;
