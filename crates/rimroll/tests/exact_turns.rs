@@ -160,6 +160,29 @@ fn a_rim_that_has_to_be_pulled_for_a_moment_lifts_off() {
     }
 }
 
+#[test]
+fn a_rim_that_has_to_be_pulled_where_the_tilt_would_be_largest_lifts_off_without_a_turn() {
+    let throw = (
+        IdealLaw::Frictionless,
+        [
+            0.05,
+            0.002352595253962928,
+            0.0006529654567666472,
+            0.0013031804094904235,
+        ],
+        [
+            0.08404701033950154,
+            6.247632144970591,
+            -15.814874120519539,
+            -17.08765390847556,
+        ],
+    );
+    assert_eq!(by_steps(&throw), (Ending::LiftedOff, None));
+    let exact = by_quadrature(&throw);
+    assert_eq!(exact.ending, Ending::LiftedOff);
+    assert!(exact.turn.is_nan());
+}
+
 /// The i-th point of Halton's sequence along one of its axes, in [0, 1).
 fn halton(mut i: usize, base: usize) -> f64 {
     let (mut sum, mut unit) = (0.0, 1.0);

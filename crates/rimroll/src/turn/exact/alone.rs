@@ -169,11 +169,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way.
     fn came_down_flat(&self, high: &Option<Extreme<T>>) -> Outcome<T> {
         let highest = high.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
-        let (flat, pressing) = (libm::log(FLAT), |eta| self.pressing(eta));
-        let lifts = self
-            .first_sign_change(highest.value(), flat, pressing)
-            .is_some();
-        let ending = if lifts {
+        let ending = if self.lifts_coming_down(highest.value(), libm::log(FLAT)) {
             Ending::LiftedOff
         } else {
             Ending::FaceDown
@@ -320,17 +316,22 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             Top::Rest(high) => high.eta.value(),
             Top::Passing(y, _) => libm::log(y.value()),
         };
-        let pressing = |eta| self.pressing(eta);
         let turned = if rising { end } else { start };
-        if !self.is_sure(low, turned) && self.first_sign_change(turned, bottom, pressing).is_some()
-        {
+        if !self.is_sure(low, turned) && self.lifts_coming_down(turned, bottom) {
             return Some(None);
         }
         if self.is_sure(low, end) {
             return None;
         }
+        let pressing = |eta| self.pressing(eta);
         let eta = self.first_sign_change(start.max(bottom), end, pressing)?;
         Some(Some(T::from(eta).exp()))
+    }
+
+    /// Whether the table would have to pull on the way down from one η, where the tilt may turn back, to another.
+    fn lifts_coming_down(&self, from: f64, to: f64) -> bool {
+        let pressing = |eta| self.pressing(eta);
+        pressing(from) < 0.0 || self.first_sign_change(from, to, pressing).is_some()
     }
 
     /// Whether it is sure that the table pushes all the way from the smallest tilt up to another.
