@@ -401,6 +401,8 @@ mod tests {
         let exact = Exact::new(&can, IdealLaw::NoSlip, 9.8, None).unwrap();
         let starts = throws(&can, 100);
         assert!(exact.turns_while(&starts, || false).unwrap().is_none());
+        let slopes = exact.turn_slopes_while(&starts, || false);
+        assert!(slopes.unwrap().is_none());
         assert_eq!(
             exact.turns_while(&starts, || true).unwrap().unwrap().len(),
             100
