@@ -75,7 +75,8 @@ def turn_map(
         it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are what
         :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``; but a body whose
         rim leaves the table as it rises past its balance tilt has the outcome ``toppled`` here, and
-        the status ``lifted_off`` there.
+        the status ``lifted_off`` there. A start whose rim the table would have to pull down at once
+        is ``lifted_off`` in both, and has no turn.
 
     Raises
     ------

@@ -55,9 +55,10 @@ pub fn exact_turns<'py>(
         .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let watched = Watched::default();
     let work = || {
-        let slopes = jacobian.then(|| exact.turn_slopes(&starts)).transpose()?;
-        let turns = exact.turns_while(&starts, || watched.count(0).is_continue())?;
-        Ok((turns.unwrap_or_default(), slopes))
+        let goes_on = || watched.count(0).is_continue();
+        let slopes = jacobian.then(|| exact.turn_slopes_while(&starts, goes_on));
+        let turns = exact.turns_while(&starts, goes_on)?;
+        Ok((turns.unwrap_or_default(), slopes.transpose()?.flatten()))
     };
     let (done, stopped) = py.detach(|| {
         std::thread::scope(|scope| {

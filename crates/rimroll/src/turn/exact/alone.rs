@@ -102,6 +102,9 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     pub(super) fn outcome(&self) -> Option<Outcome<T>> {
         let start = self.start;
         let point = self.motion.at(start.y, start.eta);
+        if self.motion.pressing(&point).value() < 0.0 {
+            return Some(Outcome::without_turn(Ending::LiftedOff, None));
+        }
         let p = start.p.value();
         let rising = p > 0.0 || (p == 0.0 && point.slope.value() > 0.0);
         let low = self.low(p == 0.0 && rising).ok()?;
@@ -166,11 +169,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way.
     fn came_down_flat(&self, high: &Option<Extreme<T>>) -> Outcome<T> {
         let highest = high.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
-        let (flat, pressing) = (libm::log(FLAT), |eta| self.pressing(eta));
-        let lifts = self
-            .first_sign_change(highest.value(), flat, pressing)
-            .is_some();
-        let ending = if lifts {
+        let ending = if self.lifts_coming_down(highest.value(), libm::log(FLAT)) {
             Ending::LiftedOff
         } else {
             Ending::FaceDown
@@ -317,17 +316,22 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             Top::Rest(high) => high.eta.value(),
             Top::Passing(y, _) => libm::log(y.value()),
         };
-        let pressing = |eta| self.pressing(eta);
         let turned = if rising { end } else { start };
-        if !self.is_sure(low, turned) && self.first_sign_change(turned, bottom, pressing).is_some()
-        {
+        if !self.is_sure(low, turned) && self.lifts_coming_down(turned, bottom) {
             return Some(None);
         }
         if self.is_sure(low, end) {
             return None;
         }
+        let pressing = |eta| self.pressing(eta);
         let eta = self.first_sign_change(start.max(bottom), end, pressing)?;
         Some(Some(T::from(eta).exp()))
+    }
+
+    /// Whether the table would have to pull on the way down from one η, where the tilt may turn back, to another.
+    fn lifts_coming_down(&self, from: f64, to: f64) -> bool {
+        let pressing = |eta| self.pressing(eta);
+        pressing(from) < 0.0 || self.first_sign_change(from, to, pressing).is_some()
     }
 
     /// Whether it is sure that the table pushes all the way from the smallest tilt up to another.
@@ -349,13 +353,65 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         self.motion.pressing(&point).value()
     }
 
-    /// Where a function that is positive at first changes its sign.
+    /// Where a function that is not negative at first changes its sign, be it for less than from one look to
+    /// the next.
     fn first_sign_change(&self, from: f64, to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
         let looks = (LOOKS as f64).max((to - from).abs() / 0.2) as usize;
         let at = |i: usize| from + (to - from) * i as f64 / looks as f64;
-        let first = (1..=looks).find(|&i| f(at(i)) < 0.0)?;
-        Some(bracketed(at(first - 1), at(first), f))
+        let seen: Vec<f64> = (0..=looks).map(|i| f(at(i))).collect();
+        (0..=looks).find_map(|i| {
+            let (before, after) = (i.saturating_sub(1), (i + 1).min(looks));
+            let beyond = if i > 0 && seen[i] < 0.0 {
+                Some(at(i))
+            } else if may_dip(&seen, i) {
+                negative_between(at(before), at(after), &f)
+            } else {
+                None
+            };
+            beyond.map(|beyond| bracketed(at(before), beyond, &f))
+        })
     }
+}
+
+/// Whether a function that has been seen in equal steps may be negative next to its i-th value, the least of
+/// those around it. A parabola is lower between two of them by an eighth of their second difference at most.
+fn may_dip(seen: &[f64], i: usize) -> bool {
+    const MARGIN: f64 = 4.0;
+    let last = seen.len() - 1;
+    let middle = i.clamp(1, last - 1);
+    let bend = seen[middle - 1] - 2.0 * seen[middle] + seen[middle + 1];
+    let is_least = (i == 0 || seen[i] <= seen[i - 1]) && (i == last || seen[i] <= seen[i + 1]);
+    is_least && seen[i] < MARGIN / 8.0 * bend
+}
+
+/// A place where a function with one minimum between two others is negative, by golden sections.
+fn negative_between(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    /// Of the golden sections: the last is of a 1e-4 of the first.
+    const SECTIONS: usize = 20;
+    let section = |from: f64, to: f64| {
+        let x = from + GOLDEN * (to - from);
+        (x, f(x))
+    };
+    // The one is nearer to `to`, the other to `from`.
+    let (mut one, mut other) = (section(from, to), section(to, from));
+    for _ in 0..SECTIONS {
+        for (x, value) in [other, one] {
+            if value < 0.0 {
+                return Some(x);
+            }
+        }
+        if one.1 < other.1 {
+            from = other.0;
+            other = one;
+            one = section(from, to);
+        } else {
+            to = one.0;
+            one = other;
+            other = section(to, from);
+        }
+    }
+    None
 }
 
 /// A piece by the first rule, from a choice on, with which the next but one agrees: what one rule tells of

@@ -322,6 +322,9 @@ fn add(
                 let piece = pieces.map(|all| all.0[place]);
                 if is_resolved(&piece, choice.nodes()) {
                     done(&mut lanes[i], piece);
+                } else if !(piece.yaw.is_finite() && piece.time.is_finite()) {
+                    // G has been negative at a node: what was taken for the motion's extremes are not.
+                    lanes[i].course = Course::Alone;
                 } else if let Some(larger) = choice.larger() {
                     waiting[larger.place()].push(i);
                 } else {
@@ -398,6 +401,8 @@ mod tests {
         let exact = Exact::new(&can, IdealLaw::NoSlip, 9.8, None).unwrap();
         let starts = throws(&can, 100);
         assert!(exact.turns_while(&starts, || false).unwrap().is_none());
+        let slopes = exact.turn_slopes_while(&starts, || false);
+        assert!(slopes.unwrap().is_none());
         assert_eq!(
             exact.turns_while(&starts, || true).unwrap().unwrap().len(),
             100

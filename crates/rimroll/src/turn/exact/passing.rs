@@ -5,11 +5,11 @@
 //! the tilt does not turn back on the way, and that the table pushes, is seen at the nodes of the rules.
 
 use super::extremes::{Extreme, lowest};
-use super::pieces::{Piece, across, from_lowest};
+use super::pieces::{LEAST_PUSH, Piece, across, from_lowest};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Rule, nodes_across, nodes_towards};
 use super::start::Start;
-use super::tilting::Tilting;
+use super::tilting::{Point, Tilting};
 use super::together::{ROUNDS, is_lowest};
 use super::{Ending, FLAT, LOOKS};
 use crate::real::{Lanes, Mask, Real};
@@ -55,6 +55,7 @@ pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &
     let [balance, end] = [[way.balance.y, way.balance.eta], way.end]
         .map(|place| place.map(Lanes::from))
         .map(|[y, eta]| motion.at(y, eta));
+    let first = motion.at(start.y, start.eta);
     let ridge = Ridge::new(way.balance, balance.drive);
     let foot = split(start.eta, way) - low.eta;
     let sound = is_lowest(&low)
@@ -62,6 +63,7 @@ pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &
         .and(Lanes::from(0.0).at_most(balance.drive))
         .and(Lanes::from(NARROWEST).at_most(ridge.width()))
         .and(Lanes::from(0.0).at_most(end.drive))
+        .and(Lanes::from(0.0).at_most(motion.pressing(&first)))
         .and(Lanes::from(0.0).at_most(motion.pressing(&end)))
         .and(Lanes::from(LEAST).at_most(foot));
     let from_split = split(start.eta, way);
@@ -90,7 +92,8 @@ pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, w
     let rising = zero.at_most(first.slope);
     let mut sound = rising
         .or(margin.at_most(first.drive))
-        .and(step.at_most(Lanes::from(FARTHEST)));
+        .and(step.at_most(Lanes::from(FARTHEST)))
+        .and(surely_pushes(motion, &first));
     for look in 1..=LOOKS {
         let away = step * Lanes::from(look as f64);
         let y = start.y + start.y * away.exp_m1();
@@ -99,9 +102,15 @@ pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, w
         sound = sound
             .and(stays)
             .and(zero.at_most(point.drive))
-            .and(zero.at_most(motion.pressing(&point)));
+            .and(surely_pushes(motion, &point));
     }
     sound
+}
+
+/// Whether the table pushes so much that it need not pull next to there.
+#[inline(always)]
+fn surely_pushes(motion: &impl Tilting<Lanes>, point: &Point<Lanes>) -> Mask {
+    (Lanes::from(LEAST_PUSH) * motion.resting(point)).at_most(motion.pressing(point))
 }
 
 /// Where the piece from the smallest tilt ends: at the start or, where that is nearer to the balance point or past

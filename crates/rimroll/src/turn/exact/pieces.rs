@@ -20,8 +20,8 @@ const YAW_TOLERANCE: f64 = 3e-14;
 /// Error of the time of a piece, relative to it.
 const TIME_TOLERANCE: f64 = 1e-11;
 
-/// Where the table pushes less than this part of the weight at a node, it may have to pull between two.
-const LEAST_PUSH: f64 = 0.05;
+/// Where the table pushes less than this part of the weight at a node or a look, it may have to pull between two.
+pub(super) const LEAST_PUSH: f64 = 0.05;
 
 /// Yaw and time along a piece, and what tells how well the rule has resolved it.
 #[derive(Debug, Clone, Copy)]

@@ -38,7 +38,7 @@ impl Choice {
         }
     }
 
-    /// For a piece to the largest tilt, of so many nodes, where that of the square of [`singular`] is given.
+    /// For a piece to the largest tilt, of so many nodes, where the integrand is singular at τ² = −`square`.
     pub(super) fn to_highest(nodes: f64, square: f64) -> Choice {
         let (mut stretch, mut epsilon) = (1, 1.0);
         if square >= UNSTRETCHED {

@@ -22,14 +22,27 @@ impl Exact {
     /// # Errors
     /// As [`Exact::turns`].
     pub fn turn_slopes(&self, starts: &[State]) -> Result<Vec<Slope>, InvalidInput> {
+        let slopes = self.turn_slopes_while(starts, || true)?;
+        Ok(slopes.expect("nothing has ended the work"))
+    }
+
+    /// The same, unless `goes_on`, which is asked before each start, says that it is no longer wanted.
+    ///
+    /// # Errors
+    /// As [`Exact::turns`].
+    pub fn turn_slopes_while(
+        &self,
+        starts: &[State],
+        goes_on: impl Fn() -> bool + Sync,
+    ) -> Result<Option<Vec<Slope>>, InvalidInput> {
         for start in starts {
             self.check(start)?;
         }
         let k = self.varied_parameters();
         let table = self.table.as_ref().map(|table| Fundamental::like(table, k));
         let slope = |start: &State| {
-            let slope = self.slope_of(start, k, table.as_ref());
-            slope.unwrap_or([f64::NAN; PARAMETERS.len()])
+            let slope = || self.slope_of(start, k, table.as_ref());
+            goes_on().then(|| slope().unwrap_or([f64::NAN; PARAMETERS.len()]))
         };
         #[cfg(feature = "threads")]
         let starts = starts.par_iter();
