@@ -57,7 +57,14 @@ export function numberRow(
   row.append(label, slider, typed, unit, help, refusal);
 
   slider.addEventListener("input", () => hand.set(name, scale.value(Number(slider.value))));
-  typed.addEventListener("change", () => hand.type(name, typed.value));
+  // What is being typed is not written over when something else changes meanwhile.
+  let typing = false;
+  typed.addEventListener("input", () => (typing = true));
+  typed.addEventListener("change", () => {
+    typing = false;
+    hand.type(name, typed.value);
+  });
+  typed.addEventListener("blur", () => (typing = false));
 
   effect(() => {
     const value = hand.lab.setup.value[name];
@@ -67,7 +74,7 @@ export function numberRow(
     slider.value = String(scale.position(value));
     slider.setAttribute("aria-valuetext", withUnit(shown(value), field.unit));
     // What was refused stays as it was written, to be mended; what was not has all its digits.
-    typed.value = refused?.text ?? written(value);
+    if (!typing) typed.value = refused?.text ?? written(value);
   });
   effect(() => {
     const reason = idle();

@@ -1,7 +1,7 @@
 // The story: what its steps say, and that it shows what they say.
 
 import { beforeAll, describe, expect, test } from "vitest";
-import { SPEEDS } from "../../src/clock";
+import { SPEEDS } from "../../src/setup/pace";
 import type { Core } from "../../src/core/core";
 import { flicked } from "../../src/falls/flicked";
 import { tallied } from "../../src/flicks/tally";
