@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import time
 from dataclasses import fields
 from types import SimpleNamespace
 
@@ -366,19 +367,35 @@ def test_the_derivatives_are_those_of_finite_differences(rocking, law):
 # Ctrl-C
 
 
+def interrupted(start, after, **more):
+    """How long it takes until Ctrl-C, so many seconds after the work on turns began, ends it."""
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    begun = time.monotonic()
+    try:
+        signal.setitimer(signal.ITIMER_REAL, after)
+        with pytest.raises(KeyboardInterrupt):
+            rr.exact_turn(CAN, start, rr.NoSlip(), threads=1, **more)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    return time.monotonic() - begun
+
+
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
 def test_ctrl_c_is_heard_while_starts_are_stepped():
     """Steady precession, which is followed for very long, many times over."""
     yaw = precessing(CAN, 0.3, rr.NoSlip())
-    start = rr.State(tilt=np.full(AT_A_TIME, 0.3), yaw_rate=yaw, spin_rate=-yaw * np.cos(0.3))
-    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 0.3)
-        with pytest.raises(KeyboardInterrupt):
-            rr.exact_turn(CAN, start, rr.NoSlip(), threads=1)
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+    tilt = np.full(AT_A_TIME, 0.3)
+    interrupted(rr.State(tilt=tilt, yaw_rate=yaw, spin_rate=-yaw * np.cos(0.3)), 0.3)
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
+def test_ctrl_c_is_heard_while_derivatives_are_computed():
+    start = rr.State(tilt=np.full(AT_A_TIME, 0.3), yaw_rate=0.1)
+    begun = time.monotonic()
+    rr.exact_turn(CAN, start, rr.NoSlip(), threads=1, jacobian=True)
+    whole = time.monotonic() - begun
+    assert interrupted(start, 0.05 * whole, jacobian=True) < 0.6 * whole
 
 
 # What is refused
