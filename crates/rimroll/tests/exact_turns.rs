@@ -198,12 +198,12 @@ fn halton(mut i: usize, base: usize) -> f64 {
 fn thrown(i: usize) -> Throw {
     let between = |base, least: f64, most: f64| least + (most - least) * halton(i, base);
     let radius: f64 = 0.05;
-    let height = radius / between(2, 0.1_f64.ln(), 30_f64.ln()).exp();
+    let height = radius / libm::exp(between(2, libm::log(0.1), libm::log(30.0)));
     let axial = radius * radius * between(3, 0.1, 1.0);
     let transverse = 0.5 * axial + height * height * between(5, 0.05, 1.0);
-    let natural = (GRAVITY / radius.hypot(height)).sqrt();
+    let natural = (GRAVITY / libm::hypot(radius, height)).sqrt();
     let fast = natural * between(19, 0.03, 3.0);
-    let law = if i % 2 == 0 {
+    let law = if i.is_multiple_of(2) {
         IdealLaw::NoSlip
     } else {
         IdealLaw::Frictionless
