@@ -129,7 +129,7 @@ export class Chart {
     if (!Number.isFinite(value)) return "∞";
     const { name, size } = this.unit;
     // Of energies the small ones are as exact as the large ones.
-    const text = this.figure.prefixed ? (value / size).toFixed(3) : significant(value, 4);
+    const text = this.figure.prefixed ? thousandths(value / size) : significant(value, 4);
     return name === "" || name === "°" ? text + name : `${text} ${name}`;
   }
 
@@ -279,3 +279,7 @@ function bounds(curves: readonly Values[]): [number, number] {
     }
   return [least, most];
 }
+
+/** To three decimals; what is less than half of the last is zero, without a sign. */
+const thousandths = (value: number) =>
+  (Math.round(1000 * value) / 1000 || 0).toFixed(3).replace("-", "−");

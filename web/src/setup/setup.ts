@@ -47,11 +47,12 @@ function outOfBounds(field: NumberField, value: number, text: string): string | 
   const { label, unit, least, most, open, whole } = field;
   if (THOUSANDS.test(text))
     return `${label}: “${text.trim()}” can be read in two ways; write decimals after a point, and nothing between thousands.`;
+  if (text.trim() === "") return `${label} needs a number.`;
   if (Number.isNaN(value)) return `${label} is a number, not “${text}”.`;
   if (whole && !Number.isInteger(value)) return `${label} is a whole number, not ${text.trim()}.`;
   const inside = open ? value > least && value < most : value >= least && value <= most;
   if (inside) return undefined;
-  const upTo = `${least} to ${withUnit(String(most), unit)}`;
-  const bounds = open ? `inside ${upTo}, ends left out` : `from ${upTo}`;
+  const [low, high] = [withUnit(String(least), unit), withUnit(String(most), unit)];
+  const bounds = open ? `more than ${low} and less than ${high}` : `from ${least} to ${high}`;
   return `${label} is ${bounds}; ${text.trim()} is outside.`;
 }

@@ -66,9 +66,11 @@ export function comparison(
 const FLAT = Math.PI / 180;
 
 function difference(theory: number, happened: number): string {
-  const size = degrees(Math.abs(happened - theory), 2);
-  if (size === degrees(0, 2)) return "what happened here";
-  return `${size} ${happened > theory ? "below" : "above"} what happened here`;
+  // Of the numbers as they are shown, for whoever subtracts them.
+  const hundredths = (angle: number) => Math.round((angle * 18_000) / Math.PI);
+  const size = Math.abs(hundredths(happened) - hundredths(theory));
+  if (size === 0) return "what happened here";
+  return `${(size / 100).toFixed(2)}° ${happened > theory ? "below" : "above"} what happened here`;
 }
 
 /** How it ended, or why there is nothing. */
@@ -78,7 +80,7 @@ export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
   const after = shownTime(motion.end);
   switch (motion.status) {
     case "finished":
-      return `After ${shown(motion.end, 3)} s it still moves; it was followed no longer.`;
+      return `It still moves after ${shown(motion.end, 3)} s, when the computation ends.`;
     case "toppled":
       return came(motion)
         ? `It fell over after ${after}.`

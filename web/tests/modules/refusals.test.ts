@@ -46,13 +46,17 @@ test("a minus sign may be a real one", () => {
 });
 
 describe("what is refused is refused in words", () => {
-  test.each(["", " ", "abc", "1 2", "NaN", "twelve"])("no number: “%s”", (text) => {
+  test.each(["", " "])("nothing: “%s”", (text) => {
+    expect(read("tilt", text)).toMatchObject({ field: "tilt", message: "Tilt needs a number." });
+  });
+
+  test.each(["abc", "1 2", "NaN", "twelve"])("no number: “%s”", (text) => {
     expect(message("tilt", text)).toBe(`Tilt is a number, not “${text}”.`);
   });
 
   test.each(["0", "1e-300", "90", "-20", "Infinity"])("outside open bounds: %s", (text) => {
     expect(message("tilt", text)).toBe(
-      `Tilt is inside 0.000001 to 90°, ends left out; ${text} is outside.`,
+      `Tilt is more than 0.000001° and less than 90°; ${text} is outside.`,
     );
   });
 

@@ -59,7 +59,7 @@ test("the lean swings round by the change of yaw, whatever the body does about i
 
 describe("the theory", () => {
   test("is so much below or above what happened", () => {
-    expect(saidOf({}).theory).toBe("0.07° below what happened here");
+    expect(saidOf({}).theory).toBe("0.06° below what happened here");
     expect(saidOf({ tilt: 5, sideways: 1e-9 }).theory).toBe("what happened here");
   });
 
