@@ -108,7 +108,7 @@ describe("what cannot be is refused at its field, in words", () => {
   test("from a link", async () => {
     await visited("tilt=1e-300&body=teapot&gravity=heavy&law=no_slip", async ({ page }) => {
       for (const [field, words] of [
-        ["tilt", "Tilt is inside 0.000001 to 90°"],
+        ["tilt", "Tilt is more than 0.000001° and less than 90°"],
         ["body", "Body is one of can_2007, "],
         ["gravity", "Gravity is a number, not “heavy”."],
       ] as const) {
