@@ -21,7 +21,7 @@ fn starts(kind: &str, n: usize) -> Vec<State> {
                 "rocking" => {
                     let mut tiny = || libm::pow(10.0, between(-5.0, -1.0));
                     let (yaw, spin) = (tiny(), tiny());
-                    [between(0.3, 0.6), -between(0.0, 1.0), yaw, spin]
+                    [between(0.3, 0.6), -between(0.0, 0.5), yaw, spin]
                 }
                 "flick" => [0.318_26, -4.0, between(-1.0, 1.0), between(-1.0, 1.0)],
                 "thrown" => [

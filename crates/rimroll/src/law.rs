@@ -52,10 +52,20 @@ pub struct Parameters<T> {
 }
 
 impl<T: Copy> Parameters<T> {
-    /// [m, R, H, A, C, g].
+    /// [m, R, H, A, C, g], as another kind of number.
     #[inline(always)]
-    pub(crate) fn letters(&self) -> [T; 6] {
-        [self.m, self.r, self.h, self.a, self.c, self.g]
+    pub(crate) fn letters<N>(&self) -> [N; 6]
+    where
+        T: Into<N>,
+    {
+        [
+            self.m.into(),
+            self.r.into(),
+            self.h.into(),
+            self.a.into(),
+            self.c.into(),
+            self.g.into(),
+        ]
     }
 }
 

@@ -119,10 +119,12 @@ impl Options {
         }
         if let Some(topple) = self.topple_tilt {
             // Past this tilt the centre of mass would be under the table.
-            let most = (FRAC_PI_2 + body.balance_tilt()).min(PI);
-            let (within, below) = (topple > 0.0 && topple < most, start.tilt < topple);
+            let most = || (FRAC_PI_2 + body.balance_tilt()).min(PI);
+            let within = topple > 0.0 && (topple <= FRAC_PI_2 || topple < most());
+            let below = start.tilt < topple;
             // Bounds are put into words only for those who miss them: this is asked of every start.
             if !within {
+                let most = most();
                 let bound =
                     format!("inside (0, {most}), where the centre of mass is over the table");
                 bounded("topple_tilt", topple, |_| false, &bound, "rad")?;

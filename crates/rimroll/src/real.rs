@@ -9,7 +9,7 @@ mod dual;
 mod elementary;
 mod lanes;
 
-pub(crate) use elementary::{acosh, asinh};
+pub(crate) use elementary::{asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
 
 pub use dual::{Dual, Slope, Slopes};
 pub use lanes::{LANES, Lanes, Mask};
@@ -36,6 +36,8 @@ pub trait Real:
     fn exp_m1(self) -> Self;
     /// ln x, for x > 0 that is neither tiny (below 1e-300) nor infinite.
     fn ln(self) -> Self;
+    /// The same to 4e-4.
+    fn rough_ln(self) -> Self;
     /// The angle in (−π/2, π/2) whose tangent is x.
     fn atan(self) -> Self;
     /// |x|.
@@ -65,10 +67,13 @@ fn even_and_odd<T: Real, C: Copy + Into<T>>(rows: &[[C; 4]], x: T) -> [T; 4] {
             even[j] = even[j] * square + lower[j].into();
         }
     }
-    match last {
-        [row] => core::array::from_fn(|j| (odd[j] * x + even[j]) * x + row[j].into()),
-        _ => core::array::from_fn(|j| odd[j] * x + even[j]),
+    for j in 0..4 {
+        even[j] = odd[j] * x + even[j];
+        if let [row] = last {
+            even[j] = even[j] * x + row[j].into();
+        }
     }
+    even
 }
 
 impl Real for f64 {
@@ -97,9 +102,14 @@ impl Real for f64 {
         elementary::ln(self)
     }
 
-    #[inline]
+    #[inline(always)]
+    fn rough_ln(self) -> Self {
+        elementary::rough_ln(self)
+    }
+
+    #[inline(always)]
     fn atan(self) -> Self {
-        libm::atan(self)
+        elementary::atan(self)
     }
 
     #[inline]

@@ -145,9 +145,13 @@ impl<S: Slope> Real for Dual<S> {
         self.chain(Real::ln(self.value), 1.0 / self.value)
     }
 
+    fn rough_ln(self) -> Self {
+        self.ln()
+    }
+
     fn atan(self) -> Self {
         let slope = 1.0 / (1.0 + self.value * self.value);
-        self.chain(libm::atan(self.value), slope)
+        self.chain(Real::atan(self.value), slope)
     }
 
     fn abs(self) -> Self {

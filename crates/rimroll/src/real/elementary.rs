@@ -1,8 +1,8 @@
-//! eˣ − 1 and ln x without a branch, from + − × ÷ and the bits of the exponent alone: what is
-//! calculated with for eight lanes at once is to the last bit what it is for one.
+//! eˣ − 1, ln x and what belongs to an angle without a branch, from + − × ÷ and the bits of the exponent
+//! alone: what is calculated with for eight lanes at once is to the last bit what it is for one.
 
 use super::Real;
-use core::f64::consts::LN_2;
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, SQRT_2};
 
 /// ln 2 in two parts, the first with so few bits that its product with a whole number is exact.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238_2e-1;
@@ -42,16 +42,35 @@ const INVERSE_FACTORIALS: [[f64; 2]; 6] = [
     [0.5, 1.0 / 6.0],
 ];
 
-/// ln x for normal x > 0, to 2 units in the last place of the larger of ln x and its parts.
+/// [k, m] of a normal x > 0 that is 2ᵏ m, with m between √½ and √2.
 #[inline(always)]
-pub(super) fn ln(x: f64) -> f64 {
-    // x = 2ᵏ m with m between √½ and √2; ln m = 2 artanh f, f = (m − 1)/(m + 1).
+fn parts(x: f64) -> [f64; 2] {
     const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
     let bits = x.to_bits().wrapping_sub(SQRT_HALF_BITS);
     let exponent = (bits as i64) >> FRACTION;
     let m = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << FRACTION));
     // A whole number as a double without a conversion, which has no vector instruction.
     let k = f64::from_bits(ROUNDER.to_bits().wrapping_add(exponent as u64)) - ROUNDER;
+    [k, m]
+}
+
+/// ln x for normal x > 0, to 4e-4.
+#[inline(always)]
+pub(super) fn rough_ln(x: f64) -> f64 {
+    let [k, m] = parts(x);
+    let f = m - 1.0;
+    let mut sum = 0.0;
+    for over in [-1.0 / 6.0, 0.2, -0.25, 1.0 / 3.0, -0.5, 1.0] {
+        sum = sum * f + over;
+    }
+    k * LN_2 + f * sum
+}
+
+/// ln x for normal x > 0, to 2 units in the last place of the larger of ln x and its parts.
+#[inline(always)]
+pub(super) fn ln(x: f64) -> f64 {
+    // ln m = 2 artanh f, f = (m − 1)/(m + 1).
+    let [k, m] = parts(x);
     let f = (m - 1.0) / (m + 1.0);
     let ff = f * f;
     let mut sum = 1.0 / 23.0;
@@ -59,6 +78,48 @@ pub(super) fn ln(x: f64) -> f64 {
         sum = sum * ff + 1.0 / odd;
     }
     k * LN_2_HIGH + (2.0 * (f + f * ff * sum) + k * LN_2_LOW)
+}
+
+/// The angle in (−π/2, π/2) whose tangent is x, to 2 units in the last place.
+#[inline(always)]
+pub(super) fn atan(x: f64) -> f64 {
+    const TAN_PI_8: f64 = SQRT_2 - 1.0;
+    const TAN_3_PI_8: f64 = SQRT_2 + 1.0;
+    let size = x.abs();
+    // Less an eighth or a quarter of a turn the angle is π/8 at most, its tangent t = over/under.
+    let (is_over_eighth, is_over_quarter) = (size > TAN_PI_8, size > TAN_3_PI_8);
+    let by_eighths = |none: f64, one: f64, two: f64| {
+        let one = if is_over_eighth { one } else { none };
+        if is_over_quarter { two } else { one }
+    };
+    let over = by_eighths(size, size - 1.0, -1.0);
+    let under = by_eighths(1.0, size + 1.0, size);
+    let turned = by_eighths(0.0, FRAC_PI_4, FRAC_PI_2);
+    let t = over / under;
+    // The series of atan t to t⁴¹: what is left out is less than 1e-17 of t.
+    let tt = t * t;
+    let pair = tt * tt;
+    let (mut even, mut odd) = (0.0, 0.0);
+    for n in (1..=10).rev() {
+        odd = odd * pair - 1.0 / f64::from(4 * n - 1);
+        even = even * pair + 1.0 / f64::from(4 * n + 1);
+    }
+    (turned + (t + t * tt * (odd + tt * even))).copysign(x)
+}
+
+/// (sin x, cos x) for |x| ≤ π/4.
+#[inline(always)]
+pub(crate) fn sin_cos_below_eighth<T: Real>(x: T) -> (T, T) {
+    let one = T::from(1.0);
+    let square = x * x;
+    // Both series to x¹⁷: what is left out is less than 1e-17.
+    let (mut sin, mut cos) = (one, one);
+    for n in (1..=8).rev() {
+        let over = |product: i32| square * T::from(1.0 / f64::from(product));
+        sin = one - over(2 * n * (2 * n + 1)) * sin;
+        cos = one - over(2 * n * (2 * n - 1)) * cos;
+    }
+    (x * sin, cos)
 }
 
 /// The inverse of the hyperbolic sine, absolutely to rounding, for |x| < 1e150.
@@ -69,25 +130,43 @@ pub(crate) fn asinh<T: Real>(x: T) -> T {
     x.where_negative(-positive, positive)
 }
 
-/// The inverse of the hyperbolic cosine, absolutely to the root of rounding, for 1 ≤ x < 1e150.
+/// The same for x ≥ 0, to 4e-4.
 #[inline(always)]
-pub(crate) fn acosh<T: Real>(x: T) -> T {
-    (x + (x * x - T::from(1.0)).sqrt()).ln()
+pub(crate) fn rough_asinh<T: Real>(x: T) -> T {
+    (x + (x * x + T::from(1.0)).sqrt()).rough_ln()
+}
+
+/// The inverse of the hyperbolic cosine for x ≥ 1, to 4e-4.
+#[inline(always)]
+pub(crate) fn rough_acosh<T: Real>(x: T) -> T {
+    (x + (x * x - T::from(1.0)).sqrt()).rough_ln()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{exp_m1, ln};
+    use super::{atan, exp_m1, ln, rough_ln, sin_cos_below_eighth};
+    use core::f64::consts::FRAC_PI_4;
     use proptest::prelude::*;
 
     proptest! {
         #[test]
-        fn both_are_the_library_s_to_the_last_bits(x in -40.0..40.0_f64, scale in -60.0..0.0_f64) {
+        fn powers_are_the_library_s_to_the_last_bits(x in -40.0..40.0_f64, scale in -60.0..0.0_f64) {
             let x = x * libm::exp(scale);
             let wanted = libm::expm1(x);
             prop_assert!((exp_m1(x) - wanted).abs() <= 4.0 * f64::EPSILON * wanted.abs());
             let y = libm::exp(x);
             prop_assert!((ln(y) - libm::log(y)).abs() <= 3.0 * f64::EPSILON * libm::log(y).abs());
+            prop_assert!((rough_ln(y) - libm::log(y)).abs() <= 4e-4);
+        }
+
+        #[test]
+        fn angles_are_the_library_s_to_the_last_bits(exponent in -30.0..30.0_f64, sign in prop::bool::ANY) {
+            let x = if sign { libm::exp(exponent) } else { -libm::exp(exponent) };
+            prop_assert!((atan(x) - libm::atan(x)).abs() <= 2.0 * f64::EPSILON * libm::atan(x).abs());
+            let angle = libm::fmod(x, FRAC_PI_4);
+            let (sin, cos) = sin_cos_below_eighth(angle);
+            prop_assert!((sin - libm::sin(angle)).abs() <= 2.0 * f64::EPSILON * angle.abs());
+            prop_assert!((cos - libm::cos(angle)).abs() <= 2.0 * f64::EPSILON);
         }
     }
 }

@@ -5,7 +5,6 @@
 //! that may use vector instructions, an operation is one or two of them.
 
 use super::{Real, even_and_odd};
-use core::array::from_fn;
 use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
@@ -26,11 +25,11 @@ impl Lanes {
     /// Whether a lane is at most the other's; a NaN is not.
     #[inline(always)]
     pub fn at_most(self, other: Lanes) -> Mask {
-        Mask(from_fn(
-            |i| {
-                if self.0[i] <= other.0[i] { u64::MAX } else { 0 }
-            },
-        ))
+        let mut mask = [0; LANES];
+        for i in 0..LANES {
+            mask[i] = if self.0[i] <= other.0[i] { u64::MAX } else { 0 };
+        }
+        Mask(mask)
     }
 
     /// The smaller in each lane.
@@ -84,13 +83,23 @@ impl Mask {
     #[inline(always)]
     #[must_use]
     pub fn or(self, other: Mask) -> Mask {
-        Mask(from_fn(|i| self.0[i] | other.0[i]))
+        self.each_with(other, |a, b| a | b)
     }
 
     /// Holds where both do.
     #[inline(always)]
+    #[must_use]
     pub fn and(self, other: Mask) -> Mask {
-        Mask(from_fn(|i| self.0[i] & other.0[i]))
+        self.each_with(other, |a, b| a & b)
+    }
+
+    #[inline(always)]
+    fn each_with(self, other: Mask, f: impl Fn(u64, u64) -> u64) -> Mask {
+        let mut result = self;
+        for i in 0..LANES {
+            result.0[i] = f(self.0[i], other.0[i]);
+        }
+        result
     }
 }
 
@@ -98,7 +107,7 @@ impl Not for Mask {
     type Output = Mask;
     #[inline(always)]
     fn not(self) -> Mask {
-        Mask(from_fn(|i| !self.0[i]))
+        self.each_with(self, |a, _| !a)
     }
 }
 
@@ -186,8 +195,13 @@ impl Real for Lanes {
     }
 
     #[inline(always)]
+    fn rough_ln(self) -> Lanes {
+        self.each(Real::rough_ln)
+    }
+
+    #[inline(always)]
     fn atan(self) -> Lanes {
-        self.each(libm::atan)
+        self.each(Real::atan)
     }
 
     #[inline(always)]

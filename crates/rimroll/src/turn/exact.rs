@@ -29,6 +29,7 @@ mod sliding;
 mod start;
 mod tilting;
 mod together;
+mod waiting;
 mod wobble;
 
 use crate::body::Body;
@@ -53,7 +54,7 @@ const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
 const SHORT: f64 = 3e-6;
 
 /// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
-const MOST_OUTER: f64 = 1.8;
+const MOST_OUTER: f64 = 2.6;
 
 /// Points at which the sign of a function is looked at in search of a first root.
 const LOOKS: usize = 24;

@@ -6,11 +6,12 @@
 use super::alone::Outcome;
 use super::dispatch::Eight;
 use super::passing::{Stretch, Way};
-use super::pieces::Piece;
+use super::pieces::Told;
 use super::rule::{Choice, RULES};
 use super::start::Start;
-use super::tilting::sin_and_versine;
+use super::tilting::Conserved;
 use super::together::Part;
+use super::waiting::Waiting;
 use super::{Ending, Exact, ExactTurn, SHORT, told};
 use crate::error::InvalidInput;
 use crate::real::{LANES, Lanes, Real};
@@ -18,26 +19,30 @@ use crate::state::State;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// Starts that a thread takes at a time.
-const BLOCK: usize = 512;
+/// Starts that a thread takes at a time: so many that most rules find eight.
+const BLOCK: usize = 1024;
 
 /// A start on its way through the lanes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lane {
     pub(super) start: Start<f64>,
-    /// tan(φ/2) and its logarithm at the smallest and the largest tilt.
-    pub(super) low: [f64; 2],
+    pub(super) conserved: Conserved<f64>,
+    /// At the smallest tilt tan(φ/2), its logarithm, and how much the collision counts there.
+    pub(super) low: [f64; 3],
+    /// At the largest tan(φ/2) and its logarithm.
     pub(super) high: [f64; 2],
+    /// Both tilts, rad.
+    tilts: [f64; 2],
     /// Of the ridge that it passes.
     pub(super) width: f64,
     /// About how many nodes its three pieces need.
     nodes: [f64; 3],
     square: [f64; 2],
     course: Course,
-    /// From the smallest tilt to the largest or, of one that passes, to the start.
-    half: Piece<f64>,
-    /// From the start's tilt to the largest, or to the end.
-    leg: Piece<f64>,
+    /// Yaw and time from the smallest tilt to the largest or, of one that passes, to the start.
+    half: [f64; 2],
+    /// Yaw and time from the start's tilt to the largest, or to the end.
+    leg: [f64; 2],
 }
 
 /// What is known of what becomes of it.
@@ -45,6 +50,10 @@ pub(super) struct Lane {
 enum Course {
     /// Nothing: it is treated alone.
     Alone,
+    /// It is past the balance point or, but for yaw and spin, goes there.
+    GoesOver,
+    /// It is not, and does not.
+    StaysUnder,
     /// It comes down and rocks.
     Rocks,
     /// It comes down and passes over the balance point.
@@ -89,60 +98,65 @@ impl Exact {
         if !goes_on() {
             return None;
         }
-        let mut lanes: Vec<Lane> = starts.iter().map(Lane::new).collect();
-        let near = (0..lanes.len()).filter(|&i| !self.is_beyond(&starts[i]));
-        let (over, under) = near.partition(|&i| self.has_energy_to_pass(&lanes[i].start));
-        let left = self.find_rocking(&mut lanes, under);
-        self.find_passing(&mut lanes, [over, left].concat());
+        let mut lanes = Lane::of(self, starts);
+        self.find_rocking(&mut lanes);
+        self.find_passing(&mut lanes);
         self.rock(&mut lanes);
         self.pass(&mut lanes);
         let turn = |(lane, start): (&Lane, &State)| match lane.course {
-            // One that has to be stepped may take long.
-            Course::Alone => goes_on().then(|| self.turn_of(start)),
             Course::Rocks => Some(lane.rocked()),
             Course::Passes => Some(lane.passed(self.end())),
             Course::FallsBack => Some(told(&Outcome::without_turn(Ending::FellBack, None))),
+            // One that has to be stepped may take long.
+            _ => goes_on().then(|| self.turn_of(start)),
         };
         lanes.iter().zip(starts).map(turn).collect()
     }
 
-    /// Finds those that rock, and returns the others.
-    fn find_rocking(&self, lanes: &mut [Lane], which: Vec<usize>) -> Vec<usize> {
+    /// Finds those that rock; the others may pass.
+    fn find_rocking(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
-        let mut left = Vec::new();
-        for eight in which.chunks(LANES) {
+        for eight in which(lanes, |lane| lane.course == Course::StaysUnder).chunks(LANES) {
             let found = engine.extremes(&Eight::of(lanes, eight), self.highest());
             let sound = found.sound.bits();
             for (place, &i) in eight.iter().enumerate() {
-                lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];
-                lanes[i].high = [found.high.y.0[place], found.high.eta.0[place]];
-                lanes[i].nodes = found.nodes.map(|all| all.0[place]);
-                lanes[i].square = found.square.map(|all| all.0[place]);
-                if sound & (1 << place) != 0 {
-                    lanes[i].course = Course::Rocks;
-                } else {
-                    left.push(i);
+                let lane = &mut lanes[i];
+                if sound & (1 << place) == 0 {
+                    lane.course = Course::GoesOver;
+                    continue;
                 }
+                let here = |all: Lanes| all.0[place];
+                lane.course = Course::Rocks;
+                lane.conserved = found.conserved.map(here);
+                lane.low = found.low.map(here);
+                lane.high = found.high.map(here);
+                lane.tilts = found.tilts.map(here);
+                lane.nodes = found.nodes.map(here);
+                lane.square = found.square.map(here);
             }
         }
-        left
     }
 
     /// Finds those that nothing turns back below the end.
-    fn find_passing(&self, lanes: &mut [Lane], which: Vec<usize>) {
+    fn find_passing(&self, lanes: &mut [Lane]) {
         let (engine, way) = (self.passing_engine(), self.way());
+        let over = which(lanes, |lane| lane.course == Course::GoesOver);
         let (falling, rising): (Vec<_>, Vec<_>) =
-            which.into_iter().partition(|&i| lanes[i].start.p < 0.0);
+            over.into_iter().partition(|&i| lanes[i].start.p < 0.0);
         for eight in falling.chunks(LANES) {
             let found = engine.passing(&Eight::of(lanes, eight), &way);
             let sound = found.sound.bits();
             for (place, &i) in eight.iter().enumerate() {
-                if sound & (1 << place) != 0 {
-                    lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];
-                    lanes[i].width = found.width.0[place];
-                    lanes[i].nodes = found.nodes.map(|all| all.0[place]);
-                    lanes[i].course = Course::Passes;
+                if sound & (1 << place) == 0 {
+                    continue;
                 }
+                let (lane, here) = (&mut lanes[i], |all: Lanes| all.0[place]);
+                lane.course = Course::Passes;
+                lane.conserved = found.conserved.map(here);
+                lane.low = found.low.map(here);
+                lane.tilts = [here(found.tilt), self.end_tilt()];
+                lane.width = here(found.width);
+                lane.nodes = found.nodes.map(here);
             }
         }
         if way.ending == Ending::Rocked {
@@ -166,9 +180,9 @@ impl Exact {
                 lanes,
                 |lane| self.choice(part, lane),
                 |eight, choice| engine.part(part, eight, choice),
-                Piece::is_resolved,
                 |lane, piece| match part {
-                    Part::Foot | Part::Head => lane.half = lane.half + piece,
+                    Part::Foot => lane.half = piece,
+                    Part::Head => lane.half = sum(lane.half, piece),
                     Part::Leg | Part::ShortLeg => lane.leg = piece,
                 },
             );
@@ -190,15 +204,10 @@ impl Exact {
                     passes.then(|| Choice::plain(lane.nodes[stretch as usize]))
                 },
                 |eight, choice| engine.stretch(stretch, eight, &way, choice),
-                Piece::is_surely_resolved,
-                |lane, piece| {
-                    if piece.pull > 0.0 {
-                        lane.course = Course::Alone;
-                    }
-                    match stretch {
-                        Stretch::Foot | Stretch::Approach => lane.half = lane.half + piece,
-                        Stretch::Rest => lane.leg = piece,
-                    }
+                |lane, piece| match stretch {
+                    Stretch::Foot => lane.half = piece,
+                    Stretch::Approach => lane.half = sum(lane.half, piece),
+                    Stretch::Rest => lane.leg = piece,
                 },
             );
         }
@@ -213,20 +222,8 @@ impl Exact {
         }
     }
 
-    /// Whether it is past the balance point or, but for yaw and spin, goes there.
-    fn has_energy_to_pass(&self, start: &Start<f64>) -> bool {
-        let (balance, k) = (self.balance.y, &self.parameters);
-        let (sin, versine) = sin_and_versine(start.y);
-        let (sin_balance, versine_balance) = sin_and_versine(balance);
-        let to_rise = k.r * (sin_balance - sin) - k.h * (versine_balance - versine);
-        let inertia = match &self.table {
-            Some(table) => table.rim_inertia,
-            None => {
-                let rho = k.r * (1.0 - versine) - k.h * sin;
-                k.a + k.m * rho * rho
-            }
-        };
-        start.y > balance || inertia * start.p * start.p > 2.0 * k.m * k.g * to_rise
+    fn end_tilt(&self) -> f64 {
+        2.0 * self.end().0.atan()
     }
 
     /// The rule to begin with, where a lane that rocks has that part.
@@ -250,85 +247,125 @@ impl Exact {
 }
 
 impl Lane {
-    pub(super) fn new(start: &State) -> Lane {
+    /// Of the starts of a block.
+    pub(super) fn of(exact: &Exact, starts: &[State]) -> Vec<Lane> {
+        let engine = exact.rocking_engine();
+        let mut lanes = Vec::with_capacity(starts.len());
+        for eight in starts.chunks(LANES) {
+            let (start, over) = engine.start(columns(eight), &exact.balance);
+            let over = over.bits();
+            lanes.extend(eight.iter().enumerate().map(|(place, given)| {
+                let course = match over & (1 << place) {
+                    _ if exact.is_beyond(given) => Course::Alone,
+                    0 => Course::StaysUnder,
+                    _ => Course::GoesOver,
+                };
+                Lane::new(start.lane(place), course)
+            }));
+        }
+        lanes
+    }
+
+    fn new(start: Start<f64>, course: Course) -> Lane {
         Lane {
-            start: Start::of(start),
-            low: [f64::NAN; 2],
-            high: [f64::NAN; 2],
-            width: f64::NAN,
-            nodes: [f64::NAN; 3],
-            square: [f64::NAN; 2],
-            course: Course::Alone,
-            half: Piece::nothing(),
-            leg: Piece::nothing(),
+            start,
+            course,
+            conserved: [0.0; 4],
+            low: [0.0; 3],
+            high: [0.0; 2],
+            tilts: [0.0; 2],
+            width: 0.0,
+            nodes: [0.0; 3],
+            square: [0.0; 2],
+            half: [0.0; 2],
+            leg: [0.0; 2],
         }
     }
 
     fn rocked(&self) -> ExactTurn {
-        let Lane { half, leg, .. } = self;
+        let ([half_yaw, half_time], [leg_yaw, leg_time]) = (self.half, self.leg);
         let (turn, min_time, yaw) = if self.start.p > 0.0 {
-            let turn = 2.0 * half.yaw;
-            (turn, leg.time + half.time, turn + leg.yaw)
+            let turn = 2.0 * half_yaw;
+            (turn, leg_time + half_time, turn + leg_yaw)
         } else {
-            let turn = 2.0 * half.yaw - leg.yaw;
-            (turn, half.time - leg.time, turn)
+            let turn = 2.0 * half_yaw - leg_yaw;
+            (turn, half_time - leg_time, turn)
         };
         ExactTurn {
             ending: Ending::Rocked,
             turn,
-            min_tilt: 2.0 * libm::atan(self.low[0]),
-            max_tilt: 2.0 * libm::atan(self.high[0]),
+            min_tilt: self.tilts[0],
+            max_tilt: self.tilts[1],
             min_time,
-            time: min_time + half.time,
+            time: min_time + half_time,
             yaw,
         }
     }
 
-    fn passed(&self, (end, ending): (f64, Ending)) -> ExactTurn {
-        let Lane { half, leg, .. } = self;
-        let turn = half.yaw + (half.yaw + leg.yaw);
+    fn passed(&self, (_, ending): (f64, Ending)) -> ExactTurn {
+        let ([half_yaw, half_time], [leg_yaw, leg_time]) = (self.half, self.leg);
+        let turn = half_yaw + (half_yaw + leg_yaw);
         ExactTurn {
             ending,
             turn,
-            min_tilt: 2.0 * libm::atan(self.low[0]),
-            max_tilt: 2.0 * libm::atan(end),
-            min_time: half.time,
-            time: half.time + (half.time + leg.time),
+            min_tilt: self.tilts[0],
+            max_tilt: self.tilts[1],
+            min_time: half_time,
+            time: half_time + (half_time + leg_time),
             yaw: turn,
         }
     }
 }
 
-/// Adds a piece to all lanes that have it, each by the smallest rule that resolves it.
+/// [tilt, tilt rate, yaw rate, spin rate] of eight starts; where there are fewer, the last repeat the first.
+pub(super) fn columns(eight: &[State]) -> [Lanes; 4] {
+    let mut columns = [Lanes::from(0.0); 4];
+    for place in 0..LANES {
+        let start = eight.get(place).unwrap_or(&eight[0]);
+        columns[0].0[place] = start.tilt;
+        columns[1].0[place] = start.tilt_rate;
+        columns[2].0[place] = start.yaw_rate;
+        columns[3].0[place] = start.spin_rate;
+    }
+    columns
+}
+
+/// The lanes of which something is true.
+fn which(lanes: &[Lane], is_so: impl Fn(&Lane) -> bool) -> Vec<usize> {
+    (0..lanes.len()).filter(|&i| is_so(&lanes[i])).collect()
+}
+
+fn sum([yaw, time]: [f64; 2], [more_yaw, more_time]: [f64; 2]) -> [f64; 2] {
+    [yaw + more_yaw, time + more_time]
+}
+
+/// Adds a piece, yaw and time, to all lanes that have it, each by the smallest rule that resolves it.
 fn add(
     lanes: &mut [Lane],
     choice: impl Fn(&Lane) -> Option<Choice>,
-    ask: impl Fn(&Eight, Choice) -> Piece<Lanes>,
-    is_resolved: impl Fn(&Piece<f64>, usize) -> bool,
-    done: impl Fn(&mut Lane, Piece<f64>),
+    ask: impl Fn(&Eight, Choice) -> Told,
+    done: impl Fn(&mut Lane, [f64; 2]),
 ) {
-    let mut waiting: Vec<Vec<usize>> = vec![Vec::new(); RULES];
+    let mut waiting = Waiting::new(lanes.len());
     for (i, lane) in lanes.iter().enumerate() {
         if let Some(choice) = choice(lane) {
-            waiting[choice.place()].push(i);
+            waiting.push(choice, i);
         }
     }
-    for place in 0..RULES {
-        let open = core::mem::take(&mut waiting[place]);
-        let choice = Choice::at(place);
-        for eight in open.chunks(LANES) {
-            let pieces = ask(&Eight::of(lanes, eight), choice);
+    let mut eight = Vec::with_capacity(LANES);
+    for choice in (0..RULES).map(Choice::at) {
+        while waiting.take(choice, &mut eight) {
+            let told = ask(&Eight::of(lanes, &eight), choice);
+            let (resolved, pushed) = (told.is_resolved.bits(), told.is_pushed.bits());
             for (place, &i) in eight.iter().enumerate() {
-                let piece = pieces.map(|all| all.0[place]);
-                if is_resolved(&piece, choice.nodes()) {
-                    done(&mut lanes[i], piece);
-                } else if !(piece.yaw.is_finite() && piece.time.is_finite()) {
-                    // G has been negative at a node: what was taken for the motion's extremes are not.
-                    lanes[i].course = Course::Alone;
-                } else if let Some(larger) = choice.larger() {
-                    waiting[larger.place()].push(i);
-                } else {
-                    lanes[i].course = Course::Alone;
+                let piece = [told.yaw.0[place], told.time.0[place]];
+                // Where G has been negative at a node, what was taken for the motion's extremes are not.
+                let is_real = piece.iter().all(|number| number.is_finite());
+                match choice.larger() {
+                    _ if !is_real || pushed & (1 << place) == 0 => lanes[i].course = Course::Alone,
+                    _ if resolved & (1 << place) != 0 => done(&mut lanes[i], piece),
+                    Some(larger) => waiting.push(larger, i),
+                    None => lanes[i].course = Course::Alone,
                 }
             }
         }

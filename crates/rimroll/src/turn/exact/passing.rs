@@ -4,12 +4,12 @@
 //! As [`together`](super::together): without a branch, and each lane says whether the formulas held for it. That
 //! the tilt does not turn back on the way, and that the table pushes, is seen at the nodes of the rules.
 
-use super::extremes::{Extreme, lowest};
+use super::extremes::lowest;
 use super::pieces::{LEAST_PUSH, Piece, across, from_lowest};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Rule, nodes_across, nodes_towards};
 use super::start::Start;
-use super::tilting::{Point, Tilting};
+use super::tilting::{Conserved, Point, Tilting};
 use super::together::{ROUNDS, is_lowest};
 use super::{Ending, FLAT, LOOKS};
 use crate::real::{Lanes, Mask, Real};
@@ -38,7 +38,11 @@ pub(super) struct Way {
 /// How eight motions pass.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passing {
-    pub(super) low: Extreme<Lanes>,
+    /// y, η and [`Extreme::grazing`] at the smallest tilt.
+    pub(super) low: [Lanes; 3],
+    /// The smallest tilt, rad.
+    pub(super) tilt: Lanes,
+    pub(super) conserved: Conserved<Lanes>,
     /// Of the [`Ridge`].
     pub(super) width: Lanes,
     /// About how many nodes the stretches need.
@@ -52,9 +56,8 @@ pub(super) struct Passing {
 pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &Way) -> Passing {
     let guess = motion.lowest();
     let low = lowest(motion, [guess, guess.ln()], ROUNDS);
-    let [balance, end] = [[way.balance.y, way.balance.eta], way.end]
-        .map(|place| place.map(Lanes::from))
-        .map(|[y, eta]| motion.at(y, eta));
+    let balance = motion.at(way.balance.y.into(), way.balance.eta.into());
+    let end = motion.at(way.end[0].into(), way.end[1].into());
     let first = motion.at(start.y, start.eta);
     let ridge = Ridge::new(way.balance, balance.drive);
     let foot = split(start.eta, way) - low.eta;
@@ -67,15 +70,19 @@ pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &
         .and(Lanes::from(0.0).at_most(motion.pressing(&end)))
         .and(Lanes::from(LEAST).at_most(foot));
     let from_split = split(start.eta, way);
-    let half = |from: Lanes, to: Lanes| (ridge.clock(to) - ridge.clock(from)) * Lanes::from(0.5);
+    let half = Lanes::from(0.5);
+    let (to_split, to_start) = (ridge.clock(from_split), ridge.clock(start.eta));
+    let to_end = ridge.clock(way.end[1].into());
     let rest = Lanes::from(way.balance.eta) - from_split;
     Passing {
-        low,
+        low: [low.y, low.eta, low.grazing()],
+        tilt: Lanes::from(2.0) * low.y.atan(),
+        conserved: motion.conserved(),
         width: ridge.width(),
         nodes: [
             nodes_towards(foot, rest, ridge.width()),
-            nodes_across(half(from_split, start.eta)),
-            nodes_across(half(start.eta, Lanes::from(way.end[1]))),
+            nodes_across(half * (to_start - to_split)),
+            nodes_across(half * (to_end - to_start)),
         ],
         sound,
     }
@@ -138,13 +145,13 @@ pub(super) enum Stretch {
     Rest,
 }
 
-/// Yaw and time of a stretch, the smallest tilt at y and η, over a ridge of some width.
+/// Yaw and time of a stretch, over a ridge of some width.
 #[inline(always)]
 pub(super) fn stretch(
     stretch: Stretch,
     motion: &impl Tilting<Lanes>,
     start: &Start<Lanes>,
-    [y_low, eta_low]: [Lanes; 2],
+    low: [Lanes; 3],
     width: Lanes,
     way: &Way,
     rule: &Rule,
@@ -153,15 +160,7 @@ pub(super) fn stretch(
     let end = Lanes::from(way.end[1]);
     let ridge = Ridge::of_width(way.balance, width);
     match stretch {
-        Stretch::Foot => {
-            let low = Extreme {
-                y: y_low,
-                eta: eta_low,
-                point: motion.at(y_low, eta_low),
-                change: Lanes::from(0.0),
-            };
-            from_lowest::<true, Lanes>(motion, &low, split - eta_low, rule)
-        }
+        Stretch::Foot => from_lowest::<true, Lanes>(motion, low, split - low[1], rule),
         Stretch::Approach => across(motion, [split, start.eta], &ridge, rule),
         Stretch::Rest => across(motion, [start.eta, end], &ridge, rule),
     }

@@ -7,18 +7,23 @@
 //! At the smallest and the largest tilt G is zero; there η = η_end ± Λτ² makes the integrand an even
 //! analytic function of τ, for which a Gauss-Legendre rule gains digits with every node.
 
-use super::extremes::Extreme;
 use super::ridge::Ridge;
 use super::rule::{Node, Rule};
-use super::tilting::{Point, Tilting};
-use crate::real::Real;
+use super::tilting::{Pace, Point, Tilting};
+use crate::real::{Lanes, Mask, Real};
 use core::ops::{Add, Sub};
 
-/// Error of the yaw of a piece, rad, or relative to a larger one.
-const YAW_TOLERANCE: f64 = 3e-14;
+/// By how much the yaws of a piece by two rules may differ, rad, or relative to a larger one.
+const YAW_DIFFERENCE: f64 = 3e-14;
 
-/// Error of the time of a piece, relative to it.
-const TIME_TOLERANCE: f64 = 1e-11;
+/// The same for its time, relative to it.
+const TIME_DIFFERENCE: f64 = 1e-11;
+
+/// What a rule may tell of its error of the yaw, rad, or relative to a larger one. It is far smaller as a rule.
+const YAW_TOLERANCE: f64 = 1e-13;
+
+/// The same of the time, relative to it.
+const TIME_TOLERANCE: f64 = 2e-11;
 
 /// Where the table pushes less than this part of the weight at a node or a look, it may have to pull between two.
 pub(super) const LEAST_PUSH: f64 = 0.05;
@@ -36,7 +41,20 @@ pub(super) struct Piece<T> {
     /// Those four degrees lower.
     before: [[T; 2]; 2],
     /// Above zero if the table pushed little at a node, or had to pull, where that was watched.
-    pub(super) pull: T,
+    pull: T,
+}
+
+/// What eight lanes are told of a piece.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Told {
+    /// rad.
+    pub(super) yaw: Lanes,
+    /// s.
+    pub(super) time: Lanes,
+    /// Where the rule has made no error that counts.
+    pub(super) is_resolved: Mask,
+    /// Where the table pushed at every node, if that was watched.
+    pub(super) is_pushed: Mask,
 }
 
 impl<T: Real> Piece<T> {
@@ -70,43 +88,90 @@ impl Piece<f64> {
     /// How much another, by another rule, differs, in tolerances, of a motion that lasts `whole` (s) or as
     /// long as the piece itself.
     pub(super) fn difference(&self, other: &Piece<f64>, whole: f64) -> f64 {
-        let yaw = (self.yaw - other.yaw).abs() / (YAW_TOLERANCE * (1.0 + self.yaw.abs()));
-        let time = (self.time - other.time).abs() / (TIME_TOLERANCE * self.time.abs().max(whole));
+        let yaw = (self.yaw - other.yaw).abs() / (YAW_DIFFERENCE * (1.0 + self.yaw.abs()));
+        let time = (self.time - other.time).abs() / (TIME_DIFFERENCE * self.time.abs().max(whole));
         if yaw > time { yaw } else { time }
     }
+}
 
-    /// Whether a rule of n nodes has made no error that counts.
+impl Piece<Lanes> {
+    /// As a rule of n nodes tells it.
     ///
     /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
     /// the rule like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
-    pub(super) fn is_resolved(&self, nodes: usize) -> bool {
-        let larger = |[one, beside]: [[f64; 2]; 2], i: usize| one[i].abs().max(beside[i].abs());
-        let resolved = |i: usize, tolerance: f64| {
-            let (mut error, before) = (larger(self.last, i), larger(self.before, i));
-            if error > tolerance {
-                let ratio = (error / before).min(1.0);
-                error = (0..nodes / 2).fold(error, |error, _| error * ratio);
-            }
-            error <= tolerance
-        };
-        let finite = self.yaw.is_finite() && self.time.is_finite();
-        finite
-            && resolved(0, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
-            && resolved(1, TIME_TOLERANCE * self.time.abs())
+    #[inline(always)]
+    pub(super) fn told(&self, nodes: usize) -> Told {
+        let [yaw, time] = self.tolerances();
+        let last = larger(self.last);
+        let before = larger(self.before);
+        let is_resolved = carried_on(last[0], before[0], nodes)
+            .at_most(yaw)
+            .and(carried_on(last[1], before[1], nodes).at_most(time));
+        Told {
+            yaw: self.yaw,
+            time: self.time,
+            is_resolved,
+            is_pushed: self.pull.at_most(Lanes::from(0.0)),
+        }
     }
 
     /// The same where the coefficients swing, so that their last ratio may deceive: as they have fallen off
     /// from the first to the last they also have to go on.
-    pub(super) fn is_surely_resolved(&self, nodes: usize) -> bool {
-        const MARGIN: f64 = 30.0;
-        let resolved = |i: usize, whole: f64, tolerance: f64| {
-            let last = self.last[0][i].abs().max(self.last[1][i].abs());
-            MARGIN * last * last <= tolerance * whole.abs()
-        };
-        self.is_resolved(nodes)
-            && resolved(0, self.yaw, YAW_TOLERANCE * (1.0 + self.yaw.abs()))
-            && resolved(1, self.time, TIME_TOLERANCE * self.time.abs())
+    #[inline(always)]
+    pub(super) fn surely_told(&self, nodes: usize) -> Told {
+        let margin = Lanes::from(30.0);
+        let (told, [yaw, time]) = (self.told(nodes), self.tolerances());
+        let [of_yaw, of_time] = larger(self.last);
+        Told {
+            is_resolved: told
+                .is_resolved
+                .and((margin * of_yaw * of_yaw).at_most(yaw * self.yaw.abs()))
+                .and((margin * of_time * of_time).at_most(time * self.time.abs())),
+            ..told
+        }
     }
+
+    /// Errors of yaw and time that do not count.
+    #[inline(always)]
+    fn tolerances(&self) -> [Lanes; 2] {
+        [
+            Lanes::from(YAW_TOLERANCE) * (Lanes::from(1.0) + self.yaw.abs()),
+            Lanes::from(TIME_TOLERANCE) * self.time.abs(),
+        ]
+    }
+}
+
+// Functions, as closures would not be compiled for the registers that these are.
+
+/// Of two coefficients beside one another the larger, for yaw and time.
+#[inline(always)]
+fn larger([one, beside]: [[Lanes; 2]; 2]) -> [Lanes; 2] {
+    [
+        one[0].abs().max(beside[0].abs()),
+        one[1].abs().max(beside[1].abs()),
+    ]
+}
+
+/// The error of a rule of n nodes, from coefficients four degrees apart.
+#[inline(always)]
+fn carried_on(last: Lanes, before: Lanes, nodes: usize) -> Lanes {
+    const TINY: f64 = 1e-300;
+    let ratio = (last / before.max(Lanes::from(TINY))).min(Lanes::from(1.0));
+    last * power(ratio, nodes / 2)
+}
+
+/// xⁿ.
+#[inline(always)]
+fn power(x: Lanes, n: usize) -> Lanes {
+    let (mut square, mut left, mut product) = (x, n, Lanes::from(1.0));
+    while left > 0 {
+        if left % 2 == 1 {
+            product = product * square;
+        }
+        square = square * square;
+        left /= 2;
+    }
+    product
 }
 
 impl<T: Real> Add for Piece<T> {
@@ -133,7 +198,8 @@ impl<T: Real> Sub for Piece<T> {
     }
 }
 
-/// From the smallest tilt up by `length` in η.
+/// From the smallest tilt, where y, η and [`Extreme::grazing`](super::extremes::Extreme::grazing) are `low`, up
+/// by `length` in η.
 ///
 /// The closer to a face-down collision, the more of the yaw is ∫ y_c dη / √(y² − y_c²), times its
 /// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
@@ -143,33 +209,41 @@ impl<T: Real> Sub for Piece<T> {
 #[inline(always)]
 pub(super) fn from_lowest<const PASSES: bool, T: Real>(
     motion: &impl Tilting<T>,
-    low: &Extreme<T>,
+    [y_low, eta_low, grazing]: [T; 3],
     length: T,
     rule: &Rule,
 ) -> Piece<T> {
-    let two = T::from(2.0);
-    let factor = low.point.w * (two * low.point.inertia / low.point.slope).sqrt();
-    let risen = |excess: T| excess * (excess + two);
     let whole = risen(length.exp_m1()).sqrt().atan();
     let mut piece = Piece::nothing();
     for node in &rule.nodes {
         let above = length * T::from(node.at * node.at);
         let excess = above.exp_m1();
-        let y = low.y + low.y * excess;
-        let point = motion.at(y, low.eta + above);
-        // √(I/G) and 1/√(y²/y_c² − 1) by one division.
-        let (drive, rise) = ((point.inertia * point.drive).sqrt(), risen(excess).sqrt());
-        let both = length * T::from(2.0 * node.at) / (drive * rise);
-        let (pace, split) = (point.inertia * rise * both, factor * drive * both);
-        let integrands = [point.w * pace - split, point.sin * pace];
+        let (y, eta) = (y_low + y_low * excess, eta_low + above);
+        let pace = if PASSES {
+            let point = motion.at(y, eta);
+            piece.watch(motion, &point);
+            Pace::of(&point)
+        } else {
+            motion.pace(y, eta)
+        };
+        // 1/√square and 1/√(y²/y_c² − 1) by one division.
+        let (root, rise) = (pace.square.sqrt(), risen(excess).sqrt());
+        let both = length * T::from(2.0 * node.at) / (root * rise);
+        let rate = rise * both;
+        let integrands = [pace.yaw * rate - grazing * root * both, pace.time * rate];
         piece.add_node(integrands, node);
         if PASSES {
             piece.look_beside(integrands, node.beside);
-            piece.watch(motion, &point);
         }
     }
-    piece.yaw = piece.yaw + factor * whole;
+    piece.yaw = piece.yaw + grazing * whole;
     piece
+}
+
+/// (1 + e)² − 1.
+#[inline(always)]
+fn risen<T: Real>(excess: T) -> T {
+    excess * (excess + T::from(2.0))
 }
 
 /// From `length` in η below the largest tilt, at y and η, up to it.
@@ -184,9 +258,8 @@ pub(super) fn to_highest<T: Real>(
     for node in &rule.nodes {
         let below = length * T::from(-node.at * node.at);
         let y = y_high + y_high * below.exp_m1();
-        let point = motion.at(y, eta_high + below);
-        let measure = length * T::from(2.0 * node.at);
-        piece.add_node(paced(&point, measure), node);
+        let pace = motion.pace(y, eta_high + below);
+        piece.add_node(paced(&pace, length * T::from(2.0 * node.at)), node);
     }
     piece
 }
@@ -204,13 +277,14 @@ pub(super) fn across<T: Real>(
     let middle = first + half;
     let mut piece = Piece::nothing();
     for node in &rule.nodes {
-        let mut paced_at = |at: f64| {
+        let mut to_sides = [[T::from(0.0); 2]; 2];
+        for (integrands, at) in to_sides.iter_mut().zip([node.at, -node.at]) {
             let (y, eta, rate) = ridge.at(middle + half * T::from(at));
             let point = motion.at(y, eta);
             piece.watch(motion, &point);
-            paced(&point, half * rate)
-        };
-        let (up, down) = (paced_at(node.at), paced_at(-node.at));
+            *integrands = paced(&Pace::of(&point), half * rate);
+        }
+        let [up, down] = to_sides;
         piece.add_node([up[0] + down[0], up[1] + down[1]], node);
         piece.look_beside([up[0] - down[0], up[1] - down[1]], node.odd);
     }
@@ -240,9 +314,9 @@ pub(super) fn short<T: Real>(
 
 /// dψ and dt for a bit dη = `measure`.
 #[inline(always)]
-fn paced<T: Real>(point: &Point<T>, measure: T) -> [T; 2] {
-    let pace = point.inertia * measure / (point.inertia * point.drive).sqrt();
-    [point.w * pace, point.sin * pace]
+fn paced<T: Real>(pace: &Pace<T>, measure: T) -> [T; 2] {
+    let rate = measure / pace.square.sqrt();
+    [pace.yaw * rate, pace.time * rate]
 }
 
 impl<T: Real> Piece<T> {

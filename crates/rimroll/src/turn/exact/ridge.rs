@@ -20,6 +20,8 @@ pub(super) struct Balance {
     pub(super) eta: f64,
     /// c, J.
     pub(super) curvature: f64,
+    /// 2mg times how much higher the centre of mass is there than upright, J.
+    pub(super) energy: f64,
 }
 
 impl Balance {
@@ -28,10 +30,12 @@ impl Balance {
         let y = half_tangent(body.balance_tilt()).min(end);
         let sin = 2.0 * y / (1.0 + y * y);
         let arm = libm::hypot(body.radius(), body.height());
+        let weight = body.mass() * gravity;
         Balance {
             y,
             eta: Real::ln(y),
-            curvature: body.mass() * gravity * arm * sin * sin,
+            curvature: weight * arm * sin * sin,
+            energy: 2.0 * weight * sin * (body.radius() - body.height() * y),
         }
     }
 }

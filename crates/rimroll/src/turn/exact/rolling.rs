@@ -7,7 +7,9 @@
 
 use super::fundamental::Fundamental;
 use super::start::Start;
-use super::tilting::{Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine};
+use super::tilting::{
+    Conserved, Pace, Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine,
+};
 use crate::real::Real;
 
 /// A body that rolls from one start; C the number of its constants, T of the start.
@@ -27,14 +29,11 @@ pub(super) struct Rolling<'a, C, T> {
 impl<'a, C: Copy + Into<T>, T: Real> Rolling<'a, C, T> {
     #[inline(always)]
     pub(super) fn new(body: &'a Fundamental<C>, start: &Start<T>) -> Self {
-        let Start { y, eta, p, w, s } = *start;
-        let [m, r, h, _, _, g] = body.parameters.letters().map(Into::into);
-        let (sin, versine) = sin_and_versine(y);
+        let Start { y, eta, w, s, .. } = *start;
+        let (sin, _) = sin_and_versine(y);
         let l = w * sin;
         let [l_regular, s_regular, l_singular, s_singular] = body.solutions(y, eta);
-        let rise = r * sin - h * versine;
-        let rim_inertia: T = body.rim_inertia.into();
-        let tilting_energy = rim_inertia * p * p + T::from(2.0) * m * g * rise;
+        let tilting_energy = Self::tilting_energy(body, start);
         let mut rolling = Rolling {
             body,
             // The determinant of the four is −1 at every tilt.
@@ -45,6 +44,28 @@ impl<'a, C: Copy + Into<T>, T: Real> Rolling<'a, C, T> {
         };
         rolling.energy = tilting_energy + rolling.wobbling(w, s);
         rolling
+    }
+
+    /// Twice the energy over the body at rest upright, but for yaw and spin.
+    #[inline(always)]
+    pub(super) fn tilting_energy(body: &Fundamental<C>, start: &Start<T>) -> T {
+        let [m, r, h, _, _, g] = body.parameters.letters::<T>();
+        let (sin, versine) = sin_and_versine(start.y);
+        let rim_inertia: T = body.rim_inertia.into();
+        rim_inertia * start.p * start.p + T::from(2.0) * m * g * (r * sin - h * versine)
+    }
+
+    /// From what [`Tilting::conserved`] has told.
+    #[inline(always)]
+    pub(super) fn with(body: &'a Fundamental<C>, conserved: Conserved<T>) -> Self {
+        let [regular, singular, energy, tilting_energy] = conserved;
+        Rolling {
+            body,
+            regular,
+            singular,
+            energy,
+            tilting_energy,
+        }
     }
 
     /// Twice the kinetic energy of yaw and spin.
@@ -58,11 +79,22 @@ impl<'a, C: Copy + Into<T>, T: Real> Rolling<'a, C, T> {
 
 impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     #[inline(always)]
+    fn conserved(&self) -> Conserved<T> {
+        [
+            self.regular,
+            self.singular,
+            self.energy,
+            self.tilting_energy,
+        ]
+    }
+
+    #[inline(always)]
     fn at(&self, y: T, eta: T) -> Point<T> {
-        let [m, r, h, _, _, g] = self.body.parameters.letters().map(Into::into);
+        let [m, r, h, _, _, g] = self.body.parameters.letters::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
-        let [l_of_s, l_of_l, s_of_l] = self.body.rates.map(Into::into);
+        let [l_of_s, l_of_l, s_of_l] = self.body.rates;
+        let (l_of_s, l_of_l, s_of_l): (T, T, T) = (l_of_s.into(), l_of_l.into(), s_of_l.into());
         let two = T::from(2.0);
         let (sin, versine) = sin_and_versine(y);
         let cos = T::from(1.0) - versine;
@@ -81,6 +113,31 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
             inertia: self.body.rim_inertia.into(),
             drive: self.energy - self.wobbling(w, s) - weight * (r * sin - h * versine),
             slope: -weight * sin * (r * cos - h * sin) - two * turning,
+        }
+    }
+
+    /// With c = 1 + y², sin φ = 2y/c and 1 − cos φ = 2y²/c, G sin² φ c³ is a polynomial in y, l and s, and
+    /// w √(I/G) = l J c²/√(J c · that).
+    #[inline(always)]
+    fn pace(&self, y: T, eta: T) -> Pace<T> {
+        let [m, r, h, _, _, g] = self.body.parameters.letters::<T>();
+        let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
+        let axial: T = self.body.axial_inertia.into();
+        let inertia: T = self.body.rim_inertia.into();
+        let four = T::from(4.0);
+        let [l_regular, s_regular, l_singular, s_singular] = self.body.solutions(y, eta);
+        let s = self.regular * s_regular + self.singular * s_singular;
+        let l = self.regular * l_regular + self.singular * l_singular;
+        let yy = y * y;
+        let c = T::from(1.0) + yy;
+        let lc = l * c;
+        let fallen = (self.energy - axial * s * s) * c - four * m * g * y * (r - h * y);
+        let lcc = lc * c;
+        let drive = four * yy * fallen - lcc * (k * lc - four * mhr * y * s);
+        Pace {
+            yaw: lcc * inertia,
+            time: four * yy * inertia,
+            square: inertia * c * drive,
         }
     }
 
@@ -103,7 +160,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
 
     #[inline(always)]
     fn highest(&self) -> T {
-        let [m, r, h, .., g] = self.body.parameters.letters().map(Into::into);
+        let [m, r, h, .., g] = self.body.parameters.letters::<T>();
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
     }
 
@@ -116,7 +173,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     /// 2 N J sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²) and dG/dη = 2 J φ̈ sin φ.
     #[inline(always)]
     fn pressing(&self, at: &Point<T>) -> T {
-        let [_, r, h, .., g] = self.body.parameters.letters().map(Into::into);
+        let [_, r, h, .., g] = self.body.parameters.letters::<T>();
         let rim_inertia: T = self.body.rim_inertia.into();
         let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
         T::from(2.0) * at.sin * (g * rim_inertia - z * at.drive) + rho * at.slope
@@ -132,7 +189,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     /// f w² − e s w ≥ −e² s² / 4f ≥ −s² ((mHR)² / (2K sin φ) + (C + mR²)² sin φ / (2K cos φ)).
     #[inline(always)]
     fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T {
-        let [_, r, h, .., g] = self.body.parameters.letters().map(Into::into);
+        let [_, r, h, .., g] = self.body.parameters.letters::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
         // Between the two s may be a little larger than at both: hence no half of its square.

@@ -3,11 +3,25 @@
 //! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
 //! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
 
-use crate::real::{Real, acosh, asinh};
+use crate::real::{Real, rough_acosh, rough_asinh};
 use std::sync::OnceLock;
 
 /// How many nodes each rule of the ladder has.
 const LADDER: [usize; 16] = [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
+
+/// The first rung with so many nodes.
+const ENOUGH: [u8; MOST + 1] = {
+    let (mut enough, mut nodes, mut rung) = ([0; MOST + 1], 0, 0);
+    while nodes <= MOST {
+        if nodes > LADDER[rung as usize] {
+            rung += 1;
+        }
+        enough[nodes] = rung;
+        nodes += 1;
+    }
+    enough
+};
+const MOST: usize = LADDER[LADDER.len() - 1];
 
 /// How many rungs a rule is taken larger when it has not resolved its piece.
 const CLIMB: usize = 1;
@@ -31,26 +45,25 @@ pub(super) struct Choice {
 impl Choice {
     /// About so many nodes, and nothing stretched.
     pub(super) fn plain(nodes: f64) -> Choice {
-        let enough = LADDER.iter().position(|&n| n as f64 >= nodes);
+        let enough = ENOUGH.get(nodes.ceil() as usize);
         Choice {
             stretch: 0,
-            rung: enough.unwrap_or(LADDER.len() - 1),
+            rung: enough.map_or(LADDER.len() - 1, |&rung| rung.into()),
         }
     }
 
     /// For a piece to the largest tilt, of so many nodes, where the integrand is singular at τ² = −`square`.
     pub(super) fn to_highest(nodes: f64, square: f64) -> Choice {
-        let (mut stretch, mut epsilon) = (1, 1.0);
+        let plain = Choice::plain(nodes);
         if square >= UNSTRETCHED {
-            return Choice::plain(nodes);
+            return plain;
         }
-        while epsilon * epsilon > square && stretch + 1 < STRETCHES {
-            epsilon *= 0.5;
-            stretch += 1;
-        }
+        // The least k for which ε² = 4^(1 − k) is not above the square, by the square's exponent.
+        let exponent = ((square.to_bits() >> 52) & 0x7FF) as i64 - 1023;
+        let halvings = (1 - exponent.min(0)) as usize / 2;
         Choice {
-            stretch,
-            ..Choice::plain(nodes)
+            stretch: (1 + halvings).min(STRETCHES - 1),
+            ..plain
         }
     }
 
@@ -87,8 +100,12 @@ impl Choice {
 /// Where the integrand is singular at a greater distance, squared, nothing is stretched.
 const UNSTRETCHED: f64 = 2.0;
 
-/// Nodes that a piece needs, times the error's logarithmic decrement ln ρ: it falls off like ρ^−4n.
-const DIGITS: f64 = 9.4;
+/// Nodes that a piece from the smallest tilt needs, times the error's logarithmic decrement ln ρ: it falls off
+/// like ρ^−4n.
+const LOW_DIGITS: f64 = 8.2;
+
+/// The same for a piece to the largest.
+const HIGH_DIGITS: f64 = 9.5;
 
 /// The same where it takes more to be sure.
 const SURE_DIGITS: f64 = 11.0;
@@ -100,14 +117,14 @@ const ELSEWHERE: f64 = 2.0;
 /// is singular after another `rest`: in the plane of τ at √(1 + rest/length).
 #[inline(always)]
 pub(super) fn nodes_from_lowest<T: Real>(length: T, rest: T) -> T {
-    T::from(DIGITS) / asinh((rest / length).sqrt())
+    T::from(LOW_DIGITS) / rough_asinh((rest / length).sqrt())
 }
 
 /// The same for a piece on to the balance point, that far, to whose sides the integrand is singular.
 #[inline(always)]
 pub(super) fn nodes_towards<T: Real>(length: T, rest: T, aside: T) -> T {
     let distance = (rest * rest + aside * aside).sqrt();
-    let decrement = asinh(((distance + rest) / (length + length)).sqrt());
+    let decrement = rough_asinh(((distance + rest) / (length + length)).sqrt());
     T::from(SURE_DIGITS) / decrement
 }
 
@@ -115,7 +132,7 @@ pub(super) fn nodes_towards<T: Real>(length: T, rest: T, aside: T) -> T {
 /// singular at ± i π/2.
 #[inline(always)]
 pub(super) fn nodes_across<T: Real>(half: T) -> T {
-    let decrement = asinh(T::from(core::f64::consts::FRAC_PI_2) / half);
+    let decrement = rough_asinh(T::from(core::f64::consts::FRAC_PI_2) / half);
     T::from(ELSEWHERE) + T::from(SURE_DIGITS) / decrement
 }
 
@@ -125,14 +142,14 @@ pub(super) fn nodes_across<T: Real>(half: T) -> T {
 pub(super) fn nodes_to_highest<T: Real>(square: T, far: T) -> T {
     let one = T::from(1.0);
     let (near, far) = (square.sqrt(), far.sqrt());
-    let plain = least(asinh(near), acosh(far));
+    let plain = least(rough_asinh(near), rough_acosh(far));
     // Of a stretch between the distance and half of it.
     let epsilon = least(T::from(0.7) * near, one);
-    let length = asinh(one / epsilon);
-    let aside = asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
-    let stretched = least(aside, acosh(asinh(far / epsilon) / length));
+    let length = rough_asinh(one / epsilon);
+    let aside = rough_asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
+    let stretched = least(aside, rough_acosh(rough_asinh(far / epsilon) / length));
     let is_stretched = square - T::from(UNSTRETCHED);
-    T::from(DIGITS) / is_stretched.where_negative(stretched, plain)
+    T::from(HIGH_DIGITS) / is_stretched.where_negative(stretched, plain)
 }
 
 #[inline(always)]

@@ -7,7 +7,9 @@
 //! ```
 
 use super::start::Start;
-use super::tilting::{Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine};
+use super::tilting::{
+    Conserved, Pace, Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine,
+};
 use crate::law::Parameters;
 use crate::real::Real;
 
@@ -30,13 +32,11 @@ pub(super) struct Sliding<C, T> {
 impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
     #[inline(always)]
     pub(super) fn new(k: Parameters<C>, start: &Start<T>) -> Self {
-        let Start { y, p, w, s, .. } = *start;
-        let [m, r, h, a, c, g] = k.letters().map(Into::into);
+        let Start { y, w, s, .. } = *start;
+        let [_, _, _, a, c, _] = k.letters::<T>();
         let (sin, versine) = sin_and_versine(y);
         let l_of_versine = c * s / a;
-        let rho = r * (T::from(1.0) - versine) - h * sin;
-        let rise = r * sin - h * versine;
-        let tilting_energy = (a + m * rho * rho) * p * p + T::from(2.0) * m * g * rise;
+        let tilting_energy = Self::tilting_energy(&k, start);
         Sliding {
             k,
             s,
@@ -46,12 +46,42 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
             tilting_energy,
         }
     }
+
+    /// Twice the energy over the body at rest upright, but for yaw and spin.
+    #[inline(always)]
+    pub(super) fn tilting_energy(k: &Parameters<C>, start: &Start<T>) -> T {
+        let [m, r, h, a, _, g] = k.letters::<T>();
+        let (sin, versine) = sin_and_versine(start.y);
+        let rho = r * (T::from(1.0) - versine) - h * sin;
+        let rise = r * sin - h * versine;
+        (a + m * rho * rho) * start.p * start.p + T::from(2.0) * m * g * rise
+    }
+
+    /// From what [`Tilting::conserved`] has told.
+    #[inline(always)]
+    pub(super) fn with(k: Parameters<C>, conserved: Conserved<T>) -> Self {
+        let [s, l_flat, energy, tilting_energy] = conserved;
+        let (a, c): (T, T) = (k.a.into(), k.c.into());
+        Sliding {
+            k,
+            s,
+            l_flat,
+            l_of_versine: c * s / a,
+            energy,
+            tilting_energy,
+        }
+    }
 }
 
 impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     #[inline(always)]
+    fn conserved(&self) -> Conserved<T> {
+        [self.s, self.l_flat, self.energy, self.tilting_energy]
+    }
+
+    #[inline(always)]
     fn at(&self, y: T, _: T) -> Point<T> {
-        let [m, r, h, a, _, g] = self.k.letters().map(Into::into);
+        let [m, r, h, a, _, g] = self.k.letters::<T>();
         let two = T::from(2.0);
         let (sin, versine) = sin_and_versine(y);
         let cos = T::from(1.0) - versine;
@@ -69,6 +99,26 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
         }
     }
 
+    /// With q = 1 + y², sin φ = 2y/q and 1 − cos φ = 2y²/q, G sin² φ q³ and I q² are polynomials in y and l q,
+    /// and w √(I/G) = l I q⁴/√(I q² · q³ · that).
+    #[inline(always)]
+    fn pace(&self, y: T, _: T) -> Pace<T> {
+        let [m, r, h, a, _, g] = self.k.letters::<T>();
+        let (two, four) = (T::from(2.0), T::from(4.0));
+        let yy = y * y;
+        let q = T::from(1.0) + yy;
+        let lq = self.l_flat * q + self.l_of_versine * (yy + yy);
+        let rho = r * (T::from(1.0) - yy) - two * h * y;
+        let inertia = a * (q * q) + m * (rho * rho);
+        let fallen = self.energy * q - four * m * g * y * (r - h * y);
+        let drive = four * yy * fallen - a * (lq * lq) * q;
+        Pace {
+            yaw: lq * q * inertia,
+            time: four * yy * inertia,
+            square: inertia * (q * q * q) * drive,
+        }
+    }
+
     #[inline(always)]
     fn lowest(&self) -> T {
         let a: T = self.k.a.into();
@@ -77,7 +127,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
 
     #[inline(always)]
     fn highest(&self) -> T {
-        let [m, r, h, .., g] = self.k.letters().map(Into::into);
+        let [m, r, h, .., g] = self.k.letters::<T>();
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
     }
 
@@ -89,7 +139,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     /// N (A + mρ²) sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²).
     #[inline(always)]
     fn pressing(&self, at: &Point<T>) -> T {
-        let [_, r, h, a, c, g] = self.k.letters().map(Into::into);
+        let [_, r, h, a, c, g] = self.k.letters::<T>();
         let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
         let falling = a * at.sin * (g - z * at.drive / at.inertia);
         falling + rho * at.w * (a * at.w * at.cos - c * at.sin * at.s)
@@ -104,7 +154,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     /// The yaw's part of `pressing` is, whatever w, no less than −ρ (C s)² sin φ / (4 A cos φ).
     #[inline(always)]
     fn surely_pressing(&self, _: &Point<T>, high: &Point<T>) -> T {
-        let [_, r, h, a, c, g] = self.k.letters().map(Into::into);
+        let [_, r, h, a, c, g] = self.k.letters::<T>();
         let z = (r * r + h * h).sqrt();
         let cs = c * self.s;
         a * g - z * self.energy - r * cs * cs / (T::from(4.0) * a * high.cos)

@@ -1,6 +1,6 @@
 //! Where a motion starts, in the terms of the quadrature.
 
-use crate::real::Real;
+use crate::real::{Lanes, Real, sin_cos_below_eighth};
 use crate::state::State;
 
 /// A start.
@@ -19,11 +19,13 @@ pub(super) struct Start<T> {
 }
 
 impl<T: Real> Start<T> {
-    /// From [tilt, tilt rate, yaw rate, spin rate].
+    /// From [tilt, tilt rate, yaw rate, spin rate], the tilt below π/2.
+    #[inline(always)]
     pub(super) fn new([tilt, tilt_rate, yaw_rate, spin_rate]: [T; 4]) -> Self {
-        let (sin, cos) = tilt.sin_cos();
-        let y = sin / (T::from(1.0) + cos);
-        let w = yaw_rate * sin;
+        let half = T::from(0.5);
+        let (sin, cos) = sin_cos_below_eighth(half * tilt);
+        let y = sin / cos;
+        let w = yaw_rate * (sin * cos + sin * cos);
         Start {
             y,
             eta: y.ln(),
@@ -31,6 +33,20 @@ impl<T: Real> Start<T> {
             w,
             // Where the two rates are large and all but cancel, as in a near-collision.
             s: (spin_rate + yaw_rate) - w * y,
+        }
+    }
+}
+
+impl Start<Lanes> {
+    /// One of eight.
+    #[inline(always)]
+    pub(super) fn lane(&self, place: usize) -> Start<f64> {
+        Start {
+            y: self.y.0[place],
+            eta: self.eta.0[place],
+            p: self.p.0[place],
+            w: self.w.0[place],
+            s: self.s.0[place],
         }
     }
 }

@@ -25,10 +25,43 @@ pub(super) struct Point<T> {
     pub(super) slope: T,
 }
 
+/// How fast yaw and time go by the tilt's clock: dψ/dη = `yaw`/√`square`, dt/dη = `time`/√`square`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pace<T> {
+    pub(super) yaw: T,
+    pub(super) time: T,
+    /// Positive as G is.
+    pub(super) square: T,
+}
+
+impl<T: Real> Pace<T> {
+    /// dψ = w √(I/G) dη, dt = sin φ √(I/G) dη.
+    #[inline(always)]
+    pub(super) fn of(point: &Point<T>) -> Self {
+        Pace {
+            yaw: point.w * point.inertia,
+            time: point.sin * point.inertia,
+            square: point.inertia * point.drive,
+        }
+    }
+}
+
+/// Numbers that stay the same all through a motion and, together with the body's, determine it.
+pub(super) type Conserved<T> = [T; 4];
+
 /// A motion under one of the laws, from a start.
 pub(super) trait Tilting<T: Real> {
+    /// The numbers that make one motion of a body differ from another.
+    fn conserved(&self) -> Conserved<T>;
+
     /// The motion where tan(φ/2) is y, whose logarithm is η.
     fn at(&self, y: T, eta: T) -> Point<T>;
+
+    /// How fast yaw and time go there. Where it takes only this, a law may know how to do without divisions.
+    #[inline(always)]
+    fn pace(&self, y: T, eta: T) -> Pace<T> {
+        Pace::of(&self.at(y, eta))
+    }
 
     /// About where the tilt is smallest: tan(φ/2).
     fn lowest(&self) -> T;

@@ -4,11 +4,11 @@
 //! held for it: whether the iterations met, the rules resolved, the table pushed all the way. What comes
 //! out for a start depends on nothing but that start.
 
-use super::extremes::{Extreme, highest, lowest};
+use super::extremes::{Extreme, lowest_and_highest};
 use super::pieces::{Piece, from_lowest, short, to_highest};
 use super::rule::{Rule, nodes_from_lowest, nodes_to_highest};
 use super::start::Start;
-use super::tilting::Tilting;
+use super::tilting::{Conserved, Tilting};
 use super::wobble::LONGEST;
 use super::{MOST_OUTER, SHORT};
 use crate::real::{Lanes, Mask, Real};
@@ -22,8 +22,13 @@ const MET: f64 = 1e-8;
 /// Where eight motions turn back.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extremes {
-    pub(super) low: Extreme<Lanes>,
-    pub(super) high: Extreme<Lanes>,
+    /// y, η and [`Extreme::grazing`] at the smallest tilt.
+    pub(super) low: [Lanes; 3],
+    /// y and η at the largest.
+    pub(super) high: [Lanes; 2],
+    /// Both tilts, rad.
+    pub(super) tilts: [Lanes; 2],
+    pub(super) conserved: Conserved<Lanes>,
     /// About how many nodes the foot, the head and the leg need.
     pub(super) nodes: [Lanes; 3],
     /// Of head and leg, minus the square of the τ where the integrand is singular.
@@ -35,10 +40,10 @@ pub(super) struct Extremes {
 /// The smallest and the largest tilts, for bodies that rock up to `most`, tan(φ/2).
 #[inline(always)]
 pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most: f64) -> Extremes {
-    let guess = |y: Lanes| [y, y.ln()];
-    let low = lowest(motion, guess(motion.lowest()), ROUNDS);
-    let high = highest(motion, guess(motion.highest()), ROUNDS);
-    let zero = Lanes::from(0.0);
+    let (guess_low, guess_high) = (motion.lowest(), motion.highest());
+    let guesses = [[guess_low, guess_low.ln()], [guess_high, guess_high.ln()]];
+    let [low, high] = lowest_and_highest(motion, guesses, ROUNDS);
+    let (zero, two) = (Lanes::from(0.0), Lanes::from(2.0));
     let span = high.eta - low.eta;
     let from_start = high.eta - start.eta;
     let sound = is_lowest(&low)
@@ -52,14 +57,19 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
         .and(from_start.at_most(outer(span)))
         .and((-from_start).at_most(Lanes::from(1e-12)));
     let outer = outer(span);
-    let lengths = [outer, from_start.max(Lanes::from(SHORT))];
+    let leg = from_start.max(Lanes::from(SHORT));
     let gap = motion.gap_beyond(high.y);
-    let square = lengths.map(|length| gap / length);
-    let [head, leg] = [0, 1].map(|i| nodes_to_highest(square[i], span / lengths[i]));
+    let square = [gap / outer, gap / leg];
     Extremes {
-        low,
-        high,
-        nodes: [nodes_from_lowest(span - outer, outer), head, leg],
+        low: [low.y, low.eta, low.grazing()],
+        high: high.place(),
+        tilts: [two * low.y.atan(), two * high.y.atan()],
+        conserved: motion.conserved(),
+        nodes: [
+            nodes_from_lowest(span - outer, outer),
+            nodes_to_highest(square[0], span / outer),
+            nodes_to_highest(square[1], span / leg),
+        ],
         square,
         sound,
     }
@@ -91,29 +101,21 @@ pub(super) enum Part {
     ShortLeg,
 }
 
-/// Yaw and time of a part, between the smallest and the largest tilt at y and η.
+/// Yaw and time of a part, as [`Extremes`] tells of the smallest and the largest tilt.
 #[inline(always)]
 pub(super) fn part(
     part: Part,
     motion: &impl Tilting<Lanes>,
     start: &Start<Lanes>,
-    [y_low, eta_low]: [Lanes; 2],
+    low: [Lanes; 3],
     high: [Lanes; 2],
     rule: &Rule,
 ) -> Piece<Lanes> {
-    let [_, eta_high] = high;
+    let ([_, eta_low, _], [_, eta_high]) = (low, high);
     let span = eta_high - eta_low;
     let leg = eta_high - start.eta;
     match part {
-        Part::Foot => {
-            let low = Extreme {
-                y: y_low,
-                eta: eta_low,
-                point: motion.at(y_low, eta_low),
-                change: Lanes::from(0.0),
-            };
-            from_lowest::<false, Lanes>(motion, &low, span - outer(span), rule)
-        }
+        Part::Foot => from_lowest::<false, Lanes>(motion, low, span - outer(span), rule),
         Part::Head => to_highest(motion, high, outer(span), rule),
         Part::Leg => to_highest(motion, high, leg, rule),
         Part::ShortLeg => {

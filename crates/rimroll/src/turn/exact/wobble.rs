@@ -3,7 +3,7 @@
 //! dG/dη is not that small and keeps its digits. Integrated from the start, where G = I φ̇² is known
 //! in full, it gives G in full.
 
-use super::tilting::{Point, Tilting};
+use super::tilting::{Conserved, Point, Tilting};
 use crate::real::Real;
 use core::f64::consts::PI;
 
@@ -71,6 +71,10 @@ impl<'a, M: Tilting<T>, T: Real> Wobble<'a, M, T> {
 }
 
 impl<M: Tilting<T>, T: Real> Tilting<T> for Wobble<'_, M, T> {
+    fn conserved(&self) -> Conserved<T> {
+        self.motion.conserved()
+    }
+
     fn at(&self, y: T, eta: T) -> Point<T> {
         Point {
             drive: self.drive_start + self.gained(eta),
