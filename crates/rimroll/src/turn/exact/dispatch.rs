@@ -66,6 +66,7 @@ trait Asked {
 
 struct AskExtremes {
     most: f64,
+    least_slope: f64,
 }
 
 impl Asked for AskExtremes {
@@ -73,7 +74,7 @@ impl Asked for AskExtremes {
 
     #[inline(always)]
     fn of(&self, motion: &impl Tilting<Lanes>, eight: &Eight) -> Extremes {
-        extremes(motion, &eight.start, self.most)
+        extremes(motion, &eight.start, self.most, self.least_slope)
     }
 }
 
@@ -151,8 +152,8 @@ impl Asked for AskStretch<'_> {
 }
 
 impl Engine<'_> {
-    pub(super) fn extremes(&self, eight: &Eight, most: f64) -> Extremes {
-        self.ask(&AskExtremes { most }, eight)
+    pub(super) fn extremes(&self, eight: &Eight, most: f64, least_slope: f64) -> Extremes {
+        self.ask(&AskExtremes { most, least_slope }, eight)
     }
 
     pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Piece<Lanes> {
@@ -276,9 +277,10 @@ mod tests {
             let engine = exact.rocking_engine();
             let mut rocking = Eight::of(&lanes(-1.0), &all);
             let most = exact.highest();
-            let found = engine.extremes(&rocking, most);
+            let least_slope = exact.least_slope();
+            let found = engine.extremes(&rocking, most, least_slope);
             assert_eq!(found.sound.bits(), u8::MAX);
-            same(told(&engine, &AskExtremes { most }, &rocking));
+            same(told(&engine, &AskExtremes { most, least_slope }, &rocking));
             (rocking.low, rocking.high) = (found.low.place(), found.high.place());
             for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
                 same(told(&engine, &AskPart { part, rule }, &rocking));

@@ -11,6 +11,7 @@ use super::rule::{Choice, RULES};
 use super::start::Start;
 use super::tilting::sin_and_versine;
 use super::together::Part;
+use super::top::is_on_top;
 use super::{Ending, Exact, ExactTurn, SHORT, told};
 use crate::error::InvalidInput;
 use crate::real::{LANES, Lanes, Real};
@@ -90,7 +91,11 @@ impl Exact {
             return None;
         }
         let mut lanes: Vec<Lane> = starts.iter().map(Lane::new).collect();
-        let near = (0..lanes.len()).filter(|&i| !self.is_beyond(&starts[i]));
+        // One next to the balance point takes more care.
+        let in_lanes = |&i: &usize| {
+            !self.is_beyond(&starts[i]) && !is_on_top(lanes[i].start.eta, &self.balance)
+        };
+        let near = (0..lanes.len()).filter(in_lanes);
         let (over, under) = near.partition(|&i| self.has_energy_to_pass(&lanes[i].start));
         let left = self.find_rocking(&mut lanes, under);
         self.find_passing(&mut lanes, [over, left].concat());
@@ -111,7 +116,8 @@ impl Exact {
         let engine = self.rocking_engine();
         let mut left = Vec::new();
         for eight in which.chunks(LANES) {
-            let found = engine.extremes(&Eight::of(lanes, eight), self.highest());
+            let found =
+                engine.extremes(&Eight::of(lanes, eight), self.highest(), self.least_slope());
             let sound = found.sound.bits();
             for (place, &i) in eight.iter().enumerate() {
                 lanes[i].low = [found.low.y.0[place], found.low.eta.0[place]];

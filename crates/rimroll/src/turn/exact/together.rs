@@ -32,9 +32,15 @@ pub(super) struct Extremes {
     pub(super) sound: Mask,
 }
 
-/// The smallest and the largest tilts, for bodies that rock up to `most`, tan(φ/2).
+/// The smallest and the largest tilts, for bodies that rock up to `most`, tan(φ/2), and where dG/dη is there at least
+/// `least_slope`.
 #[inline(always)]
-pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most: f64) -> Extremes {
+pub(super) fn extremes(
+    motion: &impl Tilting<Lanes>,
+    start: &Start<Lanes>,
+    most: f64,
+    least_slope: f64,
+) -> Extremes {
     let guess = |y: Lanes| [y, y.ln()];
     let low = lowest(motion, guess(motion.lowest()), ROUNDS);
     let high = highest(motion, guess(motion.highest()), ROUNDS);
@@ -43,7 +49,8 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
     let from_start = high.eta - start.eta;
     let sound = is_lowest(&low)
         .and(high.change.at_most(Lanes::from(MET)))
-        .and(high.point.slope.at_most(zero))
+        // Where it all but lingers G is rounding.
+        .and(high.point.slope.at_most(Lanes::from(-least_slope)))
         .and(zero.at_most(motion.surely_pressing(&low.point, &high.point)))
         .and(Lanes::from(super::FLAT).at_most(low.point.sin))
         .and(high.y.at_most(Lanes::from(most)))
