@@ -91,10 +91,10 @@ impl Exact {
             return None;
         }
         let mut lanes: Vec<Lane> = starts.iter().map(Lane::new).collect();
-        // One next to the balance point takes more care.
-        let in_lanes = |&i: &usize| {
-            !self.is_beyond(&starts[i]) && !is_on_top(lanes[i].start.eta, &self.balance)
-        };
+        // One that lingers next to the balance point takes more care.
+        let a = self.parameters.a;
+        let lingers = |lane: &Lane| is_on_top(&lane.start, a, &self.balance);
+        let in_lanes = |&i: &usize| !self.is_beyond(&starts[i]) && !lingers(&lanes[i]);
         let near = (0..lanes.len()).filter(in_lanes);
         let (over, under) = near.partition(|&i| self.has_energy_to_pass(&lanes[i].start));
         let left = self.find_rocking(&mut lanes, under);

@@ -33,9 +33,10 @@ pub(super) fn is_near_top(eta: f64, balance: &Balance) -> bool {
     (eta - balance.eta).abs() < NEAR
 }
 
-/// Whether it is so near that many at a time would lose digits.
-pub(super) fn is_on_top(eta: f64, balance: &Balance) -> bool {
-    (eta - balance.eta).abs() < NEXT
+/// Whether it is so near, and so slow, that many at a time would lose digits; A is the least there is of inertia.
+pub(super) fn is_on_top(start: &Start<f64>, a: f64, balance: &Balance) -> bool {
+    let drive = a * start.p * start.p;
+    (start.eta - balance.eta).abs() < NEXT && drive < NEXT * NEXT * balance.curvature
 }
 
 /// The motion from such a start.
