@@ -2,10 +2,10 @@
 
     python tests/tabulated_turns.py > tests/given/exact_turns.csv
 
-draws bodies and starts of each kind below until as many as wanted rock on their rim, both rolling
-and sliding without friction, and follows them by taylor_turns. The numbers drawn are short and
-stand in the table as they are, each the double that it reads as; so the turns are those of just
-these doubles.
+draws bodies and starts of each kind below until as many as wanted keep to the table, both rolling
+and sliding without friction, and rock or may also topple; and follows them by taylor_turns. The
+numbers drawn are short and stand in the table as they are, each the double that it reads as; so the
+turns are those of just these doubles.
 """
 
 import csv
@@ -24,12 +24,13 @@ TABLE = Path(__file__).parent / "given" / "exact_turns.csv"
 BODY = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 START = ("tilt", "tilt_rate", "yaw_rate", "spin_rate")
 RESULTS = tuple(field.name for field in fields(ExactTurn))
+NUMBERS = tuple(name for name in RESULTS if name != "status")
 
 HEAD = """\
 # First turns of bodies of all kinds, without slip and without friction, by Taylor series in 65
 # digits (tests/tabulated_turns.py). From the release or, where the tilt then rises, from the tilt
-# maximum after it, to the first tilt maximum after the near-collision. SI units and rad; times from
-# the release."""
+# maximum after it, to the first tilt maximum after the near-collision or, where it topples, to the
+# topple tilt: the vertical if none is given. SI units and rad; times from the release."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,7 @@ class Row:
     body: SimpleNamespace
     start: SimpleNamespace
     gravity: float
+    topple_tilt: float | None
     turns: dict[str, ExactTurn]
 
 
@@ -56,8 +58,14 @@ def _row(line):
         SimpleNamespace(**{name: float(line[name]) for name in BODY}),
         SimpleNamespace(**{name: float(line[name]) for name in START}),
         float(line["gravity"]),
-        {law: ExactTurn(*(mp.mpf(line[f"{name}_{law}"]) for name in RESULTS)) for law in LAWS},
+        float(line["topple_tilt"]) if line["topple_tilt"] else None,
+        {law: _turn(line, law) for law in LAWS},
     )
+
+
+def _turn(line, law):
+    numbers = {name: mp.mpf(line[f"{name}_{law}"]) for name in NUMBERS}
+    return ExactTurn(line[f"status_{law}"], **numbers)
 
 
 # What is drawn
@@ -183,6 +191,40 @@ def inside(random, body, gravity):
     )
 
 
+def over_the_top(random, body, gravity):
+    """Up to the balance point and easily over it."""
+    return let_go(random, body, gravity, 3e-14, 0.3, (-1.6, -1.05))
+
+
+def hardly_over_the_top(random, body, gravity):
+    """Next to where one of the laws lets it rest at the balance point, where all takes long."""
+    start = let_go(random, body, gravity, 1e-7, 1e-2)
+    if random.random() < 0.5:
+        rate = up_to_the_balance(body, gravity, start.tilt)
+    else:
+        rho = body.radius * np.cos(start.tilt) - body.height * np.sin(start.tilt)
+        sliding = body.transverse_inertia + body.mass * rho**2
+        rate = up_to_the_balance(body, gravity, start.tilt) * np.sqrt(about_the_rim(body) / sliding)
+    start.tilt_rate = short(-rate * np.sqrt(1.0 + signed(random, decades(random, 1e-5, 0.1))))
+    return start
+
+
+def from_the_top(random, body, gravity):
+    """Let go next to the balance point, to either side of it, in whichever direction."""
+    start = let_go(random, body, gravity, 1e-8, 1e-1)
+    balance = np.arctan2(body.radius, body.height)
+    away = signed(random, decades(random, 1e-5, 0.1)) * balance
+    start.tilt = short(balance + (-abs(away) if body.height == 0.0 else away))
+    rate = up_to_the_balance(body, gravity, start.tilt) * decades(random, 0.1, 100.0)
+    start.tilt_rate = signed(random, short(rate))
+    return start
+
+
+def held(random, body, gravity):
+    """With so much yaw or spin that it may turn back past the balance point."""
+    return let_go(random, body, gravity, 0.01, 2.0, (-1.2, 1.2))
+
+
 def wobbling(random, body, gravity):
     """Nearly as steadily as a wobble in which the centre of mass rests."""
     m, R, H = body.mass, body.radius, body.height
@@ -215,17 +257,35 @@ KINDS = {
 """How many of each."""
 
 
-def rocked(body, start, gravity):
-    """The first turn under each law; None where one does not rock."""
-    turns = {}
-    for law in LAWS:
-        try:
-            turns[law] = first_turn(body, law, start, gravity)
-        except LeftTheTable:
-            return None
-        if turns[law].max_tilt > 1.5:
-            return None
-    return turns
+TOPPLING = {
+    over_the_top: 10,
+    hardly_over_the_top: 12,
+    from_the_top: 20,
+    held: 10,
+}
+"""The same of those that may topple, half of them at a tilt that is given."""
+
+
+def some_topple_tilt(random, body, start):
+    """Above the start, and the balance point or nearly so; or none, for the vertical."""
+    least = max(1.02 * start.tilt, 0.9 * np.arctan2(body.radius, body.height))
+    if random.random() < 0.5 or least > 1.5:
+        return None
+    return short(random.uniform(least, 0.5 * np.pi))
+
+
+def turned(body, start, gravity, topple_tilt):
+    """The first turn under each law; None where one leaves the table or falls to its other face."""
+    try:
+        turns = {law: first_turn(body, law, start, gravity, topple_tilt) for law in LAWS}
+    except LeftTheTable:
+        return None
+    fell = any(turn.status == "fell_back" for turn in turns.values())
+    return None if fell and body.height == 0.0 and topple_tilt is None else turns
+
+
+def rocked(turns):
+    return turns and all(t.status == "rocked" and t.max_tilt <= 1.5 for t in turns.values())
 
 
 def drawn(seed=2007):
@@ -234,26 +294,52 @@ def drawn(seed=2007):
     for kind, wanted in KINDS.items():
         found = 0
         while found < wanted:
-            body, gravity = some_body(random), float(random.choice([1.62, 9.8, 24.8]))
-            start = kind(random, body, gravity)
-            turns = start and rocked(body, start, gravity)
-            if turns:
+            body, gravity, start = release(random, kind)
+            turns = start and turned(body, start, gravity, None)
+            if rocked(turns):
                 found += 1
-                yield Row(kind.__name__, body, start, gravity, turns)
+                yield Row(kind.__name__, body, start, gravity, None, turns)
+    for kind in TOPPLING:
+        yield from drawn_toppling(kind, seed)
+
+
+def drawn_toppling(kind, seed=2007):
+    """The rows of one kind of those that may topple."""
+    random = np.random.default_rng([seed, list(TOPPLING).index(kind)])
+    found = 0
+    while found < TOPPLING[kind]:
+        body, gravity, start = release(random, kind)
+        topple_tilt = some_topple_tilt(random, body, start)
+        if turns := turned(body, start, gravity, topple_tilt):
+            found += 1
+            yield Row(kind.__name__, body, start, gravity, topple_tilt, turns)
+
+
+def release(random, kind):
+    """Some body, gravity and start; None for the start if such a body has none of the kind."""
+    body, gravity = some_body(random), float(random.choice([1.62, 9.8, 24.8]))
+    return body, gravity, kind(random, body, gravity)
 
 
 def write(file):
     """The table."""
     file.write(HEAD + "\n")
     columns = [f"{name}_{law}" for law in LAWS for name in RESULTS]
-    file.write(",".join(["kind", *BODY, "gravity", *START, *columns]) + "\n")
+    file.write(",".join(["kind", *BODY, "gravity", "topple_tilt", *START, *columns]) + "\n")
     for row in drawn():
-        given = [getattr(row.body, name) for name in BODY]
-        given += [row.gravity, *(getattr(row.start, name) for name in START)]
-        results = [getattr(row.turns[law], name) for law in LAWS for name in RESULTS]
-        digits = [mp.nstr(x, 25, min_fixed=0, max_fixed=0) for x in results]
-        file.write(",".join([row.kind, *map(repr, map(float, given)), *digits]) + "\n")
+        file.write(line_of(row) + "\n")
         file.flush()
+
+
+def line_of(row):
+    given = [getattr(row.body, name) for name in BODY] + [row.gravity]
+    start = [getattr(row.start, name) for name in START]
+    numbers = [*map(repr, map(float, given)), repr(row.topple_tilt) if row.topple_tilt else ""]
+    results = [getattr(row.turns[law], name) for law in LAWS for name in RESULTS]
+    digits = [
+        x if isinstance(x, str) else mp.nstr(x, 25, min_fixed=0, max_fixed=0) for x in results
+    ]
+    return ",".join([row.kind, *numbers, *map(repr, map(float, start)), *digits])
 
 
 if __name__ == "__main__":

@@ -31,13 +31,18 @@ class LeftTheTable(ArithmeticError):
 
 @dataclass(frozen=True)
 class ExactTurn:
-    """A first turn; rad, and s from the release."""
+    """A first turn; rad, and s from the release.
 
-    turn: mp.mpf
-    min_tilt: mp.mpf
-    max_tilt: mp.mpf
-    min_time: mp.mpf
-    time: mp.mpf
+    `status` is as rimroll's: "rocked", "toppled" or, of a body that falls over without coming down
+    and has no turn, "fell_back".
+    """
+
+    status: str
+    turn: mp.mpf = mp.nan
+    min_tilt: mp.mpf = mp.nan
+    max_tilt: mp.mpf = mp.nan
+    min_time: mp.mpf = mp.nan
+    time: mp.mpf = mp.nan
 
 
 class Series:
@@ -221,6 +226,17 @@ class Step:
                 return tau
         raise ArithmeticError("the extreme of the tilt was not found")
 
+    def passing(self, tilt, end):
+        """Where, up to the end, the tilt rises past a value; None if it is not so large there."""
+        sin, cos = mp.sin(tilt), mp.cos(tilt)
+
+        def beyond(tau):
+            return self.sin.at(tau) * cos - self.cos.at(tau) * sin
+
+        if beyond(end) <= 0:
+            return None
+        return mp.findroot(beyond, (0, end), solver="anderson", tol=self.negligible**2)
+
     def must_press(self, body, gravity, end):
         """Raise LeftTheTable where N/m = g + d2z/dt2 is negative."""
         _, R, H, _, _ = symbols(body)
@@ -241,35 +257,48 @@ def numbers_of(start):
     return sin, cos, tilt_rate, yaw_rate * sin, spin_rate + yaw_rate * cos, mp.zero, mp.zero
 
 
-def extremes(body, law, start, gravity):
-    """The coordinates at one extreme of the tilt after the other, and whether it is a maximum."""
+def moments(body, law, start, gravity, topple_tilt):
+    """The coordinates at each extreme of the tilt, to the topple tilt; and which it is."""
     law = LAWS[law](body, gravity)
     rate = mp.sqrt(mp.mpf(gravity) / mp.mpf(body.radius))
     numbers = numbers_of(start)
     while True:
         step = Step(law, numbers)
         end = step.length(rate)
-        step.must_press(body, gravity, end)
-        if (tau := step.extreme(end)) is not None:
-            yield step.at(tau), (step.p[0] or step.p[1]) > 0
+        extreme = step.extreme(end)
+        toppled = step.passing(topple_tilt, end if extreme is None else extreme)
+        step.must_press(body, gravity, end if toppled is None else toppled)
+        if toppled is not None:
+            yield step.at(toppled), "topple"
+            return
+        if extreme is not None:
+            yield step.at(extreme), "tilt_max" if (step.p[0] or step.p[1]) > 0 else "tilt_min"
             # On from a little later, so as not to find the same again.
-            end = tau + end / 8
+            end = extreme + end / 8
         numbers = step.at(end)
 
 
-def first_turn(body, law, start, gravity, digits=DIGITS):
+def first_turn(body, law, start, gravity, topple_tilt=None, digits=DIGITS):
     """The first turn from the release or, if the tilt rises then, from the maximum after it.
 
-    It does not look whether the body topples; a largest tilt tells. Raises LeftTheTable.
+    It ends at the first tilt maximum after the near-collision or, before that, at the topple tilt:
+    the vertical unless given, where a disk, which falls on to its other face, has not toppled.
+    Raises LeftTheTable.
     """
     with mp.workdps(digits):
-        found = extremes(body, law, start, gravity)
-        first, is_maximum = next(found)
-        yaw = first[5] if is_maximum else mp.zero
-        lowest = next(found)[0] if is_maximum else first
-        highest, _ = next(found)
+        vertical = mp.pi / 2
+        end = vertical if topple_tilt is None else mp.mpf(topple_tilt)
+        found = moments(body, law, start, gravity, end)
+        first, kind = next(found)
+        if kind == "topple":
+            return ExactTurn("fell_back")
+        yaw = first[5] if kind == "tilt_max" else mp.zero
+        lowest = next(found)[0] if kind == "tilt_max" else first
+        highest, kind = next(found)
+        rocked = kind == "tilt_max" or (topple_tilt is None and body.height == 0)
         sin, cos, *_, highest_yaw, time = highest
         return ExactTurn(
+            status="rocked" if rocked else "toppled",
             turn=highest_yaw - yaw,
             min_tilt=mp.atan2(lowest[0], lowest[1]),
             max_tilt=mp.atan2(sin, cos),

@@ -287,10 +287,11 @@ def test_a_start_without_a_near_collision_is_refused_with_the_reason(changed, co
 
 def test_times_outside_the_pasted_rocking_are_refused():
     pasted = rr.pasted(CAN, PAPER_START, rr.NoSlip(), 9.8)
-    for t in (pasted.time + 1.01 * pasted.half_width, -0.1, [0.1, 5.0]):
-        with pytest.raises(rr.RimrollError, match="t must be inside the rocking"):
+    late = pasted.time + 1.01 * pasted.half_width
+    for t, name in ((late, "t"), (-0.1, "t"), ([pasted.time, late], r"t\[1\]"), (np.nan, "t")):
+        with pytest.raises(rr.RimrollError, match=f"^{name} must be inside the rocking"):
             pasted.tilt(t)
-        with pytest.raises(rr.RimrollError, match="t must be inside the rocking"):
+        with pytest.raises(rr.RimrollError, match=f"^{name} must be inside the rocking"):
             pasted.yaw(t)
 
 

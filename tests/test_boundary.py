@@ -98,6 +98,11 @@ def test_a_long_motion_reports_how_far_it_is():
     assert 0.0 < reached[0] < reached[-1] <= 100.0
 
 
+def test_progress_that_cannot_be_called_is_refused_before_the_motion():
+    with pytest.raises(rr.RimrollError, match="progress must be None or something to call, got 3"):
+        rr.simulate(CAN, START, rr.NoSlip(), progress=3)
+
+
 def test_what_the_progress_callback_raises_ends_the_motion():
     def stop(t):
         raise LookupError(f"enough at {t:.0f} s")

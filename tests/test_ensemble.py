@@ -150,6 +150,20 @@ CASES = {
 }
 
 
+@pytest.mark.parametrize("law", [rr.NoSlip(), rr.Frictionless()], ids=lambda law: law.name)
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_body_that_dips_and_falls_over_where_it_leaned_has_toppled_after_a_small_turn(law, way):
+    """Past the balance point all the time, it turns back a little and goes over."""
+    start = rr.State(tilt=0.8, tilt_rate=-1.1, yaw_rate=0.5 * way)
+    falls, found = rr.ensemble(CAN, start, law), rr.exact_turn(CAN, start, law)
+    assert falls.outcome.item() == found.status == "toppled"
+    assert rr.balance_tilt(CAN) < found.min_tilt < 0.8
+    assert 5.0 < np.degrees(found.turn) * way < 15.0
+    assert falls.turn.item() == pytest.approx(found.turn, abs=1e-7)
+    # The direction is a bearing: 13.6 degrees to the other side are 346.4 degrees.
+    assert falls.direction.item() == pytest.approx(found.turn % (2.0 * np.pi), abs=1e-7)
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_each_outcome_is_named(name):
     body, start, law, options = CASES[name]
@@ -268,7 +282,8 @@ def test_a_dataset_of_something_else_is_refused():
         body_of(xr.Dataset())
 
 
-def test_ctrl_c_hands_back_the_falls_done_so_far():
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_hands_back_the_falls_done_so_far(threads):
     starts = rr.State(tilt=np.linspace(0.2, 0.5, 500_000), yaw_rate=0.02)
 
     def stop(done, total):
@@ -276,7 +291,7 @@ def test_ctrl_c_hands_back_the_falls_done_so_far():
             raise KeyboardInterrupt
 
     with pytest.raises(rr.Interrupted) as caught:
-        rr.ensemble(CAN, starts, rr.NoSlip(), threads=1, progress=stop)
+        rr.ensemble(CAN, starts, rr.NoSlip(), threads=threads, progress=stop)
     assert isinstance(caught.value, KeyboardInterrupt)
     some = caught.value.done
     count = some.sizes["trial"]
@@ -284,7 +299,8 @@ def test_ctrl_c_hands_back_the_falls_done_so_far():
     assert some.identical(rr.ensemble(CAN, one_of(starts, slice(count)), rr.NoSlip()))
 
 
-def test_a_signal_stops_the_work_at_once():
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_signal_stops_the_work_at_once(threads):
     starts = rr.State(tilt=np.linspace(0.2, 0.5, 500_000), yaw_rate=0.02)
 
     def press(done, total):
@@ -292,7 +308,7 @@ def test_a_signal_stops_the_work_at_once():
             signal.raise_signal(signal.SIGINT)
 
     with pytest.raises(rr.Interrupted) as caught:
-        rr.ensemble(CAN, starts, rr.NoSlip(), threads=1, progress=press)
+        rr.ensemble(CAN, starts, rr.NoSlip(), threads=threads, progress=press)
     assert 0 < caught.value.done.sizes["trial"] < 500_000
 
 

@@ -25,6 +25,7 @@ from test_reference import CAN, LAWS, PAPER_GRAVITY, by_law, sixty_starts
 FIELDS = tuple(field.name for field in fields(rr.State))
 BODY = tabulated_turns.BODY
 ROWS = tabulated_turns.rows()
+ALL_KINDS = tabulated_turns.KINDS | tabulated_turns.TOPPLING
 
 START = rr.State(tilt=0.4, tilt_rate=-0.5, yaw_rate=0.02, spin_rate=-0.01)
 
@@ -64,11 +65,19 @@ def test_sixty_turns_of_the_can_are_right_to_1e_12(law):
 
 
 def errors(row, law):
-    """Of the turn (rad), and of the other numbers relative to their size."""
+    """Of the turn (rad), and of the other numbers relative to their size; None without a turn."""
     known = row.turns[law.name]
-    start = rr.State(**vars(row.start))
-    found = rr.exact_turn(rr.Body(**vars(row.body)), start, law, gravity=row.gravity)
-    assert found.status == "rocked"
+    found = rr.exact_turn(
+        rr.Body(**vars(row.body)),
+        rr.State(**vars(row.start)),
+        law,
+        gravity=row.gravity,
+        topple_tilt=row.topple_tilt,
+    )
+    assert found.status == known.status, row
+    if known.status == "fell_back":
+        assert np.isnan([getattr(found, name) for name in NUMBERS]).all()
+        return None
     off = {
         name: float(abs(getattr(found, name) / getattr(known, name) - 1))
         for name in ("min_tilt", "max_tilt", "time")
@@ -79,19 +88,35 @@ def errors(row, law):
 
 
 @by_law
-@pytest.mark.parametrize("kind", tabulated_turns.KINDS, ids=lambda kind: kind.__name__)
+@pytest.mark.parametrize("kind", ALL_KINDS, ids=lambda kind: kind.__name__)
 def test_turns_of_bodies_and_starts_of_all_kinds_are_right_to_1e_12(kind, law):
     rows = [row for row in ROWS if row.kind == kind.__name__]
-    assert len(rows) == tabulated_turns.KINDS[kind]
-    # Extremes of the tilt that differ by a hundredth have two digits less of their difference; in
-    # the rates of a start inside the near-collision others cancel.
-    loose = {tabulated_turns.wobbling: 3e-12, tabulated_turns.inside: 1.1e-12}
-    within = loose.get(kind, 1e-12)
+    assert len(rows) == ALL_KINDS[kind]
     for row in rows:
-        off = errors(row, law)
-        assert off["turn"] < within, (off, row)
-        assert off["min_tilt"] < 1e-12 and off["max_tilt"] < 1e-12, (off, row)
-        assert off["min_time"] < 2e-11 and off["time"] < 2e-11, (off, row)
+        if off := errors(row, law):
+            assert off["turn"] < 1e-12, (off, row)
+            assert off["min_tilt"] < 1e-12 and off["max_tilt"] < 1e-12, (off, row)
+            assert off["min_time"] < 2e-11 and off["time"] < 2e-11, (off, row)
+
+
+@by_law
+def test_where_rounding_of_the_start_moves_the_turn_by_more_that_bounds_the_error(law):
+    """A coin that stands on its edge but for 5e-7, slowly turning, and takes long to come down."""
+    coin = rr.Body(0.00381088, 8.95048, 0.0, 0.152647, 0.305294)
+    start = rr.State(
+        tilt=1.5707958578442116,
+        tilt_rate=9.955968046307476e-08,
+        yaw_rate=-0.00315188,
+        spin_rate=-6.12253e-07,
+    )
+    found = rr.exact_turn(coin, start, law, gravity=1.62, jacobian=True)
+    turn = turn_in_digits(with_digits(coin, start, 1.62), law)
+    moved = {
+        name: abs(value * found.jacobian[name]) * np.finfo(float).eps
+        for name, value in with_digits(coin, start, 1.62).items()
+    }
+    assert 5e-12 < sum(moved.values()) < 5e-11
+    assert float(abs(found.turn - turn)) < 10.0 * sum(moved.values())
 
 
 @pytest.mark.parametrize(
@@ -367,14 +392,14 @@ def test_the_derivatives_are_those_of_finite_differences(rocking, law):
 # Ctrl-C
 
 
-def interrupted(start, after, **more):
+def interrupted(start, after, threads, **more):
     """How long it takes until Ctrl-C, so many seconds after the work on turns began, ends it."""
     before = signal.signal(signal.SIGALRM, signal.default_int_handler)
     begun = time.monotonic()
     try:
         signal.setitimer(signal.ITIMER_REAL, after)
         with pytest.raises(KeyboardInterrupt):
-            rr.exact_turn(CAN, start, rr.NoSlip(), threads=1, **more)
+            rr.exact_turn(CAN, start, rr.NoSlip(), threads=threads, **more)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, before)
@@ -382,20 +407,22 @@ def interrupted(start, after, **more):
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
-def test_ctrl_c_is_heard_while_starts_are_stepped():
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_is_heard_while_starts_are_stepped(threads):
     """Steady precession, which is followed for very long, many times over."""
     yaw = precessing(CAN, 0.3, rr.NoSlip())
     tilt = np.full(AT_A_TIME, 0.3)
-    interrupted(rr.State(tilt=tilt, yaw_rate=yaw, spin_rate=-yaw * np.cos(0.3)), 0.3)
+    interrupted(rr.State(tilt=tilt, yaw_rate=yaw, spin_rate=-yaw * np.cos(0.3)), 0.3, threads)
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
-def test_ctrl_c_is_heard_while_derivatives_are_computed():
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
     start = rr.State(tilt=np.full(AT_A_TIME, 0.3), yaw_rate=0.1)
     begun = time.monotonic()
-    rr.exact_turn(CAN, start, rr.NoSlip(), threads=1, jacobian=True)
+    rr.exact_turn(CAN, start, rr.NoSlip(), threads=threads, jacobian=True)
     whole = time.monotonic() - begun
-    assert interrupted(start, 0.05 * whole, jacobian=True) < 0.6 * whole
+    assert interrupted(start, 0.05 * whole, threads, jacobian=True) < 0.6 * whole
 
 
 # What is refused
@@ -424,6 +451,24 @@ def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
     asked = {"body": CAN, "start": START, "law": rr.NoSlip(), **change}
     with pytest.raises(rr.RimrollError, match=words):
         rr.exact_turn(**asked)
+
+
+@pytest.mark.parametrize("shape", [(9000,), (90, 100)])
+def test_the_start_of_many_that_is_at_fault_is_named(shape):
+    tilts, rates = np.full(9000, 0.3), np.zeros(9000)
+    tilts[8765], rates[8765] = 1.2, 2e31
+    place = "[8765]" if len(shape) == 1 else "[87, 65]"
+    for start, topple_tilt, words in (
+        (
+            rr.State(tilt=tilts.reshape(shape)),
+            1.0,
+            f"tilt{place} must be below topple_tilt = 1 rad",
+        ),
+        (rr.State(tilt=0.3, spin_rate=rates.reshape(shape)), None, f"spin_rate{place} must be"),
+    ):
+        with pytest.raises(rr.RimrollError) as refusal:
+            rr.exact_turn(CAN, start, rr.NoSlip(), topple_tilt=topple_tilt, threads=1)
+        assert str(refusal.value).startswith(words)
 
 
 def off_the_stepped(body, start, law, *, rtol=1e-13):

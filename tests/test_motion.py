@@ -88,11 +88,26 @@ def test_a_motion_called_with_times_gives_states(motion):
 @pytest.mark.parametrize("outside", [-1e-9, 2.0000001, np.nan, np.inf, [0.5, 2.5]])
 def test_times_outside_the_motion_are_refused(motion, outside):
     with pytest.raises(
-        rr.RimrollError, match=r"t must be inside the motion, 0 to 2 s \(finished\)"
+        rr.RimrollError, match=r"t(\[1\])? must be inside the motion, 0 to 2 s \(finished\)"
     ):
         motion.evaluate(outside)
-    with pytest.raises(rr.RimrollError, match="t must be inside"):
+    with pytest.raises(rr.RimrollError, match="must be inside the motion"):
         motion(outside)
+
+
+def test_the_time_of_many_that_is_outside_is_named(motion):
+    with pytest.raises(rr.RimrollError, match=r"^t\[2\] must be inside .*, got 2.5 s$"):
+        motion([0.5, 1.0, 2.5, 3.0])
+    with pytest.raises(rr.RimrollError, match=r"^t must be inside .*, got 2.5 s$"):
+        motion(2.5)
+
+
+@pytest.mark.parametrize("law", [*LAWS, rr.Coulomb(0.2)], ids=lambda law: law.name)
+def test_poses_are_the_first_rows_of_all_that_is_known_at_the_steps(law):
+    core = paper_motion(law)._core
+    poses, nodes = core.poses(), core.nodes()
+    assert 0 < len(poses) < len(nodes)
+    assert poses.tobytes() == nodes[: len(poses)].tobytes()
 
 
 def test_samples_lie_evenly_in_each_step(motion):

@@ -457,8 +457,11 @@ def test_topple_draws_the_histogram(said, tmp_path, suffix):
     assert path.read_bytes()[:4] in (b"<?xm", b"\x89PNG", b"%PDF")
 
 
+@pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("asked_for", ["", "--json"])
-def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(capsys, tmp_path, monkeypatch, asked_for):
+def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(
+    capsys, tmp_path, monkeypatch, asked_for, threads
+):
     from contextlib import contextmanager
 
     @contextmanager
@@ -471,7 +474,7 @@ def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(capsys, tmp_path, monke
 
     monkeypatch.setattr("rimroll.cli.topple.working", impatient)
     csv, picture = tmp_path / "falls.csv", tmp_path / "falls.svg"
-    asked = f"topple -n 300000 --seed 1 --threads 1 -o {csv} -o {picture} {asked_for}"
+    asked = f"topple -n 300000 --seed 1 --threads {threads} -o {csv} -o {picture} {asked_for}"
     assert main(asked.split()) == 130
     captured = capsys.readouterr()
     assert captured.err == "rimroll: interrupted\n"

@@ -126,6 +126,9 @@ def ensemble(
     threads: int,
     progress: Callable[[int], object] | None,
 ) -> tuple[_Array, BaseException | None]: ...
+def first_refused(
+    body: _Body, starts: _Starts, gravity: float, topple_tilt: float | None
+) -> int | None: ...
 def exact_turns(
     body: _Body,
     starts: _Starts,

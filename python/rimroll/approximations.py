@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import expect, hold, number
 from rimroll.laws import Law, ideal
 from rimroll.state import State, single, times
 
@@ -98,14 +98,12 @@ class Pasted:
 
     def _inside(self, t: ArrayLike) -> Array:
         moments = times(t)
-        away = np.abs(moments - self.time)
+        given = moments.reshape(np.shape(t))
+        first, last = self.time - self.half_width, self.time + self.half_width
+        bound = f"inside the rocking that is approximated, {first:.6g} to {last:.6g} s"
         # A few roundings of the end itself are forgiven.
-        if np.any(away > self.half_width * (1 + 1e-9)):
-            first, last = self.time - self.half_width, self.time + self.half_width
-            raise RimrollError(
-                f"t must be inside the rocking that is approximated, {first:.6g} to {last:.6g} s, "
-                f"got {moments[np.argmax(away)]} s"
-            )
+        near = np.abs(given - self.time) <= self.half_width * (1 + 1e-9)
+        hold("t", given, near, bound, "s")
         return moments
 
 

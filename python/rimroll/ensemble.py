@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,10 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core, laws
 from rimroll.body import Body
-from rimroll.errors import RimrollError, callback, element, expect, hold, number
+from rimroll.errors import RimrollError, callback, expect, hold, number
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
 from rimroll.motion import thread_count, whole_number
 from rimroll.options import Options
+from rimroll.refusals import placed
 from rimroll.state import State
 from rimroll.theory import balance_tilt
 
@@ -26,10 +26,10 @@ Array = NDArray[np.float64]
 
 
 OUTCOMES = {
-    "toppled": "came down, rose again and fell over; also if a law that knows no flight ends with"
-    " the rim's leaving the table past the balance tilt",
+    "toppled": "came down, be it only a little, rose again and fell over, on whatever side; also if"
+    " a law that knows no flight ends with the rim's leaving the table past the balance tilt",
     "rocked": "came down and rose again to a largest tilt",
-    "fell_back": "fell over without coming down",
+    "fell_back": "fell over as it leaned: its tilt only grew, or was smallest at the release",
     "hovered": "did neither before time was up",
     "lifted_off": "would have left the table, under a law that knows no flight",
     "face_down": "came down flat",
@@ -44,7 +44,11 @@ FELL = ("toppled", "rocked")
 
 VARIABLES = {
     "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the outcome"),
-    "direction": ("rad", "of fall or of the largest tilt, 0 to 2 pi, from that of the first lean"),
+    "direction": (
+        "rad",
+        "of fall or of the largest tilt, from that of the first lean: a bearing, 0 to 2 pi, so that"
+        " a turn of -1 degree leads to 359 degrees",
+    ),
     "min_tilt": ("rad", "the smallest tilt: how near the near-collision was"),
     "near_time": ("s", "time of the smallest tilt"),
     "time": ("s", "time of the outcome"),
@@ -108,7 +112,9 @@ def ensemble(
     -------
     xarray.Dataset
         One row a ``trial``: ``outcome`` (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it
-        was computed from, and the :data:`VARIABLES`. ``turn``, ``direction``, ``min_tilt`` and
+        was computed from, and the :data:`VARIABLES`. ``turn`` is by how much the contact point went
+        round, with its sign, and ``direction`` where that led: a body that dips and falls over near
+        where it leaned has a small turn. ``turn``, ``direction``, ``min_tilt`` and
         ``near_time`` are NaN for a fall that did not come down. The attributes hold everything
         else that it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are what
         :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``.
@@ -144,7 +150,7 @@ def ensemble(
     try:
         table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
     except RimrollError as refusal:
-        raise _placed(refusal, starts, lambda k: _refused(body, rows, law, options, k)) from None
+        raise placed(refusal, body, starts, rows, options.gravity, options.topple_tilt) from None
     dataset = _dataset(rows, grips, table, balance_tilt(body))
     dataset = dataset.assign_attrs(parameters(body, law, asdict(options)))
     if isinstance(stopped, KeyboardInterrupt):
@@ -152,29 +158,6 @@ def ensemble(
     if stopped is not None:
         raise stopped
     return dataset
-
-
-def _placed(refusal: RimrollError, starts: State, refused: Callable[[int], bool]) -> RimrollError:
-    """A refusal that names the element of the array it is about, ``tilt[3] must be``.
-
-    ``refused`` says whether any of the first so many starts is.
-    """
-    field, rest = str(refusal).split(" ", 1)
-    if not np.ndim(getattr(starts, field, 0.0)):
-        return refusal
-    first = bisect_left(range(1, starts.shape[0] + 1), True, key=refused)
-    return RimrollError(f"{element(field, [first])} {rest}")
-
-
-def _refused(body: Body, rows: _Rows, law: Law, options: Options, count: int) -> bool:
-    """Whether any of the first so many starts is refused; the others go no farther than a step."""
-    some = _Rows(**{name: column[:count] for name, column in vars(rows).items()})
-    hasty = replace(options, max_steps=1).values
-    try:
-        _core.ensemble(body, some, law, np.ones(count), *hasty, 0, None)
-    except RimrollError:
-        return True
-    return False
 
 
 @dataclass(frozen=True)

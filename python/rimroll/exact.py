@@ -15,6 +15,7 @@ from rimroll.errors import RimrollError, expect, number
 from rimroll.jacobian import PARAMETERS
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import thread_count
+from rimroll.refusals import placed
 from rimroll.state import Numbers, State
 
 Array = NDArray[np.float64]
@@ -39,7 +40,8 @@ class ExactTurn:
     """
 
     turn: Numbers
-    """Signed change of yaw in the turn, rad."""
+    """Signed change of yaw in the turn, rad: by how much the contact point went round. A body that
+    dips and falls over near where it leaned has a small one."""
     min_tilt: Numbers
     """The smallest tilt, rad: how near the near-collision was."""
     max_tilt: Numbers
@@ -52,7 +54,8 @@ class ExactTurn:
     """Change of yaw from the release to the end of the turn, rad."""
     status: str | NDArray[np.str_]
     """What became of the body: ``rocked`` (came down and rose again to a tilt maximum), ``toppled``
-    (came down and rose over the topple tilt), ``fell_back`` (fell over without coming down),
+    (came down, be it only a little, and rose over the topple tilt, on whatever side), ``fell_back``
+    (fell over as it leaned: its tilt only grew, or was smallest at the release),
     ``lifted_off`` (the rim would have to be pulled down), ``face_down`` (came down flat),
     ``hovered`` (did neither for very long, as in steady precession) or ``failed``. A disk that
     rises to the vertical counts as ``rocked``. None but ``rocked`` and ``toppled`` have a turn,
@@ -76,11 +79,15 @@ def exact_turn(
     """The first turn of a body that rocks, from each start, without stepping through its motion.
 
     Without slip or without friction energy is kept, and yaw and spin rates follow from the tilt
-    alone; so turn and times are integrals over the tilt. The turn is right to 1e-12 rad, however
-    flat the body comes down, but for tilts that hardly change: of a swing of a hundredth of the
-    tilt to 3e-12, and with a digit less for each digit by which it is smaller. The few starts that
-    no rule resolves, next to the edge between rocking and toppling, are stepped. The results are
-    the same, to the last bit, for any number of threads and in any company.
+    alone; so turn and times are integrals over the tilt. The turn is right to 1e-12 rad, whether
+    the body rocks or topples, however flat it comes down and however near the balance point it is
+    let go; and the times to 2e-11 of the whole, or, of one that lingers at the balance point, 1e-9.
+    Where the last digit of a start moves the turn by more (``jacobian`` tells), as that of a coin
+    which all but stands on its edge, the error is some ten times that. Of tilts that hardly change
+    there is a digit less for each digit by which the swing is smaller than a hundredth of the tilt.
+    The few starts that no rule resolves, next to the edge between rocking and toppling, are
+    stepped. The results are the same, to the last bit, for any number of threads and in any
+    company.
 
     Parameters
     ----------
@@ -102,7 +109,8 @@ def exact_turn(
     Raises
     ------
     RimrollError
-        Another law, a resistance, a number outside its bounds.
+        Another law, a resistance, a number outside its bounds; of an array the message names the
+        element, ``tilt[1]``.
     """
     if not conserves_energy(law):
         raise RimrollError(
@@ -140,9 +148,12 @@ def turns_in_parts(
         thread_count(threads),
     )
     for first in range(0, max(1, len(columns.tilt)), AT_A_TIME):
-        codes, table, derivatives = _core.exact_turns(
-            body, columns.part(first), law.name, *options, jacobian
-        )
+        try:
+            codes, table, derivatives = _core.exact_turns(
+                body, columns.part(first), law.name, *options, jacobian
+            )
+        except RimrollError as refusal:
+            raise placed(refusal, body, start, columns, *options[:2]) from None
         none = np.empty((len(codes), 0))
         yield codes, table, none if derivatives is None else derivatives
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, callback, expect, hold, number
 from rimroll.jacobian import PARAMETERS, Jacobian
 from rimroll.laws import Law
 from rimroll.options import Options
@@ -396,12 +396,9 @@ class Motion(Moments):
     def _inside(self, t: ArrayLike) -> Array:
         moments = times(t)
         last = float(self.t[-1])
-        outside = moments[~((moments >= 0.0) & (moments <= last))]
-        if outside.size:
-            raise RimrollError(
-                f"t must be inside the motion, 0 to {last:.6g} s ({self.status}), "
-                f"got {outside[0]} s"
-            )
+        given = moments.reshape(np.shape(t))
+        bound = f"inside the motion, 0 to {last:.6g} s ({self.status})"
+        hold("t", given, (given >= 0.0) & (given <= last), bound, "s")
         return moments
 
     def samples(self, per_step: int = 4) -> Moments:
@@ -532,6 +529,7 @@ def simulate(
         None if topple_tilt is None else number("topple_tilt", topple_tilt),
         whole_number("max_steps", max_steps),
     )
+    callback("progress", progress)
     return _follow(body, single(start), law, options, bool(jacobian), progress)
 
 

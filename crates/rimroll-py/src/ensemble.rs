@@ -84,6 +84,22 @@ impl StartsArgument<'_> {
     }
 }
 
+/// Which of the starts is the first that `ensemble` and `exact_turns` refuse, if they do.
+#[pyfunction]
+pub fn first_refused(
+    body: BodyArgument,
+    starts: StartsArgument,
+    gravity: f64,
+    topple_tilt: Option<f64>,
+) -> PyResult<Option<usize>> {
+    let options = Options {
+        gravity,
+        topple_tilt,
+        ..Options::default()
+    };
+    Ok(options.first_refused(&body.body()?, starts.starts()))
+}
+
 /// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the endings by their place in
 /// `ENDINGS`; and what has stopped the work, if anything has: then the rows are of the first starts.
 /// `grip` has a factor of the friction for each start; `threads` = 0 means as many as there are

@@ -23,7 +23,7 @@ mod _core {
         preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
     };
     #[pymodule_export]
-    use crate::ensemble::ensemble;
+    use crate::ensemble::{ensemble, first_refused};
     #[pymodule_export]
     use crate::exact::exact_turns;
     #[pymodule_export]

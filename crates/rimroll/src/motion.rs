@@ -94,6 +94,16 @@ impl Options {
         (0.02 * self.rtol).max(5e-15)
     }
 
+    /// Which of many starts is the first from which no motion can be computed, if any is.
+    pub fn first_refused(
+        &self,
+        body: &Body,
+        starts: impl IntoIterator<Item = State>,
+    ) -> Option<usize> {
+        let refused = |start: State| self.checked(body, &start).is_err();
+        starts.into_iter().position(refused)
+    }
+
     /// Checks the numbers and fills in the body's own topple tilt.
     pub(crate) fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
         start.check()?;

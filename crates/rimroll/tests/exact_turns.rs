@@ -259,3 +259,73 @@ fn throws_of_all_kinds_end_and_turn_by_quadrature_as_by_steps() {
         assert!(count > 50, "{count} {ending:?}");
     }
 }
+
+/// A row of the table of turns in multiprecision, by the names of its columns.
+struct Tabulated<'a> {
+    names: &'a [&'a str],
+    row: Vec<&'a str>,
+}
+
+impl Tabulated<'_> {
+    fn text(&self, name: &str) -> &str {
+        self.row[self.names.iter().position(|&one| one == name).unwrap()]
+    }
+
+    fn number(&self, name: &str) -> f64 {
+        self.text(name).parse().unwrap()
+    }
+
+    fn exact(&self, law: IdealLaw) -> Exact {
+        let [m, r, h, a, c] = [
+            "mass",
+            "radius",
+            "height",
+            "transverse_inertia",
+            "axial_inertia",
+        ]
+        .map(|name| self.number(name));
+        let body = Body::new(m, r, h, a, c).unwrap();
+        let topple_tilt = self.text("topple_tilt").parse().ok();
+        Exact::new(&body, law, self.number("gravity"), topple_tilt).unwrap()
+    }
+}
+
+#[test]
+fn turns_alone_and_among_many_are_those_of_the_table_in_multiprecision_to_1e_12() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../tests/given/exact_turns.csv"
+    );
+    let table = std::fs::read_to_string(path).unwrap();
+    let mut lines = table.lines().filter(|line| !line.starts_with('#'));
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    for line in lines {
+        let row = Tabulated {
+            names: &names,
+            row: line.split(',').collect(),
+        };
+        let start =
+            state(["tilt", "tilt_rate", "yaw_rate", "spin_rate"].map(|name| row.number(name)));
+        for (law, of_law) in [
+            (IdealLaw::NoSlip, "no_slip"),
+            (IdealLaw::Frictionless, "frictionless"),
+        ] {
+            let exact = row.exact(law);
+            let alone = exact.turn(&start).unwrap();
+            let among = exact.turns(&[start]).unwrap()[0];
+            let known = row.number(&format!("turn_{of_law}"));
+            for found in [alone, among] {
+                assert_eq!(
+                    found.ending.name(),
+                    row.text(&format!("status_{of_law}")),
+                    "{line}"
+                );
+                assert_eq!(found.turn.is_nan(), known.is_nan(), "{line}");
+                assert!(
+                    known.is_nan() || (found.turn - known).abs() < 1e-12,
+                    "{line}"
+                );
+            }
+        }
+    }
+}

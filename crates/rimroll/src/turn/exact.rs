@@ -15,6 +15,7 @@
 //! [`passing`] eight that topple.
 
 mod alone;
+mod antiderivative;
 mod dispatch;
 mod extremes;
 mod fundamental;
@@ -29,6 +30,7 @@ mod sliding;
 mod start;
 mod tilting;
 mod together;
+mod top;
 mod waiting;
 mod wobble;
 
@@ -46,12 +48,16 @@ use rolling::Rolling;
 use sliding::Sliding;
 use start::Start;
 use tilting::Tilting;
+use top::{OnTop, is_near_top};
 
 /// Below this sin φ the base counts as flat on the table, as in a simulated motion.
 const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
 
 /// Nearer to an extreme than this, in η, G has no digits left.
 const SHORT: f64 = 3e-6;
+
+/// A body that turns back so near to the balance point, in η, lingers.
+const LINGERING: f64 = 0.03;
 
 /// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
 const MOST_OUTER: f64 = 2.6;
@@ -187,6 +193,11 @@ impl Exact {
         self.balance.y
     }
 
+    /// At the largest tilt of a body that rocks and does not all but linger there, dG/dη is steeper.
+    fn least_slope(&self) -> f64 {
+        LINGERING * self.balance.curvature
+    }
+
     /// Whether quadrature does not reach the start.
     fn is_beyond(&self, start: &State) -> bool {
         start.tilt >= FRAC_PI_2 || self.options.topple_tilt > Some(FRAC_PI_2)
@@ -234,13 +245,27 @@ impl Exact {
     fn outcome(&self, start: &State) -> Option<Outcome<f64>> {
         let start = Start::of(start);
         match &self.table {
-            Some(table) => self.alone(&Rolling::new(table, &start), start),
-            None => self.alone(&Sliding::new(self.parameters, &start), start),
+            Some(table) => self.alone(&Rolling::new(table, &start), &self.parameters, start),
+            None => self.alone(
+                &Sliding::new(self.parameters, &start),
+                &self.parameters,
+                start,
+            ),
         }
     }
 
-    fn alone<T: Scalar>(&self, motion: &impl Tilting<T>, start: Start<T>) -> Option<Outcome<T>> {
-        Alone::new(motion, start, self.end(), self.balance).outcome()
+    fn alone<T: Scalar>(
+        &self,
+        motion: &impl Tilting<T>,
+        k: &Parameters<T>,
+        start: Start<T>,
+    ) -> Option<Outcome<T>> {
+        let (end, balance) = (self.end(), self.balance);
+        if is_near_top(start.eta.value(), &balance) {
+            let motion = OnTop::new(motion, k, start, [balance.eta, libm::log(end.0)]);
+            return Alone::new(&motion, start, end, balance).outcome();
+        }
+        Alone::new(motion, start, end, balance).outcome()
     }
 
     /// The same by steps, where quadrature does not reach.

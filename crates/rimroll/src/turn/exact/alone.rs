@@ -79,6 +79,15 @@ pub(super) struct Alone<'a, M, T> {
     balance: Balance,
 }
 
+/// A start nearer to an extreme, in η, is followed there with η and G counted from it.
+const CLOSE: f64 = 0.1;
+
+/// By its clock, to both sides of its middle, a passage that one rule resolves.
+const LONGEST_PASSAGE: f64 = 5.0;
+
+/// Of Newton's iteration, where only the last digits of an extreme are missing.
+const ROUNDS: usize = 4;
+
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
 const SHORTEST: f64 = 1e-4;
 
@@ -133,18 +142,14 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
 
     /// The same with the energy of a tilt that hardly changes.
     fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Outcome<T>> {
-        let Start { y, eta, p, .. } = self.start;
+        let eta = self.start.eta;
         let (from, to) = ((low.eta - eta).value(), (high.eta - eta).value());
         let margin = 0.1 * (to - from);
         if to - from < SHORTEST {
             return None;
         }
-        let wobble = Wobble::new(self.motion, y, eta, p, from - margin, to + margin);
-        let near = |extreme: &Extreme<T>| [extreme.y, extreme.eta - eta];
-        let (low, high) = (
-            lowest(&wobble, near(low), 3),
-            highest(&wobble, near(high), 3),
-        );
+        let wobble = Wobble::new(self.motion, self.start, from - margin, to + margin);
+        let [low, high] = [low, high].map(|extreme| wobble.extreme(extreme.eta - eta, ROUNDS));
         let start = Start {
             eta: T::from(0.0),
             ..self.start
@@ -200,26 +205,25 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let split = low.eta + inner;
         let bottom = foot(motion, low, inner)?;
         let upper = match top {
-            Top::Rest(high) => head(motion, high, outer, 0.0)?,
+            Top::Rest(high) => head(motion, high, outer, self.gap(motion, high), 0.0)?,
             Top::Passing(..) => self.passage([split, eta_top])?,
         };
         let up = bottom + upper;
         let from_start = eta_top - start.eta;
         let to_start = start.eta - low.eta;
         // From the smallest tilt to the start's.
-        let risen = if is_short(to_start, length) {
-            short(motion, low.place(), to_start, speed(motion, start, rising))
-        } else if to_start.value() <= inner.value() {
-            foot(motion, low, to_start)?
+        let risen = if to_start.value() <= inner.value() {
+            self.next_to_lowest(motion, start, low, [to_start, length], rising)?
         } else {
             match top {
                 Top::Rest(high) => {
-                    up - last_leg(
+                    let time = up.values().time;
+                    up - self.next_to_highest(
                         motion,
                         start,
                         high,
                         [from_start, length],
-                        up.values().time,
+                        time,
                         rising,
                     )?
                 }
@@ -247,13 +251,81 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         })
     }
 
+    /// From the smallest tilt to the start, `to_start` in η of a way of `length`.
+    fn next_to_lowest(
+        &self,
+        motion: &impl Tilting<T>,
+        start: &Start<T>,
+        low: &Extreme<T>,
+        [to_start, length]: [T; 2],
+        rising: bool,
+    ) -> Option<Piece<T>> {
+        if is_short(to_start, length.value()) {
+            Some(short(motion, low.place(), to_start, self.speed(rising)))
+        } else if to_start.value() < CLOSE {
+            let wobble = wobble_to(motion, start, -to_start);
+            let low = wobble.extreme(-to_start, ROUNDS);
+            foot(&wobble, &low, -low.eta)
+        } else {
+            foot(motion, low, to_start)
+        }
+    }
+
+    /// From the start to the largest tilt, `from_start` in η of a way of `length`, of a motion that lasts `time` (s).
+    fn next_to_highest(
+        &self,
+        motion: &impl Tilting<T>,
+        start: &Start<T>,
+        high: &Extreme<T>,
+        [from_start, length]: [T; 2],
+        time: f64,
+        rising: bool,
+    ) -> Option<Piece<T>> {
+        let gap = self.gap(motion, high);
+        if is_short(from_start, length.value().min(gap)) {
+            Some(short(motion, high.place(), -from_start, self.speed(rising)))
+        } else if from_start.value() < gap.min(CLOSE) {
+            let wobble = wobble_to(motion, start, from_start);
+            let high = wobble.extreme(from_start, ROUNDS);
+            head(&wobble, &high, high.eta, gap, time)
+        } else {
+            head(motion, high, from_start, gap, time)
+        }
+    }
+
+    /// √G at the start. Its derivative has a sign also where the tilt is at rest.
+    fn speed(&self, rising: bool) -> T {
+        let Start { y, eta, p, .. } = self.start;
+        let rate = if rising { p } else { -p };
+        self.motion.at(y, eta).inertia.sqrt() * rate
+    }
+
+    /// How much farther than the largest tilt G has its next root, in η.
+    fn gap(&self, motion: &impl Tilting<T>, high: &Extreme<T>) -> f64 {
+        /// So near to the balance point, G is a parabola: yaw and spin move that, but bend it little.
+        const NEAR: f64 = 0.2;
+        /// As if there were a root here: nearer than that rounding decides.
+        const LEAST: f64 = 1e-9;
+        let gap = if (high.y.value() / self.balance.y - 1.0).abs() < NEAR {
+            -high.point.slope.value() / self.balance.curvature
+        } else {
+            motion.gap_beyond(high.y).value()
+        };
+        gap.max(LEAST)
+    }
+
     /// From one η to another on the move.
     fn passage(&self, [from, to]: [T; 2]) -> Option<Piece<T>> {
         let Balance { y, eta, .. } = self.balance;
         let drive = self.motion.at(T::from(y), T::from(eta)).drive;
         let ridge = Ridge::new(self.balance, drive);
         let half = T::from(0.5) * (ridge.clock(to) - ridge.clock(from));
-        agreed(Choice::plain(nodes_across(half.value())), 0.0, |rule| {
+        if half.value() > LONGEST_PASSAGE {
+            let (_, between, _) = ridge.at(ridge.clock(from) + half);
+            return Some(self.passage([from, between])? + self.passage([between, to])?);
+        }
+        let choice = Choice::plain(nodes_across(half.value()));
+        agreed(choice, 0.0, ridge.width().value(), |rule| {
             across(self.motion, [from, to], &ridge, rule)
         })
     }
@@ -417,14 +489,18 @@ fn negative_between(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> Optio
 /// A piece by the first rule, from a choice on, with which the next but one agrees: what one rule tells of
 /// itself can deceive where the integrand is singular at two points to the sides, as past the balance
 /// point, and its Legendre coefficients swing. Of the two the smaller, whose nodes keep farther from where
-/// G is rounding.
+/// G is rounding: of which there is the more the closer to one another, `gap` in η, it has two roots.
 fn agreed<T: Scalar>(
     choice: Choice,
     whole: f64,
+    gap: f64,
     piece: impl Fn(&Rule) -> Piece<T>,
 ) -> Option<Piece<T>> {
     /// Where G is a small difference, rounding lets rules agree no better than to so many tolerances.
     const ROUNDING: f64 = 20.0;
+    /// The same where that is as small as it can be: less than the start's own rounding decides.
+    const MOST_ROUNDING: f64 = 1e4;
+    let rounding = (1e-4 / (gap * gap)).clamp(ROUNDING, MOST_ROUNDING);
     let mut before = piece(choice.rule());
     let mut best: Option<(f64, Piece<T>)> = None;
     let mut next = choice.larger().and_then(Choice::larger);
@@ -440,7 +516,7 @@ fn agreed<T: Scalar>(
         before = piece;
         next = choice.larger().and_then(Choice::larger);
     }
-    best.filter(|&(off, _)| off <= ROUNDING)
+    best.filter(|&(off, _)| off <= rounding)
         .map(|(_, piece)| piece)
 }
 
@@ -448,23 +524,25 @@ fn agreed<T: Scalar>(
 fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
     // With each unit of η the time grows e-fold over it.
     let choice = Choice::plain(9.0 + 0.8 * length.value());
-    agreed(choice, 0.0, |rule| {
+    agreed(choice, 0.0, 1.0, |rule| {
         from_lowest::<false, T>(motion, [low.y, low.eta, low.grazing()], length, rule)
     })
 }
 
-/// Up to the largest tilt by `length` in η, of a motion that lasts `whole` (s) or as long.
+/// Up to the largest tilt by `length` in η, of a motion that lasts `whole` (s) or as long; `gap` beyond it G has its
+/// next root.
 fn head<T: Scalar>(
     motion: &impl Tilting<T>,
     high: &Extreme<T>,
     length: T,
+    gap: f64,
     whole: f64,
 ) -> Option<Piece<T>> {
     // The smallest tilt, in the plane of τ².
     const FAR: f64 = 100.0;
-    let square = (motion.gap_beyond(high.y) / length).value();
+    let square = gap / length.value();
     let choice = Choice::to_highest(nodes_to_highest(square, FAR), square);
-    agreed(choice, whole, |rule| {
+    agreed(choice, whole, gap, |rule| {
         to_highest(motion, high.place(), length, rule)
     })
 }
@@ -479,35 +557,19 @@ fn met<T: Scalar>(extreme: Extreme<T>) -> Result<Extreme<T>, Unclear> {
 }
 
 /// Whether a piece next to an extreme is so short that G has no digits left in it, but not for being part
-/// of a motion that is no longer.
-fn is_short<T: Scalar>(piece: T, whole: T) -> bool {
-    piece.value() < SHORT.min(1e-3 * whole.value())
+/// of a motion that is no longer, `whole` in η, or for being next to where G is smaller still.
+fn is_short<T: Scalar>(piece: T, whole: f64) -> bool {
+    piece.value() < SHORT.min(1e-5 * whole)
 }
 
-/// From the start's tilt to the largest, and how long that and the whole are in η, and the whole in s.
-fn last_leg<T: Scalar>(
-    motion: &impl Tilting<T>,
+/// From the start to `away` in η and a little beyond.
+fn wobble_to<'a, M: Tilting<T>, T: Scalar>(
+    motion: &'a M,
     start: &Start<T>,
-    high: &Extreme<T>,
-    [length, whole]: [T; 2],
-    time: f64,
-    rising: bool,
-) -> Option<Piece<T>> {
-    if is_short(length, whole) {
-        return Some(short(
-            motion,
-            high.place(),
-            -length,
-            speed(motion, start, rising),
-        ));
-    }
-    head(motion, high, length, time)
-}
-
-/// √G at the start. Its derivative has a sign also where the tilt is at rest.
-fn speed<T: Scalar>(motion: &impl Tilting<T>, start: &Start<T>, rising: bool) -> T {
-    let rate = if rising { start.p } else { -start.p };
-    motion.at(start.y, start.eta).inertia.sqrt() * rate
+    away: T,
+) -> Wobble<'a, M, T> {
+    let (near, far) = (-0.1 * away.value(), 1.1 * away.value());
+    Wobble::new(motion, *start, near.min(far), near.max(far))
 }
 
 /// A guess of y and η.

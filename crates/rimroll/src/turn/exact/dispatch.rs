@@ -140,6 +140,7 @@ impl Asked for AskStart {
 struct AskExtremes<'a> {
     eight: &'a Eight,
     most: f64,
+    least_slope: f64,
 }
 
 impl Asked for AskExtremes<'_> {
@@ -148,7 +149,7 @@ impl Asked for AskExtremes<'_> {
     #[inline(always)]
     fn of(&self, body: &impl Moved) -> Extremes {
         let start = &self.eight.start;
-        extremes(&body.from(start), start, self.most)
+        extremes(&body.from(start), start, self.most, self.least_slope)
     }
 }
 
@@ -245,8 +246,12 @@ impl Engine<'_> {
         self.ask(&AskStart(given, *balance))
     }
 
-    pub(super) fn extremes(&self, eight: &Eight, most: f64) -> Extremes {
-        self.ask(&AskExtremes { eight, most })
+    pub(super) fn extremes(&self, eight: &Eight, most: f64, least_slope: f64) -> Extremes {
+        self.ask(&AskExtremes {
+            eight,
+            most,
+            least_slope,
+        })
     }
 
     pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Told {
@@ -376,10 +381,16 @@ mod tests {
             same(told(&engine, &AskStart(given, exact.balance)));
             let mut rocking = Eight::of(&lanes(-1.0), &all);
             let most = exact.highest();
-            let found = engine.extremes(&rocking, most);
+            let least_slope = exact.least_slope();
+            let found = engine.extremes(&rocking, most, least_slope);
             assert_eq!(found.sound.bits(), u8::MAX);
             let eight = &rocking;
-            same(told(&engine, &AskExtremes { eight, most }));
+            let asked = AskExtremes {
+                eight,
+                most,
+                least_slope,
+            };
+            same(told(&engine, &asked));
             rocking = Eight {
                 conserved: found.conserved,
                 low: found.low,

@@ -11,6 +11,7 @@ use super::rule::{Choice, RULES};
 use super::start::Start;
 use super::tilting::Conserved;
 use super::together::Part;
+use super::top::is_on_top;
 use super::waiting::Waiting;
 use super::{Ending, Exact, ExactTurn, SHORT, told};
 use crate::error::InvalidInput;
@@ -116,8 +117,9 @@ impl Exact {
     /// Finds those that rock; the others may pass.
     fn find_rocking(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
+        let (highest, least_slope) = (self.highest(), self.least_slope());
         for eight in which(lanes, |lane| lane.course == Course::StaysUnder).chunks(LANES) {
-            let found = engine.extremes(&Eight::of(lanes, eight), self.highest());
+            let found = engine.extremes(&Eight::of(lanes, eight), highest, least_slope);
             let sound = found.sound.bits();
             for (place, &i) in eight.iter().enumerate() {
                 let lane = &mut lanes[i];
@@ -255,12 +257,15 @@ impl Lane {
             let (start, over) = engine.start(columns(eight), &exact.balance);
             let over = over.bits();
             lanes.extend(eight.iter().enumerate().map(|(place, given)| {
+                let start = start.lane(place);
+                // One that lingers next to the balance point takes more care.
+                let lingers = is_on_top(&start, exact.parameters.a, &exact.balance);
                 let course = match over & (1 << place) {
-                    _ if exact.is_beyond(given) => Course::Alone,
+                    _ if lingers || exact.is_beyond(given) => Course::Alone,
                     0 => Course::StaysUnder,
                     _ => Course::GoesOver,
                 };
-                Lane::new(start.lane(place), course)
+                Lane::new(start, course)
             }));
         }
         lanes

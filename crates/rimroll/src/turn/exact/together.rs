@@ -37,9 +37,15 @@ pub(super) struct Extremes {
     pub(super) sound: Mask,
 }
 
-/// The smallest and the largest tilts, for bodies that rock up to `most`, tan(φ/2).
+/// The smallest and the largest tilts, for bodies that rock up to `most`, tan(φ/2), and where dG/dη is there at least
+/// `least_slope`.
 #[inline(always)]
-pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most: f64) -> Extremes {
+pub(super) fn extremes(
+    motion: &impl Tilting<Lanes>,
+    start: &Start<Lanes>,
+    most: f64,
+    least_slope: f64,
+) -> Extremes {
     let (guess_low, guess_high) = (motion.lowest(), motion.highest());
     let guesses = [[guess_low, guess_low.ln()], [guess_high, guess_high.ln()]];
     let [low, high] = lowest_and_highest(motion, guesses, ROUNDS);
@@ -48,7 +54,8 @@ pub(super) fn extremes(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, most:
     let from_start = high.eta - start.eta;
     let sound = is_lowest(&low)
         .and(high.change.at_most(Lanes::from(MET)))
-        .and(high.point.slope.at_most(zero))
+        // Where it all but lingers G is rounding.
+        .and(high.point.slope.at_most(Lanes::from(-least_slope)))
         .and(zero.at_most(motion.surely_pressing(&low.point, &high.point)))
         .and(Lanes::from(super::FLAT).at_most(low.point.sin))
         .and(high.y.at_most(Lanes::from(most)))
