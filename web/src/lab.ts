@@ -14,18 +14,14 @@ import type { Core, Theory } from "./core/core";
 import type { Moment, Motion, Turn } from "./core/motion";
 import { reasonFrom } from "./core/reason";
 import { type Flicked, flicked } from "./falls/flicked";
+import { type Foreseen, foreseen } from "./falls/foreseen";
 import { type Posed, posed } from "./setup/posed";
 import { FLICK_FIELDS } from "./setup/fields";
+import type { Held } from "./setup/released";
 import { INITIAL, type Refusal, type Setup } from "./setup/setup";
 
 /** What came of a set-up: a motion, or the reason why there is none. */
 export type Outcome = { posed: Posed; motion: Motion; theory: Theory } | { refused: string };
-
-/** How a hand holds the body: its lean in rad. */
-export interface Held {
-  tilt: number;
-  yaw: number;
-}
 
 /** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
 export interface Turning {
@@ -43,6 +39,8 @@ export class Lab {
   readonly refusals: Signal<readonly Refusal[]> = signal([]);
   /** The body in a visitor's hand; while it is held nothing moves. */
   readonly held: Signal<Held | undefined> = signal(undefined);
+  /** What would become of it there, if the hand let go. */
+  readonly foreseen: ReadonlySignal<Foreseen | undefined>;
   /** How many of the repeated flicks are shown; undefined while none were asked for. */
   readonly flicksMade: Signal<number | undefined> = signal(undefined);
   /** Whether more of them are on their way. */
@@ -66,6 +64,10 @@ export class Lab {
     this.theory = computed(() =>
       "theory" in this.outcome.value ? this.outcome.value.theory : undefined,
     );
+    this.foreseen = computed(() => {
+      const held = this.held.value;
+      return held && foreseen(core, this.setup.value, held);
+    });
     this.clock = new Clock(this.motion);
     this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
     this.turning = computed(() => this.turningAt(this.clock.time.value));

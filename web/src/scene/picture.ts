@@ -2,9 +2,10 @@
 // has changed, and not otherwise.
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
-import type { Held, Lab, Turning } from "../lab";
+import type { Lab, Turning } from "../lab";
 import type { Moment, Motion } from "../core/motion";
 import { bodyOf } from "../setup/posed";
+import type { Held } from "../setup/released";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "./bodies/bodies";
 import { type Size, reachOf, sizeOf } from "./bodies/shapes";

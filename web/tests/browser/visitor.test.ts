@@ -143,7 +143,7 @@ describe("a motion that ends early is explained", () => {
       "body=coin&tilt=60&tilt_rate=-10&sideways=0.5&friction=2.2",
       /Painlevé.*no one answer/is,
     ],
-    ["fallen over", "tilt_rate=-3", /fell over/i],
+    ["fallen over", "tilt_rate=-3", /falls over/i],
   ])("%s", async (_what, hash, words) => {
     await visited(hash, async ({ page }) => {
       expect(await verdict(page).innerText()).toMatch(words);
