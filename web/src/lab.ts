@@ -21,7 +21,20 @@ import type { Held } from "./setup/released";
 import { INITIAL, type Refusal, type Setup } from "./setup/setup";
 
 /** What came of a set-up: a motion, or the reason why there is none. */
-export type Outcome = { posed: Posed; motion: Motion; theory: Theory } | { refused: string };
+export type Outcome = Moves | { refused: string };
+
+export interface Moves {
+  posed: Posed;
+  motion: Motion;
+  theory: Theory;
+  /** Whether the motion is only the beginning of what was asked for; see {@link Lab.complete}. */
+  begun: boolean;
+}
+
+/** A slider waits for so many steps of a motion, some ms. */
+const AT_ONCE = 2000;
+/** The rest of a longer one is computed when nothing has changed for so long, ms. */
+const REST = 250;
 
 /** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
 export interface Turning {
@@ -48,6 +61,8 @@ export class Lab {
   /** What becomes of all of them, those not made yet included. */
   readonly flicks: ReadonlySignal<readonly Flicked[]>;
   readonly outcome: ReadonlySignal<Outcome>;
+  /** Whether all of the motion is wanted now, however long that takes. */
+  private readonly whole: Signal<boolean> = signal(false);
   readonly motion: ReadonlySignal<Motion | undefined>;
   readonly theory: ReadonlySignal<Theory | undefined>;
   readonly clock: Clock;
@@ -57,7 +72,10 @@ export class Lab {
 
   constructor(readonly core: Core) {
     const release = computed(() => withoutFlicks(this.setup.value));
-    this.outcome = computed(() => outcomeOf(core, JSON.parse(release.value) as Setup));
+    this.outcome = computed(() => {
+      const most = this.whole.value ? Infinity : AT_ONCE;
+      return outcomeOf(core, JSON.parse(release.value) as Setup, most);
+    });
     this.motion = computed(() =>
       "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
     );
@@ -74,6 +92,11 @@ export class Lab {
     // Computed once, not anew for each that is shown.
     const asked = computed(() => this.flicksMade.value !== undefined);
     this.flicks = computed(() => (asked.value ? flicked(core, this.setup.value) : []));
+    effect(() => {
+      if (!hasOnlyBegun(this.outcome.value)) return undefined;
+      const resting = setTimeout(() => this.complete(), REST);
+      return () => clearTimeout(resting);
+    });
     let before: Motion | undefined;
     effect(() => {
       // Whoever still draws the motion before has done so by the next picture.
@@ -90,11 +113,17 @@ export class Lab {
       if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
         this.clock.pause();
         this.clock.rewind();
+        this.whole.value = false;
       }
       // Of fewer flicks no more can have been made.
       if ((this.flicksMade.value ?? 0) > setup.flicks) this.flicksMade.value = setup.flicks;
       this.setup.value = setup;
     });
+  }
+
+  /** Computes the rest of a motion of which there is only the beginning. */
+  complete(): void {
+    if (hasOnlyBegun(this.outcome.peek())) this.whole.value = true;
   }
 
   private turningAt(time: number): Turning | undefined {
@@ -117,13 +146,19 @@ function withoutFlicks(setup: Readonly<Setup>): string {
   );
 }
 
-function outcomeOf(core: Core, setup: Readonly<Setup>): Outcome {
+const hasOnlyBegun = (outcome: Outcome) => "motion" in outcome && outcome.begun;
+
+/** Of the motion no more than so many steps. */
+function outcomeOf(core: Core, setup: Readonly<Setup>, most: number): Outcome {
   try {
-    const { body, start, surface, options } = posed(core, setup);
-    const motion = core.simulate(body, start, surface, options);
+    const all = posed(core, setup);
+    const { body, start, surface, options } = all;
+    const maxSteps = Math.min(most, options.maxSteps);
+    const motion = core.simulate(body, start, surface, { ...options, maxSteps });
     try {
       const theory = core.theory(body, start, surface, options.gravity);
-      return { posed: { body, start, surface, options }, motion, theory };
+      const begun = maxSteps < options.maxSteps && motion.isStopped;
+      return { posed: all, motion, theory, begun };
     } catch (error) {
       motion.forget();
       throw error;

@@ -23,6 +23,9 @@ interface Exports {
   message(motion: number): void;
   falls(): number;
   endings(): void;
+  laws(): void;
+  presets(): void;
+  shapes(): void;
   theory(): number;
 }
 

@@ -70,6 +70,8 @@ export class Hands {
   private letGo(part: Partial<Setup>): void {
     this.lab.change(part);
     this.lab.held.value = undefined;
+    // Not while it is watched.
+    this.lab.complete();
     // Also when it is let go just as it was before.
     this.lab.clock.rewind();
     this.lab.clock.play();

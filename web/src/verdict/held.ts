@@ -20,7 +20,7 @@ export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>)
     theory: {
       name: "In theory",
       number: degrees(theory?.here ?? NaN, 2),
-      note: comparison(turn, fall?.minTilt, theory, { ...setup, twist: 0 }),
+      note: comparison(undefined, fall?.minTilt, theory, { ...setup, twist: 0 }),
     },
     lowest: {
       name: "Flattest",

@@ -10,8 +10,12 @@ import { comparison, ending, inThisTurn, story } from "./words";
 /** Endings that want explaining. */
 const AMISS: readonly string[] = ["face_down", "painleve", "failed", "lifted_off"];
 
+/** There is no motion. */
+const NONE = { motion: undefined, theory: undefined, begun: false };
+
 export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
-  const [setup, motion, theory] = [lab.setup.value, lab.motion.value, lab.theory.value];
+  const [setup, outcome] = [lab.setup.value, lab.outcome.value];
+  const { motion, theory, begun } = "motion" in outcome ? outcome : NONE;
   const rounds = passage && Math.abs(passage.yawRate) / (2 * Math.PI);
   return {
     // The number ticks; see verdict.ts.
@@ -32,7 +36,7 @@ export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
       note: "rounds a second, when flattest",
     },
     said: story(passage, motion, setup),
-    ended: ending(lab.outcome.value, setup),
-    amiss: motion === undefined || AMISS.includes(motion.status),
+    ended: ending(outcome, setup),
+    amiss: !begun && (motion === undefined || AMISS.includes(motion.status)),
   };
 }

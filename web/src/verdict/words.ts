@@ -88,8 +88,9 @@ function difference(theory: number, happens: number): string {
 /** How it ends, or why there is nothing. */
 export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
   if ("refused" in outcome) return `There is no motion to show: ${outcome.refused}.`;
-  const { motion, theory } = outcome;
+  const { motion, theory, begun } = outcome;
   const after = shownTime(motion.end);
+  if (begun) return `What comes after ${after} is being computed.`;
   switch (motion.status) {
     case "finished":
       return `It still moves after ${shown(motion.end, 3)} s, when the computation ends.`;
@@ -106,7 +107,7 @@ export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
     case "painleve":
       return `Painlevé’s paradox, after ${after}: the sliding rim would be pressed down by its own friction, and the mechanics of rigid bodies has no one answer. For this body lying nearly flat that begins at a friction of ${shown(theory.painleveFriction, 3)}; set less to follow it.`;
     default:
-      return /max_steps/.test(motion.message)
+      return motion.isStopped
         ? `The computation stops after ${after}, as it takes too many steps. Follow it for a shorter time.`
         : `The computation cannot go on after ${after}: ${motion.message}.`;
   }
