@@ -109,7 +109,7 @@ describe("what cannot be is refused at its field, in words", () => {
     await visited("tilt=1e-300&body=teapot&gravity=heavy&law=no_slip", async ({ page }) => {
       for (const [field, words] of [
         ["tilt", "Tilt is more than 0.000001° and less than 90°"],
-        ["body", "Body is one of can_2007, "],
+        ["body", "there is no “teapot”; choose The paper's can, "],
         ["gravity", "Gravity is a number, not “heavy”."],
       ] as const) {
         expect(await page.locator(`#${field}-refusal`).innerText()).toContain(words);
