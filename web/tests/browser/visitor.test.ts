@@ -7,7 +7,7 @@ import { type Visit, browserForAll, visit } from "./visit";
 browserForAll();
 
 const degreesIn = async (page: Page, place: string) =>
-  Number.parseFloat((await page.locator(place).innerText()).replace("−", "-"));
+  Number.parseFloat(/[\d.]+/.exec(await page.locator(place).innerText())?.[0] ?? "");
 
 /** What the page says happens. */
 const verdict = (page: Page) => page.locator("#verdict");
