@@ -14,18 +14,27 @@ import type { Core, Theory } from "./core/core";
 import type { Moment, Motion, Turn } from "./core/motion";
 import { reasonFrom } from "./core/reason";
 import { type Flicked, flicked } from "./falls/flicked";
+import { type Foreseen, foreseen } from "./falls/foreseen";
 import { type Posed, posed } from "./setup/posed";
 import { FLICK_FIELDS } from "./setup/fields";
+import type { Held } from "./setup/released";
 import { INITIAL, type Refusal, type Setup } from "./setup/setup";
 
 /** What came of a set-up: a motion, or the reason why there is none. */
-export type Outcome = { posed: Posed; motion: Motion; theory: Theory } | { refused: string };
+export type Outcome = Moves | { refused: string };
 
-/** How a hand holds the body: its lean in rad. */
-export interface Held {
-  tilt: number;
-  yaw: number;
+export interface Moves {
+  posed: Posed;
+  motion: Motion;
+  theory: Theory;
+  /** Whether the motion is only the beginning of what was asked for; see {@link Lab.complete}. */
+  begun: boolean;
 }
+
+/** A slider waits for so many steps of a motion, some ms. */
+const AT_ONCE = 2000;
+/** The rest of a longer one is computed when nothing has changed for so long, ms. */
+const REST = 250;
 
 /** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
 export interface Turning {
@@ -43,6 +52,8 @@ export class Lab {
   readonly refusals: Signal<readonly Refusal[]> = signal([]);
   /** The body in a visitor's hand; while it is held nothing moves. */
   readonly held: Signal<Held | undefined> = signal(undefined);
+  /** What would become of it there, if the hand let go. */
+  readonly foreseen: ReadonlySignal<Foreseen | undefined>;
   /** How many of the repeated flicks are shown; undefined while none were asked for. */
   readonly flicksMade: Signal<number | undefined> = signal(undefined);
   /** Whether more of them are on their way. */
@@ -50,6 +61,8 @@ export class Lab {
   /** What becomes of all of them, those not made yet included. */
   readonly flicks: ReadonlySignal<readonly Flicked[]>;
   readonly outcome: ReadonlySignal<Outcome>;
+  /** Whether all of the motion is wanted now, however long that takes. */
+  private readonly whole: Signal<boolean> = signal(false);
   readonly motion: ReadonlySignal<Motion | undefined>;
   readonly theory: ReadonlySignal<Theory | undefined>;
   readonly clock: Clock;
@@ -59,19 +72,31 @@ export class Lab {
 
   constructor(readonly core: Core) {
     const release = computed(() => withoutFlicks(this.setup.value));
-    this.outcome = computed(() => outcomeOf(core, JSON.parse(release.value) as Setup));
+    this.outcome = computed(() => {
+      const most = this.whole.value ? Infinity : AT_ONCE;
+      return outcomeOf(core, JSON.parse(release.value) as Setup, most);
+    });
     this.motion = computed(() =>
       "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
     );
     this.theory = computed(() =>
       "theory" in this.outcome.value ? this.outcome.value.theory : undefined,
     );
+    this.foreseen = computed(() => {
+      const held = this.held.value;
+      return held && foreseen(core, this.setup.value, held);
+    });
     this.clock = new Clock(this.motion);
     this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
     this.turning = computed(() => this.turningAt(this.clock.time.value));
     // Computed once, not anew for each that is shown.
     const asked = computed(() => this.flicksMade.value !== undefined);
     this.flicks = computed(() => (asked.value ? flicked(core, this.setup.value) : []));
+    effect(() => {
+      if (!hasOnlyBegun(this.outcome.value)) return undefined;
+      const resting = setTimeout(() => this.complete(), REST);
+      return () => clearTimeout(resting);
+    });
     let before: Motion | undefined;
     effect(() => {
       // Whoever still draws the motion before has done so by the next picture.
@@ -88,11 +113,17 @@ export class Lab {
       if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
         this.clock.pause();
         this.clock.rewind();
+        this.whole.value = false;
       }
       // Of fewer flicks no more can have been made.
       if ((this.flicksMade.value ?? 0) > setup.flicks) this.flicksMade.value = setup.flicks;
       this.setup.value = setup;
     });
+  }
+
+  /** Computes the rest of a motion of which there is only the beginning. */
+  complete(): void {
+    if (hasOnlyBegun(this.outcome.peek())) this.whole.value = true;
   }
 
   private turningAt(time: number): Turning | undefined {
@@ -115,13 +146,19 @@ function withoutFlicks(setup: Readonly<Setup>): string {
   );
 }
 
-function outcomeOf(core: Core, setup: Readonly<Setup>): Outcome {
+const hasOnlyBegun = (outcome: Outcome) => "motion" in outcome && outcome.begun;
+
+/** Of the motion no more than so many steps. */
+function outcomeOf(core: Core, setup: Readonly<Setup>, most: number): Outcome {
   try {
-    const { body, start, surface, options } = posed(core, setup);
-    const motion = core.simulate(body, start, surface, options);
+    const all = posed(core, setup);
+    const { body, start, surface, options } = all;
+    const maxSteps = Math.min(most, options.maxSteps);
+    const motion = core.simulate(body, start, surface, { ...options, maxSteps });
     try {
       const theory = core.theory(body, start, surface, options.gravity);
-      return { posed: { body, start, surface, options }, motion, theory };
+      const begun = maxSteps < options.maxSteps && motion.isStopped;
+      return { posed: all, motion, theory, begun };
     } catch (error) {
       motion.forget();
       throw error;

@@ -2,19 +2,12 @@
 
 use rimroll::{Body, FrictionLaw, InvalidInput, Options, Solid, State, Surface};
 
-/// The shapes of solids by their places in the page's list.
-const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
+/// The shapes of solids; the page names them by their places here.
+pub const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
 
 /// The numbers of a surface by name, in the order in which the page writes them; NaN where one is not
 /// given.
-const SURFACE: [&str; 6] = [
-    "friction",
-    "static",
-    "restitution",
-    "rolling_dry",
-    "pivoting_length",
-    "air_coefficient",
-];
+const SURFACE: [&str; 3] = ["friction", "restitution", "rolling_dry"];
 
 /// The arguments not read yet.
 pub struct Asked {

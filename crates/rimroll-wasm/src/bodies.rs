@@ -1,10 +1,10 @@
 //! Bodies: ready-made, and put together by the visitor.
 
-use crate::asked::{Asked, named};
-use crate::exchange::{answer, unless_refused};
-use rimroll::{Body, InvalidInput, presets};
+use crate::asked::{Asked, SHAPES, named};
+use crate::exchange::{answer, name, unless_refused};
+use rimroll::{Body, InvalidInput, presets as ready};
 
-/// The ready-made bodies by their places in the page's list.
+/// The ready-made bodies; the page names them by their places here.
 const PRESETS: [&str; 7] = [
     "can_2007",
     "soda_can",
@@ -21,16 +21,28 @@ const PRESETS: [&str; 7] = [
 pub extern "C" fn preset(place: f64) -> bool {
     let argument = Asked::new().number();
     tell(
-        named("preset", place, &PRESETS).and_then(|name| match name {
-            "can_2007" => presets::can_2007(),
-            "soda_can" => presets::soda_can(argument),
-            "beer_bottle" => presets::beer_bottle(argument),
-            "coin" => presets::coin(),
-            "ring" => presets::ring(argument),
-            "battery" => presets::battery(),
-            _ => presets::euler_disk(),
+        named("preset", place, &PRESETS).and_then(|preset| match preset {
+            "can_2007" => ready::can_2007(),
+            "soda_can" => ready::soda_can(argument),
+            "beer_bottle" => ready::beer_bottle(argument),
+            "coin" => ready::coin(),
+            "ring" => ready::ring(argument),
+            "battery" => ready::battery(),
+            _ => ready::euler_disk(),
         }),
     )
+}
+
+/// The names of the ready-made bodies.
+#[unsafe(no_mangle)]
+pub extern "C" fn presets() {
+    name(PRESETS);
+}
+
+/// The names of the shapes that bodies are put together from.
+#[unsafe(no_mangle)]
+pub extern "C" fn shapes() {
+    name(SHAPES);
 }
 
 /// The numbers of a body on a rim, put together from coaxial solids: the rim's radius, then the solids.

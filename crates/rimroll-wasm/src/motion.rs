@@ -4,7 +4,7 @@ use crate::asked::Asked;
 use crate::exchange::{answer, name, say, unless_refused};
 use core::ops::ControlFlow;
 use rimroll::motion::{COLUMNS, Instant, Moment};
-use rimroll::{InvalidInput, Motion};
+use rimroll::{FrictionLaw, InvalidInput, Motion};
 
 /// Computes the motion of a body from a start on a surface, and keeps it until [`forget`] is called;
 /// null when it is refused. Arguments: body, start, surface, options.
@@ -21,6 +21,12 @@ fn computed(mut asked: Asked) -> Result<Motion, InvalidInput> {
     rimroll::simulate(&body, &start, surface, &options, |_| {
         ControlFlow::Continue(())
     })
+}
+
+/// The names of the laws of friction.
+#[unsafe(no_mangle)]
+pub extern "C" fn laws() {
+    name(FrictionLaw::NAMES);
 }
 
 /// Gives back the memory of a motion.

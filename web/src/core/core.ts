@@ -30,8 +30,8 @@ export interface State {
   spinRate: number;
 }
 
-export const LAWS = ["no_slip", "frictionless", "coulomb"] as const;
-export type LawName = (typeof LAWS)[number];
+/** The laws of the core that the page offers. */
+export type LawName = "no_slip" | "frictionless" | "coulomb";
 
 /** What the table is like; what is left out is zero. */
 export interface Surface {
@@ -53,22 +53,12 @@ export interface Options {
   maxSteps: number;
 }
 
-export const PRESETS = [
-  "can_2007",
-  "soda_can",
-  "beer_bottle",
-  "coin",
-  "ring",
-  "battery",
-  "euler_disk",
-] as const;
-export type Preset = (typeof PRESETS)[number];
-
-const SHAPES = ["disc", "wall", "cylinder"] as const;
+export type Preset =
+  "can_2007" | "soda_can" | "beer_bottle" | "coin" | "ring" | "battery" | "euler_disk";
 
 /** A part of a body put together: SI units; `base` is the height of its lower end. */
 export interface Solid {
-  shape: (typeof SHAPES)[number];
+  shape: "disc" | "wall" | "cylinder";
   mass: number;
   radius: number;
   length: number;
@@ -101,11 +91,21 @@ export interface Theory {
 }
 
 export class Core {
-  private readonly endings: string[];
+  /** Where the core has what it calls by name; only it knows the order. */
+  private readonly names: Readonly<Record<"endings" | "laws" | "presets" | "shapes", string[]>>;
 
   private constructor(private readonly exchange: Exchange) {
-    exchange.core.endings();
-    this.endings = exchange.names();
+    const { core } = exchange;
+    const names = (list: () => void) => {
+      list();
+      return exchange.names();
+    };
+    this.names = {
+      endings: names(core.endings),
+      laws: names(core.laws),
+      presets: names(core.presets),
+      shapes: names(core.shapes),
+    };
   }
 
   static async load(source: Response | BufferSource): Promise<Core> {
@@ -115,14 +115,14 @@ export class Core {
   /** A ready-made body; `argument` is the part filled, or the radius of a ring (m). */
   preset(name: Preset, argument = NaN): Body {
     this.exchange.put([argument]);
-    this.exchange.granted(this.exchange.core.preset(PRESETS.indexOf(name)));
+    this.exchange.granted(this.exchange.core.preset(this.names.presets.indexOf(name)));
     return this.body();
   }
 
   /** A body put together from solids on a rim of a radius (m). */
   composed(radius: number, solids: readonly Solid[]): Body {
     const numbers = solids.flatMap((s) => [
-      SHAPES.indexOf(s.shape),
+      this.names.shapes.indexOf(s.shape),
       s.mass,
       s.radius,
       s.length,
@@ -138,7 +138,7 @@ export class Core {
     this.exchange.put([
       ...bodyNumbers(body),
       ...startNumbers(start),
-      ...surfaceNumbers(surface),
+      ...this.surfaceNumbers(surface),
       ...optionNumbers(options),
     ]);
     return new Motion(this.exchange, this.exchange.granted(this.exchange.core.simulate()));
@@ -153,7 +153,7 @@ export class Core {
   ): Fall[] {
     this.exchange.put([
       ...bodyNumbers(body),
-      ...surfaceNumbers(surface),
+      ...this.surfaceNumbers(surface),
       ...optionNumbers(options),
       ...trials.flatMap(({ start, grip }) => [...startNumbers(start), grip]),
     ]);
@@ -164,7 +164,14 @@ export class Core {
         6 * k,
         6 * k + 6,
       ) as unknown as Row<6>;
-      return { ending: this.endings[ending] ?? "failed", turn, minTilt, time, endTilt, endYaw };
+      return {
+        ending: this.names.endings[ending] ?? "failed",
+        turn,
+        minTilt,
+        time,
+        endTilt,
+        endYaw,
+      };
     });
   }
 
@@ -172,13 +179,19 @@ export class Core {
     this.exchange.put([
       ...bodyNumbers(body),
       ...startNumbers(start),
-      ...surfaceNumbers(surface),
+      ...this.surfaceNumbers(surface),
       gravity,
     ]);
     this.exchange.granted(this.exchange.core.theory());
     const [noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt] =
       this.exchange.numbers() as unknown as Row<6>;
     return { noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt };
+  }
+
+  /** NaN is what is not given. */
+  private surfaceNumbers({ law, friction, restitution, rollingDry }: Surface): number[] {
+    const place = this.names.laws.indexOf(law);
+    return [place, friction ?? NaN, restitution ?? NaN, rollingDry ?? NaN];
   }
 
   private body(): Body {
@@ -191,16 +204,5 @@ export class Core {
 const bodyNumbers = (b: Body) => [b.mass, b.radius, b.height, b.transverseInertia, b.axialInertia];
 
 const startNumbers = (s: State) => [s.tilt, s.tiltRate, s.yaw, s.yawRate, s.spin, s.spinRate];
-
-// In the order of the core's own list; NaN is what is not given.
-const surfaceNumbers = (s: Surface) => [
-  LAWS.indexOf(s.law),
-  s.friction ?? NaN,
-  NaN,
-  s.restitution ?? NaN,
-  s.rollingDry ?? NaN,
-  NaN,
-  NaN,
-];
 
 const optionNumbers = (o: Options) => [o.duration, o.gravity, o.rtol, o.maxSteps];

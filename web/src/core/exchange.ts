@@ -23,6 +23,9 @@ interface Exports {
   message(motion: number): void;
   falls(): number;
   endings(): void;
+  laws(): void;
+  presets(): void;
+  shapes(): void;
   theory(): number;
 }
 
@@ -45,8 +48,7 @@ export class Exchange {
   static async with(core: Response | BufferSource): Promise<Exchange> {
     if (core instanceof Response && !core.ok)
       throw new Error(`the mechanics could not be loaded (the server says ${core.status})`);
-    const bytes = core instanceof Response ? await core.arrayBuffer() : core;
-    const { instance } = await WebAssembly.instantiate(bytes);
+    const { instance } = await instantiated(core);
     return new Exchange(instance.exports as unknown as Exports);
   }
 
@@ -79,4 +81,13 @@ export class Exchange {
     if (!returned) throw new Refused(this.text());
     return returned;
   }
+}
+
+/** Compiled while it still comes, where the server says what it is. */
+async function instantiated(core: Response | BufferSource) {
+  if (!(core instanceof Response)) return WebAssembly.instantiate(core);
+  const type = core.headers.get("Content-Type");
+  return type === "application/wasm"
+    ? WebAssembly.instantiateStreaming(core)
+    : WebAssembly.instantiate(await core.arrayBuffer());
 }

@@ -81,8 +81,10 @@ export interface Turn {
   maxTilt: number;
 }
 
-/** More steps than this are more points than a picture shows. */
+/** More points than this no picture shows. */
 const MANY = 4000;
+/** In a part of a step as small as this no body turns by more than a line may have corners. */
+const PARTS = 4;
 
 export class Motion {
   readonly status: string;
@@ -145,11 +147,15 @@ export class Motion {
     return this.table();
   }
 
-  /** Moments to draw lines through: at the solver's steps, and where these are few, between them. In
-   * a step no body turns by more than a line may have corners. */
+  /** Moments to draw lines through: at the solver's steps, and where these are few, between them. */
   drawn(): Moments {
+    return (this.lines ??= this.drawnAnew());
+  }
+
+  private drawnAnew(): Moments {
     const steps = this.samples(1);
-    return steps.length > MANY ? steps : (this.lines ??= this.sample(4));
+    const parts = Math.min(Math.floor(MANY / steps.length), PARTS);
+    return parts < 2 ? steps : this.sample(parts);
   }
 
   /** Gives the core's memory back; the motion cannot be looked up afterwards. */
@@ -157,6 +163,11 @@ export class Motion {
     this.exchange.core.forget(this.kept());
     this.address = 0;
     this.sampled = this.lines = undefined;
+  }
+
+  /** Whether it ends where it does because no more steps were allowed. */
+  get isStopped(): boolean {
+    return this.status === "failed" && this.message.includes("max_steps");
   }
 
   private kept(): number {

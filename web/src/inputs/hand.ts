@@ -44,6 +44,8 @@ export class Hand {
   /** From the beginning, with all that has been set. */
   letGo(): void {
     this.give();
+    // Not while it is watched.
+    this.lab.complete();
     this.lab.clock.rewind();
     this.lab.clock.play();
   }

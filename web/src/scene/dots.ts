@@ -1,4 +1,5 @@
-// Where each of many flicks fell: dots on a ring, stacked outward where they are many.
+// Where each of many flicks fell: dots on a ring, stacked outward where they are many; filled for what
+// fell to the left of the hand, hollow for the right, small for what did something else.
 
 import { CircleGeometry, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
 import type { Flicked } from "../falls/flicked";
@@ -8,12 +9,15 @@ import { type Limit, limitStrokes } from "./wedge";
 
 /** In radii of the circle of degrees. */
 const [RING, DOT, HIGHEST] = [1.07, 0.02, 0.4];
+/** Of a dot, what is hollow, and all of one that did something else. */
+const [HOLLOW, OTHER] = [0.62, 0.6];
 
 export class Dots {
   readonly group = new Group();
   private readonly ring = new Ribbon(1.5, 0.5);
   private readonly marks = new Ribbon(2.5);
-  private mesh: InstancedMesh | undefined;
+  /** The dots, and in each a smaller one of its own colour or the table's. */
+  private meshes: InstancedMesh[] = [];
 
   constructor() {
     this.group.position.z = 0.003;
@@ -23,25 +27,20 @@ export class Dots {
 
   /** Lays out a dot for each flick; `start` is the azimuth (rad) of the first lean. */
   lay(flicks: readonly Flicked[], start: number, limits: readonly Limit[], palette: Palette): void {
-    if (this.mesh) {
-      this.group.remove(this.mesh);
-      this.mesh.geometry.dispose();
-      (this.mesh.material as MeshBasicMaterial).dispose();
-      this.mesh.dispose();
-      this.mesh = undefined;
+    for (const mesh of this.meshes) {
+      this.group.remove(mesh);
+      mesh.geometry.dispose();
+      (mesh.material as MeshBasicMaterial).dispose();
+      mesh.dispose();
     }
+    this.meshes = [];
     this.group.visible = flicks.length > 0;
     if (flicks.length === 0) return;
     this.group.rotation.z = start;
     this.layRing(limits, palette);
-    const mesh = new InstancedMesh(
-      new CircleGeometry(DOT, 20),
-      new MeshBasicMaterial({ toneMapped: false, transparent: true, depthWrite: false }),
-      flicks.length,
-    );
-    mesh.frustumCulled = false;
-    mesh.renderOrder = -1;
-    const [left, right, other] = [palette.left, palette.right, palette.muted].map(
+    const outer = discs(DOT, flicks.length, -1);
+    const inner = discs(HOLLOW * DOT, flicks.length, 0);
+    const [ink, hollow, other] = [palette.ink, palette.raised, palette.muted].map(
       (color) => new Color(color),
     ) as [Color, Color, Color];
     const matrix = new Matrix4();
@@ -51,19 +50,21 @@ export class Dots {
     flicks.forEach(({ direction, outcome }, k) => {
       const far = RING + 1.2 * DOT + step * (under[k] as number);
       const fell = outcome === "toppled" || outcome === "rocked";
-      mesh.setColorAt(k, fell ? (direction > Math.PI ? left : right) : other);
-      mesh.setMatrixAt(
-        k,
-        matrix.makeTranslation(far * Math.cos(direction), far * Math.sin(direction), 0),
-      );
+      const size = fell ? 1 : OTHER;
+      matrix.makeScale(size, size, 1);
+      matrix.setPosition(far * Math.cos(direction), far * Math.sin(direction), 0);
+      outer.setMatrixAt(k, matrix);
+      inner.setMatrixAt(k, matrix);
+      outer.setColorAt(k, fell ? ink : other);
+      inner.setColorAt(k, fell ? (direction > Math.PI ? ink : hollow) : other);
     });
-    this.mesh = mesh;
-    this.group.add(mesh);
+    this.meshes = [outer, inner];
+    this.group.add(outer, inner);
   }
 
   /** Shows those that have been made. */
   show(made: number): void {
-    if (this.mesh) this.mesh.count = Math.min(made, this.mesh.instanceMatrix.count);
+    for (const mesh of this.meshes) mesh.count = Math.min(made, mesh.instanceMatrix.count);
   }
 
   private layRing(limits: readonly Limit[], { muted }: Palette): void {
@@ -75,6 +76,18 @@ export class Dots {
     this.ring.lay(count, around(Math.cos), around(Math.sin), () => grey);
     this.marks.layStrokes(limitStrokes(limits, 0.985 * RING, 1.1 * RING));
   }
+}
+
+function discs(size: number, count: number, order: number): InstancedMesh {
+  const material = new MeshBasicMaterial({
+    toneMapped: false,
+    transparent: true,
+    depthWrite: false,
+  });
+  const mesh = new InstancedMesh(new CircleGeometry(size, 20), material, count);
+  mesh.frustumCulled = false;
+  mesh.renderOrder = order;
+  return mesh;
 }
 
 /** How many dots lie under each: in each small sector the next lies on those before. */

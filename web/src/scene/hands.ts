@@ -1,7 +1,7 @@
 // A hand on the body: tipping it, letting it go at rest, or flicking it by letting go in motion.
 
 import type { Lab } from "../lab";
-import { FIELDS } from "../setup/fields";
+import { type Lean, STILL, leaning, released } from "../setup/released";
 import type { Setup } from "../setup/setup";
 
 const DEGREES = 180 / Math.PI;
@@ -9,18 +9,6 @@ const DEGREES = 180 / Math.PI;
 const [LEAST, MOST] = [0.5 / DEGREES, 89 / DEGREES];
 /** The motion of the hand is that of its last moments, ms. */
 const LATELY = 80;
-/** A hand slower than this is at rest, rad/s. */
-const AT_REST = 0.12;
-/** Faster than this no hand flicks, rad/s. */
-const FASTEST = 25;
-/** A hand that lets go at rest errs sideways by no more, rad/s. */
-const STEADY = 0.05;
-
-/** How far the body leans, and whereto: the tilt, rad, as an arrow on the table. */
-export interface Lean {
-  x: number;
-  y: number;
-}
 
 export class Hands {
   private lean: Lean = { x: 0, y: 0 };
@@ -69,7 +57,7 @@ export class Hands {
   release(moving = true): void {
     const held = this.lab.held.peek();
     if (!held) return;
-    const rate = moving ? this.rate() : { x: 0, y: 0 };
+    const rate = moving ? this.rate() : STILL;
     this.letGo(released(held, rate, this.lab.setup.peek()));
   }
 
@@ -82,6 +70,8 @@ export class Hands {
   private letGo(part: Partial<Setup>): void {
     this.lab.change(part);
     this.lab.held.value = undefined;
+    // Not while it is watched.
+    this.lab.complete();
     // Also when it is let go just as it was before.
     this.lab.clock.rewind();
     this.lab.clock.play();
@@ -106,7 +96,7 @@ export class Hands {
     const [first, last] = [recent[0], recent[recent.length - 1]];
     // Up to now, not to its last move: a hand that has stopped is at rest.
     const passed = first ? (now - first.when) / 1000 : 0;
-    if (!first || !last || passed < 0.008) return { x: 0, y: 0 };
+    if (!first || !last || passed < 0.008) return STILL;
     return { x: (last.x - first.x) / passed, y: (last.y - first.y) / passed };
   }
 }
@@ -114,41 +104,3 @@ export class Hands {
 function start({ tilt, yaw }: Readonly<Setup>): { tilt: number; yaw: number } {
   return { tilt: tilt / DEGREES, yaw: yaw / DEGREES };
 }
-
-/** How a body that is held leans, in the units of the fields. */
-function leaning(held: { tilt: number; yaw: number }): { tilt: number; yaw: number } {
-  return {
-    tilt: rounded(held.tilt * DEGREES, 10),
-    yaw: rounded(within(held.yaw * DEGREES), 10),
-  };
-}
-
-/** The set-up that a hand lets go, in the units of its fields. */
-export function released(
-  held: { tilt: number; yaw: number },
-  rate: Lean,
-  setup: Readonly<Setup>,
-): Partial<Setup> {
-  const { tilt, yaw } = leaning(held);
-  const human = Math.abs(setup.sideways) <= STEADY ? setup.sideways : FIELDS.sideways.initial;
-  if (Math.hypot(rate.x, rate.y) < AT_REST)
-    return { tilt, yaw, tilt_rate: 0, twist: 0, sideways: human };
-  const [c, s] = [-Math.cos(held.yaw), -Math.sin(held.yaw)];
-  const along = rate.x * c + rate.y * s;
-  // A lean led round, without turning the body about the vertical: it turns about the line along
-  // which it leans.
-  const across = ((rate.y * c - rate.x * s) * Math.tan(held.tilt)) / held.tilt;
-  const aside = rounded(limited(across), 1000);
-  return {
-    tilt,
-    yaw,
-    tilt_rate: rounded(limited(along), 100),
-    twist: 0,
-    sideways: aside === 0 ? human : aside,
-  };
-}
-
-const limited = (rate: number) => Math.min(Math.max(rate, -FASTEST), FASTEST);
-const rounded = (value: number, times: number) => Math.round(value * times) / times || 0;
-/** The same direction from −180 up to 180 degrees. */
-const within = (degrees: number) => degrees - 360 * Math.floor((degrees + 180) / 360);

@@ -12,8 +12,6 @@ export interface Palette {
   flying: string;
   wedge: string;
   theory: string;
-  left: string;
-  right: string;
 }
 
 export function readPalette(): Palette {
@@ -32,8 +30,6 @@ export function readPalette(): Palette {
     flying: color("--flying", "#7a5bd0", "#b9a4ff"),
     wedge: dark ? "#f2b632" : "#e69f00",
     theory: color("--theory", "#009e73", "#2fc79a"),
-    left: color("--left", "#0072b2", "#56b4e9"),
-    right: color("--right", "#d55e00", "#f0883e"),
   };
 }
 

@@ -2,9 +2,10 @@
 // has changed, and not otherwise.
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
-import type { Held, Lab, Turning } from "../lab";
+import type { Lab, Turning } from "../lab";
 import type { Moment, Motion } from "../core/motion";
 import { bodyOf } from "../setup/posed";
+import type { Held } from "../setup/released";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "./bodies/bodies";
 import { type Size, reachOf, sizeOf } from "./bodies/shapes";
@@ -14,6 +15,7 @@ import type { Frame } from "./frame";
 import type { Touched } from "./gestures";
 import { spoken, tenth } from "./lengths";
 import { Pace } from "./pace";
+import { Outline } from "./outline";
 import { readPalette } from "./palette";
 import {
   type Footing,
@@ -61,6 +63,7 @@ export class Picture {
   private readonly dots = new Dots();
   private readonly shade = new Shade();
   private readonly words: Words;
+  private readonly outline = new Outline();
   private readonly said: { turned: number; theory: number; other: number };
   private palette = readPalette();
   private body = new Group();
@@ -192,7 +195,8 @@ export class Picture {
     this.mark(stood);
     this.turn(lab.held.peek() ? undefined : lab.turning.peek());
     this.stage.render();
-    this.words.arrange(camera, this.width, this.height);
+    this.outline.see(this.hull.matrixWorld, camera, this.width, this.height);
+    this.words.arrange(camera, this.width, this.height, this.outline);
     if (gliding) this.changed();
     if (lab.clock.playing.peek() && this.pace.slow(now) && this.stage.coarsen()) this.resize();
   }

@@ -42,7 +42,7 @@ function ticks(pen: CanvasRenderingContext2D, pixels: number, length: number): v
   const fine = step / (String(step).includes("2") ? 4 : 10);
   const margin = 0.018 * pixels;
   const count = Math.floor((length - (2 * margin) / metre) / step);
-  const unit = unitOf(step * count);
+  const unit = unitOf(step);
   pen.fillStyle = "#2b2014";
   const first = -pixels / 2 + (pixels - count * step * metre) / 2;
   const each = Math.round(step / fine);
@@ -55,10 +55,11 @@ function ticks(pen: CanvasRenderingContext2D, pixels: number, length: number): v
   pen.font = `600 ${0.36 * height}px system-ui, sans-serif`;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  for (let k = 0; k <= count; k++) {
-    const value = Number(((k * step) / unit.size).toPrecision(6));
-    pen.fillText(String(value), first + k * step * metre, 0.22 * height);
-  }
+  const text = (k: number) => String(Number(((k * step) / unit.size).toPrecision(6)));
+  // Every one of the long marks has its number, or as many as have room.
+  const apart = Math.ceil(pen.measureText(`${text(count)}  `).width / (step * metre));
+  for (let k = 0; k <= count; k += apart)
+    pen.fillText(text(k), first + k * step * metre, 0.22 * height);
   pen.font = `400 ${0.26 * height}px system-ui, sans-serif`;
   pen.fillText(unit.name, first + 0.45 * step * metre, 0.24 * height);
 }

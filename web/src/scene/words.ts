@@ -1,8 +1,11 @@
 // Words at places of the scene: elements of the page laid over the picture, so that they are crisp.
 
 import { type Camera, Vector3 } from "three";
+import type { Outline } from "./outline";
 
 const MARGIN = 6;
+/** As far as points of the outline are apart on a body as large as the picture, px. */
+const BAND = 12;
 
 interface Word {
   element: HTMLElement;
@@ -59,8 +62,8 @@ export class Words {
     this.words[index]?.element.classList.toggle("hidden-spot", hidden);
   }
 
-  /** Puts all of them in their places, first come first served, none over another. */
-  arrange(camera: Camera, width: number, height: number): void {
+  /** Puts all of them in their places, first come first served, none over another nor over the body. */
+  arrange(camera: Camera, width: number, height: number, body: Outline): void {
     for (const word of this.words) {
       if (!word.shown) continue;
       if (word.width === 0) {
@@ -73,6 +76,7 @@ export class Words {
       word.y = ((1 - y) / 2) * height - word.height / 2;
       word.x = Math.min(Math.max(word.x, MARGIN), width - word.width - MARGIN);
       word.y = Math.min(Math.max(word.y, MARGIN), height - word.height - MARGIN);
+      keepBeside(word, body, width);
       this.makeRoom(word);
       word.element.style.visibility = behind ? "hidden" : "visible";
       word.element.style.transform = `translate(${word.x.toFixed(1)}px, ${word.y.toFixed(1)}px)`;
@@ -92,4 +96,15 @@ export class Words {
       word.y = other.y + other.height / 2 + (apart < 0 ? -gap : gap) - word.height / 2;
     }
   }
+}
+
+/** Moves a word aside that would lie on the body, the shorter way, as far as there is room. */
+function keepBeside(word: Word, body: Outline, width: number): void {
+  const span = body.between(word.y - BAND, word.y + word.height + BAND);
+  if (!span || word.x > span[1] + MARGIN || word.x + word.width < span[0] - MARGIN) return;
+  const [left, right] = [span[0] - MARGIN - word.width, span[1] + MARGIN];
+  word.x =
+    word.x - left < right - word.x
+      ? Math.max(left, MARGIN)
+      : Math.min(right, width - word.width - MARGIN);
 }

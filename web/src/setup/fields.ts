@@ -1,7 +1,7 @@
 // Every quantity that a visitor can set: its name in the URL, its words, its unit and its bounds.
 // Controls, URL and refusals are all made from this one table.
 
-import { LAWS, PRESETS } from "../core/core";
+import type { LawName, Preset } from "../core/core";
 
 export interface NumberField {
   kind: "number";
@@ -32,7 +32,7 @@ export interface ChoiceField {
   help: string;
 }
 
-const BODIES: Record<(typeof PRESETS)[number] | "own", string> = {
+const BODIES: Record<Preset | "own", string> = {
   can_2007: "The paper's can",
   soda_can: "Soda can",
   beer_bottle: "Beer bottle",
@@ -43,7 +43,7 @@ const BODIES: Record<(typeof PRESETS)[number] | "own", string> = {
   own: "Your own",
 };
 
-const LAW_NAMES: Record<(typeof LAWS)[number], string> = {
+const LAW_NAMES: Record<LawName, string> = {
   frictionless: "No friction at all",
   coulomb: "Dry friction",
   no_slip: "No slip at all",

@@ -1,8 +1,13 @@
 // How time goes by as a motion is shown. The motion does not depend on it, but a link holds it.
 
+import { noSuchChoice } from "./choices";
 import type { Refusal } from "./setup";
 
 export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
+
+/** As a visitor reads it. */
+export const speedName = (speed: number) =>
+  speed === 1 ? "as in life" : `1/${Math.round(1 / speed)}`;
 
 export interface Pace {
   /** Seconds of the motion in one of the visitor's. */
@@ -31,20 +36,17 @@ export function paceOf(link: ReadonlyMap<string, string>): { pace: Pace; refusal
   const [speed, slow] = [link.get("speed"), link.get("slow")];
   const one = SPEEDS.find((each) => String(each) === speed);
   if (one !== undefined) pace.speed = one;
-  else if (speed !== undefined) refusals.push(refused("speed", "Speed", SPEEDS, speed));
+  else if (speed !== undefined)
+    refusals.push(refused("speed", "Speed", SPEEDS.map(speedName), speed));
   if (slow === "0" || slow === "1") pace.stretched = slow === "1";
   else if (slow !== undefined)
-    refusals.push(refused("slow", "Slow at the collision", ["0", "1"], slow));
+    refusals.push(refused("slow", "Slow at the collision", ["on", "off"], slow));
   return { pace, refusals };
 }
 
 const refused = (
   field: PaceName,
   label: string,
-  choices: readonly (string | number)[],
+  names: readonly string[],
   text: string,
-): Refusal => ({
-  field,
-  text,
-  message: `${label} is one of ${choices.join(", ")}, not “${text}”.`,
-});
+): Refusal => ({ field, text, message: noSuchChoice(label, names, text) });

@@ -2,6 +2,7 @@
 
 import { withUnit } from "../inputs/shown";
 import type { LawName, Preset } from "../core/core";
+import { noSuchChoice } from "./choices";
 import { FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
 import type { PaceName } from "./pace";
 
@@ -31,8 +32,8 @@ export function read(name: FieldName, text: string): { value: string | number } 
   const field: (typeof FIELDS)[FieldName] = FIELDS[name];
   if (field.kind === "choice") {
     if (Object.hasOwn(field.choices, text)) return { value: text };
-    const choices = Object.keys(field.choices).join(", ");
-    return { field: name, text, message: `${field.label} is one of ${choices}, not “${text}”.` };
+    const message = noSuchChoice(field.label, Object.values(field.choices), text);
+    return { field: name, text, message };
   }
   // A comma may be somebody's decimal point; a minus sign may be a real one.
   const value = Number(text.trim().replace(",", ".").replaceAll("−", "-") || NaN);

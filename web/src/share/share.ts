@@ -20,6 +20,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
   const copyLink = button("Copy link", () => void copy(link.value, link, "Link"));
   const copyCode = button("Copy as Python", () => void copy(code.textContent, code, "Python code"));
   const saveCsv = button("Download CSV", () => {
+    lab.complete();
     const motion = lab.motion.value;
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}.csv`;

@@ -18,6 +18,8 @@ export function show(lab: Lab, step: Step, moving: boolean): void {
     clock.pause();
     clock.rewind();
   });
+  // Not while it is watched.
+  lab.complete();
   if (step.shows === "flicks") makeThem(lab);
   if (moving) clock.play();
   else clock.time.value = lab.motion.value?.turns[0]?.end ?? clock.end;

@@ -3,7 +3,7 @@
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
 import type { Lab } from "../lab";
-import { SPEEDS } from "../setup/pace";
+import { SPEEDS, speedName } from "../setup/pace";
 import { collisionsOf, nearest } from "../time/collisions";
 import { type Icon, icon } from "./icons";
 import { keysOn, onKeys } from "./keys";
@@ -109,13 +109,7 @@ function speed(lab: Lab): HTMLElement {
   const select = element(
     "select",
     {},
-    ...SPEEDS.map((one) =>
-      element(
-        "option",
-        { value: String(one) },
-        one === 1 ? "as in life" : `1/${Math.round(1 / one)}`,
-      ),
-    ),
+    ...SPEEDS.map((one) => element("option", { value: String(one) }, speedName(one))),
   );
   select.addEventListener("change", () => (lab.clock.speed.value = Number(select.value)));
   effect(() => {

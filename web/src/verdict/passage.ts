@@ -7,12 +7,15 @@ export interface Passage {
   angle: number;
   /** Whether it came up to a largest tilt again. */
   whole: boolean;
+  /** When that begins and ends, s. */
+  start: number;
+  end: number;
   minTilt: number;
   /** rad/s, at the smallest tilt */
   yawRate: number;
   /** From a tenth to nine tenths of the angle, s. */
   swiftness: number;
-  /** What the rim did on the way: it only rolled, or slipped at times, or even left the table. */
+  /** What the rim does on the way: it only rolls, or slips at times, or even leaves the table. */
   rim: "rolled" | "slipped" | "jumped";
 }
 
@@ -37,6 +40,8 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
   return {
     angle,
     whole: turn !== undefined,
+    start,
+    end,
     minTilt: lowest.minTilt,
     yawRate: lowest.yawRate,
     swiftness: done - begun,

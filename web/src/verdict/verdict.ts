@@ -2,10 +2,11 @@
 
 import { computed, effect } from "@preact/signals-core";
 import { element } from "../elements";
-import { degrees, shownWide } from "../inputs/shown";
+import { degrees } from "../inputs/shown";
 import type { Lab } from "../lab";
+import { ofHand } from "./held";
+import { ofMotion } from "./moving";
 import { passageFrom } from "./passage";
-import { comparison, ending, inAll, story } from "./words";
 
 /** s without a change after which the words are read out; not while it moves. */
 const SETTLED = 0.8;
@@ -17,62 +18,62 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
     return motion && start.value !== undefined ? passageFrom(motion, start.value) : undefined;
   });
 
-  const turned = tile("Angle of turn", "turned");
-  const theory = tile("In theory", "theory");
-  const lowest = tile("Flattest", "lowest");
-  const fastest = tile("Contact point", "fastest");
+  const told = computed(() => {
+    const seen = lab.foreseen.value;
+    return seen ? ofHand(seen, lab.setup.value) : ofMotion(lab, passage.value);
+  });
+  const words = computed(() => `${told.value.said} ${told.value.ended}`.trim());
+
+  const tiles = { turned: tile(), theory: tile(), lowest: tile(), then: tile() };
   const said = element("p", { class: "said" });
   const ended = element("p", { class: "ended" });
   const heard = element("p", { class: "unseen", role: "status" });
-  const numbers = element("dl", {}, turned.all, theory.all, lowest.all, fastest.all);
+  const numbers = element("dl");
+  for (const [kind, { all }] of entries(tiles)) {
+    all.className = kind;
+    numbers.append(all);
+  }
   place.append(numbers, element("div", { class: "words" }, said, ended), heard);
 
   // It ticks, so it is not read out; the whole of it, beside, is.
-  turned.number.setAttribute("aria-hidden", "true");
+  tiles.turned.number.setAttribute("aria-hidden", "true");
   effect(() => {
     const angle = lab.turning.value?.angle;
-    turned.number.textContent = angle === undefined ? "–" : degrees(Math.abs(angle), 1);
+    const ticking = angle === undefined ? "–" : degrees(Math.abs(angle), 1);
+    tiles.turned.number.textContent = lab.foreseen.value ? told.value.turned.number : ticking;
   });
   effect(() => {
-    const now = passage.value;
-    numbers.hidden = lab.motion.value === undefined;
-    turned.note.textContent = inAll(now, lab.motion.value);
-    theory.number.textContent = degrees(lab.theory.value?.here ?? NaN, 2);
-    theory.note.textContent = comparison(now, lab.theory.value, lab.setup.value);
-    const tilt = now && (now.minTilt * 180) / Math.PI;
-    lowest.number.textContent = tilt === undefined ? "–" : `${shownWide(tilt, 2)}°`;
-    lowest.note.textContent = "smallest tilt";
-    const revolutions = now && Math.abs(now.yawRate) / (2 * Math.PI);
-    fastest.number.textContent = revolutions === undefined ? "–" : shownWide(revolutions, 3);
-    fastest.note.textContent = "turns a second there";
+    numbers.hidden = lab.motion.value === undefined && !lab.foreseen.value;
+    // What is not yet so looks otherwise than what is.
+    place.classList.toggle("foreseen", lab.foreseen.value !== undefined);
+    for (const [kind, { name, number, note }] of entries(tiles)) {
+      const now = told.value[kind];
+      name.textContent = now.name;
+      if (kind !== "turned") number.textContent = now.number;
+      note.textContent = now.note;
+    }
+    said.textContent = told.value.said;
+    ended.textContent = told.value.ended;
+    ended.classList.toggle("amiss", told.value.amiss);
   });
   effect(() => {
-    const setup = lab.setup.value;
-    said.textContent = story(passage.value, setup);
-    ended.textContent = ending(lab.outcome.value, setup);
-    const amiss = ["face_down", "painleve", "failed", "lifted_off"];
-    const status = lab.motion.value?.status;
-    ended.classList.toggle("amiss", status === undefined || amiss.includes(status));
-  });
-  effect(() => {
-    const text = [
-      story(passage.value, lab.setup.value),
-      ending(lab.outcome.value, lab.setup.value),
-    ];
+    const text = words.value;
     if (lab.clock.playing.value) return undefined;
-    const settled = setTimeout(() => hear(heard, text.join(" ").trim()), 1000 * SETTLED);
+    const settled = setTimeout(() => hear(heard, text), 1000 * SETTLED);
     return () => clearTimeout(settled);
   });
 }
+
+const entries = <K extends string, V>(of: Record<K, V>) => Object.entries(of) as [K, V][];
 
 /** The same words again are not read out again. */
 function hear(place: HTMLElement, text: string): void {
   if (place.textContent !== text) place.textContent = text;
 }
 
-function tile(name: string, kind: string) {
+function tile() {
+  const name = element("dt");
   const number = element("dd", { class: "big" });
   const note = element("dd", { class: "note" });
-  const all = element("div", { class: kind }, element("dt", {}, name), number, note);
-  return { all, number, note };
+  return { all: element("div", {}, name, number, note), name, number, note };
 }

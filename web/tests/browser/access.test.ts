@@ -26,6 +26,26 @@ describe("axe finds nothing serious", () => {
   });
 });
 
+test("on a telephone a part that is gone to is not behind the table, and marks suit a fingertip", async () => {
+  const { page } = await visit({ viewport: { width: 360, height: 740 }, hasTouch: true });
+  for (const part of ["controls", "flicks", "plots", "share"]) {
+    await page.evaluate((part) => {
+      document.querySelector<HTMLElement>(`a[href="#${part}"]`)?.click();
+    }, part);
+    // It glides there.
+    await page.waitForFunction((part) => {
+      const edges = (id: string) => document.getElementById(id)!.getBoundingClientRect();
+      const [below, top] = [edges("scene").bottom, edges(part).top];
+      const last = scrollY + innerHeight >= document.documentElement.scrollHeight - 1;
+      return top >= below && (top < below + 50 || last);
+    }, part);
+  }
+  for (const mark of await page.$$(".marks button")) {
+    const box = await mark.boundingBox();
+    expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(24);
+  }
+});
+
 /** Opens all that is folded away. */
 async function unfold(page: Page): Promise<void> {
   for (const summary of await page.$$("details:not([open]) > summary"))

@@ -46,10 +46,18 @@ describe("with a mouse", () => {
       await page.mouse.move(x + 20, y, { steps: 2 });
       await page.mouse.move(x + 40, y - 10, { steps: 2 });
       await page.waitForTimeout(500);
+      const said = await page.locator("#verdict .said").innerText();
       await page.mouse.up();
       const set = await address(page, /yaw=/);
       expect(set.get("tilt_rate")).toBe(null);
       expect(Number(set.get("tilt"))).toBeGreaterThan(0);
+      // In the hand it was told of what it would do, let go like this.
+      const angle = /swing(s?) round by (.*?)°/;
+      const lean = `it leans by ${set.get("tilt")}° toward ${set.get("yaw")?.replace("-", "−")}°.`;
+      expect(said).toContain(lean);
+      expect(angle.exec(await page.locator("#verdict .said").innerText())?.[2]).toBe(
+        angle.exec(said)?.[2],
+      );
       expect(Math.abs(Number(set.get("yaw")))).toBeGreaterThan(5);
       expect(await value(page, "tilt_rate")).toBe(0);
       expect(await value(page, "tilt")).toBe(Number(set.get("tilt")));

@@ -13,6 +13,8 @@ import { browserForAll, visit } from "./visit";
 browserForAll();
 
 async function taken(page: Page): Promise<{ code: string; csv: string }> {
+  // The clipboard is for pages that have the focus.
+  await page.bringToFront();
   await page.getByRole("button", { name: "Copy as Python" }).click();
   await page.getByText("Python code copied.").waitFor();
   const code = await page.evaluate(() => navigator.clipboard.readText());

@@ -1,6 +1,15 @@
 import { readFile } from "node:fs/promises";
 import { Core } from "../../src/core/core";
+import type { Motion } from "../../src/core/motion";
+import { posed } from "../../src/setup/posed";
+import { INITIAL, type Setup } from "../../src/setup/setup";
 
 /** The core as the page loads it, here from its file. */
 export const loadCore = async (): Promise<Core> =>
   Core.load(await readFile(new URL("../../src/core/rimroll.wasm", import.meta.url)));
+
+/** The whole motion of the initial set-up with some changes. */
+export function motionOf(core: Core, changes: Partial<Setup> = {}): Motion {
+  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
+  return core.simulate(body, start, surface, options);
+}

@@ -5,19 +5,15 @@ import { beforeAll, describe, expect, test } from "vitest";
 import { Clock, UNHURRIED } from "../../src/clock";
 import type { Core } from "../../src/core/core";
 import type { Motion } from "../../src/core/motion";
-import { posed } from "../../src/setup/posed";
-import { INITIAL, type Setup } from "../../src/setup/setup";
-import { loadCore } from "../given/core";
+import type { Setup } from "../../src/setup/setup";
+import { loadCore, motionOf as motionFrom } from "../given/core";
 
 let core: Core;
 beforeAll(async () => {
   core = await loadCore();
 });
 
-function motionOf(changes: Partial<Setup> = {}): Motion {
-  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
-  return core.simulate(body, start, surface, options);
-}
+const motionOf = (changes?: Partial<Setup>) => motionFrom(core, changes);
 
 const clockOf = (motion: Motion) => new Clock(signal<Motion | undefined>(motion));
 

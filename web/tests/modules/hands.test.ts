@@ -2,21 +2,21 @@
 
 import { expect, test, vi } from "vitest";
 import { Lab } from "../../src/lab";
-import { Hands, released } from "../../src/scene/hands";
+import { Hands } from "../../src/scene/hands";
 import { FIELDS } from "../../src/setup/fields";
+import { STILL, released } from "../../src/setup/released";
 import { INITIAL } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 
 const DEGREE = Math.PI / 180;
-const REST = { x: 0, y: 0 };
 
 test("a hand that rests lets go exactly at rest, but for what no hand can help", () => {
-  const setup = released({ tilt: 0.4, yaw: 0.3 }, REST, { ...INITIAL, sideways: 0.003 });
+  const setup = released({ tilt: 0.4, yaw: 0.3 }, STILL, { ...INITIAL, sideways: 0.003 });
   expect(setup).toEqual({ tilt: 22.9, yaw: 17.2, tilt_rate: 0, twist: 0, sideways: 0.003 });
 });
 
 test("a flick before does not make the next hand unsteady", () => {
-  const setup = released({ tilt: 0.4, yaw: 0 }, REST, { ...INITIAL, sideways: 1.5 });
+  const setup = released({ tilt: 0.4, yaw: 0 }, STILL, { ...INITIAL, sideways: 1.5 });
   expect(setup.sideways).toBe(FIELDS.sideways.initial);
 });
 
@@ -36,8 +36,8 @@ test("led round anticlockwise, the yaw rate is that of the hand", () => {
 });
 
 test("a direction is from −180 up to 180 degrees, whichever way round the hand went", () => {
-  expect(released({ tilt: 0.4, yaw: 1.5 * Math.PI }, REST, INITIAL).yaw).toBe(-90);
-  expect(released({ tilt: 0.4, yaw: -3 * Math.PI }, REST, INITIAL).yaw).toBe(-180);
+  expect(released({ tilt: 0.4, yaw: 1.5 * Math.PI }, STILL, INITIAL).yaw).toBe(-90);
+  expect(released({ tilt: 0.4, yaw: -3 * Math.PI }, STILL, INITIAL).yaw).toBe(-180);
 });
 
 test("no hand flicks faster than fields allow", () => {

@@ -39,6 +39,46 @@ test("a body let go as before is shown from the release again", () => {
   expect([lab.clock.time.value, lab.clock.playing.value]).toEqual([0, true]);
 });
 
+describe("a motion of many steps", () => {
+  const LONG = { body: "coin" } as const;
+
+  test("is at first its beginning, the same to the last bit", () => {
+    const lab = labWith(core, LONG);
+    const begun = lab.motion.value!;
+    expect(begun.end).toBeLessThan(3);
+    expect(ending(lab.outcome.value, lab.setup.value)).toMatch(/is being computed/);
+    expect(begun.turns.length).toBeGreaterThan(0);
+    const times = [0.1, 0.5, 0.9, 0.999].map((part) => part * begun.end);
+    const before = times.map((time) => begun.at([time]).moment(0));
+    lab.complete();
+    const whole = lab.motion.value!;
+    expect([whole.status, whole.end]).toEqual(["finished", 3]);
+    expect(times.map((time) => whole.at([time]).moment(0))).toEqual(before);
+  });
+
+  test("is completed when nothing has changed for a while, at the time that is shown", async () => {
+    const lab = labWith(core, LONG);
+    lab.clock.time.value = 0.2;
+    await vi.waitFor(() => expect(lab.motion.value!.end).toBe(3), 10_000);
+    expect(lab.clock.time.value).toBe(0.2);
+  });
+
+  test("gets another beginning when something changes", () => {
+    const lab = labWith(core, LONG);
+    lab.complete();
+    lab.change({ tilt: 21 });
+    expect(lab.motion.value!.end).toBeLessThan(3);
+  });
+});
+
+test("a motion of few steps is computed at once, and once", () => {
+  const lab = labWith(core);
+  const motion = lab.motion.value;
+  expect(motion?.end).toBe(3);
+  lab.complete();
+  expect(lab.motion.value).toBe(motion);
+});
+
 describe("where the core gives no answer", () => {
   test("a motion without a theory is forgotten", () => {
     const forget = vi.spyOn(Motion.prototype, "forget");

@@ -8,20 +8,16 @@ import { countBelow, sampled } from "../../src/plots/sampled";
 import { thinned } from "../../src/plots/thinned";
 import { powerText, powersOfTen, stretchText, tickTexts, timeLabel } from "../../src/plots/ticks";
 import { View } from "../../src/plots/view";
-import { posed } from "../../src/setup/posed";
-import { INITIAL, type Setup } from "../../src/setup/setup";
+import type { Setup } from "../../src/setup/setup";
 import { duration, significant } from "../../src/time/words";
-import { loadCore } from "../given/core";
+import { loadCore, motionOf as motionFrom } from "../given/core";
 
 let core: Core;
 beforeAll(async () => {
   core = await loadCore();
 });
 
-function motionOf(changes: Partial<Setup> = {}): Motion {
-  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
-  return core.simulate(body, start, surface, options);
-}
+const motionOf = (changes?: Partial<Setup>) => motionFrom(core, changes);
 
 describe("the view", () => {
   test("of a collision holds nine tenths of its turn, counted from its middle", () => {

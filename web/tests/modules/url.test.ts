@@ -68,8 +68,8 @@ describe("the pace", () => {
     const { pace, refusals } = fromHash("#speed=0&slow=maybe");
     expect(pace).toEqual(INITIAL_PACE);
     expect(refusals.map(({ message }) => message)).toEqual([
-      "Speed is one of 1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001, not “0”.",
-      "Slow at the collision is one of 0, 1, not “maybe”.",
+      "Speed: there is no “0”; choose as in life, 1/2, 1/5, 1/10, 1/50, 1/100, 1/1000 or 1/10000.",
+      "Slow at the collision: there is no “maybe”; choose on or off.",
     ]);
   });
 });

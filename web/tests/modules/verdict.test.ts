@@ -2,7 +2,10 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
-import type { Setup } from "../../src/setup/setup";
+import { shownTime } from "../../src/inputs/shown";
+import { Hands } from "../../src/scene/hands";
+import { INITIAL, type Setup } from "../../src/setup/setup";
+import { ofHand } from "../../src/verdict/held";
 import { passageFrom } from "../../src/verdict/passage";
 import { comparison, ending, story } from "../../src/verdict/words";
 import { loadCore } from "../given/core";
@@ -21,17 +24,22 @@ function saidOf(changed: Partial<Setup>) {
   return {
     motion,
     passage,
-    story: story(passage, setup),
-    theory: comparison(passage, lab.theory.value, setup),
+    story: story(passage, motion, setup),
+    theory: comparison(
+      passage && Math.abs(passage.angle),
+      passage?.minTilt,
+      lab.theory.value,
+      setup,
+    ),
     ending: ending(lab.outcome.value, setup),
   };
 }
 
-describe("what the rim did", () => {
+describe("what the rim does", () => {
   test.each([
-    ["rolled", {}, "it rolled all the way"],
-    ["slipped", { friction: 0.3 }, "slipped on the way"],
-    ["jumped", { tilt_rate: -14, sideways: 0.3, friction: 0.3 }, "jumped off the table"],
+    ["rolled", {}, "it rolls all the way"],
+    ["slipped", { friction: 0.3 }, "slips on the way"],
+    ["jumped", { tilt_rate: -14, sideways: 0.3, friction: 0.3 }, "jumps off the table"],
   ] as const)("%s", (rim, changed, words) => {
     const { passage, story } = saidOf(changed);
     expect(passage?.rim).toBe(rim);
@@ -46,7 +54,7 @@ describe("what the rim did", () => {
   });
 
   test("is not told of laws that leave it no choice", () => {
-    expect(saidOf({ law: "no_slip" }).story).not.toMatch(/rolled|slipped|jumped/);
+    expect(saidOf({ law: "no_slip" }).story).not.toMatch(/rolls|slips|jumps/);
   });
 });
 
@@ -54,13 +62,55 @@ test("the lean swings round by the change of yaw, whatever the body does about i
   const { motion, story } = saidOf({ twist: 0.5 });
   const [from, to] = [0, motion.turns[0]?.end ?? 0].map((t) => motion.at([t]).moment(0).yaw);
   const swung = (((to as number) - (from as number)) * 180) / Math.PI;
-  expect(story).toContain(`The lean swung round by ${swung.toFixed(1)}°`);
+  expect(story).toContain(`the lean swings round by ${swung.toFixed(1)}°`);
+});
+
+test("it says from where to where the angle is counted", () => {
+  const { motion } = saidOf({});
+  const [first, second] = motion.turns;
+  expect(saidOf({}).story).toMatch(
+    `From the release, down and up to the next largest tilt at ${shownTime(first!.end)}, the lean`,
+  );
+  const later = story(passageFrom(motion, second!.start), motion, INITIAL);
+  expect(later).toMatch(/^From the largest tilt at \S+ m?s, down and up to the next largest tilt/);
+  const fallen = saidOf({ tilt_rate: -3 });
+  expect(fallen.story).toMatch(/^From the release, down and up to its fall at/);
+  expect(fallen.ending).toMatch(/^It falls over after/);
+});
+
+describe("in the hand", () => {
+  const DEGREE = Math.PI / 180;
+  function foretold(held: { tilt: number; yaw: number }, changed: Partial<Setup> = {}) {
+    const lab = labWith(core, changed);
+    lab.held.value = { tilt: held.tilt * DEGREE, yaw: held.yaw * DEGREE };
+    const { said, turned } = ofHand(lab.foreseen.value!, lab.setup.value);
+    return { lab, said, turned };
+  }
+
+  test("it tells of the motion that comes when the hand lets go, before it does", () => {
+    const { lab, said, turned } = foretold({ tilt: 12.3, yaw: 40 });
+    new Hands(lab).release(false);
+    expect(lab.setup.value).toMatchObject({ tilt: 12.3, yaw: 40 });
+    const angle = (lab.motion.value!.turns[0]!.angle * 180) / Math.PI;
+    expect(turned.number).toBe(`${Math.abs(angle).toFixed(1)}°`);
+    expect(said).toMatch(/^In your hand it leans by 12\.3° toward 40°/);
+    expect(said).toContain(`its lean would swing round by ${turned.number}`);
+    expect(lab.foreseen.value).toBe(undefined);
+  });
+
+  test.each([
+    ["leaning past its balance", 60, {}, /would fall over the way it leans, after/],
+    ["without any sideways motion", 20, { sideways: 0 }, /would come down flat, after/],
+    ["followed for too short a time", 20, { duration: 0.1 }, /not have come down and up again/],
+  ] as const)("%s", (_how, tilt, changed, words) => {
+    expect(foretold({ tilt, yaw: 0 }, changed).said).toMatch(words);
+  });
 });
 
 describe("the theory", () => {
-  test("is so much below or above what happened", () => {
-    expect(saidOf({}).theory).toBe("0.06° below what happened here");
-    expect(saidOf({ tilt: 5, sideways: 1e-9 }).theory).toBe("what happened here");
+  test("is so much below or above what happens", () => {
+    expect(saidOf({}).theory).toBe("0.06° below what happens here");
+    expect(saidOf({ tilt: 5, sideways: 1e-9 }).theory).toBe("what happens here");
   });
 
   test("is said to be for a body that is not twisted, when it is", () => {
@@ -80,7 +130,7 @@ describe("face down", () => {
       { sideways: 0, rolling: 0.001 },
       /without any sideways motion/,
     ],
-    ["by resistance", { sideways: 1e-6, rolling: 0.01 }, /rolling resistance stopped/],
+    ["by resistance", { sideways: 1e-6, rolling: 0.01 }, /rolling resistance stops/],
     ["too flat to be followed", { sideways: 1e-15 }, /so flat.*larger sideways error/],
   ])("%s", (_how, changed, words) => {
     const { motion, ending } = saidOf(changed);

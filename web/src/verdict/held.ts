@@ -1,0 +1,62 @@
+// What is said of a body in the hand: what would become of it, if the hand let go now.
+
+import type { Fall } from "../core/core";
+import type { Foreseen } from "../falls/foreseen";
+import { degrees, shownTime, shownWide, written } from "../inputs/shown";
+import type { Setup } from "../setup/setup";
+import type { Told } from "./told";
+import { beside, comparison } from "./words";
+
+export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>): Told {
+  const turn = fall && !Number.isNaN(fall.turn) ? Math.abs(fall.turn) : undefined;
+  const [tilt, way] = [`${written(lean.tilt)}°`, `${written(lean.yaw)}°`];
+  const became = fall ? becoming(fall) : "there would be no motion";
+  return {
+    turned: {
+      name: "Angle of turn",
+      number: turn === undefined ? "–" : degrees(turn, 1),
+      note: "if you let go now",
+    },
+    theory: {
+      name: "In theory",
+      number: degrees(theory?.here ?? NaN, 2),
+      note: comparison(undefined, fall?.minTilt, theory, { ...setup, twist: 0 }),
+    },
+    lowest: {
+      name: "Flattest",
+      number: turn === undefined ? "–" : `${shownWide(((fall?.minTilt ?? 0) * 180) / Math.PI, 2)}°`,
+      note: "if you let go now",
+    },
+    then: { name: "In your hand", number: tilt, note: `leans toward ${way}` },
+    said: `In your hand it leans by ${tilt} toward ${way}. Let go at rest now, ${became}.${fall && turn !== undefined ? beside(fall.turn) : ""}`,
+    ended: "Let go while your hand moves, and you flick it.",
+    amiss: false,
+  };
+}
+
+/** What would become of it, as the end of a sentence. */
+function becoming({ ending, turn, time }: Readonly<Fall>): string {
+  const after = `after ${shownTime(time)}`;
+  const down = !Number.isNaN(turn);
+  const round = `its lean would swing round by ${degrees(Math.abs(turn), 1)}`;
+  switch (ending) {
+    case "finished":
+      return down
+        ? `${round} on its way down and up to the next largest tilt, ${after}`
+        : `it would not have come down and up again ${after}, when the computation ends`;
+    case "toppled":
+      return down
+        ? `${round}, and it would fall over ${after}`
+        : `it would fall over the way it leans, ${after}`;
+    case "face_down":
+      return `it would come down flat, ${after}`;
+    case "at_rest":
+      return `it would come to rest on its base ${after}`;
+    case "lifted_off":
+      return `its rim would jump off the table ${after}, where the ideal laws end`;
+    case "painleve":
+      return `it would come to Painlevé’s paradox ${after}, where the mechanics of rigid bodies ends`;
+    default:
+      return "there would be no telling what becomes of it";
+  }
+}

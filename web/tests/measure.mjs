@@ -1,0 +1,192 @@
+// How quick the built page is, in a headless Chromium: what is loaded and how soon it is seen, what a
+// picture costs while a motion plays, and what a move of a slider costs. Not a test: times depend on
+// the machine. Without a graphics card the scene is drawn in software, for which the first picture
+// waits; playing and sliding are therefore measured on the page's own thread and without the scene,
+// lest its pictures come so slowly that each move of the slider is taken for the last. With "scene" as
+// an argument playing is measured with it. From the root: tools/node.sh node tests/measure.mjs
+
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { chromium } from "playwright-core";
+
+const PAGE = fileURLToPath(new URL("../../python/rimroll/page", import.meta.url));
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css" };
+const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const LAPTOP = { width: 1366, height: 768 };
+/** A slow line: bits a second, and ms there and back. */
+const LINE = { mbit: 10, latency: 40 };
+
+let sent = 0;
+const server = createServer(async (request, response) => {
+  const path = new URL(request.url, "http://here").pathname;
+  try {
+    const content = gzipSync(await readFile(join(PAGE, path === "/" ? "index.html" : path)));
+    sent += content.length;
+    response.setHeader("Content-Type", TYPES[extname(path || ".html")] ?? "application/wasm");
+    if (path === "/") response.setHeader("Content-Type", TYPES[".html"]);
+    response.setHeader("Content-Encoding", "gzip");
+    response.end(content);
+  } catch {
+    response.writeHead(404).end();
+  }
+});
+await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+const address = `http://127.0.0.1:${server.address().port}/`;
+const browser = await chromium.launch({
+  executablePath: process.env.RIMROLL_CHROMIUM ?? "/usr/bin/chromium-headless-shell",
+  args: FLAGS,
+});
+
+/** In the page, from the beginning: when is there something to read, a motion, a picture of it? */
+function noteFirsts() {
+  const firsts = {};
+  window.firsts = firsts;
+  const there = {
+    motion: () => document.querySelector("#verdict .said")?.textContent,
+    picture: () => document.querySelector("#scene :is(canvas[data-engine], .blind)"),
+  };
+  const look = () => {
+    for (const [name, is] of Object.entries(there))
+      if (!(name in firsts) && is())
+        // The picture is there with the next one.
+        requestAnimationFrame(() => (firsts[name] ??= performance.now()));
+    if (Object.keys(firsts).length < 2) requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+}
+
+function withoutWebGL() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (...asked) {
+    return String(asked[0]).startsWith("webgl") ? null : getContext.apply(this, asked);
+  };
+}
+
+/** A visit with a processor so many times slower, on a line or without delay. */
+async function visited({ hash = "", slower = 1, line = undefined, webgl = true }, what) {
+  const context = await browser.newContext({ viewport: LAPTOP });
+  await context.addInitScript(noteFirsts);
+  if (!webgl) await context.addInitScript(withoutWebGL);
+  const page = await context.newPage();
+  page.setDefaultTimeout(120_000);
+  const devtools = await context.newCDPSession(page);
+  await devtools.send("Emulation.setCPUThrottlingRate", { rate: slower });
+  await devtools.send("Network.enable");
+  if (line) {
+    const bytes = (line.mbit * 1e6) / 8;
+    await devtools.send("Network.emulateNetworkConditions", {
+      ...{ offline: false, latency: line.latency },
+      ...{ downloadThroughput: bytes, uploadThroughput: bytes },
+    });
+  }
+  sent = 0;
+  await page.goto(address + (hash && `#${hash}`));
+  await page.waitForFunction(() => Object.keys(window.firsts).length === 2);
+  const result = await what(page, devtools);
+  await context.close();
+  return result;
+}
+
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
+
+async function loading(slower, line) {
+  const runs = [];
+  for (let k = 0; k < 3; k++)
+    runs.push(
+      await visited({ slower, line }, (page) =>
+        page.evaluate(() => ({
+          words: performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
+          ...window.firsts,
+        })),
+      ),
+    );
+  const ms = (name) => `${name} ${Math.round(median(runs.map((run) => run[name])))} ms`;
+  const how = line ? `${line.mbit} Mbit/s, ${line.latency} ms` : "no delay";
+  console.log(
+    `loading  ${how}, processor 1/${slower}: ${["words", "motion", "picture"].map(ms).join(", ")}`,
+  );
+}
+
+/** Seconds that the page's own thread has spent, and on what. */
+async function spent(devtools) {
+  const { metrics } = await devtools.send("Performance.getMetrics");
+  return Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
+}
+
+/** What something costs the page's thread, ms for each time that it happens. */
+async function cost(devtools, act) {
+  await devtools.send("Performance.enable");
+  const before = await spent(devtools);
+  const times = await act();
+  const after = await spent(devtools);
+  const each = (name) => (1e3 * (after[name] - before[name])) / times;
+  const layout = each("LayoutDuration") + each("RecalcStyleDuration");
+  const [script, all] = [each("ScriptDuration"), each("TaskDuration")];
+  return { times, script, layout, all };
+}
+
+const told = ({ script, layout, all }) =>
+  `scripts ${script.toFixed(1)} ms, layout ${layout.toFixed(1)} ms, all of the page's thread ${all.toFixed(1)} ms`;
+
+async function playing(name, hash) {
+  const webgl = process.argv.includes("scene");
+  const result = await visited({ hash, webgl }, async (page, devtools) => {
+    // All that was put off is done.
+    await page.waitForTimeout(2500);
+    await page.getByRole("button", { name: "Let go" }).click();
+    await page.waitForTimeout(500);
+    return cost(devtools, () =>
+      page.evaluate(async () => {
+        const end = performance.now() + 3000;
+        let pictures = 0;
+        while (performance.now() < end) {
+          await new Promise(requestAnimationFrame);
+          pictures++;
+        }
+        return pictures;
+      }),
+    );
+  });
+  console.log(`playing  ${name}, ${result.times} pictures: each ${told(result)}`);
+}
+
+async function sliding(name, hash) {
+  const result = await visited({ hash, webgl: false }, async (page, devtools) => {
+    await page.waitForTimeout(2500);
+    return cost(devtools, () =>
+      page.evaluate(async () => {
+        const slider = document.getElementById("tilt-slider");
+        const moves = 20;
+        for (let k = 0; k < moves; k++) {
+          slider.value = String(20 + (k % 10) * 0.5);
+          slider.dispatchEvent(new Event("input", { bubbles: true }));
+          // One picture in which the motion is computed, and one in which it is drawn.
+          await new Promise(requestAnimationFrame);
+          await new Promise(requestAnimationFrame);
+        }
+        return moves;
+      }),
+    );
+  });
+  console.log(`sliding  ${name}: each move ${told(result)}`);
+}
+
+await visited({}, async () => {});
+console.log(`loading  ${Math.round(sent / 1000)} kB in all, gzipped`);
+await loading(1, undefined);
+await loading(1, LINE);
+await loading(4, LINE);
+for (const [name, hash] of [
+  ["the paper's can", ""],
+  ["the can, friction 0.3", "friction=0.3"],
+  ["a coin", "body=coin"],
+]) {
+  await playing(name, hash);
+  await sliding(name, hash);
+}
+await sliding("a body of your own", "body=own");
+await browser.close();
+server.close();
