@@ -20,7 +20,7 @@ use crate::law::Parameters;
 const NEAR: f64 = 1.0;
 
 /// So near rounding counts for nearly all.
-const NEXT: f64 = 0.1;
+const NEXT: f64 = 0.03;
 
 /// So far beyond start and balance point, in η, G need not be as exact.
 const REACH: f64 = 0.2;
