@@ -65,8 +65,28 @@ impl<T: Real, const N: usize> Step<T, N> {
     /// Evaluations of the right-hand side that a step costs, given the rates at its start.
     pub const EVALUATIONS: usize = 12;
 
-    /// A step of length h from `start`.
+    /// A step of length h from `start`, compiled for wide registers where the processor has them.
     pub fn take<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            #[target_feature(enable = "avx2")]
+            unsafe fn wide<T: Real, S: System<T, N>, const N: usize>(
+                system: &S,
+                start: &[T; N],
+                h: T,
+            ) -> Step<T, N> {
+                Step::take_anywhere(system, start, h)
+            }
+            if std::arch::is_x86_feature_detected!("avx2") {
+                // SAFETY: the processor has what is asked for.
+                return unsafe { wide(system, start, h) };
+            }
+        }
+        Step::take_anywhere(system, start, h)
+    }
+
+    #[inline(always)]
+    fn take_anywhere<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
         let mut step = Step::still(start, &system.rates(start));
         step.go(OneByOne { unfelt: S::UNFELT }, system, h);
         step
