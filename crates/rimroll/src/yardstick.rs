@@ -57,9 +57,10 @@ impl<T: Real> Yardstick<T> {
     /// w and s obey linear equations and pass through the tipping phase as small as the start made
     /// them, to become large in the collision; so each is held to its own size, with a floor of what
     /// the other one feeds into it. sin φ is held to its own size for the same reason. The slip
-    /// across e_x1 feeds w and is fed by it: an error of the one is as good as one of the other. A slow
-    /// slip is about to begin or to end, and its direction matters less the slower it is: it need not be
-    /// known as well as the forces, which it then follows at once.
+    /// across e_x1 feeds w and is fed by it: an error of the one is as good as one of the other, but never
+    /// worse than one of the slip along e_x1, or slip would stay where errors as large as itself are good
+    /// and never stop. A slow slip is about to begin or to end, and its direction matters less the slower
+    /// it is: then it follows the forces at once.
     #[inline(always)]
     pub(crate) fn sizes(&self, u: &Coordinates<T>) -> Coordinates<T> {
         // Well below what counts as stopped, a tenth of the tolerance.
