@@ -61,6 +61,7 @@ pub mod solve;
 pub mod state;
 pub mod surface;
 pub mod turn;
+mod yardstick;
 
 pub use body::Body;
 pub use ensemble::ensemble;

@@ -44,6 +44,8 @@ pub trait Real:
     fn abs(self) -> Self;
     /// The larger of x and `other`.
     fn max(self, other: Self) -> Self;
+    /// The smaller of x and `other`.
+    fn min(self, other: Self) -> Self;
     /// `yes` where x < 0, else `no`.
     fn where_negative(self, yes: Self, no: Self) -> Self;
     /// Four polynomials in x, whose coefficients are given by falling power.
@@ -120,6 +122,11 @@ impl Real for f64 {
     #[inline]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
     }
 
     #[inline]

@@ -7,6 +7,7 @@
 mod collocation;
 mod dense;
 mod dop853;
+mod estimate;
 mod registers;
 mod root;
 mod stiff;
@@ -14,7 +15,8 @@ pub(crate) mod tableau;
 
 pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense::Dense;
-pub use dop853::{Estimate, Step};
+pub use dop853::Step;
+pub use estimate::Estimate;
 pub use root::bracketed;
 pub use stiff::Implicit;
 
@@ -63,21 +65,6 @@ impl core::ops::Add for Work {
     }
 }
 
-/// By what factor the next step may be longer than one with this error e (over what is tolerated), to be
-/// good but for a margin: 0.9 e^(−1/8) (Hairer, Nørsett & Wanner 1993, section II.4).
-///
-/// A step waits for it, and a rough one will do: the bits of a positive number are, but for an offset and
-/// a scale, its logarithm to a tenth of an octave; their difference is that of e^(−2), and a sixteenth of
-/// it that of the root, which comes out up to 6 % too long. The margin is wider by what is usual of that.
-#[inline]
-fn next_factor(estimate: &Estimate<f64>) -> f64 {
-    const ONE: i64 = 1.0_f64.to_bits().cast_signed();
-    let bits = |x: f64| x.to_bits().cast_signed();
-    let root = ((bits(estimate.allowed) - bits(estimate.error_squared)) >> 4) + ONE;
-    const MARGIN: f64 = 0.86;
-    MARGIN * f64::from_bits(root.cast_unsigned())
-}
-
 /// Steps through a system with the error of each step held below a tolerance.
 pub struct Stepper<'a, S, const N: usize> {
     system: &'a S,
@@ -106,7 +93,7 @@ impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
 
     /// Makes one step, as long as the tolerance allows.
     ///
-    /// The next step is [`next_factor`] times as long, within a factor of 5 down and 8 up.
+    /// The next step is [`Estimate::next_factor`] times as long, within a factor of 5 down and 8 up.
     ///
     /// # Errors
     /// When no step is short enough.
@@ -116,17 +103,15 @@ impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
         loop {
             let estimate = self.step.attempt(self.system, self.h, self.tolerance);
             self.work.evaluations += Step::<f64, N>::EVALUATIONS;
-            // Written so that a NaN is refused.
-            let is_number = estimate.error_squared < f64::INFINITY;
-            if is_number && estimate.error_squared <= estimate.allowed {
-                self.h *= next_factor(&estimate).clamp(0.2, grow_at_most);
+            if estimate.is_good() {
+                self.h *= estimate.next_factor().clamp(0.2, grow_at_most);
                 self.work.steps += 1;
                 return Ok(&mut self.step);
             }
             self.work.rejected += 1;
             grow_at_most = 1.0;
-            self.h *= if is_number {
-                next_factor(&estimate).clamp(0.2, 1.0)
+            self.h *= if estimate.is_number() {
+                estimate.next_factor().clamp(0.2, 1.0)
             } else {
                 0.1
             };

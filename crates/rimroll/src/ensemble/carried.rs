@@ -4,6 +4,7 @@
 use crate::law::{Coulomb, Frictionless, Law, NoSlip, Parameters, Sliding};
 use crate::real::Real;
 use crate::state::Coordinates;
+use crate::yardstick::{Yardstick, slip_speed};
 
 /// A way of meeting the table, by the coordinates that it carries.
 pub(super) trait Carried<T: Real, const N: usize> {
@@ -36,35 +37,6 @@ pub(super) trait Carried<T: Real, const N: usize> {
     }
 }
 
-/// √(g/R): the rate of falling, a yardstick for rates.
-fn falling_rate<T: Real>(k: &Parameters<T>) -> T {
-    (k.g / k.r).sqrt()
-}
-
-const NEVER_ZERO: f64 = 1e-200;
-
-/// A rate (rad/s) to compare the tilt rate with.
-#[inline(always)]
-pub(super) fn tilt_rate_size<T: Real>(u: &Coordinates<T>, falling_rate: T) -> T {
-    u.p.abs() + u.w.abs() + u.sin * falling_rate
-}
-
-/// Sizes as [`Mechanics`](crate::motion) has them, of all but slip and losses.
-#[inline(always)]
-fn sizes<T: Real>(u: &Coordinates<T>, falling_rate: T, per_falling_rate: T) -> Coordinates<T> {
-    let (one, never_zero) = (T::from(1.0), T::from(NEVER_ZERO));
-    Coordinates {
-        yaw: one,
-        t: per_falling_rate,
-        sin: u.sin + never_zero,
-        cos: one,
-        p: tilt_rate_size(u, falling_rate),
-        w: u.w.abs() + u.sin * u.s.abs() + never_zero,
-        s: u.s.abs() + u.sin * u.w.abs() + never_zero,
-        ..Coordinates::zero()
-    }
-}
-
 macro_rules! carries {
     ($($name:ident),*; $n:literal) => {
         #[inline(always)]
@@ -85,20 +57,17 @@ pub(super) struct Rolling<T, const DRY: bool> {
     law: NoSlip<T>,
     /// μ_s².
     static_friction_squared: T,
-    falling_rate: T,
-    per_falling_rate: T,
+    yardstick: Yardstick<T>,
 }
 
 impl<T: Real, const DRY: bool> Carried<T, 7> for Rolling<T, DRY> {
     const FELT: usize = 5;
 
     fn new(k: Parameters<T>, static_friction: T) -> Self {
-        let falling_rate = falling_rate(&k);
         Rolling {
+            yardstick: Yardstick::new(&k),
             law: NoSlip::new(k),
             static_friction_squared: static_friction * static_friction,
-            falling_rate,
-            per_falling_rate: T::from(1.0) / falling_rate,
         }
     }
 
@@ -111,11 +80,7 @@ impl<T: Real, const DRY: bool> Carried<T, 7> for Rolling<T, DRY> {
 
     #[inline(always)]
     fn sizes(&self, u: &[T; 7]) -> [T; 7] {
-        Self::of(&sizes(
-            &Self::all(u),
-            self.falling_rate,
-            self.per_falling_rate,
-        ))
+        Self::of(&self.yardstick.sizes(&Self::all(u)))
     }
 
     /// N sin φ; under dry friction μ_s² N² − T², as long as that is less, times sin² φ.
@@ -134,19 +99,16 @@ impl<T: Real, const DRY: bool> Carried<T, 7> for Rolling<T, DRY> {
 /// Sliding without friction, which changes no spin.
 pub(super) struct Gliding<T> {
     law: Frictionless<T>,
-    falling_rate: T,
-    per_falling_rate: T,
+    yardstick: Yardstick<T>,
 }
 
 impl<T: Real> Carried<T, 7> for Gliding<T> {
     const FELT: usize = 4;
 
     fn new(k: Parameters<T>, _friction: T) -> Self {
-        let falling_rate = falling_rate(&k);
         Gliding {
+            yardstick: Yardstick::new(&k),
             law: Frictionless::new(k),
-            falling_rate,
-            per_falling_rate: T::from(1.0) / falling_rate,
         }
     }
 
@@ -159,11 +121,7 @@ impl<T: Real> Carried<T, 7> for Gliding<T> {
 
     #[inline(always)]
     fn sizes(&self, u: &[T; 7]) -> [T; 7] {
-        Self::of(&sizes(
-            &Self::all(u),
-            self.falling_rate,
-            self.per_falling_rate,
-        ))
+        Self::of(&self.yardstick.sizes(&Self::all(u)))
     }
 
     #[inline(always)]
@@ -175,8 +133,7 @@ impl<T: Real> Carried<T, 7> for Gliding<T> {
 /// Sliding under dry friction, by a clock that slows down with the slip.
 pub(super) struct Slipping<T> {
     law: Sliding<T, Coulomb<T>>,
-    falling_rate: T,
-    per_falling_rate: T,
+    yardstick: Yardstick<T>,
 }
 
 impl<T: Real> Slipping<T> {
@@ -204,44 +161,23 @@ impl<T: Real> Slipping<T> {
         let size =
             friction * self.law.parameters().sideways_mobility() + forward.abs() + across.abs();
         let pushed = forward + T::from(ROUNDING) * size;
-        let least = |a: T, b: T| -(-a).max(-b);
-        least(pushed, least(contact.normal, self.law.inertia(&u, &pull)))
-    }
-
-    /// The solver's clock goes as fast as τ times the speed of the slip over this, m/s. How slow is slow
-    /// need be known but roughly, and without a root.
-    #[inline(always)]
-    fn slowed(&self, u: &Coordinates<T>) -> T {
-        // A slip this slow, beside the other velocities, is about to end.
-        const SLOW: f64 = 0.1;
-        let k = self.law.parameters();
-        let fall = u.sin * self.falling_rate;
-        let rates_squared = u.p * u.p + u.w * u.w + fall * fall;
-        speed(u) + T::from(SLOW) * k.r * self.per_falling_rate * rates_squared
+        pushed.min(contact.normal).min(self.law.inertia(&u, &pull))
     }
 
     /// How fast the solver's clock goes, as a part of τ.
     #[inline(always)]
     pub(super) fn clock(&self, u: &Coordinates<T>) -> T {
-        speed(u) / self.slowed(u)
+        self.yardstick.clock(u)
     }
-}
-
-/// Of slip, m/s.
-#[inline(always)]
-fn speed<T: Real>(u: &Coordinates<T>) -> T {
-    (u.slip_x * u.slip_x + u.slip_y * u.slip_y).sqrt()
 }
 
 impl<T: Real> Carried<T, 10> for Slipping<T> {
     const FELT: usize = 7;
 
     fn new(k: Parameters<T>, friction: T) -> Self {
-        let falling_rate = falling_rate(&k);
         Slipping {
+            yardstick: Yardstick::new(&k),
             law: Sliding::new(k, Coulomb { friction }),
-            falling_rate,
-            per_falling_rate: T::from(1.0) / falling_rate,
         }
     }
 
@@ -253,32 +189,16 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         let u = Self::all(u);
         let pull = self.law.pull(&u);
         // One division for the clock and for the law.
-        let (inertia, slowed) = (self.law.inertia(&u, &pull), self.slowed(&u));
+        let (inertia, slowed) = (self.law.inertia(&u, &pull), self.yardstick.slowed(&u));
         let per_both = T::from(1.0) / (inertia * slowed);
-        let clock = speed(&u) * (inertia * per_both);
+        let clock = slip_speed(&u) * (inertia * per_both);
         let (_, rates) = self.law.moving(&u, &pull, slowed * per_both);
         Self::of(&rates).map(|rate| clock * rate)
     }
 
-    /// While the rim slips, friction across e_x1 turns what is lost in sideways slip into w and s, and
-    /// errors of the three count alike: a slip so slow that its direction follows the forces at once need
-    /// not be known as well as the forces are.
     #[inline(always)]
     fn sizes(&self, u: &[T; 10]) -> [T; 10] {
-        // Well below what counts as stopped, a tenth of the tolerance.
-        const SLOW: f64 = 1e-2;
-        let k = self.law.parameters();
-        let u = Self::all(u);
-        let sizes = sizes(&u, self.falling_rate, self.per_falling_rate);
-        let tilting = sizes.p;
-        let fallen = self.falling_rate * self.falling_rate;
-        Self::of(&Coordinates {
-            s: u.s.abs() + u.w.abs() + T::from(NEVER_ZERO),
-            slip_x: speed(&u) + T::from(SLOW) * k.r * tilting,
-            slip_y: u.slip_y.abs() + k.r * sizes.w,
-            friction_loss: k.m * k.r * k.r * (tilting * tilting + u.s * u.s + u.sin * fallen),
-            ..sizes
-        })
+        Self::of(&self.yardstick.sizes_in_dry_slip(&Self::all(u)))
     }
 
     /// As long as it is determined, N sin φ times what is then positive.
@@ -291,19 +211,10 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         clear.where_negative(clear, self.law.pressing(&u))
     }
 
-    /// As [`Stopping`](crate::motion) has it, without its divisions.
     #[inline(always)]
     fn slips_on(&self, u: &[T; 10], rates: &[T; 10], tolerance: f64) -> T {
-        let k = self.law.parameters();
         let (u, rates) = (Self::all(u), Self::all(rates));
-        let speed = speed(&u);
-        let stopping = -(rates.slip_x * u.slip_x + rates.slip_y * u.slip_y);
-        let turning = (rates.slip_x * u.slip_y - rates.slip_y * u.slip_x).abs();
-        let rate = u.p.abs() + u.w.abs() + u.s.abs() + self.falling_rate;
-        let change = speed * speed * self.clock(&u) * rate;
-        let sideways = k.r * (u.w.abs() + u.sin * u.s.abs());
-        let brief = T::from((0.1 * tolerance).sqrt()) * stopping - change;
-        let straight = T::from(0.1 * tolerance) * sideways * stopping - speed * turning;
-        (-brief).max(-straight)
+        self.yardstick
+            .slips_on(&u, &rates, self.clock(&u), tolerance)
     }
 }

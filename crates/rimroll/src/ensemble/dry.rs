@@ -5,7 +5,6 @@ use super::carried::{Carried, Rolling, Slipping};
 use super::lockstep::Limits;
 use super::onset::{Beginning, Begun, begin};
 use super::pool::{Exit, Pool};
-use super::together::first_step;
 use super::trial::Trial;
 use crate::body::Body;
 use crate::law::{Law, NoSlip, Parameters};
@@ -13,6 +12,7 @@ use crate::motion::{Contacts, Fall, Next, Options, stopped};
 use crate::real::{LANES, Lanes};
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
+use crate::yardstick::Yardstick;
 
 type RollingPool<'a> = Pool<'a, Rolling<f64, true>, Rolling<Lanes, true>, 7>;
 type SlippingPool<'a> = Pool<'a, Slipping<f64>, Slipping<Lanes>, 10>;
@@ -44,6 +44,7 @@ pub(super) struct Dry<'a> {
     options: &'a Options,
     limits: &'a Limits,
     parameters: Parameters<f64>,
+    yardstick: Yardstick<f64>,
     rolling: NoSlip<f64>,
     /// The length of a slip's first step, in first steps.
     onset: f64,
@@ -65,6 +66,7 @@ impl<'a> Dry<'a> {
             options,
             limits,
             parameters,
+            yardstick: Yardstick::new(&parameters),
             rolling: NoSlip::new(parameters),
             onset: onset_length(limits.tolerance),
             done,
@@ -168,7 +170,7 @@ impl<'a> Dry<'a> {
     fn going_on(&self, mut trial: Trial, next: Next, at: &Coordinates<f64>) -> Option<Begins> {
         match next {
             Next::Roll => {
-                let h = first_step(&self.parameters, at);
+                let h = self.yardstick.first_step(at);
                 let at = *at;
                 Some(Begins::Rolling(Waiting { trial, at, h }))
             }
@@ -178,7 +180,7 @@ impl<'a> Dry<'a> {
                     friction_loss,
                     ..*at
                 };
-                let h = self.onset * first_step(&self.parameters, &at);
+                let h = self.onset * self.yardstick.first_step(&at);
                 let friction = self.frictions(&trial).0;
                 let beginning = Beginning::from_rest(&at, direction, friction, h);
                 trial.slid = true;

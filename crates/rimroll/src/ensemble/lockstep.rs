@@ -1,11 +1,13 @@
 //! Eight motions, one in each lane, making one step at a time together: each of its own length, good or
 //! bad by itself.
 
-use super::carried::{Carried, tilt_rate_size};
+use super::carried::Carried;
 use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::real::{LANES, Lanes, Mask, Real};
+use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
+use crate::yardstick::Yardstick;
 use core::hint::black_box;
 
 /// Eight motions under way.
@@ -77,8 +79,8 @@ impl Limits {
     }
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
-    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, falling_rate: f64) -> f64 {
-        if u.p.abs() > self.significant * tilt_rate_size(u, falling_rate) {
+    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, by: &Yardstick<f64>) -> f64 {
+        if u.p.abs() > self.significant * by.tilt_rate(u) {
             u.p.signum()
         } else {
             0.0
@@ -191,10 +193,11 @@ impl<const N: usize> Lockstep<N> {
     fn step_anywhere<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
         self.attempt(phase);
         self.end_sizes = phase.sizes(&self.end);
-        let error = self.error(limits.tolerance);
-        let good = error.at_most(Lanes::from(1.0));
+        let estimate = self.estimate(limits.tolerance);
+        let is_number = estimate.error_squared.at_most(Lanes::from(f64::MAX));
+        let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
         let quiet = good.and(Lanes::from(0.0).at_most(self.safety(phase, limits)));
-        self.choose_next(error, good, quiet);
+        self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
             self.u[i] = quiet.choose(self.end[i], self.u[i]);
             self.rates[i] = quiet.choose(self.end_rates[i], self.rates[i]);
@@ -238,22 +241,19 @@ impl<const N: usize> Lockstep<N> {
         rows!(0 1 2 3 4 5 6 7 8 9 10)
     }
 
-    /// The estimated error over what the tolerance allows.
     #[inline(always)]
-    fn error(&self, tolerance: f64) -> Lanes {
+    fn estimate(&self, tolerance: f64) -> Estimate<Lanes> {
         let zero = Lanes::from(0.0);
-        let (mut sum5, mut sum3) = (zero, zero);
+        let (mut fifth, mut third) = (zero, zero);
         for i in 0..N {
             let per_size =
                 Lanes::from(1.0) / (Lanes::from(tolerance) * self.sizes[i].max(self.end_sizes[i]));
             let e5 = weigh(ERROR_5, &self.stages, i) * per_size;
             let e3 = weigh(ERROR_3, &self.stages, i) * per_size;
-            sum5 = sum5 + e5 * e5;
-            sum3 = sum3 + e3 * e3;
+            fifth = fifth + e5 * e5;
+            third = third + e3 * e3;
         }
-        const NEVER_ZERO: f64 = 1e-300;
-        let both = (sum5 + Lanes::from(0.01) * sum3) * Lanes::from(N as f64);
-        self.h * sum5 / both.max(Lanes::from(NEVER_ZERO)).sqrt()
+        Estimate::new(self.h, fifth, third, N)
     }
 
     /// Not negative where the step has crossed nothing that is to be seen.
@@ -278,17 +278,17 @@ impl<const N: usize> Lockstep<N> {
             .min(on_its_way)
     }
 
-    /// How long the next step could be: h · 0.9 err^(−1/8), within bounds; and lets it be so where
-    /// nothing else is to be decided.
+    /// How long the next step could be; and lets it be so where nothing else is to be decided.
     #[inline(always)]
-    fn choose_next(&mut self, error: Lanes, good: Mask, quiet: Mask) {
+    fn choose_next(
+        &mut self,
+        estimate: &Estimate<Lanes>,
+        is_number: Mask,
+        good: Mask,
+        quiet: Mask,
+    ) {
         let one = Lanes::from(1.0);
-        let root = error.max(Lanes::from(1e-12)).sqrt().sqrt().sqrt();
-        let factor = (Lanes::from(0.9) / root).max(Lanes::from(0.2));
-        // An error that is no number is not known to be small.
-        let factor = error
-            .at_most(Lanes::from(f64::MAX))
-            .choose(factor, Lanes::from(0.1));
+        let factor = is_number.choose(next_factors(estimate), Lanes::from(0.1));
         let growth = good.choose(self.growth, one);
         self.next = self.h * factor.min(growth);
         let free = Lanes::from(0.5).at_most(self.free);
@@ -297,6 +297,24 @@ impl<const N: usize> Lockstep<N> {
         self.growth = good.choose(Lanes::from(8.0), one);
         self.steps = quiet.choose(self.steps + one, self.steps);
     }
+}
+
+/// By what factors the next steps may be longer.
+#[inline(always)]
+fn next_factors(estimate: &Estimate<Lanes>) -> Lanes {
+    let Estimate {
+        error_squared,
+        allowed,
+    } = estimate;
+    let mut factors = Lanes::from(0.2);
+    for lane in 0..LANES {
+        let alone = Estimate {
+            error_squared: error_squared.0[lane],
+            allowed: allowed.0[lane],
+        };
+        factors.0[lane] = alone.next_factor();
+    }
+    factors.max(Lanes::from(0.2))
 }
 
 /// How many terms of a row are written out.

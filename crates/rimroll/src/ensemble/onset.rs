@@ -16,6 +16,7 @@ use super::carried::{Carried, Slipping};
 use crate::real::{LANES, Lanes, Real};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
+use crate::yardstick::{NEVER_ZERO, turn_size};
 use core::hint::black_box;
 
 /// The coordinates that are carried; the slip's are σ and q here.
@@ -23,8 +24,6 @@ const N: usize = 10;
 
 /// Those of them that the rates depend on.
 const FELT: usize = <Slipping<Lanes> as Carried<Lanes, N>>::FELT;
-
-const NEVER_ZERO: f64 = 1e-200;
 
 /// Where σ and q stand.
 const ALONG: usize = 0;
@@ -426,10 +425,8 @@ impl Together {
     #[inline(always)]
     fn sizes(&self, end: &[Lanes; N]) -> [Lanes; N] {
         let mut sizes = self.slipping.sizes(&self.whole(end));
-        let [x, y] = self.direction;
-        // As good as the slip across.
-        let across = x.abs() * sizes[ACROSS] + y.abs() * sizes[ALONG];
-        sizes[ACROSS] = across / end[ALONG].max(Lanes::from(NEVER_ZERO));
+        let slip = Slipping::<Lanes>::all(&sizes);
+        sizes[ACROSS] = turn_size(&slip, self.direction, end[ALONG]);
         sizes
     }
 

@@ -9,6 +9,7 @@ use crate::motion::Status;
 use crate::real::{LANES, Lanes};
 use crate::solve::bracketed;
 use crate::state::Coordinates;
+use crate::yardstick::Yardstick;
 
 /// Why a fall leaves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +67,7 @@ pub(super) struct Pool<'a, A, L, const N: usize> {
     alone: [A; LANES],
     trials: [Option<Trial>; LANES],
     places: [Option<Place>; LANES],
-    falling_rate: f64,
+    yardstick: Yardstick<f64>,
     count: usize,
 }
 
@@ -86,7 +87,7 @@ where
             alone: core::array::from_fn(|_| A::new(parameters, 0.0)),
             trials: core::array::from_fn(|_| None),
             places: core::array::from_fn(|_| None),
-            falling_rate: (parameters.g / parameters.r).sqrt(),
+            yardstick: Yardstick::new(&parameters),
             count: 0,
         }
     }
@@ -173,7 +174,7 @@ where
             return Some((Exit::Rare, u));
         }
         if self.lockstep.direction.0[lane] == 0.0 {
-            self.lockstep.direction.0[lane] = self.limits.sign_of_tilt_rate(&u, self.falling_rate);
+            self.lockstep.direction.0[lane] = self.limits.sign_of_tilt_rate(&u, &self.yardstick);
         }
         match self.run_over(lane, place) {
             Some((mark, h)) => self.aim(lane, place, mark, h),
@@ -224,7 +225,7 @@ where
         };
         // A tilt rate without a clear sign may be that of a steady wobble.
         let unclear = mark == Mark::Extreme
-            && self.limits.sign_of_tilt_rate(&u, self.falling_rate) == 0.0
+            && self.limits.sign_of_tilt_rate(&u, &self.yardstick) == 0.0
             && place.landing.is_none();
         if unclear || rounds > MOST_ROUNDS {
             return Some((Exit::Rare, u));

@@ -11,6 +11,7 @@ use crate::motion::{Fall, Options, Status, fall};
 use crate::real::{LANES, Lanes};
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
+use crate::yardstick::Yardstick;
 
 /// The falls from some of the trials, in their order. The options and trials have been checked.
 pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
@@ -78,6 +79,7 @@ impl Falls<'_> {
             surface.friction == law && !surface.resists()
         });
         let contact = A::new(*parameters, 0.0);
+        let yardstick = Yardstick::new(parameters);
         loop {
             while pool.len() < LANES {
                 let Some(index) = waiting.next() else { break };
@@ -86,7 +88,7 @@ impl Falls<'_> {
                 if limits.are_far_from(&u) && contact.holds(&A::of(&u)) > 0.0 {
                     let trial =
                         Trial::new(index, &u, limits, parameters, law != FrictionLaw::NoSlip);
-                    pool.put(trial, &u, 0.0, first_step(parameters, &u));
+                    pool.put(trial, &u, 0.0, yardstick.first_step(&u));
                 }
             }
             if pool.len() == 0 {
@@ -102,10 +104,4 @@ impl Falls<'_> {
             });
         }
     }
-}
-
-/// A first guess for the length of a step.
-pub(super) fn first_step(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
-    let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
-    0.01 / rate
 }

@@ -4,6 +4,7 @@ use super::lockstep::Limits;
 use crate::law::Parameters;
 use crate::motion::{End, Fall, Status, Turn};
 use crate::state::Coordinates;
+use crate::yardstick::Yardstick;
 
 /// What is to be remembered of a fall on its way.
 #[derive(Debug, Clone)]
@@ -37,7 +38,7 @@ impl Trial {
             index,
             from: *start,
             lowest: None,
-            direction: limits.sign_of_tilt_rate(start, (k.g / k.r).sqrt()),
+            direction: limits.sign_of_tilt_rate(start, &Yardstick::new(k)),
             steps: 0.0,
             slid,
             friction_loss: 0.0,

@@ -11,6 +11,7 @@ use crate::law::{
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, MOVING};
 use crate::surface::{FrictionLaw, Surface};
+use crate::yardstick::Yardstick;
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// How the rim meets the table at a moment.
@@ -150,7 +151,7 @@ impl Contacts {
     pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_> {
         let law = self.law(phase);
         if phase == Phase::Sliding && self.dry().is_some() {
-            Mechanics::slowing_with_slip(law)
+            Mechanics::slipping(law)
         } else {
             Mechanics::new(law)
         }
@@ -168,7 +169,7 @@ impl Contacts {
                 task.with::<_, MOVING>(&Mechanics::new(law.law()))
             }
             (Phase::Sliding, SlidingLaw::Dry(law)) => {
-                task.with::<_, COORDINATES>(&Mechanics::slowing_with_slip(law))
+                task.with::<_, COORDINATES>(&Mechanics::slipping(law))
             }
             _ => task.with::<_, COORDINATES>(&Mechanics::new(self.law(phase))),
         }
@@ -212,8 +213,7 @@ impl Contacts {
     /// A speed (m/s) below which a slip or a rebound counts as none.
     pub(super) fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        let rate = u.p.abs() + u.w.abs() + u.s.abs() + (k.g / k.r).sqrt();
-        self.stopped * k.r * rate
+        self.stopped * k.r * Yardstick::new(k).rate(u)
     }
 
     /// How a rim on the table goes on.

@@ -3,12 +3,12 @@
 use super::contacts::{Contacts, Phase};
 use super::glance::{Glance, are_clear};
 use super::leg::{Leg, Polynomial};
-use super::mechanics::Mechanics;
 use super::track::Instant;
 use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track, turns};
 use crate::law::Law;
 use crate::solve::Step;
 use crate::state::{COORDINATES, Coordinates, MOVING, TIME};
+use crate::yardstick::Yardstick;
 
 /// What happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -170,7 +170,7 @@ fn in_the_air(dense: &Polynomial, from: f64, to: f64) -> f64 {
 /// Watches the steps go by.
 pub(super) struct Watch<'a> {
     contacts: &'a Contacts,
-    rolling: Mechanics<'a>,
+    yardstick: Yardstick<f64>,
     goal: Goal,
     topple: Option<(f64, f64)>,
     start_energy: f64,
@@ -195,7 +195,7 @@ impl<'a> Watch<'a> {
         let energy = energy_above_rest(contacts.law(start.phase), start);
         let mut watch = Watch {
             contacts,
-            rolling: contacts.mechanics(Phase::Rolling),
+            yardstick: Yardstick::new(contacts.parameters()),
             goal,
             topple: options.topple_tilt.map(libm::sincos),
             start_energy: energy,
@@ -413,7 +413,7 @@ impl<'a> Watch<'a> {
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
     fn sign_of_tilt_rate(&self, u: &Coordinates<f64>) -> f64 {
-        let scale = self.rolling.tilt_rate_scale(u);
+        let scale = self.yardstick.tilt_rate(u);
         if u.p.abs() > self.significant * scale {
             u.p.signum()
         } else {

@@ -16,6 +16,7 @@ use super::contacts::{DrySliding, turned};
 use super::mechanics::Mechanics;
 use crate::solve::{Collocation, Dense, POINTS, System, solved};
 use crate::state::{COORDINATES, Coordinates};
+use crate::yardstick::turn_size;
 
 /// Explicit steps take over where the direction relaxes no oftener than this in a step of collocation:
 /// they are several times shorter, and several times cheaper.
@@ -294,20 +295,19 @@ impl Beginning<'_> {
     }
 
     fn sizes(&self, points: &[Polar; POINTS]) -> Sizes {
-        const NEVER_ZERO: f64 = 1e-200;
         let end = self.whole(&points[POINTS - 1]);
         let at = self.mechanics.scale(&end.into_array());
-        let turn = points.iter().map(|point| point.turn.abs());
+        let slip = Coordinates::from_array(&at);
         Sizes {
-            speed: Coordinates::from_array(&at).slip_x,
+            speed: slip.slip_x,
+            turn: turn_size(&slip, self.direction, points[POINTS - 1].speed),
             at,
-            turn: turn.fold(self.direction[1].abs() + NEVER_ZERO, f64::max),
         }
     }
 
     /// All the rates together, rad/s.
     fn stir(&self, u: &Coordinates<f64>) -> f64 {
-        self.mechanics.tilt_rate_scale(u) + u.s.abs()
+        self.mechanics.yardstick.tilt_rate(u) + u.s.abs()
     }
 
     fn found(

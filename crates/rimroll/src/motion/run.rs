@@ -6,9 +6,10 @@ use super::leg::Leg;
 use super::mechanics::{Mechanics, first};
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
-use crate::law::Parameters;
+use crate::law::{Law, Parameters};
 use crate::solve::{Implicit, Stepper, System, Work};
 use crate::state::{COORDINATES, Coordinates};
+use crate::yardstick::{Yardstick, brief_change};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
 use std::sync::Arc;
@@ -269,14 +270,15 @@ impl<'a> Run<'a> {
         ControlFlow::Continue((self.track.end().u, slow.h))
     }
 
-    /// Whether a dry slip stops so soon that the last of it can go at the rate at which it stops, to
-    /// within the tolerance: neither its direction nor anything else changes much until then.
+    /// Whether what is left of a dry slip is too brief to be followed.
     fn is_stopping(&self, phase: Phase) -> bool {
-        if phase != Phase::Sliding || self.contacts.dry().is_none() {
-            return false;
-        }
-        let mechanics = Mechanics::new(self.contacts.law(phase));
-        Stopping::of(&mechanics, &self.track.end()).is_brief(self.options.step_tolerance())
+        phase == Phase::Sliding
+            && self.contacts.dry().is_some_and(|law| {
+                let at = self.track.end().u;
+                let tolerance = self.options.step_tolerance();
+                let yardstick = Yardstick::new(self.contacts.parameters());
+                yardstick.slips_on(&at, &law.rates(&at), 1.0, tolerance) < 0.0
+            })
     }
 
     /// What follows the switch at which a phase has ended.
@@ -321,9 +323,7 @@ impl<'a> Run<'a> {
                 self.going_on(next, at.u)
             }
             Switch::Stop => {
-                let mechanics = Mechanics::new(self.contacts.law(at.phase));
-                let tolerance = self.options.step_tolerance();
-                let stopped = Stopping::of(&mechanics, at).stopped(at, tolerance);
+                let stopped = stopped(self.contacts, at, self.options.step_tolerance());
                 let next = self.contacts.settle(&stopped);
                 self.going_on(next, stopped)
             }
@@ -445,8 +445,7 @@ impl Task for Steps<'_, '_> {
 
 /// A first guess for the length of a step.
 fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
-    let rate = u.p.abs() + u.w.abs() + u.s.abs() + mechanics.falling_rate;
-    let h = 0.01 / rate;
+    let h = mechanics.yardstick.first_step(u);
     if u.gap_rate > 0.0 {
         // A bounce lasts 2v/g or so.
         let g = mechanics.law.parameters().g;
@@ -455,65 +454,23 @@ fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
     h
 }
 
-/// The end of a dry slip: the last of it goes at the rate at which it stops.
-struct Stopping {
-    rates: Coordinates<f64>,
-    /// In what time it stops; infinite where it does not.
-    time: f64,
-    /// By what part of themselves the velocities change until then.
-    change: f64,
-    /// How far the direction in which the slip ends is from its own, m/s.
-    astray: f64,
-    /// What to compare that with, m/s.
-    sideways: f64,
-}
-
-impl Stopping {
-    fn of(mechanics: &Mechanics<'_>, at: &Coordinates<f64>) -> Self {
-        let rates = mechanics.law.rates(at);
-        let speed = at.slip_speed();
-        let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y) / speed;
-        let turning = (rates.slip_x * at.slip_y - rates.slip_y * at.slip_x) / speed;
-        let time = if stopping > 0.0 {
-            speed / stopping
-        } else {
-            f64::INFINITY
-        };
-        let rate = at.p.abs() + at.w.abs() + at.s.abs() + mechanics.falling_rate;
-        Stopping {
-            rates,
-            time,
-            change: time * rate,
-            astray: time * turning.abs(),
-            sideways: mechanics.sideways_speed(at),
-        }
-    }
-
-    fn is_brief(&self, tolerance: f64) -> bool {
-        let settled = self.astray <= 0.1 * tolerance * self.sideways;
-        settled && self.change * self.change <= 0.1 * tolerance
-    }
-
-    fn stopped(&self, at: &Coordinates<f64>, tolerance: f64) -> Coordinates<f64> {
-        // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
-        let brief = self.change * self.change <= 0.1 * tolerance;
-        let time = if brief { self.time } else { 0.0 };
-        Coordinates {
-            slip_x: 0.0,
-            slip_y: 0.0,
-            ..at.plus(time, &self.rates)
-        }
-    }
-}
-
-/// Where a dry slip that is about to stop has stopped.
+/// Where a dry slip that is about to stop has stopped: the last of it goes at the rate at which it stops.
 pub(crate) fn stopped(
     contacts: &Contacts,
     at: &Coordinates<f64>,
     tolerance: f64,
 ) -> Coordinates<f64> {
-    let mechanics = Mechanics::new(contacts.law(Phase::Sliding));
-    Stopping::of(&mechanics, at).stopped(at, tolerance)
+    let rates = contacts.law(Phase::Sliding).rates(at);
+    let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y);
+    let time = (at.slip_x * at.slip_x + at.slip_y * at.slip_y) / stopping;
+    // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
+    let rate = Yardstick::new(contacts.parameters()).rate(at);
+    let is_brief = stopping > 0.0 && time * rate <= brief_change(tolerance);
+    Coordinates {
+        slip_x: 0.0,
+        slip_y: 0.0,
+        ..at.plus(if is_brief { time } else { 0.0 }, &rates)
+    }
 }
 
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =

@@ -43,10 +43,34 @@ type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
 
 /// The derivatives of a motion that one smooth law governs.
 pub struct Sensitivity {
-    law: Box<dyn Law<Number> + Send + Sync>,
+    law: Smooth,
     /// The coordinates at the start of each step, and at the end of the last.
     starts: Vec<[Number; MOVING]>,
     turns: Vec<Slope>,
+}
+
+/// One law that holds all the way.
+#[expect(clippy::large_enum_variant, reason = "there is but one of it")]
+enum Smooth {
+    Rolling(NoSlip<Number>),
+    Gliding(Frictionless<Number>),
+}
+
+impl Smooth {
+    fn step(&self, start: &[Number; MOVING], h: f64) -> [Number; MOVING] {
+        let h = h.into();
+        match self {
+            Smooth::Rolling(law) => Step::take(&Mechanics::new(law), start, h).end,
+            Smooth::Gliding(law) => Step::take(&Mechanics::new(law), start, h).end,
+        }
+    }
+
+    fn rates(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
+        match self {
+            Smooth::Rolling(law) => law.rates(u),
+            Smooth::Gliding(law) => law.rates(u),
+        }
+    }
 }
 
 /// The coordinates at a moment and their rates, by the clock τ.
@@ -65,7 +89,7 @@ impl Sensitivity {
             turns: Vec::new(),
         };
         for leg in motion.track.legs() {
-            at = sensitivity.step(&at, leg.h);
+            at = sensitivity.law.step(&at, leg.h);
             sensitivity.starts.push(at);
         }
         let turn = |turn| sensitivity.of_turn(motion, turn);
@@ -95,15 +119,10 @@ impl Sensitivity {
         &self.turns
     }
 
-    fn step(&self, start: &[Number; MOVING], h: f64) -> [Number; MOVING] {
-        let mechanics = Mechanics::new(&*self.law);
-        Step::take(&mechanics, start, h.into()).end
-    }
-
     fn moving(&self, track: &Track, t: f64) -> Moving {
         let (index, x) = track.locate(t);
         let at = match track.legs().get(index) {
-            Some(leg) => self.step(&self.starts[index], x * leg.h),
+            Some(leg) => self.law.step(&self.starts[index], x * leg.h),
             None => self.starts[0],
         };
         let u = Coordinates::from_first(&at);
@@ -163,7 +182,7 @@ fn start(at: &Coordinates<f64>) -> Coordinates<Number> {
 }
 
 /// The law on dual numbers, where one smooth law holds all the way.
-fn smooth_law(motion: &Motion) -> Result<Box<dyn Law<Number> + Send + Sync>, InvalidInput> {
+fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
     let refused = |why: &str| InvalidInput::NoSensitivity {
         why: why.to_owned(),
     };
@@ -183,7 +202,7 @@ fn smooth_law(motion: &Motion) -> Result<Box<dyn Law<Number> + Send + Sync>, Inv
         .map(|(value, index)| parameter(value, index));
     let k = Parameters { m, r, h, a, c, g };
     Ok(match phase {
-        Phase::Rolling => Box::new(NoSlip::new(k)),
-        _ => Box::new(Frictionless::new(k)),
+        Phase::Rolling => Smooth::Rolling(NoSlip::new(k)),
+        _ => Smooth::Gliding(Frictionless::new(k)),
     })
 }

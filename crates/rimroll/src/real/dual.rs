@@ -166,6 +166,14 @@ impl<S: Slope> Real for Dual<S> {
         }
     }
 
+    fn min(self, other: Self) -> Self {
+        if self.value < other.value {
+            self
+        } else {
+            other
+        }
+    }
+
     fn where_negative(self, yes: Self, no: Self) -> Self {
         if self.value < 0.0 { yes } else { no }
     }

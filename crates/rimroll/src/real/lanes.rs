@@ -32,12 +32,6 @@ impl Lanes {
         Mask(mask)
     }
 
-    /// The smaller in each lane.
-    #[inline(always)]
-    pub fn min(self, other: Lanes) -> Lanes {
-        self.each_with(other, |a, b| if a < b { a } else { b })
-    }
-
     #[inline(always)]
     fn each_with(self, other: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
         let mut result = self;
@@ -212,6 +206,11 @@ impl Real for Lanes {
     #[inline(always)]
     fn max(self, other: Lanes) -> Lanes {
         self.each_with(other, |a, b| if a > b { a } else { b })
+    }
+
+    #[inline(always)]
+    fn min(self, other: Lanes) -> Lanes {
+        self.each_with(other, |a, b| if a < b { a } else { b })
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@
 
 use super::registers::{OneByOne, Registers};
 use super::tableau::{DENSE, ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
-use super::{Dense, System};
+use super::{Dense, Estimate, System};
 use crate::real::Real;
 
 /// A finished step from `start` to `end`.
@@ -20,18 +20,6 @@ pub struct Step<T, const N: usize> {
     pub end: [T; N],
     /// The stages: 12 of the step, the slope at its end, 3 for the dense output.
     stages: [[T; N]; 16],
-    /// The point of the twelfth: the end, but of a lower order and known earlier; what is not felt is
-    /// as it was at the start.
-    before_end: [T; N],
-}
-
-/// The estimated error of a step: the step is good when `error_squared` ≤ `allowed`.
-#[derive(Debug, Clone, Copy)]
-pub struct Estimate<T> {
-    /// The square of the error over what the tolerance allows, times `allowed`.
-    pub error_squared: T,
-    /// What that is to be compared with.
-    pub allowed: T,
 }
 
 /// Σ weight · stage, summed in the order of the row.
@@ -77,8 +65,28 @@ impl<T: Real, const N: usize> Step<T, N> {
     /// Evaluations of the right-hand side that a step costs, given the rates at its start.
     pub const EVALUATIONS: usize = 12;
 
-    /// A step of length h from `start`.
+    /// A step of length h from `start`, compiled for wide registers where the processor has them.
     pub fn take<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            #[target_feature(enable = "avx2")]
+            unsafe fn wide<T: Real, S: System<T, N>, const N: usize>(
+                system: &S,
+                start: &[T; N],
+                h: T,
+            ) -> Step<T, N> {
+                Step::take_anywhere(system, start, h)
+            }
+            if std::arch::is_x86_feature_detected!("avx2") {
+                // SAFETY: the processor has what is asked for.
+                return unsafe { wide(system, start, h) };
+            }
+        }
+        Step::take_anywhere(system, start, h)
+    }
+
+    #[inline(always)]
+    fn take_anywhere<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
         let mut step = Step::still(start, &system.rates(start));
         step.go(OneByOne { unfelt: S::UNFELT }, system, h);
         step
@@ -94,7 +102,6 @@ impl<T: Real, const N: usize> Step<T, N> {
             start: *start,
             end: *start,
             stages,
-            before_end: *start,
         }
     }
 
@@ -105,9 +112,10 @@ impl<T: Real, const N: usize> Step<T, N> {
         self.stages[0] = self.stages[12];
     }
 
-    /// Goes from the start by the length h, whatever the step was before.
+    /// Goes from the start by the length h, whatever the step was before. Gives the point of the twelfth
+    /// stage: the end, but of a lower order and known earlier; what is not felt is as it was at the start.
     #[inline(always)]
-    fn go<S: System<T, N>>(&mut self, with: impl Registers<T, N>, system: &S, h: T) {
+    fn go<S: System<T, N>>(&mut self, with: impl Registers<T, N>, system: &S, h: T) -> [T; N] {
         let (start, stages) = (&self.start, &mut self.stages);
         let mut at;
         // Written out, so that the weights are constants of the code.
@@ -118,13 +126,13 @@ impl<T: Real, const N: usize> Step<T, N> {
             )*};
         }
         stages!(0 1 2 3 4 5 6 7 8 9 10);
-        self.before_end = at;
         self.h = h;
         let sum = weigh(with, SOLUTION, stages);
         self.end = *start;
         with.add(&mut self.end, h, &sum);
         with.add_unfelt(&mut self.end, h, &sum);
         with.keep(&mut stages[12], &system.rates(&self.end));
+        at
     }
 
     /// Rates at the start.
@@ -144,10 +152,11 @@ impl<T: Real, const N: usize> Step<T, N> {
         &self,
         with: impl Registers<T, N>,
         system: &S,
+        before_end: &[T; N],
         tolerance: f64,
     ) -> Estimate<T> {
         let at_start = system.scale(&self.start);
-        let at_end = system.scale(&self.before_end);
+        let at_end = system.scale(before_end);
         let fifth = weigh(with, ERROR_5, &self.stages);
         let third = weigh(with, ERROR_3, &self.stages);
         let [mut fifths, mut thirds] = [[T::from(0.0); 4]; 2];
@@ -158,14 +167,7 @@ impl<T: Real, const N: usize> Step<T, N> {
             thirds[i % 4] = thirds[i % 4] + third * third;
         }
         let [fifth, third] = [fifths, thirds].map(|[a, b, c, d]| (a + b) + (c + d));
-        // Where nothing is wrong, not 0/0.
-        const NEVER_ZERO: f64 = 1e-300;
-        let both = (fifth + T::from(0.01) * third) * T::from(N as f64);
-        let error = self.h * fifth;
-        Estimate {
-            error_squared: error * error,
-            allowed: both.max(T::from(NEVER_ZERO)),
-        }
+        Estimate::new(self.h, fifth, third, N)
     }
 
     #[inline(always)]
@@ -253,8 +255,8 @@ impl<const N: usize> Step<f64, N> {
             #[inline(always)]
             fn with(self, registers: impl Registers<f64, N>) -> Estimate<f64> {
                 let Attempt(step, system, h, tolerance) = self;
-                step.go(registers, system, h);
-                step.estimate(registers, system, tolerance)
+                let before_end = step.go(registers, system, h);
+                step.estimate(registers, system, &before_end, tolerance)
             }
         }
         in_registers(S::UNFELT, Attempt(self, system, h, tolerance))
@@ -318,14 +320,13 @@ mod tests {
             unfelt: Chain::<N>::UNFELT,
         };
         for h in [1e-3, 0.07, 0.3] {
-            let (mut wide, mut plain) = (
-                Step::again(&chain, &start, h),
-                Step::take(&chain, &start, h),
-            );
+            let mut wide = Step::again(&chain, &start, h);
+            let mut plain = Step::still(&start, &chain.rates(&start));
+            let before_end = plain.go(unfelt, &chain, h);
             assert_eq!(wide.stages, plain.stages);
             assert_eq!(wide.end, plain.end);
             let wide_error = wide.attempt(&chain, h, 1e-9);
-            let plain_error = plain.estimate(unfelt, &chain, 1e-9);
+            let plain_error = plain.estimate(unfelt, &chain, &before_end, 1e-9);
             assert_eq!(wide_error.allowed, plain_error.allowed);
             assert_eq!(wide_error.error_squared, plain_error.error_squared);
             let (wide, plain) = (wide.dense(&chain), plain.polynomial(unfelt, &chain));

@@ -142,19 +142,14 @@ pub(super) fn nodes_across<T: Real>(half: T) -> T {
 pub(super) fn nodes_to_highest<T: Real>(square: T, far: T) -> T {
     let one = T::from(1.0);
     let (near, far) = (square.sqrt(), far.sqrt());
-    let plain = least(rough_asinh(near), rough_acosh(far));
+    let plain = rough_asinh(near).min(rough_acosh(far));
     // Of a stretch between the distance and half of it.
-    let epsilon = least(T::from(0.7) * near, one);
+    let epsilon = (T::from(0.7) * near).min(one);
     let length = rough_asinh(one / epsilon);
     let aside = rough_asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
-    let stretched = least(aside, rough_acosh(rough_asinh(far / epsilon) / length));
+    let stretched = aside.min(rough_acosh(rough_asinh(far / epsilon) / length));
     let is_stretched = square - T::from(UNSTRETCHED);
     T::from(HIGH_DIGITS) / is_stretched.where_negative(stretched, plain)
-}
-
-#[inline(always)]
-fn least<T: Real>(a: T, b: T) -> T {
-    -(-a).max(-b)
 }
 
 /// Nodes and weights on (0, 1).
