@@ -70,7 +70,7 @@ fn main() {
             .get(i)
             .map_or(default, |s| s.parse().expect("a number"))
     };
-    let (n, runs) = (number(0, 1 << 14), number(1, 20));
+    let (n, runs) = (number(0, 1 << 18), number(1, 5));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.expect("a thread");
     let can = presets::can_2007().expect("a can");
