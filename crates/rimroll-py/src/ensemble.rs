@@ -88,7 +88,7 @@ impl StartsArgument<'_> {
 #[pyfunction]
 pub fn first_refused(
     body: BodyArgument,
-    starts: StartsArgument,
+    starts: StartsArgument<'_>,
     gravity: f64,
     topple_tilt: Option<f64>,
 ) -> PyResult<Option<usize>> {

@@ -128,8 +128,8 @@ impl<T: Real> Yardstick<T> {
 
 impl<T: Real> Yardstick<T> {
     /// Negative where a dry slip stops so soon that the last of it can go at the rate at which it stops,
-    /// to within the tolerance: neither its direction nor anything else changes much until then. The rates are by a clock that goes as fast as this
-    /// part of τ.
+    /// to within the tolerance: neither its direction nor anything else changes much until then. The rates
+    /// are by a clock that goes as fast as this part of τ.
     #[inline(always)]
     pub(crate) fn slips_on(
         &self,

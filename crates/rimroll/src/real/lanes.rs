@@ -26,8 +26,8 @@ impl Lanes {
     #[inline(always)]
     pub fn at_most(self, other: Lanes) -> Mask {
         let mut mask = [0; LANES];
-        for i in 0..LANES {
-            mask[i] = if self.0[i] <= other.0[i] { u64::MAX } else { 0 };
+        for (i, all) in mask.iter_mut().enumerate() {
+            *all = if self.0[i] <= other.0[i] { u64::MAX } else { 0 };
         }
         Mask(mask)
     }

@@ -40,7 +40,7 @@ pub(super) fn lowest<T: Real>(
 ) -> Extreme<T> {
     let mut search = Search::from(guess);
     for _ in 0..rounds {
-        search.to_lowest(motion);
+        search.go_lower(motion);
     }
     search.met(motion)
 }
@@ -54,7 +54,7 @@ pub(super) fn highest<T: Real>(
 ) -> Extreme<T> {
     let mut search = Search::from(guess);
     for _ in 0..rounds {
-        search.to_highest(motion);
+        search.go_higher(motion);
     }
     search.met(motion)
 }
@@ -68,8 +68,8 @@ pub(super) fn lowest_and_highest<T: Real>(
 ) -> [Extreme<T>; 2] {
     let (mut low, mut high) = (Search::from(low), Search::from(high));
     for _ in 0..rounds {
-        low.to_lowest(motion);
-        high.to_highest(motion);
+        low.go_lower(motion);
+        high.go_higher(motion);
     }
     [low.met(motion), high.met(motion)]
 }
@@ -90,7 +90,7 @@ impl<T: Real> Search<T> {
 
     /// A round of Newton's iteration in y⁻², of which the energy of yaw is all but a linear function.
     #[inline(always)]
-    fn to_lowest(&mut self, motion: &impl Tilting<T>) {
+    fn go_lower(&mut self, motion: &impl Tilting<T>) {
         let (one, two) = (T::from(1.0), T::from(2.0));
         let point = motion.at(self.y, self.eta);
         self.go(one / (one + two * point.drive / point.slope).sqrt());
@@ -98,7 +98,7 @@ impl<T: Real> Search<T> {
 
     /// A round of Newton's iteration in y.
     #[inline(always)]
-    fn to_highest(&mut self, motion: &impl Tilting<T>) {
+    fn go_higher(&mut self, motion: &impl Tilting<T>) {
         let point = motion.at(self.y, self.eta);
         self.go(T::from(1.0) - point.drive / point.slope);
     }

@@ -225,7 +225,7 @@ impl Exact {
     }
 
     fn end_tilt(&self) -> f64 {
-        2.0 * self.end().0.atan()
+        2.0 * Real::atan(self.end().0)
     }
 
     /// The rule to begin with, where a lane that rocks has that part.
