@@ -48,7 +48,7 @@ use rolling::Rolling;
 use sliding::Sliding;
 use start::Start;
 use tilting::Tilting;
-use top::{OnTop, is_on_top};
+use top::{OnTop, lingers};
 
 /// Below this sin φ the base counts as flat on the table, as in a simulated motion.
 const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
@@ -261,7 +261,7 @@ impl Exact {
         start: Start<T>,
     ) -> Option<Outcome<T>> {
         let (end, balance) = (self.end(), self.balance);
-        if is_on_top(&start, self.parameters.a, &balance) {
+        if lingers(motion, &start, &balance) {
             let motion = OnTop::new(motion, k, start, [balance.eta, libm::log(end.0)]);
             return Alone::new(&motion, start, end, balance).outcome();
         }

@@ -16,20 +16,37 @@ use super::start::Start;
 use super::tilting::{Conserved, Point, Tilting, sin_and_versine};
 use crate::law::Parameters;
 
-/// So near to the balance point, in η, and so slow, G loses digits that count.
-const NEAR: f64 = 0.05;
+/// So near to the balance point, in η, what a start has of energy is little beside that of its height.
+const NEAR: f64 = 1.0;
+
+/// So much nearer, and so slow, G loses digits that count.
+const NEXT: f64 = 0.05;
+
+/// A body that passes the balance point with less G, over its [curvature](Balance), or lacks no more, lingers.
+const LITTLE: f64 = 0.01;
 
 /// So far beyond start and balance point, in η, G need not be as exact.
 const REACH: f64 = 0.2;
 
-/// Chebyshev points: for so short a stretch more than enough.
+/// Chebyshev points for up to NEAR + 2 REACH.
 const POINTS: usize = 24;
 
-/// Whether a start is so near to the balance point, and so slow, that more care is to be taken; A is the least there
-/// is of inertia.
-pub(super) fn is_on_top<T: Scalar>(start: &Start<T>, a: f64, balance: &Balance) -> bool {
-    let (eta, p) = (start.eta.value(), start.p.value());
-    (eta - balance.eta).abs() < NEAR && a * p * p < NEAR * NEAR * balance.curvature
+/// Whether a start is so near to the balance point, and so slow, that many at a time would lose digits; A is the least
+/// there is of inertia.
+pub(super) fn is_on_top(start: &Start<f64>, a: f64, balance: &Balance) -> bool {
+    let drive = a * start.p * start.p;
+    (start.eta - balance.eta).abs() < NEXT && drive < NEXT * NEXT * balance.curvature
+}
+
+/// Whether a motion from near the balance point lingers there.
+pub(super) fn lingers<T: Scalar>(
+    motion: &impl Tilting<T>,
+    start: &Start<T>,
+    balance: &Balance,
+) -> bool {
+    let drive = motion.at(balance.y.into(), balance.eta.into()).drive;
+    (start.eta.value() - balance.eta).abs() < NEAR
+        && drive.value().abs() < LITTLE * balance.curvature
 }
 
 /// The motion from such a start.
