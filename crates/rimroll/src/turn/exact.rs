@@ -19,6 +19,7 @@ mod antiderivative;
 mod dispatch;
 mod extremes;
 mod fundamental;
+mod looks;
 mod many;
 mod passing;
 mod pieces;

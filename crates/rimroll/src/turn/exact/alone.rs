@@ -1,15 +1,15 @@
 //! One start by itself, whatever becomes of it.
 
 use super::extremes::{Extreme, highest, lowest};
+use super::looks::first_sign_change;
 use super::pieces::{Piece, across, from_lowest, short, to_highest};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
-use super::{Ending, FLAT, LOOKS, MOST_OUTER, SHORT};
+use super::{Ending, FLAT, MOST_OUTER, SHORT};
 use crate::real::{Dual, Real, Slope};
-use crate::solve::bracketed;
 
 /// A number that stands for one motion, so that it can decide.
 pub(super) trait Scalar: Real {
@@ -164,7 +164,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         }
         let eta = self.start.eta.value();
         let end = libm::log(self.end.0);
-        let ending = match self.first_sign_change(eta, end, |eta| self.pressing(eta)) {
+        let ending = match first_sign_change(eta, end, |eta| self.pressing(eta)) {
             Some(_) => Ending::LiftedOff,
             None => Ending::FellBack,
         };
@@ -346,7 +346,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             return Ok(Some(low));
         }
         let flat = libm::log(0.25 * FLAT);
-        let root = self.first_sign_change(start.eta.value(), flat, |eta| self.drive(eta));
+        let root = first_sign_change(start.eta.value(), flat, |eta| self.drive(eta));
         root.map(|eta| met(lowest(self.motion, at(eta), 4)))
             .transpose()
     }
@@ -370,7 +370,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             }
         }
         let end = libm::log(self.end.0);
-        let root = self.first_sign_change(start.eta.value(), end, |eta| self.drive(eta));
+        let root = first_sign_change(start.eta.value(), end, |eta| self.drive(eta));
         root.map(|eta| met(highest(self.motion, at(eta), 4)))
             .transpose()
     }
@@ -396,14 +396,14 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             return None;
         }
         let pressing = |eta| self.pressing(eta);
-        let eta = self.first_sign_change(start.max(bottom), end, pressing)?;
+        let eta = first_sign_change(start.max(bottom), end, pressing)?;
         Some(Some(T::from(eta).exp()))
     }
 
     /// Whether the table would have to pull on the way down from one η, where the tilt may turn back, to another.
     fn lifts_coming_down(&self, from: f64, to: f64) -> bool {
         let pressing = |eta| self.pressing(eta);
-        pressing(from) < 0.0 || self.first_sign_change(from, to, pressing).is_some()
+        pressing(from) < 0.0 || first_sign_change(from, to, pressing).is_some()
     }
 
     /// Whether it is sure that the table pushes all the way from the smallest tilt up to another.
@@ -424,66 +424,6 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let point = self.motion.at(T::from(libm::exp(eta)), T::from(eta));
         self.motion.pressing(&point).value()
     }
-
-    /// Where a function that is not negative at first changes its sign, be it for less than from one look to
-    /// the next.
-    fn first_sign_change(&self, from: f64, to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
-        let looks = (LOOKS as f64).max((to - from).abs() / 0.2) as usize;
-        let at = |i: usize| from + (to - from) * i as f64 / looks as f64;
-        let seen: Vec<f64> = (0..=looks).map(|i| f(at(i))).collect();
-        (0..=looks).find_map(|i| {
-            let (before, after) = (i.saturating_sub(1), (i + 1).min(looks));
-            let beyond = if i > 0 && seen[i] < 0.0 {
-                Some(at(i))
-            } else if may_dip(&seen, i) {
-                negative_between(at(before), at(after), &f)
-            } else {
-                None
-            };
-            beyond.map(|beyond| bracketed(at(before), beyond, &f))
-        })
-    }
-}
-
-/// Whether a function that has been seen in equal steps may be negative next to its i-th value, the least of
-/// those around it. A parabola is lower between two of them by an eighth of their second difference at most.
-fn may_dip(seen: &[f64], i: usize) -> bool {
-    const MARGIN: f64 = 4.0;
-    let last = seen.len() - 1;
-    let middle = i.clamp(1, last - 1);
-    let bend = seen[middle - 1] - 2.0 * seen[middle] + seen[middle + 1];
-    let is_least = (i == 0 || seen[i] <= seen[i - 1]) && (i == last || seen[i] <= seen[i + 1]);
-    is_least && seen[i] < MARGIN / 8.0 * bend
-}
-
-/// A place where a function with one minimum between two others is negative, by golden sections.
-fn negative_between(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    /// Of the golden sections: the last is of a 1e-4 of the first.
-    const SECTIONS: usize = 20;
-    let section = |from: f64, to: f64| {
-        let x = from + GOLDEN * (to - from);
-        (x, f(x))
-    };
-    // The one is nearer to `to`, the other to `from`.
-    let (mut one, mut other) = (section(from, to), section(to, from));
-    for _ in 0..SECTIONS {
-        for (x, value) in [other, one] {
-            if value < 0.0 {
-                return Some(x);
-            }
-        }
-        if one.1 < other.1 {
-            from = other.0;
-            other = one;
-            one = section(from, to);
-        } else {
-            to = one.0;
-            one = other;
-            other = section(to, from);
-        }
-    }
-    None
 }
 
 /// A piece by the first rule, from a choice on, with which the next but one agrees: what one rule tells of

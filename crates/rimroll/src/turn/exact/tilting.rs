@@ -112,3 +112,52 @@ pub(super) fn half_tangent_at_rise<T: Real>(radius: T, height: T, rise: T) -> T 
     let two = T::from(2.0);
     rise / (radius + (radius * radius - rise * (rise + two * height)).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Pace, Tilting};
+    use crate::law::Parameters;
+    use crate::presets;
+    use crate::state::State;
+    use crate::turn::exact::fundamental::Fundamental;
+    use crate::turn::exact::rolling::Rolling;
+    use crate::turn::exact::sliding::Sliding;
+    use crate::turn::exact::start::Start;
+
+    /// How far dψ/dη and dt/dη are from w √(I/G) and sin φ √(I/G), relative to these, and at how many tilts.
+    fn off(motion: &impl Tilting<f64>) -> (f64, usize) {
+        let rates = |pace: Pace<f64>| [pace.yaw, pace.time].map(|part| part / pace.square.sqrt());
+        let etas = (-60..0).map(|i| 0.1 * f64::from(i));
+        let moving = etas.filter(|&eta| motion.at(libm::exp(eta), eta).drive > 0.0);
+        moving.fold((0.0, 0), |(most, count), eta| {
+            let y = libm::exp(eta);
+            let (quick, plain) = (
+                rates(motion.pace(y, eta)),
+                rates(Pace::of(&motion.at(y, eta))),
+            );
+            let off = (0..2).map(|i| (quick[i] / plain[i] - 1.0).abs());
+            (off.fold(most, f64::max), count + 1)
+        })
+    }
+
+    #[test]
+    fn the_pace_without_divisions_is_that_of_the_motion_at_its_tilt() {
+        let k = Parameters::new(&presets::can_2007().unwrap(), 9.8);
+        let start = Start::of(&State {
+            tilt: 0.5,
+            tilt_rate: -2.0,
+            yaw_rate: 0.7,
+            spin_rate: -0.4,
+            ..State::default()
+        });
+        let table = Fundamental::new(k, 1.0);
+        // Near the smallest tilt G is a small difference, a hundredth of its parts at the least here.
+        for (off, count) in [
+            off(&Rolling::new(&table, &start)),
+            off(&Sliding::new(k, &start)),
+        ] {
+            assert!(count > 20, "{count}");
+            assert!(off < 1e-13, "{off:e}");
+        }
+    }
+}
