@@ -10,7 +10,7 @@ use rimroll::{InvalidInput, Status};
 /// of its ending in [`endings`], the angle of turn and the smallest tilt (NaN where there is no turn),
 /// and the time, tilt and yaw of its end.
 ///
-/// They are followed one by one: eight at a time would be sooner done, and make the page half as
+/// They are followed one by one: sixteen at a time would be sooner done, and make the page half as
 /// long again to load.
 #[unsafe(no_mangle)]
 pub extern "C" fn falls() -> bool {

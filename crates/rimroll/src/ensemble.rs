@@ -2,11 +2,11 @@
 //!
 //! Each fall has its own steps and its own clock, and comes out the same to the last bit whatever others
 //! there are, in whatever order, on however many threads. Falls of the common kind, under one of the
-//! paper's two laws or under dry friction, go eight at a time in lanes ([`Lanes`](crate::real::Lanes)):
+//! paper's two laws or under dry friction, go sixteen at a time in lanes ([`Lanes`](crate::real::Lanes)):
 //!
 //! * `carried`: the coordinates that such a fall needs, and their rates, by the laws that hold everywhere;
-//! * `lockstep`: one step of eight falls, each of its own length;
-//! * `pool`: eight places; looks into a step where something may have happened, and lands on it by
+//! * `lockstep`: one step of sixteen falls, each of its own length;
+//! * `pool`: sixteen places; looks into a step where something may have happened, and lands on it by
 //!   steps made shorter; a fall that is over gives its place to the next;
 //! * `onset`: how slip comes out of rest;
 //! * `together`, `dry`: falls under one law, and under dry friction from phase to phase.
@@ -56,10 +56,10 @@ pub fn ensemble(
         tilt: f64::MIN_POSITIVE,
         ..State::default()
     };
-    let mut checked = options.checked(body, &any)?;
+    let checked = options.checked(body, &any)?;
     for (start, surface) in trials {
         surface.check()?;
-        checked = options.checked(body, start)?;
+        checked.check(start)?;
     }
     let work = |piece: &[(State, Surface)]| together::together(body, piece, &checked);
     let pieces = done_in_order(trials, work, watch);

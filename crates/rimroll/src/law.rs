@@ -83,6 +83,7 @@ impl<T: Real> Parameters<T> {
     }
 
     /// The same in numbers of another type.
+    #[inline(always)]
     pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Parameters<U> {
         Parameters {
             m: f(self.m),

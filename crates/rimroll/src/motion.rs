@@ -100,13 +100,22 @@ impl Options {
         body: &Body,
         starts: impl IntoIterator<Item = State>,
     ) -> Option<usize> {
-        let refused = |start: State| self.checked(body, &start).is_err();
-        starts.into_iter().position(refused)
+        let mut starts = starts.into_iter();
+        match self.completed(body) {
+            Ok(options) => starts.position(|start| options.check(&start).is_err()),
+            Err(_) => starts.next().map(|_| 0),
+        }
+    }
+
+    /// Checks the numbers and a start, and fills in the body's own topple tilt.
+    pub(crate) fn checked(self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
+        let options = self.completed(body)?;
+        options.check(start)?;
+        Ok(options)
     }
 
     /// Checks the numbers and fills in the body's own topple tilt.
-    pub(crate) fn checked(mut self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
-        start.check()?;
+    fn completed(mut self, body: &Body) -> Result<Options, InvalidInput> {
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;
         bounded(
@@ -129,22 +138,25 @@ impl Options {
         }
         if let Some(topple) = self.topple_tilt {
             // Past this tilt the centre of mass would be under the table.
-            let most = || (FRAC_PI_2 + body.balance_tilt()).min(PI);
-            let within = topple > 0.0 && (topple <= FRAC_PI_2 || topple < most());
-            let below = start.tilt < topple;
-            // Bounds are put into words only for those who miss them: this is asked of every start.
-            if !within {
-                let most = most();
-                let bound =
-                    format!("inside (0, {most}), where the centre of mass is over the table");
-                bounded("topple_tilt", topple, |_| false, &bound, "rad")?;
-            }
-            if !below {
-                let bound = format!("below topple_tilt = {topple} rad");
-                bounded("tilt", start.tilt, |_| false, &bound, "rad")?;
-            }
+            let most = (FRAC_PI_2 + body.balance_tilt()).min(PI);
+            let within = |tilt| tilt > 0.0 && (tilt <= FRAC_PI_2 || tilt < most);
+            let bound = format!("inside (0, {most}), where the centre of mass is over the table");
+            bounded("topple_tilt", topple, within, &bound, "rad")?;
         }
         Ok(self)
+    }
+
+    /// Checks a start, by options that are complete.
+    pub(crate) fn check(&self, start: &State) -> Result<(), InvalidInput> {
+        start.check()?;
+        if let Some(topple) = self.topple_tilt
+            && start.tilt >= topple
+        {
+            // Put into words only for those who miss it: this is asked of every start.
+            let bound = format!("below topple_tilt = {topple} rad");
+            bounded("tilt", start.tilt, |_| false, &bound, "rad")?;
+        }
+        Ok(())
     }
 }
 

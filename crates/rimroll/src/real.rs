@@ -8,11 +8,19 @@
 mod dual;
 mod elementary;
 mod lanes;
+mod register;
+mod widest;
+#[cfg(target_arch = "x86_64")]
+mod x86;
 
-pub(crate) use elementary::{asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
+pub(crate) use elementary::{Parted, asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
 
 pub use dual::{Dual, Slope, Slopes};
-pub use lanes::{LANES, Lanes, Mask};
+pub(crate) use lanes::{Bits, Mask, Vector};
+pub use lanes::{LANES, Lanes, Packed};
+#[cfg(test)]
+pub(crate) use widest::in_every_width;
+pub(crate) use widest::{Task, in_widest};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

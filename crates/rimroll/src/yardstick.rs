@@ -1,5 +1,5 @@
 //! What a motion is measured by: for each coordinate the size that an error is compared with, and the
-//! clock that dry friction is followed by. Steps of one motion and of eight in lanes are held to the same.
+//! clock that dry friction is followed by. Steps of one motion and of sixteen in lanes are held to the same.
 
 use crate::law::Parameters;
 use crate::real::Real;
@@ -26,6 +26,17 @@ impl<T: Real> Yardstick<T> {
             radius: k.r,
             falling_rate,
             per_falling_rate: T::from(1.0) / falling_rate,
+        }
+    }
+
+    /// The same for numbers of another type.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Yardstick<U> {
+        Yardstick {
+            mass: f(self.mass),
+            radius: f(self.radius),
+            falling_rate: f(self.falling_rate),
+            per_falling_rate: f(self.per_falling_rate),
         }
     }
 

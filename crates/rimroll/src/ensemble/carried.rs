@@ -14,6 +14,12 @@ pub(super) trait Carried<T: Real, const N: usize> {
     /// For one body under one gravity; `friction` is what holds or slows the rim, if anything does.
     fn new(k: Parameters<T>, friction: T) -> Self;
 
+    /// The same for other numbers.
+    type Like<U: Real>: Carried<U, N>;
+
+    /// The same for other numbers under another friction.
+    fn like<U: Real + From<T>>(&self, friction: U) -> Self::Like<U>;
+
     /// The coordinates that are carried, out of all.
     fn of(u: &Coordinates<T>) -> [T; N];
 
@@ -71,6 +77,17 @@ impl<T: Real, const DRY: bool> Carried<T, 7> for Rolling<T, DRY> {
         }
     }
 
+    type Like<U: Real> = Rolling<U, DRY>;
+
+    #[inline(always)]
+    fn like<U: Real + From<T>>(&self, static_friction: U) -> Rolling<U, DRY> {
+        Rolling {
+            law: self.law.map(U::from),
+            static_friction_squared: static_friction * static_friction,
+            yardstick: self.yardstick.map(U::from),
+        }
+    }
+
     carries!(sin, cos, p, w, s, yaw, t; 7);
 
     #[inline(always)]
@@ -109,6 +126,16 @@ impl<T: Real> Carried<T, 7> for Gliding<T> {
         Gliding {
             yardstick: Yardstick::new(&k),
             law: Frictionless::new(k),
+        }
+    }
+
+    type Like<U: Real> = Gliding<U>;
+
+    #[inline(always)]
+    fn like<U: Real + From<T>>(&self, _friction: U) -> Gliding<U> {
+        Gliding {
+            law: self.law.map(U::from),
+            yardstick: self.yardstick.map(U::from),
         }
     }
 
@@ -181,6 +208,16 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         }
     }
 
+    type Like<U: Real> = Slipping<U>;
+
+    #[inline(always)]
+    fn like<U: Real + From<T>>(&self, friction: U) -> Slipping<U> {
+        Slipping {
+            law: self.law.map(Coulomb { friction }, U::from),
+            yardstick: self.yardstick.map(U::from),
+        }
+    }
+
     // The root of the slip's speed is what takes longest, and so it is begun first.
     carries!(slip_x, slip_y, p, w, sin, cos, s, yaw, t, friction_loss; 10);
 
@@ -193,7 +230,11 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         let per_both = T::from(1.0) / (inertia * slowed);
         let clock = slip_speed(&u) * (inertia * per_both);
         let (_, rates) = self.law.moving(&u, &pull, slowed * per_both);
-        Self::of(&rates).map(|rate| clock * rate)
+        let mut rates = Self::of(&rates);
+        for rate in &mut rates {
+            *rate = clock * *rate;
+        }
+        rates
     }
 
     #[inline(always)]

@@ -9,13 +9,13 @@ use super::trial::Trial;
 use crate::body::Body;
 use crate::law::{Law, NoSlip, Parameters};
 use crate::motion::{Contacts, Fall, Next, Options, stopped};
-use crate::real::{LANES, Lanes};
+use crate::real::LANES;
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
 use crate::yardstick::Yardstick;
 
-type RollingPool<'a> = Pool<'a, Rolling<f64, true>, Rolling<Lanes, true>, 7>;
-type SlippingPool<'a> = Pool<'a, Slipping<f64>, Slipping<Lanes>, 10>;
+type RollingPool<'a> = Pool<'a, Rolling<f64, true>, 7>;
+type SlippingPool<'a> = Pool<'a, Slipping<f64>, 10>;
 
 /// A fall between two phases: where it is, and how long a step to try.
 struct Waiting {
@@ -46,6 +46,8 @@ pub(super) struct Dry<'a> {
     parameters: Parameters<f64>,
     yardstick: Yardstick<f64>,
     rolling: NoSlip<f64>,
+    /// Without friction.
+    slipping: Slipping<f64>,
     /// The length of a slip's first step, in first steps.
     onset: f64,
     done: &'a mut [Option<Fall>],
@@ -68,6 +70,7 @@ impl<'a> Dry<'a> {
             parameters,
             yardstick: Yardstick::new(&parameters),
             rolling: NoSlip::new(parameters),
+            slipping: Slipping::new(parameters, 0.0),
             onset: onset_length(limits.tolerance),
             done,
         }
@@ -206,7 +209,7 @@ impl<'a> Dry<'a> {
         }
     }
 
-    /// Makes a step in the slips of up to eight falls that begin.
+    /// Makes a step in the slips of up to sixteen falls that begin.
     fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
         let first = to_slip.len().saturating_sub(LANES);
         let Some(last) = to_slip[first..].last() else {
@@ -215,9 +218,7 @@ impl<'a> Dry<'a> {
         // A lane without a fall of its own repeats the last.
         let beginnings =
             core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
-        let k = self.parameters.map(Lanes::from);
-        let law = |friction| Slipping::new(k, friction);
-        let begun = begin(law, &beginnings, self.limits.tolerance);
+        let begun = begin(&self.slipping, &beginnings, self.limits.tolerance);
         for (i, begun) in begun.take(to_slip.len() - first).enumerate() {
             to_slip[first + i].begun = Some(begun);
         }

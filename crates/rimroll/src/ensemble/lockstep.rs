@@ -1,16 +1,15 @@
-//! Eight motions, one in each lane, making one step at a time together: each of its own length, good or
+//! Sixteen motions, one in each lane, making one step at a time together: each of its own length, good or
 //! bad by itself.
 
 use super::carried::Carried;
 use crate::motion::{FACE_DOWN_TILT, Options};
-use crate::real::{LANES, Lanes, Mask, Real};
+use crate::real::{Bits, LANES, Lanes, Mask, Task, Vector, in_widest};
 use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
 use crate::yardstick::Yardstick;
-use core::hint::black_box;
 
-/// Eight motions under way.
+/// Sixteen motions under way.
 pub(super) struct Lockstep<const N: usize> {
     /// Where each is.
     pub u: [Lanes; N],
@@ -92,9 +91,9 @@ impl Limits {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Outcome {
     /// Good enough.
-    pub good: u8,
+    pub good: Bits,
     /// Good, nothing happened on the way, and the motion has gone on.
-    pub quiet: u8,
+    pub quiet: Bits,
 }
 
 impl<const N: usize> Lockstep<N> {
@@ -158,51 +157,47 @@ impl<const N: usize> Lockstep<N> {
         self.steps.0[lane] += 1.0;
     }
 
-    /// Tries a step of each motion, and takes it where it is good and quiet.
-    pub(super) fn step<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512f") {
-            // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.step_by_avx512(phase, limits) };
-        }
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.step_by_avx2(phase, limits) };
-        }
-        self.step_anywhere(phase, limits)
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx512f")]
-    unsafe fn step_by_avx512<P: Carried<Lanes, N>>(
+    /// Tries a step of each motion, and takes it where it is good and quiet; `friction` is that of each.
+    pub(super) fn step<P: Carried<f64, N>>(
         &mut self,
         phase: &P,
+        friction: &Lanes,
         limits: &Limits,
     ) -> Outcome {
-        self.step_anywhere(phase, limits)
+        in_widest(Step(self, phase, friction, limits))
     }
 
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    unsafe fn step_by_avx2<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
-        self.step_anywhere(phase, limits)
-    }
-
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "an iterator's closures might not be inlined"
+    )]
     #[inline(always)]
-    fn step_anywhere<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
-        self.attempt(phase);
-        self.end_sizes = phase.sizes(&self.end);
-        let estimate = self.estimate(limits.tolerance);
-        let is_number = estimate.error_squared.at_most(Lanes::from(f64::MAX));
+    fn step_in<V: Vector, P: Carried<f64, N>>(
+        &mut self,
+        phase: &P,
+        friction: &Lanes,
+        limits: &Limits,
+    ) -> Outcome {
+        let phase = phase.like(V::load(friction));
+        let attempt = self.attempt::<V, _>(&phase);
+        let sizes = phase.sizes(&attempt.end);
+        let estimate = self.estimate(&sizes, limits.tolerance);
+        let is_number = estimate.error_squared.at_most(V::from(f64::MAX));
         let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
-        let quiet = good.and(Lanes::from(0.0).at_most(self.safety(phase, limits)));
+        let safety = self.safety(&phase, &attempt, limits);
+        let quiet = good.and(V::from(0.0).at_most(safety));
         self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
-            self.u[i] = quiet.choose(self.end[i], self.u[i]);
-            self.rates[i] = quiet.choose(self.end_rates[i], self.rates[i]);
-            self.sizes[i] = quiet.choose(self.end_sizes[i], self.sizes[i]);
+            self.end[i] = attempt.end[i].store();
+            self.end_rates[i] = attempt.rates[i].store();
+            self.end_sizes[i] = sizes[i].store();
+            self.u[i] = quiet.choose(attempt.end[i], V::load(&self.u[i])).store();
+            self.rates[i] = quiet
+                .choose(attempt.rates[i], V::load(&self.rates[i]))
+                .store();
+            self.sizes[i] = quiet.choose(sizes[i], V::load(&self.sizes[i])).store();
         }
+        self.inside = attempt.inside.store();
         Outcome {
             good: good.bits(),
             quiet: quiet.bits(),
@@ -211,110 +206,140 @@ impl<const N: usize> Lockstep<N> {
 
     /// One step of the method of order 8.
     #[inline(always)]
-    fn attempt<P: Carried<Lanes, N>>(&mut self, phase: &P) {
+    fn attempt<V: Vector, P: Carried<V, N>>(&mut self, phase: &P) -> Attempt<V, N> {
+        let (u, h) = (V::load_all(&self.u), V::load(&self.h));
+        let direction = V::load(&self.direction);
         self.stages[0] = self.rates;
-        self.inside = Lanes::from(f64::INFINITY);
+        let mut inside = V::from(f64::INFINITY);
         for i in 0..STAGES.len() {
-            let at = self.before_stage(i, P::FELT);
-            self.stages[i + 1] = phase.rates(&at);
+            let at = before_stage(i, &u, h, &self.stages, P::FELT);
+            self.stages[i + 1] = V::store_all(phase.rates(&at));
             // At 1/3, 3/5 and 6/7 of the step.
             if matches!(i, 4 | 8 | 9) {
-                let tilting = self.direction * P::all(&at).p;
-                self.inside = self.inside.min(tilting).min(phase.holds(&at));
+                let tilting = direction * P::all(&at).p;
+                inside = inside.min(tilting).min(phase.holds(&at));
             }
         }
-        self.end = combine(&self.u, self.h, SOLUTION, &self.stages, N);
-        self.end_rates = phase.rates(&self.end);
-    }
-
-    /// Where the next stage after some is to be made.
-    #[inline(always)]
-    fn before_stage(&self, made: usize, count: usize) -> [Lanes; N] {
-        macro_rules! rows {
-            ($($row:literal)*) => {
-                match made {
-                    $($row => combine(&self.u, self.h, STAGES[$row], &self.stages, count),)*
-                    _ => unreachable!("a step has no more stages"),
-                }
-            };
+        let end = combine(&u, h, SOLUTION, &self.stages, N);
+        Attempt {
+            end,
+            rates: phase.rates(&end),
+            inside,
         }
-        rows!(0 1 2 3 4 5 6 7 8 9 10)
     }
 
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "an iterator's closures might not be inlined"
+    )]
     #[inline(always)]
-    fn estimate(&self, tolerance: f64) -> Estimate<Lanes> {
-        let zero = Lanes::from(0.0);
-        let (mut fifth, mut third) = (zero, zero);
+    fn estimate<V: Vector>(&self, end_sizes: &[V; N], tolerance: f64) -> Estimate<V> {
+        let (mut fifth, mut third) = (V::from(0.0), V::from(0.0));
         for i in 0..N {
-            let per_size =
-                Lanes::from(1.0) / (Lanes::from(tolerance) * self.sizes[i].max(self.end_sizes[i]));
-            let e5 = weigh(ERROR_5, &self.stages, i) * per_size;
-            let e3 = weigh(ERROR_3, &self.stages, i) * per_size;
+            let size = V::load(&self.sizes[i]).max(end_sizes[i]);
+            let per_size = V::from(1.0) / (V::from(tolerance) * size);
+            let e5 = weigh::<V, N>(ERROR_5, &self.stages, i) * per_size;
+            let e3 = weigh::<V, N>(ERROR_3, &self.stages, i) * per_size;
             fifth = fifth + e5 * e5;
             third = third + e3 * e3;
         }
-        Estimate::new(self.h, fifth, third, N)
+        Estimate::new(V::load(&self.h), fifth, third, N)
     }
 
     /// Not negative where the step has crossed nothing that is to be seen.
     #[inline(always)]
-    fn safety<P: Carried<Lanes, N>>(&self, phase: &P, limits: &Limits) -> Lanes {
-        let u = P::all(&self.end);
+    fn safety<V: Vector, P: Carried<V, N>>(
+        &self,
+        phase: &P,
+        attempt: &Attempt<V, N>,
+        limits: &Limits,
+    ) -> V {
+        let u = P::all(&attempt.end);
         let (sin, cos) = limits.topple;
-        let below_topple = u.cos * Lanes::from(sin) - u.sin * Lanes::from(cos);
-        let in_time = Lanes::from(limits.duration) - u.t;
-        let lifted = u.sin - Lanes::from(limits.flat);
+        let below_topple = u.cos * V::from(sin) - u.sin * V::from(cos);
+        let in_time = V::from(limits.duration) - u.t;
+        let lifted = u.sin - V::from(limits.flat);
+        let direction = V::load(&self.direction);
         // Neither 0, before there is a direction, nor a lane that is held.
-        let on_its_way = self.free * self.direction * self.direction - Lanes::from(0.5);
-        self.inside
-            .min(phase.holds(&self.end))
-            .min(self.direction * u.p)
+        let on_its_way = V::load(&self.free) * direction * direction - V::from(0.5);
+        attempt
+            .inside
+            .min(phase.holds(&attempt.end))
+            .min(direction * u.p)
             .min(below_topple)
             .min(in_time)
             .min(lifted)
             .min(u.cos)
-            .min(Lanes::from(limits.most_steps) - self.steps)
-            .min(phase.slips_on(&self.end, &self.end_rates, limits.tolerance))
+            .min(V::from(limits.most_steps) - V::load(&self.steps))
+            .min(phase.slips_on(&attempt.end, &attempt.rates, limits.tolerance))
             .min(on_its_way)
     }
 
     /// How long the next step could be; and lets it be so where nothing else is to be decided.
     #[inline(always)]
-    fn choose_next(
+    fn choose_next<V: Vector>(
         &mut self,
-        estimate: &Estimate<Lanes>,
-        is_number: Mask,
-        good: Mask,
-        quiet: Mask,
+        estimate: &Estimate<V>,
+        is_number: V::Mask,
+        good: V::Mask,
+        quiet: V::Mask,
     ) {
-        let one = Lanes::from(1.0);
-        let factor = is_number.choose(next_factors(estimate), Lanes::from(0.1));
-        let growth = good.choose(self.growth, one);
-        self.next = self.h * factor.min(growth);
-        let free = Lanes::from(0.5).at_most(self.free);
+        let (one, h) = (V::from(1.0), V::load(&self.h));
+        let factor = estimate.next_factor().max(V::from(0.2));
+        let factor = is_number.choose(factor, V::from(0.1));
+        let growth = good.choose(V::load(&self.growth), one);
+        let next = h * factor.min(growth);
+        let free = V::from(0.5).at_most(V::load(&self.free));
         let goes_on = quiet.or((!good).and(free));
-        self.h = goes_on.choose(self.next, self.h);
-        self.growth = good.choose(Lanes::from(8.0), one);
-        self.steps = quiet.choose(self.steps + one, self.steps);
+        let steps = V::load(&self.steps);
+        self.next = next.store();
+        self.h = goes_on.choose(next, h).store();
+        self.growth = good.choose(V::from(8.0), one).store();
+        self.steps = quiet.choose(steps + one, steps).store();
     }
 }
 
-/// By what factors the next steps may be longer.
-#[inline(always)]
-fn next_factors(estimate: &Estimate<Lanes>) -> Lanes {
-    let Estimate {
-        error_squared,
-        allowed,
-    } = estimate;
-    let mut factors = Lanes::from(0.2);
-    for lane in 0..LANES {
-        let alone = Estimate {
-            error_squared: error_squared.0[lane],
-            allowed: allowed.0[lane],
-        };
-        factors.0[lane] = alone.next_factor();
+/// A step to be tried: the motions, their phase, their friction and their limits.
+struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Lanes, &'a Limits);
+
+impl<P: Carried<f64, N>, const N: usize> Task for Step<'_, P, N> {
+    type Done = Outcome;
+
+    #[inline(always)]
+    fn run<V: Vector>(self) -> Outcome {
+        let Step(lockstep, phase, friction, limits) = self;
+        lockstep.step_in::<V, P>(phase, friction, limits)
     }
-    factors.max(Lanes::from(0.2))
+}
+
+/// A step that has been tried.
+struct Attempt<V, const N: usize> {
+    /// Where it has led.
+    end: [V; N],
+    /// The rates there.
+    rates: [V; N],
+    /// The least of what must not be negative inside it.
+    inside: V,
+}
+
+/// Where the next stage after some is to be made.
+#[inline(always)]
+fn before_stage<V: Vector, const N: usize>(
+    made: usize,
+    u: &[V; N],
+    h: V,
+    stages: &[[Lanes; N]; 16],
+    count: usize,
+) -> [V; N] {
+    macro_rules! rows {
+        ($($row:literal)*) => {
+            match made {
+                $($row => combine(u, h, STAGES[$row], stages, count),)*
+                _ => unreachable!("a step has no more stages"),
+            }
+        };
+    }
+    rows!(0 1 2 3 4 5 6 7 8 9 10)
 }
 
 /// How many terms of a row are written out.
@@ -330,17 +355,16 @@ const _: () = {
 };
 
 /// Σ weight · stage of a coordinate, summed in the order of the row, which is to be known when this is
-/// compiled. The terms are written out, and compilers kept from taking several coordinates together: else
-/// they lose the order of the lanes.
+/// compiled: hence the terms are written out.
 #[inline(always)]
-fn weigh<const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> Lanes {
-    let (i, mut sum) = (black_box(i), Lanes::from(0.0));
+fn weigh<V: Vector, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> V {
+    let (i, mut sum) = (V::unseen(i), V::from(0.0));
     // Asked once rather than for every term.
     assert!(i < N, "a coordinate");
     macro_rules! add {
         ($($term:literal)*) => {
             $(if let Some(&(stage, weight)) = row.get($term) {
-                sum = sum + Lanes::from(weight) * stages[stage][i];
+                sum = sum + V::from(weight) * V::load(&stages[stage][i]);
             })*
         };
     }
@@ -350,13 +374,13 @@ fn weigh<const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> Lanes
 
 /// u + h Σ weight · stage of the first `count` coordinates; the others stay.
 #[inline(always)]
-fn combine<const N: usize>(
-    u: &[Lanes; N],
-    h: Lanes,
+fn combine<V: Vector, const N: usize>(
+    u: &[V; N],
+    h: V,
     row: Row,
     stages: &[[Lanes; N]; 16],
     count: usize,
-) -> [Lanes; N] {
+) -> [V; N] {
     let mut end = *u;
     for (i, end) in end.iter_mut().enumerate().take(count) {
         *end = *end + h * weigh(row, stages, i);
@@ -365,24 +389,23 @@ fn combine<const N: usize>(
 }
 
 /// The lanes of a set of bits.
-pub(super) fn lanes_of(bits: u8) -> impl Iterator<Item = usize> {
+pub(super) fn lanes_of(bits: Bits) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::carried::{Carried, Slipping};
-    use super::{Limits, Lockstep};
+    use super::super::carried::{Carried, Gliding, Rolling, Slipping};
+    use super::{Limits, Lockstep, Outcome};
     use crate::law::Parameters;
     use crate::motion::Options;
     use crate::presets;
-    use crate::real::{LANES, Lanes};
+    use crate::real::{LANES, Lanes, Task, Vector, in_every_width};
     use crate::state::{Coordinates, State};
 
-    /// Eight cans that slide, each a little otherwise.
-    fn sliding(k: Parameters<f64>) -> Lockstep<10> {
+    /// Sixteen cans, each a little otherwise.
+    fn cans<P: Carried<f64, N>, const N: usize>(phase: &P) -> Lockstep<N> {
         let mut lockstep = Lockstep::new();
-        let alone = Slipping::new(k, 0.2);
         for lane in 0..LANES {
             let part = lane as f64 / LANES as f64;
             let start = State {
@@ -391,12 +414,12 @@ mod tests {
                 yaw_rate: 0.1,
                 ..State::default()
             };
-            let u = Slipping::<f64>::of(&Coordinates {
+            let u = P::of(&Coordinates {
                 slip_x: -0.1 * part,
                 slip_y: 0.01,
                 ..Coordinates::from_state(&start)
             });
-            lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
+            lockstep.put(lane, u, phase.rates(&u), phase.sizes(&u));
             lockstep.h.0[lane] = 1e-3;
             lockstep.direction.0[lane] = -1.0;
             lockstep.free.0[lane] = 1.0;
@@ -404,18 +427,39 @@ mod tests {
         lockstep
     }
 
-    #[test]
-    fn the_width_of_the_vectors_changes_no_bit() {
-        let can = presets::can_2007().expect("the paper's can");
-        let k = Parameters::new(&can, 9.8);
-        let limits = Limits::of(&Options::default());
-        let together = Slipping::new(k.map(Lanes::from), Lanes::from(0.2));
-        let (mut wide, mut plain) = (sliding(k), sliding(k));
-        for _ in 0..20 {
-            let outcome = wide.step(&together, &limits);
-            assert_eq!(outcome, plain.step_anywhere(&together, &limits));
+    /// Twenty steps.
+    struct Steps<'a, P>(&'a P, &'a Lanes, &'a Limits);
+
+    impl<P: Carried<f64, N>, const N: usize> Task for (Steps<'_, P>, Lockstep<N>) {
+        type Done = (Vec<Outcome>, Lockstep<N>);
+
+        fn run<V: Vector>(self) -> Self::Done {
+            let (Steps(phase, friction, limits), mut lockstep) = self;
+            let step = |_| lockstep.step_in::<V, P>(phase, friction, limits);
+            ((0..20).map(step).collect(), lockstep)
         }
-        assert!(wide.steps.0.iter().all(|&steps| steps > 5.0));
-        assert_eq!((wide.u, wide.h), (plain.u, plain.h));
+    }
+
+    fn assert_steps_alike<P: Carried<f64, N>, const N: usize>(friction: f64) {
+        let can = presets::can_2007().expect("the paper's can");
+        let phase = P::new(Parameters::new(&can, 9.8), friction);
+        let (friction, limits) = (Lanes::from(friction), Limits::of(&Options::default()));
+        let steps = || (Steps(&phase, &friction, &limits), cans(&phase));
+        let done = in_every_width(steps);
+        let (first_outcomes, first) = &done[0];
+        assert!(first.steps.0.iter().all(|&steps| steps > 5.0));
+        for (outcomes, lockstep) in &done {
+            assert_eq!(outcomes, first_outcomes);
+            assert_eq!((lockstep.u, lockstep.h), (first.u, first.h));
+        }
+    }
+
+    #[test]
+    fn the_width_of_the_registers_changes_no_bit() {
+        assert_steps_alike::<Rolling<f64, false>, 7>(0.0);
+        // So much that it holds.
+        assert_steps_alike::<Rolling<f64, true>, 7>(20.0);
+        assert_steps_alike::<Gliding<f64>, 7>(0.0);
+        assert_steps_alike::<Slipping<f64>, 10>(0.2);
     }
 }

@@ -1,4 +1,4 @@
-//! Slip as it begins out of rest under dry friction, eight at a time.
+//! Slip as it begins out of rest under dry friction, sixteen at a time.
 //!
 //! At first the direction of the slip follows the forces at once, and no explicit step is short enough; see
 //! the onset of a single motion, in [`motion`](crate::motion). Some steps of collocation lead to where
@@ -13,17 +13,16 @@
 //! fixed number of times, so that no fall depends on those beside it.
 
 use super::carried::{Carried, Slipping};
-use crate::real::{LANES, Lanes, Real};
+use crate::real::{LANES, Lanes, Mask, Packed, Task, Vector, in_widest};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
 use crate::yardstick::{NEVER_ZERO, turn_size};
-use core::hint::black_box;
 
 /// The coordinates that are carried; the slip's are σ and q here.
 const N: usize = 10;
 
 /// Those of them that the rates depend on.
-const FELT: usize = <Slipping<Lanes> as Carried<Lanes, N>>::FELT;
+const FELT: usize = <Slipping<f64> as Carried<f64, N>>::FELT;
 
 /// Where σ and q stand.
 const ALONG: usize = 0;
@@ -93,27 +92,57 @@ pub(super) enum Begun {
     Lost,
 }
 
-/// Makes a step in each of eight slips.
-pub(super) fn begin<F: Fn(Lanes) -> Slipping<Lanes>>(
-    law: F,
+/// Makes a step in each of sixteen slips.
+pub(super) fn begin(
+    slipping: &Slipping<f64>,
     beginnings: &[Beginning; LANES],
     tolerance: f64,
-) -> impl Iterator<Item = Begun> + use<F> {
-    let lanes = |f: fn(&Beginning) -> f64| Lanes(beginnings.each_ref().map(f));
+) -> impl Iterator<Item = Begun> + use<> {
+    let lanes = |f: fn(&Beginning) -> f64| Packed(beginnings.each_ref().map(f));
     let starts: [[f64; N]; LANES] =
         beginnings.map(|beginning| <Slipping<f64> as Carried<f64, N>>::of(&beginning.at));
-    let mut together = Together {
-        slipping: law(lanes(|b| b.friction)),
+    let found = in_widest(Beginnings {
+        slipping,
+        friction: lanes(|b| b.friction),
         direction: [lanes(|b| b.direction[0]), lanes(|b| b.direction[1])],
-        start: core::array::from_fn(|i| Lanes(starts.map(|start| start[i]))),
+        start: core::array::from_fn(|i| Packed(starts.map(|start| start[i]))),
         speed: lanes(|b| b.speed),
         h: lanes(|b| b.h),
-        push: Lanes::from(0.0),
         tolerance,
-    };
-    let found = together.step();
+    });
     let beginnings = *beginnings;
     (0..LANES).map(move |lane| found.begun(lane, &beginnings[lane]))
+}
+
+/// What sixteen slips begin with.
+#[derive(Clone, Copy)]
+struct Beginnings<'a> {
+    /// Without friction.
+    slipping: &'a Slipping<f64>,
+    friction: Lanes,
+    direction: [Lanes; 2],
+    start: [Lanes; N],
+    speed: Lanes,
+    h: Lanes,
+    tolerance: f64,
+}
+
+impl Task for Beginnings<'_> {
+    type Done = Found;
+
+    #[inline(always)]
+    fn run<V: Vector>(self) -> Found {
+        let mut together = Together {
+            slipping: self.slipping.like(V::load(&self.friction)),
+            direction: V::load_all(&self.direction),
+            start: V::load_all(&self.start),
+            speed: V::load(&self.speed),
+            h: V::load(&self.h),
+            push: V::from(0.0),
+            tolerance: self.tolerance,
+        };
+        together.step()
+    }
 }
 
 impl Found {
@@ -161,17 +190,18 @@ impl Found {
     }
 }
 
-struct Together {
-    slipping: Slipping<Lanes>,
-    direction: [Lanes; 2],
-    start: [Lanes; N],
-    speed: Lanes,
-    h: Lanes,
+struct Together<V> {
+    slipping: Slipping<V>,
+    direction: [V; 2],
+    start: [V; N],
+    speed: V,
+    h: V,
     /// What is added to σ′: friction is exceeded where slip begins, but for rounding.
-    push: Lanes,
+    push: V,
     tolerance: f64,
 }
 
+#[derive(Debug, PartialEq)]
 struct Found {
     end: [Lanes; N],
     clock: Lanes,
@@ -188,39 +218,13 @@ struct Found {
 }
 
 /// Rates at the points: of σ in the place of `ALONG`; σ q′ in the place of `ACROSS`.
-type Points = [[Lanes; N]; POINTS];
+type Points<V> = [[V; N]; POINTS];
 
-impl Together {
-    fn step(&mut self) -> Found {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512f") {
-            // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.step_by_avx512() };
-        }
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.step_by_avx2() };
-        }
-        self.step_anywhere()
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx512f")]
-    unsafe fn step_by_avx512(&mut self) -> Found {
-        self.step_anywhere()
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    unsafe fn step_by_avx2(&mut self) -> Found {
-        self.step_anywhere()
-    }
-
+impl<V: Vector> Together<V> {
     #[inline(always)]
-    fn step_anywhere(&mut self) -> Found {
+    fn step(&mut self) -> Found {
         let method = Collocation::get();
-        let zero = Lanes::from(0.0);
+        let zero = V::from(0.0);
         let mut start = self.start;
         (start[ALONG], start[ACROSS]) = (self.speed, zero);
         let from_rest = self.speed.at_most(zero);
@@ -228,7 +232,10 @@ impl Together {
         let possible = settled.min(self.slipping.can_begin(&start, self.direction));
         let first = self.rates(&start);
         self.push = from_rest.choose((-first[ALONG]).max(zero), zero);
-        let mut points: Points = RADAU.map(|c| self.moved(&start, &first, c));
+        let mut points: Points<V> = [start; POINTS];
+        for (point, c) in points.iter_mut().zip(RADAU) {
+            *point = self.moved(&start, &first, c);
+        }
         let mut rates = points;
         let mut slopes = [zero; POINTS];
         let mut change = zero;
@@ -258,8 +265,8 @@ impl Together {
     /// Turns the direction of a slip out of rest to the one that it keeps: any other is left at once.
     /// Not negative where one is found close by. By Newton's method.
     #[inline(always)]
-    fn settle(&mut self, start: &[Lanes; N]) -> Lanes {
-        let zero = Lanes::from(0.0);
+    fn settle(&mut self, start: &[V; N]) -> V {
+        let zero = V::from(0.0);
         let from_rest = self.speed.at_most(zero);
         let (mut point, mut slope, mut turn) = (*start, zero, zero);
         for round in 0..TURNS {
@@ -271,10 +278,10 @@ impl Together {
         }
         let q = point[ACROSS].abs();
         self.direction = self.along(point[ACROSS]);
-        let size = q + self.direction[1].abs() + Lanes::from(NEVER_ZERO);
-        let close = Lanes::from(self.tolerance) * size - turn.abs();
+        let size = q + self.direction[1].abs() + V::from(NEVER_ZERO);
+        let close = V::from(self.tolerance) * size - turn.abs();
         // A direction attracts when the slip is turned toward it from both sides.
-        close.min(-slope).min(Lanes::from(1.0) - q)
+        close.min(-slope).min(V::from(1.0) - q)
     }
 
     /// The first `count` coordinates at the points, by the rates there.
@@ -286,17 +293,17 @@ impl Together {
     fn integrate(
         &self,
         method: &Collocation,
-        start: &[Lanes; N],
-        rates: &Points,
-        points: &mut Points,
+        start: &[V; N],
+        rates: &Points<V>,
+        points: &mut Points<V>,
         count: usize,
     ) {
         // Compilers are kept from taking several at once: else they lose the order of the lanes.
-        for k in (0..count).map(black_box) {
-            for i in (0..POINTS).map(black_box) {
-                let mut sum = Lanes::from(0.0);
+        for k in (0..count).map(V::unseen) {
+            for i in (0..POINTS).map(V::unseen) {
+                let mut sum = V::from(0.0);
                 for j in 0..POINTS {
-                    sum = sum + Lanes::from(method.integral[i][j]) * rates[j][k];
+                    sum = sum + V::from(method.integral[i][j]) * rates[j][k];
                 }
                 points[i][k] = start[k] + self.h * sum;
             }
@@ -305,11 +312,11 @@ impl Together {
 
     /// The largest change of what the rates depend on.
     #[inline(always)]
-    fn change(&self, before: &Points, after: &Points) -> Lanes {
+    fn change(&self, before: &Points<V>, after: &Points<V>) -> V {
         let sizes = self.sizes(&after[POINTS - 1]);
-        let mut largest = Lanes::from(0.0);
+        let mut largest = V::from(0.0);
         for k in 0..FELT {
-            let mut change = Lanes::from(0.0);
+            let mut change = V::from(0.0);
             for i in 0..POINTS {
                 change = change.max((after[i][k] - before[i][k]).abs());
             }
@@ -320,21 +327,21 @@ impl Together {
 
     /// A first guess for a point.
     #[inline(always)]
-    fn moved(&self, start: &[Lanes; N], rates: &[Lanes; N], c: f64) -> [Lanes; N] {
+    fn moved(&self, start: &[V; N], rates: &[V; N], c: f64) -> [V; N] {
         let mut point = *start;
         for i in 0..N {
             if i != ACROSS {
-                point[i] = start[i] + Lanes::from(c) * self.h * rates[i];
+                point[i] = start[i] + V::from(c) * self.h * rates[i];
             }
         }
-        point[ALONG] = point[ALONG].max(Lanes::from(0.0));
+        point[ALONG] = point[ALONG].max(V::from(0.0));
         point
     }
 
     /// The unit vector along a slip with this q.
     #[inline(always)]
-    fn along(&self, q: Lanes) -> [Lanes; 2] {
-        let one = Lanes::from(1.0);
+    fn along(&self, q: V) -> [V; 2] {
+        let one = V::from(1.0);
         let per_length = one / (one + q * q).sqrt();
         let [x, y] = self.direction;
         [per_length * (x - q * y), per_length * (y + q * x)]
@@ -342,7 +349,7 @@ impl Together {
 
     /// With the slip's components in the place of σ and q.
     #[inline(always)]
-    fn whole(&self, point: &[Lanes; N]) -> [Lanes; N] {
+    fn whole(&self, point: &[V; N]) -> [V; N] {
         let (along, q) = (point[ALONG], point[ACROSS]);
         let [x, y] = self.direction;
         let mut whole = *point;
@@ -352,7 +359,7 @@ impl Together {
     }
 
     #[inline(always)]
-    fn rates(&self, point: &[Lanes; N]) -> [Lanes; N] {
+    fn rates(&self, point: &[V; N]) -> [V; N] {
         let q = point[ACROSS];
         let mut rates = self
             .slipping
@@ -367,14 +374,18 @@ impl Together {
 
     /// The derivative of σ q′ by q where only the friction's direction depends on it.
     #[inline(always)]
-    fn slope(&self, point: &[Lanes; N]) -> Lanes {
+    fn slope(&self, point: &[V; N]) -> V {
         const NUDGE: f64 = 1e-5;
-        let beside = |nudge: f64| {
-            let mut point = *point;
-            point[ACROSS] = point[ACROSS] + Lanes::from(nudge);
-            self.rates(&point)[ACROSS]
-        };
-        (beside(NUDGE) - beside(-NUDGE)) * Lanes::from(0.5 / NUDGE)
+        let (more, less) = (self.across(point, NUDGE), self.across(point, -NUDGE));
+        (more - less) * V::from(0.5 / NUDGE)
+    }
+
+    /// σ q′ beside a point.
+    #[inline(always)]
+    fn across(&self, point: &[V; N], nudge: f64) -> V {
+        let mut point = *point;
+        point[ACROSS] = point[ACROSS] + V::from(nudge);
+        self.rates(&point)[ACROSS]
     }
 
     /// q′ at the points, from σ q′ = what it is + slope · (change of q), which is linear in them.
@@ -386,23 +397,23 @@ impl Together {
     fn turns(
         &self,
         method: &Collocation,
-        points: &Points,
-        rates: &Points,
-        slopes: &[Lanes; POINTS],
-    ) -> [Lanes; POINTS] {
-        let zero = Lanes::from(0.0);
+        points: &Points<V>,
+        rates: &Points<V>,
+        slopes: &[V; POINTS],
+    ) -> [V; POINTS] {
+        let zero = V::from(0.0);
         let mut matrix = [[zero; POINTS]; POINTS];
         let mut right = [zero; POINTS];
         for i in 0..POINTS {
             for j in 0..POINTS {
-                matrix[i][j] = -(slopes[i] * self.h) * Lanes::from(method.integral[i][j]);
+                matrix[i][j] = -(slopes[i] * self.h) * V::from(method.integral[i][j]);
             }
             matrix[i][i] = matrix[i][i] + points[i][ALONG];
             right[i] = rates[i][ACROSS] - slopes[i] * points[i][ACROSS];
         }
         // The slopes are negative and the diagonal is large: no pivot is needed.
         for i in 0..POINTS {
-            let per_pivot = Lanes::from(1.0) / matrix[i][i];
+            let per_pivot = V::from(1.0) / matrix[i][i];
             for row in i + 1..POINTS {
                 let factor = matrix[row][i] * per_pivot;
                 for k in i + 1..POINTS {
@@ -423,9 +434,9 @@ impl Together {
 
     /// What errors are compared with.
     #[inline(always)]
-    fn sizes(&self, end: &[Lanes; N]) -> [Lanes; N] {
+    fn sizes(&self, end: &[V; N]) -> [V; N] {
         let mut sizes = self.slipping.sizes(&self.whole(end));
-        let slip = Slipping::<Lanes>::all(&sizes);
+        let slip = Slipping::<V>::all(&sizes);
         sizes[ACROSS] = turn_size(&slip, self.direction, end[ALONG]);
         sizes
     }
@@ -438,38 +449,81 @@ impl Together {
     fn found(
         &self,
         method: &Collocation,
-        points: &Points,
-        rates: &Points,
-        slopes: &[Lanes; POINTS],
-        change: Lanes,
-        possible: Lanes,
+        points: &Points<V>,
+        rates: &Points<V>,
+        slopes: &[V; POINTS],
+        change: V,
+        possible: V,
     ) -> Found {
         let end = points[POINTS - 1];
         let sizes = self.sizes(&end);
         // What the highest power contributes bounds what those left out do.
-        let mut error = Lanes::from(0.0);
+        let mut error = V::from(0.0);
         for k in 0..N {
-            let mut highest = Lanes::from(0.0);
+            let mut highest = V::from(0.0);
             for j in 0..POINTS {
-                highest = highest + Lanes::from(method.last[j]) * rates[j][k];
+                highest = highest + V::from(method.last[j]) * rates[j][k];
             }
-            error = error.max((Lanes::from(0.05) * self.h * highest / sizes[k]).abs());
+            error = error.max((V::from(0.05) * self.h * highest / sizes[k]).abs());
         }
         // A slip that does not last is none.
         let mut least = end[ALONG];
         for point in points {
             least = least.min(point[ALONG]);
         }
-        let error = least.where_negative(Lanes::from(f64::INFINITY), error);
+        let error = least.where_negative(V::from(f64::INFINITY), error);
         let whole = self.whole(&end);
         Found {
-            end: whole,
-            until_stop: end[ALONG] / (-rates[POINTS - 1][ALONG]).max(Lanes::from(0.0)),
-            clock: self.slipping.clock(&Slipping::<Lanes>::all(&whole)),
-            error: error * Lanes::from(1.0 / self.tolerance),
-            change: change * Lanes::from(50.0 / self.tolerance),
-            relaxation: self.h * slopes[POINTS - 1].abs() / end[ALONG],
-            possible,
+            end: V::store_all(whole),
+            until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
+            clock: self.slipping.clock(&Slipping::<V>::all(&whole)).store(),
+            error: (error * V::from(1.0 / self.tolerance)).store(),
+            change: (change * V::from(50.0 / self.tolerance)).store(),
+            relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),
+            possible: possible.store(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Beginnings, Carried, LANES, N, Packed, Slipping};
+    use crate::law::Parameters;
+    use crate::presets;
+    use crate::real::{Lanes, in_every_width};
+    use crate::state::{Coordinates, State};
+    use core::array::from_fn;
+
+    #[test]
+    fn the_width_of_the_registers_changes_no_bit() {
+        let can = presets::can_2007().expect("the paper's can");
+        let slipping = &Slipping::new(Parameters::new(&can, 9.8), 0.0);
+        // Every other one slips already.
+        let speed: Lanes = Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64));
+        let starts: [[f64; N]; LANES] = from_fn(|lane| {
+            let start = State {
+                tilt: 0.02 + 0.001 * lane as f64,
+                tilt_rate: -1.0,
+                yaw_rate: 20.0,
+                ..State::default()
+            };
+            Slipping::of(&Coordinates {
+                slip_x: speed.0[lane],
+                ..Coordinates::from_state(&start)
+            })
+        });
+        let done = in_every_width(|| Beginnings {
+            slipping,
+            friction: Lanes::from(0.1),
+            direction: [Lanes::from(1.0), Lanes::from(0.0)],
+            start: from_fn(|i| Packed(starts.map(|start| start[i]))),
+            speed,
+            h: Lanes::from(1e-5),
+            tolerance: 1e-9,
+        });
+        assert!(done[0].end[0].0.iter().all(|slip| slip.is_finite()));
+        for found in &done {
+            assert_eq!(found, &done[0]);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Falls whose rims meet the table in the same way, eight at a time: each until something happens to it,
+//! Falls whose rims meet the table in the same way, sixteen at a time: each until something happens to it,
 //! when its place is free for the next.
 
 use super::carried::Carried;
@@ -57,13 +57,14 @@ struct Place {
     least_h: f64,
 }
 
-/// Eight places, and the laws there.
-pub(super) struct Pool<'a, A, L, const N: usize> {
+/// Sixteen places, and the laws there.
+pub(super) struct Pool<'a, A, const N: usize> {
     limits: &'a Limits,
     parameters: Parameters<f64>,
     lockstep: Lockstep<N>,
     friction: Lanes,
-    together: L,
+    /// Without friction.
+    contact: A,
     alone: [A; LANES],
     trials: [Option<Trial>; LANES],
     places: [Option<Place>; LANES],
@@ -71,19 +72,17 @@ pub(super) struct Pool<'a, A, L, const N: usize> {
     count: usize,
 }
 
-impl<'a, A, L, const N: usize> Pool<'a, A, L, N>
+impl<'a, A, const N: usize> Pool<'a, A, N>
 where
     A: Carried<f64, N>,
-    L: Carried<Lanes, N>,
 {
     pub(super) fn new(parameters: Parameters<f64>, limits: &'a Limits) -> Self {
-        let none = Lanes::from(0.0);
         Pool {
             limits,
             parameters,
             lockstep: Lockstep::new(),
-            friction: none,
-            together: L::new(parameters.map(Lanes::from), none),
+            friction: Lanes::from(0.0),
+            contact: A::new(parameters, 0.0),
             alone: core::array::from_fn(|_| A::new(parameters, 0.0)),
             trials: core::array::from_fn(|_| None),
             places: core::array::from_fn(|_| None),
@@ -105,7 +104,6 @@ where
         if self.friction.0[lane] != friction {
             self.friction.0[lane] = friction;
             self.alone[lane] = A::new(self.parameters, friction);
-            self.together = L::new(self.parameters.map(Lanes::from), self.friction);
         }
         self.count += 1;
         let (u, alone) = (A::of(at), &self.alone[lane]);
@@ -123,7 +121,9 @@ where
 
     /// Makes a step of each fall; those that leave are handed to `leave` with where they then are.
     pub(super) fn step(&mut self, mut leave: impl FnMut(Trial, Exit, &Coordinates<f64>)) {
-        let outcome = self.lockstep.step(&self.together, self.limits);
+        let outcome = self
+            .lockstep
+            .step(&self.contact, &self.friction, self.limits);
         for lane in lanes_of(!outcome.quiet) {
             let Some(mut place) = self.places[lane].take() else {
                 continue;

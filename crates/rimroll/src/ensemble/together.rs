@@ -1,4 +1,4 @@
-//! Falls of one body, eight at a time where they are of the common kind.
+//! Falls of one body, sixteen at a time where they are of the common kind.
 
 use super::carried::{Carried, Gliding, Rolling};
 use super::dry::Dry;
@@ -8,7 +8,7 @@ use super::trial::Trial;
 use crate::body::Body;
 use crate::law::Parameters;
 use crate::motion::{Fall, Options, Status, fall};
-use crate::real::{LANES, Lanes};
+use crate::real::LANES;
 use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
 use crate::yardstick::Yardstick;
@@ -23,8 +23,8 @@ pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Optio
         limits: Limits::of(options),
         done: vec![None; trials.len()],
     };
-    falls.conservative::<Rolling<f64, false>, Rolling<Lanes, false>>(FrictionLaw::NoSlip);
-    falls.conservative::<Gliding<f64>, Gliding<Lanes>>(FrictionLaw::Frictionless);
+    falls.conservative::<Rolling<f64, false>>(FrictionLaw::NoSlip);
+    falls.conservative::<Gliding<f64>>(FrictionLaw::Frictionless);
     let dry = |(_, surface): &(State, Surface)| {
         matches!(surface.friction, FrictionLaw::Coulomb { .. }) && !surface.resists()
     };
@@ -61,11 +61,7 @@ impl Falls<'_> {
     }
 
     /// Follows all falls under one of the paper's two laws.
-    fn conservative<A, L>(&mut self, law: FrictionLaw)
-    where
-        A: Carried<f64, 7>,
-        L: Carried<Lanes, 7>,
-    {
+    fn conservative<A: Carried<f64, 7>>(&mut self, law: FrictionLaw) {
         let Falls {
             limits,
             parameters,
@@ -73,7 +69,7 @@ impl Falls<'_> {
             done,
             ..
         } = self;
-        let mut pool: Pool<'_, A, L, 7> = Pool::new(*parameters, limits);
+        let mut pool: Pool<'_, A, 7> = Pool::new(*parameters, limits);
         let mut waiting = (0..trials.len()).filter(|&index| {
             let (_, surface) = &trials[index];
             surface.friction == law && !surface.resists()

@@ -36,6 +36,15 @@ impl<T: Real> Frictionless<T> {
         }
     }
 
+    /// The same law for numbers of another type.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Frictionless<U> {
+        Frictionless {
+            k: self.k.map(&f),
+            c_over_a: f(self.c_over_a),
+        }
+    }
+
     /// dp/dτ.
     #[inline(always)]
     fn tilt_acceleration(&self, u: &Coordinates<T>) -> T {

@@ -66,6 +66,24 @@ impl<T: Real> NoSlip<T> {
         }
     }
 
+    /// The same law for numbers of another type.
+    #[inline(always)]
+    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> NoSlip<U> {
+        NoSlip {
+            k: self.k.map(&f),
+            base_inertia: f(self.base_inertia),
+            mhr: f(self.mhr),
+            c_rolling: f(self.c_rolling),
+            weight_of_cos: f(self.weight_of_cos),
+            weight_of_sin: f(self.weight_of_sin),
+            l_of_s: f(self.l_of_s),
+            l_of_w: f(self.l_of_w),
+            s_of_w: f(self.s_of_w),
+            s_of_s: f(self.s_of_s),
+            c_over_r: f(self.c_over_r),
+        }
+    }
+
     /// (dp/dτ, dw/dτ, ds/dτ).
     #[inline(always)]
     fn accelerations(&self, u: &Coordinates<T>) -> [T; 3] {

@@ -82,6 +82,22 @@ struct Accelerations<T> {
     slip: [T; 2],
 }
 
+impl<T: Real, F> Sliding<T, F> {
+    /// The same law for numbers of another type, under another friction.
+    #[inline(always)]
+    pub(crate) fn map<U, G>(&self, friction: G, f: impl Fn(T) -> U) -> Sliding<U, G> {
+        Sliding {
+            k: self.k.map(&f),
+            friction,
+            sideways_mobility: f(self.sideways_mobility),
+            per_mass: f(self.per_mass),
+            c_over_a: f(self.c_over_a),
+            h_over_a: f(self.h_over_a),
+            r_over_c: f(self.r_over_c),
+        }
+    }
+}
+
 impl<T: Real, F: Friction<T>> Sliding<T, F> {
     /// The law for one body under one gravity.
     pub fn new(k: Parameters<T>, friction: F) -> Self {

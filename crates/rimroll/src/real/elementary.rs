@@ -1,7 +1,8 @@
 //! eˣ − 1, ln x and what belongs to an angle without a branch, from + − × ÷ and the bits of the exponent
-//! alone: what is calculated with for eight lanes at once is to the last bit what it is for one.
+//! alone: what is calculated with for sixteen lanes at once is to the last bit what it is for one.
 
 use super::Real;
+use super::register::Register;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, SQRT_2};
 
 /// ln 2 in two parts, the first with so few bits that its product with a whole number is exact.
@@ -9,27 +10,60 @@ const LN_2_HIGH: f64 = 6.931_471_803_691_238_2e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
 /// Adding 1.5 · 2⁵² leaves the nearest whole number in the last bits.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
+pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// Bits of the fraction of a double.
-const FRACTION: u32 = 52;
+pub(super) const FRACTION: u32 = 52;
+
+/// The bits of √½.
+pub(super) const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
+
+/// Numbers whose exponent and fraction can be taken apart.
+pub trait Parted: Real {
+    /// 2ᵏ, of k + [`ROUNDER`] with |k| < 1023.
+    fn power_of_two(shifted: Self) -> Self;
+
+    /// [k, m] of normal x > 0 that are 2ᵏ m, with m between √½ and √2.
+    fn parts(self) -> [Self; 2];
+
+    /// About the 16th root of a/b for positive numbers, up to 6 % more: the bits of a positive number are, but for
+    /// an offset and a scale, its logarithm to a tenth of an octave.
+    fn rough_16th_root_of(a: Self, b: Self) -> Self;
+}
+
+impl Parted for f64 {
+    #[inline(always)]
+    fn power_of_two(shifted: f64) -> f64 {
+        Register::power_of_two(shifted)
+    }
+
+    #[inline(always)]
+    fn parts(self) -> [f64; 2] {
+        Register::parts(self)
+    }
+
+    #[inline(always)]
+    fn rough_16th_root_of(a: f64, b: f64) -> f64 {
+        Register::rough_16th_root_of(a, b)
+    }
+}
 
 /// eˣ − 1 for |x| ≤ 700, to 2 units in the last place.
 #[inline(always)]
-pub(super) fn exp_m1(x: f64) -> f64 {
+pub(super) fn exp_m1<T: Parted>(x: T) -> T {
     // x = k ln 2 + r with |r| ≤ ln 2 / 2; eˣ − 1 = 2ᵏ (eʳ − 1) + (2ᵏ − 1).
-    let shifted = x * (1.0 / LN_2) + ROUNDER;
-    let k = shifted - ROUNDER;
-    let r = (x - k * LN_2_HIGH) - k * LN_2_LOW;
-    let power = f64::from_bits((shifted.to_bits() << FRACTION).wrapping_add(1.0_f64.to_bits()));
+    let shifted = x * T::from(1.0 / LN_2) + T::from(ROUNDER);
+    let k = shifted - T::from(ROUNDER);
+    let r = (x - k * T::from(LN_2_HIGH)) - k * T::from(LN_2_LOW);
+    let power = T::power_of_two(shifted);
     // The series of eʳ to r¹³, even and odd terms by themselves: what is left out is less than 1e-17 of r.
     let rr = r * r;
-    let (mut even, mut odd) = (0.0, 0.0);
+    let (mut even, mut odd) = (T::from(0.0), T::from(0.0));
     for [of_even, of_odd] in INVERSE_FACTORIALS {
-        even = even * rr + of_even;
-        odd = odd * rr + of_odd;
+        even = even * rr + T::from(of_even);
+        odd = odd * rr + T::from(of_odd);
     }
-    power * (r + rr * (even + r * odd)) + (power - 1.0)
+    power * (r + rr * (even + r * odd)) + (power - T::from(1.0))
 }
 
 /// 1/12!, 1/13!; … 1/2!, 1/3!.
@@ -42,69 +76,57 @@ const INVERSE_FACTORIALS: [[f64; 2]; 6] = [
     [0.5, 1.0 / 6.0],
 ];
 
-/// [k, m] of a normal x > 0 that is 2ᵏ m, with m between √½ and √2.
-#[inline(always)]
-fn parts(x: f64) -> [f64; 2] {
-    const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
-    let bits = x.to_bits().wrapping_sub(SQRT_HALF_BITS);
-    let exponent = (bits as i64) >> FRACTION;
-    let m = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << FRACTION));
-    // A whole number as a double without a conversion, which has no vector instruction.
-    let k = f64::from_bits(ROUNDER.to_bits().wrapping_add(exponent as u64)) - ROUNDER;
-    [k, m]
-}
-
 /// ln x for normal x > 0, to 4e-4.
 #[inline(always)]
-pub(super) fn rough_ln(x: f64) -> f64 {
-    let [k, m] = parts(x);
-    let f = m - 1.0;
-    let mut sum = 0.0;
+pub(super) fn rough_ln<T: Parted>(x: T) -> T {
+    let [k, m] = x.parts();
+    let f = m - T::from(1.0);
+    let mut sum = T::from(0.0);
     for over in [-1.0 / 6.0, 0.2, -0.25, 1.0 / 3.0, -0.5, 1.0] {
-        sum = sum * f + over;
+        sum = sum * f + T::from(over);
     }
-    k * LN_2 + f * sum
+    k * T::from(LN_2) + f * sum
 }
 
 /// ln x for normal x > 0, to 2 units in the last place of the larger of ln x and its parts.
 #[inline(always)]
-pub(super) fn ln(x: f64) -> f64 {
+pub(super) fn ln<T: Parted>(x: T) -> T {
     // ln m = 2 artanh f, f = (m − 1)/(m + 1).
-    let [k, m] = parts(x);
-    let f = (m - 1.0) / (m + 1.0);
+    let [k, m] = x.parts();
+    let (one, two) = (T::from(1.0), T::from(2.0));
+    let f = (m - one) / (m + one);
     let ff = f * f;
-    let mut sum = 1.0 / 23.0;
+    let mut sum = T::from(1.0 / 23.0);
     for odd in [21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
-        sum = sum * ff + 1.0 / odd;
+        sum = sum * ff + T::from(1.0 / odd);
     }
-    k * LN_2_HIGH + (2.0 * (f + f * ff * sum) + k * LN_2_LOW)
+    k * T::from(LN_2_HIGH) + (two * (f + f * ff * sum) + k * T::from(LN_2_LOW))
 }
 
 /// The angle in (−π/2, π/2) whose tangent is x, to 2 units in the last place.
 #[inline(always)]
-pub(super) fn atan(x: f64) -> f64 {
+pub(super) fn atan<T: Real>(x: T) -> T {
     const TAN_PI_8: f64 = SQRT_2 - 1.0;
     const TAN_3_PI_8: f64 = SQRT_2 + 1.0;
+    let (zero, one) = (T::from(0.0), T::from(1.0));
     let size = x.abs();
     // Less an eighth or a quarter of a turn the angle is π/8 at most, its tangent t = over/under.
-    let (is_over_eighth, is_over_quarter) = (size > TAN_PI_8, size > TAN_3_PI_8);
-    let by_eighths = |none: f64, one: f64, two: f64| {
-        let one = if is_over_eighth { one } else { none };
-        if is_over_quarter { two } else { one }
-    };
-    let over = by_eighths(size, size - 1.0, -1.0);
-    let under = by_eighths(1.0, size + 1.0, size);
-    let turned = by_eighths(0.0, FRAC_PI_4, FRAC_PI_2);
+    let (to_eighth, to_quarter) = (T::from(TAN_PI_8) - size, T::from(TAN_3_PI_8) - size);
+    let over = to_quarter.where_negative(-one, to_eighth.where_negative(size - one, size));
+    let under = to_quarter.where_negative(size, to_eighth.where_negative(size + one, one));
+    let (eighth, quarter) = (T::from(FRAC_PI_4), T::from(FRAC_PI_2));
+    let turned = to_quarter.where_negative(quarter, to_eighth.where_negative(eighth, zero));
     let t = over / under;
     // The series of atan t to t⁴¹: what is left out is less than 1e-17 of t.
     let tt = t * t;
     let pair = tt * tt;
-    let (mut even, mut odd) = (0.0, 0.0);
+    let (mut even, mut odd) = (zero, zero);
     for n in (1..=10).rev() {
-        odd = odd * pair - 1.0 / f64::from(4 * n - 1);
-        even = even * pair + 1.0 / f64::from(4 * n + 1);
+        odd = odd * pair - T::from(1.0 / f64::from(4 * n - 1));
+        even = even * pair + T::from(1.0 / f64::from(4 * n + 1));
     }
-    (turned + (t + t * tt * (odd + tt * even))).copysign(x)
+    let angle = turned + (t + t * tt * (odd + tt * even));
+    x.where_negative(-angle, angle)
 }
 
 /// (sin x, cos x) for |x| ≤ π/4.
@@ -115,9 +137,9 @@ pub(crate) fn sin_cos_below_eighth<T: Real>(x: T) -> (T, T) {
     // Both series to x¹⁷: what is left out is less than 1e-17.
     let (mut sin, mut cos) = (one, one);
     for n in (1..=8).rev() {
-        let over = |product: i32| square * T::from(1.0 / f64::from(product));
-        sin = one - over(2 * n * (2 * n + 1)) * sin;
-        cos = one - over(2 * n * (2 * n - 1)) * cos;
+        let (of_sin, of_cos) = (2 * n * (2 * n + 1), 2 * n * (2 * n - 1));
+        sin = one - square * T::from(1.0 / f64::from(of_sin)) * sin;
+        cos = one - square * T::from(1.0 / f64::from(of_cos)) * cos;
     }
     (x * sin, cos)
 }

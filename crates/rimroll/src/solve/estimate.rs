@@ -1,6 +1,6 @@
 //! How far a step may be off, and how long the next one can be.
 
-use crate::real::Real;
+use crate::real::{Parted, Real};
 
 /// The estimated error of a step: the step is good when `error_squared` ≤ `allowed`.
 #[derive(Debug, Clone, Copy)]
@@ -41,20 +41,17 @@ impl Estimate<f64> {
     pub fn is_good(&self) -> bool {
         self.is_number() && self.error_squared <= self.allowed
     }
+}
 
+impl<T: Parted> Estimate<T> {
     /// By what factor the next step may be longer than one with this error e (over what is tolerated), to
     /// be good but for a margin: 0.9 e^(−1/8) (section II.4).
     ///
-    /// A step waits for it, and a rough one will do: the bits of a positive number are, but for an offset
-    /// and a scale, its logarithm to a tenth of an octave; their difference is that of e^(−2), and a
-    /// sixteenth of it that of the root, which comes out up to 6 % too long. The margin is wider by what
-    /// is usual of that.
+    /// A step waits for it, and a rough one will do: it comes out up to 6 % too long, and the margin is wider
+    /// by what is usual of that.
     #[inline(always)]
-    pub fn next_factor(&self) -> f64 {
-        const ONE: i64 = 1.0_f64.to_bits().cast_signed();
-        let bits = |x: f64| x.to_bits().cast_signed();
-        let root = ((bits(self.allowed) - bits(self.error_squared)) >> 4) + ONE;
+    pub fn next_factor(&self) -> T {
         const MARGIN: f64 = 0.86;
-        MARGIN * f64::from_bits(root.cast_unsigned())
+        T::from(MARGIN) * T::rough_16th_root_of(self.allowed, self.error_squared)
     }
 }

@@ -11,8 +11,8 @@
 //! * for rolling, a table of the body's fundamental solutions ([`fundamental`]),
 //! * the part of the yaw that the collision alone makes in closed form ([`pieces`]).
 //!
-//! [`alone`] treats one start with all that can become of it; [`together`] eight at a time that rock,
-//! [`passing`] eight that topple.
+//! [`alone`] treats one start with all that can become of it; [`together`] sixteen at a time that rock,
+//! [`passing`] sixteen that topple.
 
 mod alone;
 mod antiderivative;
@@ -214,7 +214,7 @@ impl Exact {
     }
 
     fn check(&self, start: &State) -> Result<(), InvalidInput> {
-        self.options.checked(&self.body, start).map(|_| ())
+        self.options.check(start)
     }
 
     /// For starts that rock.

@@ -465,7 +465,7 @@ fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Opt
     // With each unit of η the time grows e-fold over it.
     let choice = Choice::plain(9.0 + 0.8 * length.value());
     agreed(choice, 0.0, 1.0, |rule| {
-        from_lowest::<false, T>(motion, [low.y, low.eta, low.grazing()], length, rule)
+        from_lowest(motion, [low.y, low.eta, low.grazing()], length, rule)
     })
 }
 

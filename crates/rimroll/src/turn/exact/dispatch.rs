@@ -1,5 +1,5 @@
-//! Eight starts at a time under one of the laws, compiled three times: as it is, and for
-//! processors with registers of four or eight numbers. The numbers are the same to the last bit.
+//! Sixteen starts at a time under one of the laws, compiled three times: for processors with registers of eight or of
+//! four numbers, and for any. The numbers are the same to the last bit.
 
 use super::fundamental::Fundamental;
 use super::many::Lane;
@@ -13,7 +13,7 @@ use super::start::Start;
 use super::tilting::{Conserved, Tilting};
 use super::together::{Extremes, Part, extremes, part};
 use crate::law::Parameters;
-use crate::real::{LANES, Lanes, Mask};
+use crate::real::{Bits, LANES, Lanes, Mask, Packed, Real, Task, Vector, in_widest};
 
 /// A body under one of the laws.
 #[derive(Debug, Clone, Copy)]
@@ -24,9 +24,9 @@ pub(super) enum Engine<'a> {
     Sliding(&'a Parameters<f64>),
 }
 
-/// Eight motions; where there are fewer, the last lanes repeat the first.
+/// Sixteen motions; where there are fewer, the last lanes repeat the first.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Eight {
+pub(super) struct Group {
     start: Start<Lanes>,
     conserved: Conserved<Lanes>,
     low: [Lanes; 3],
@@ -34,18 +34,18 @@ pub(super) struct Eight {
     width: Lanes,
 }
 
-impl Eight {
-    pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Eight {
-        let eight: [&Lane; LANES] =
+impl Group {
+    pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Group {
+        let group: [&Lane; LANES] =
             core::array::from_fn(|i| &lanes[*which.get(i).unwrap_or(&which[0])]);
         let all = |number: fn(&Lane) -> f64| {
             let mut lanes = [0.0; LANES];
-            for (lane, one) in lanes.iter_mut().zip(eight) {
+            for (lane, one) in lanes.iter_mut().zip(group) {
                 *lane = number(one);
             }
-            Lanes(lanes)
+            Packed(lanes)
         };
-        Eight {
+        Group {
             start: Start {
                 y: all(|lane| lane.start.y),
                 eta: all(|lane| lane.start.eta),
@@ -73,72 +73,71 @@ impl Eight {
 /// A body under one of the laws, as the compiler knows it.
 trait Moved {
     /// The motion from a start.
-    fn from(&self, start: &Start<Lanes>) -> impl Tilting<Lanes>;
+    fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T>;
     /// A motion that has been looked at before.
-    fn again(&self, conserved: Conserved<Lanes>) -> impl Tilting<Lanes>;
+    fn again<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T>;
     /// Twice the energy over the body at rest upright, but for yaw and spin.
-    fn tilting_energy(&self, start: &Start<Lanes>) -> Lanes;
+    fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T;
 }
 
 impl Moved for Fundamental<f64> {
     #[inline(always)]
-    fn from(&self, start: &Start<Lanes>) -> impl Tilting<Lanes> {
+    fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
         Rolling::new(self, start)
     }
 
     #[inline(always)]
-    fn again(&self, conserved: Conserved<Lanes>) -> impl Tilting<Lanes> {
+    fn again<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
         Rolling::with(self, conserved)
     }
 
     #[inline(always)]
-    fn tilting_energy(&self, start: &Start<Lanes>) -> Lanes {
+    fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T {
         Rolling::tilting_energy(self, start)
     }
 }
 
 impl Moved for Parameters<f64> {
     #[inline(always)]
-    fn from(&self, start: &Start<Lanes>) -> impl Tilting<Lanes> {
+    fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
         Sliding::new(*self, start)
     }
 
     #[inline(always)]
-    fn again(&self, conserved: Conserved<Lanes>) -> impl Tilting<Lanes> {
+    fn again<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
         Sliding::with(*self, conserved)
     }
 
     #[inline(always)]
-    fn tilting_energy(&self, start: &Start<Lanes>) -> Lanes {
+    fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T {
         Sliding::tilting_energy(self, start)
     }
 }
 
-/// What is asked of eight starts.
+/// What is asked of sixteen starts.
 trait Asked {
     type Told;
-    fn of(&self, body: &impl Moved) -> Self::Told;
+    fn of<V: Vector>(&self, body: &impl Moved) -> Self::Told;
 }
 
 /// [tilt, tilt rate, yaw rate, spin rate], and the balance point.
 struct AskStart([Lanes; 4], Balance);
 
 impl Asked for AskStart {
-    type Told = (Start<Lanes>, Mask);
+    type Told = (Start<Lanes>, Bits);
 
     #[inline(always)]
-    fn of(&self, body: &impl Moved) -> (Start<Lanes>, Mask) {
+    fn of<V: Vector>(&self, body: &impl Moved) -> (Start<Lanes>, Bits) {
         let AskStart(given, balance) = self;
-        let start = Start::new(*given);
-        let short = body
-            .tilting_energy(&start)
-            .at_most(Lanes::from(balance.energy));
-        (start, !short.and(start.y.at_most(Lanes::from(balance.y))))
+        let start = Start::<V>::new(V::load_all(given));
+        let short = body.tilting_energy(&start).at_most(V::from(balance.energy));
+        let over = !short.and(start.y.at_most(V::from(balance.y)));
+        (start.store(), over.bits())
     }
 }
 
 struct AskExtremes<'a> {
-    eight: &'a Eight,
+    group: &'a Group,
     most: f64,
     least_slope: f64,
 }
@@ -147,14 +146,15 @@ impl Asked for AskExtremes<'_> {
     type Told = Extremes;
 
     #[inline(always)]
-    fn of(&self, body: &impl Moved) -> Extremes {
-        let start = &self.eight.start;
-        extremes(&body.from(start), start, self.most, self.least_slope)
+    fn of<V: Vector>(&self, body: &impl Moved) -> Extremes {
+        let start = &Start::<V>::load(&self.group.start);
+        let motion = body.from(start);
+        extremes(&motion, start, self.most, self.least_slope)
     }
 }
 
 struct AskPart<'a> {
-    eight: &'a Eight,
+    group: &'a Group,
     part: Part,
     rule: &'static Rule,
 }
@@ -163,21 +163,22 @@ impl Asked for AskPart<'_> {
     type Told = Told;
 
     #[inline(always)]
-    fn of(&self, body: &impl Moved) -> Told {
-        let Eight {
+    fn of<V: Vector>(&self, body: &impl Moved) -> Told {
+        let Group {
             start,
             conserved,
             low,
             high,
             ..
-        } = self.eight;
-        let motion = body.again(*conserved);
-        part(self.part, &motion, start, *low, *high, self.rule).told(self.rule.nodes.len())
+        } = self.group;
+        let motion = body.again::<V>(V::load_all(conserved));
+        let (start, low, high) = (Start::load(start), V::load_all(low), V::load_all(high));
+        part(self.part, &motion, &start, low, high, self.rule).told(self.rule.nodes.len())
     }
 }
 
 struct AskPassing<'a> {
-    eight: &'a Eight,
+    group: &'a Group,
     way: &'a Way,
 }
 
@@ -185,29 +186,29 @@ impl Asked for AskPassing<'_> {
     type Told = Passing;
 
     #[inline(always)]
-    fn of(&self, body: &impl Moved) -> Passing {
-        let start = &self.eight.start;
+    fn of<V: Vector>(&self, body: &impl Moved) -> Passing {
+        let start = &Start::<V>::load(&self.group.start);
         passing(&body.from(start), start, self.way)
     }
 }
 
 struct AskFallingBack<'a> {
-    eight: &'a Eight,
+    group: &'a Group,
     way: &'a Way,
 }
 
 impl Asked for AskFallingBack<'_> {
-    type Told = Mask;
+    type Told = Bits;
 
     #[inline(always)]
-    fn of(&self, body: &impl Moved) -> Mask {
-        let start = &self.eight.start;
+    fn of<V: Vector>(&self, body: &impl Moved) -> Bits {
+        let start = &Start::<V>::load(&self.group.start);
         falling_back(&body.from(start), start, self.way)
     }
 }
 
 struct AskStretch<'a> {
-    eight: &'a Eight,
+    group: &'a Group,
     stretch: Stretch,
     way: &'a Way,
     rule: &'static Rule,
@@ -217,21 +218,21 @@ impl Asked for AskStretch<'_> {
     type Told = Told;
 
     #[inline(always)]
-    fn of(&self, body: &impl Moved) -> Told {
-        let Eight {
+    fn of<V: Vector>(&self, body: &impl Moved) -> Told {
+        let Group {
             start,
             conserved,
             low,
             width,
             ..
-        } = self.eight;
-        let motion = body.again(*conserved);
+        } = self.group;
+        let motion = body.again::<V>(V::load_all(conserved));
         stretch(
             self.stretch,
             &motion,
-            start,
-            *low,
-            *width,
+            &Start::load(start),
+            V::load_all(low),
+            V::load(width),
             self.way,
             self.rule,
         )
@@ -240,43 +241,43 @@ impl Asked for AskStretch<'_> {
 }
 
 impl Engine<'_> {
-    /// Starts in the terms of the quadrature, and which of them are past the balance point or, but for yaw and
-    /// spin, go there; of [tilt, tilt rate, yaw rate, spin rate].
-    pub(super) fn start(&self, given: [Lanes; 4], balance: &Balance) -> (Start<Lanes>, Mask) {
+    /// Starts in the terms of the quadrature, and which of them, as bits, are past the balance point or, but for
+    /// yaw and spin, go there; of [tilt, tilt rate, yaw rate, spin rate].
+    pub(super) fn start(&self, given: [Lanes; 4], balance: &Balance) -> (Start<Lanes>, Bits) {
         self.ask(&AskStart(given, *balance))
     }
 
-    pub(super) fn extremes(&self, eight: &Eight, most: f64, least_slope: f64) -> Extremes {
+    pub(super) fn extremes(&self, group: &Group, most: f64, least_slope: f64) -> Extremes {
         self.ask(&AskExtremes {
-            eight,
+            group,
             most,
             least_slope,
         })
     }
 
-    pub(super) fn part(&self, part: Part, eight: &Eight, choice: Choice) -> Told {
+    pub(super) fn part(&self, part: Part, group: &Group, choice: Choice) -> Told {
         let rule = choice.rule();
-        self.ask(&AskPart { eight, part, rule })
+        self.ask(&AskPart { group, part, rule })
     }
 
-    pub(super) fn passing(&self, eight: &Eight, way: &Way) -> Passing {
-        self.ask(&AskPassing { eight, way })
+    pub(super) fn passing(&self, group: &Group, way: &Way) -> Passing {
+        self.ask(&AskPassing { group, way })
     }
 
-    pub(super) fn falling_back(&self, eight: &Eight, way: &Way) -> Mask {
-        self.ask(&AskFallingBack { eight, way })
+    pub(super) fn falling_back(&self, group: &Group, way: &Way) -> Bits {
+        self.ask(&AskFallingBack { group, way })
     }
 
     pub(super) fn stretch(
         &self,
         stretch: Stretch,
-        eight: &Eight,
+        group: &Group,
         way: &Way,
         choice: Choice,
     ) -> Told {
         let rule = choice.rule();
         self.ask(&AskStretch {
-            eight,
+            group,
             stretch,
             way,
             rule,
@@ -284,38 +285,22 @@ impl Engine<'_> {
     }
 
     fn ask<A: Asked>(&self, asked: &A) -> A::Told {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512f")
-            && std::arch::is_x86_feature_detected!("avx512dq")
-        {
-            // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.ask_by_avx512(asked) };
-        }
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has what the function is compiled for.
-            return unsafe { self.ask_by_avx2(asked) };
-        }
-        self.ask_anywhere(asked)
+        in_widest(Asking(self, asked))
     }
+}
 
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx512f,avx512dq")]
-    fn ask_by_avx512<A: Asked>(&self, asked: &A) -> A::Told {
-        self.ask_anywhere(asked)
-    }
+/// Something that is asked of a body.
+struct Asking<'a, A>(&'a Engine<'a>, &'a A);
 
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    fn ask_by_avx2<A: Asked>(&self, asked: &A) -> A::Told {
-        self.ask_anywhere(asked)
-    }
+impl<A: Asked> Task for Asking<'_, A> {
+    type Done = A::Told;
 
     #[inline(always)]
-    fn ask_anywhere<A: Asked>(&self, asked: &A) -> A::Told {
-        match self {
-            Engine::Rolling(table) => asked.of(*table),
-            Engine::Sliding(k) => asked.of(*k),
+    fn run<V: Vector>(self) -> A::Told {
+        let Asking(engine, asked) = self;
+        match engine {
+            Engine::Rolling(table) => asked.of::<V>(*table),
+            Engine::Sliding(k) => asked.of::<V>(*k),
         }
     }
 }
@@ -323,12 +308,12 @@ impl Engine<'_> {
 #[cfg(test)]
 mod tests {
     use super::{
-        AskExtremes, AskFallingBack, AskPart, AskPassing, AskStart, AskStretch, Asked, Eight,
-        Engine,
+        AskExtremes, AskFallingBack, AskPart, AskPassing, AskStart, AskStretch, Asked, Asking,
+        Engine, Group,
     };
     use crate::law::IdealLaw;
     use crate::presets;
-    use crate::real::LANES;
+    use crate::real::{Bits, LANES, in_every_width};
     use crate::state::State;
     use crate::turn::exact::Exact;
     use crate::turn::exact::many::{Lane, columns};
@@ -339,23 +324,11 @@ mod tests {
 
     /// What is told by registers of each width that the processor has; digits enough for every bit.
     fn told<A: Asked<Told: Debug>>(engine: &Engine<'_>, asked: &A) -> Vec<String> {
-        let mut told = vec![format!("{:?}", engine.ask_anywhere(asked))];
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has what the function is compiled for.
-            told.push(format!("{:?}", unsafe { engine.ask_by_avx2(asked) }));
-        }
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512f")
-            && std::arch::is_x86_feature_detected!("avx512dq")
-        {
-            // SAFETY: the processor has what the function is compiled for.
-            told.push(format!("{:?}", unsafe { engine.ask_by_avx512(asked) }));
-        }
-        told
+        let told = in_every_width(|| Asking(engine, asked));
+        told.iter().map(|told| format!("{told:?}")).collect()
     }
 
-    fn eight(tilt_rate: f64) -> [State; LANES] {
+    fn group(tilt_rate: f64) -> [State; LANES] {
         core::array::from_fn(|i| State {
             tilt: 0.3 + 0.01 * i as f64,
             tilt_rate,
@@ -373,51 +346,51 @@ mod tests {
             let exact = Exact::new(&can, law, 9.8, None).unwrap();
             let way = &exact.way();
             let rule = Choice::plain(20.0).rule();
-            let lanes = |rate: f64| Lane::of(&exact, &eight(rate));
+            let lanes = |rate: f64| Lane::of(&exact, &group(rate));
             let all: Vec<usize> = (0..LANES).collect();
 
             let engine = exact.rocking_engine();
-            let given = columns(&eight(-1.0));
+            let given = columns(&group(-1.0));
             same(told(&engine, &AskStart(given, exact.balance)));
-            let mut rocking = Eight::of(&lanes(-1.0), &all);
+            let mut rocking = Group::of(&lanes(-1.0), &all);
             let most = exact.highest();
             let least_slope = exact.least_slope();
             let found = engine.extremes(&rocking, most, least_slope);
-            assert_eq!(found.sound.bits(), u8::MAX);
-            let eight = &rocking;
+            assert_eq!(found.sound, Bits::MAX);
+            let group = &rocking;
             let asked = AskExtremes {
-                eight,
+                group,
                 most,
                 least_slope,
             };
             same(told(&engine, &asked));
-            rocking = Eight {
+            rocking = Group {
                 conserved: found.conserved,
                 low: found.low,
                 high: found.high,
                 ..rocking
             };
-            let eight = &rocking;
+            let group = &rocking;
             for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
-                same(told(&engine, &AskPart { eight, part, rule }));
+                same(told(&engine, &AskPart { group, part, rule }));
             }
 
             let engine = exact.passing_engine();
-            let mut passing = Eight::of(&lanes(-5.0), &all);
+            let mut passing = Group::of(&lanes(-5.0), &all);
             let found = engine.passing(&passing, way);
-            assert_eq!(found.sound.bits(), u8::MAX);
-            let eight = &passing;
-            same(told(&engine, &AskPassing { eight, way }));
-            passing = Eight {
+            assert_eq!(found.sound, Bits::MAX);
+            let group = &passing;
+            same(told(&engine, &AskPassing { group, way }));
+            passing = Group {
                 conserved: found.conserved,
                 low: found.low,
                 width: found.width,
                 ..passing
             };
-            let eight = &passing;
+            let group = &passing;
             for stretch in [Stretch::Foot, Stretch::Approach, Stretch::Rest] {
                 let asked = AskStretch {
-                    eight,
+                    group,
                     stretch,
                     way,
                     rule,
@@ -425,9 +398,9 @@ mod tests {
                 same(told(&engine, &asked));
             }
 
-            let eight = &Eight::of(&lanes(4.0), &all);
-            assert_eq!(engine.falling_back(eight, way).bits(), u8::MAX);
-            same(told(&engine, &AskFallingBack { eight, way }));
+            let group = &Group::of(&lanes(4.0), &all);
+            assert_eq!(engine.falling_back(group, way), Bits::MAX);
+            same(told(&engine, &AskFallingBack { group, way }));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The smallest and the largest tilt: where the tilt's energy G is zero.
 
 use super::tilting::{Point, Tilting};
-use crate::real::Real;
+use crate::real::{Mask, Real, Vector};
 
 /// A tilt where the motion turns back.
 #[derive(Debug, Clone, Copy)]
@@ -18,6 +18,7 @@ pub(super) struct Extreme<T> {
 
 impl<T: Copy> Extreme<T> {
     /// y and η.
+    #[inline(always)]
     pub(super) fn place(&self) -> [T; 2] {
         [self.y, self.eta]
     }
@@ -40,7 +41,8 @@ pub(super) fn lowest<T: Real>(
 ) -> Extreme<T> {
     let mut search = Search::from(guess);
     for _ in 0..rounds {
-        search.go_lower(motion);
+        let excess = search.excess(motion);
+        search.go(lower(excess));
     }
     search.met(motion)
 }
@@ -54,22 +56,31 @@ pub(super) fn highest<T: Real>(
 ) -> Extreme<T> {
     let mut search = Search::from(guess);
     for _ in 0..rounds {
-        search.go_higher(motion);
+        let excess = search.excess(motion);
+        search.go(higher(excess));
     }
     search.met(motion)
 }
 
-/// Both, in rounds by turns, so that a processor need not wait for the one.
+/// Both, in at most so many `rounds`, by turns, so that a processor need not wait for the one. An extreme whose y the
+/// last round has changed by less than `met`, relative to it, has been met: it stays whatever the other lanes do, and
+/// where all have there are no more rounds.
 #[inline(always)]
-pub(super) fn lowest_and_highest<T: Real>(
-    motion: &impl Tilting<T>,
-    [low, high]: [[T; 2]; 2],
+pub(super) fn lowest_and_highest<V: Vector>(
+    motion: &impl Tilting<V>,
+    [low, high]: [[V; 2]; 2],
     rounds: usize,
-) -> [Extreme<T>; 2] {
+    met: f64,
+) -> [Extreme<V>; 2] {
     let (mut low, mut high) = (Search::from(low), Search::from(high));
     for _ in 0..rounds {
-        low.go_lower(motion);
-        high.go_higher(motion);
+        let has_met = [low.has_met(met), high.has_met(met)];
+        if has_met[0].and(has_met[1]).in_all() {
+            break;
+        }
+        let excess = [low.excess(motion), high.excess(motion)];
+        low.go_unless(has_met[0], lower(excess[0]));
+        high.go_unless(has_met[1], higher(excess[1]));
     }
     [low.met(motion), high.met(motion)]
 }
@@ -84,23 +95,15 @@ struct Search<T> {
 impl<T: Real> Search<T> {
     #[inline(always)]
     fn from([y, eta]: [T; 2]) -> Self {
-        let change = T::from(0.0);
+        let change = T::from(f64::INFINITY);
         Search { y, eta, change }
     }
 
-    /// A round of Newton's iteration in y⁻², of which the energy of yaw is all but a linear function.
+    /// G over dG/dη.
     #[inline(always)]
-    fn go_lower(&mut self, motion: &impl Tilting<T>) {
-        let (one, two) = (T::from(1.0), T::from(2.0));
+    fn excess(&self, motion: &impl Tilting<T>) -> T {
         let point = motion.at(self.y, self.eta);
-        self.go(one / (one + two * point.drive / point.slope).sqrt());
-    }
-
-    /// A round of Newton's iteration in y.
-    #[inline(always)]
-    fn go_higher(&mut self, motion: &impl Tilting<T>) {
-        let point = motion.at(self.y, self.eta);
-        self.go(T::from(1.0) - point.drive / point.slope);
+        point.drive / point.slope
     }
 
     #[inline(always)]
@@ -119,4 +122,34 @@ impl<T: Real> Search<T> {
             change: self.change.abs(),
         }
     }
+}
+
+impl<V: Vector> Search<V> {
+    #[inline(always)]
+    fn has_met(&self, met: f64) -> V::Mask {
+        self.change.abs().at_most(V::from(met))
+    }
+
+    #[inline(always)]
+    fn go_unless(&mut self, has_met: V::Mask, factor: V) {
+        let Search { y, eta, change } = *self;
+        self.go(factor);
+        self.y = has_met.choose(y, self.y);
+        self.eta = has_met.choose(eta, self.eta);
+        self.change = has_met.choose(change, self.change);
+    }
+}
+
+/// By which factor a round of Newton's iteration changes y, in y⁻², of which the energy of yaw is all but a linear
+/// function.
+#[inline(always)]
+fn lower<T: Real>(excess: T) -> T {
+    let one = T::from(1.0);
+    one / (one + (excess + excess)).sqrt()
+}
+
+/// The same in y.
+#[inline(always)]
+fn higher<T: Real>(excess: T) -> T {
+    T::from(1.0) - excess
 }

@@ -4,7 +4,7 @@
 //! rules of the same size share lanes. What is rare is treated alone.
 
 use super::alone::Outcome;
-use super::dispatch::Eight;
+use super::dispatch::Group;
 use super::passing::{Stretch, Way};
 use super::pieces::Told;
 use super::rule::{Choice, RULES};
@@ -20,7 +20,7 @@ use crate::state::State;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// Starts that a thread takes at a time: so many that most rules find eight.
+/// Starts that a thread takes at a time: so many that most rules find sixteen.
 const BLOCK: usize = 1024;
 
 /// A start on its way through the lanes.
@@ -84,18 +84,34 @@ impl Exact {
         starts: &[State],
         goes_on: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
-        for start in starts {
-            self.check(start)?;
-        }
+        let refused = |block: &[State]| block.iter().find_map(|start| self.check(start).err());
+        let mut turns = vec![told(&Outcome::without_turn(Ending::Failed, None)); starts.len()];
         #[cfg(feature = "threads")]
-        let blocks = starts.par_chunks(BLOCK);
+        let (first, (of_turns, of_starts)) = (
+            starts.par_chunks(BLOCK).find_map_first(refused),
+            (turns.par_chunks_mut(BLOCK), starts.par_chunks(BLOCK)),
+        );
         #[cfg(not(feature = "threads"))]
-        let blocks = starts.chunks(BLOCK);
-        let done: Option<Vec<_>> = blocks.map(|block| self.block(block, &goes_on)).collect();
-        Ok(done.map(|blocks| blocks.concat()))
+        let (first, (of_turns, of_starts)) = (
+            starts.chunks(BLOCK).find_map(refused),
+            (turns.chunks_mut(BLOCK), starts.chunks(BLOCK)),
+        );
+        if let Some(refusal) = first {
+            return Err(refusal);
+        }
+        let done = of_turns
+            .zip(of_starts)
+            .try_for_each(|(turns, starts)| self.block(starts, turns, &goes_on));
+        Ok(done.map(|()| turns))
     }
 
-    fn block(&self, starts: &[State], goes_on: impl Fn() -> bool) -> Option<Vec<ExactTurn>> {
+    /// Fills in the turns of some starts, unless the work is no longer wanted.
+    fn block(
+        &self,
+        starts: &[State],
+        turns: &mut [ExactTurn],
+        goes_on: impl Fn() -> bool,
+    ) -> Option<()> {
         if !goes_on() {
             return None;
         }
@@ -104,24 +120,28 @@ impl Exact {
         self.find_passing(&mut lanes);
         self.rock(&mut lanes);
         self.pass(&mut lanes);
-        let turn = |(lane, start): (&Lane, &State)| match lane.course {
-            Course::Rocks => Some(lane.rocked()),
-            Course::Passes => Some(lane.passed(self.end())),
-            Course::FallsBack => Some(told(&Outcome::without_turn(Ending::FellBack, None))),
-            // One that has to be stepped may take long.
-            _ => goes_on().then(|| self.turn_of(start)),
-        };
-        lanes.iter().zip(starts).map(turn).collect()
+        let end = self.end();
+        for ((turn, lane), start) in turns.iter_mut().zip(&lanes).zip(starts) {
+            *turn = match lane.course {
+                Course::Rocks => lane.rocked(),
+                Course::Passes => lane.passed(end),
+                Course::FallsBack => told(&Outcome::without_turn(Ending::FellBack, None)),
+                // One that has to be stepped may take long.
+                _ if goes_on() => self.turn_of(start),
+                _ => return None,
+            };
+        }
+        Some(())
     }
 
     /// Finds those that rock; the others may pass.
     fn find_rocking(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
         let (highest, least_slope) = (self.highest(), self.least_slope());
-        for eight in which(lanes, |lane| lane.course == Course::StaysUnder).chunks(LANES) {
-            let found = engine.extremes(&Eight::of(lanes, eight), highest, least_slope);
-            let sound = found.sound.bits();
-            for (place, &i) in eight.iter().enumerate() {
+        for group in which(lanes, |lane| lane.course == Course::StaysUnder).chunks(LANES) {
+            let found = engine.extremes(&Group::of(lanes, group), highest, least_slope);
+            let sound = found.sound;
+            for (place, &i) in group.iter().enumerate() {
                 let lane = &mut lanes[i];
                 if sound & (1 << place) == 0 {
                     lane.course = Course::GoesOver;
@@ -145,10 +165,10 @@ impl Exact {
         let over = which(lanes, |lane| lane.course == Course::GoesOver);
         let (falling, rising): (Vec<_>, Vec<_>) =
             over.into_iter().partition(|&i| lanes[i].start.p < 0.0);
-        for eight in falling.chunks(LANES) {
-            let found = engine.passing(&Eight::of(lanes, eight), &way);
-            let sound = found.sound.bits();
-            for (place, &i) in eight.iter().enumerate() {
+        for group in falling.chunks(LANES) {
+            let found = engine.passing(&Group::of(lanes, group), &way);
+            let sound = found.sound;
+            for (place, &i) in group.iter().enumerate() {
                 if sound & (1 << place) == 0 {
                     continue;
                 }
@@ -164,9 +184,9 @@ impl Exact {
         if way.ending == Ending::Rocked {
             return; // A disk goes on to its other face.
         }
-        for eight in rising.chunks(LANES) {
-            let sound = engine.falling_back(&Eight::of(lanes, eight), &way).bits();
-            for (place, &i) in eight.iter().enumerate() {
+        for group in rising.chunks(LANES) {
+            let sound = engine.falling_back(&Group::of(lanes, group), &way);
+            for (place, &i) in group.iter().enumerate() {
                 if sound & (1 << place) != 0 {
                     lanes[i].course = Course::FallsBack;
                 }
@@ -181,7 +201,7 @@ impl Exact {
             add(
                 lanes,
                 |lane| self.choice(part, lane),
-                |eight, choice| engine.part(part, eight, choice),
+                |group, choice| engine.part(part, group, choice),
                 |lane, piece| match part {
                     Part::Foot => lane.half = piece,
                     Part::Head => lane.half = sum(lane.half, piece),
@@ -205,7 +225,7 @@ impl Exact {
                     let passes = lane.course == Course::Passes && has;
                     passes.then(|| Choice::plain(lane.nodes[stretch as usize]))
                 },
-                |eight, choice| engine.stretch(stretch, eight, &way, choice),
+                |group, choice| engine.stretch(stretch, group, &way, choice),
                 |lane, piece| match stretch {
                     Stretch::Foot => lane.half = piece,
                     Stretch::Approach => lane.half = sum(lane.half, piece),
@@ -253,10 +273,9 @@ impl Lane {
     pub(super) fn of(exact: &Exact, starts: &[State]) -> Vec<Lane> {
         let engine = exact.rocking_engine();
         let mut lanes = Vec::with_capacity(starts.len());
-        for eight in starts.chunks(LANES) {
-            let (start, over) = engine.start(columns(eight), &exact.balance);
-            let over = over.bits();
-            lanes.extend(eight.iter().enumerate().map(|(place, given)| {
+        for group in starts.chunks(LANES) {
+            let (start, over) = engine.start(columns(group), &exact.balance);
+            lanes.extend(group.iter().enumerate().map(|(place, given)| {
                 let start = start.lane(place);
                 // One that lingers next to the balance point takes more care.
                 let lingers = is_on_top(&start, exact.parameters.a, &exact.balance);
@@ -322,11 +341,11 @@ impl Lane {
     }
 }
 
-/// [tilt, tilt rate, yaw rate, spin rate] of eight starts; where there are fewer, the last repeat the first.
-pub(super) fn columns(eight: &[State]) -> [Lanes; 4] {
+/// [tilt, tilt rate, yaw rate, spin rate] of sixteen starts; where there are fewer, the last repeat the first.
+pub(super) fn columns(group: &[State]) -> [Lanes; 4] {
     let mut columns = [Lanes::from(0.0); 4];
     for place in 0..LANES {
-        let start = eight.get(place).unwrap_or(&eight[0]);
+        let start = group.get(place).unwrap_or(&group[0]);
         columns[0].0[place] = start.tilt;
         columns[1].0[place] = start.tilt_rate;
         columns[2].0[place] = start.yaw_rate;
@@ -348,7 +367,7 @@ fn sum([yaw, time]: [f64; 2], [more_yaw, more_time]: [f64; 2]) -> [f64; 2] {
 fn add(
     lanes: &mut [Lane],
     choice: impl Fn(&Lane) -> Option<Choice>,
-    ask: impl Fn(&Eight, Choice) -> Told,
+    ask: impl Fn(&Group, Choice) -> Told,
     done: impl Fn(&mut Lane, [f64; 2]),
 ) {
     let mut waiting = Waiting::new(lanes.len());
@@ -357,12 +376,12 @@ fn add(
             waiting.push(choice, i);
         }
     }
-    let mut eight = Vec::with_capacity(LANES);
+    let mut group = Vec::with_capacity(LANES);
     for choice in (0..RULES).map(Choice::at) {
-        while waiting.take(choice, &mut eight) {
-            let told = ask(&Eight::of(lanes, &eight), choice);
-            let (resolved, pushed) = (told.is_resolved.bits(), told.is_pushed.bits());
-            for (place, &i) in eight.iter().enumerate() {
+        while waiting.take(choice, &mut group) {
+            let told = ask(&Group::of(lanes, &group), choice);
+            let (resolved, pushed) = (told.resolved, told.pushed);
+            for (place, &i) in group.iter().enumerate() {
                 let piece = [told.yaw.0[place], told.time.0[place]];
                 // Where G has been negative at a node, what was taken for the motion's extremes are not.
                 let is_real = piece.iter().all(|number| number.is_finite());
@@ -397,12 +416,16 @@ mod tests {
             }
             sum
         };
-        let thrown = |i: usize| State {
-            tilt: 0.05 + 1.35 * digits_reversed(i, 2),
-            tilt_rate: 0.4 * natural * (2.0 * digits_reversed(i, 3) - 1.0),
-            yaw_rate: 0.1 * natural * (2.0 * digits_reversed(i, 5) - 1.0),
-            spin_rate: 0.1 * natural * (2.0 * digits_reversed(i, 7) - 1.0),
-            ..State::default()
+        let thrown = |i: usize| {
+            // Every third comes down all but flat.
+            let sideways = natural * if i.is_multiple_of(3) { 1e-5 } else { 0.1 };
+            State {
+                tilt: 0.05 + 1.35 * digits_reversed(i, 2),
+                tilt_rate: 0.4 * natural * (2.0 * digits_reversed(i, 3) - 1.0),
+                yaw_rate: sideways * (2.0 * digits_reversed(i, 5) - 1.0),
+                spin_rate: sideways * (2.0 * digits_reversed(i, 7) - 1.0),
+                ..State::default()
+            }
         };
         (1..=count).map(thrown).collect()
     }
@@ -423,6 +446,8 @@ mod tests {
             let starts = throws(body, 600);
             let together = exact.turns(&starts).unwrap();
             for (start, many) in starts.iter().zip(&together) {
+                let by_itself = &exact.turns(&[*start]).unwrap()[0];
+                assert_eq!(format!("{by_itself:?}"), format!("{many:?}"), "{start:?}");
                 let one = exact.turn(start).unwrap();
                 assert_eq!(one.ending, many.ending, "{start:?}");
                 assert_eq!(one.turn.is_nan(), many.turn.is_nan(), "{start:?}");

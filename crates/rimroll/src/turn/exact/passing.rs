@@ -1,18 +1,18 @@
-//! Eight starts at a time that nothing turns back below the end: which come down and topple, and which fall over
+//! Sixteen starts at a time that nothing turns back below the end: which come down and topple, and which fall over
 //! as they are.
 //!
 //! As [`together`](super::together): without a branch, and each lane says whether the formulas held for it. That
 //! the tilt does not turn back on the way, and that the table pushes, is seen at the nodes of the rules.
 
 use super::extremes::lowest;
-use super::pieces::{LEAST_PUSH, Piece, across, from_lowest};
+use super::pieces::{LEAST_PUSH, Piece, across, from_lowest_passing};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Rule, nodes_across, nodes_towards};
 use super::start::Start;
 use super::tilting::{Conserved, Point, Tilting};
 use super::together::{ROUNDS, is_lowest};
 use super::{Ending, FLAT, LOOKS};
-use crate::real::{Lanes, Mask, Real};
+use crate::real::{Bits, Lanes, Mask, Vector};
 
 /// So much of the way up to the balance point, in η, belongs to its passage.
 const NEAR: f64 = 0.7;
@@ -35,7 +35,7 @@ pub(super) struct Way {
     pub(super) ending: Ending,
 }
 
-/// How eight motions pass.
+/// How sixteen motions pass.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passing {
     /// y, η and [`Extreme::grazing`] at the smallest tilt.
@@ -47,13 +47,13 @@ pub(super) struct Passing {
     pub(super) width: Lanes,
     /// About how many nodes the stretches need.
     pub(super) nodes: [Lanes; 3],
-    /// The lanes that come down, and eight at a time can go on with.
-    pub(super) sound: Mask,
+    /// The lanes that come down, and sixteen at a time can go on with, as bits.
+    pub(super) sound: Bits,
 }
 
 /// What is on the way of starts that fall.
 #[inline(always)]
-pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &Way) -> Passing {
+pub(super) fn passing<V: Vector>(motion: &impl Tilting<V>, start: &Start<V>, way: &Way) -> Passing {
     let guess = motion.lowest();
     let low = lowest(motion, [guess, guess.ln()], ROUNDS);
     let balance = motion.at(way.balance.y.into(), way.balance.eta.into());
@@ -62,47 +62,51 @@ pub(super) fn passing(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &
     let ridge = Ridge::new(way.balance, balance.drive);
     let foot = split(start.eta, way) - low.eta;
     let sound = is_lowest(&low)
-        .and(Lanes::from(FLAT).at_most(low.point.sin))
-        .and(Lanes::from(0.0).at_most(balance.drive))
-        .and(Lanes::from(NARROWEST).at_most(ridge.width()))
-        .and(Lanes::from(0.0).at_most(end.drive))
-        .and(Lanes::from(0.0).at_most(motion.pressing(&first)))
-        .and(Lanes::from(0.0).at_most(motion.pressing(&end)))
-        .and(Lanes::from(LEAST).at_most(foot));
+        .and(V::from(FLAT).at_most(low.point.sin))
+        .and(V::from(0.0).at_most(balance.drive))
+        .and(V::from(NARROWEST).at_most(ridge.width()))
+        .and(V::from(0.0).at_most(end.drive))
+        .and(V::from(0.0).at_most(motion.pressing(&first)))
+        .and(V::from(0.0).at_most(motion.pressing(&end)))
+        .and(V::from(LEAST).at_most(foot));
     let from_split = split(start.eta, way);
-    let half = Lanes::from(0.5);
+    let half = V::from(0.5);
     let (to_split, to_start) = (ridge.clock(from_split), ridge.clock(start.eta));
     let to_end = ridge.clock(way.end[1].into());
-    let rest = Lanes::from(way.balance.eta) - from_split;
+    let rest = V::from(way.balance.eta) - from_split;
     Passing {
-        low: [low.y, low.eta, low.grazing()],
-        tilt: Lanes::from(2.0) * low.y.atan(),
-        conserved: motion.conserved(),
-        width: ridge.width(),
-        nodes: [
+        low: V::store_all([low.y, low.eta, low.grazing()]),
+        tilt: (V::from(2.0) * low.y.atan()).store(),
+        conserved: V::store_all(motion.conserved()),
+        width: ridge.width().store(),
+        nodes: V::store_all([
             nodes_towards(foot, rest, ridge.width()),
             nodes_across(half * (to_start - to_split)),
             nodes_across(half * (to_end - to_start)),
-        ],
-        sound,
+        ]),
+        sound: sound.bits(),
     }
 }
 
-/// Whether starts that rise fall over as they are: the tilt does not turn back, and the table pushes.
+/// Which starts that rise fall over as they are: the tilt does not turn back, and the table pushes.
 #[inline(always)]
-pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, way: &Way) -> Mask {
-    let zero = Lanes::from(0.0);
-    let step = (Lanes::from(way.end[1]) - start.eta) * Lanes::from(1.0 / LOOKS as f64);
+pub(super) fn falling_back<V: Vector>(
+    motion: &impl Tilting<V>,
+    start: &Start<V>,
+    way: &Way,
+) -> Bits {
+    let zero = V::from(0.0);
+    let step = (V::from(way.end[1]) - start.eta) * V::from(1.0 / LOOKS as f64);
     // Between two looks G may be smaller by a quarter of this, but where it grows.
-    let margin = step * step * Lanes::from(way.balance.curvature);
+    let margin = step * step * V::from(way.balance.curvature);
     let first = motion.at(start.y, start.eta);
     let rising = zero.at_most(first.slope);
     let mut sound = rising
         .or(margin.at_most(first.drive))
-        .and(step.at_most(Lanes::from(FARTHEST)))
+        .and(step.at_most(V::from(FARTHEST)))
         .and(surely_pushes(motion, &first));
     for look in 1..=LOOKS {
-        let away = step * Lanes::from(look as f64);
+        let away = step * V::from(look as f64);
         let y = start.y + start.y * away.exp_m1();
         let point = motion.at(y, start.eta + away);
         let stays = margin.at_most(point.drive).or(zero.at_most(point.slope));
@@ -111,20 +115,20 @@ pub(super) fn falling_back(motion: &impl Tilting<Lanes>, start: &Start<Lanes>, w
             .and(zero.at_most(point.drive))
             .and(surely_pushes(motion, &point));
     }
-    sound
+    sound.bits()
 }
 
 /// Whether the table pushes so much that it need not pull next to there.
 #[inline(always)]
-fn surely_pushes(motion: &impl Tilting<Lanes>, point: &Point<Lanes>) -> Mask {
-    (Lanes::from(LEAST_PUSH) * motion.resting(point)).at_most(motion.pressing(point))
+fn surely_pushes<V: Vector>(motion: &impl Tilting<V>, point: &Point<V>) -> V::Mask {
+    (V::from(LEAST_PUSH) * motion.resting(point)).at_most(motion.pressing(point))
 }
 
 /// Where the piece from the smallest tilt ends: at the start or, where that is nearer to the balance point or past
 /// it, short of that.
 #[inline(always)]
-fn split(start: Lanes, way: &Way) -> Lanes {
-    start.min(Lanes::from(way.balance.eta - NEAR))
+fn split<V: Vector>(start: V, way: &Way) -> V {
+    start.min(V::from(way.balance.eta - NEAR))
 }
 
 impl Way {
@@ -147,20 +151,20 @@ pub(super) enum Stretch {
 
 /// Yaw and time of a stretch, over a ridge of some width.
 #[inline(always)]
-pub(super) fn stretch(
+pub(super) fn stretch<V: Vector>(
     stretch: Stretch,
-    motion: &impl Tilting<Lanes>,
-    start: &Start<Lanes>,
-    low: [Lanes; 3],
-    width: Lanes,
+    motion: &impl Tilting<V>,
+    start: &Start<V>,
+    low: [V; 3],
+    width: V,
     way: &Way,
     rule: &Rule,
-) -> Piece<Lanes> {
+) -> Piece<V> {
     let split = split(start.eta, way);
-    let end = Lanes::from(way.end[1]);
+    let end = V::from(way.end[1]);
     let ridge = Ridge::of_width(way.balance, width);
     match stretch {
-        Stretch::Foot => from_lowest::<true, Lanes>(motion, low, split - low[1], rule),
+        Stretch::Foot => from_lowest_passing(motion, low, split - low[1], rule),
         Stretch::Approach => across(motion, [split, start.eta], &ridge, rule),
         Stretch::Rest => across(motion, [start.eta, end], &ridge, rule),
     }

@@ -7,10 +7,11 @@
 //! At the smallest and the largest tilt G is zero; there η = η_end ± Λτ² makes the integrand an even
 //! analytic function of τ, for which a Gauss-Legendre rule gains digits with every node.
 
+use super::MOST_OUTER;
 use super::ridge::Ridge;
-use super::rule::{Node, Rule};
+use super::rule::{Node, Rule, below};
 use super::tilting::{Pace, Point, Tilting};
-use crate::real::{Lanes, Mask, Real};
+use crate::real::{Bits, Lanes, Mask, Real, Vector};
 use core::ops::{Add, Sub};
 
 /// By how much the yaws of a piece by two rules may differ, rad, or relative to a larger one.
@@ -44,17 +45,17 @@ pub(super) struct Piece<T> {
     pull: T,
 }
 
-/// What eight lanes are told of a piece.
+/// What sixteen lanes are told of a piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Told {
     /// rad.
     pub(super) yaw: Lanes,
     /// s.
     pub(super) time: Lanes,
-    /// Where the rule has made no error that counts.
-    pub(super) is_resolved: Mask,
+    /// Where the rule has made no error that counts, as bits.
+    pub(super) resolved: Bits,
     /// Where the table pushed at every node, if that was watched.
-    pub(super) is_pushed: Mask,
+    pub(super) pushed: Bits,
 }
 
 impl<T: Real> Piece<T> {
@@ -94,58 +95,61 @@ impl Piece<f64> {
     }
 }
 
-impl Piece<Lanes> {
+impl<V: Vector> Piece<V> {
     /// As a rule of n nodes tells it.
-    ///
-    /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
-    /// the rule like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
     #[inline(always)]
     pub(super) fn told(&self, nodes: usize) -> Told {
-        let [yaw, time] = self.tolerances();
-        let last = larger(self.last);
-        let before = larger(self.before);
-        let is_resolved = carried_on(last[0], before[0], nodes)
-            .at_most(yaw)
-            .and(carried_on(last[1], before[1], nodes).at_most(time));
-        Told {
-            yaw: self.yaw,
-            time: self.time,
-            is_resolved,
-            is_pushed: self.pull.at_most(Lanes::from(0.0)),
-        }
+        self.told_where(self.is_resolved(nodes))
     }
 
     /// The same where the coefficients swing, so that their last ratio may deceive: as they have fallen off
     /// from the first to the last they also have to go on.
     #[inline(always)]
     pub(super) fn surely_told(&self, nodes: usize) -> Told {
-        let margin = Lanes::from(30.0);
-        let (told, [yaw, time]) = (self.told(nodes), self.tolerances());
+        let margin = V::from(30.0);
+        let [yaw, time] = self.tolerances();
         let [of_yaw, of_time] = larger(self.last);
+        let is_sure = self
+            .is_resolved(nodes)
+            .and((margin * of_yaw * of_yaw).at_most(yaw * self.yaw.abs()))
+            .and((margin * of_time * of_time).at_most(time * self.time.abs()));
+        self.told_where(is_sure)
+    }
+
+    /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
+    /// a rule of n nodes like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
+    #[inline(always)]
+    fn is_resolved(&self, nodes: usize) -> V::Mask {
+        let [yaw, time] = self.tolerances();
+        let (last, before) = (larger(self.last), larger(self.before));
+        carried_on(last[0], before[0], nodes)
+            .at_most(yaw)
+            .and(carried_on(last[1], before[1], nodes).at_most(time))
+    }
+
+    #[inline(always)]
+    fn told_where(&self, is_resolved: V::Mask) -> Told {
         Told {
-            is_resolved: told
-                .is_resolved
-                .and((margin * of_yaw * of_yaw).at_most(yaw * self.yaw.abs()))
-                .and((margin * of_time * of_time).at_most(time * self.time.abs())),
-            ..told
+            yaw: self.yaw.store(),
+            time: self.time.store(),
+            resolved: is_resolved.bits(),
+            pushed: self.pull.at_most(V::from(0.0)).bits(),
         }
     }
 
     /// Errors of yaw and time that do not count.
     #[inline(always)]
-    fn tolerances(&self) -> [Lanes; 2] {
+    fn tolerances(&self) -> [V; 2] {
         [
-            Lanes::from(YAW_TOLERANCE) * (Lanes::from(1.0) + self.yaw.abs()),
-            Lanes::from(TIME_TOLERANCE) * self.time.abs(),
+            V::from(YAW_TOLERANCE) * (V::from(1.0) + self.yaw.abs()),
+            V::from(TIME_TOLERANCE) * self.time.abs(),
         ]
     }
 }
 
-// Functions, as closures would not be compiled for the registers that these are.
-
 /// Of two coefficients beside one another the larger, for yaw and time.
 #[inline(always)]
-fn larger([one, beside]: [[Lanes; 2]; 2]) -> [Lanes; 2] {
+fn larger<T: Real>([one, beside]: [[T; 2]; 2]) -> [T; 2] {
     [
         one[0].abs().max(beside[0].abs()),
         one[1].abs().max(beside[1].abs()),
@@ -154,16 +158,16 @@ fn larger([one, beside]: [[Lanes; 2]; 2]) -> [Lanes; 2] {
 
 /// The error of a rule of n nodes, from coefficients four degrees apart.
 #[inline(always)]
-fn carried_on(last: Lanes, before: Lanes, nodes: usize) -> Lanes {
+fn carried_on<T: Real>(last: T, before: T, nodes: usize) -> T {
     const TINY: f64 = 1e-300;
-    let ratio = (last / before.max(Lanes::from(TINY))).min(Lanes::from(1.0));
+    let ratio = (last / before.max(T::from(TINY))).min(T::from(1.0));
     last * power(ratio, nodes / 2)
 }
 
 /// xⁿ.
 #[inline(always)]
-fn power(x: Lanes, n: usize) -> Lanes {
-    let (mut square, mut left, mut product) = (x, n, Lanes::from(1.0));
+fn power<T: Real>(x: T, n: usize) -> T {
+    let (mut square, mut left, mut product) = (x, n, T::from(1.0));
     while left > 0 {
         if left % 2 == 1 {
             product = product * square;
@@ -203,41 +207,88 @@ impl<T: Real> Sub for Piece<T> {
 ///
 /// The closer to a face-down collision, the more of the yaw is ∫ y_c dη / √(y² − y_c²), times its
 /// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
-///
-/// If `PASSES`, on to the balance point and over it, to both sides of which the integrand is singular, so that
-/// its Legendre coefficients swing; and the table's push is watched.
 #[inline(always)]
-pub(super) fn from_lowest<const PASSES: bool, T: Real>(
+pub(super) fn from_lowest<T: Real>(
     motion: &impl Tilting<T>,
-    [y_low, eta_low, grazing]: [T; 3],
+    low: [T; 3],
     length: T,
     rule: &Rule,
 ) -> Piece<T> {
-    let whole = risen(length.exp_m1()).sqrt().atan();
     let mut piece = Piece::nothing();
     for node in &rule.nodes {
-        let above = length * T::from(node.at * node.at);
-        let excess = above.exp_m1();
-        let (y, eta) = (y_low + y_low * excess, eta_low + above);
-        let pace = if PASSES {
-            let point = motion.at(y, eta);
-            piece.watch(motion, &point);
-            Pace::of(&point)
-        } else {
-            motion.pace(y, eta)
-        };
-        // 1/√square and 1/√(y²/y_c² − 1) by one division.
-        let (root, rise) = (pace.square.sqrt(), risen(excess).sqrt());
-        let both = length * T::from(2.0 * node.at) / (root * rise);
-        let rate = rise * both;
-        let integrands = [pace.yaw * rate - grazing * root * both, pace.time * rate];
+        let above = Above::lowest(low, length, T::from(node.at));
+        let pace = motion.pace(above.y, above.eta);
+        piece.add_node(above.integrands(&pace), node);
+    }
+    piece.yaw = piece.yaw + grazed(low, length);
+    piece
+}
+
+/// The same on to the balance point and over it, to both sides of which the integrand is singular, so that
+/// its Legendre coefficients swing; the table's push is watched.
+#[inline(always)]
+pub(super) fn from_lowest_passing<T: Real>(
+    motion: &impl Tilting<T>,
+    low: [T; 3],
+    length: T,
+    rule: &Rule,
+) -> Piece<T> {
+    let mut piece = Piece::nothing();
+    for node in &rule.nodes {
+        let above = Above::lowest(low, length, T::from(node.at));
+        let point = motion.at(above.y, above.eta);
+        piece.watch(motion, &point);
+        let integrands = above.integrands(&Pace::of(&point));
         piece.add_node(integrands, node);
-        if PASSES {
-            piece.look_beside(integrands, node.beside);
+        piece.look_beside(integrands, node.beside);
+    }
+    piece.yaw = piece.yaw + grazed(low, length);
+    piece
+}
+
+/// What the part in closed form comes to.
+#[inline(always)]
+fn grazed<T: Real>([_, _, grazing]: [T; 3], length: T) -> T {
+    grazing * risen(length.exp_m1()).sqrt().atan()
+}
+
+/// A node above the smallest tilt.
+struct Above<T> {
+    y: T,
+    eta: T,
+    /// y over the smallest, less 1.
+    excess: T,
+    grazing: T,
+    /// dη/dτ.
+    measure: T,
+}
+
+impl<T: Real> Above<T> {
+    #[inline(always)]
+    fn lowest([y_low, eta_low, grazing]: [T; 3], length: T, at: T) -> Self {
+        let above = length * (at * at);
+        let excess = above.exp_m1();
+        Above {
+            y: y_low + y_low * excess,
+            eta: eta_low + above,
+            excess,
+            grazing,
+            measure: length * (at + at),
         }
     }
-    piece.yaw = piece.yaw + grazing * whole;
-    piece
+
+    /// Of yaw, without the part in closed form, and time.
+    #[inline(always)]
+    fn integrands(&self, pace: &Pace<T>) -> [T; 2] {
+        // 1/√square and 1/√(y²/y_c² − 1) by one division.
+        let (root, rise) = (pace.square.sqrt(), risen(self.excess).sqrt());
+        let both = self.measure / (root * rise);
+        let rate = rise * both;
+        [
+            pace.yaw * rate - self.grazing * root * both,
+            pace.time * rate,
+        ]
+    }
 }
 
 /// (1 + e)² − 1.
@@ -250,18 +301,47 @@ fn risen<T: Real>(excess: T) -> T {
 #[inline(always)]
 pub(super) fn to_highest<T: Real>(
     motion: &impl Tilting<T>,
-    [y_high, eta_high]: [T; 2],
+    high: [T; 2],
     length: T,
     rule: &Rule,
 ) -> Piece<T> {
     let mut piece = Piece::nothing();
     for node in &rule.nodes {
-        let below = length * T::from(-node.at * node.at);
-        let y = y_high + y_high * below.exp_m1();
-        let pace = motion.pace(y, eta_high + below);
-        piece.add_node(paced(&pace, length * T::from(2.0 * node.at)), node);
+        let at = T::from(node.at);
+        let integrands = below_highest(motion, high, length, at, below(length, at).exp_m1());
+        piece.add_node(integrands, node);
     }
     piece
+}
+
+/// The same where all lengths are [`MOST_OUTER`], for which the rule knows the exponentials.
+#[inline(always)]
+pub(super) fn outer_to_highest<V: Vector>(
+    motion: &impl Tilting<V>,
+    high: [V; 2],
+    rule: &Rule,
+) -> Piece<V> {
+    let mut piece = Piece::nothing();
+    let length = V::from(MOST_OUTER);
+    for node in &rule.nodes {
+        let integrands = below_highest(motion, high, length, V::from(node.at), V::from(node.less));
+        piece.add_node(integrands, node);
+    }
+    piece
+}
+
+/// Of yaw and time, at a node below the largest tilt, where y is `less` + 1 times as large as there.
+#[inline(always)]
+fn below_highest<T: Real>(
+    motion: &impl Tilting<T>,
+    [y_high, eta_high]: [T; 2],
+    length: T,
+    at: T,
+    less: T,
+) -> [T; 2] {
+    let y = y_high + y_high * less;
+    let pace = motion.pace(y, eta_high + below(length, at));
+    paced(&pace, length * (at + at))
 }
 
 /// From one η to another without a turning back, over the balance point or to its side.
@@ -332,11 +412,15 @@ impl<T: Real> Piece<T> {
         self.look(1, integrands, weights);
     }
 
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "an iterator's closures might not be inlined"
+    )]
     #[inline(always)]
     fn look(&mut self, beside: usize, integrands: [T; 2], [last, before]: [f64; 2]) {
-        for (i, integrand) in integrands.into_iter().enumerate() {
-            self.last[beside][i] = self.last[beside][i] + T::from(last) * integrand;
-            self.before[beside][i] = self.before[beside][i] + T::from(before) * integrand;
+        for i in 0..2 {
+            self.last[beside][i] = self.last[beside][i] + T::from(last) * integrands[i];
+            self.before[beside][i] = self.before[beside][i] + T::from(before) * integrands[i];
         }
     }
 

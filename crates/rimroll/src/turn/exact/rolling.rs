@@ -151,7 +151,9 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
         let mut y = T::from(0.0);
         for _ in 0..2 {
             let pull = self.singular.where_negative(-mhr * s, mhr * s);
-            let root = (pull * pull + k * (self.energy - axial * s * s)).sqrt();
+            // Where the guess before was no tilt, any will do.
+            let fall = (self.energy - axial * s * s).max(T::from(0.0));
+            let root = (pull * pull + k * fall).sqrt();
             y = T::from(0.5) * self.singular.abs() * k / (pull + root);
             s = self.regular + self.singular * s_of_l * y.ln();
         }

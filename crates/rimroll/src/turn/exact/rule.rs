@@ -3,6 +3,7 @@
 //! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
 //! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
 
+use super::MOST_OUTER;
 use crate::real::{Real, rough_acosh, rough_asinh};
 use std::sync::OnceLock;
 
@@ -45,7 +46,9 @@ pub(super) struct Choice {
 impl Choice {
     /// About so many nodes, and nothing stretched.
     pub(super) fn plain(nodes: f64) -> Choice {
-        let enough = ENOUGH.get(nodes.ceil() as usize);
+        // Rounded up, for which processors of old have no instruction.
+        let whole = nodes.min(MOST as f64 + 1.0) as usize;
+        let enough = ENOUGH.get(whole + usize::from((whole as f64) < nodes));
         Choice {
             stretch: 0,
             rung: enough.map_or(LADDER.len() - 1, |&rung| rung.into()),
@@ -152,6 +155,12 @@ pub(super) fn nodes_to_highest<T: Real>(square: T, far: T) -> T {
     T::from(HIGH_DIGITS) / is_stretched.where_negative(stretched, plain)
 }
 
+/// How far a node at τ is from the end of a piece, to the largest tilt, of some length, in η.
+#[inline(always)]
+pub(super) fn below<T: Real>(length: T, at: T) -> T {
+    -(length * (at * at))
+}
+
 /// Nodes and weights on (0, 1).
 pub(super) struct Rule {
     pub(super) nodes: Vec<Node>,
@@ -162,6 +171,8 @@ pub(super) struct Rule {
 pub(super) struct Node {
     /// τ.
     pub(super) at: f64,
+    /// exp(−Λτ²) − 1 for a Λ of [`MOST_OUTER`].
+    pub(super) less: f64,
     pub(super) weight: f64,
     /// Weight, times P_{2n−2} at the node and its norm: what sums to the coefficient of the last
     /// Legendre polynomial that the rule can see.
@@ -192,8 +203,10 @@ impl Node {
     fn stretched(self, epsilon: f64) -> Node {
         let length = libm::asinh(1.0 / epsilon);
         let factor = epsilon * length * libm::cosh(length * self.at);
+        let at = epsilon * libm::sinh(length * self.at);
         Node {
-            at: epsilon * libm::sinh(length * self.at),
+            at,
+            less: Real::exp_m1(below(MOST_OUTER, at)),
             weight: factor * self.weight,
             last: factor * self.last,
             before: factor * self.before,
@@ -218,6 +231,7 @@ fn node(degree: usize, i: usize) -> Node {
     let of_degree = |m: usize| weight * (2 * m + 1) as f64 * legendre(m, x).0;
     Node {
         at: x,
+        less: Real::exp_m1(below(MOST_OUTER, x)),
         weight,
         last: of_degree(degree - 2),
         before: of_degree(degree - 6),

@@ -1,6 +1,6 @@
 //! Where a motion starts, in the terms of the quadrature.
 
-use crate::real::{Lanes, Real, sin_cos_below_eighth};
+use crate::real::{Lanes, Real, Vector, sin_cos_below_eighth};
 use crate::state::State;
 
 /// A start.
@@ -37,8 +37,32 @@ impl<T: Real> Start<T> {
     }
 }
 
+impl<V: Vector> Start<V> {
+    #[inline(always)]
+    pub(super) fn load(start: &Start<Lanes>) -> Self {
+        Start {
+            y: V::load(&start.y),
+            eta: V::load(&start.eta),
+            p: V::load(&start.p),
+            w: V::load(&start.w),
+            s: V::load(&start.s),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn store(&self) -> Start<Lanes> {
+        Start {
+            y: self.y.store(),
+            eta: self.eta.store(),
+            p: self.p.store(),
+            w: self.w.store(),
+            s: self.s.store(),
+        }
+    }
+}
+
 impl Start<Lanes> {
-    /// One of eight.
+    /// One of sixteen.
     #[inline(always)]
     pub(super) fn lane(&self, place: usize) -> Start<f64> {
         Start {

@@ -28,15 +28,15 @@ impl Waiting {
         self.next[start] = core::mem::replace(first, start as u32);
     }
 
-    /// Takes up to eight that wait for a rule into `eight`; false if there are none.
-    pub(super) fn take(&mut self, choice: Choice, eight: &mut Vec<usize>) -> bool {
+    /// Takes up to [`LANES`] that wait for a rule into `group`; false if there are none.
+    pub(super) fn take(&mut self, choice: Choice, group: &mut Vec<usize>) -> bool {
         let first = &mut self.first[choice.place()];
-        eight.clear();
-        while *first != NONE && eight.len() < LANES {
+        group.clear();
+        while *first != NONE && group.len() < LANES {
             let start = *first as usize;
-            eight.push(start);
+            group.push(start);
             *first = self.next[start];
         }
-        !eight.is_empty()
+        !group.is_empty()
     }
 }

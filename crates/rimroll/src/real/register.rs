@@ -1,0 +1,120 @@
+//! What a processor calculates with: a register of one number here, of four or eight in [`x86`](super::x86).
+
+use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
+
+/// A register of some numbers. Each operation is the `f64` one, number by number.
+pub trait Register: Copy + core::fmt::Debug {
+    /// A yes or no for each number.
+    type Flags: Copy + core::fmt::Debug;
+    /// How many numbers it holds.
+    const WIDTH: usize;
+
+    /// The same number throughout.
+    fn all(value: f64) -> Self;
+    /// The first [`Register::WIDTH`] numbers.
+    fn load(numbers: &[f64]) -> Self;
+    /// Into the first [`Register::WIDTH`] places.
+    fn store(a: Self, numbers: &mut [f64]);
+
+    /// a + b.
+    fn add(a: Self, b: Self) -> Self;
+    /// a − b.
+    fn sub(a: Self, b: Self) -> Self;
+    /// a · b.
+    fn mul(a: Self, b: Self) -> Self;
+    /// a / b.
+    fn div(a: Self, b: Self) -> Self;
+    /// −a.
+    fn neg(a: Self) -> Self;
+    /// √a.
+    fn sqrt(a: Self) -> Self;
+    /// |a|.
+    fn abs(a: Self) -> Self;
+    /// a where a > b, else b.
+    fn max(a: Self, b: Self) -> Self;
+    /// a where a < b, else b.
+    fn min(a: Self, b: Self) -> Self;
+
+    /// a < b.
+    fn less(a: Self, b: Self) -> Self::Flags;
+    /// a ≤ b.
+    fn at_most(a: Self, b: Self) -> Self::Flags;
+    /// `yes` where a flag is set, else `no`.
+    fn choose(flags: Self::Flags, yes: Self, no: Self) -> Self;
+    /// Set where both are.
+    fn and(a: Self::Flags, b: Self::Flags) -> Self::Flags;
+    /// Set where either is.
+    fn or(a: Self::Flags, b: Self::Flags) -> Self::Flags;
+    /// Set where it is not.
+    fn not(a: Self::Flags) -> Self::Flags;
+    /// The flags as the lowest bits.
+    fn bits(a: Self::Flags) -> u8;
+
+    /// 2ᵏ, of k + [`ROUNDER`] with |k| < 1023.
+    fn power_of_two(shifted: Self) -> Self;
+    /// [k, m] of normal x > 0 that are 2ᵏ m, with m between √½ and √2.
+    fn parts(x: Self) -> [Self; 2];
+    /// About the 16th root of a/b for positive numbers.
+    fn rough_16th_root_of(a: Self, b: Self) -> Self;
+}
+
+pub(super) const ONE_BITS: i64 = 1.0_f64.to_bits().cast_signed();
+
+/// Functions that are inlined wherever they are called.
+macro_rules! inlined {
+    ($($name:ident($($argument:ident: $kind:ty),*) -> $result:ty = $value:expr;)*) => {
+        $(#[inline(always)]
+        fn $name($($argument: $kind),*) -> $result {
+            $value
+        })*
+    };
+}
+#[cfg(target_arch = "x86_64")]
+pub(super) use inlined;
+
+/// Flags are all bits or none, as compilers know them of comparisons in registers, into which they may put several.
+impl Register for f64 {
+    type Flags = u64;
+    const WIDTH: usize = 1;
+
+    inlined! {
+        all(value: f64) -> f64 = value;
+        load(numbers: &[f64]) -> f64 = numbers[0];
+        store(a: f64, numbers: &mut [f64]) -> () = numbers[0] = a;
+        add(a: f64, b: f64) -> f64 = a + b;
+        sub(a: f64, b: f64) -> f64 = a - b;
+        mul(a: f64, b: f64) -> f64 = a * b;
+        div(a: f64, b: f64) -> f64 = a / b;
+        neg(a: f64) -> f64 = -a;
+        sqrt(a: f64) -> f64 = a.sqrt();
+        abs(a: f64) -> f64 = a.abs();
+        max(a: f64, b: f64) -> f64 = if a > b { a } else { b };
+        min(a: f64, b: f64) -> f64 = if a < b { a } else { b };
+        less(a: f64, b: f64) -> u64 = if a < b { u64::MAX } else { 0 };
+        at_most(a: f64, b: f64) -> u64 = if a <= b { u64::MAX } else { 0 };
+        choose(flags: u64, yes: f64, no: f64) -> f64 =
+            f64::from_bits((yes.to_bits() & flags) | (no.to_bits() & !flags));
+        and(a: u64, b: u64) -> u64 = a & b;
+        or(a: u64, b: u64) -> u64 = a | b;
+        not(a: u64) -> u64 = !a;
+        bits(a: u64) -> u8 = (a & 1) as u8;
+        power_of_two(shifted: f64) -> f64 =
+            f64::from_bits((shifted.to_bits() << FRACTION).wrapping_add(1.0_f64.to_bits()));
+    }
+
+    #[inline(always)]
+    fn rough_16th_root_of(a: f64, b: f64) -> f64 {
+        let logarithm = a.to_bits().wrapping_sub(b.to_bits()).cast_signed();
+        f64::from_bits((logarithm >> 4).wrapping_add(ONE_BITS).cast_unsigned())
+    }
+
+    #[inline(always)]
+    fn parts(x: f64) -> [f64; 2] {
+        let bits = x.to_bits().wrapping_sub(SQRT_HALF_BITS);
+        let exponent = (bits as i64) >> FRACTION;
+        let m = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << FRACTION));
+        // A whole number as a double without a conversion, which has no vector instruction.
+        let k = f64::from_bits(ROUNDER.to_bits().wrapping_add(exponent as u64)) - ROUNDER;
+        [k, m]
+    }
+}
