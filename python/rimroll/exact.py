@@ -20,8 +20,11 @@ from rimroll.state import Numbers, State
 
 Array = NDArray[np.float64]
 
-AT_A_TIME = 1 << 13
-"""Turns between two looks at Ctrl-C and a progress bar: a fraction of a second."""
+AT_A_TIME = 1 << 16
+"""Turns between two moves of a progress bar, and what Ctrl-C may lose: a fraction of a second."""
+
+DERIVED_AT_A_TIME = 1 << 11
+"""The same with derivatives."""
 
 STATUSES = np.array(_core.EXACT_STATUSES)
 """What can become of a body, by the core's codes."""
@@ -118,7 +121,7 @@ def exact_turn(
             f" integrals, got {law!r}: rimroll.ensemble follows falls under any law"
         )
     parts = turns_in_parts(body, start, law, gravity, topple_tilt, threads, bool(jacobian))
-    codes, table, derivatives = map(np.concatenate, zip(*parts, strict=True))
+    codes, table, derivatives = (np.concatenate(of, axis=-1) for of in zip(*parts, strict=True))
     return ExactTurn(
         **_named(NUMBERS, table, start.shape),
         status=_shaped(STATUSES[codes], start.shape),
@@ -135,9 +138,10 @@ def turns_in_parts(
     threads: int | None,
     jacobian: bool = False,
 ) -> Iterator[tuple[NDArray[np.uint8], Array, Array]]:
-    """The turns of :data:`AT_A_TIME` starts after the other, at least once.
+    """The turns of some starts after the other, at least once.
 
-    For each start a code of :data:`STATUSES`, the :data:`NUMBERS` and, if asked for, derivatives.
+    For each start a code of :data:`STATUSES`, and a column of the :data:`NUMBERS` and, if asked
+    for, of derivatives.
     """
     expect("body", body, Body)
     expect("start", start, State)
@@ -147,14 +151,15 @@ def turns_in_parts(
         None if topple_tilt is None else number("topple_tilt", topple_tilt),
         thread_count(threads),
     )
-    for first in range(0, max(1, len(columns.tilt)), AT_A_TIME):
+    at_a_time = DERIVED_AT_A_TIME if jacobian else AT_A_TIME
+    for first in range(0, max(1, len(columns.tilt)), at_a_time):
         try:
             codes, table, derivatives = _core.exact_turns(
-                body, columns.part(first), law.name, *options, jacobian
+                body, columns.part(first, at_a_time), law.name, *options, jacobian
             )
         except RimrollError as refusal:
             raise placed(refusal, body, start, columns, *options[:2]) from None
-        none = np.empty((len(codes), 0))
+        none = np.empty((0, len(codes)))
         yield codes, table, none if derivatives is None else derivatives
 
 
@@ -174,8 +179,8 @@ class _Starts(NamedTuple):
     spin: Array
     spin_rate: Array
 
-    def part(self, first: int) -> _Starts:
-        return _Starts(*(column[first : first + AT_A_TIME] for column in self))
+    def part(self, first: int, count: int) -> _Starts:
+        return _Starts(*(column[first : first + count] for column in self))
 
 
 def _column(start: State, name: str) -> Array:
@@ -184,8 +189,8 @@ def _column(start: State, name: str) -> Array:
 
 
 def _named(names: tuple[str, ...], table: Array, shape: tuple[int, ...]) -> dict[str, Numbers]:
-    return {name: _shaped(column, shape) for name, column in zip(names, table.T, strict=True)}
+    return {name: _shaped(row, shape) for name, row in zip(names, table, strict=True)}
 
 
-def _shaped(column: NDArray[np.generic], shape: tuple[int, ...]) -> Any:
-    return np.ascontiguousarray(column).reshape(shape) if shape else column.item()
+def _shaped(row: NDArray[np.generic], shape: tuple[int, ...]) -> Any:
+    return row.reshape(shape) if shape else row.item()

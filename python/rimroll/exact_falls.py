@@ -45,18 +45,18 @@ def exact_falls(
     gravity = number("gravity", gravity)
     topple_tilt = None if topple_tilt is None else number("topple_tilt", topple_tilt)
     (total,) = starts.shape
-    codes, table = np.empty(total, np.uint8), np.empty((total, len(NUMBERS)))
+    codes, table = np.empty(total, np.uint8), np.empty((len(NUMBERS), total))
     done = 0
 
     def told() -> xr.Dataset:
         options = {"gravity": gravity, "topple_tilt": topple_tilt}
-        falls = _dataset(codes[:done], table[:done], balance_tilt(body))
+        falls = _dataset(codes[:done], table[:, :done], balance_tilt(body))
         return falls.assign_attrs(parameters(body, law, options))
 
     try:
-        for part, rows, _ in turns_in_parts(body, starts, law, gravity, topple_tilt, threads):
+        for part, columns, _ in turns_in_parts(body, starts, law, gravity, topple_tilt, threads):
             last = done + len(part)
-            codes[done:last], table[done:last] = part, rows
+            codes[done:last], table[:, done:last] = part, columns
             done = last
             if progress is not None:
                 progress(done, total)
@@ -68,7 +68,7 @@ def exact_falls(
 def _dataset(codes: NDArray[np.uint8], table: Array, balance: float) -> xr.Dataset:
     import xarray as xr
 
-    told = dict(zip(NUMBERS, table.T, strict=True))
+    told = dict(zip(NUMBERS, table, strict=True))
     with np.errstate(invalid="ignore"):  # a NaN stays one
         told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
     told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]

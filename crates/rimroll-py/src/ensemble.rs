@@ -63,24 +63,43 @@ pub struct StartsArgument<'py> {
 
 impl StartsArgument<'_> {
     pub fn starts(&self) -> impl Iterator<Item = State> + '_ {
-        let columns = [
-            &self.tilt,
-            &self.tilt_rate,
-            &self.yaw,
-            &self.yaw_rate,
-            &self.spin,
-            &self.spin_rate,
-        ]
-        .map(|column| column.as_array());
-        let length = columns.iter().map(|column| column.len()).min().unwrap_or(0);
-        (0..length).map(move |i| State {
-            tilt: columns[0][i],
-            tilt_rate: columns[1][i],
-            yaw: columns[2][i],
-            yaw_rate: columns[3][i],
-            spin: columns[4][i],
-            spin_rate: columns[5][i],
-        })
+        let columns = self.arrays().map(PyReadonlyArray1::as_array);
+        let length = columns.iter().map(|column| column.len()).min();
+        (0..length.unwrap_or(0)).map(move |i| state(columns.each_ref().map(|column| column[i])))
+    }
+
+    /// Slices of equal length.
+    pub fn columns(&self) -> PyResult<[&[f64]; 6]> {
+        let mut columns: [&[f64]; 6] = [&[]; 6];
+        for (column, array) in columns.iter_mut().zip(self.arrays()) {
+            *column = array.as_slice()?;
+        }
+        let length = columns.iter().map(|column| column.len()).min();
+        Ok(columns.map(|column| &column[..length.unwrap_or(0)]))
+    }
+
+    fn arrays(&self) -> [&PyReadonlyArray1<'_, f64>; 6] {
+        let StartsArgument {
+            tilt,
+            tilt_rate,
+            yaw,
+            yaw_rate,
+            spin,
+            spin_rate,
+        } = self;
+        [tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]
+    }
+}
+
+/// From [tilt, tilt rate, yaw, yaw rate, spin, spin rate].
+pub fn state([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [f64; 6]) -> State {
+    State {
+        tilt,
+        tilt_rate,
+        yaw,
+        yaw_rate,
+        spin,
+        spin_rate,
     }
 }
 

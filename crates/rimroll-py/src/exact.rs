@@ -1,10 +1,11 @@
 //! Turns by quadrature.
 
 use crate::arguments::{BodyArgument, ideal_law, refusal};
-use crate::ensemble::{StartsArgument, Watched};
+use crate::ensemble::{StartsArgument, Watched, state};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use rayon::prelude::*;
 use rimroll::State;
 use rimroll::motion::PARAMETERS;
 use rimroll::turn::exact::{Ending, Exact, ExactTurn};
@@ -31,7 +32,7 @@ pub fn statuses() -> Vec<&'static str> {
 
 type Table<'py> = Bound<'py, PyArray2<f64>>;
 
-/// Codes of the endings, a table with one row a start and a column for each of [`EXACT_COLUMNS`], and
+/// Codes of the endings, a table with one column a start and a row for each of [`EXACT_COLUMNS`], and
 /// if asked for another with the turn's derivative by each of [`PARAMETERS`]. `threads` = 0 means as
 /// many as there are processors. Ctrl-C stops the work.
 #[pyfunction]
@@ -48,7 +49,7 @@ pub fn exact_turns<'py>(
 ) -> PyResult<(Bound<'py, PyArray1<u8>>, Table<'py>, Option<Table<'py>>)> {
     let exact = Exact::new(&body.body()?, ideal_law(law_name)?, gravity, topple_tilt);
     let exact = exact.map_err(refusal)?;
-    let starts: Vec<State> = starts.starts().collect();
+    let columns = starts.columns()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
@@ -56,9 +57,22 @@ pub fn exact_turns<'py>(
     let watched = Watched::default();
     let work = || {
         let goes_on = || watched.count(0).is_continue();
+        let starts: Vec<State> = (0..columns[0].len())
+            .into_par_iter()
+            .map(|i| state(columns.map(|column| column[i])))
+            .collect();
         let slopes = jacobian.then(|| exact.turn_slopes_while(&starts, goes_on));
-        let turns = exact.turns_while(&starts, goes_on)?;
-        Ok((turns.unwrap_or_default(), slopes.transpose()?.flatten()))
+        let slopes = slopes.transpose()?.flatten();
+        let turns = exact.turns_while(&starts, goes_on)?.unwrap_or_default();
+        let code = |turn: &ExactTurn| Ending::ALL.iter().position(|&ending| ending == turn.ending);
+        Ok(Told {
+            codes: turns
+                .par_iter()
+                .map(|turn| code(turn).unwrap_or(0) as u8)
+                .collect(),
+            table: by_columns(&turns, numbers),
+            slopes: slopes.map(|slopes| by_columns(&slopes, |slopes| *slopes)),
+        })
     };
     let (done, stopped) = py.detach(|| {
         std::thread::scope(|scope| {
@@ -75,26 +89,38 @@ pub fn exact_turns<'py>(
     if let Some(stopped) = stopped {
         return Err(stopped);
     }
-    let (turns, slopes) = done
+    let told = done
         .map_err(|_| PyRuntimeError::new_err("the quadrature has come to grief"))?
         .map_err(refusal)?;
-    let code = |turn: &ExactTurn| Ending::ALL.iter().position(|&ending| ending == turn.ending);
-    let codes: Vec<u8> = turns
-        .iter()
-        .map(|turn| code(turn).unwrap_or(0) as u8)
-        .collect();
-    let rows = turns.len();
-    let table = turns.iter().flat_map(numbers).collect();
-    let slopes = slopes.map(|slopes| slopes.into_iter().flatten().collect());
+    let count = told.codes.len();
+    let reshaped = |table: Vec<f64>, rows| table.into_pyarray(py).reshape([rows, count]);
     Ok((
-        codes.into_pyarray(py),
-        reshaped(py, table, rows, EXACT_COLUMNS.len())?,
-        slopes
-            .map(|slopes| reshaped(py, slopes, rows, PARAMETERS.len()))
+        told.codes.into_pyarray(py),
+        reshaped(told.table, EXACT_COLUMNS.len())?,
+        told.slopes
+            .map(|slopes| reshaped(slopes, PARAMETERS.len()))
             .transpose()?,
     ))
 }
 
-fn reshaped(py: Python<'_>, numbers: Vec<f64>, rows: usize, columns: usize) -> PyResult<Table<'_>> {
-    numbers.into_pyarray(py).reshape([rows, columns])
+/// What is told of the turns, in tables of a row a quantity.
+struct Told {
+    codes: Vec<u8>,
+    table: Vec<f64>,
+    slopes: Option<Vec<f64>>,
+}
+
+/// Some numbers of each of many things: first the first of all, then the second.
+fn by_columns<T: Sync, const N: usize>(
+    many: &[T],
+    numbers: impl Fn(&T) -> [f64; N] + Sync,
+) -> Vec<f64> {
+    let mut table = vec![0.0; N * many.len()];
+    let rows = table.par_chunks_mut(many.len().max(1)).enumerate();
+    rows.for_each(|(row, places)| {
+        for (place, one) in places.iter_mut().zip(many) {
+            *place = numbers(one)[row];
+        }
+    });
+    table
 }
