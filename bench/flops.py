@@ -25,7 +25,7 @@ from contest.tables import put_between
 CORE = BUILT / "core-rs/release/core-rs"
 ENGINES = {
     "quadrature": ("core_quadrature", 1e-12),
-    "stepping, 8 lanes, at 10⁻⁹": ("core_ensemble", 1e-9),
+    "stepping, at 10⁻⁹": ("core_ensemble", 1e-9),
 }
 """What is counted, as the worker of the core calls it, and at which tolerance."""
 
