@@ -1,4 +1,4 @@
-//! Lanes: sixteen numbers that are calculated with at once.
+//! Lanes: sixteen numbers that are calculated with at once, or eight where registers are narrow.
 //!
 //! Every operation is the `f64` one, lane by lane, so that what a lane computes does not depend on its
 //! neighbours and is to the last bit what `f64` alone computes, in registers of whatever width. All is
@@ -11,20 +11,23 @@ use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
 /// How many lanes there are: more than a register holds, since a formula is a chain whose links wait for one another,
-/// and a processor that has two of them under way need not wait.
-pub const LANES: usize = 16;
+/// and a processor that has two of them under way need not wait; not so many that it runs out of registers.
+pub const LANES: usize = if cfg!(target_arch = "x86_64") { 16 } else { 8 };
 
 /// A yes or no for each lane, as a bit.
+#[cfg(target_arch = "x86_64")]
 pub type Bits = u16;
+#[cfg(not(target_arch = "x86_64"))]
+pub type Bits = u8;
 
 const _: () = assert!(Bits::BITS as usize == LANES);
 
-/// Sixteen numbers side by side, in `COUNT` registers.
+/// As many numbers side by side, in `COUNT` registers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct Packed<R, const COUNT: usize>(pub [R; COUNT]);
 
-/// Sixteen numbers by themselves: as they are kept in memory, and for processors without wide registers.
+/// The same by themselves: as they are kept in memory, and for processors without wide registers.
 pub type Lanes = Packed<f64, LANES>;
 
 /// A yes or no for each lane.
@@ -32,6 +35,7 @@ pub type Lanes = Packed<f64, LANES>;
 pub struct Flagged<R: Register, const COUNT: usize>([R::Flags; COUNT]);
 
 /// Lanes in some registers.
+///
 /// What takes them has to be inlined: [`in_widest`](super::in_widest).
 pub trait Vector: elementary::Parted {
     /// A yes or no for each lane.
@@ -424,7 +428,7 @@ mod tests {
             a in prop::array::uniform16(any::<u64>()),
             b in prop::array::uniform16(any::<u64>()),
         ) {
-            let [a, b] = [a, b].map(|bits| bits.map(f64::from_bits));
+            let [a, b] = [a, b].map(|bits| from_fn(|i| f64::from_bits(bits[i])));
             let alone: [[f64; 12]; LANES] = from_fn(|i| instructions(a[i], b[i]));
             for done in in_every_width(|| Instructions([Packed(a), Packed(b)])) {
                 for (k, lanes) in done.iter().enumerate() {
