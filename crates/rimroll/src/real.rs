@@ -16,8 +16,8 @@ mod x86;
 pub(crate) use elementary::{Parted, asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
 
 pub use dual::{Dual, Slope, Slopes};
-pub(crate) use lanes::{Bits, Mask, Vector};
-pub use lanes::{LANES, Lanes, Packed};
+pub(crate) use lanes::{Bits, Mask, Packed, Vector};
+pub use lanes::{LANES, Lanes};
 #[cfg(test)]
 pub(crate) use widest::in_every_width;
 pub(crate) use widest::{Task, in_widest};
