@@ -107,13 +107,13 @@ impl<'a> Dry<'a> {
             if rolling.len() + slipping.len() + to_slip.len() == 0 {
                 return;
             }
-            let more_roll = rolling.len() > slipping.len();
+            let slipping_is_short = rolling.len() > 0 && slipping.len() < LANES;
             let mut begin = |begins| match begins {
                 Begins::Rolling(waiting) => to_roll.push(waiting),
                 Begins::Slipping(waiting) => to_slip.push(waiting),
             };
-            // So that few lanes are empty.
-            if more_roll {
+            // Those that roll go on until those that slide have no lane empty.
+            if slipping_is_short {
                 rolling.step(|trial, exit, at| {
                     self.after_rolling(trial, exit, at).map(&mut begin);
                 });
