@@ -8,6 +8,10 @@ use crate::state::Coordinates;
 /// Added to what may be 0 and is divided by.
 pub(crate) const NEVER_ZERO: f64 = 1e-200;
 
+/// Slip this slow, beside the other velocities, need not be known better than if it were as fast: well
+/// below what counts as stopped, a tenth of the tolerance.
+const SLOW: f64 = 1e-2;
+
 /// For one body under one gravity.
 #[derive(Clone, Copy)]
 pub(crate) struct Yardstick<T> {
@@ -23,14 +27,14 @@ pub(crate) struct Yardstick<T> {
 impl<T: Real> Yardstick<T> {
     pub(crate) fn new(k: &Parameters<T>) -> Self {
         // Beside the speed of falling.
-        const SLOW: f64 = 0.03;
+        const ENDING: f64 = 0.03;
         let falling_rate = (k.g / k.r).sqrt();
         Yardstick {
             mass: k.m,
             radius: k.r,
             falling_rate,
             per_falling_rate: T::from(1.0) / falling_rate,
-            slow: T::from(SLOW) * k.r * falling_rate,
+            slow: T::from(ENDING) * k.r * falling_rate,
         }
     }
 
@@ -80,8 +84,6 @@ impl<T: Real> Yardstick<T> {
     /// it is: then it follows the forces at once.
     #[inline(always)]
     pub(crate) fn sizes(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        // Well below what counts as stopped, a tenth of the tolerance.
-        const SLOW: f64 = 1e-2;
         const SMALL_GAP: f64 = 1e-6;
         let (one, never_zero) = (T::from(1.0), T::from(NEVER_ZERO));
         let small_gap = T::from(SMALL_GAP) * self.radius;
@@ -114,13 +116,28 @@ impl<T: Real> Yardstick<T> {
         }
     }
 
-    /// The same while dry friction makes w and s of what is lost in sideways slip: errors of the three
+    /// The same where dry friction makes w and s of what is lost in sideways slip: errors of the three
     /// count alike.
     #[inline(always)]
-    pub(crate) fn sizes_in_dry_slip(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    pub(crate) fn sizes_as_dry_slip_begins(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
             s: u.s.abs() + u.w.abs() + T::from(NEVER_ZERO),
             ..self.sizes(u)
+        }
+    }
+
+    /// The same for a slip that is to stop, for which it has to go straight, as far as sideways speed can
+    /// tell: were errors good that turn the last of it, it would be turned to and fro and never stop.
+    #[inline(always)]
+    pub(crate) fn sizes_in_dry_slip(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        let never_zero = T::from(NEVER_ZERO);
+        let sideways = self.sideways_speed(u);
+        let slow = sideways.min(self.radius * self.tilt_rate(u));
+        let slip = slip_speed(u) + T::from(SLOW) * slow + never_zero;
+        Coordinates {
+            slip_x: slip,
+            slip_y: u.slip_y.abs() + slip.min(sideways) + never_zero,
+            ..self.sizes_as_dry_slip_begins(u)
         }
     }
 

@@ -191,6 +191,12 @@ impl<T: Real> Slipping<T> {
         pushed.min(contact.normal).min(self.law.inertia(&u, &pull))
     }
 
+    /// What errors are compared with while a slip begins.
+    #[inline(always)]
+    pub(super) fn sizes_as_it_begins(&self, u: &[T; 10]) -> [T; 10] {
+        Self::of(&self.yardstick.sizes_as_dry_slip_begins(&Self::all(u)))
+    }
+
     /// How fast the solver's clock goes, as a part of τ.
     #[inline(always)]
     pub(super) fn clock(&self, u: &Coordinates<T>) -> T {

@@ -288,3 +288,42 @@ impl<'a> Dry<'a> {
 fn onset_length(tolerance: f64) -> f64 {
     45.0 * libm::pow(tolerance / 2e-10, 1.0 / 7.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Dry, Limits};
+    use crate::motion::Options;
+    use crate::presets;
+    use crate::state::State;
+    use crate::surface::FrictionLaw;
+
+    #[test]
+    fn a_can_never_takes_so_many_steps_that_it_is_followed_alone() {
+        let can = presets::can_2007().expect("the paper's can");
+        // Spread evenly over all decades by multiples of irrational numbers.
+        let part = |i: usize, by: f64| (i as f64 * by).fract();
+        let trials: Vec<_> = (1..5000)
+            .map(|i| {
+                let start = State {
+                    tilt: 0.3 + 0.3 * part(i, 0.754_877_666),
+                    tilt_rate: -part(i, 0.569_840_291),
+                    yaw_rate: libm::pow(10.0, -5.0 + 4.0 * part(i, 0.618_033_989)),
+                    spin_rate: libm::pow(10.0, -5.0 + 4.0 * part(i, 0.414_213_562)),
+                    ..State::default()
+                };
+                (start, FrictionLaw::coulomb(0.2).into())
+            })
+            .collect();
+        for rtol in [1e-6, 1e-9] {
+            let options = Options {
+                rtol,
+                ..Options::default()
+            };
+            let limits = Limits::of(&options);
+            let mut done = vec![None; trials.len()];
+            Dry::new(&can, &trials, &options, &limits, &mut done).follow(0..trials.len());
+            let left = done.iter().filter(|fall| fall.is_none()).count();
+            assert_eq!(left, 0, "at {rtol}");
+        }
+    }
+}

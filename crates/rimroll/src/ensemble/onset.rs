@@ -435,7 +435,7 @@ impl<V: Vector> Together<V> {
     /// What errors are compared with.
     #[inline(always)]
     fn sizes(&self, end: &[V; N]) -> [V; N] {
-        let mut sizes = self.slipping.sizes(&self.whole(end));
+        let mut sizes = self.slipping.sizes_as_it_begins(&self.whole(end));
         let slip = Slipping::<V>::all(&sizes);
         sizes[ACROSS] = turn_size(&slip, self.direction, end[ALONG]);
         sizes

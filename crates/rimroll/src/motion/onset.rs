@@ -14,7 +14,7 @@
 
 use super::contacts::{DrySliding, turned};
 use super::mechanics::Mechanics;
-use crate::solve::{Collocation, Dense, POINTS, System, solved};
+use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
 use crate::yardstick::turn_size;
 
@@ -296,12 +296,11 @@ impl Beginning<'_> {
 
     fn sizes(&self, points: &[Polar; POINTS]) -> Sizes {
         let end = self.whole(&points[POINTS - 1]);
-        let at = self.mechanics.scale(&end.into_array());
-        let slip = Coordinates::from_array(&at);
+        let sizes = self.mechanics.yardstick.sizes_as_dry_slip_begins(&end);
         Sizes {
-            speed: slip.slip_x,
-            turn: turn_size(&slip, self.direction, points[POINTS - 1].speed),
-            at,
+            speed: sizes.slip_x,
+            turn: turn_size(&sizes, self.direction, points[POINTS - 1].speed),
+            at: sizes.into_array(),
         }
     }
 
