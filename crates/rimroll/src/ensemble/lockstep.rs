@@ -19,6 +19,8 @@ pub(super) struct Lockstep<const N: usize> {
     sizes: [Lanes; N],
     /// How long a step to try.
     pub h: Lanes,
+    /// A shorter step leads nowhere.
+    pub least_h: Lanes,
     /// By how much the next step may be longer.
     growth: Lanes,
     /// The sign of the tilt rate, 0 before it has one.
@@ -92,8 +94,9 @@ impl Limits {
 pub(super) struct Outcome {
     /// Good enough.
     pub good: Bits,
-    /// Good, nothing happened on the way, and the motion has gone on.
-    pub quiet: Bits,
+    /// Nothing is to be decided: either the step was good, nothing happened on the way and the motion has
+    /// gone on, or it was not good and a shorter one is to be tried.
+    pub settled: Bits,
 }
 
 impl<const N: usize> Lockstep<N> {
@@ -104,6 +107,7 @@ impl<const N: usize> Lockstep<N> {
             rates: [zero; N],
             sizes: [Lanes::from(1.0); N],
             h: zero,
+            least_h: zero,
             growth: Lanes::from(8.0),
             direction: zero,
             free: zero,
@@ -186,7 +190,7 @@ impl<const N: usize> Lockstep<N> {
         let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
         let safety = self.safety(&phase, &attempt, limits);
         let quiet = good.and(V::from(0.0).at_most(safety));
-        self.choose_next(&estimate, is_number, good, quiet);
+        let shortened = self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
             self.end[i] = attempt.end[i].store();
             self.end_rates[i] = attempt.rates[i].store();
@@ -200,7 +204,7 @@ impl<const N: usize> Lockstep<N> {
         self.inside = attempt.inside.store();
         Outcome {
             good: good.bits(),
-            quiet: quiet.bits(),
+            settled: quiet.or(shortened).bits(),
         }
     }
 
@@ -275,7 +279,8 @@ impl<const N: usize> Lockstep<N> {
             .min(on_its_way)
     }
 
-    /// How long the next step could be; and lets it be so where nothing else is to be decided.
+    /// How long the next step could be; and lets it be so where nothing else is to be decided. Where a shorter
+    /// one is to be tried, it says so.
     #[inline(always)]
     fn choose_next<V: Vector>(
         &mut self,
@@ -283,19 +288,20 @@ impl<const N: usize> Lockstep<N> {
         is_number: V::Mask,
         good: V::Mask,
         quiet: V::Mask,
-    ) {
+    ) -> V::Mask {
         let (one, h) = (V::from(1.0), V::load(&self.h));
         let factor = estimate.next_factor().max(V::from(0.2));
         let factor = is_number.choose(factor, V::from(0.1));
         let growth = good.choose(V::load(&self.growth), one);
         let next = h * factor.min(growth);
         let free = V::from(0.5).at_most(V::load(&self.free));
-        let goes_on = quiet.or((!good).and(free));
+        let shortened = (!good).and(free);
         let steps = V::load(&self.steps);
         self.next = next.store();
-        self.h = goes_on.choose(next, h).store();
+        self.h = quiet.or(shortened).choose(next, h).store();
         self.growth = good.choose(V::from(8.0), one).store();
         self.steps = quiet.choose(steps + one, steps).store();
+        shortened.and(V::load(&self.least_h).at_most(next))
     }
 }
 

@@ -28,7 +28,7 @@ const FELT: usize = <Slipping<f64> as Carried<f64, N>>::FELT;
 const ALONG: usize = 0;
 const ACROSS: usize = 1;
 
-const ROUNDS: usize = 9;
+const ROUNDS: usize = 7;
 
 /// After so many rounds the slopes are as good as those of the solution.
 const FRESH_SLOPES: usize = 2;
@@ -38,7 +38,7 @@ const TURNS: usize = 5;
 const FRESH_TURNS: usize = 3;
 
 /// Explicit steps take over where q relaxes no oftener than this in a step of collocation.
-const FOLLOWED: f64 = 20.0;
+const FOLLOWED: f64 = 40.0;
 
 /// So many steps are made at most, and tried in vain.
 const MOST_STEPS: usize = 12;
@@ -478,7 +478,7 @@ impl<V: Vector> Together<V> {
             until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
             clock: self.slipping.clock(&Slipping::<V>::all(&whole)).store(),
             error: (error * V::from(1.0 / self.tolerance)).store(),
-            change: (change * V::from(50.0 / self.tolerance)).store(),
+            change: (change * V::from(5.0 / self.tolerance)).store(),
             relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),
             possible: possible.store(),
         }

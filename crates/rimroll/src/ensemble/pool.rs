@@ -51,12 +51,6 @@ struct Landing {
 /// So often a landing is tried before the fall counts as rare.
 const MOST_ROUNDS: usize = 40;
 
-/// How a fall gets on.
-struct Place {
-    landing: Option<Landing>,
-    least_h: f64,
-}
-
 /// Sixteen places, and the laws there.
 pub(super) struct Pool<'a, A, const N: usize> {
     limits: &'a Limits,
@@ -67,7 +61,7 @@ pub(super) struct Pool<'a, A, const N: usize> {
     contact: A,
     alone: [A; LANES],
     trials: [Option<Trial>; LANES],
-    places: [Option<Place>; LANES],
+    landings: [Option<Landing>; LANES],
     yardstick: Yardstick<f64>,
     count: usize,
 }
@@ -85,7 +79,7 @@ where
             contact: A::new(parameters, 0.0),
             alone: core::array::from_fn(|_| A::new(parameters, 0.0)),
             trials: core::array::from_fn(|_| None),
-            places: core::array::from_fn(|_| None),
+            landings: core::array::from_fn(|_| None),
             yardstick: Yardstick::new(&parameters),
             count: 0,
         }
@@ -98,7 +92,7 @@ where
 
     /// Takes in a fall, where there is a place; `h` is a first guess for the length of a step.
     pub(super) fn put(&mut self, trial: Trial, at: &Coordinates<f64>, friction: f64, h: f64) {
-        let Some(lane) = self.places.iter().position(Option::is_none) else {
+        let Some(lane) = self.trials.iter().position(Option::is_none) else {
             unreachable!("a fall is put where there is a place");
         };
         if self.friction.0[lane] != friction {
@@ -109,14 +103,12 @@ where
         let (u, alone) = (A::of(at), &self.alone[lane]);
         self.lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
         self.lockstep.h.0[lane] = h;
+        self.lockstep.least_h.0[lane] = 1e-16 * h;
         self.lockstep.direction.0[lane] = trial.direction;
         self.lockstep.free.0[lane] = 1.0;
         self.lockstep.steps.0[lane] = trial.steps;
         self.trials[lane] = Some(trial);
-        self.places[lane] = Some(Place {
-            landing: None,
-            least_h: 1e-16 * h,
-        });
+        self.landings[lane] = None;
     }
 
     /// Makes a step of each fall; those that leave are handed to `leave` with where they then are.
@@ -124,17 +116,16 @@ where
         let outcome = self
             .lockstep
             .step(&self.contact, &self.friction, self.limits);
-        for lane in lanes_of(!outcome.quiet) {
-            let Some(mut place) = self.places[lane].take() else {
+        for lane in lanes_of(!outcome.settled) {
+            if self.trials[lane].is_none() {
                 continue;
-            };
+            }
             let exit = if outcome.good >> lane & 1 == 1 {
-                self.attend(lane, &mut place)
+                self.attend(lane)
             } else {
-                self.shorten(lane, &mut place)
+                self.shorten(lane)
             };
             let Some((exit, at)) = exit else {
-                self.places[lane] = Some(place);
                 continue;
             };
             self.lockstep.free.0[lane] = 0.0;
@@ -148,22 +139,22 @@ where
     }
 
     /// After a step that was not good enough.
-    fn shorten(&mut self, lane: usize, place: &mut Place) -> Option<(Exit, Coordinates<f64>)> {
-        if place.landing.take().is_some() {
+    fn shorten(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
+        if self.landings[lane].take().is_some() {
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] *= 0.5;
         }
-        self.long_enough(lane, place)
+        self.long_enough(lane)
     }
 
-    fn long_enough(&self, lane: usize, place: &Place) -> Option<(Exit, Coordinates<f64>)> {
+    fn long_enough(&self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         // Written so that a NaN is too short.
-        let long_enough = self.lockstep.h.0[lane] > place.least_h;
+        let long_enough = self.lockstep.h.0[lane] > self.lockstep.least_h.0[lane];
         (!long_enough).then(|| (Exit::Rare, A::all(&self.lockstep.at(lane))))
     }
 
     /// After a good step on which something may have happened.
-    fn attend(&mut self, lane: usize, place: &mut Place) -> Option<(Exit, Coordinates<f64>)> {
+    fn attend(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         let end = self.lockstep.end_at(lane);
         let u = A::all(&end);
         let steps = self.lockstep.steps.0[lane];
@@ -176,24 +167,19 @@ where
         if self.lockstep.direction.0[lane] == 0.0 {
             self.lockstep.direction.0[lane] = self.limits.sign_of_tilt_rate(&u, &self.yardstick);
         }
-        match self.run_over(lane, place) {
-            Some((mark, h)) => self.aim(lane, place, mark, h),
-            None => match &place.landing {
-                Some(landing) => {
-                    let mark = landing.mark;
-                    self.land(lane, place, mark)
-                }
-                None => self.go_on(lane, place),
-            },
+        let target = self.landings[lane].as_ref().map(|landing| landing.mark);
+        match (self.run_over(lane, target), target) {
+            (Some((mark, h)), _) => self.aim(lane, mark, h),
+            (None, Some(mark)) => self.land(lane, mark),
+            (None, None) => self.go_on(lane),
         }
     }
 
-    /// The first mark that the step has run over, other than one that it is to land at, and how long a
+    /// The first mark that the step has run over, other than the target that it is to land at, and how long a
     /// step would end there.
-    fn run_over(&self, lane: usize, place: &Place) -> Option<(Mark, f64)> {
+    fn run_over(&self, lane: usize, target: Option<Mark>) -> Option<(Mark, f64)> {
         let (start, end) = (self.lockstep.at(lane), self.lockstep.end_at(lane));
         let rates = self.lockstep.end_rates_at(lane);
-        let target = place.landing.as_ref().map(|landing| landing.mark);
         let h = self.lockstep.h.0[lane];
         MARKS
             .into_iter()
@@ -211,26 +197,20 @@ where
     }
 
     /// Sets out for a mark, from where the step began.
-    fn aim(
-        &mut self,
-        lane: usize,
-        place: &mut Place,
-        mark: Mark,
-        h: f64,
-    ) -> Option<(Exit, Coordinates<f64>)> {
+    fn aim(&mut self, lane: usize, mark: Mark, h: f64) -> Option<(Exit, Coordinates<f64>)> {
         let u = A::all(&self.lockstep.end_at(lane));
-        let (rounds, next) = match &place.landing {
+        let (rounds, next) = match &self.landings[lane] {
             Some(landing) => (landing.rounds, landing.next),
             None => (0, self.lockstep.next.0[lane]),
         };
         // A tilt rate without a clear sign may be that of a steady wobble.
         let unclear = mark == Mark::Extreme
             && self.limits.sign_of_tilt_rate(&u, &self.yardstick) == 0.0
-            && place.landing.is_none();
+            && self.landings[lane].is_none();
         if unclear || rounds > MOST_ROUNDS {
             return Some((Exit::Rare, u));
         }
-        place.landing = Some(Landing {
+        self.landings[lane] = Some(Landing {
             mark,
             between: (0.0, self.lockstep.h.0[lane]),
             next,
@@ -242,17 +222,12 @@ where
     }
 
     /// After a step that was to end at a mark.
-    fn land(
-        &mut self,
-        lane: usize,
-        place: &mut Place,
-        mark: Mark,
-    ) -> Option<(Exit, Coordinates<f64>)> {
+    fn land(&mut self, lane: usize, mark: Mark) -> Option<(Exit, Coordinates<f64>)> {
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
         let h = self.lockstep.h.0[lane];
         let level = self.level(lane, mark, &end);
         let missing = -level / self.slope(lane, mark, &end, &rates);
-        let landing = place.landing.as_mut()?;
+        let landing = self.landings[lane].as_mut()?;
         landing.rounds += 1;
         if landing.rounds > MOST_ROUNDS {
             return Some((Exit::Rare, A::all(&end)));
@@ -275,7 +250,7 @@ where
         }
         if self.lockstep.inside.0[lane] < 0.0 {
             // Something else may have happened before.
-            place.landing = None;
+            self.landings[lane] = None;
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] = 0.5 * h;
             return None;
@@ -286,14 +261,13 @@ where
             0.0
         };
         let at = A::all(&core::array::from_fn(|i| end[i] + missing * rates[i]));
-        self.arrive(lane, place, mark, at)
+        self.arrive(lane, mark, at)
     }
 
     /// What happens at a mark.
     fn arrive(
         &mut self,
         lane: usize,
-        place: &mut Place,
         mark: Mark,
         at: Coordinates<f64>,
     ) -> Option<(Exit, Coordinates<f64>)> {
@@ -320,18 +294,18 @@ where
         self.lockstep.direction.0[lane] = -self.lockstep.direction.0[lane];
         self.lockstep.accept(lane);
         self.lockstep.free.0[lane] = 1.0;
-        if let Some(landing) = place.landing.take() {
+        if let Some(landing) = self.landings[lane].take() {
             self.lockstep.h.0[lane] = landing.next;
         }
         None
     }
 
     /// After a step that has run over nothing.
-    fn go_on(&mut self, lane: usize, place: &Place) -> Option<(Exit, Coordinates<f64>)> {
+    fn go_on(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         if self.lockstep.inside.0[lane] < 0.0 {
             // There may have been something on the way.
             self.lockstep.h.0[lane] *= 0.5;
-            return self.long_enough(lane, place);
+            return self.long_enough(lane);
         }
         self.lockstep.accept(lane);
         self.lockstep.h.0[lane] = self.lockstep.next.0[lane];

@@ -46,8 +46,9 @@ impl<T: Real> Pull<T> {
     /// Friction −factor · slip for so many newtons of normal force.
     #[inline(always)]
     pub fn per_normals(slip: [T; 2], factor: T, of: T) -> Self {
+        let against = -factor;
         Pull {
-            per_normal: [-(factor * slip[0]), -(factor * slip[1])],
+            per_normal: [against * slip[0], against * slip[1]],
             of,
             own: None,
         }
