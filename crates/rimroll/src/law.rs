@@ -25,6 +25,7 @@ pub use flight::Flight;
 pub use frictionless::Frictionless;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
+pub(crate) use sliding::Pace;
 pub use sliding::{Friction, Pull, Sliding};
 pub use stribeck::Stribeck;
 pub use viscous::Viscous;
@@ -136,6 +137,18 @@ pub struct Contact<T> {
     pub across: T,
     /// Upward.
     pub normal: T,
+}
+
+impl<T: Real> Contact<T> {
+    /// So many times this force.
+    #[inline(always)]
+    pub(crate) fn times(&self, factor: T) -> Self {
+        Contact {
+            along: factor * self.along,
+            across: factor * self.across,
+            normal: factor * self.normal,
+        }
+    }
 }
 
 /// Mechanical energy, J.

@@ -204,10 +204,17 @@ impl<T: Real> Coordinates<T> {
     /// forces: of yaw, tilt and time. All others are zero.
     #[inline(always)]
     pub fn kinematics(&self) -> Self {
-        let falling = self.sin * self.p;
+        self.kinematics_by(T::from(1.0))
+    }
+
+    /// The same by a clock that goes as fast as this part of τ.
+    #[inline(always)]
+    pub(crate) fn kinematics_by(&self, clock: T) -> Self {
+        let passing = clock * self.sin;
+        let falling = passing * self.p;
         Coordinates {
-            yaw: self.w,
-            t: self.sin,
+            yaw: clock * self.w,
+            t: passing,
             sin: falling * self.cos,
             cos: -(falling * self.sin),
             ..Coordinates::zero()

@@ -1,7 +1,7 @@
 //! What is carried along of a fall while its contact stays the same: of the coordinates only those that
 //! the outcome needs. First come those that the law feels; the rest is summed up on the way.
 
-use crate::law::{Coulomb, Frictionless, Law, NoSlip, Parameters, Sliding};
+use crate::law::{Coulomb, Frictionless, Law, NoSlip, Pace, Parameters, Sliding};
 use crate::real::Real;
 use crate::state::Coordinates;
 use crate::yardstick::{Yardstick, slip_speed};
@@ -233,14 +233,12 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
         let pull = self.law.pull(&u);
         // One division for the clock and for the law.
         let (inertia, slowed) = (self.law.inertia(&u, &pull), self.yardstick.slowed(&u));
-        let per_both = T::from(1.0) / (inertia * slowed);
-        let clock = slip_speed(&u) * (inertia * per_both);
-        let (_, rates) = self.law.moving(&u, &pull, slowed * per_both);
-        let mut rates = Self::of(&rates);
-        for rate in &mut rates {
-            *rate = clock * *rate;
-        }
-        rates
+        let per_inertia = slip_speed(&u) / (inertia * slowed);
+        let pace = Pace {
+            clock: inertia * per_inertia,
+            per_inertia,
+        };
+        Self::of(&self.law.moving(&u, &pull, pace).1)
     }
 
     #[inline(always)]

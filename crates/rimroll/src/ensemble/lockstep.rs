@@ -364,9 +364,11 @@ const _: () = {
 /// compiled: hence the terms are written out.
 #[inline(always)]
 fn weigh<V: Vector, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> V {
-    let (i, mut sum) = (V::unseen(i), V::from(0.0));
+    let i = V::unseen(i);
     // Asked once rather than for every term.
     assert!(i < N, "a coordinate");
+    let (first, weight) = row[0];
+    let mut sum = V::from(weight) * V::load(&stages[first][i]);
     macro_rules! add {
         ($($term:literal)*) => {
             $(if let Some(&(stage, weight)) = row.get($term) {
@@ -374,7 +376,7 @@ fn weigh<V: Vector, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usiz
             })*
         };
     }
-    add!(0 1 2 3 4 5 6 7 8);
+    add!(1 2 3 4 5 6 7 8);
     sum
 }
 

@@ -17,7 +17,7 @@
 //! (A + mρη) N = m (A (g − z φ̇²) + ρ (A w ψ̇ cosφ − C w s + b_x z))
 //! ```
 //!
-//! which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox).
+//! (here divided by m, which is once less to multiply with), which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox).
 //! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
 
 use super::{Contact, Law, Parameters};
@@ -66,13 +66,26 @@ pub trait Friction<T: Real> {
 pub struct Sliding<T, F> {
     k: Parameters<T>,
     friction: F,
-    /// 1/m + R²/C + H²/A.
-    sideways_mobility: T,
-    /// 1/m.
     per_mass: T,
+    /// A/m and C/m.
+    a: T,
+    c: T,
+    /// 1 + mR²/C + mH²/A.
+    sideways_mobility: T,
     c_over_a: T,
+    /// mH/A.
     h_over_a: T,
+    /// mR/C.
     r_over_c: T,
+}
+
+/// The clock by which rates are wanted.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pace<T> {
+    /// How fast it goes, as a part of τ.
+    pub clock: T,
+    /// That over what a push on the rim has to [move](Sliding::inertia).
+    pub per_inertia: T,
 }
 
 /// The accelerations times sin φ.
@@ -90,8 +103,10 @@ impl<T: Real, F> Sliding<T, F> {
         Sliding {
             k: self.k.map(&f),
             friction,
-            sideways_mobility: f(self.sideways_mobility),
             per_mass: f(self.per_mass),
+            a: f(self.a),
+            c: f(self.c),
+            sideways_mobility: f(self.sideways_mobility),
             c_over_a: f(self.c_over_a),
             h_over_a: f(self.h_over_a),
             r_over_c: f(self.r_over_c),
@@ -105,11 +120,13 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         Sliding {
             k,
             friction,
-            sideways_mobility: k.sideways_mobility(),
             per_mass: T::from(1.0) / k.m,
+            a: k.a / k.m,
+            c: k.c / k.m,
+            sideways_mobility: k.m * k.sideways_mobility(),
             c_over_a: k.c / k.a,
-            h_over_a: k.h / k.a,
-            r_over_c: k.r / k.c,
+            h_over_a: k.m * k.h / k.a,
+            r_over_c: k.m * k.r / k.c,
         }
     }
 
@@ -125,70 +142,95 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         pull.of * self.k.rho(u) - pull.per_normal[0] * self.k.z(u)
     }
 
-    /// What a push on the rim has to move, A + mρη, times what the pull is of.
+    /// What a push on the rim has to move, A/m + ρη, times what the pull is of.
     #[inline(always)]
     pub(crate) fn inertia(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
-        self.k.a * pull.of + self.k.m * self.k.rho(u) * self.eta(u, pull)
+        self.a * pull.of + self.k.rho(u) * self.eta(u, pull)
     }
 
-    /// The table's force, and φ̈ times sin φ; `per_inertia` is 1 over the [inertia](Self::inertia).
+    /// By τ itself.
     #[inline(always)]
-    fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>, per_inertia: T) -> (Contact<T>, T) {
-        let k = &self.k;
-        let (rho, z) = (k.rho(u), k.z(u));
+    fn pace(&self, u: &Coordinates<T>, pull: &Pull<T>) -> Pace<T> {
+        let one = T::from(1.0);
+        Pace {
+            clock: one,
+            per_inertia: one / self.inertia(u, pull),
+        }
+    }
+
+    /// The table's force over m, and φ̈, by a clock.
+    #[inline(always)]
+    fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>, pace: Pace<T>) -> (Contact<T>, T) {
+        let (rho, z) = (self.k.rho(u), self.k.z(u));
         let Pull {
             per_normal,
             of,
             own,
         } = *pull;
-        let mut turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
-        let pressing = u.sin * (k.g - z * u.p * u.p);
+        let (mut turning, pressing) = (self.turning(u), self.weighing(u));
         // N, too, over what the pull is of.
-        let unaided = k.m * (k.a * pressing + rho * turning) * per_inertia;
+        let unaided = (self.a * pressing + rho * turning) * pace.per_inertia;
         let mut contact = Contact {
             along: unaided * per_normal[0],
             across: unaided * per_normal[1],
             normal: unaided * of,
         };
-        if let Some(own) = own {
-            let lifting = -(k.m * rho * u.sin * own[0] * z) * per_inertia;
+        if let Some([x, y]) = own {
+            let lifting = -(rho * u.sin * self.per_mass * x * z) * pace.per_inertia;
             let kept = kept(unaided, lifting);
             let normal = unaided - kept * lifting;
-            let own = [kept * u.sin * own[0], kept * u.sin * own[1]];
+            let share = kept * u.sin * self.per_mass;
+            let own = [share * x, share * y];
             turning = turning + own[0] * z;
             contact = Contact {
-                along: normal * per_normal[0] + own[0],
-                across: normal * per_normal[1] + own[1],
+                along: normal * per_normal[0] + pace.clock * own[0],
+                across: normal * per_normal[1] + pace.clock * own[1],
                 normal: normal * of,
             };
         }
-        let falling = of * turning - k.m * pressing * self.eta(u, pull);
-        (contact, falling * per_inertia)
+        let falling = of * turning - pressing * self.eta(u, pull);
+        (contact, falling * pace.per_inertia)
     }
 
-    /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over what the pull is of, which
-    /// is no division.
+    /// What the body's own motion does to turn it further, over m and times sin φ.
+    #[inline(always)]
+    fn turning(&self, u: &Coordinates<T>) -> T {
+        u.w * (self.a * u.w * u.cos - u.sin * self.c * u.s)
+    }
+
+    /// (g − z φ̇²) sin φ.
+    #[inline(always)]
+    fn weighing(&self, u: &Coordinates<T>) -> T {
+        u.sin * (self.k.g - self.k.z(u) * u.p * u.p)
+    }
+
+    /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over m and what the pull is of,
+    /// which is no division.
     #[inline(always)]
     pub(crate) fn pressing(&self, u: &Coordinates<T>) -> T {
-        let k = &self.k;
-        let turning = u.w * (k.a * u.w * u.cos - u.sin * k.c * u.s);
-        let pressing = u.sin * (k.g - k.z(u) * u.p * u.p);
-        k.m * (k.a * pressing + k.rho(u) * turning)
+        self.a * self.weighing(u) + self.k.rho(u) * self.turning(u)
     }
 
     #[inline(always)]
-    fn accelerations(&self, u: &Coordinates<T>, contact: &Contact<T>, dp: T) -> Accelerations<T> {
+    fn accelerations(
+        &self,
+        u: &Coordinates<T>,
+        contact: &Contact<T>,
+        dp: T,
+        clock: T,
+    ) -> Accelerations<T> {
         let k = &self.k;
         let Contact { along, across, .. } = *contact;
-        let spun = u.sin * self.c_over_a * u.p * u.s;
+        let (yawing, falling) = (clock * u.w, clock * u.sin * u.p);
+        let spun = falling * self.c_over_a * u.s;
         let carried = u.slip_y + k.r * u.s - k.h * u.w;
         Accelerations {
             p: dp,
-            w: spun + self.h_over_a * across - u.w * u.p * u.cos,
-            s: -(self.r_over_c * across),
+            w: spun + self.h_over_a * across - yawing * (u.p * u.cos),
+            s: -self.r_over_c * across,
             slip: [
-                u.w * carried + u.sin * k.rho(u) * u.p * u.p + k.z(u) * dp + self.per_mass * along,
-                u.sin * k.r * u.w * u.p - u.w * u.slip_x
+                yawing * carried + falling * u.p * k.rho(u) + k.z(u) * dp + along,
+                falling * k.r * u.w - yawing * u.slip_x
                     + k.h * spun
                     + across * self.sideways_mobility,
             ],
@@ -210,29 +252,29 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         u: &Coordinates<T>,
         pull: &Pull<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        self.moving(u, pull, T::from(1.0) / self.inertia(u, pull))
+        self.moving(u, pull, self.pace(u, pull))
     }
 
-    /// The same for whoever has 1 over the [inertia](Self::inertia).
+    /// The same by another clock.
     #[inline(always)]
     pub(crate) fn moving(
         &self,
         u: &Coordinates<T>,
         pull: &Pull<T>,
-        per_inertia: T,
+        pace: Pace<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        let (contact, dp) = self.forces(u, pull, per_inertia);
-        let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp);
+        let (contact, dp) = self.forces(u, pull, pace);
+        let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp, pace.clock);
         let rates = Coordinates {
             p,
             w,
             s,
             slip_x: slip[0],
             slip_y: slip[1],
-            friction_loss: -(contact.along * u.slip_x + contact.across * u.slip_y),
-            ..u.kinematics()
+            friction_loss: -self.k.m * (contact.along * u.slip_x + contact.across * u.slip_y),
+            ..u.kinematics_by(pace.clock)
         };
-        (contact, rates)
+        (contact.times(self.k.m), rates)
     }
 
     /// [`Law::consistency`] under a friction that is given.
@@ -244,14 +286,13 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         T::from(1.0) - k.m * rho * z * along / (k.a + k.m * rho * rho)
     }
 
-    /// [`Law::consistency`] less `margin`, times A + mρ² and what the pull is of, which is no division.
+    /// [`Law::consistency`] less `margin`, times A/m + ρ² and what the pull is of, which is no division.
     #[inline(always)]
     pub(crate) fn clearance(&self, u: &Coordinates<T>, margin: T) -> T {
-        let k = &self.k;
-        let (rho, z) = (k.rho(u), k.z(u));
+        let (rho, z) = (self.k.rho(u), self.k.z(u));
         let pull = self.pull(u);
-        let kept = (T::from(1.0) - margin) * (k.a + k.m * rho * rho);
-        kept * pull.of - k.m * rho * z * pull.per_normal[0]
+        let kept = (T::from(1.0) - margin) * (self.a + rho * rho);
+        kept * pull.of - rho * z * pull.per_normal[0]
     }
 
     /// The friction at the slip that there is.
@@ -274,8 +315,8 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
     #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let pull = self.pull(u);
-        self.forces(u, &pull, T::from(1.0) / self.inertia(u, &pull))
-            .0
+        let (contact, _) = self.forces(u, &pull, self.pace(u, &pull));
+        contact.times(self.k.m)
     }
 
     #[inline(always)]
