@@ -116,8 +116,8 @@ impl<T: Real> Yardstick<T> {
         }
     }
 
-    /// The same where dry friction makes w and s of what is lost in sideways slip: errors of the three
-    /// count alike.
+    /// The same while a slip begins under dry friction, which makes w and s of what is lost in sideways slip:
+    /// errors of the three count alike.
     #[inline(always)]
     pub(crate) fn sizes_as_dry_slip_begins(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
@@ -126,8 +126,8 @@ impl<T: Real> Yardstick<T> {
         }
     }
 
-    /// The same for a slip that is to stop, for which it has to go straight, as far as sideways speed can
-    /// tell: were errors good that turn the last of it, it would be turned to and fro and never stop.
+    /// The same for a slip that is to stop, for which it has to go [straight](Self::slips_on): were errors good
+    /// that turn the last of it, it would be turned to and fro and never stop.
     #[inline(always)]
     pub(crate) fn sizes_in_dry_slip(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let never_zero = T::from(NEVER_ZERO);

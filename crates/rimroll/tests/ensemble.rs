@@ -281,3 +281,25 @@ fn grip_scales_every_coefficient_of_friction() {
     let ideal = Surface::from(IdealLaw::NoSlip);
     assert_eq!(ideal.with_grip(2.0), ideal);
 }
+
+/// Let go at rest where friction cannot hold them, cans slip at once before they have a direction, which is rare.
+#[test]
+fn those_that_are_followed_alone_change_no_bit_of_others() {
+    let can = presets::can_2007().expect("the paper's can");
+    let surface: Surface = FrictionLaw::coulomb(0.005).into();
+    let at_rest = State {
+        tilt: 0.3,
+        ..State::default()
+    };
+    let moving = |i: usize| State {
+        tilt: 0.3 + 0.01 * i as f64,
+        tilt_rate: -1.0,
+        yaw_rate: 0.02,
+        ..State::default()
+    };
+    let moving: Vec<_> = (0..20).map(|i| (moving(i), surface)).collect();
+    let mut mixed = vec![(at_rest, surface); 40];
+    mixed.extend(&moving);
+    let alone = all(&can, &moving, &options());
+    assert_eq!(all(&can, &mixed, &options())[40..], alone);
+}

@@ -77,7 +77,8 @@ impl<'a> Dry<'a> {
     }
 
     /// Follows the falls from some of the trials; those that meet with what is rare are left undone.
-    pub(super) fn follow(&mut self, mut waiting: impl Iterator<Item = usize>) {
+    pub(super) fn follow(&mut self, waiting: impl Iterator<Item = usize>) {
+        let mut waiting = waiting.peekable();
         let mut rolling = RollingPool::new(self.parameters, self.limits);
         let mut slipping = SlippingPool::new(self.parameters, self.limits);
         let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
@@ -105,15 +106,20 @@ impl<'a> Dry<'a> {
                 slipping.put(trial, &at, friction, h);
             }
             if rolling.len() + slipping.len() + to_slip.len() == 0 {
+                if waiting.peek().is_some() {
+                    // All that were to begin to slip were rare.
+                    continue;
+                }
                 return;
             }
-            let slipping_is_short = rolling.len() > 0 && slipping.len() < LANES;
+            let most_roll = rolling.len() == LANES || rolling.len() > slipping.len();
+            let rolling_goes_on = slipping.len() < LANES && most_roll;
             let mut begin = |begins| match begins {
                 Begins::Rolling(waiting) => to_roll.push(waiting),
                 Begins::Slipping(waiting) => to_slip.push(waiting),
             };
-            // Those that roll go on until those that slide have no lane empty.
-            if slipping_is_short {
+            // So that few lanes are empty: those that slide wait until there are enough of them, or few that roll.
+            if rolling_goes_on {
                 rolling.step(|trial, exit, at| {
                     self.after_rolling(trial, exit, at).map(&mut begin);
                 });
@@ -298,7 +304,7 @@ mod tests {
     use crate::surface::FrictionLaw;
 
     #[test]
-    fn a_can_never_takes_so_many_steps_that_it_is_followed_alone() {
+    fn a_can_on_a_table_is_never_rare() {
         let can = presets::can_2007().expect("the paper's can");
         // Spread evenly over all decades by multiples of irrational numbers.
         let part = |i: usize, by: f64| (i as f64 * by).fract();

@@ -19,7 +19,7 @@ pub(super) struct Lockstep<const N: usize> {
     sizes: [Lanes; N],
     /// How long a step to try.
     pub h: Lanes,
-    /// A shorter step leads nowhere.
+    /// A step no longer than this leads nowhere.
     pub least_h: Lanes,
     /// By how much the next step may be longer.
     growth: Lanes,
@@ -279,8 +279,8 @@ impl<const N: usize> Lockstep<N> {
             .min(on_its_way)
     }
 
-    /// How long the next step could be; and lets it be so where nothing else is to be decided. Where a shorter
-    /// one is to be tried, it says so.
+    /// How long the next step could be; and lets it be so where nothing else is to be decided. It says where
+    /// a shorter one is to be tried, and is long enough.
     #[inline(always)]
     fn choose_next<V: Vector>(
         &mut self,
@@ -301,7 +301,9 @@ impl<const N: usize> Lockstep<N> {
         self.h = quiet.or(shortened).choose(next, h).store();
         self.growth = good.choose(V::from(8.0), one).store();
         self.steps = quiet.choose(steps + one, steps).store();
-        shortened.and(V::load(&self.least_h).at_most(next))
+        let is_finite = next.at_most(V::from(f64::MAX));
+        let is_long_enough = !next.at_most(V::load(&self.least_h));
+        shortened.and(is_finite.and(is_long_enough))
     }
 }
 

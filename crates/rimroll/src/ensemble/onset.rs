@@ -478,6 +478,7 @@ impl<V: Vector> Together<V> {
             until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
             clock: self.slipping.clock(&Slipping::<V>::all(&whole)).store(),
             error: (error * V::from(1.0 / self.tolerance)).store(),
+            // A fifth of the tolerance: the next round would change far less.
             change: (change * V::from(5.0 / self.tolerance)).store(),
             relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),
             possible: possible.store(),

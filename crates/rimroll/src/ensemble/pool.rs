@@ -138,7 +138,7 @@ where
         }
     }
 
-    /// After a step that was not good enough.
+    /// After a step that was not good enough, on the way to a mark or already too short.
     fn shorten(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         if self.landings[lane].take().is_some() {
             self.lockstep.free.0[lane] = 1.0;

@@ -17,7 +17,8 @@
 //! (A + mρη) N = m (A (g − z φ̇²) + ρ (A w ψ̇ cosφ − C w s + b_x z))
 //! ```
 //!
-//! (here divided by m, which is once less to multiply with), which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox).
+//! which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox). Forces and moments of
+//! inertia are here taken over m, which saves multiplications.
 //! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
 
 use super::{Contact, Law, Parameters};
@@ -66,9 +67,11 @@ pub trait Friction<T: Real> {
 pub struct Sliding<T, F> {
     k: Parameters<T>,
     friction: F,
+    /// 1/m.
     per_mass: T,
-    /// A/m and C/m.
+    /// A/m.
     a: T,
+    /// C/m.
     c: T,
     /// 1 + mR²/C + mH²/A.
     sideways_mobility: T,
@@ -88,7 +91,7 @@ pub(crate) struct Pace<T> {
     pub per_inertia: T,
 }
 
-/// The accelerations times sin φ.
+/// The rates of the velocities by a clock.
 struct Accelerations<T> {
     p: T,
     w: T,
@@ -204,7 +207,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         u.sin * (self.k.g - self.k.z(u) * u.p * u.p)
     }
 
-    /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over m and what the pull is of,
+    /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over (m times what the pull is of),
     /// which is no division.
     #[inline(always)]
     pub(crate) fn pressing(&self, u: &Coordinates<T>) -> T {
