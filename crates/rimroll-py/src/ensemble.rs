@@ -62,10 +62,9 @@ pub struct StartsArgument<'py> {
 }
 
 impl StartsArgument<'_> {
-    pub fn starts(&self) -> impl Iterator<Item = State> + '_ {
-        let columns = self.arrays().map(PyReadonlyArray1::as_array);
-        let length = columns.iter().map(|column| column.len()).min();
-        (0..length.unwrap_or(0)).map(move |i| state(columns.each_ref().map(|column| column[i])))
+    pub fn starts(&self) -> PyResult<impl Iterator<Item = State> + '_> {
+        let columns = self.columns()?;
+        Ok((0..columns[0].len()).map(move |i| state(columns.map(|column| column[i]))))
     }
 
     /// Slices of equal length.
@@ -116,7 +115,7 @@ pub fn first_refused(
         topple_tilt,
         ..Options::default()
     };
-    Ok(options.first_refused(&body.body()?, starts.starts()))
+    Ok(options.first_refused(&body.body()?, starts.starts()?))
 }
 
 /// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the endings by their place in
@@ -149,7 +148,7 @@ pub fn ensemble<'py>(
     let (body, surface) = (body.body()?, surface.surface()?);
     let grip = grip.as_array();
     let trials: Vec<(State, Surface)> = starts
-        .starts()
+        .starts()?
         .zip(grip.iter())
         .map(|(start, &factor)| (start, surface.with_grip(factor)))
         .collect();

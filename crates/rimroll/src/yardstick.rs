@@ -143,8 +143,7 @@ impl<T: Real> Yardstick<T> {
 
     /// Under dry friction, whose direction changes at a rate that grows like 1/|u| as the slip ends, a
     /// clock that slows down with the slip makes the end as smooth as the rest: it goes as fast as τ times
-    /// the speed of the slip over this, m/s. What counts as slow matters little: steps adapt, and a
-    /// hundred times more or less takes 3 to 6 % more of them (1000 random falls).
+    /// the speed of the slip over this, m/s. What counts as slow matters little, since steps adapt.
     #[inline(always)]
     pub(crate) fn slowed(&self, u: &Coordinates<T>) -> T {
         slip_speed(u) + self.slow

@@ -28,6 +28,7 @@ const FELT: usize = <Slipping<f64> as Carried<f64, N>>::FELT;
 const ALONG: usize = 0;
 const ACROSS: usize = 1;
 
+/// Of iteration; a step that has not met by then is tried again shorter.
 const ROUNDS: usize = 7;
 
 /// After so many rounds the slopes are as good as those of the solution.
