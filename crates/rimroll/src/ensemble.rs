@@ -22,6 +22,7 @@ mod pool;
 mod together;
 mod trial;
 
+use self::together::{go_in_lanes, together};
 use crate::body::Body;
 use crate::error::InvalidInput;
 #[cfg(doc)]
@@ -33,9 +34,14 @@ use core::ops::ControlFlow;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// So many falls are one piece of work: together they last some thousandths of a second, and some tenths
-/// where all of them are rare.
-const PIECE: usize = 512;
+/// The fewest and the most falls that are one piece of work. Not fewer, since toward its end more and more lanes are
+/// empty; not more, since the work can be ended only between pieces: one lasts some hundredths of a second, and
+/// some tenths where all of its falls are rare.
+const FEWEST: usize = 128;
+const MOST: usize = 1024;
+
+/// A fall that goes by itself anyway, which takes up to some thousandths of a second, counts as so many.
+const ALONE: usize = 32;
 
 /// Follows a body from each start, on its surface, through the first turn; on the threads of the pool
 /// that it is called from.
@@ -61,11 +67,29 @@ pub fn ensemble(
         surface.check()?;
         checked.check(start)?;
     }
-    let work = |piece: &[(State, Surface)]| together::together(body, piece, &checked);
+    let work = |piece: &[(State, Surface)]| together(body, piece, &checked);
     let pieces = done_in_order(trials, work, watch);
     let mut falls = Vec::with_capacity(trials.len());
     falls.extend(pieces.into_iter().map_while(|piece| piece).flatten());
     Ok(falls)
+}
+
+/// The trials as pieces of work for some threads: the last are small, so that no thread waits long for another.
+fn pieces(
+    mut trials: &[(State, Surface)],
+    threads: usize,
+) -> impl Iterator<Item = &[(State, Surface)]> {
+    core::iter::from_fn(move || {
+        let full = (trials.len() / (4 * threads)).clamp(FEWEST, MOST);
+        let mut size = 0;
+        let taken = trials.iter().take_while(|(_, surface)| {
+            let goes_in = size < full;
+            size += if go_in_lanes(surface) { 1 } else { ALONE };
+            goes_in
+        });
+        let piece = trials.split_off(..taken.count())?;
+        (!piece.is_empty()).then_some(piece)
+    })
 }
 
 /// The results of the pieces of work, which begin in their order; `None` for those that were not begun
@@ -78,7 +102,8 @@ fn done_in_order<R: Send>(
 ) -> Vec<Option<R>> {
     use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let pieces: Vec<_> = trials.chunks(PIECE).collect();
+    let threads = rayon::current_num_threads();
+    let pieces: Vec<_> = pieces(trials, threads).collect();
     let of_one_thread = || {
         let mut done = Vec::new();
         while !stopped.load(Relaxed) {
@@ -93,8 +118,7 @@ fn done_in_order<R: Send>(
         }
         done
     };
-    let threads = rayon::current_num_threads().min(pieces.len());
-    let done: Vec<_> = (0..threads)
+    let done: Vec<_> = (0..threads.min(pieces.len()))
         .into_par_iter()
         .with_max_len(1)
         .flat_map_iter(|_| of_one_thread())
@@ -113,12 +137,51 @@ fn done_in_order<R>(
     watch: impl Fn(usize) -> ControlFlow<()>,
 ) -> Vec<Option<R>> {
     let mut going_on = true;
-    trials
-        .chunks(PIECE)
+    pieces(trials, 1)
         .map(|piece| {
             let result = going_on.then(|| work(piece))?;
             going_on = watch(piece.len()).is_continue();
             Some(result)
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ALONE, FEWEST, MOST, pieces};
+    use crate::law::IdealLaw;
+    use crate::state::State;
+    use crate::surface::{FrictionLaw, Surface};
+
+    fn trials(count: usize, surface: impl Into<Surface>) -> Vec<(State, Surface)> {
+        let surface = surface.into();
+        let numbered = |i| State {
+            tilt: i as f64,
+            ..State::default()
+        };
+        (0..count).map(|i| (numbered(i), surface)).collect()
+    }
+
+    #[test]
+    fn pieces_are_all_of_the_trials_in_order_and_end_small() {
+        for (count, threads) in [(0, 2), (1, 2), (1000, 2), (54_321, 2), (54_321, 32)] {
+            let trials = trials(count, IdealLaw::NoSlip);
+            let pieces: Vec<_> = pieces(&trials, threads).collect();
+            assert_eq!(pieces.concat(), trials);
+            let sizes: Vec<usize> = pieces.iter().map(|piece| piece.len()).collect();
+            assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
+            assert!(sizes.iter().all(|&size| size <= MOST), "{sizes:?}");
+            assert!(sizes.last().is_none_or(|&last| last <= FEWEST), "{sizes:?}");
+        }
+    }
+
+    #[test]
+    fn falls_that_go_by_themselves_are_few_in_a_piece() {
+        let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
+        let trials = trials(1000, viscous);
+        let pieces: Vec<_> = pieces(&trials, 2).collect();
+        assert_eq!(pieces.concat(), trials);
+        let most = pieces.iter().map(|piece| piece.len()).max();
+        assert_eq!(most, Some(FEWEST / ALONE));
+    }
 }

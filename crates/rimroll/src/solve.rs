@@ -17,7 +17,7 @@ pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense::Dense;
 pub use dop853::Step;
 pub use estimate::Estimate;
-pub use root::bracketed;
+pub use root::{bracketed, bracketed_in};
 pub use stiff::Implicit;
 
 use crate::real::Real;

@@ -3,7 +3,7 @@
 
 use super::carried::Carried;
 use crate::motion::{FACE_DOWN_TILT, Options};
-use crate::real::{Bits, LANES, Lanes, Mask, Task, Vector, in_widest};
+use crate::real::{Bits, Lanes, Mask, Real, Task, Vector, in_widest};
 use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
@@ -13,8 +13,6 @@ use crate::yardstick::Yardstick;
 pub(super) struct Lockstep<const N: usize> {
     /// Where each is.
     pub u: [Lanes; N],
-    /// The rates there.
-    pub rates: [Lanes; N],
     /// The sizes of the coordinates there.
     sizes: [Lanes; N],
     /// How long a step to try.
@@ -38,6 +36,7 @@ pub(super) struct Lockstep<const N: usize> {
     pub next: Lanes,
     /// The least of what must not be negative inside the step.
     pub inside: Lanes,
+    /// The rates at each stage of the step, first of all those where it begins.
     stages: [[Lanes; N]; 16],
 }
 
@@ -73,10 +72,15 @@ impl Limits {
 
     /// Whether a fall that starts here has some way to go to a limit.
     pub(super) fn are_far_from(&self, u: &Coordinates<f64>) -> bool {
-        let (sin, cos) = self.topple;
-        let below_topple = u.cos * sin - u.sin * cos;
         let in_time = u.t < self.duration && self.most_steps > 0.0;
-        u.sin > self.flat && u.cos > 0.0 && below_topple > 0.0 && in_time
+        u.sin > self.flat && u.cos > 0.0 && self.below_topple(u) > 0.0 && in_time
+    }
+
+    /// The sine of the tilt that is missing to where the body counts as toppled.
+    #[inline(always)]
+    pub(super) fn below_topple<T: Real>(&self, u: &Coordinates<T>) -> T {
+        let (sin, cos) = self.topple;
+        u.cos * T::from(sin) - u.sin * T::from(cos)
     }
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
@@ -89,14 +93,42 @@ impl Limits {
     }
 }
 
+/// What a step may run into.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Mark {
+    /// The tilt is extreme.
+    Extreme,
+    Topple,
+    /// Time is up.
+    Time,
+    /// The contact no longer lasts.
+    Contact,
+}
+
+pub(super) const MARKS: [Mark; 4] = [Mark::Extreme, Mark::Topple, Mark::Time, Mark::Contact];
+
 /// What became of the steps that were tried: a bit for each lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Outcome {
     /// Good enough.
     pub good: Bits,
+    /// Ends beyond each of the marks.
+    beyond: [Bits; MARKS.len()],
     /// Nothing is to be decided: either the step was good, nothing happened on the way and the motion has
     /// gone on, or it was not good and a shorter one is to be tried.
     pub settled: Bits,
+}
+
+impl Outcome {
+    /// Whether the step of a lane was good.
+    pub(super) fn is_good(&self, lane: usize) -> bool {
+        self.good >> lane & 1 == 1
+    }
+
+    /// Whether it has led beyond a mark.
+    pub(super) fn is_beyond(&self, lane: usize, mark: Mark) -> bool {
+        self.beyond[mark as usize] >> lane & 1 == 1
+    }
 }
 
 impl<const N: usize> Lockstep<N> {
@@ -104,7 +136,6 @@ impl<const N: usize> Lockstep<N> {
         let zero = Lanes::from(0.0);
         Lockstep {
             u: [zero; N],
-            rates: [zero; N],
             sizes: [Lanes::from(1.0); N],
             h: zero,
             least_h: zero,
@@ -125,7 +156,7 @@ impl<const N: usize> Lockstep<N> {
     pub(super) fn put(&mut self, lane: usize, u: [f64; N], rates: [f64; N], sizes: [f64; N]) {
         for i in 0..N {
             self.u[i].0[lane] = u[i];
-            self.rates[i].0[lane] = rates[i];
+            self.stages[0][i].0[lane] = rates[i];
             self.sizes[i].0[lane] = sizes[i];
         }
         self.growth.0[lane] = 8.0;
@@ -138,7 +169,7 @@ impl<const N: usize> Lockstep<N> {
 
     /// The rates there.
     pub(super) fn rates_at(&self, lane: usize) -> [f64; N] {
-        core::array::from_fn(|i| self.rates[i].0[lane])
+        core::array::from_fn(|i| self.stages[0][i].0[lane])
     }
 
     /// Where the step that was tried in a lane has led.
@@ -155,7 +186,7 @@ impl<const N: usize> Lockstep<N> {
     pub(super) fn accept(&mut self, lane: usize) {
         for i in 0..N {
             self.u[i].0[lane] = self.end[i].0[lane];
-            self.rates[i].0[lane] = self.end_rates[i].0[lane];
+            self.stages[0][i].0[lane] = self.end_rates[i].0[lane];
             self.sizes[i].0[lane] = self.end_sizes[i].0[lane];
         }
         self.steps.0[lane] += 1.0;
@@ -188,22 +219,35 @@ impl<const N: usize> Lockstep<N> {
         let estimate = self.estimate(&sizes, limits.tolerance);
         let is_number = estimate.error_squared.at_most(V::from(f64::MAX));
         let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
-        let safety = self.safety(&phase, &attempt, limits);
+        let end = P::Like::<V>::all(&attempt.end);
+        let levels = [
+            V::load(&self.direction) * end.p,
+            limits.below_topple(&end),
+            V::from(limits.duration) - end.t,
+            phase.holds(&attempt.end),
+        ];
+        let safety = self.safety(&phase, &attempt, &levels, limits);
         let quiet = good.and(V::from(0.0).at_most(safety));
         let shortened = self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
             self.end[i] = attempt.end[i].store();
             self.end_rates[i] = attempt.rates[i].store();
-            self.end_sizes[i] = sizes[i].store();
             self.u[i] = quiet.choose(attempt.end[i], V::load(&self.u[i])).store();
-            self.rates[i] = quiet
-                .choose(attempt.rates[i], V::load(&self.rates[i]))
+            self.stages[0][i] = quiet
+                .choose(attempt.rates[i], V::load(&self.stages[0][i]))
                 .store();
+            self.end_sizes[i] = sizes[i].store();
             self.sizes[i] = quiet.choose(sizes[i], V::load(&self.sizes[i])).store();
         }
         self.inside = attempt.inside.store();
+        let zero = V::from(0.0);
+        let mut beyond = [0; MARKS.len()];
+        for (beyond, level) in beyond.iter_mut().zip(levels) {
+            *beyond = (!zero.at_most(level)).bits();
+        }
         Outcome {
             good: good.bits(),
+            beyond,
             settled: quiet.or(shortened).bits(),
         }
     }
@@ -213,7 +257,6 @@ impl<const N: usize> Lockstep<N> {
     fn attempt<V: Vector, P: Carried<V, N>>(&mut self, phase: &P) -> Attempt<V, N> {
         let (u, h) = (V::load_all(&self.u), V::load(&self.h));
         let direction = V::load(&self.direction);
-        self.stages[0] = self.rates;
         let mut inside = V::from(f64::INFINITY);
         for i in 0..STAGES.len() {
             let at = before_stage(i, &u, h, &self.stages, P::FELT);
@@ -256,22 +299,21 @@ impl<const N: usize> Lockstep<N> {
         &self,
         phase: &P,
         attempt: &Attempt<V, N>,
+        levels: &[V; MARKS.len()],
         limits: &Limits,
     ) -> V {
         let u = P::all(&attempt.end);
-        let (sin, cos) = limits.topple;
-        let below_topple = u.cos * V::from(sin) - u.sin * V::from(cos);
-        let in_time = V::from(limits.duration) - u.t;
         let lifted = u.sin - V::from(limits.flat);
         let direction = V::load(&self.direction);
         // Neither 0, before there is a direction, nor a lane that is held.
         let on_its_way = V::load(&self.free) * direction * direction - V::from(0.5);
+        let [extreme, topple, time, contact] = *levels;
         attempt
             .inside
-            .min(phase.holds(&attempt.end))
-            .min(direction * u.p)
-            .min(below_topple)
-            .min(in_time)
+            .min(contact)
+            .min(extreme)
+            .min(topple)
+            .min(time)
             .min(lifted)
             .min(u.cos)
             .min(V::from(limits.most_steps) - V::load(&self.steps))
@@ -399,8 +441,12 @@ fn combine<V: Vector, const N: usize>(
 }
 
 /// The lanes of a set of bits.
-pub(super) fn lanes_of(bits: Bits) -> impl Iterator<Item = usize> {
-    (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
+pub(super) fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let lane = (bits != 0).then(|| bits.trailing_zeros() as usize)?;
+        bits &= bits - 1;
+        Some(lane)
+    })
 }
 
 #[cfg(test)]

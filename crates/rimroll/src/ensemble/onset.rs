@@ -148,8 +148,14 @@ impl Task for Beginnings<'_> {
 
 impl Found {
     fn begun(&self, lane: usize, beginning: &Beginning) -> Begun {
-        let [error, change, relaxation, possible] =
-            [self.error, self.change, self.relaxation, self.possible].map(|of_all| of_all.0[lane]);
+        let [error, change, relaxation, possible, factor] = [
+            self.error,
+            self.change,
+            self.relaxation,
+            self.possible,
+            self.factor,
+        ]
+        .map(|of_all| of_all.0[lane]);
         // Written so that a NaN is not possible.
         let possible = possible >= 0.0;
         if !possible {
@@ -157,7 +163,6 @@ impl Found {
         }
         let h = beginning.h;
         let steps = beginning.steps + 1;
-        let factor = 0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0);
         // Written so that a NaN is not good.
         let good = error <= 1.0 && change <= 1.0;
         if !good {
@@ -210,6 +215,8 @@ struct Found {
     until_stop: Lanes,
     /// Over what is tolerated.
     error: Lanes,
+    /// By what factor the next step may about be longer.
+    factor: Lanes,
     /// In the last round, over what is tolerated.
     change: Lanes,
     /// How often q relaxes in the step.
@@ -229,8 +236,12 @@ impl<V: Vector> Together<V> {
         let mut start = self.start;
         (start[ALONG], start[ACROSS]) = (self.speed, zero);
         let from_rest = self.speed.at_most(zero);
-        let settled = self.settle(&start);
-        let possible = settled.min(self.slipping.can_begin(&start, self.direction));
+        let mut possible = zero;
+        if from_rest.bits() != 0 {
+            let settled = self.settle(&start, from_rest);
+            let begins = settled.min(self.slipping.can_begin(&start, self.direction));
+            possible = from_rest.choose(begins, zero);
+        }
         let first = self.rates(&start);
         self.push = from_rest.choose((-first[ALONG]).max(zero), zero);
         let mut points: Points<V> = [start; POINTS];
@@ -244,7 +255,7 @@ impl<V: Vector> Together<V> {
             for j in 0..POINTS {
                 rates[j] = self.rates(&points[j]);
                 if round < FRESH_SLOPES {
-                    slopes[j] = self.slope(&points[j]);
+                    slopes[j] = self.slope(&points[j], rates[j][ACROSS]);
                 }
             }
             let turns = self.turns(method, &points, &rates, &slopes);
@@ -259,22 +270,21 @@ impl<V: Vector> Together<V> {
                 change = self.change(&before, &points);
             }
         }
-        let possible = from_rest.choose(possible, zero);
         self.found(method, &points, &rates, &slopes, change, possible)
     }
 
     /// Turns the direction of a slip out of rest to the one that it keeps: any other is left at once.
     /// Not negative where one is found close by. By Newton's method.
     #[inline(always)]
-    fn settle(&mut self, start: &[V; N]) -> V {
+    fn settle(&mut self, start: &[V; N], from_rest: V::Mask) -> V {
         let zero = V::from(0.0);
-        let from_rest = self.speed.at_most(zero);
         let (mut point, mut slope, mut turn) = (*start, zero, zero);
         for round in 0..TURNS {
+            let across = self.rates(&point)[ACROSS];
             if round < FRESH_TURNS {
-                slope = self.slope(&point);
+                slope = self.slope(&point, across);
             }
-            turn = from_rest.choose(self.rates(&point)[ACROSS] / slope, zero);
+            turn = from_rest.choose(across / slope, zero);
             point[ACROSS] = point[ACROSS] - turn;
         }
         let q = point[ACROSS].abs();
@@ -373,20 +383,14 @@ impl<V: Vector> Together<V> {
         rates
     }
 
-    /// The derivative of σ q′ by q where only the friction's direction depends on it.
+    /// The derivative of σ q′, which is `across` at a point, by q where only the friction's direction depends
+    /// on it.
     #[inline(always)]
-    fn slope(&self, point: &[V; N]) -> V {
-        const NUDGE: f64 = 1e-5;
-        let (more, less) = (self.across(point, NUDGE), self.across(point, -NUDGE));
-        (more - less) * V::from(0.5 / NUDGE)
-    }
-
-    /// σ q′ beside a point.
-    #[inline(always)]
-    fn across(&self, point: &[V; N], nudge: f64) -> V {
-        let mut point = *point;
-        point[ACROSS] = point[ACROSS] + V::from(nudge);
-        self.rates(&point)[ACROSS]
+    fn slope(&self, point: &[V; N], across: V) -> V {
+        const NUDGE: f64 = 1e-6;
+        let mut beside = *point;
+        beside[ACROSS] = beside[ACROSS] + V::from(NUDGE);
+        (self.rates(&beside)[ACROSS] - across) * V::from(1.0 / NUDGE)
     }
 
     /// q′ at the points, from σ q′ = what it is + slope · (change of q), which is linear in them.
@@ -473,12 +477,15 @@ impl<V: Vector> Together<V> {
             least = least.min(point[ALONG]);
         }
         let error = least.where_negative(V::from(f64::INFINITY), error);
+        let error = error * V::from(1.0 / self.tolerance);
         let whole = self.whole(&end);
         Found {
             end: V::store_all(whole),
             until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
             clock: self.slipping.clock(&Slipping::<V>::all(&whole)).store(),
-            error: (error * V::from(1.0 / self.tolerance)).store(),
+            error: error.store(),
+            // The error grows with the seventh power, and an eighth root will do.
+            factor: (V::from(0.8) * V::rough_16th_root_of(V::from(1.0), error * error)).store(),
             // A fifth of the tolerance: the next round would change far less.
             change: (change * V::from(5.0 / self.tolerance)).store(),
             relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),

@@ -2,12 +2,12 @@
 //! when its place is free for the next.
 
 use super::carried::Carried;
-use super::lockstep::{Limits, Lockstep, lanes_of};
+use super::lockstep::{Limits, Lockstep, MARKS, Mark, Outcome, lanes_of};
 use super::trial::Trial;
 use crate::law::Parameters;
 use crate::motion::Status;
 use crate::real::{LANES, Lanes};
-use crate::solve::bracketed;
+use crate::solve::bracketed_in;
 use crate::state::Coordinates;
 use crate::yardstick::Yardstick;
 
@@ -23,20 +23,6 @@ pub(super) enum Exit {
     /// It meets with what is rare, and is better followed by itself.
     Rare,
 }
-
-/// What a step may run into.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Mark {
-    /// The tilt is extreme.
-    Extreme,
-    Topple,
-    /// Time is up.
-    Time,
-    /// The contact no longer lasts.
-    Contact,
-}
-
-const MARKS: [Mark; 4] = [Mark::Extreme, Mark::Topple, Mark::Time, Mark::Contact];
 
 /// A mark that a step has run over, and how long a step would end at it.
 struct Landing {
@@ -120,8 +106,8 @@ where
             if self.trials[lane].is_none() {
                 continue;
             }
-            let exit = if outcome.good >> lane & 1 == 1 {
-                self.attend(lane)
+            let exit = if outcome.is_good(lane) {
+                self.attend(lane, &outcome)
             } else {
                 self.shorten(lane)
             };
@@ -154,12 +140,11 @@ where
     }
 
     /// After a good step on which something may have happened.
-    fn attend(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
-        let end = self.lockstep.end_at(lane);
-        let u = A::all(&end);
+    fn attend(&mut self, lane: usize, outcome: &Outcome) -> Option<(Exit, Coordinates<f64>)> {
+        let u = A::all(&self.lockstep.end_at(lane));
         let steps = self.lockstep.steps.0[lane];
         // A disk may stand on its edge; what topples at π/2 has its base upright, too.
-        let toppled = self.level(lane, Mark::Topple, &end) < 0.0 && self.limits.topple.1 > -1e-9;
+        let toppled = outcome.is_beyond(lane, Mark::Topple) && self.limits.topple.1 > -1e-9;
         let on_edge = u.cos <= 0.0 && !toppled;
         if u.sin <= self.limits.flat || on_edge || steps >= self.limits.most_steps {
             return Some((Exit::Rare, u));
@@ -168,7 +153,7 @@ where
             self.lockstep.direction.0[lane] = self.limits.sign_of_tilt_rate(&u, &self.yardstick);
         }
         let target = self.landings[lane].as_ref().map(|landing| landing.mark);
-        match (self.run_over(lane, target), target) {
+        match (self.run_over(lane, target, outcome), target) {
             (Some((mark, h)), _) => self.aim(lane, mark, h),
             (None, Some(mark)) => self.land(lane, mark),
             (None, None) => self.go_on(lane),
@@ -177,23 +162,32 @@ where
 
     /// The first mark that the step has run over, other than the target that it is to land at, and how long a
     /// step would end there.
-    fn run_over(&self, lane: usize, target: Option<Mark>) -> Option<(Mark, f64)> {
-        let (start, end) = (self.lockstep.at(lane), self.lockstep.end_at(lane));
-        let rates = self.lockstep.end_rates_at(lane);
-        let h = self.lockstep.h.0[lane];
+    fn run_over(
+        &self,
+        lane: usize,
+        target: Option<Mark>,
+        outcome: &Outcome,
+    ) -> Option<(Mark, f64)> {
         MARKS
             .into_iter()
-            .filter(|&mark| Some(mark) != target && self.level(lane, mark, &end) < 0.0)
-            .map(|mark| {
-                let level = |u: &[f64; N]| self.level(lane, mark, u);
-                let first = (
-                    level(&start),
-                    self.slope(lane, mark, &start, &self.lockstep.rates_at(lane)),
-                );
-                let last = (level(&end), self.slope(lane, mark, &end, &rates));
-                (mark, h * crossing(h, first, last))
-            })
+            .filter(|&mark| Some(mark) != target && outcome.is_beyond(lane, mark))
+            .map(|mark| (mark, self.crossing(lane, mark)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// How long a step would about end at a mark that one has run over.
+    fn crossing(&self, lane: usize, mark: Mark) -> f64 {
+        let (start, end) = (self.lockstep.at(lane), self.lockstep.end_at(lane));
+        let (rates, end_rates) = (
+            self.lockstep.rates_at(lane),
+            self.lockstep.end_rates_at(lane),
+        );
+        let h = self.lockstep.h.0[lane];
+        let level = |u| self.level(lane, mark, u);
+        let slope = |u, rates| h * self.slope(lane, mark, u, rates);
+        let first = (level(&start), slope(&start, &rates));
+        let last = (level(&end), slope(&end, &end_rates));
+        h * crossing(first, last)
     }
 
     /// Sets out for a mark, from where the step began.
@@ -315,38 +309,44 @@ where
     }
 
     fn level(&self, lane: usize, mark: Mark, u: &[f64; N]) -> f64 {
-        let all = A::all(u);
         match mark {
-            Mark::Extreme => self.lockstep.direction.0[lane] * all.p,
-            Mark::Topple => {
-                let (sin, cos) = self.limits.topple;
-                all.cos * sin - all.sin * cos
-            }
-            Mark::Time => self.limits.duration - all.t,
+            Mark::Extreme => self.lockstep.direction.0[lane] * A::all(u).p,
+            Mark::Topple => self.limits.below_topple(&A::all(u)),
+            Mark::Time => self.limits.duration - A::all(u).t,
             Mark::Contact => self.alone[lane].holds(u),
         }
     }
 
     /// How the level changes along the motion.
     fn slope(&self, lane: usize, mark: Mark, u: &[f64; N], rates: &[f64; N]) -> f64 {
-        let nudge = 1e-4 * self.lockstep.h.0[lane];
-        let beside = |nudge: f64| {
-            let u = core::array::from_fn(|i| u[i] + nudge * rates[i]);
-            self.level(lane, mark, &u)
-        };
-        (beside(nudge) - beside(-nudge)) / (2.0 * nudge)
+        match mark {
+            // These are linear.
+            Mark::Extreme | Mark::Topple => self.level(lane, mark, rates),
+            Mark::Time => -A::all(rates).t,
+            Mark::Contact => {
+                let nudge = 1e-4 * self.lockstep.h.0[lane];
+                let beside = |nudge: f64| {
+                    let u = core::array::from_fn(|i| u[i] + nudge * rates[i]);
+                    self.level(lane, mark, &u)
+                };
+                (beside(nudge) - beside(-nudge)) / (2.0 * nudge)
+            }
+        }
     }
 }
 
 /// A landing so close to its mark, as a part of the step, that what is missing can go straight.
 const CLOSE: f64 = 1e-6;
 
-/// The fraction of a step at which a level changes sign, by the cubic through its values and slopes at
-/// the ends.
-fn crossing(h: f64, first: (f64, f64), last: (f64, f64)) -> f64 {
+/// The fraction of a step at which a level changes sign, by the cubic through its values and slopes (times
+/// the step) at the ends.
+fn crossing(first: (f64, f64), last: (f64, f64)) -> f64 {
+    // The motion is no cubic.
+    const ROUNDS: usize = 4;
     let rise = last.0 - first.0;
-    let (from, to) = (h * first.1, h * last.1);
-    let cubic =
-        |x: f64| first.0 + x * (rise + (1.0 - x) * ((from - rise) * (1.0 - x) + (rise - to) * x));
-    bracketed(0.0, 1.0, cubic)
+    let cubic = |x: f64| {
+        let beside = (first.1 - rise) * (1.0 - x) + (rise - last.1) * x;
+        first.0 + x * (rise + (1.0 - x) * beside)
+    };
+    bracketed_in(ROUNDS, 0.0, 1.0, cubic)
 }

@@ -13,6 +13,12 @@ use crate::state::{Coordinates, State};
 use crate::surface::{FrictionLaw, Surface};
 use crate::yardstick::Yardstick;
 
+/// Whether falls on a surface go in lanes, but for what is rare.
+pub(super) fn go_in_lanes(surface: &Surface) -> bool {
+    use FrictionLaw::{Coulomb, Frictionless, NoSlip};
+    matches!(surface.friction, NoSlip | Frictionless | Coulomb { .. }) && !surface.resists()
+}
+
 /// The falls from some of the trials, in their order. The options and trials have been checked.
 pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
     let mut falls = Falls {
@@ -26,7 +32,7 @@ pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Optio
     falls.conservative::<Rolling<f64, false>>(FrictionLaw::NoSlip);
     falls.conservative::<Gliding<f64>>(FrictionLaw::Frictionless);
     let dry = |(_, surface): &(State, Surface)| {
-        matches!(surface.friction, FrictionLaw::Coulomb { .. }) && !surface.resists()
+        matches!(surface.friction, FrictionLaw::Coulomb { .. }) && go_in_lanes(surface)
     };
     if trials.iter().any(dry) {
         let waiting = (0..trials.len()).filter(|&index| dry(&trials[index]));
@@ -72,7 +78,7 @@ impl Falls<'_> {
         let mut pool: Pool<'_, A, 7> = Pool::new(*parameters, limits);
         let mut waiting = (0..trials.len()).filter(|&index| {
             let (_, surface) = &trials[index];
-            surface.friction == law && !surface.resists()
+            surface.friction == law && go_in_lanes(surface)
         });
         let contact = A::new(*parameters, 0.0);
         let yardstick = Yardstick::new(parameters);

@@ -5,7 +5,12 @@
 /// Regula falsi with the Illinois weights (Dowell & Jarratt, BIT 11, 1971) and a bisection in every
 /// third round, so that the work is bounded. An end at which f is zero is the root; without a change
 /// of sign the end nearer to zero is returned.
-pub fn bracketed(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub fn bracketed(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
+    bracketed_in(200, a, b, f)
+}
+
+/// The same after so many rounds at most.
+pub fn bracketed_in(rounds: usize, mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
         return a;
@@ -16,7 +21,7 @@ pub fn bracketed(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     if (fa < 0.0) == (fb < 0.0) {
         return if fa.abs() < fb.abs() { a } else { b };
     }
-    for round in 1..200 {
+    for round in 1..=rounds {
         let mut x = b - fb * (b - a) / (fb - fa);
         if round % 3 == 0 || x == a || x == b {
             x = 0.5 * (a + b);
