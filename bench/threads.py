@@ -12,41 +12,15 @@ from __future__ import annotations
 
 import os
 import statistics
-import time
 from collections.abc import Callable
 
-import numpy as np
 from contest.contestants import ROOT
+from contest.pairs import ROUNDS, ratios, starts
 from contest.tables import put_between
 
 import rimroll as rr
 
-ROUNDS = 9
-
 Follow = Callable[[rr.State, int], object]
-
-
-def starts(count: int) -> rr.State:
-    """Cans let go at all kinds of tilts, with a little yaw and spin."""
-    random = np.random.default_rng(2007)
-    return rr.State(
-        tilt=random.uniform(0.3, 0.6, count),
-        tilt_rate=-random.uniform(0.0, 0.5, count),
-        yaw_rate=10.0 ** random.uniform(-5.0, -1.0, count),
-        spin_rate=10.0 ** random.uniform(-5.0, -1.0, count),
-    )
-
-
-def seconds(follow: Follow, start: rr.State, threads: int) -> float:
-    begin = time.perf_counter()
-    follow(start, threads)
-    return time.perf_counter() - begin
-
-
-def ratios(follow: Follow, start: rr.State, threads: int) -> list[float]:
-    """One thread's time over that of so many, round by round."""
-    follow(start, threads)  # what is made once is made
-    return [seconds(follow, start, 1) / seconds(follow, start, threads) for _ in range(ROUNDS)]
 
 
 def main() -> None:
@@ -67,7 +41,11 @@ def main() -> None:
     lines = [f"| {ROUNDS} rounds | starts | {processors} threads over one: median, range |"]
     lines.append("| --- | --: | --: |")
     for name, (follow, count) in engines.items():
-        found = ratios(follow, starts(count), processors)
+        start = starts(count)
+        found = ratios(
+            lambda follow=follow, start=start: follow(start, 1),
+            lambda follow=follow, start=start: follow(start, processors),
+        )
         told = f"**{statistics.median(found):.2f}**, {min(found):.2f} to {max(found):.2f}"
         lines.append(f"| {name} | {f'{count:,}'.replace(',', ' ')} | {told} |")
         print(lines[-1])

@@ -1,0 +1,49 @@
+"""How many times the cost of rolling dry friction is, in ensembles.
+
+The same starts are followed with Coulomb friction, which slips, sticks and slips again, and without
+slip, on one thread and by turns; told is the median of the ratios of their times. Run, with the
+package installed:
+
+    .venv/bin/python bench/dry_friction.py
+"""
+
+from __future__ import annotations
+
+import statistics
+from functools import partial
+
+import numpy as np
+from contest.contestants import ROOT
+from contest.pairs import ROUNDS, ratios, starts
+from contest.tables import put_between
+
+import rimroll as rr
+
+STARTS = 40_000
+FRICTIONS = (0.1, 0.2, 0.4)
+TOLERANCES = (1e-6, 1e-9)
+
+
+def main() -> None:
+    can, start = rr.bodies.can_2007(), starts(STARTS)
+    follow = partial(rr.ensemble, can, start, threads=1)
+    head = [f"{ROUNDS} rounds of {STARTS:,} starts".replace(",", " "), "of them slid"]
+    head += [f"rtol {tolerance:.0e}" for tolerance in TOLERANCES]
+    lines = [head, ["---"] + ["--:"] * (len(head) - 1)]
+    for friction in FRICTIONS:
+        dry = rr.Coulomb(friction)
+        slid = np.mean(follow(dry).slid)
+        cells = [f"Coulomb friction of {friction:g}", f"{100 * slid:.0f} %"]
+        for rtol in TOLERANCES:
+            found = ratios(partial(follow, dry, rtol=rtol), partial(follow, rr.NoSlip(), rtol=rtol))
+            cells.append(
+                f"**{statistics.median(found):.2f}**, {min(found):.2f} to {max(found):.2f}"
+            )
+        lines.append(cells)
+        print(" | ".join(cells))
+    table = "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
+    put_between(ROOT / "docs/performance.md", "dry friction", table)
+
+
+if __name__ == "__main__":
+    main()
