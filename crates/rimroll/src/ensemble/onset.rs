@@ -288,7 +288,9 @@ impl<V: Vector> Together<V> {
             point[ACROSS] = point[ACROSS] - turn;
         }
         let q = point[ACROSS].abs();
-        self.direction = self.along(point[ACROSS]);
+        // A slip under way keeps its own to the last bit, as where none beside it comes out of rest.
+        let ([x, y], [kept_x, kept_y]) = (self.along(point[ACROSS]), self.direction);
+        self.direction = [from_rest.choose(x, kept_x), from_rest.choose(y, kept_y)];
         let size = q + self.direction[1].abs() + V::from(NEVER_ZERO);
         let close = V::from(self.tolerance) * size - turn.abs();
         // A direction attracts when the slip is turned toward it from both sides.
