@@ -13,6 +13,7 @@ from __future__ import annotations
 import os
 import statistics
 from collections.abc import Callable
+from functools import partial
 
 from contest.contestants import ROOT
 from contest.pairs import ROUNDS, ratios, starts
@@ -42,10 +43,7 @@ def main() -> None:
     lines.append("| --- | --: | --: |")
     for name, (follow, count) in engines.items():
         start = starts(count)
-        found = ratios(
-            lambda follow=follow, start=start: follow(start, 1),
-            lambda follow=follow, start=start: follow(start, processors),
-        )
+        found = ratios(partial(follow, start, 1), partial(follow, start, processors))
         told = f"**{statistics.median(found):.2f}**, {min(found):.2f} to {max(found):.2f}"
         lines.append(f"| {name} | {f'{count:,}'.replace(',', ' ')} | {told} |")
         print(lines[-1])

@@ -58,11 +58,13 @@ def versions() -> dict[str, str]:
 
 
 def peak() -> dict[str, float]:
-    """Double-precision operations a second of a core, as measured; empty where it cannot be."""
+    """Double-precision operations a second of a core as measured in its widest vectors, and how
+    many lanes these have; empty where it cannot be measured.
+    """
     said = _said(BUILT / "core-rs/release/peak").split()
-    if len(said) != 2:
+    if len(said) != 3:
         return {}
-    return {"separate": float(said[0]), "fused": float(said[1])}
+    return {"lanes": int(said[0]), "separate": float(said[1]), "fused": float(said[2])}
 
 
 def describe() -> dict[str, object]:

@@ -23,14 +23,17 @@ def starts(count: int) -> rr.State:
     )
 
 
-def seconds(follow: Callable[[], object]) -> float:
-    """As a clock on the wall has them."""
-    begin = time.perf_counter()
-    follow()
-    return time.perf_counter() - begin
+def ratios(
+    one: Callable[[], object],
+    other: Callable[[], object],
+    clock: Callable[[], float] = time.perf_counter,
+) -> list[float]:
+    """The one's time over the other's, round by round, by a clock that tells seconds."""
 
+    def seconds(follow: Callable[[], object]) -> float:
+        begin = clock()
+        follow()
+        return clock() - begin
 
-def ratios(one: Callable[[], object], other: Callable[[], object]) -> list[float]:
-    """The one's time over the other's, round by round."""
     one(), other()  # what is made once is made
     return [seconds(one) / seconds(other) for _ in range(ROUNDS)]

@@ -89,8 +89,8 @@ def _machine(results: Results) -> str:
     versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items())
     peak = machine.get("peak_flops") or {}
     of_peak = (
-        f" Measured peak of a core: {peak['separate'] / 1e9:.0f} GFLOP/s in vectors of four, "
-        f"{peak['fused'] / 1e9:.0f} with fused multiply-add."
+        f" Measured peak of a core, in vectors of {peak['lanes']}: {peak['separate'] / 1e9:.0f} "
+        f"GFLOP/s, {peak['fused'] / 1e9:.0f} with fused multiply-add."
         if peak
         else ""
     )

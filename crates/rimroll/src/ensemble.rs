@@ -34,20 +34,22 @@ use core::ops::ControlFlow;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// The fewest and the most falls that are one piece of work. Not fewer, since toward its end more and more lanes are
-/// empty; not more, since the work can be ended only between pieces: one lasts some hundredths of a second, and
-/// some tenths where all of its falls are rare.
-const FEWEST: usize = 128;
+/// The most falls that are one piece of work: what is not over when the work is ended is lost, and a thread that
+/// has nothing more to do waits for the last of them.
 const MOST: usize = 1024;
 
-/// A fall that goes by itself anyway, which takes up to some thousandths of a second, counts as so many.
+/// The fewest: toward its end more and more lanes are empty.
+const FEWEST: usize = 128;
+
+/// A fall that goes by itself anyway counts as so many: it takes up to some thousandths of a second.
 const ALONE: usize = 32;
 
 /// Follows a body from each start, on its surface, through the first turn; on the threads of the pool
 /// that it is called from.
 ///
-/// `watch` is called by these threads after each piece of work with the number of falls in it, and can
-/// end the work early: then the falls are those from the first trials on, as far as they are done.
+/// `watch` is called by these threads after each piece of work with the number of falls in it, with 0 before
+/// each fall that is followed by itself, and can end the work early: then the falls are those from the first
+/// trials on, as far as they are done.
 ///
 /// # Errors
 /// As [`simulate`](crate::simulate), for the first trial that is refused.
@@ -67,8 +69,9 @@ pub fn ensemble(
         surface.check()?;
         checked.check(start)?;
     }
-    let work = |piece: &[(State, Surface)]| together(body, piece, &checked);
-    let pieces = done_in_order(trials, work, watch);
+    let work =
+        |piece: &[(State, Surface)]| together(body, piece, &checked, || watch(0).is_continue());
+    let pieces = done_in_order(trials, work, &watch);
     let mut falls = Vec::with_capacity(trials.len());
     falls.extend(pieces.into_iter().map_while(|piece| piece).flatten());
     Ok(falls)
@@ -80,7 +83,11 @@ fn pieces(
     threads: usize,
 ) -> impl Iterator<Item = &[(State, Surface)]> {
     core::iter::from_fn(move || {
-        let full = (trials.len() / (4 * threads)).clamp(FEWEST, MOST);
+        // One thread waits for none.
+        let full = match threads {
+            1 => MOST,
+            _ => (trials.len() / (4 * threads)).clamp(FEWEST, MOST),
+        };
         let mut size = 0;
         let taken = trials.iter().take_while(|(_, surface)| {
             let goes_in = size < full;
@@ -92,12 +99,12 @@ fn pieces(
     })
 }
 
-/// The results of the pieces of work, which begin in their order; `None` for those that were not begun
-/// before the watch ended the work.
+/// The results of the pieces of work, which begin in their order; `None` for those that were not done when
+/// the work was ended, by the watch or by one of them that has none.
 #[cfg(feature = "threads")]
 fn done_in_order<R: Send>(
     trials: &[(State, Surface)],
-    work: impl Fn(&[(State, Surface)]) -> R + Sync,
+    work: impl Fn(&[(State, Surface)]) -> Option<R> + Sync,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Vec<Option<R>> {
     use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
@@ -111,10 +118,11 @@ fn done_in_order<R: Send>(
             let Some(piece) = pieces.get(index) else {
                 break;
             };
-            done.push((index, work(piece)));
-            if watch(piece.len()).is_break() {
+            let result = work(piece);
+            if result.is_none() || watch(piece.len()).is_break() {
                 stopped.store(true, Relaxed);
             }
+            done.push((index, result));
         }
         done
     };
@@ -125,7 +133,7 @@ fn done_in_order<R: Send>(
         .collect();
     let mut results: Vec<_> = pieces.iter().map(|_| None).collect();
     for (index, result) in done {
-        results[index] = Some(result);
+        results[index] = result;
     }
     results
 }
@@ -133,25 +141,29 @@ fn done_in_order<R: Send>(
 #[cfg(not(feature = "threads"))]
 fn done_in_order<R>(
     trials: &[(State, Surface)],
-    work: impl Fn(&[(State, Surface)]) -> R,
+    work: impl Fn(&[(State, Surface)]) -> Option<R>,
     watch: impl Fn(usize) -> ControlFlow<()>,
 ) -> Vec<Option<R>> {
     let mut going_on = true;
     pieces(trials, 1)
         .map(|piece| {
-            let result = going_on.then(|| work(piece))?;
-            going_on = watch(piece.len()).is_continue();
-            Some(result)
+            let result = going_on.then(|| work(piece)).flatten();
+            going_on = result.is_some() && watch(piece.len()).is_continue();
+            result
         })
         .collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ALONE, FEWEST, MOST, pieces};
+    use super::{ALONE, FEWEST, MOST, ensemble, pieces};
     use crate::law::IdealLaw;
+    use crate::motion::Options;
+    use crate::presets;
     use crate::state::State;
     use crate::surface::{FrictionLaw, Surface};
+    use core::ops::ControlFlow;
+    use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
     fn trials(count: usize, surface: impl Into<Surface>) -> Vec<(State, Surface)> {
         let surface = surface.into();
@@ -183,5 +195,51 @@ mod tests {
         assert_eq!(pieces.concat(), trials);
         let most = pieces.iter().map(|piece| piece.len()).max();
         assert_eq!(most, Some(FEWEST / ALONE));
+    }
+
+    #[test]
+    fn falls_of_both_kinds_share_the_pieces() {
+        let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
+        let rolling = trials(3000, IdealLaw::NoSlip);
+        // Every tenth goes by itself.
+        let trials: Vec<_> = rolling
+            .iter()
+            .enumerate()
+            .map(|(i, &(start, surface))| match i % 10 {
+                0 => (start, viscous.into()),
+                _ => (start, surface),
+            })
+            .collect();
+        for threads in [1, 2, 8] {
+            let pieces: Vec<_> = pieces(&trials, threads).collect();
+            assert_eq!(pieces.concat(), trials);
+            let alone_in = |piece: &[(State, Surface)]| {
+                let alone = piece
+                    .iter()
+                    .filter(|(_, surface)| *surface == viscous.into());
+                alone.count()
+            };
+            // The last of a piece may be one that takes it beyond what is full.
+            for piece in pieces {
+                let size = piece.len() + (ALONE - 1) * alone_in(piece);
+                assert!(size < MOST + ALONE, "{size} on {threads}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_work_can_be_ended_amid_falls_that_go_by_themselves() {
+        let can = presets::can_2007().expect("the paper's can");
+        let trials: Vec<_> = trials(100, FrictionLaw::Viscous { coefficient: 1.0 })
+            .into_iter()
+            .map(|(start, surface)| (State { tilt: 0.3, ..start }, surface))
+            .collect();
+        let begun = AtomicUsize::new(0);
+        let watch = |falls| match begun.fetch_add(usize::from(falls == 0), Relaxed) {
+            0..6 => ControlFlow::Continue(()),
+            _ => ControlFlow::Break(()),
+        };
+        let falls = ensemble(&can, &trials, &Options::default(), watch).expect("valid starts");
+        assert!(falls.len() <= 6, "{} falls", falls.len());
     }
 }

@@ -234,8 +234,10 @@ impl<'a> Dry<'a> {
                 Some(Begun::Follow(at, h)) => {
                     let ToSlip { trial, .. } = to_slip.swap_remove(i);
                     // What happens while it begins to slip is left to be found elsewhere.
-                    let quiet = trial.direction * at.p > 0.0 && self.limits.are_far_from(&at);
-                    if quiet {
+                    let friction = self.frictions(&trial).0;
+                    let lasts = self.slipping.like(friction).holds(&Slipping::of(&at)) > 0.0;
+                    let is_on_its_way = trial.direction * at.p > 0.0;
+                    if lasts && is_on_its_way && self.limits.are_far_from(&at) {
                         slipped.push(Waiting { trial, at, h });
                     }
                 }

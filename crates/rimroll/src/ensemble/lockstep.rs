@@ -105,13 +105,14 @@ pub(super) enum Mark {
     Contact,
 }
 
+/// All of them, in the order of their numbers.
 pub(super) const MARKS: [Mark; 4] = [Mark::Extreme, Mark::Topple, Mark::Time, Mark::Contact];
 
 /// What became of the steps that were tried: a bit for each lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Outcome {
     /// Good enough.
-    pub good: Bits,
+    good: Bits,
     /// Ends beyond each of the marks.
     beyond: [Bits; MARKS.len()],
     /// Nothing is to be decided: either the step was good, nothing happened on the way and the motion has
@@ -220,6 +221,7 @@ impl<const N: usize> Lockstep<N> {
         let is_number = estimate.error_squared.at_most(V::from(f64::MAX));
         let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
         let end = P::Like::<V>::all(&attempt.end);
+        // In the order of `MARKS`.
         let levels = [
             V::load(&self.direction) * end.p,
             limits.below_topple(&end),
@@ -243,6 +245,7 @@ impl<const N: usize> Lockstep<N> {
         let zero = V::from(0.0);
         let mut beyond = [0; MARKS.len()];
         for (beyond, level) in beyond.iter_mut().zip(levels) {
+            // Written so that a NaN is beyond.
             *beyond = (!zero.at_most(level)).bits();
         }
         Outcome {

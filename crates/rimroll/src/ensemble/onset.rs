@@ -44,6 +44,9 @@ const FOLLOWED: f64 = 40.0;
 /// So many steps are made at most, and tried in vain.
 const MOST_STEPS: usize = 12;
 
+/// A step that failed is tried again by no less than this factor shorter.
+const LEAST_FACTOR: f64 = 0.1;
+
 /// A slip that begins, or goes on slowly.
 #[derive(Clone, Copy)]
 pub(super) struct Beginning {
@@ -166,7 +169,7 @@ impl Found {
         // Written so that a NaN is not good.
         let good = error <= 1.0 && change <= 1.0;
         if !good {
-            let h = h * factor.clamp(0.1, 0.5);
+            let h = h * factor.clamp(LEAST_FACTOR, 0.5);
             let again = Beginning {
                 h,
                 steps,
@@ -481,13 +484,16 @@ impl<V: Vector> Together<V> {
         let error = least.where_negative(V::from(f64::INFINITY), error);
         let error = error * V::from(1.0 / self.tolerance);
         let whole = self.whole(&end);
+        // The error grows with the seventh power; an eighth root aims lower the smaller the step is, and suits
+        // errors up to some ten thousand.
+        let factor = V::from(0.8) * V::rough_16th_root_of(V::from(1.0), error * error);
+        let is_number = error.at_most(V::from(f64::MAX));
         Found {
             end: V::store_all(whole),
             until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
             clock: self.slipping.clock(&Slipping::<V>::all(&whole)).store(),
             error: error.store(),
-            // The error grows with the seventh power, and an eighth root will do.
-            factor: (V::from(0.8) * V::rough_16th_root_of(V::from(1.0), error * error)).store(),
+            factor: is_number.choose(factor, V::from(LEAST_FACTOR)).store(),
             // A fifth of the tolerance: the next round would change far less.
             change: (change * V::from(5.0 / self.tolerance)).store(),
             relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),

@@ -187,7 +187,7 @@ where
         let slope = |u, rates| h * self.slope(lane, mark, u, rates);
         let first = (level(&start), slope(&start, &rates));
         let last = (level(&end), slope(&end, &end_rates));
-        h * crossing(first, last)
+        h * fraction_crossed(first, last)
     }
 
     /// Sets out for a mark, from where the step began.
@@ -226,7 +226,9 @@ where
         if landing.rounds > MOST_ROUNDS {
             return Some((Exit::Rare, A::all(&end)));
         }
-        let close = missing.abs() <= CLOSE * h || h <= CLOSE * landing.between.1;
+        // Either what is missing can go straight, or the mark was passed by next to nothing.
+        let is_beside = level < 0.0 && h <= CLOSE * landing.between.1;
+        let close = missing.abs() <= CLOSE * h || is_beside;
         if !close {
             if level < 0.0 {
                 landing.between.1 = h;
@@ -247,7 +249,7 @@ where
             self.landings[lane] = None;
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] = 0.5 * h;
-            return None;
+            return self.long_enough(lane);
         }
         let missing = if missing.abs() <= CLOSE * h {
             missing
@@ -340,8 +342,9 @@ const CLOSE: f64 = 1e-6;
 
 /// The fraction of a step at which a level changes sign, by the cubic through its values and slopes (times
 /// the step) at the ends.
-fn crossing(first: (f64, f64), last: (f64, f64)) -> f64 {
-    // The motion is no cubic.
+fn fraction_crossed(first: (f64, f64), last: (f64, f64)) -> f64 {
+    // The motion is no cubic: more digits of the root would be those of the cubic alone, and a landing that
+    // sets out for it corrects what is missing.
     const ROUNDS: usize = 4;
     let rise = last.0 - first.0;
     let cubic = |x: f64| {
@@ -349,4 +352,47 @@ fn crossing(first: (f64, f64), last: (f64, f64)) -> f64 {
         first.0 + x * (rise + (1.0 - x) * beside)
     };
     bracketed_in(ROUNDS, 0.0, 1.0, cubic)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::carried::{Carried, Slipping};
+    use super::super::lockstep::Limits;
+    use super::super::trial::Trial;
+    use super::{Exit, Pool};
+    use crate::law::Parameters;
+    use crate::motion::Options;
+    use crate::presets;
+    use crate::state::{Coordinates, State};
+
+    #[test]
+    fn a_fall_whose_contact_does_not_last_leaves_at_once() {
+        let can = presets::can_2007().expect("the paper's can");
+        let limits = Limits::of(&Options::default());
+        let parameters = Parameters::new(&can, 9.8);
+        let friction = 0.2;
+        let phase = Slipping::new(parameters, friction);
+        // So fast that the rim is pulled off the table, harder and harder or ever less.
+        for tilt_rate in [-30.0, 30.0] {
+            let start = State {
+                tilt: 0.5,
+                tilt_rate,
+                yaw_rate: 0.1,
+                ..State::default()
+            };
+            let at = Coordinates {
+                slip_x: 0.1,
+                ..Coordinates::from_state(&start)
+            };
+            assert!(phase.holds(&Slipping::of(&at)) < 0.0);
+            let mut pool: Pool<'_, Slipping<f64>, 10> = Pool::new(parameters, &limits);
+            let trial = Trial::new(0, &at, &limits, &parameters, true);
+            pool.put(trial, &at, friction, 1e-4);
+            let mut left = None;
+            for _ in 0..200 {
+                pool.step(|_, exit, _| left = Some(exit));
+            }
+            assert_eq!((left, pool.len()), (Some(Exit::Rare), 0));
+        }
+    }
 }

@@ -19,8 +19,14 @@ pub(super) fn go_in_lanes(surface: &Surface) -> bool {
     matches!(surface.friction, NoSlip | Frictionless | Coulomb { .. }) && !surface.resists()
 }
 
-/// The falls from some of the trials, in their order. The options and trials have been checked.
-pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
+/// The falls from some of the trials, in their order; none where the work has been ended, for which it is
+/// asked before each fall that is followed by itself. The options and trials have been checked.
+pub(super) fn together(
+    body: &Body,
+    trials: &[(State, Surface)],
+    options: &Options,
+    goes_on: impl Fn() -> bool,
+) -> Option<Vec<Fall>> {
     let mut falls = Falls {
         body,
         trials,
@@ -42,7 +48,7 @@ pub(super) fn together(body: &Body, trials: &[(State, Surface)], options: &Optio
         .map(|index| {
             falls.done[index]
                 .take()
-                .unwrap_or_else(|| falls.alone(index))
+                .or_else(|| goes_on().then(|| falls.alone(index)))
         })
         .collect()
 }

@@ -9,7 +9,7 @@ pub fn bracketed(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     bracketed_in(200, a, b, f)
 }
 
-/// The same after so many rounds at most.
+/// A guess at the same: the last point tried when so many rounds have not sufficed.
 pub fn bracketed_in(rounds: usize, mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
