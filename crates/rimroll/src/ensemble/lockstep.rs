@@ -229,7 +229,7 @@ impl<const N: usize> Lockstep<N> {
             phase.holds(&attempt.end),
         ];
         let safety = self.safety(&phase, &attempt, &levels, limits);
-        let quiet = good.and(V::from(0.0).at_most(safety));
+        let quiet = good.and(V::from(0.0).at_most(safety)).unseen();
         let shortened = self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
             self.end[i] = attempt.end[i].store();

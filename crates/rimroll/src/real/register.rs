@@ -47,6 +47,10 @@ pub trait Register: Copy + core::fmt::Debug {
     fn or(a: Self::Flags, b: Self::Flags) -> Self::Flags;
     /// Set where it is not.
     fn not(a: Self::Flags) -> Self::Flags;
+    /// The same, where compilers must not see what they come from.
+    fn unseen(a: Self::Flags) -> Self::Flags {
+        a
+    }
     /// The flags as the lowest bits.
     fn bits(a: Self::Flags) -> u8;
 

@@ -12,6 +12,7 @@ use super::lanes::{LANES, Packed};
 use super::register::{ONE_BITS, Register, inlined};
 use super::widest::Task;
 use core::arch::x86_64::*;
+use core::hint::black_box;
 
 const SQRT_HALF: i64 = SQRT_HALF_BITS.cast_signed();
 const ROUNDED: i64 = ROUNDER.to_bits().cast_signed();
@@ -133,12 +134,13 @@ impl Register for __m256d {
         less(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b));
         at_most(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b));
         choose(flags: __m256d, yes: __m256d, no: __m256d) -> __m256d =
-            instruction!(_mm256_blendv_pd(no, yes, flags));
+            instruction!(_mm256_or_pd(_mm256_and_pd(flags, yes), _mm256_andnot_pd(flags, no)));
         and(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_and_pd(a, b));
         or(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_or_pd(a, b));
         not(a: __m256d) -> __m256d = instruction!(
             _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))
         );
+        unseen(a: __m256d) -> __m256d = black_box(a);
         bits(a: __m256d) -> u8 = instruction!(_mm256_movemask_pd(a)) as u8;
         power_of_two(shifted: __m256d) -> __m256d = instruction!({
             let k = _mm256_slli_epi64::<{ FRACTION as i32 }>(_mm256_castpd_si256(shifted));
