@@ -29,7 +29,7 @@ def main() -> None:
     can, start = rr.bodies.can_2007(), starts(STARTS)
     follow = partial(rr.ensemble, can, start, threads=1)
     head = [f"{ROUNDS} rounds of {STARTS:,} starts".replace(",", " "), "of them slid"]
-    head += [f"at {name}" for name in TOLERANCES]
+    head += [f"at rtol {name}" for name in TOLERANCES]
     lines = [head, ["---"] + ["--:"] * (len(head) - 1)]
     for friction in FRICTIONS:
         dry = rr.Coulomb(friction)

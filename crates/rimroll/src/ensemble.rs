@@ -34,22 +34,23 @@ use core::ops::ControlFlow;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// The most falls that are one piece of work: what is not over when the work is ended is lost, and a thread that
-/// has nothing more to do waits for the last of them.
+/// The most falls that are one piece of work: in lanes they are over in some hundredths of a second, before which
+/// the work does not end.
 const MOST: usize = 1024;
 
 /// The fewest: toward its end more and more lanes are empty.
 const FEWEST: usize = 128;
 
-/// A fall that goes by itself anyway counts as so many: it takes up to some thousandths of a second.
+/// A fall that goes by itself anyway counts as so many: as a rule it takes as long as some dozens in lanes, and
+/// under some laws far longer.
 const ALONE: usize = 32;
 
 /// Follows a body from each start, on its surface, through the first turn; on the threads of the pool
 /// that it is called from.
 ///
 /// `watch` is called by these threads after each piece of work with the number of falls in it, with 0 before
-/// each fall that is followed by itself, and can end the work early: then the falls are those from the first
-/// trials on, as far as they are done.
+/// each fall that is followed by itself, and can end the work early, from the first time that it says so: then
+/// the falls are those from the first trials on, as far as they are done without a gap.
 ///
 /// # Errors
 /// As [`simulate`](crate::simulate), for the first trial that is refused.
@@ -69,12 +70,10 @@ pub fn ensemble(
         surface.check()?;
         checked.check(start)?;
     }
-    let work =
-        |piece: &[(State, Surface)]| together(body, piece, &checked, || watch(0).is_continue());
-    let pieces = done_in_order(trials, work, &watch);
-    let mut falls = Vec::with_capacity(trials.len());
-    falls.extend(pieces.into_iter().map_while(|piece| piece).flatten());
-    Ok(falls)
+    let work = |piece: &[(State, Surface)], goes_on: &dyn Fn() -> bool| {
+        together(body, piece, &checked, goes_on)
+    };
+    Ok(done_in_order(trials, work, watch))
 }
 
 /// The trials as pieces of work for some threads: the last are small, so that no thread waits long for another.
@@ -99,16 +98,22 @@ fn pieces(
     })
 }
 
-/// The results of the pieces of work, which begin in their order; `None` for those that were not done when
-/// the work was ended, by the watch or by one of them that has none.
+/// The results of the pieces of work, which begin in their order, up to the first that was cut short when the
+/// watch ended the work.
 #[cfg(feature = "threads")]
 fn done_in_order<R: Send>(
     trials: &[(State, Surface)],
-    work: impl Fn(&[(State, Surface)]) -> Option<R> + Sync,
+    work: impl Fn(&[(State, Surface)], &dyn Fn() -> bool) -> Vec<R> + Sync,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
-) -> Vec<Option<R>> {
+) -> Vec<R> {
     use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let goes_on_after = |count| {
+        if watch(count).is_break() {
+            stopped.store(true, Relaxed);
+        }
+        !stopped.load(Relaxed)
+    };
     let threads = rayon::current_num_threads();
     let pieces: Vec<_> = pieces(trials, threads).collect();
     let of_one_thread = || {
@@ -118,52 +123,53 @@ fn done_in_order<R: Send>(
             let Some(piece) = pieces.get(index) else {
                 break;
             };
-            let result = work(piece);
-            if result.is_none() || watch(piece.len()).is_break() {
-                stopped.store(true, Relaxed);
-            }
-            done.push((index, result));
+            let results = work(piece, &|| goes_on_after(0));
+            goes_on_after(results.len());
+            done.push((index, results));
         }
         done
     };
-    let done: Vec<_> = (0..threads.min(pieces.len()))
+    let mut done: Vec<_> = (0..threads.min(pieces.len()))
         .into_par_iter()
         .with_max_len(1)
         .flat_map_iter(|_| of_one_thread())
         .collect();
-    let mut results: Vec<_> = pieces.iter().map(|_| None).collect();
-    for (index, result) in done {
-        results[index] = result;
+    done.sort_unstable_by_key(|&(index, _)| index);
+    let mut all = Vec::with_capacity(trials.len());
+    for ((_, results), piece) in done.into_iter().zip(&pieces) {
+        let is_whole = results.len() == piece.len();
+        all.extend(results);
+        if !is_whole {
+            break;
+        }
     }
-    results
+    all
 }
 
 #[cfg(not(feature = "threads"))]
 fn done_in_order<R>(
     trials: &[(State, Surface)],
-    work: impl Fn(&[(State, Surface)]) -> Option<R>,
+    work: impl Fn(&[(State, Surface)], &dyn Fn() -> bool) -> Vec<R>,
     watch: impl Fn(usize) -> ControlFlow<()>,
-) -> Vec<Option<R>> {
-    let mut going_on = true;
-    pieces(trials, 1)
-        .map(|piece| {
-            let result = going_on.then(|| work(piece)).flatten();
-            going_on = result.is_some() && watch(piece.len()).is_continue();
-            result
-        })
-        .collect()
+) -> Vec<R> {
+    let mut all = Vec::with_capacity(trials.len());
+    for piece in pieces(trials, 1) {
+        let results = work(piece, &|| watch(0).is_continue());
+        let (count, is_whole) = (results.len(), results.len() == piece.len());
+        all.extend(results);
+        if watch(count).is_break() || !is_whole {
+            break;
+        }
+    }
+    all
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ALONE, FEWEST, MOST, ensemble, pieces};
+    use super::{ALONE, FEWEST, MOST, pieces};
     use crate::law::IdealLaw;
-    use crate::motion::Options;
-    use crate::presets;
     use crate::state::State;
     use crate::surface::{FrictionLaw, Surface};
-    use core::ops::ControlFlow;
-    use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
     fn trials(count: usize, surface: impl Into<Surface>) -> Vec<(State, Surface)> {
         let surface = surface.into();
@@ -210,7 +216,7 @@ mod tests {
                 _ => (start, surface),
             })
             .collect();
-        for threads in [1, 2, 8] {
+        for (threads, full) in [(1, MOST), (2, 3000 / 8), (8, FEWEST)] {
             let pieces: Vec<_> = pieces(&trials, threads).collect();
             assert_eq!(pieces.concat(), trials);
             let alone_in = |piece: &[(State, Surface)]| {
@@ -219,27 +225,38 @@ mod tests {
                     .filter(|(_, surface)| *surface == viscous.into());
                 alone.count()
             };
+            assert!(alone_in(pieces[0]) > 0 && alone_in(pieces[0]) < pieces[0].len());
             // The last of a piece may be one that takes it beyond what is full.
             for piece in pieces {
                 let size = piece.len() + (ALONE - 1) * alone_in(piece);
-                assert!(size < MOST + ALONE, "{size} on {threads}");
+                assert!(size < full + ALONE, "{size} on {threads}");
             }
         }
     }
 
+    #[cfg(feature = "threads")]
     #[test]
     fn the_work_can_be_ended_amid_falls_that_go_by_themselves() {
-        let can = presets::can_2007().expect("the paper's can");
+        use super::ensemble;
+        use crate::motion::Options;
+        use core::ops::ControlFlow;
+        use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+        let can = crate::presets::can_2007().expect("the paper's can");
         let trials: Vec<_> = trials(100, FrictionLaw::Viscous { coefficient: 1.0 })
             .into_iter()
             .map(|(start, surface)| (State { tilt: 0.3, ..start }, surface))
             .collect();
+        let go_on = |_| ControlFlow::Continue(());
+        let whole = ensemble(&can, &trials, &Options::default(), go_on).expect("valid starts");
         let begun = AtomicUsize::new(0);
         let watch = |falls| match begun.fetch_add(usize::from(falls == 0), Relaxed) {
             0..6 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };
-        let falls = ensemble(&can, &trials, &Options::default(), watch).expect("valid starts");
-        assert!(falls.len() <= 6, "{} falls", falls.len());
+        let stopped = || ensemble(&can, &trials, &Options::default(), watch);
+        let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let falls = one_thread.expect("a pool").install(stopped);
+        assert_eq!(falls.expect("valid starts"), whole[..6]);
     }
 }

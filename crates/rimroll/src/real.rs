@@ -16,7 +16,7 @@ mod x86;
 pub(crate) use elementary::{Parted, asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
 
 pub use dual::{Dual, Slope, Slopes};
-pub(crate) use lanes::{Bits, Mask, Packed, Vector};
+pub(crate) use lanes::{Bits, Mask, Packed, Part, Vector};
 pub use lanes::{LANES, Lanes};
 #[cfg(test)]
 pub(crate) use widest::in_every_width;

@@ -3,7 +3,7 @@
 
 use super::carried::Carried;
 use crate::motion::{FACE_DOWN_TILT, Options};
-use crate::real::{Bits, Lanes, Mask, Real, Task, Vector, in_widest};
+use crate::real::{Bits, Lanes, Mask, Part, Real, Task, Vector, in_widest};
 use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
@@ -108,6 +108,14 @@ pub(super) enum Mark {
 /// All of them, in the order of their numbers.
 pub(super) const MARKS: [Mark; 4] = [Mark::Extreme, Mark::Topple, Mark::Time, Mark::Contact];
 
+const _: () = {
+    let mut i = 0;
+    while i < MARKS.len() {
+        assert!(MARKS[i] as usize == i);
+        i += 1;
+    }
+};
+
 /// What became of the steps that were tried: a bit for each lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Outcome {
@@ -203,10 +211,6 @@ impl<const N: usize> Lockstep<N> {
         in_widest(Step(self, phase, friction, limits))
     }
 
-    #[expect(
-        clippy::needless_range_loop,
-        reason = "an iterator's closures might not be inlined"
-    )]
     #[inline(always)]
     fn step_in<V: Vector, P: Carried<f64, N>>(
         &mut self,
@@ -214,39 +218,38 @@ impl<const N: usize> Lockstep<N> {
         friction: &Lanes,
         limits: &Limits,
     ) -> Outcome {
+        self.attempt(&phase.like(V::Part::from(0.0)), friction);
         let phase = phase.like(V::load(friction));
-        let attempt = self.attempt::<V, _>(&phase);
-        let sizes = phase.sizes(&attempt.end);
+        let (end, end_rates) = (V::load_all(&self.end), V::load_all(&self.end_rates));
+        let sizes = phase.sizes(&end);
         let estimate = self.estimate(&sizes, limits.tolerance);
         let is_number = estimate.error_squared.at_most(V::from(f64::MAX));
         let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
-        let end = P::Like::<V>::all(&attempt.end);
+        let at = P::Like::<V>::all(&end);
         // In the order of `MARKS`.
         let levels = [
-            V::load(&self.direction) * end.p,
-            limits.below_topple(&end),
-            V::from(limits.duration) - end.t,
-            phase.holds(&attempt.end),
+            V::load(&self.direction) * at.p,
+            limits.below_topple(&at),
+            V::from(limits.duration) - at.t,
+            phase.holds(&end),
         ];
-        let safety = self.safety(&phase, &attempt, &levels, limits);
+        let slips_on = phase.slips_on(&end, &end_rates, limits.tolerance);
+        let safety = self.safety(&at, &levels, slips_on, limits);
         let quiet = good.and(V::from(0.0).at_most(safety)).unseen();
         let shortened = self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
-            self.end[i] = attempt.end[i].store();
-            self.end_rates[i] = attempt.rates[i].store();
-            self.u[i] = quiet.choose(attempt.end[i], V::load(&self.u[i])).store();
+            self.u[i] = quiet.choose(end[i], V::load(&self.u[i])).store();
             self.stages[0][i] = quiet
-                .choose(attempt.rates[i], V::load(&self.stages[0][i]))
+                .choose(end_rates[i], V::load(&self.stages[0][i]))
                 .store();
             self.end_sizes[i] = sizes[i].store();
             self.sizes[i] = quiet.choose(sizes[i], V::load(&self.sizes[i])).store();
         }
-        self.inside = attempt.inside.store();
         let zero = V::from(0.0);
         let mut beyond = [0; MARKS.len()];
-        for (beyond, level) in beyond.iter_mut().zip(levels) {
+        for i in 0..MARKS.len() {
             // Written so that a NaN is beyond.
-            *beyond = (!zero.at_most(level)).bits();
+            beyond[i] = (!zero.at_most(levels[i])).bits();
         }
         Outcome {
             good: good.bits(),
@@ -255,26 +258,45 @@ impl<const N: usize> Lockstep<N> {
         }
     }
 
-    /// One step of the method of order 8.
+    /// One step of the method of order 8, some of the lanes after the other in each stage: while some wait for
+    /// the last of a formula, the others begin.
     #[inline(always)]
-    fn attempt<V: Vector, P: Carried<V, N>>(&mut self, phase: &P) -> Attempt<V, N> {
-        let (u, h) = (V::load_all(&self.u), V::load(&self.h));
-        let direction = V::load(&self.direction);
-        let mut inside = V::from(f64::INFINITY);
-        for i in 0..STAGES.len() {
-            let at = before_stage(i, &u, h, &self.stages, P::FELT);
-            self.stages[i + 1] = V::store_all(phase.rates(&at));
-            // At 1/3, 3/5 and 6/7 of the step.
-            if matches!(i, 4 | 8 | 9) {
-                let tilting = direction * P::all(&at).p;
-                inside = inside.min(tilting).min(phase.holds(&at));
+    fn attempt<V: Part, P: Carried<V, N>>(&mut self, phase: &P, friction: &Lanes) {
+        self.inside = Lanes::from(f64::INFINITY);
+        for i in 0..=STAGES.len() {
+            for part in 0..V::PARTS {
+                self.stage::<V, P>(i, part, phase, friction);
             }
         }
-        let end = combine(&u, h, SOLUTION, &self.stages, N);
-        Attempt {
-            end,
-            rates: phase.rates(&end),
-            inside,
+    }
+
+    /// A stage of the step of some lanes, where the last leads to its end.
+    #[inline(always)]
+    fn stage<V: Part, P: Carried<V, N>>(
+        &mut self,
+        i: usize,
+        part: usize,
+        phase: &P,
+        friction: &Lanes,
+    ) {
+        // Asked once rather than for every number.
+        assert!(part < V::PARTS, "a part");
+        let phase = phase.like(V::load_part(friction, part));
+        let (u, h) = (V::load_parts(&self.u, part), V::load_part(&self.h, part));
+        if i == STAGES.len() {
+            let end = combine(&u, h, SOLUTION, &self.stages, part, N);
+            V::store_parts(end, &mut self.end, part);
+            V::store_parts(phase.rates(&end), &mut self.end_rates, part);
+            return;
+        }
+        let at = before_stage(i, &u, h, &self.stages, part, P::FELT);
+        V::store_parts(phase.rates(&at), &mut self.stages[i + 1], part);
+        // At 1/3, 3/5 and 6/7 of the step.
+        if matches!(i, 4 | 8 | 9) {
+            let tilting = V::load_part(&self.direction, part) * P::Like::<V>::all(&at).p;
+            let inside = V::load_part(&self.inside, part);
+            let inside = inside.min(tilting).min(phase.holds(&at));
+            inside.store_part(&mut self.inside, part);
         }
     }
 
@@ -288,8 +310,8 @@ impl<const N: usize> Lockstep<N> {
         for i in 0..N {
             let size = V::load(&self.sizes[i]).max(end_sizes[i]);
             let per_size = V::from(1.0) / (V::from(tolerance) * size);
-            let e5 = weigh::<V, N>(ERROR_5, &self.stages, i) * per_size;
-            let e3 = weigh::<V, N>(ERROR_3, &self.stages, i) * per_size;
+            let e5 = weigh::<V, N>(ERROR_5, &self.stages, 0, i) * per_size;
+            let e3 = weigh::<V, N>(ERROR_3, &self.stages, 0, i) * per_size;
             fifth = fifth + e5 * e5;
             third = third + e3 * e3;
         }
@@ -298,29 +320,27 @@ impl<const N: usize> Lockstep<N> {
 
     /// Not negative where the step has crossed nothing that is to be seen.
     #[inline(always)]
-    fn safety<V: Vector, P: Carried<V, N>>(
+    fn safety<V: Vector>(
         &self,
-        phase: &P,
-        attempt: &Attempt<V, N>,
+        end: &Coordinates<V>,
         levels: &[V; MARKS.len()],
+        slips_on: V,
         limits: &Limits,
     ) -> V {
-        let u = P::all(&attempt.end);
-        let lifted = u.sin - V::from(limits.flat);
+        let lifted = end.sin - V::from(limits.flat);
         let direction = V::load(&self.direction);
         // Neither 0, before there is a direction, nor a lane that is held.
         let on_its_way = V::load(&self.free) * direction * direction - V::from(0.5);
         let [extreme, topple, time, contact] = *levels;
-        attempt
-            .inside
+        V::load(&self.inside)
             .min(contact)
             .min(extreme)
             .min(topple)
             .min(time)
             .min(lifted)
-            .min(u.cos)
+            .min(end.cos)
             .min(V::from(limits.most_steps) - V::load(&self.steps))
-            .min(phase.slips_on(&attempt.end, &attempt.rates, limits.tolerance))
+            .min(slips_on)
             .min(on_its_way)
     }
 
@@ -365,29 +385,20 @@ impl<P: Carried<f64, N>, const N: usize> Task for Step<'_, P, N> {
     }
 }
 
-/// A step that has been tried.
-struct Attempt<V, const N: usize> {
-    /// Where it has led.
-    end: [V; N],
-    /// The rates there.
-    rates: [V; N],
-    /// The least of what must not be negative inside it.
-    inside: V,
-}
-
 /// Where the next stage after some is to be made.
 #[inline(always)]
-fn before_stage<V: Vector, const N: usize>(
+fn before_stage<V: Part, const N: usize>(
     made: usize,
     u: &[V; N],
     h: V,
     stages: &[[Lanes; N]; 16],
+    part: usize,
     count: usize,
 ) -> [V; N] {
     macro_rules! rows {
         ($($row:literal)*) => {
             match made {
-                $($row => combine(u, h, STAGES[$row], stages, count),)*
+                $($row => combine(u, h, STAGES[$row], stages, part, count),)*
                 _ => unreachable!("a step has no more stages"),
             }
         };
@@ -410,16 +421,16 @@ const _: () = {
 /// Σ weight · stage of a coordinate, summed in the order of the row, which is to be known when this is
 /// compiled: hence the terms are written out.
 #[inline(always)]
-fn weigh<V: Vector, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usize) -> V {
+fn weigh<V: Part, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], part: usize, i: usize) -> V {
     let i = V::unseen(i);
     // Asked once rather than for every term.
     assert!(i < N, "a coordinate");
     let (first, weight) = row[0];
-    let mut sum = V::from(weight) * V::load(&stages[first][i]);
+    let mut sum = V::from(weight) * V::load_part(&stages[first][i], part);
     macro_rules! add {
         ($($term:literal)*) => {
             $(if let Some(&(stage, weight)) = row.get($term) {
-                sum = sum + V::from(weight) * V::load(&stages[stage][i]);
+                sum = sum + V::from(weight) * V::load_part(&stages[stage][i], part);
             })*
         };
     }
@@ -429,16 +440,17 @@ fn weigh<V: Vector, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], i: usiz
 
 /// u + h Σ weight · stage of the first `count` coordinates; the others stay.
 #[inline(always)]
-fn combine<V: Vector, const N: usize>(
+fn combine<V: Part, const N: usize>(
     u: &[V; N],
     h: V,
     row: Row,
     stages: &[[Lanes; N]; 16],
+    part: usize,
     count: usize,
 ) -> [V; N] {
     let mut end = *u;
     for (i, end) in end.iter_mut().enumerate().take(count) {
-        *end = *end + h * weigh(row, stages, i);
+        *end = *end + h * weigh(row, stages, part, i);
     }
     end
 }

@@ -366,7 +366,7 @@ mod tests {
     use crate::state::{Coordinates, State};
 
     #[test]
-    fn a_fall_whose_contact_does_not_last_leaves_at_once() {
+    fn a_fall_whose_contact_does_not_last_leaves() {
         let can = presets::can_2007().expect("the paper's can");
         let limits = Limits::of(&Options::default());
         let parameters = Parameters::new(&can, 9.8);

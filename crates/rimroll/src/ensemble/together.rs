@@ -19,14 +19,14 @@ pub(super) fn go_in_lanes(surface: &Surface) -> bool {
     matches!(surface.friction, NoSlip | Frictionless | Coulomb { .. }) && !surface.resists()
 }
 
-/// The falls from some of the trials, in their order; none where the work has been ended, for which it is
-/// asked before each fall that is followed by itself. The options and trials have been checked.
+/// The falls from some of the trials, in their order: all, or those before the first that was to be followed
+/// by itself when the work did not go on. The options and trials have been checked.
 pub(super) fn together(
     body: &Body,
     trials: &[(State, Surface)],
     options: &Options,
     goes_on: impl Fn() -> bool,
-) -> Option<Vec<Fall>> {
+) -> Vec<Fall> {
     let mut falls = Falls {
         body,
         trials,
@@ -45,7 +45,7 @@ pub(super) fn together(
         Dry::new(body, trials, options, &falls.limits, &mut falls.done).follow(waiting);
     }
     (0..trials.len())
-        .map(|index| {
+        .map_while(|index| {
             falls.done[index]
                 .take()
                 .or_else(|| goes_on().then(|| falls.alone(index)))

@@ -34,27 +34,69 @@ pub type Lanes = Packed<f64, LANES>;
 #[derive(Debug, Clone, Copy)]
 pub struct Flagged<R: Register, const COUNT: usize>([R::Flags; COUNT]);
 
-/// Lanes in some registers.
+/// A part of the lanes, or all of them, in some registers.
 ///
 /// What takes them has to be inlined: [`in_widest`](super::in_widest).
-pub trait Vector: elementary::Parted {
+pub trait Part: elementary::Parted {
+    /// How many there are of the lanes.
+    const PARTS: usize;
+
+    /// From memory.
+    fn load_part(lanes: &Lanes, part: usize) -> Self;
+
+    /// To memory.
+    fn store_part(self, lanes: &mut Lanes, part: usize);
+
+    /// A number that compilers are not to see through where they put lanes into registers themselves: among
+    /// several sums at once they lose the order of the lanes.
+    fn unseen(index: usize) -> usize;
+
+    /// Several from memory.
+    #[inline(always)]
+    fn load_parts<const N: usize>(lanes: &[Lanes; N], part: usize) -> [Self; N] {
+        let mut all = [Self::from(0.0); N];
+        for i in 0..N {
+            all[i] = Self::load_part(&lanes[i], part);
+        }
+        all
+    }
+
+    /// Several to memory.
+    #[inline(always)]
+    fn store_parts<const N: usize>(all: [Self; N], lanes: &mut [Lanes; N], part: usize) {
+        for i in 0..N {
+            all[i].store_part(&mut lanes[i], part);
+        }
+    }
+}
+
+/// All lanes in some registers.
+pub trait Vector: Part {
+    /// As many of them as there are registers for, with all that a long formula needs meanwhile.
+    type Part: Part;
+
     /// A yes or no for each lane.
     type Mask: Mask<Self>;
 
     /// From memory.
-    fn load(lanes: &Lanes) -> Self;
+    #[inline(always)]
+    fn load(lanes: &Lanes) -> Self {
+        const { assert!(Self::PARTS == 1) };
+        Self::load_part(lanes, 0)
+    }
 
     /// To memory.
-    fn store(self) -> Lanes;
+    #[inline(always)]
+    fn store(self) -> Lanes {
+        let mut lanes = Packed([0.0; LANES]);
+        self.store_part(&mut lanes, 0);
+        lanes
+    }
 
     /// Several from memory.
     #[inline(always)]
     fn load_all<const N: usize>(lanes: &[Lanes; N]) -> [Self; N] {
-        let mut all = [Self::from(0.0); N];
-        for i in 0..N {
-            all[i] = Self::load(&lanes[i]);
-        }
-        all
+        Self::load_parts(lanes, 0)
     }
 
     /// Several to memory.
@@ -67,10 +109,6 @@ pub trait Vector: elementary::Parted {
         lanes
     }
 
-    /// A number that compilers are not to see through where they put lanes into registers themselves: among
-    /// several sums at once they lose the order of the lanes.
-    fn unseen(index: usize) -> usize;
-
     /// Whether a lane is at most the other's; a NaN is not.
     fn at_most(self, other: Self) -> Self::Mask;
 }
@@ -80,8 +118,8 @@ pub trait Mask<L>: Copy + core::fmt::Debug + Not<Output = Self> {
     /// `yes` where it holds, else `no`.
     fn choose(self, yes: L, no: L) -> L;
 
-    /// The same for replacing what is in memory: compilers that see a comparison write only where it holds,
-    /// for which processors of AMD with AVX2 take ten times as long as for writing all.
+    /// The same mask, to choose what replaces numbers in memory: compilers that see a comparison write only
+    /// where it holds, for which processors of AMD with AVX2 take ten times as long as for writing all.
     #[must_use]
     fn unseen(self) -> Self;
 
@@ -125,30 +163,29 @@ impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
     /// Number by number, where there is no instruction for it.
     #[inline(always)]
     fn each_number(self, f: impl Fn(f64) -> f64) -> Self {
-        Self::load(&Packed(self.store().0.map(f)))
+        let mut numbers = Packed([0.0; LANES]);
+        self.store_part(&mut numbers, 0);
+        Self::load_part(&Packed(numbers.0.map(f)), 0)
     }
 }
 
-impl<R: Register, const COUNT: usize> Vector for Packed<R, COUNT> {
-    type Mask = Flagged<R, COUNT>;
+impl<R: Register, const COUNT: usize> Part for Packed<R, COUNT> {
+    const PARTS: usize = LANES / (COUNT * R::WIDTH);
 
     #[inline(always)]
-    fn load(lanes: &Lanes) -> Self {
-        const { assert!(COUNT * R::WIDTH == LANES) };
+    fn load_part(lanes: &Lanes, part: usize) -> Self {
         let mut result = Self::from(0.0);
         for i in 0..COUNT {
-            result.0[i] = R::load(&lanes.0[i * R::WIDTH..]);
+            result.0[i] = R::load(&lanes.0[(part * COUNT + i) * R::WIDTH..]);
         }
         result
     }
 
     #[inline(always)]
-    fn store(self) -> Lanes {
-        let mut lanes = Packed([0.0; LANES]);
+    fn store_part(self, lanes: &mut Lanes, part: usize) {
         for i in 0..COUNT {
-            R::store(self.0[i], &mut lanes.0[i * R::WIDTH..]);
+            R::store(self.0[i], &mut lanes.0[(part * COUNT + i) * R::WIDTH..]);
         }
-        lanes
     }
 
     #[inline(always)]
@@ -159,6 +196,21 @@ impl<R: Register, const COUNT: usize> Vector for Packed<R, COUNT> {
             black_box(index)
         }
     }
+}
+
+/// A register that parts of lanes are put into.
+pub trait Grouped: Register {
+    /// See [`Vector::Part`].
+    type Part: Part;
+}
+
+impl Grouped for f64 {
+    type Part = Lanes;
+}
+
+impl<R: Grouped, const COUNT: usize> Vector for Packed<R, COUNT> {
+    type Part = R::Part;
+    type Mask = Flagged<R, COUNT>;
 
     #[expect(
         clippy::needless_range_loop,
@@ -264,11 +316,12 @@ impl<R: Register, const COUNT: usize> Neg for Packed<R, COUNT> {
 impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (mut sin, mut cos) = (self.store(), self.store());
+        let [mut sin, mut cos] = [Lanes::from(0.0); 2];
+        self.store_part(&mut sin, 0);
         for i in 0..LANES {
             (sin.0[i], cos.0[i]) = libm::sincos(sin.0[i]);
         }
-        (Self::load(&sin), Self::load(&cos))
+        (Self::load_part(&sin, 0), Self::load_part(&cos, 0))
     }
 
     #[inline(always)]
@@ -467,6 +520,13 @@ mod tests {
             assert_eq!(small.bits(), !0b10_1000);
             assert_eq!((!small).bits(), 0b10_1000);
             assert_eq!(small.choose(two, one).store().0[3..6], [1.0, 2.0, 1.0]);
+            assert_eq!(small.unseen().bits(), small.bits());
+            let chosen = small
+                .unseen()
+                .choose(V::from(-0.0), V::load(&mixed))
+                .store();
+            assert_eq!(chosen.0[4].to_bits(), (-0.0_f64).to_bits());
+            assert!(chosen.0[5].is_nan() && chosen.0[3] == 3.0);
             assert_eq!(small.or(!small).and(small).bits(), small.bits());
             assert_eq!(small.and(!small).bits(), 0);
             assert!(small.or(!small).in_all() && !small.in_all());

@@ -8,7 +8,7 @@
 //! `#[inline(always)]`, and has no closures and no `map` of an array: they would be compiled without its registers.
 
 use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
-use super::lanes::{LANES, Packed};
+use super::lanes::{Grouped, LANES, Packed};
 use super::register::{ONE_BITS, Register, inlined};
 use super::widest::Task;
 use core::arch::x86_64::*;
@@ -19,6 +19,15 @@ const ROUNDED: i64 = ROUNDER.to_bits().cast_signed();
 
 type Avx512 = Packed<__m512d, { LANES / 8 }>;
 type Avx2 = Packed<__m256d, { LANES / 4 }>;
+
+impl Grouped for __m512d {
+    type Part = Avx512;
+}
+
+/// Two at once: there are sixteen registers, and four for each number would not be enough.
+impl Grouped for __m256d {
+    type Part = Packed<__m256d, 2>;
+}
 
 /// Does a task in registers of eight.
 ///
@@ -133,6 +142,8 @@ impl Register for __m256d {
         min(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_min_pd(a, b));
         less(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b));
         at_most(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b));
+        // Flags are all bits or none. The instruction for this is made a comparison by compilers, and so undoes
+        // what `unseen` is for; where they may see through this, they choose it themselves.
         choose(flags: __m256d, yes: __m256d, no: __m256d) -> __m256d =
             instruction!(_mm256_or_pd(_mm256_and_pd(flags, yes), _mm256_andnot_pd(flags, no)));
         and(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_and_pd(a, b));
