@@ -228,9 +228,11 @@ def _show(what: Asked, release: Release, falls: xr.Dataset, paths: list[Path]) -
     say(release_line(release))
     say()
     told = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
-    say(f"{falls.sizes['trial']} falls: {told}; seed {falls.attrs['seed']}")
+    counted = f"{falls.sizes['trial']} falls" + (f": {told}" if told else "")
+    say(f"{counted}; seed {falls.attrs['seed']}")
     say()
-    _show_sides(falls)
+    if told:
+        _show_sides(falls)
     if "interrupted" in falls.attrs:
         say(f"interrupted {falls.attrs['interrupted']}")
     for path in paths:

@@ -11,7 +11,8 @@ use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
 /// How many lanes there are: more than a register holds, since a formula is a chain whose links wait for one another,
-/// and a processor that has two of them under way need not wait; not so many that it runs out of registers.
+/// and a processor that has two of them under way need not wait; not so many that it runs out of registers. Where these
+/// are narrow, long formulas are computed for a part of the lanes at a time: `Vector::Part`.
 pub const LANES: usize = if cfg!(target_arch = "x86_64") { 16 } else { 8 };
 
 /// A yes or no for each lane, as a bit.
