@@ -486,6 +486,19 @@ def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(
     assert {path.name for path in tmp_path.iterdir()} == {"falls.csv", "falls.svg"}
 
 
+def test_ctrl_c_before_the_first_fall_says_nothing_of_directions(capsys, monkeypatch):
+    none = rr.topple(CAN, rr.NoSlip(), 1, seed=1).isel(trial=slice(0))
+
+    def interrupted(*given, **options):
+        raise rr.Interrupted(none)
+
+    monkeypatch.setattr("rimroll.cli.topple.let_go", interrupted)
+    assert main(["topple", "-n", "5", "--seed", "1"]) == 130
+    out = capsys.readouterr().out
+    assert "\n0 falls; seed 1\n" in out and "interrupted after 0 of 5 falls" in out
+    assert "None came down" not in out and "limit" not in out
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -127,6 +127,9 @@ def ensemble(
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
+    # Before the work, so that Ctrl-C does not wait for it.
+    import xarray  # noqa: F401
+
     expect("body", body, Body)
     expect("starts", starts, State)
     expect("law", law, Law)
