@@ -1,6 +1,8 @@
 """Angles from files, as people write them down, and what is refused rather than misread."""
 
+import io
 import os
+import re
 
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from hypothesis import strategies as st
 import rimroll as rr
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import write
+from rimroll.experiment.fitting.angles import read_falls
 
 FALLS = np.array([213.5, 147.25, 210.0, 142.0])
 """Directions, degrees, such as the paper's can falls in."""
@@ -163,7 +166,7 @@ def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data)
         ("hand;table;fall\n1;2;3\n", "needs one column .*it has hand, table, fall"),
         ("213\n1\x0047\n", "is no text file"),
         (b"\x89PNG\r\n\x1a\n\xff\xfe", "is no text file"),
-        (COLUMN.encode("utf-16"), "is no text file"),
+        (COLUMN.encode("utf-16-le"), "is no text file"),  # without a byte order mark
         ('10,"' + 200_000 * "x", "does not read as a table"),
     ],
     ids=lambda value: repr(value[:20]),
@@ -206,20 +209,47 @@ def test_radians_that_are_not_said_to_be_are_refused(written, separator):
     [
         "213,5\n147,2\n210,0\n",
         "213,5\n",
-        "213,50\n147,25\n210,07\n",
-        "213,500\n147,250\n210,070\n",
         "+213,5\n-147,2\n",
+        "213,5 deg\n147,2 deg\n",
     ],
 )
-def test_decimal_commas_are_not_taken_for_columns(written, content):
+def test_a_few_commas_that_may_be_decimal_or_separate_columns_are_refused(written, content):
     with pytest.raises(rr.RimrollError, match="may be one number or two; write decimals with a po"):
         rr.read_angles(written(content))
 
 
-@pytest.mark.parametrize("content", ["direction\n213,5\n", '"213,5"\n', "210\n213,5"])
-def test_decimal_commas_are_told(written, content):
-    with pytest.raises(rr.RimrollError, match=r"line \d: .*decimals follow a point, not a comma"):
-        rr.read_angles(written(content))
+@pytest.mark.parametrize(
+    "content",
+    [
+        "direction\n213,5\n147,25\n",
+        "direction\n213,500\n147,250\n",
+        '"213,5"\n"147,25"\n',
+        "213,5;\n147,25;\n",
+        "213,50\n147,25\n210,07\n",  # no whole number is written 07
+        "213,500\n147,250\n210,070\n",
+        "213,5\n147,25\n210\n",  # one cell in a line shows that there is one column
+        "210\n213,5\n",
+        '"Nr","Winkel"\n1,"213,5"\n2,"147,25"\n',
+        "213,5\n147,25\n210,0\n142,0\n" * 2,  # so many angles below 100 there are not
+        "213,5 deg\n147,25 deg\n210,0 deg\n142,0 deg\n" * 2,
+    ],
+)
+def test_commas_that_cannot_separate_columns_are_decimal(written, content):
+    expected = [float(number.replace(",", ".")) for number in re.findall(r"\d{3},?\d*", content)]
+    assert same_directions(degrees(written(content)), expected)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+def test_the_encodings_of_spreadsheets_are_read(written, encoding):
+    content = "Nr;Winkel (°);Größe\r\n1;213,5;gut\r\n2;147,25;\r\n;;\r\n"
+    assert same_directions(degrees(written(content.encode(encoding))), [213.5, 147.25])
+
+
+@pytest.mark.parametrize(
+    "content", ['"213.5"\n"147.25"\n', "213.5;;\n147.25;;\n;;\n", "213.5\n;\n147.25"]
+)
+def test_quotes_and_empty_cells_at_the_end_do_not_matter(written, content):
+    assert same_directions(degrees(written(content)), [213.5, 147.25])
 
 
 @pytest.mark.parametrize(
@@ -238,11 +268,88 @@ def test_whole_degrees_in_columns_are_still_columns(written, content):
 
 
 @pytest.mark.parametrize("first", [0, 1])
-@pytest.mark.parametrize("names", ["", "no,read\n", '"","x"\n'])
-def test_a_column_that_counts_the_falls_is_not_taken_for_a_lean(written, first, names):
+def test_a_column_that_counts_the_falls_is_not_taken_for_a_lean(written, first):
     rows = "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS, first))
     with pytest.raises(rr.RimrollError, match="its first column counts the falls"):
-        rr.read_angles(written(names + rows))
+        rr.read_angles(written(rows))
+
+
+@pytest.mark.parametrize("names", ["no,read", '"","x"', "left,right", "group,number"])
+def test_two_columns_of_other_names_are_refused_until_they_are_chosen(written, names):
+    rows = "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS, 190))
+    file = written(f"{names}\n{rows}")
+    with pytest.raises(rr.RimrollError, match=r"it has .*\. Say which to read by its name or num"):
+        rr.read_angles(file)
+    assert same_directions(degrees(file, column=2), FALLS)
+    assert same_directions(degrees(file, column=2, lean_column=1), FALLS - np.arange(190, 194))
+
+
+def test_a_column_of_groups_is_not_taken_for_a_lean(written):
+    rows = "".join(f"{1 + i % 2},{fall}\n" for i, fall in enumerate(FALLS))
+    with pytest.raises(rr.RimrollError, match="small whole numbers that repeat"):
+        rr.read_angles(written(rows))
+    assert same_directions(degrees(written(rows), column=2), FALLS)
+    # A hand that always leans the can to where the protractor says 0.
+    zeros = "".join(f"0,{fall}\n" for fall in FALLS)
+    assert same_directions(degrees(written(zeros)), FALLS)
+
+
+@pytest.mark.parametrize("order", ["lean,fall", "fall,lean"])
+def test_named_columns_are_found_in_any_order_and_among_others(written, order):
+    first, second = order.split(",")
+    columns = {"lean": LEANS, "fall": LEANS + FALLS}
+    rows = [
+        f"{i},{a},{b},x"
+        for i, (a, b) in enumerate(zip(columns[first], columns[second], strict=True))
+    ]
+    file = written("\n".join([f"n,{order},remark", *rows]))
+    assert same_directions(degrees(file), FALLS)
+    assert same_directions(degrees(file, column="fall", lean_column="lean"), FALLS)
+
+
+def test_a_lean_beside_a_direction_is_taken_from_it(written):
+    rows = "".join(f"{lean},{lean + fall}\n" for lean, fall in zip(LEANS, FALLS, strict=True))
+    assert same_directions(degrees(written("lean,direction\n" + rows)), FALLS)
+
+
+@pytest.mark.parametrize(
+    ("how", "message"),
+    [
+        ({"column": "angel"}, "column must be a number from 1 to 2, or of n, angle in .*'angel'"),
+        ({"column": 3}, "column must be a number from 1 to 2"),
+        ({"column": 0}, "column must be a number from 1 to 2"),
+        ({"column": 2, "lean_column": "first"}, "lean_column must be a number from 1 to 2"),
+        ({"lean_column": 1}, "column must be given with lean_column"),
+    ],
+)
+def test_a_column_that_is_not_there_is_refused(written, how, message):
+    with pytest.raises(rr.RimrollError, match=message):
+        rr.read_angles(written("n,angle\n1,213\n2,147\n"), **how)
+
+
+def test_a_stream_is_read_like_a_file():
+    assert same_directions(degrees(io.BytesIO(COLUMN.encode())), FALLS)
+
+
+@pytest.mark.parametrize(
+    ("content", "source"),
+    [
+        (COLUMN, "the only column; degrees, anticlockwise; 4 rows"),
+        ("direction[rad]\n3\n", 'column 1 "direction[rad]"; radians, anticlockwise; 1 rows'),
+        (
+            "n,lean,fall\n1,10,223\n",
+            'column 3 "fall" less column 2 "lean", the first lean; degrees, anticlockwise; 1 rows',
+        ),
+        (
+            "outcome,direction\nrocked,213\nhovered,nan\n",
+            'column 2 "direction"; degrees, anticlockwise; 1 rows with the outcome rocked',
+        ),
+    ],
+)
+def test_what_was_read_is_said(written, content, source):
+    none = dict.fromkeys(("counted", "column", "lean_column"))
+    read = read_falls(written(content), radians=False, clockwise=False, **none)
+    assert read.source == source
 
 
 # The stand-ins for data of which only means and spreads were published

@@ -1,6 +1,7 @@
 """The friction of a table from directions of fall: densities, likelihood, intervals, verdicts."""
 
 import importlib.util
+import io
 import json
 import math
 import pickle
@@ -14,6 +15,7 @@ from scipy.stats import binom, chi2
 from scipy.stats import t as student
 
 import rimroll as rr
+from rimroll.cli import main
 from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.fitting.likelihood import Likelihood, Point
 from rimroll.experiment.fitting.predicted import (
@@ -456,8 +458,8 @@ def test_of_falls_to_one_side_one_hump_is_no_surprise(predicted):
 
 def test_falls_all_round_are_excluded(predicted):
     directions = TURN * np.random.default_rng(9).random(60)
-    shape = rr.fit(CAN, directions, predicted=predicted).verdicts[-1]
-    assert shape.excluded
+    found = rr.fit(CAN, directions, predicted=predicted)
+    assert found.verdicts[-1].excluded and not found.supported
 
 
 @pytest.mark.parametrize("values", [[3.7], [3.7, 2.6], [0.0], [math.pi]])
@@ -698,13 +700,54 @@ def test_what_is_at_the_end_of_what_is_tried_is_said(predicted):
     )
     directions, _ = fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)
     stray = np.append(directions, math.radians(60.0))
-    (told,) = rr.fit(CAN, stray, predicted=predicted).warnings
-    assert told == "far from both humps, and taken for slips of the pen: 60 degrees"
+    doubts = rr.fit(CAN, stray, predicted=predicted).warnings
+    assert "far from both humps, and taken for slips of the pen: 60 degrees" in doubts
     left = directions[directions > math.pi]
-    (told,) = rr.fit(CAN, left, predicted=predicted).warnings
-    assert told.startswith("too few falls to one side")
+    doubts = rr.fit(CAN, left, predicted=predicted).warnings
+    assert doubts[0].startswith("too few falls to one side")
     askew = rr.fit(CAN, directions + math.radians(25.0), predicted=predicted)
     assert askew.bias == pytest.approx(math.radians(25.0), abs=math.radians(1.0))
+
+
+def test_parameters_at_the_ends_of_what_is_tried_are_flagged(predicted, fit_of_the_paper):
+    assert fit_of_the_paper.supported and fit_of_the_paper.at_bounds == {}
+    wild = np.radians(180.0 + 70.0 * np.random.default_rng(3).standard_normal(60))
+    assert rr.fit(CAN, wild, predicted=predicted).at_bounds["unsteadiness"] == "highest"
+    alike = rr.fit(CAN, np.resize([3.7, 2.6], 30), predicted=predicted)
+    assert alike.at_bounds == {"unsteadiness": "lowest"}
+    assert any("steadiest hand" in warning for warning in alike.warnings)
+    known = rr.fit(CAN, wild, predicted=predicted, bias=0.0)
+    assert "bias" not in known.at_bounds
+
+
+def test_the_command_says_what_it_read_and_the_verdict_before_the_number(monkeypatch, capsys):
+    piped = io.TextIOWrapper(io.BytesIO(b"200\n" * 30), "utf-8")
+    monkeypatch.setattr(sys, "stdin", piped)
+    assert main(["fit", "-", "--tilt-rate-error", "0"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (read,) = (i for i, line in enumerate(lines) if line.startswith("read "))
+    assert lines[read] == "read the only column; degrees, anticlockwise; 30 rows"
+    (doubt,) = (i for i, line in enumerate(lines) if "the numbers below mean nothing" in line)
+    (friction,) = (i for i, line in enumerate(lines) if line.startswith("friction, unsupported"))
+    assert read < doubt < friction
+    (hand,) = (line for line in lines if line.startswith("spread of the hand"))
+    assert "the lowest tried" in hand
+
+
+def test_the_command_reads_the_columns_that_it_is_given(tmp_path, capsys):
+    file = tmp_path / "falls.csv"
+    directions, _ = fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)
+    rows = (f"{i % 3},{angle}" for i, angle in enumerate(np.degrees(directions)))
+    file.write_text("\n".join(["group,way", *rows]))
+    command = ["fit", str(file), "--tilt-rate-error", "0", "--json"]
+    assert main(command) == 2
+    assert "--column" in capsys.readouterr().err
+    assert main([*command, "--column", "way"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["read"] == 'column 2 "way"; degrees, anticlockwise; 42 rows'
+    assert answer["falls"] == 42 and answer["supported"] is True
+    # These angles were read without any error, and 2 degrees are assumed.
+    assert answer["at_bounds"] == {"unsteadiness": "lowest"}
 
 
 def test_many_falls_are_counted_in_bins_that_change_next_to_nothing(predicted):

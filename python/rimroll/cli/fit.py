@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,8 +28,9 @@ from rimroll.cli.release import ReleaseOptions, release_asked, release_line
 from rimroll.cli.screen import Bar, say, show_json, table, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
-from rimroll.experiment.fitting import Fit, read_angles
+from rimroll.experiment.fitting import Fit
 from rimroll.experiment.fitting import fit as fit_directions
+from rimroll.experiment.fitting.angles import read_falls
 from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.release import Release
 from rimroll.units import quantity
@@ -56,7 +58,8 @@ AnglesArgument = Annotated[
     Path,
     typer.Argument(
         help="Directions of fall in degrees, counted anticlockwise from the direction of the first"
-        " lean: one column; or two, the first lean and the fall; or what topple wrote (.csv).",
+        " lean: one column; or two, the first lean and the fall; or what topple wrote (.csv)."
+        " - reads standard input.",
         metavar="FILE",
     ),
 ]
@@ -73,6 +76,17 @@ CountedOption = Annotated[
     typer.Option(
         help="What counts as a fall: toppled or rocked. \\[what such a flick does]", metavar="WORD"
     ),
+]
+ColumnOption = Annotated[
+    str | None,
+    typer.Option(
+        help="The column of the direction of fall, by name or by number from 1. \\[found by name]",
+        metavar="COLUMN",
+    ),
+]
+LeanColumnOption = Annotated[
+    str | None,
+    typer.Option(help="The column of the direction of the first lean.", metavar="COLUMN"),
 ]
 BiasOption = Annotated[
     str | None, typer.Option(help="Take the bias as known. \\[fitted]", metavar="ANGLE")
@@ -109,6 +123,8 @@ def fit(
     counted: CountedOption = None,
     reading_error: ErrorOption = "2deg",
     confidence: ConfidenceOption = "95%",
+    column: ColumnOption = None,
+    lean_column: LeanColumnOption = None,
     radians: Annotated[bool, typer.Option("--radians", help="Angles are in radians.")] = False,
     clockwise: Annotated[
         bool, typer.Option("--clockwise", help="Angles grow clockwise, as on a compass.")
@@ -132,7 +148,14 @@ def fit(
     """
     files = output or []
     check(files, FORMS)
-    directions = read_angles(angles, radians=radians, clockwise=clockwise, counted=counted)
+    read = read_falls(
+        sys.stdin.buffer if str(angles) == "-" else angles,
+        radians=radians,
+        clockwise=clockwise,
+        counted=counted,
+        column=column,
+        lean_column=lean_column,
+    )
     motion = MotionOptions(gravity=gravity)
     what = asked(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
     release = release_asked(hand, what)
@@ -142,7 +165,7 @@ def fit(
     with working("falls at each friction") as bar:
         found = fit_directions(
             what.body,
-            directions,
+            read.directions,
             release,
             gravity=what.options.gravity,
             reading_error=_reading_error(reading_error),
@@ -155,6 +178,7 @@ def fit(
     answer = {
         "body": what.name,
         "file": str(angles),
+        "read": read.source,
         **found.to_dict(),
         "gravity": what.options.gravity,
         "reading_error": found.predicted.reading_error,
@@ -167,6 +191,9 @@ def fit(
         show_json(answer)
     else:
         say(body_line(what.name, what.body))
+        say(release_line(release))
+        say()
+        say(f"read {read.source}")
         _show(found, release)
         for file in files:
             say(f"wrote {file}")
@@ -197,12 +224,16 @@ FORMS: Forms[tuple[Fit, Answer]] = {
 
 
 def _show(found: Fit, release: Release) -> None:
-    say(release_line(release))
-    say()
     say(_falls_line(found))
     say()
+    # A number is worth what the verdicts leave of it, so these come first.
+    for verdict in reversed(found.verdicts):
+        say(verdict.sentence)
+    if not found.supported:
+        say("The falls do not have the shape that friction gives: the numbers below mean nothing.")
+    say()
     rows = table("", "best", f"{100.0 * found.confidence:g} %")
-    _add_estimate(rows, "friction", found.friction)
+    _add_estimate(rows, "friction" if found.supported else "friction, unsupported", found.friction)
     for rate, friction in found.at_other_rates:
         faster = abs(rate) > abs(release.tilt_rate[0])
         rows.add_row(
@@ -214,20 +245,28 @@ def _show(found: Fit, release: Release) -> None:
         rows.add_row("bias, fixed", _degrees(found.bias), "")
     else:
         low, high = map(_degrees, found.bias_interval)
-        rows.add_row("bias, anticlockwise", _degrees(found.bias), f"{low} to {high}")
-    rows.add_row("spread of the hand, of that assumed", f"{found.unsteadiness:.2f}", "")
+        end = _bound_in_words(found, "bias")
+        rows.add_row("bias, anticlockwise", _degrees(found.bias), end or f"{low} to {high}")
+    rows.add_row(
+        "spread of the hand, of that assumed",
+        f"{found.unsteadiness:.2f}",
+        _bound_in_words(found, "unsteadiness"),
+    )
     for side, one in (("left", found.left), ("right", found.right)):
         if one is not None and found.bias_interval is not None:
             _add_estimate(rows, f"friction, {side} alone, no bias", one)
     say(rows)
     say()
-    for verdict in found.verdicts:
-        say(verdict.sentence)
     if found.friction.open_above:
         most = found.friction.most
         say(f"From friction {most:.3g} on the rim holds, and more changes next to nothing.")
-    for told in (*_shares(found), *found.warnings):
-        say(f"Note: {told}")
+    for note in (*_shares(found), *found.warnings):
+        say(f"Note: {note}")
+
+
+def _bound_in_words(found: Fit, parameter: str) -> str:
+    end = found.at_bounds.get(parameter)
+    return f"the {end} tried" if end else ""
 
 
 def _add_estimate(rows: Table, name: str, one: Estimate) -> None:

@@ -1,11 +1,14 @@
 """The friction of a table from directions of fall.
 
-`angles` reads them, `predicted` computes how they scatter at each friction, `likelihood` holds them
-against that, `verdict` says what they exclude, `fit` puts it together and `figure` draws it.
+`table` reads files and `angles` the directions in them; `summary` makes stand-ins for directions
+of which only means and spreads are known. `predicted` computes how directions scatter at each
+friction, `likelihood` compares the data with that, `verdict` says what they exclude, `fit` puts it
+together and `figure` draws it.
 """
 
-from rimroll.experiment.fitting.angles import directions_of_summary, read_angles
+from rimroll.experiment.fitting.angles import read_angles
 from rimroll.experiment.fitting.fit import Fit, fit
 from rimroll.experiment.fitting.predicted import Predicted, predict_falls
+from rimroll.experiment.fitting.summary import directions_of_summary
 
 __all__ = ["Fit", "Predicted", "directions_of_summary", "fit", "predict_falls", "read_angles"]

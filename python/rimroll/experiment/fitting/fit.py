@@ -59,7 +59,10 @@ class Fit:
         What else the friction would be, (tilt rate in rad/s, friction), were the mean tilt rate off
         by its error; empty where that was not asked for.
     verdicts
-        What the data exclude.
+        What the data exclude. The last is whether they have the shape that friction gives at all.
+    at_bounds
+        The parameters whose best value is at an end of what is tried, ``bias`` or
+        ``unsteadiness``, with the end, ``lowest`` or ``highest``: a better value may lie beyond.
     warnings
         What to doubt, and what was assumed, in sentences.
     confidence
@@ -77,11 +80,17 @@ class Fit:
     right: Estimate | None
     at_other_rates: tuple[tuple[float, float], ...]
     verdicts: tuple[Verdict, ...]
+    at_bounds: dict[str, str]
     warnings: tuple[str, ...]
     confidence: float
     directions: Array = field(repr=False)
     predicted: Predicted = field(repr=False)
     best: Point = field(repr=False)
+
+    @property
+    def supported(self) -> bool:
+        """Whether the falls have the shape that friction gives; if not, it means nothing."""
+        return not self.verdicts[-1].excluded
 
     def density(self, angles: ArrayLike) -> Array:
         """The fitted density of a direction, per rad, at angles (rad)."""
@@ -100,6 +109,8 @@ class Fit:
         return {
             "falls": len(self.directions),
             "confidence": self.confidence,
+            "supported": self.supported,
+            "at_bounds": self.at_bounds,
             "friction": self.friction.friction,
             "friction_intervals": self.friction.intervals,
             "friction_of_no_slip": self.friction.most,
@@ -203,6 +214,7 @@ def fit(
         bias = 0.0
     fixed = {} if bias is None else {"bias": bias}
     friction, best = estimate(likelihood, confidence, fixed)
+    at_bounds = _at_bounds(likelihood, best, fixed)
     return Fit(
         friction=friction,
         bias=best.bias,
@@ -215,7 +227,8 @@ def fit(
             (other.release.tilt_rate[0], Likelihood(other, data).best(**fixed).friction)
             for other in others
         ),
-        warnings=tuple(_warnings(likelihood, best, fixed, assumed)),
+        at_bounds=at_bounds,
+        warnings=tuple(_warnings(likelihood, best, at_bounds, assumed)),
         verdicts=tuple(_verdicts(likelihood, best, confidence, fixed)),
         confidence=confidence,
         directions=data,
@@ -264,22 +277,39 @@ def _predictions(
     return tables
 
 
+def _at_bounds(likelihood: Likelihood, best: Point, fixed: dict[str, float]) -> dict[str, str]:
+    """The parameters found at an end of what is tried, and which end."""
+    hands = likelihood.predicted.unsteady
+    found = {}
+    if "bias" not in fixed and abs(best.bias) > 0.99 * MOST_BIAS:
+        found["bias"] = "highest" if best.bias > 0.0 else "lowest"
+    if len(hands) > 1 and best.unsteadiness > 0.99 * hands[-1]:
+        found["unsteadiness"] = "highest"
+    if len(hands) > 1 and best.unsteadiness < 1.01 * hands[0]:
+        found["unsteadiness"] = "lowest"
+    return found
+
+
 def _warnings(
-    likelihood: Likelihood, best: Point, fixed: dict[str, float], assumed: bool
+    likelihood: Likelihood, best: Point, at_bounds: dict[str, str], assumed: bool
 ) -> Iterator[str]:
-    """Parameters at the end of what is tried, and readings that are like none predicted."""
+    """What the parameters at the ends of what is tried mean, and readings like none predicted."""
     if assumed:
         yield "too few falls to one side to tell a bias from friction: none was assumed"
-    if "bias" not in fixed and abs(best.bias) > 0.99 * MOST_BIAS:
+    if "bias" in at_bounds:
         yield (
             f"the bias is at the end of what is tried, {math.degrees(best.bias):.0f} degrees: are "
             f"the angles counted anticlockwise from the direction of the first lean, of this body?"
         )
-    hands = likelihood.predicted.unsteady
-    if len(hands) > 1 and best.unsteadiness > 0.99 * hands[-1]:
+    if at_bounds.get("unsteadiness") == "highest":
         yield (
             "the falls scatter more than the unsteadiest hand that is tried: is it the right body "
             "and release, or is the error of reading larger?"
+        )
+    if at_bounds.get("unsteadiness") == "lowest":
+        yield (
+            "the falls scatter less than the steadiest hand that is tried: is the error of reading "
+            "smaller, or are some of the angles copies of others?"
         )
     strays = np.degrees(likelihood.directions[likelihood.strays(best)])
     if strays.size:

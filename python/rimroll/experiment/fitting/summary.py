@@ -1,0 +1,41 @@
+"""Stand-ins for directions of fall of which only means and spreads were published."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError, number
+from rimroll.experiment.fitting.predicted import TURN
+from rimroll.motion import whole_number
+
+Array = NDArray[np.float64]
+
+
+def directions_of_summary(
+    *, left: tuple[float, float, int], right: tuple[float, float, int]
+) -> Array:
+    """Directions (n,), rad, whose turns have exactly the given means and spreads.
+
+    ``left`` and ``right``: mean turn and standard deviation (rad) of the falls to a side, and how
+    many. The values are spread as those of a normal distribution; under normal errors a mean, a
+    spread and a number are all that a likelihood asks of data.
+    """
+    from scipy.special import ndtri
+
+    sides = []
+    for name, sign, given in (("left", 1.0, left), ("right", -1.0, right)):
+        if not isinstance(given, tuple | list) or len(given) != 3:
+            raise RimrollError(f"{name} must be a mean, a spread and a count, got {given!r}")
+        mean, spread, count = given
+        n = whole_number(f"{name} count", count)
+        mean, spread = number(f"{name} mean", mean), number(f"{name} spread", spread)
+        if not (math.isfinite(mean) and 0.0 <= spread < math.inf):
+            raise RimrollError(f"{name} must be a mean and a spread >= 0, got {mean}, {spread}")
+        if n < 2:
+            raise RimrollError(f"{name} needs at least 2 falls, got {n}")
+        normal = ndtri((np.arange(n) + 0.5) / n)
+        sides.append(sign * (mean + spread * normal / normal.std(ddof=1)))
+    return np.asarray(np.mod(np.concatenate(sides), TURN))

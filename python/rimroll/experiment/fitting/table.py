@@ -1,0 +1,184 @@
+"""A table of text as spreadsheets and people write it: encoding, separators, decimals, quotes."""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO
+
+from rimroll.errors import RimrollError
+
+Source = str | os.PathLike[str] | IO[bytes]
+"""A path, or a binary stream such as ``sys.stdin.buffer``."""
+
+MOST_BYTES = 20_000_000
+
+_ENCODINGS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
+"""Byte order marks, and what they announce; Excel's "Unicode text" is UTF-16."""
+
+_NOT_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f]")
+_DECIMAL_COMMA = re.compile(r"^([+\-−]?\d+),(\d+)(?!,)")
+_PAIR = re.compile(r"[+\-−]?\d+,(\d+)\s*(?:°|deg\w*|rad\w*)?")
+
+ENOUGH_FOR_DECIMALS = 8
+"""Unnamed lines such as ``213,5`` from which one can tell decimals from a second column: angles
+that are all below 100 in the second column have a chance of (100/360)⁸, below 1e-4."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """The cells of a line of a file; lines are counted from 1."""
+
+    line: int
+    cells: list[str]
+
+
+@dataclass(frozen=True)
+class Table:
+    """The rows of a file, all of one width, and what messages call the file."""
+
+    name: str
+    names: list[str]
+    """Names of the columns in small letters; none where the first line has a number."""
+    rows: list[Row]
+    """The rows below the names."""
+    width: int
+
+
+def read_table(source: Source) -> Table:
+    """Read comma, semicolon, tab or space separated values.
+
+    Lines that begin with # and lines without content are passed over, and so are columns at the
+    end that are empty throughout. The text is UTF-8, UTF-16 with a byte order mark, or Windows'
+    code page 1252. Decimals follow a point, or a comma where commas cannot separate columns.
+
+    Raises ``RimrollError`` for what is no text, for rows of different widths, and for commas that
+    may be decimal or separate columns.
+    """
+    name = source_name(source)
+    text = _text(source, name)
+    lines = [
+        (i, line.strip())
+        for i, line in enumerate(text.splitlines(), 1)
+        if line.strip(" ;,\t") and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        raise RimrollError(f"{name} holds no angles" if text.strip() else f"{name} is empty")
+    try:
+        cells = _cells(name, [line for _, line in lines])
+    except csv.Error as error:
+        raise RimrollError(f"{name} does not read as a table: {error}") from None
+    rows = [Row(i, part) for (i, _), part in zip(lines, cells, strict=True)]
+    width = len(rows[0].cells)
+    for row in rows:
+        if len(row.cells) != width:
+            raise RimrollError(
+                f"{name}, line {row.line}: {len(row.cells)} columns where line {rows[0].line} has "
+                f"{width}"
+            )
+    names = _names(rows[0].cells)
+    return Table(name, names, rows[1:] if names else rows, width)
+
+
+def source_name(source: Source) -> str:
+    """What messages call a file or a stream."""
+    if isinstance(source, str | os.PathLike):
+        return str(Path(source))
+    return "standard input" if getattr(source, "name", None) == "<stdin>" else "the stream"
+
+
+def _text(source: Source, name: str) -> str:
+    try:
+        if isinstance(source, str | os.PathLike):
+            with Path(source).open("rb") as stream:
+                read = stream.read(MOST_BYTES + 1)  # of a pipe, too, which tells no size
+        else:
+            read = source.read(MOST_BYTES + 1)
+    except (OSError, ValueError) as error:  # ValueError: of a path with a NUL in it
+        why = getattr(error, "strerror", None) or error
+        raise RimrollError(f"cannot read {name}: {why}") from None
+    if len(read) > MOST_BYTES:
+        raise RimrollError(f"{name} is larger than {MOST_BYTES // 1_000_000} MB")
+    marked = next((known for mark, known in _ENCODINGS.items() if read.startswith(mark)), None)
+    for encoding in [marked] if marked else ["utf-8", "cp1252"]:
+        try:
+            text = read.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if not _NOT_TEXT.search(text):
+            return text
+    raise RimrollError(f"{name} is no text file in UTF-8, UTF-16 or Windows' code page 1252")
+
+
+def _cells(name: str, lines: list[str]) -> list[list[str]]:
+    separator = next((mark for mark in ";\t" if mark in lines[0]), None)
+    if separator is not None:
+        return _without_empty_end([_separated(line, separator) for line in lines])
+    if any("," in line for line in lines):
+        rows = [_separated(line, ",") for line in lines]
+        if not _commas_are_decimal(name, lines, rows):
+            return _without_empty_end(rows)
+    width = next((len(line.split()) for line in lines if _are_numbers(_spaced(line))), 1)
+    return [
+        _spaced(line)
+        if len(line.split()) == width or _are_numbers(_spaced(line))
+        else [_with_point(line.strip('"'))]
+        for line in lines
+    ]
+
+
+def _commas_are_decimal(name: str, lines: list[str], rows: list[list[str]]) -> bool:
+    """Whether commas cannot separate columns; refuses those that may do either."""
+    found = [_PAIR.fullmatch(line) for line in lines]
+    parts = [pair[1] for pair in found if pair]
+    short = all(len(part) < 3 for part in parts)
+    # No whole number is written with a nought before it.
+    certain = any(part.startswith("0") and part != "0" for part in parts)
+    if len(parts) < len(lines):
+        # A name or a whole number that stands alone shows that there is one column.
+        alone = all(pair or len(row) == 1 for pair, row in zip(found, rows, strict=True))
+        named = len(rows[0]) == 1 and bool(_names(rows[0]))
+        return bool(parts) and alone and (named or short or certain)
+    if short and not certain and len(lines) < ENOUGH_FOR_DECIMALS:
+        raise RimrollError(
+            f"{name}: {lines[0]} may be one number or two; write decimals with a point, or "
+            f"keep columns apart with a semicolon"
+        )
+    return short or certain
+
+
+def _separated(line: str, separator: str) -> list[str]:
+    """The cells of a line; a comma that is left inside a cell is decimal."""
+    cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+    return [_with_point(cell.strip()) for cell in cells]
+
+
+def _spaced(line: str) -> list[str]:
+    return [_with_point(cell.strip('"')) for cell in line.split()]
+
+
+def _with_point(cell: str) -> str:
+    return _DECIMAL_COMMA.sub(r"\1.\2", cell)
+
+
+def _without_empty_end(rows: list[list[str]]) -> list[list[str]]:
+    """Spreadsheets end every line with the separators of columns that are empty throughout."""
+    widths = [max((i for i, cell in enumerate(row, 1) if cell), default=0) for row in rows]
+    width = max(widths)
+    return [row[:width] if len(row) > width else row for row in rows]
+
+
+def _are_numbers(cells: list[str]) -> bool:
+    try:
+        [float(cell) for cell in cells]
+    except ValueError:
+        return False
+    return True
+
+
+def _names(first: list[str]) -> list[str]:
+    angles = any(re.match(r"[+\-−]?\.?\d", cell) or _are_numbers([cell]) for cell in first)
+    return [] if angles else [cell.lower() for cell in first]
