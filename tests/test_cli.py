@@ -487,14 +487,28 @@ def test_reproduce_says_last_where_the_report_is(said, short_report, monkeypatch
 # how it starts and ends
 
 
-def test_a_short_answer_loads_nothing_slow():
+QUICK = {
+    "turn --tilt 30deg --yaw-rate 1deg/s": "matplotlib jinja2 scipy",
+    "topple can_2007 -o falls.csv -o falls.json": "matplotlib jinja2",
+    "topple --friction 0.2 --json": "matplotlib jinja2",
+    "topple -o falls.svg": "",
+    "map --points 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",
+    "map --points 4 -o map.svg": "jinja2",
+}
+"""Commands, and packages that they have no use for, besides those of labelled datasets."""
+
+
+@pytest.mark.parametrize("asked", QUICK)
+def test_a_command_loads_nothing_slow_that_it_has_no_use_for(asked, tmp_path):
+    unused = ["xarray", "pandas", "pint", *QUICK[asked].split()]
     script = (
-        "import sys; from rimroll.cli import main; main(['turn', '--tilt', '30deg', '--yaw-rate',"
-        " '1deg/s']); print([m for m in ('matplotlib', 'xarray', 'pint', 'jinja2', 'scipy')"
-        " if m in sys.modules])"
+        f"import sys; from rimroll.cli import main; assert main({asked.split()}) == 0;"
+        f" print([name for name in {unused} if name in sys.modules])"
     )
-    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
-    assert run.stdout.splitlines()[-1] == "[]", run.stderr
+    run = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, cwd=tmp_path
+    )
+    assert run.stdout.splitlines()[-1:] == ["[]"], run.stderr
 
 
 def test_the_package_runs_as_a_module_and_where_there_are_no_degree_signs():

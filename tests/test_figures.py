@@ -338,10 +338,10 @@ def test_the_maps_of_falls_jump_on_the_lines_that_are_drawn():
     for law in sensitivity.LAWS:
         falls = sensitivity.falls(law)
         yaw, spin = sensitivity.line(law)
-        beyond = falls.yaw_rate.values > np.interp(falls.spin_rate.values, spin, yaw)[:, None]
-        fell = np.isin(falls.outcome.values, ["toppled", "rocked"])
+        beyond = falls["yaw_rate"] > np.interp(falls["spin_rate"], spin, yaw)[:, None]
+        fell = np.isin(falls["outcome"], ["toppled", "rocked"])
         assert fell.mean() > 0.999
-        assert np.array_equal((falls.direction.values > np.pi)[fell], beyond[fell])
+        assert np.array_equal((falls["direction"] > np.pi)[fell], beyond[fell])
 
 
 def test_the_jump_of_the_maps_is_the_same_at_every_zoom(drawings):

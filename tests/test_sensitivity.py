@@ -346,7 +346,7 @@ def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(law, tmp_path, monkeypa
     def one_row(*_: object, **__: object) -> None:
         raise rr.Interrupted(rr.turn_map(CAN, FLICK, rr.NoSlip(), rates[:3], rates[:1]))
 
-    monkeypatch.setattr("rimroll.cli.map.turn_map", one_row)
+    monkeypatch.setattr("rimroll.cli.map.map_falls", one_row)
     assert main(["map", "--points", "400", "-o", "none.nc"]) == 130
     assert [file.name for file in tmp_path.iterdir()] == ["some.nc"]
 

@@ -17,7 +17,7 @@ from rimroll import bodies, solids, surfaces
 from rimroll._core import STANDARD_GRAVITY, __version__
 from rimroll.approximations import NearCollision, Pasted, pasted
 from rimroll.body import Body
-from rimroll.ensemble import Interrupted, ensemble
+from rimroll.ensemble import ensemble
 from rimroll.errors import RimrollError
 from rimroll.exact import ExactTurn, exact_turn
 from rimroll.experiment.fitting import (
@@ -31,6 +31,7 @@ from rimroll.experiment.fitting import (
 from rimroll.experiment.measurement import Measurement, measure
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import topple
+from rimroll.falls import Interrupted
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.jacobian import Jacobian
 from rimroll.laws import (

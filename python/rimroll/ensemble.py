@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from rimroll import _core, laws
 from rimroll.body import Body
 from rimroll.errors import RimrollError, callback, expect, hold, number
+from rimroll.falls import Column, Falls, Interrupted
+from rimroll.falls import rows as in_rows
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
 from rimroll.motion import thread_count, whole_number
 from rimroll.options import Options
@@ -24,6 +26,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+
+OPTIONS = Options(duration=10.0, rtol=1e-8, max_steps=100_000)
+"""How falls are followed unless the caller says otherwise: the defaults of :func:`ensemble`."""
 
 OUTCOMES = {
     "toppled": "came down, be it only a little, rose again and fell over, on whatever side; also if"
@@ -63,14 +68,6 @@ VARIABLES = {
     "steps": ("", "steps of the solver"),
 }
 """What is told of each fall: units and meaning."""
-
-
-class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in the midst of an ensemble; ``done`` is the dataset of the falls so far."""
-
-    def __init__(self, done: xr.Dataset) -> None:
-        super().__init__(f"interrupted after {done['outcome'].size} falls")
-        self.done = done
 
 
 def ensemble(
@@ -127,19 +124,29 @@ def ensemble(
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
-    # Before the work, so that Ctrl-C does not wait for it.
-    import xarray  # noqa: F401
+    options = Options(duration, gravity, rtol, topple_tilt, max_steps)
+    falls = follow(body, starts, law, options, grip=grip, threads=threads, progress=progress)
+    return falls.to_xarray()
 
+
+def follow(
+    body: Body,
+    starts: State,
+    law: Law,
+    options: Options,
+    *,
+    grip: ArrayLike = 1.0,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Falls:
+    """What :func:`ensemble` computes, in plain columns: it imports no xarray.
+
+    Arguments, errors and columns are those of :func:`ensemble`.
+    """
     expect("body", body, Body)
     expect("starts", starts, State)
     expect("law", law, Law)
-    options = Options(
-        number("duration", duration),
-        number("gravity", gravity),
-        number("rtol", rtol),
-        None if topple_tilt is None else number("topple_tilt", topple_tilt),
-        whole_number("max_steps", max_steps),
-    )
+    options = _checked(options)
     workers = thread_count(threads)
     callback("progress", progress)
     rows = _rows(starts)
@@ -154,13 +161,24 @@ def ensemble(
         table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
     except RimrollError as refusal:
         raise placed(refusal, body, starts, rows, options.gravity, options.topple_tilt) from None
-    dataset = _dataset(rows, grips, table, balance_tilt(body))
-    dataset = dataset.assign_attrs(parameters(body, law, asdict(options)))
+    columns = _columns(rows, grips, table, balance_tilt(body))
+    falls = in_rows(columns, parameters(body, law, asdict(options)))
     if isinstance(stopped, KeyboardInterrupt):
-        raise Interrupted(dataset) from None
+        raise Interrupted(falls) from None
     if stopped is not None:
         raise stopped
-    return dataset
+    return falls
+
+
+def _checked(options: Options) -> Options:
+    topple_tilt = options.topple_tilt
+    return Options(
+        number("duration", options.duration),
+        number("gravity", options.gravity),
+        number("rtol", options.rtol),
+        None if topple_tilt is None else number("topple_tilt", topple_tilt),
+        whole_number("max_steps", options.max_steps),
+    )
 
 
 @dataclass(frozen=True)
@@ -198,9 +216,7 @@ def _grips(grip: ArrayLike, count: int) -> Array:
     return np.array(np.broadcast_to(grips, (count,)))
 
 
-def _dataset(rows: _Rows, grips: Array, table: Array, balance: float) -> xr.Dataset:
-    import xarray as xr
-
+def _columns(rows: _Rows, grips: Array, table: Array, balance: float) -> dict[str, Column]:
     done = len(table)
     told = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
     told["time"] = told.pop("end_time")
@@ -212,24 +228,25 @@ def _dataset(rows: _Rows, grips: Array, table: Array, balance: float) -> xr.Data
     for flag in ("slid", "flew"):
         told[flag] = told[flag] != 0.0
     told["steps"] = told["steps"].astype(np.int64)
-    starts = {
-        f"start_{name}": ("trial", column[:done], {"units": _unit(name)})
-        for name, column in vars(rows).items()
-    }
-    variables = {
-        name: ("trial", told[name], {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in VARIABLES.items()
-    }
     outcome = _outcomes(told["ending"].astype(np.int64), came_down, told["end_tilt"] > balance)
-    return xr.Dataset(
-        {
-            "outcome": ("trial", outcome),
-            **variables,
-            **starts,
-            "grip": ("trial", grips[:done], {"units": ""}),
+    return {
+        "outcome": Column(outcome),
+        **described(told),
+        **{
+            f"start_{name}": Column(column[:done], _unit(name))
+            for name, column in vars(rows).items()
         },
-        coords={"trial": np.arange(done)},
-    )
+        "grip": Column(grips[:done], ""),
+    }
+
+
+def described(numbers: Mapping[str, NDArray[Any]]) -> dict[str, Column]:
+    """Those of the :data:`VARIABLES` that there are, with unit and meaning."""
+    return {
+        name: Column(numbers[name], unit, meaning)
+        for name, (unit, meaning) in VARIABLES.items()
+        if name in numbers
+    }
 
 
 def _outcomes(
@@ -252,15 +269,15 @@ def _outcomes(
     ).astype("<U10")
 
 
-def fell(falls: xr.Dataset) -> NDArray[np.bool_]:
+def fell(falls: Falls | xr.Dataset) -> NDArray[np.bool_]:
     """Which of the falls have a direction."""
-    outcome = falls["outcome"].values
+    outcome = np.asarray(falls["outcome"])
     return np.asarray(np.logical_or.reduce([outcome == name for name in FELL]))
 
 
-def outcomes(falls: xr.Dataset) -> dict[str, int]:
+def outcomes(falls: Falls | xr.Dataset) -> dict[str, int]:
     """How many falls had each outcome, of those that occur."""
-    outcome = falls["outcome"].values
+    outcome = np.asarray(falls["outcome"])
     counts: dict[str, int] = {}
     for name in OUTCOMES:
         if sum(counts.values()) < outcome.size:  # a million words are slow to compare
@@ -273,7 +290,7 @@ def _unit(name: str) -> str:
 
 
 def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str, object]:
-    """The attributes of a dataset of falls: everything that it was computed from but the starts."""
+    """The attributes of falls: everything that they were computed from but the starts."""
     return {
         "law": law.name,
         **{f"law_{name}": value for name, value in law.numbers.items()},
@@ -283,12 +300,12 @@ def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str,
     }
 
 
-def body_of(falls: xr.Dataset) -> Body:
+def body_of(falls: Falls | xr.Dataset) -> Body:
     """The body whose falls they are; raises ``RimrollError`` for a dataset of something else."""
     return Body(**{field.name: _number(falls, f"body_{field.name}") for field in fields(Body)})
 
 
-def law_of(falls: xr.Dataset) -> Law:
+def law_of(falls: Falls | xr.Dataset) -> Law:
     """The law under which it fell; raises ``RimrollError`` for a dataset of something else."""
     kind = laws.kind(str(_told(falls, "law")))
     own = [name for name in laws.numbers_of(kind) if f"law_{name}" in falls.attrs]
@@ -307,11 +324,11 @@ _RESISTANCES: dict[type[Resistance], tuple[str, ...]] = {
 """The numbers of resistances, as a law tells them."""
 
 
-def _told(falls: xr.Dataset, name: str) -> object:
+def _told(falls: Falls | xr.Dataset, name: str) -> object:
     if name not in falls.attrs:
         raise RimrollError(f"falls must be a dataset of rimroll.ensemble: there is no {name} in it")
     return falls.attrs[name]
 
 
-def _number(falls: xr.Dataset, name: str) -> float:
+def _number(falls: Falls | xr.Dataset, name: str) -> float:
     return number(name, _told(falls, name))

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.body import Body
-from rimroll.ensemble import VARIABLES, Interrupted, parameters
+from rimroll.ensemble import described, parameters
 from rimroll.errors import number
 from rimroll.exact import NUMBERS, STATUSES, turns_in_parts
+from rimroll.falls import Column, Falls, Interrupted, rows
 from rimroll.laws import Law
 from rimroll.state import State
 from rimroll.theory import balance_tilt
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 Array = NDArray[np.float64]
 
@@ -37,7 +34,7 @@ def exact_falls(
     topple_tilt: float | None,
     threads: int | None,
     progress: Callable[[int, int], object] | None,
-) -> xr.Dataset:
+) -> Falls:
     """Follow a body from starts (n,) through its first turn: a row each, as of an ensemble.
 
     Raises ``Interrupted`` on Ctrl-C; it carries the falls done so far.
@@ -48,10 +45,10 @@ def exact_falls(
     codes, table = np.empty(total, np.uint8), np.empty((len(NUMBERS), total))
     done = 0
 
-    def told() -> xr.Dataset:
+    def told() -> Falls:
         options = {"gravity": gravity, "topple_tilt": topple_tilt}
-        falls = _dataset(codes[:done], table[:, :done], balance_tilt(body))
-        return falls.assign_attrs(parameters(body, law, options))
+        columns = _columns(codes[:done], table[:, :done], balance_tilt(body))
+        return rows(columns, parameters(body, law, options))
 
     try:
         for part, columns, _ in turns_in_parts(body, starts, law, gravity, topple_tilt, threads):
@@ -65,19 +62,10 @@ def exact_falls(
     return told()
 
 
-def _dataset(codes: NDArray[np.uint8], table: Array, balance: float) -> xr.Dataset:
-    import xarray as xr
-
+def _columns(codes: NDArray[np.uint8], table: Array, balance: float) -> dict[str, Column]:
     told = dict(zip(NUMBERS, table, strict=True))
     with np.errstate(invalid="ignore"):  # a NaN stays one
         told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
     told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]
     outcome = OUTCOMES[codes + PAST_BALANCE * (told["max_tilt"] > balance)]
-    variables = {
-        name: ("trial", told[name], {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in VARIABLES.items()
-        if name in told
-    }
-    return xr.Dataset(
-        {"outcome": ("trial", outcome), **variables}, coords={"trial": np.arange(len(codes))}
-    )
+    return {"outcome": Column(outcome), **described(told)}

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.ensemble import body_of, fell, law_of
+from rimroll.ensemble import OPTIONS, body_of, fell, law_of
+from rimroll.falls import Falls
 from rimroll.laws import IDEAL
 from rimroll.options import Options
 from rimroll.sensitivity import goes_left, halved, watershed_slope
@@ -26,13 +27,14 @@ HALVINGS = 8
 """Of the stretch between two starts of a map: to what no picture shows."""
 
 
-def side_line(falls: xr.Dataset, lowest: float, highest: float) -> tuple[Array, Array]:
+def side_line(falls: Falls | xr.Dataset, lowest: float, highest: float) -> tuple[Array, Array]:
     """Yaw and spin rates along the line between falls to the right and to the left, rad/s.
 
     Under the ideal laws it is straight and goes from one spin rate to the other; under friction it
     has a point for each row of the map (some, of large ones) in which the side changes once, from
     right to left. Without such rows, or falls at all, there is none: the arrays are empty.
     """
+    falls = Falls.of(falls)
     law, tilt = law_of(falls), falls.attrs["start_tilt"]
     if not fell(falls).any():
         return np.empty(0), np.empty(0)
@@ -43,30 +45,32 @@ def side_line(falls: xr.Dataset, lowest: float, highest: float) -> tuple[Array, 
     return slope * spin, spin
 
 
-def _by_trial(falls: xr.Dataset) -> tuple[Array, Array]:
+def _by_trial(falls: Falls) -> tuple[Array, Array]:
     told = falls.attrs
-    rows = np.unique(np.linspace(0, falls.sizes["spin_rate"] - 1, ROWS).astype(int))
+    rows = np.unique(np.linspace(0, len(falls["spin_rate"]) - 1, ROWS).astype(int))
     between = {k: ends for k in rows if (ends := _change(falls, k)) is not None}
     low, high = np.array([*between.values()]).reshape(-1, 2).T
-    spin = falls.spin_rate.values[[*between]] if between else np.empty(0)
+    spin = falls["spin_rate"][[*between]] if between else np.empty(0)
     start = {name: told[f"start_{name}"] for name in ("tilt", "tilt_rate", "yaw", "spin")}
-    options = {field.name: told[field.name] for field in fields(Options) if field.name in told}
+    options = replace(
+        OPTIONS, **{field.name: told[field.name] for field in fields(Options) if field.name in told}
+    )
     body, law = body_of(falls), law_of(falls)
 
     def to_the_left(yaw_rate: Array) -> NDArray[np.bool_]:
         starts = State(**start, yaw_rate=yaw_rate, spin_rate=spin)
-        return goes_left(body, starts, law, **options)
+        return goes_left(body, starts, law, options)
 
     return halved(to_the_left, low, high, HALVINGS), spin
 
 
-def _change(falls: xr.Dataset, row: int) -> tuple[float, float] | None:
+def _change(falls: Falls, row: int) -> tuple[float, float] | None:
     """The yaw rates between which the side changes in a row of a map, if it does so once."""
-    turn = falls.turn.values[row]
+    turn = falls["turn"][row]
     told = np.flatnonzero(~np.isnan(turn))
     left = turn[told] > 0.0
     changes = np.flatnonzero(left[1:] & ~left[:-1])
     if len(changes) != 1:
         return None
-    low, high = falls.yaw_rate.values[told[[changes[0], changes[0] + 1]]]
+    low, high = falls["yaw_rate"][told[[changes[0], changes[0] + 1]]]
     return float(low), float(high)

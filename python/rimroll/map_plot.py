@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from rimroll import style
 from rimroll.directions import around, middle_of
 from rimroll.ensemble import FELL, fell, outcomes
+from rimroll.falls import Falls
 from rimroll.map_line import side_line
 from rimroll.ticks import powers_into_label
 
@@ -44,8 +45,9 @@ YAW, SPIN = "yaw rate at the start (rad/s)", "spin rate at the start (rad/s)"
 DIRECTION = "direction of fall (degrees)"
 
 
-def map_figure(falls: xr.Dataset) -> Figure:
+def map_figure(falls: Falls | xr.Dataset) -> Figure:
     """A page with one map, as of :func:`rimroll.turn_map`, and its scale of colours."""
+    falls = Falls.of(falls)
     with style.figure_style():
         figure = style.page(86.0, 110.0)
         ax = figure.subplots()
@@ -65,19 +67,19 @@ def map_figure(falls: xr.Dataset) -> Figure:
         return figure
 
 
-def directions(falls: xr.Dataset, middle: float = 180.0) -> Array:
+def directions(falls: Falls | xr.Dataset, middle: float = 180.0) -> Array:
     """Directions of fall, degrees, round a middle; NaN where the body did not rise again."""
-    return np.where(fell(falls), around(middle, np.degrees(falls.direction.values)), np.nan)
+    return np.where(fell(falls), around(middle, np.degrees(falls["direction"])), np.nan)
 
 
-def middle_of_map(falls: xr.Dataset) -> float:
+def middle_of_map(falls: Falls | xr.Dataset) -> float:
     """The direction about which a map's falls lie, 180 or, for disks that come back, 0."""
     found = directions(falls)
     found = found[~np.isnan(found)]
     return middle_of(found) if found.size else 180.0
 
 
-def span(falls: xr.Dataset, middle: float = 180.0) -> float:
+def span(falls: Falls | xr.Dataset, middle: float = 180.0) -> float:
     """How far a scale of colours has to reach on both sides of its middle; 180: all round.
 
     To the farthest fall, but not for the sake of a few that are twice as far as the others.
@@ -91,7 +93,7 @@ def span(falls: xr.Dataset, middle: float = 180.0) -> float:
     return 180.0 if reach > 90.0 else reach
 
 
-def beyond(falls: xr.Dataset, reach: float, middle: float = 180.0) -> tuple[float, float]:
+def beyond(falls: Falls | xr.Dataset, reach: float, middle: float = 180.0) -> tuple[float, float]:
     """The shares of a map's falls that lie below a scale of colours, and above it."""
     found = directions(falls, middle)
     found = found[~np.isnan(found)]
@@ -100,7 +102,7 @@ def beyond(falls: xr.Dataset, reach: float, middle: float = 180.0) -> tuple[floa
     return float(np.mean(found < middle - reach)), float(np.mean(found > middle + reach))
 
 
-def _away(falls: xr.Dataset, middle: float) -> Array:
+def _away(falls: Falls | xr.Dataset, middle: float) -> Array:
     """How far each fall's direction is from another, degrees."""
     found = directions(falls, middle)
     return np.abs(found[~np.isnan(found)] - middle)
@@ -112,11 +114,11 @@ def colors(reach: float, middle: float = 180.0) -> Colormap:
     return mpl.colormaps[name].with_extremes(bad=NOWHERE)
 
 
-def draw_map(ax: Axes, falls: xr.Dataset, reach: float, middle: float = 180.0) -> ScalarMappable:
+def draw_map(ax: Axes, falls: Falls, reach: float, middle: float = 180.0) -> ScalarMappable:
     """Colour the plane of starts by direction, the scale as far to both sides of its middle."""
     image = ax.pcolormesh(
-        falls.yaw_rate.values,
-        falls.spin_rate.values,
+        falls["yaw_rate"],
+        falls["spin_rate"],
         np.ma.masked_invalid(directions(falls, middle)),
         cmap=colors(reach, middle),
         norm=Normalize(middle - reach, middle + reach),
@@ -127,7 +129,7 @@ def draw_map(ax: Axes, falls: xr.Dataset, reach: float, middle: float = 180.0) -
     return image
 
 
-def _draw_line(ax: Axes, falls: xr.Dataset) -> Line:
+def _draw_line(ax: Axes, falls: Falls) -> Line:
     """The line on which the side changes and the body comes down flat, if it is on the map."""
     xlim, ylim = ax.get_xlim(), ax.get_ylim()
     yaw, spin = side_line(falls, *ylim)
@@ -138,7 +140,7 @@ def _draw_line(ax: Axes, falls: xr.Dataset) -> Line:
     return yaw, spin
 
 
-def _draw_legend(ax: Axes, falls: xr.Dataset, line: Line) -> None:
+def _draw_legend(ax: Axes, falls: Falls, line: Line) -> None:
     """Name the line, and other outcomes than falls where they can be seen."""
     handles: list[Artist] = []
     if line[0].size:
@@ -150,10 +152,10 @@ def _draw_legend(ax: Axes, falls: xr.Dataset, line: Line) -> None:
         ax.legend(handles=handles, loc="lower right", frameon=True)
 
 
-def _seen(ax: Axes, falls: xr.Dataset, outcome: str, line: Line) -> bool:
+def _seen(ax: Axes, falls: Falls, outcome: str, line: Line) -> bool:
     """Whether the starts of an outcome, without those that the line covers, make a spot."""
-    rows, columns = np.nonzero(falls.outcome.values == outcome)
-    x, y = _on_paper(ax, falls.yaw_rate.values[columns], falls.spin_rate.values[rows])
+    rows, columns = np.nonzero(falls["outcome"] == outcome)
+    x, y = _on_paper(ax, falls["yaw_rate"][columns], falls["spin_rate"][rows])
     shown = x.size
     if line[0].size > 1:
         line_x, line_y = _on_paper(ax, *line)
@@ -161,7 +163,7 @@ def _seen(ax: Axes, falls: xr.Dataset, outcome: str, line: Line) -> bool:
         off = np.abs(x - np.interp(y, line_y, line_x)) / np.hypot(1.0, lean)
         shown = np.count_nonzero(off > 0.5 * LINE_WIDTH)
     width, height = np.ptp(_on_paper(ax, np.array(ax.get_xlim()), np.array(ax.get_ylim())), axis=1)
-    return bool(shown * width * height >= SPOT * falls.outcome.size)
+    return bool(shown * width * height >= SPOT * falls.size)
 
 
 def _on_paper(ax: Axes, yaw: Array, spin: Array) -> Array:
@@ -179,7 +181,7 @@ def scale_of_directions(bar: Colorbar, beyond: float = 0.0) -> None:
     bar.ax.tick_params(bottom=False, labelbottom=False)
 
 
-def _title(falls: xr.Dataset) -> str:
+def _title(falls: Falls) -> str:
     told: dict[str, Any] = falls.attrs
     numbers = [f"{told[name]:g}" for name in ("law_friction", "law_coefficient") if name in told]
     law = " ".join([str(told["law"]).replace("_", " "), *numbers])

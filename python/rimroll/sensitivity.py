@@ -10,19 +10,21 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.ensemble import VARIABLES, Interrupted, ensemble
+from rimroll.ensemble import OPTIONS, VARIABLES, follow
 from rimroll.errors import RimrollError, callback, expect, hold, number
 from rimroll.exact import conserves_energy
 from rimroll.exact_falls import exact_falls
+from rimroll.falls import Column, Falls, Interrupted
 from rimroll.laws import IDEAL, Frictionless, Law, ideal
 from rimroll.motion import whole_number
+from rimroll.options import Options
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
@@ -85,23 +87,45 @@ def turn_map(
     Interrupted
         On Ctrl-C; it carries the map as far as its rows, one a spin rate, are done.
     """
+    options = Options(duration, gravity, rtol, topple_tilt, max_steps)
+    falls = map_falls(body, start, law, yaw_rates, spin_rates, options, threads, progress)
+    return falls.to_xarray()
+
+
+def map_falls(
+    body: Body,
+    start: State,
+    law: Law,
+    yaw_rates: ArrayLike,
+    spin_rates: ArrayLike,
+    options: Options,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Falls:
+    """What :func:`turn_map` computes, in plain columns; arguments and errors are its own."""
     expect("start", start, State)
     start = single(start)
     yaw, spin = _rising("yaw_rates", yaw_rates), _rising("spin_rates", spin_rates)
     callback("progress", progress)
     starts = replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw)))
-    shared: dict[str, Any] = {"gravity": gravity, "topple_tilt": topple_tilt, "threads": threads}
-    stepping: dict[str, Any] = {"duration": duration, "rtol": rtol, "max_steps": max_steps}
     try:
         if conserves_energy(law):
             # One step of one fall: what a stepped map would refuse is refused here, too.
-            whole_number("max_steps", max_steps)
-            ensemble(body, start, law, **shared, **stepping | {"max_steps": 1})
-            falls = exact_falls(body, starts, law, **shared, progress=progress)
+            whole_number("max_steps", options.max_steps)
+            follow(body, start, law, replace(options, max_steps=1), threads=threads)
+            falls = exact_falls(
+                body,
+                starts,
+                law,
+                gravity=options.gravity,
+                topple_tilt=options.topple_tilt,
+                threads=threads,
+                progress=progress,
+            )
         else:
-            falls = ensemble(body, starts, law, **shared, **stepping, progress=progress)
+            falls = follow(body, starts, law, options, threads=threads, progress=progress)
     except Interrupted as interrupted:
-        raise Interrupted(_plane(interrupted.done, yaw, spin, start)) from None
+        raise Interrupted(_plane(interrupted.falls, yaw, spin, start)) from None
     return _plane(falls, yaw, spin, start)
 
 
@@ -126,12 +150,13 @@ def watershed(
     expect("body", body, Body)
     expect("start", start, State)
     start, spin = single(start), _flat("spin_rates", spin_rates)
+    options = replace(OPTIONS, gravity=gravity, rtol=rtol)
     slope = max(watershed_slope(body, start.tilt, one) for one in IDEAL)  # type: ignore[arg-type]
     ends = np.sort([-slope * spin, 3.0 * slope * spin], axis=0)
 
     def to_the_left(yaw_rate: Array) -> NDArray[np.bool_]:
         starts = replace(start, yaw_rate=yaw_rate, spin_rate=spin)
-        return goes_left(body, starts, law, gravity=gravity, rtol=rtol)
+        return goes_left(body, starts, law, options)
 
     turning = spin != 0.0  # without spin it is the start without yaw, by symmetry
     low, high = ends
@@ -140,9 +165,9 @@ def watershed(
     return np.where(turning, halved(to_the_left, low, high, HALVINGS), 0.0)
 
 
-def goes_left(body: Body, starts: State, law: Law, **options: Any) -> NDArray[np.bool_]:
-    """Whether bodies turn left from starts (n,), with options of :func:`rimroll.ensemble`."""
-    turn = ensemble(body, starts, law, **options).turn.values
+def goes_left(body: Body, starts: State, law: Law, options: Options) -> NDArray[np.bool_]:
+    """Whether bodies turn left from starts (n,), followed as :func:`rimroll.ensemble` does."""
+    turn = follow(body, starts, law, options)["turn"]
     # Rolling with a spin along its turn, the rim is lifted off before it is lowest.
     return np.where(np.isnan(turn), starts.spin_rate > 0.0, turn > 0.0)
 
@@ -211,24 +236,20 @@ def _rolled_up_from_flat(body: Body, tilt: float) -> tuple[float, float]:
     return float(done.y[0, -1]), float(done.y[1, -1])
 
 
-def _plane(falls: xr.Dataset, yaw: Array, spin: Array, start: State) -> xr.Dataset:
+def _plane(falls: Falls, yaw: Array, spin: Array, start: State) -> Falls:
     """The falls laid out in the plane, as many whole rows as there are."""
-    import xarray as xr
-
-    across = ("spin_rate", "yaw_rate")
-    rows = falls.sizes["trial"] // len(yaw)
-    falls, spin = falls.isel(trial=slice(rows * len(yaw))), spin[:rows]
-    variables = {
-        name: (across, falls[name].values.reshape(rows, len(yaw)), falls[name].attrs)
-        for name in ("outcome", *VARIABLES)
-        if name in falls
-    }
+    shape = falls.size // len(yaw), len(yaw)
+    whole = shape[0] * shape[1]
     kept = ("tilt", "tilt_rate", "yaw", "spin")
-    return xr.Dataset(
-        variables,
-        coords={
-            "spin_rate": ("spin_rate", spin, {"units": "rad/s", "long_name": "dθ/dt at the start"}),
-            "yaw_rate": ("yaw_rate", yaw, {"units": "rad/s", "long_name": "dψ/dt at the start"}),
+    return Falls(
+        columns={
+            name: replace(column, values=column.values[:whole].reshape(shape))
+            for name, column in falls.columns.items()
+            if name in ("outcome", *VARIABLES)
+        },
+        axes={
+            "spin_rate": Column(spin[: shape[0]], "rad/s", "dθ/dt at the start"),
+            "yaw_rate": Column(yaw, "rad/s", "dψ/dt at the start"),
         },
         attrs={**{f"start_{name}": getattr(start, name) for name in kept}, **falls.attrs},
     )

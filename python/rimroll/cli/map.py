@@ -24,17 +24,17 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
-from rimroll.ensemble import FELL, Interrupted, fell, outcomes
+from rimroll.ensemble import FELL, fell, outcomes
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
+from rimroll.falls import Falls, Interrupted
 from rimroll.names import typed
-from rimroll.sensitivity import turn_map, watershed_slope
+from rimroll.sensitivity import map_falls, watershed_slope
 from rimroll.state import State
 from rimroll.theory import turn_limit
 from rimroll.units import quantity
 
 if TYPE_CHECKING:
-    import xarray as xr
     from matplotlib.figure import Figure
 
 MOST_POINTS = 3000
@@ -96,13 +96,13 @@ MapOutputOption = Annotated[
 ]
 
 
-def _map(falls: xr.Dataset) -> Figure:
+def _map(falls: Falls) -> Figure:
     from rimroll.map_plot import map_figure
 
     return map_figure(falls)
 
 
-FORMS: Forms[xr.Dataset] = {**NUMBERS, **pictures(_map, dpi=300)}
+FORMS: Forms[Falls] = {**NUMBERS, **pictures(_map, dpi=300)}
 
 
 def map(
@@ -145,7 +145,7 @@ def map(
         _show(what, falls, files)
     if cut_short:
         return 130
-    return int(bool((falls.outcome == "failed").all()))
+    return int(bool((falls["outcome"] == "failed").all()))
 
 
 def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -168,45 +168,41 @@ def _flick(what: Asked) -> State:
     return State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
 
 
-def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> tuple[xr.Dataset, bool]:
+def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> tuple[Falls, bool]:
     """The map, and whether Ctrl-C cut it short."""
     assert what.start is not None
-    options = what.options
+    options = replace(what.options, rtol=rtol)
     with working(f"letting {what.name} fall") as bar:
         try:
-            falls = turn_map(
+            falls = map_falls(
                 what.body,
                 what.start,
                 what.law,
                 yaw,
                 spin,
-                gravity=options.gravity,
-                duration=options.duration,
-                rtol=rtol,
-                topple_tilt=options.topple_tilt,
-                max_steps=options.max_steps,
+                options,
                 progress=lambda done, total: bar(done, total, ""),
             )
         except Interrupted as interrupted:
-            done = interrupted.done.sizes["spin_rate"]
+            done = len(interrupted.falls["spin_rate"])
             if done < 2:
                 raise  # a row is no map
             cut_short = f"after {done} of {len(spin)} spin rates"
-            return interrupted.done.assign_attrs(interrupted=cut_short), True
+            return interrupted.falls.with_attrs({"interrupted": cut_short}), True
     return falls, False
 
 
-def summary(what: Asked, falls: xr.Dataset) -> dict[str, Any]:
+def summary(what: Asked, falls: Falls) -> dict[str, Any]:
     """What there is to say about a map, short of its falls."""
-    directions = falls.direction.values[fell(falls)]
+    directions = falls["direction"][fell(falls)]
     left, right = directions[directions > np.pi], directions[directions < np.pi]
     ideal = is_ideal(what.law) and not what.law.resistances
     tilt = falls.attrs["start_tilt"]
     theory = ideal and tilt < 0.5 * math.pi
     return {
         "parameters": falls.attrs,
-        "yaw_rates": [float(falls.yaw_rate[k]) for k in (0, -1)],
-        "spin_rates": [float(falls.spin_rate[k]) for k in (0, -1)],
+        "yaw_rates": [float(falls["yaw_rate"][k]) for k in (0, -1)],
+        "spin_rates": [float(falls["spin_rate"][k]) for k in (0, -1)],
         "outcomes": outcomes(falls),
         "left": _range(left),
         "right": _range(right),
@@ -226,11 +222,11 @@ def _range(directions: Any) -> dict[str, Any]:
     return {"falls": len(directions), "directions": ends}
 
 
-def _show(what: Asked, falls: xr.Dataset, files: list[Path]) -> None:
+def _show(what: Asked, falls: Falls, files: list[Path]) -> None:
     found, told = summary(what, falls), falls.attrs
     say(body_line(what.name, what.body))
     tilt, rate = angle(told["start_tilt"]), told["start_tilt_rate"]
-    say(f"{in_words(what.law)}; from tilt {tilt} at {rate:.4g} rad/s; {falls.outcome.size} starts:")
+    say(f"{in_words(what.law)}; from tilt {tilt} at {rate:.4g} rad/s; {falls.size} starts:")
     for name in ("yaw_rates", "spin_rates"):
         low, high = found[name]
         say(f"{name.replace('_', ' ')} from {low:g} to {high:g} rad/s")

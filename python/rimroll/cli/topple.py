@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -26,15 +26,13 @@ from rimroll.cli.options import (
 from rimroll.cli.release import ReleaseOptions, release_asked, release_line
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line
-from rimroll.ensemble import Interrupted
 from rimroll.experiment.release import Release
-from rimroll.experiment.toppling import counted, limits
-from rimroll.experiment.toppling import topple as let_go
+from rimroll.experiment.toppling import FALLING, counted, let_go, limits
+from rimroll.falls import Falls, Interrupted
 from rimroll.names import typed
 from rimroll.scenario import MOST_STEPS
 
 if TYPE_CHECKING:
-    import xarray as xr
     from matplotlib.figure import Figure
 
 
@@ -90,13 +88,13 @@ FallsOption = Annotated[
 ]
 
 
-def _histogram(falls: xr.Dataset) -> Figure:
+def _histogram(falls: Falls) -> Figure:
     from rimroll.experiment.histogram import falls_figure
 
     return falls_figure(falls, name=falls.attrs["body"])
 
 
-FORMS: Forms[xr.Dataset] = {**NUMBERS, **pictures(_histogram)}
+FORMS: Forms[Falls] = {**NUMBERS, **pictures(_histogram)}
 
 
 def topple(
@@ -151,12 +149,15 @@ def _fall(
     number: int,
     seed: int | None,
     threads: int | None,
-) -> tuple[xr.Dataset, bool]:
+) -> tuple[Falls, bool]:
     """The falls, and whether Ctrl-C cut them short."""
-    options = {name: getattr(what.options, name) for name in ("gravity", "topple_tilt")}
-    for name in ("duration", "rtol", "max_steps"):
-        if getattr(motion, name) is not None:
-            options[name] = getattr(what.options, name)
+    given = [
+        name for name in ("duration", "rtol", "max_steps") if getattr(motion, name) is not None
+    ]
+    options = replace(
+        FALLING,
+        **{name: getattr(what.options, name) for name in ("gravity", "topple_tilt", *given)},
+    )
     named = {"body": what.name}
     with working(f"{what.name} falls") as bar:
         try:
@@ -166,14 +167,14 @@ def _fall(
                 number,
                 release,
                 seed,
-                **options,
-                threads=threads,
-                progress=lambda done, total: bar(done, total, f"{done} of {total}"),
+                options,
+                threads,
+                lambda done, total: bar(done, total, f"{done} of {total}"),
             )
         except Interrupted as interrupted:
-            falls = interrupted.done
-            named["interrupted"] = f"after {falls.sizes['trial']} of {number} falls"
-    return falls.assign_attrs(named | falls.attrs), "interrupted" in named
+            falls = interrupted.falls
+            named["interrupted"] = f"after {falls.size} of {number} falls"
+    return replace(falls, attrs=named | falls.attrs), "interrupted" in named
 
 
 @dataclass(frozen=True)
@@ -191,9 +192,9 @@ class Side:
         return "left" if self.direction > math.pi else "right"
 
 
-def _sides(falls: xr.Dataset, word: str) -> dict[str, Side]:
+def _sides(falls: Falls, word: str) -> dict[str, Side]:
     """The falls that ended in a word, by the way in which the contact point ran round."""
-    turns = falls["turn"].values[falls["outcome"].values == word]
+    turns = falls["turn"][falls["outcome"] == word]
     both = {"anticlockwise": turns[turns > 0.0], "clockwise": turns[turns < 0.0]}
     return {way: _side(some) for way, some in both.items() if some.size}
 
@@ -204,12 +205,12 @@ def _side(turns: Any) -> Side:
     return Side(turns.size, abs(mean), deviation, mean % (2.0 * math.pi))
 
 
-def _answer(falls: xr.Dataset, paths: list[Path]) -> dict[str, Any]:
+def _answer(falls: Falls, paths: list[Path]) -> dict[str, Any]:
     _, word = counted(falls)
     sides = _sides(falls, word)
     return {
         "parameters": falls.attrs,
-        "number": falls.sizes["trial"],
+        "number": falls.size,
         "outcomes": _outcomes(falls),
         "counted": word,
         "sides": {way: {**asdict(one), "side": one.side} for way, one in sides.items()},
@@ -218,17 +219,17 @@ def _answer(falls: xr.Dataset, paths: list[Path]) -> dict[str, Any]:
     }
 
 
-def _outcomes(falls: xr.Dataset) -> dict[str, int]:
-    return dict(Counter(map(str, falls["outcome"].values.tolist())).most_common())
+def _outcomes(falls: Falls) -> dict[str, int]:
+    return dict(Counter(map(str, falls["outcome"].tolist())).most_common())
 
 
-def _show(what: Asked, release: Release, falls: xr.Dataset, paths: list[Path]) -> None:
+def _show(what: Asked, release: Release, falls: Falls, paths: list[Path]) -> None:
     say(body_line(what.name, what.body))
     say(f"{in_words(what.law)}; gravity {what.options.gravity:g} m/s²")
     say(release_line(release))
     say()
     told = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
-    counted = f"{falls.sizes['trial']} falls" + (f": {told}" if told else "")
+    counted = f"{falls.size} falls" + (f": {told}" if told else "")
     say(f"{counted}; seed {falls.attrs['seed']}")
     say()
     if told:
@@ -239,7 +240,7 @@ def _show(what: Asked, release: Release, falls: xr.Dataset, paths: list[Path]) -
         say(f"wrote {path}")
 
 
-def _show_sides(falls: xr.Dataset) -> None:
+def _show_sides(falls: Falls) -> None:
     rows = table("having turned", "count", "mean turn", "s.d.", "so at")
     several = {word: sides for word in ("toppled", "rocked") if (sides := _sides(falls, word))}
     for word, sides in several.items():

@@ -6,10 +6,9 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -21,10 +20,14 @@ from rimroll import bodies, style
 from rimroll.body import Body
 from rimroll.directions import around, away, middle_of
 from rimroll.ensemble import Array, body_of, law_of
-from rimroll.errors import RimrollError, expect
+from rimroll.errors import RimrollError
 from rimroll.experiment.toppling import counted, limits
+from rimroll.falls import Falls
 from rimroll.laws import Law
 from rimroll.names import typed
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 WIDTHS = (0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)
 """What bins may be wide, degrees: each divides 180, so that no bin has falls of both sides."""
@@ -46,7 +49,7 @@ class _Falls:
     """What is drawn of one dataset: directions that count, in degrees, and what the body did."""
 
     label: str
-    data: xr.Dataset
+    data: Falls
     directions: Array
     word: str
     color: str
@@ -82,7 +85,7 @@ class _View:
 
 
 def falls_figure(
-    falls: xr.Dataset | Mapping[str, xr.Dataset],
+    falls: Falls | xr.Dataset | Mapping[str, Falls | xr.Dataset],
     *,
     name: str | None = None,
     measured: bool | None = None,
@@ -108,8 +111,9 @@ def falls_figure(
     RimrollError
         A dataset of something else, none at all, or falls of several bodies.
     """
-    several = falls if isinstance(falls, Mapping) and not isinstance(falls, xr.Dataset) else None
-    shown = _shown({"": falls} if several is None else several)
+    # A dataset is a mapping, too.
+    several = isinstance(falls, Mapping) and not hasattr(falls, "attrs")
+    shown = _shown(falls if several else {"": falls})  # type: ignore[arg-type]
     body = body_of(shown[0].data)
     if any(body_of(one.data) != body for one in shown):
         raise RimrollError("falls in one figure must be those of one body")
@@ -136,12 +140,12 @@ def _shown(several: Mapping[str, Any]) -> list[_Falls]:
     if not several:
         raise RimrollError("there are no falls to draw")
     shown = []
-    for k, (label, data) in enumerate(several.items()):
-        expect("falls", data, xr.Dataset)
+    for k, (label, given) in enumerate(several.items()):
+        data = Falls.of(given)
         directions, word = counted(data)
         alone = style.COLORS[law_of(data).name]
         color = alone if len(several) == 1 else SERIES[k % len(SERIES)]
-        shown.append(_Falls(label, data, np.degrees(directions.values), word, color))
+        shown.append(_Falls(label, data, np.degrees(directions), word, color))
     return shown
 
 
@@ -346,16 +350,16 @@ def _law(law: Law) -> str:
 
 
 def _outcomes(falls: _Falls) -> str:
-    counts = Counter(falls.data["outcome"].values.tolist()).most_common()
+    counts = Counter(falls.data["outcome"].tolist()).most_common()
     told = ", ".join(f"{count} {str(outcome).replace('_', ' ')}" for outcome, count in counts)
-    return f"{falls.data.sizes['trial']} trials: {told}"
+    return f"{falls.data.size} trials: {told}"
 
 
 def _share(falls: _Falls) -> str:
-    return f"{falls.directions.size} of {falls.data.sizes['trial']} {falls.word}"
+    return f"{falls.directions.size} of {falls.data.size} {falls.word}"
 
 
-def _release(data: xr.Dataset) -> list[str]:
+def _release(data: Falls) -> list[str]:
     """Means and spreads of the release, if there was one, in a line."""
     if "release_tilt" not in data.attrs:
         return []

@@ -13,15 +13,21 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.ensemble import Interrupted, body_of, ensemble, law_of
+from rimroll.ensemble import OPTIONS, body_of, follow, law_of
 from rimroll.errors import RimrollError, expect
 from rimroll.experiment.release import Release
+from rimroll.falls import Falls, Interrupted
 from rimroll.laws import IDEAL, Law
+from rimroll.options import Options
 from rimroll.state import State
 from rimroll.theory import arrival, turn_limit
 
 if TYPE_CHECKING:
     import xarray as xr
+
+
+FALLING = replace(OPTIONS, rtol=1e-6)
+"""How these falls are followed unless the caller says otherwise: the defaults of :func:`topple`."""
 
 
 def topple(
@@ -71,44 +77,48 @@ def topple(
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
+    options = Options(duration, gravity, rtol, topple_tilt, max_steps)
+    return let_go(body, law, n, release, seed, options, threads, progress).to_xarray()
+
+
+def let_go(
+    body: Body,
+    law: Law,
+    n: int,
+    release: Release | str,
+    seed: int | None,
+    options: Options = FALLING,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Falls:
+    """What :func:`topple` computes, in plain columns; arguments and errors are its own."""
     expect("body", body, Body)
     expect("law", law, Law)
     if isinstance(release, str):
-        release = Release.named(release, body, gravity)
+        release = Release.named(release, body, options.gravity)
     if not isinstance(release, Release):
         raise RimrollError(
             f"release must be a rimroll.Release or the name of a preset, got {release!r}"
         )
     seed = secrets.randbits(31) if seed is None else seed
     starts, grip = release.draw(n, seed)
+    hand = release.parameters() | {"seed": int(seed)}
     try:
-        falls = ensemble(
-            body,
-            starts,
-            law,
-            grip=grip,
-            duration=duration,
-            gravity=gravity,
-            rtol=rtol,
-            topple_tilt=topple_tilt,
-            max_steps=max_steps,
-            threads=threads,
-            progress=progress,
-        )
+        falls = follow(body, starts, law, options, grip=grip, threads=threads, progress=progress)
     except Interrupted as interrupted:
-        interrupted.done.attrs |= release.parameters() | {"seed": int(seed)}
-        raise
-    return falls.assign_attrs(release.parameters(), seed=int(seed))
+        raise Interrupted(interrupted.falls.with_attrs(hand)) from None
+    return falls.with_attrs(hand)
 
 
-def counted(falls: xr.Dataset) -> tuple[xr.DataArray, str]:
+def counted(falls: Falls | xr.Dataset) -> tuple[NDArray[np.float64], str]:
     """The directions that count as those of the falls, rad, and what the body did: a word.
 
     ``toppled``: where it fell over, if it did so after coming down. ``rocked``: if that is more
     common, where it leaned at its largest tilt, as a coin that gets up again.
     """
-    word = outcome_to_count(falls["outcome"].values)
-    return falls["direction"][falls["outcome"] == word], word
+    outcome = np.asarray(falls["outcome"])
+    word = outcome_to_count(outcome)
+    return np.asarray(falls["direction"])[outcome == word], word
 
 
 def outcome_to_count(outcomes: NDArray[np.str_]) -> str:
@@ -116,7 +126,7 @@ def outcome_to_count(outcomes: NDArray[np.str_]) -> str:
     return "toppled" if np.sum(outcomes == "toppled") >= np.sum(outcomes == "rocked") else "rocked"
 
 
-def limits(falls: xr.Dataset) -> dict[str, float]:
+def limits(falls: Falls | xr.Dataset) -> dict[str, float]:
     """Limiting angles of turn by the name of the law, rad: the ideal ones, and the falls' own.
 
     Under friction the limit depends on how the body comes down: here as from the release's mean
@@ -134,7 +144,7 @@ def limits(falls: xr.Dataset) -> dict[str, float]:
     return found
 
 
-def _mean(falls: xr.Dataset, name: str) -> float:
+def _mean(falls: Falls | xr.Dataset, name: str) -> float:
     """The release's mean, or that of the starts where there was no release."""
     if f"release_{name}" in falls.attrs:
         return float(falls.attrs[f"release_{name}"])

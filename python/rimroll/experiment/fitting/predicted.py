@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
+from rimroll.ensemble import follow
 from rimroll.errors import RimrollError, callback, expect, number
 from rimroll.experiment.release import Release
+from rimroll.experiment.toppling import FALLING
 from rimroll.laws import Coulomb, NoSlip
 from rimroll.motion import whole_number
 from rimroll.state import State
@@ -112,8 +114,6 @@ def predict_falls(
     Raises ``RimrollError`` for numbers outside their bounds and where the body neither topples nor
     rocks from such a release.
     """
-    from rimroll.ensemble import ensemble
-
     expect("body", body, Body)
     callback("progress", progress)
     gravity, error = number("gravity", gravity), number("reading_error", reading_error)
@@ -135,21 +135,15 @@ def predict_falls(
         )
     grid = _enough(body, release, gravity) * nodes(count)
     draws = _Draws.of(release, each)
+    options = replace(FALLING, gravity=gravity)
     gone, outcomes = [], []
     for i, friction in enumerate(grid):
-        found = ensemble(
-            body,
-            draws.starts,
-            Coulomb(float(friction)),
-            grip=draws.grip,
-            gravity=gravity,
-            rtol=1e-6,
-            threads=threads,
-        )
-        anticlockwise, direction = found["turn"].values > 0.0, found["direction"].values
+        law = Coulomb(float(friction))
+        found = follow(body, draws.starts, law, options, grip=draws.grip, threads=threads)
+        anticlockwise, direction = found["turn"] > 0.0, found["direction"]
         # Signed, so that the mirror image of a fall has the opposite sign.
         gone.append(np.where(anticlockwise, direction, direction - TURN))
-        outcomes.append(found["outcome"].values)
+        outcomes.append(found["outcome"])
         if progress is not None:
             progress(i + 1, count)
     word = _checked(counted) or _usual(outcomes)

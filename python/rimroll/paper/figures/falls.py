@@ -7,11 +7,11 @@ from dataclasses import asdict, dataclass, replace
 from functools import cache
 
 import numpy as np
-import xarray as xr
 
 from rimroll.experiment.histogram import falls_figure
 from rimroll.experiment.release import Release
-from rimroll.experiment.toppling import counted, topple
+from rimroll.experiment.toppling import FALLING, counted, let_go
+from rimroll.falls import Falls
 from rimroll.laws import Coulomb
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
@@ -47,18 +47,19 @@ def draw() -> Drawing:
 
 
 @cache
-def flicked(twist: float) -> xr.Dataset:
+def flicked(twist: float) -> Falls:
     """The can, flicked as the paper may have flicked it, with a mean twist (rad/s)."""
     release = Release.named("paper", setting.CAN, setting.GRAVITY)
     release = replace(release, twist=(twist, release.twist[1]))
-    return topple(setting.CAN, LAW, TRIALS, release, seed=1, gravity=setting.GRAVITY)
+    options = replace(FALLING, gravity=setting.GRAVITY)
+    return let_go(setting.CAN, LAW, TRIALS, release, 1, options)
 
 
 def sides(twist: float) -> dict[str, Side]:
     """Falls to the left and to the right."""
     directions, _ = counted(flicked(twist))
-    left = np.degrees(directions.values[directions.values > math.pi])
-    right = 360.0 - np.degrees(directions.values[directions.values <= math.pi])
+    left = np.degrees(directions[directions > math.pi])
+    right = 360.0 - np.degrees(directions[directions <= math.pi])
     return {
         side: Side(float(turns.mean()), float(turns.std(ddof=1)), len(turns) / directions.size)
         for side, turns in (("left", left), ("right", right))

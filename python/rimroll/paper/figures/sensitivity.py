@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 
 from rimroll import style
-from rimroll.ensemble import ensemble
+from rimroll.ensemble import OPTIONS, follow
+from rimroll.falls import Column, Falls
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip
 from rimroll.map_plot import SPIN, YAW, directions, draw_map, scale_of_directions
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
-from rimroll.sensitivity import turn_map, watershed, watershed_slope
+from rimroll.sensitivity import map_falls, watershed, watershed_slope
 from rimroll.state import State
 from rimroll.style import superscript
 from rimroll.theory import turn_limit
@@ -62,22 +63,20 @@ def name(law: Law) -> str:
 
 
 @cache
-def falls(law: Law) -> xr.Dataset:
+def falls(law: Law) -> Falls:
     """The map of a law: spin rates above 0 are computed, the others are their mirror images."""
     rates = (np.arange(CELLS) + 0.5) * 2.0 * MOST / CELLS - MOST
-    half = turn_map(
-        setting.CAN,
-        FLICK,
-        law,
-        rates,
-        rates[CELLS // 2 :],
-        gravity=setting.GRAVITY,
-        rtol=1e-5,
-    )[["direction", "min_tilt", "outcome"]]
-    mirror = half.isel(spin_rate=slice(None, None, -1), yaw_rate=slice(None, None, -1))
-    mirror = mirror.assign_coords(spin_rate=-mirror.spin_rate, yaw_rate=-mirror.yaw_rate)
-    mirror = mirror.assign(direction=2.0 * np.pi - mirror.direction)
-    return xr.concat([mirror.assign_coords(yaw_rate=half.yaw_rate), half], "spin_rate")
+    options = replace(OPTIONS, gravity=setting.GRAVITY, rtol=1e-5)
+    half = map_falls(setting.CAN, FLICK, law, rates, rates[CELLS // 2 :], options)
+
+    def whole(name: str) -> Column:
+        values = half[name]
+        mirrored = 2.0 * np.pi - values if name == "direction" else values
+        return Column(np.concatenate([mirrored[::-1, ::-1], values]))
+
+    columns = {name: whole(name) for name in ("direction", "min_tilt", "outcome")}
+    axes = {"spin_rate": Column(rates), "yaw_rate": half.axes["yaw_rate"]}
+    return Falls(columns, axes, half.attrs)
 
 
 @cache
@@ -88,8 +87,9 @@ def cut(law: Law) -> tuple[Array, Array]:
         tilt_rate=FLICK.tilt_rate,
         yaw_rate=np.concatenate([-YAW_RATES[::-1], YAW_RATES]),
     )
-    along = ensemble(setting.CAN, starts, law, gravity=setting.GRAVITY)
-    return np.degrees(along.direction.values), along.min_tilt.values
+    options = replace(OPTIONS, gravity=setting.GRAVITY)
+    along = follow(setting.CAN, starts, law, options)
+    return np.degrees(along["direction"]), along["min_tilt"]
 
 
 @cache
@@ -143,8 +143,8 @@ def _draw_contours(ax: Axes, law: Law) -> None:
     plane, found = falls(law), directions(falls(law))
     for side in (found < 180.0, found > 180.0):
         ax.contour(
-            plane.yaw_rate,
-            plane.spin_rate,
+            plane["yaw_rate"],
+            plane["spin_rate"],
             np.where(side, found, np.nan),
             np.arange(130.0, 235.0, 5.0),
             colors="white",

@@ -1,0 +1,115 @@
+"""Many falls as plain columns, which become an :class:`xarray.Dataset` for whoever asks for one.
+
+xarray takes longer to import than most falls to compute, so it is imported only then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+@dataclass(frozen=True, eq=False)
+class Column:
+    """One number or word for each fall: values, their SI unit ("" for pure numbers), meaning."""
+
+    values: NDArray[Any]
+    units: str | None = None
+    meaning: str | None = None
+
+    @property
+    def attrs(self) -> dict[str, str]:
+        """Unit and meaning, as xarray and netCDF name them."""
+        both = {"units": self.units, "long_name": self.meaning}
+        return {name: text for name, text in both.items() if text is not None}
+
+
+@dataclass(frozen=True, eq=False)
+class Falls:
+    """Falls in rows, or laid out in a plane.
+
+    ``axes`` are the coordinates by name, one flat column each: ``trial`` (n,) for rows; for a map
+    ``spin_rate`` (s,) and ``yaw_rate`` (y,). The ``columns`` have their shape, (n,) or (s, y):
+    ``outcome`` and the numbers of each fall. ``attrs`` are what all the falls have in common.
+    ``falls["turn"]`` is the array of one column or axis.
+    """
+
+    columns: Mapping[str, Column]
+    axes: Mapping[str, Column]
+    attrs: dict[str, Any]
+
+    @classmethod
+    def of(cls, falls: Falls | xr.Dataset) -> Falls:
+        """The falls of a dataset of :func:`rimroll.ensemble`, else ``RimrollError``."""
+        if isinstance(falls, Falls):
+            return falls
+        if not hasattr(falls, "data_vars") or "outcome" not in falls.data_vars:
+            raise RimrollError("falls must be a dataset of rimroll.ensemble: it has no outcome")
+        axes = {str(name): _column(falls[name]) for name in falls["outcome"].dims}
+        columns = {
+            str(name): _column(column)
+            for name, column in falls.data_vars.items()
+            if column.dims == falls["outcome"].dims
+        }
+        return cls(columns, axes, dict(falls.attrs))
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return (self.columns if name in self.columns else self.axes)[name].values
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.columns or name in self.axes
+
+    @property
+    def size(self) -> int:
+        """How many falls there are."""
+        return int(self["outcome"].size)
+
+    def with_attrs(self, attrs: Mapping[str, Any]) -> Falls:
+        """The same falls with more attributes; those given win."""
+        return replace(self, attrs=self.attrs | dict(attrs))
+
+    def to_xarray(self) -> xr.Dataset:
+        """The falls as a labelled dataset with units."""
+        import xarray as xr
+
+        across = tuple(self.axes)
+        return xr.Dataset(
+            {name: (across, one.values, one.attrs) for name, one in self.columns.items()},
+            coords={name: (name, one.values, one.attrs) for name, one in self.axes.items()},
+            attrs=self.attrs,
+        )
+
+
+def rows(columns: Mapping[str, Column], attrs: Mapping[str, Any]) -> Falls:
+    """Falls in rows, numbered as trials from 0 on."""
+    trials = np.arange(len(columns["outcome"].values))
+    return Falls(columns, {"trial": Column(trials)}, dict(attrs))
+
+
+def _column(array: xr.DataArray) -> Column:
+    return Column(array.values, array.attrs.get("units"), array.attrs.get("long_name"))
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C in the midst of an ensemble; ``done`` is the dataset of the falls so far."""
+
+    def __init__(self, falls: Falls | xr.Dataset) -> None:
+        self.falls = Falls.of(falls)
+        super().__init__(f"interrupted after {self.falls.size} falls")
+
+    @property
+    def done(self) -> xr.Dataset:
+        """The falls so far, as of the function that was interrupted."""
+        return self.falls.to_xarray()
+
+    def __reduce__(self) -> tuple[type[Interrupted], tuple[Falls]]:
+        return type(self), (self.falls,)
