@@ -32,7 +32,7 @@ def test_a_body_is_a_value():
         ({"transverse_inertia": 0.0}, "transverse_inertia must be > 0, got 0 kg m2"),
         ({"axial_inertia": np.nan}, "axial_inertia must be a finite number, got NaN"),
         ({"axial_inertia": 1.0}, "no rigid body has more), got 1 kg m2"),
-        ({"mass": "heavy"}, "mass must be a single number, got 'heavy'"),
+        ({"mass": "heavy"}, "mass must be a mass such as"),
         ({"mass": [1.0, 2.0]}, "mass must be a single number, got [1.0, 2.0]"),
     ],
 )

@@ -439,7 +439,7 @@ def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
         ({"law": rr.Coulomb(0.2)}, r"integrals, got Coulomb.*rimroll.ensemble follows falls"),
         ({"gravity": -1.0}, "gravity must be"),
         ({"gravity": np.nan}, "gravity must be"),
-        ({"gravity": "much"}, "gravity must be a single number"),
+        ({"gravity": "much"}, "gravity must be an acceleration"),
         ({"topple_tilt": 4.0}, "topple_tilt must be"),
         ({"topple_tilt": 0.2}, "tilt must be below topple_tilt"),
         ({"threads": 0}, "threads must be a whole number >= 1"),

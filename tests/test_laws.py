@@ -8,7 +8,7 @@ from rimroll import laws, surfaces, units
 from rimroll.names import typed
 
 CAN = rr.bodies.can_2007()
-NOT_NUMBERS = [np.nan, np.inf, -np.inf, "0.2", None, True, [0.1, 0.2]]
+NOT_NUMBERS = [np.nan, np.inf, -np.inf, "0.2 m", None, True, [0.1, 0.2]]
 
 
 @pytest.mark.parametrize("value", [*NOT_NUMBERS, -0.1, 1e7])

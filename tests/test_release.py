@@ -204,7 +204,7 @@ def test_parameters_name_means_and_spreads():
         ({"tilt": 1.6}, "tilt must be inside"),
         ({"tilt": (0.3, -0.1)}, "tilt spread must be finite and >= 0"),
         ({"tilt": (0.3, 0.1, 0.1)}, r"tilt must be \(mean, spread\) or a mean"),
-        ({"tilt": "steep"}, "tilt must be a single number"),
+        ({"tilt": "steep"}, "tilt must be an angle"),
         ({"tilt": 0.3, "twist": np.inf}, "twist must be finite"),
         ({"tilt": 0.3, "sideways": (0.0, np.nan)}, "sideways spread must be finite"),
         ({"tilt": 0.3, "grip": 0.0}, "grip must be > 0"),

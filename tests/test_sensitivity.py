@@ -132,7 +132,7 @@ def test_a_map_tells_of_the_exact_turns_of_its_starts_under_other_names():
     ("option", "message"),
     [
         ({"duration": -1.0}, "duration must be > 0, got -1 s"),
-        ({"duration": "long"}, "duration must be a single number"),
+        ({"duration": "long"}, 'duration must be a time such as "2 s"'),
         ({"rtol": 0.5}, "rtol must be between"),
         ({"max_steps": 0}, "max_steps must be a whole number >= 1, got 0"),
         ({"topple_tilt": 0.1}, "tilt must be below topple_tilt = 0.1 rad"),
@@ -296,7 +296,7 @@ def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [0.0], [0.1, 0.1]), "spin_rates must rise"),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [[0.1]], [0.0]), "yaw_rates must be a flat"),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [], [0.0]), "yaw_rates must be a flat"),
-        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), ["a"], [0.0]), "yaw_rates must be a flat"),
+        (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), ["a"], [0.0]), "must be an angular rate"),
         (lambda: rr.turn_map(CAN, FLICK, rr.NoSlip(), [np.inf], [0.0]), "yaw_rates.0. must be fin"),
         (lambda: rr.turn_map(CAN, 0.3, rr.NoSlip(), [0.1], [0.0]), "start must be a rimroll.State"),
         (
@@ -306,7 +306,7 @@ def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message
         (lambda: rr.watershed_slope(CAN, 0.3, rr.Coulomb(0.1)), "NoSlip or Frictionless"),
         (lambda: rr.watershed_slope(CAN, 2.0, rr.NoSlip()), r"tilt must be inside \(0, pi/2\)"),
         (lambda: rr.watershed(CAN, rr.State(tilt=1.2), rr.NoSlip(), [0.1]), "no watershed"),
-        (lambda: rr.watershed(CAN, FLICK, rr.NoSlip(), "x"), "spin_rates must be a flat"),
+        (lambda: rr.watershed(CAN, FLICK, rr.NoSlip(), "x"), "spin_rates must be an angular rate"),
     ],
 )
 def test_what_cannot_be_mapped_is_refused_in_a_line(call, message):

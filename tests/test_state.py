@@ -24,7 +24,10 @@ def test_fields_of_a_state_may_be_arrays_of_one_shape():
         ({"tilt": [0.5, 3.2]}, "tilt[1] must be inside (0, pi), got 3.2 rad"),
         ({"tilt": 0.5, "yaw": np.nan}, "yaw must be finite, got nan"),
         ({"tilt": 0.5, "spin_rate": [0.0, -np.inf]}, "spin_rate[1] must be finite, got -inf"),
-        ({"tilt": "steep"}, "tilt must be a number or an array of numbers, got 'steep'"),
+        (
+            {"tilt": "steep"},
+            'tilt must be an angle such as "30 deg"',
+        ),
         ({"tilt": [0.1, 0.2], "yaw": [1, 2, 3]}, "must agree in shape, got tilt (2,), yaw (3,)"),
     ],
 )

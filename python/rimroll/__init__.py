@@ -9,8 +9,10 @@
 >>> round(float(np.degrees(rr.turn_limit(can, rr.NoSlip()))), 3)
 202.287
 
-SI units and radians throughout. Source of the mechanics: M. Srinivasan and A. Ruina, *Rocking and
-rolling: a can that appears to rock might actually roll* (2007), called "the paper" below.
+Plain numbers are in SI units and radians throughout; texts such as ``"30 deg"`` and quantities of
+pint, astropy.units or unyt are converted (see :mod:`rimroll.given`). Source of the mechanics:
+M. Srinivasan and A. Ruina, *Rocking and rolling: a can that appears to rock might actually roll*
+(2007), called "the paper" below.
 """
 
 from rimroll import bodies, solids, surfaces

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import expect, hold, number
+from rimroll.errors import expect, hold
+from rimroll.given import Number, Values, number
 from rimroll.laws import Law, ideal
 from rimroll.state import State, single, times
 
@@ -33,11 +34,11 @@ class NearCollision:
     """
 
     def __init__(
-        self, body: Body, law: Law, min_tilt: float, tipping_rate: float, direction: float = 1.0
+        self, body: Body, law: Law, min_tilt: Number, tipping_rate: Number, direction: float = 1.0
     ) -> None:
         expect("body", body, Body)
-        min_tilt = number("min_tilt", min_tilt)
-        tipping_rate = number("tipping_rate", tipping_rate)
+        min_tilt = number("min_tilt", min_tilt, "rad")
+        tipping_rate = number("tipping_rate", tipping_rate, "rad/s")
         direction = number("direction", direction)
         self._core = _core.CoreNearCollision(
             body, ideal(law).name, min_tilt, tipping_rate, direction
@@ -45,25 +46,25 @@ class NearCollision:
         self.min_tilt = min_tilt
         self.tipping_rate = tipping_rate
 
-    def tilt(self, t: ArrayLike) -> Array:
+    def tilt(self, t: Values) -> Array:
         """φ(t), rad, shape (n,)."""
-        return self._core.tilt(times(t))
+        return self._core.tilt(np.atleast_1d(times(t)))
 
-    def yaw(self, t: ArrayLike) -> Array:
+    def yaw(self, t: Values) -> Array:
         """ψ(t), rad, shape (n,)."""
-        return self._core.yaw(times(t))
+        return self._core.yaw(np.atleast_1d(times(t)))
 
-    def yaw_rate(self, t: ArrayLike) -> Array:
+    def yaw_rate(self, t: Values) -> Array:
         """dψ/dt, rad/s, shape (n,)."""
-        return self._core.yaw_rate(times(t))
+        return self._core.yaw_rate(np.atleast_1d(times(t)))
 
-    def lean_vector(self, until: float) -> tuple[Array, Array, Array]:
+    def lean_vector(self, until: Number) -> tuple[Array, Array, Array]:
         """The paper's heuristic: the lean as a plane vector q, integrated from the smallest tilt.
 
         q'' = −(1 − K'/J') (q × q')² q/|q|⁴, a central force. Returns the arrays t (s, up to
         ``until``), φ = |q| and ψ, the angle of q (rad), at the solver's steps.
         """
-        t, tilt, yaw = self._core.lean_vector(number("until", until))
+        t, tilt, yaw = self._core.lean_vector(number("until", until, "s"))
         return t, tilt, yaw
 
 
@@ -88,26 +89,25 @@ class Pasted:
         self._core = core
         self.time, self.half_width, self.min_tilt, self.tipping_rate, _ = core.numbers
 
-    def tilt(self, t: ArrayLike) -> Array:
+    def tilt(self, t: Values) -> Array:
         """φ at the times t (s), rad, shape (n,)."""
         return self._core.tilt(self._inside(t))
 
-    def yaw(self, t: ArrayLike) -> Array:
+    def yaw(self, t: Values) -> Array:
         """ψ at the times t (s), rad, shape (n,)."""
         return self._core.yaw(self._inside(t))
 
-    def _inside(self, t: ArrayLike) -> Array:
-        moments = times(t)
-        given = moments.reshape(np.shape(t))
+    def _inside(self, t: Values) -> Array:
+        given = times(t)
         first, last = self.time - self.half_width, self.time + self.half_width
         bound = f"inside the rocking that is approximated, {first:.6g} to {last:.6g} s"
         # A few roundings of the end itself are forgiven.
         near = np.abs(given - self.time) <= self.half_width * (1 + 1e-9)
         hold("t", given, near, bound, "s")
-        return moments
+        return np.atleast_1d(given)
 
 
-def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY) -> Pasted:
+def pasted(body: Body, start: State, law: Law, gravity: Number = _core.STANDARD_GRAVITY) -> Pasted:
     """Paste a tipping phase and a near-collision together for a body let go at ``start``.
 
     Source: the paper's "pasting-together of two qualitatively distinct motions", given there in
@@ -118,5 +118,5 @@ def pasted(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_G
     """
     expect("body", body, Body)
     expect("start", start, State)
-    gravity = number("gravity", gravity)
+    gravity = number("gravity", gravity, "m/s^2")
     return Pasted(_core.CorePasted(body, single(start), ideal(law).name, gravity))

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import number
+from rimroll.given import Number, number
 from rimroll.names import choose
 
 
@@ -24,7 +24,7 @@ def can_2007() -> Body:
     return Body(*_core.preset_can_2007())
 
 
-def soda_can(fill: float = 0.0) -> Body:
+def soda_can(fill: Number = 0.0) -> Body:
     """A 330 ml aluminium drinks can, filled to a part between 0 (empty) and 1.
 
     Derived from nominal sizes: body 66 mm across, 115 mm high, wall 0.10 mm; base 0.30 mm at 5 mm
@@ -34,7 +34,7 @@ def soda_can(fill: float = 0.0) -> Body:
     return Body(*_core.preset_soda_can(number("fill", fill)))
 
 
-def beer_bottle(fill: float = 0.0) -> Body:
+def beer_bottle(fill: Number = 0.0) -> Body:
     """A 330 ml long-neck glass bottle, its body filled to a part between 0 (empty) and 1.
 
     Derived from nominal sizes: body 61 mm across and 130 mm high, wall 2.2 mm; shoulder and neck as
@@ -60,14 +60,14 @@ def battery() -> Body:
     return Body(*_core.preset_battery())
 
 
-def ring(radius: float = 0.3) -> Body:
+def ring(radius: Number = 0.3) -> Body:
     """A thin ring of mass 1 kg, such as the rim of a bicycle wheel: H = 0, C = mR², A = C/2."""
-    return Body(*_core.preset_ring(number("radius", radius)))
+    return Body(*_core.preset_ring(number("radius", radius, "m")))
 
 
-def disk(radius: float) -> Body:
+def disk(radius: Number) -> Body:
     """A uniform thin disc of mass 1 kg: H = 0, C = mR²/2, A = C/2. No turn depends on its mass."""
-    return Body(*_core.preset_disk(number("radius", radius)))
+    return Body(*_core.preset_disk(number("radius", radius, "m")))
 
 
 def euler_disk() -> Body:
@@ -79,9 +79,10 @@ def euler_disk() -> Body:
     return Body(*_core.preset_euler_disk())
 
 
-def cylinder(radius: float, length: float) -> Body:
+def cylinder(radius: Number, length: Number) -> Body:
     """A uniform solid cylinder (m) with the density of water: H = L/2, A = m(R²/4 + L²/12)."""
-    return Body(*_core.preset_cylinder(number("radius", radius), number("length", length)))
+    radius, length = number("radius", radius, "m"), number("length", length, "m")
+    return Body(*_core.preset_cylinder(radius, length))
 
 
 PRESETS: dict[str, Callable[[], Body]] = {

@@ -6,15 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 from rimroll import _core
-from rimroll.errors import number
+from rimroll.given import number
 from rimroll.solids import Solid
+from rimroll.units import UNIT_OF
 
 
 @dataclass(frozen=True)
 class Body:
     """An axisymmetric rigid body whose base is a circle (SI units).
 
-    Only these five numbers enter the motion; the shape above the base does not matter.
+    Only these five numbers enter the motion; the shape above the base does not matter. They may
+    carry units, as in ``"70 g"``: see :mod:`rimroll.given`.
 
     Parameters
     ----------
@@ -44,7 +46,7 @@ class Body:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = number(field.name, getattr(self, field.name))
+            value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
             object.__setattr__(self, field.name, value)
         _core.check_body(self)
 
@@ -59,4 +61,4 @@ class Body:
 
         Raises ``RimrollError`` for no solids, or solids that make up no valid body.
         """
-        return cls(*_core.body_from_solids(number("radius", radius), list(solids)))
+        return cls(*_core.body_from_solids(number("radius", radius, "m"), list(solids)))

@@ -7,15 +7,16 @@ from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rimroll import _core, laws
 from rimroll.body import Body
-from rimroll.errors import RimrollError, callback, expect, hold, number
+from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
+from rimroll.given import Number, Values, number, numbers
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
-from rimroll.motion import thread_count, whole_number
+from rimroll.motion import thread_count
 from rimroll.options import Options
 from rimroll.refusals import placed
 from rimroll.state import State
@@ -75,11 +76,11 @@ def ensemble(
     starts: State,
     law: Law,
     *,
-    grip: ArrayLike = 1.0,
-    duration: float = 10.0,
-    gravity: float = _core.STANDARD_GRAVITY,
+    grip: Values = 1.0,
+    duration: Number = 10.0,
+    gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
-    topple_tilt: float | None = None,
+    topple_tilt: Number | None = None,
     max_steps: int = 100_000,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -124,7 +125,7 @@ def ensemble(
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
-    options = Options(duration, gravity, rtol, topple_tilt, max_steps)
+    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     falls = follow(body, starts, law, options, grip=grip, threads=threads, progress=progress)
     return falls.to_xarray()
 
@@ -135,7 +136,7 @@ def follow(
     law: Law,
     options: Options,
     *,
-    grip: ArrayLike = 1.0,
+    grip: Values = 1.0,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Falls:
@@ -146,7 +147,6 @@ def follow(
     expect("body", body, Body)
     expect("starts", starts, State)
     expect("law", law, Law)
-    options = _checked(options)
     workers = thread_count(threads)
     callback("progress", progress)
     rows = _rows(starts)
@@ -168,17 +168,6 @@ def follow(
     if stopped is not None:
         raise stopped
     return falls
-
-
-def _checked(options: Options) -> Options:
-    topple_tilt = options.topple_tilt
-    return Options(
-        number("duration", options.duration),
-        number("gravity", options.gravity),
-        number("rtol", options.rtol),
-        None if topple_tilt is None else number("topple_tilt", topple_tilt),
-        whole_number("max_steps", options.max_steps),
-    )
 
 
 @dataclass(frozen=True)
@@ -205,11 +194,8 @@ def _rows(starts: State) -> _Rows:
     )
 
 
-def _grips(grip: ArrayLike, count: int) -> Array:
-    try:
-        grips = np.asarray(grip, np.float64)
-    except (TypeError, ValueError):
-        raise RimrollError(f"grip must be a number or {count} of them, got {grip!r}") from None
+def _grips(grip: Values, count: int) -> Array:
+    grips = numbers("grip", grip)
     if grips.shape not in ((), (count,)):
         raise RimrollError(f"grip must be a number or {count} of them, got shape {grips.shape}")
     hold("grip", grips, np.isfinite(grips) & (grips >= 0.0), "finite and >= 0")
@@ -310,9 +296,9 @@ def law_of(falls: Falls | xr.Dataset) -> Law:
     kind = laws.kind(str(_told(falls, "law")))
     own = [name for name in laws.numbers_of(kind) if f"law_{name}" in falls.attrs]
     law = laws.by_name(kind.name, {name: _number(falls, f"law_{name}") for name in own})
-    for resistance, numbers in _RESISTANCES.items():
-        if f"law_{numbers[0]}" in falls.attrs:
-            law += resistance(*(_number(falls, f"law_{name}") for name in numbers))
+    for resistance, names in _RESISTANCES.items():
+        if f"law_{names[0]}" in falls.attrs:
+            law += resistance(*(_number(falls, f"law_{name}") for name in names))
     return law
 
 

@@ -23,19 +23,6 @@ def expect(field: str, value: object, kind: Any) -> None:
         raise RimrollError(f"{field} must be a {kinds}, got {given}")
 
 
-def number(field: str, value: object) -> float:
-    """The value of a field as a float.
-
-    Raises ``RimrollError`` naming the field when the value is not a single number.
-    """
-    if not isinstance(value, str | bytes | bool):
-        try:
-            return float(value)  # type: ignore[arg-type]
-        except (TypeError, ValueError, OverflowError):
-            pass
-    raise RimrollError(f"{field} must be a single number, got {value!r}")
-
-
 def hold(
     field: str, values: NDArray[np.float64], holds: NDArray[np.bool_], bound: str, unit: str = ""
 ) -> None:

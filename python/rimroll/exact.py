@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, expect
+from rimroll.given import Number, number, optional
 from rimroll.jacobian import PARAMETERS
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import thread_count
@@ -74,8 +75,8 @@ def exact_turn(
     start: State,
     law: Law,
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
-    topple_tilt: float | None = None,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    topple_tilt: Number | None = None,
     threads: int | None = None,
     jacobian: bool = False,
 ) -> ExactTurn:
@@ -133,8 +134,8 @@ def turns_in_parts(
     body: Body,
     start: State,
     law: Law,
-    gravity: float,
-    topple_tilt: float | None,
+    gravity: Number,
+    topple_tilt: Number | None,
     threads: int | None,
     jacobian: bool = False,
 ) -> Iterator[tuple[NDArray[np.uint8], Array, Array]]:
@@ -147,8 +148,8 @@ def turns_in_parts(
     expect("start", start, State)
     columns = _Starts(*(_column(start, name) for name in _Starts._fields))
     options = (
-        number("gravity", gravity),
-        None if topple_tilt is None else number("topple_tilt", topple_tilt),
+        number("gravity", gravity, "m/s^2"),
+        optional("topple_tilt", topple_tilt, "rad"),
         thread_count(threads),
     )
     at_a_time = DERIVED_AT_A_TIME if jacobian else AT_A_TIME

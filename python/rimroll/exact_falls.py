@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from rimroll.body import Body
 from rimroll.ensemble import described, parameters
-from rimroll.errors import number
 from rimroll.exact import NUMBERS, STATUSES, turns_in_parts
 from rimroll.falls import Column, Falls, Interrupted, rows
+from rimroll.given import Number, number, optional
 from rimroll.laws import Law
 from rimroll.state import State
 from rimroll.theory import balance_tilt
@@ -30,8 +30,8 @@ def exact_falls(
     starts: State,
     law: Law,
     *,
-    gravity: float,
-    topple_tilt: float | None,
+    gravity: Number,
+    topple_tilt: Number | None,
     threads: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> Falls:
@@ -39,8 +39,8 @@ def exact_falls(
 
     Raises ``Interrupted`` on Ctrl-C; it carries the falls done so far.
     """
-    gravity = number("gravity", gravity)
-    topple_tilt = None if topple_tilt is None else number("topple_tilt", topple_tilt)
+    gravity = number("gravity", gravity, "m/s^2")
+    topple_tilt = optional("topple_tilt", topple_tilt, "rad")
     (total,) = starts.shape
     codes, table = np.empty(total, np.uint8), np.empty((len(NUMBERS), total))
     done = 0

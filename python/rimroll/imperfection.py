@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import expect, number
+from rimroll.errors import expect
+from rimroll.given import Number, number
 from rimroll.laws import Law, ideal
 
 
@@ -50,7 +51,7 @@ class ImperfectRim:
     """Its collisions, one or two."""
 
 
-def imperfect_rim(body: Body, angle: float, law: Law, tipping_rate: float = 1.0) -> ImperfectRim:
+def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.0) -> ImperfectRim:
     """Let a body fall exactly face down on a rim with one imperfection.
 
     The body tips about the point A of its rim. The point B at ``angle`` (β) round the rim from A,
@@ -97,6 +98,9 @@ def imperfect_rim(body: Body, angle: float, law: Law, tipping_rate: float = 1.0)
     """
     expect("body", body, Body)
     turn, rate, energy_kept, collisions = _core.imperfect_rim(
-        body, number("angle", angle), ideal(law).name, number("tipping_rate", tipping_rate)
+        body,
+        number("angle", angle, "rad"),
+        ideal(law).name,
+        number("tipping_rate", tipping_rate, "rad/s"),
     )
     return ImperfectRim(turn, rate, energy_kept, tuple(Collision(*c) for c in collisions))

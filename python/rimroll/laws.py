@@ -13,8 +13,10 @@ from dataclasses import MISSING, dataclass, field, fields, replace
 from typing import ClassVar, Self
 
 from rimroll import _core
-from rimroll.errors import RimrollError, expect, number
+from rimroll.errors import RimrollError, expect
+from rimroll.given import Number, number
 from rimroll.names import choose, typed
+from rimroll.units import LAW_UNIT_OF, air_unit
 
 
 class _Numbered:
@@ -25,7 +27,11 @@ class _Numbered:
             value = getattr(self, item.name)
             left_out = value is None and item.default is None
             if item.name != "resistances" and not left_out:
-                object.__setattr__(self, item.name, number(item.name, value))
+                unit = self._unit_of(item.name)
+                object.__setattr__(self, item.name, number(item.name, value, unit))
+
+    def _unit_of(self, name: str) -> str:
+        return LAW_UNIT_OF[name]
 
     def __repr__(self) -> str:
         given = ", ".join(
@@ -93,18 +99,27 @@ class AirDrag(_Numbered):
         self._read()
         _core.check_surface(_Alone(self._numbers()))
 
+    def _unit_of(self, name: str) -> str:
+        if name == "coefficient":
+            return air_unit(number("exponent", self.exponent))
+        return super()._unit_of(name)
+
     @classmethod
     def film(
         cls,
-        radius: float,
-        viscosity: float = 1.82e-5,
-        gravity: float = _core.STANDARD_GRAVITY,
+        radius: Number,
+        viscosity: Number = 1.82e-5,
+        gravity: Number = _core.STANDARD_GRAVITY,
     ) -> AirDrag:
         """Moffatt's viscous film under a nearly flat uniform disk: π μ R⁴/(16 g) and exponent 4.
 
         His π μ R³ Ω²/(4 α) with Ω² α = 4 g/R. ``radius`` in m, ``viscosity`` in Pa s (air:
         1.82e-5), ``gravity`` in m/s².
         """
+        radius, viscosity = number("radius", radius, "m"), number("viscosity", viscosity, "Pa s")
+        gravity = number("gravity", gravity, "m/s^2")
+        if not gravity > 0.0:
+            raise RimrollError(f"gravity must be > 0, got {gravity} m/s2")
         return cls(math.pi * viscosity * radius**4 / (16.0 * gravity), 4.0)
 
     def _numbers(self) -> dict[str, float]:

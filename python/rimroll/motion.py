@@ -10,11 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, callback, expect, hold, number
+from rimroll.errors import RimrollError, callback, expect, hold
+from rimroll.given import Number, Values, whole_number
 from rimroll.jacobian import PARAMETERS, Jacobian
 from rimroll.laws import Law
 from rimroll.options import Options
@@ -352,21 +353,22 @@ class Motion(Moments):
         """A copy is the motion computed again: the same to the last bit."""
         return _follow, (self.body, self.start, self.law, self._options, self._has_jacobian)
 
-    def __call__(self, t: ArrayLike) -> State:
+    def __call__(self, t: Values) -> State:
         """Dense output: the state at a time t (s, inside the motion), or at times (n,).
 
         At the time of a landing it is the state after it.
         """
-        states = self.evaluate(t).state
-        if np.ndim(t):
+        moments = self._inside(t)
+        states = self.evaluate(moments).state
+        if moments.ndim:
             return states
         return State(**{name: float(values[0]) for name, values in vars(states).items()})
 
-    def evaluate(self, t: ArrayLike) -> Moments:
+    def evaluate(self, t: Values) -> Moments:
         """Everything at times t (s, shape (n,), inside the motion)."""
-        return Moments(self._core.at(self._inside(t)))
+        return Moments(self._core.at(np.atleast_1d(self._inside(t))))
 
-    def jacobian(self, t: ArrayLike) -> Jacobian:
+    def jacobian(self, t: Values) -> Jacobian:
         """How the state at a time t (s, inside the motion), or at times (n,), would change.
 
         Exact derivatives by the start, the body and gravity, of a motion from
@@ -380,8 +382,9 @@ class Motion(Moments):
 
         Raises ``RimrollError`` for a motion simulated without.
         """
-        values = self._core.jacobian(self._inside(t))
-        return Jacobian(values if np.ndim(t) else values[0])
+        moments = self._inside(t)
+        values = self._core.jacobian(np.atleast_1d(moments))
+        return Jacobian(values if moments.ndim else values[0])
 
     @cached_property
     def turn_jacobians(self) -> list[dict[str, float]]:
@@ -393,12 +396,11 @@ class Motion(Moments):
         rows = self._core.turn_jacobian().tolist()
         return [dict(zip(PARAMETERS, row, strict=True)) for row in rows]
 
-    def _inside(self, t: ArrayLike) -> Array:
+    def _inside(self, t: Values) -> Array:
         moments = times(t)
         last = float(self.t[-1])
-        given = moments.reshape(np.shape(t))
         bound = f"inside the motion, 0 to {last:.6g} s ({self.status})"
-        hold("t", given, (given >= 0.0) & (given <= last), bound, "s")
+        hold("t", moments, (moments >= 0.0) & (moments <= last), bound, "s")
         return moments
 
     def samples(self, per_step: int = 4) -> Moments:
@@ -474,11 +476,11 @@ def simulate(
     body: Body,
     start: State,
     law: Law,
-    duration: float = 2.0,
+    duration: Number = 2.0,
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
+    gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-10,
-    topple_tilt: float | None = None,
+    topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
@@ -522,13 +524,7 @@ def simulate(
     expect("body", body, Body)
     expect("start", start, State)
     expect("law", law, Law)
-    options = Options(
-        number("duration", duration),
-        number("gravity", gravity),
-        number("rtol", rtol),
-        None if topple_tilt is None else number("topple_tilt", topple_tilt),
-        whole_number("max_steps", max_steps),
-    )
+    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     callback("progress", progress)
     return _follow(body, single(start), law, options, bool(jacobian), progress)
 
@@ -543,13 +539,6 @@ def _follow(
 ) -> Motion:
     core = _core.simulate(body, start, law, *options.values, progress, has_jacobian)
     return Motion(core, body, start, law, options, has_jacobian)
-
-
-def whole_number(field: str, value: object) -> int:
-    count = number(field, value)
-    if not (count.is_integer() and 1 <= count < 2**53):
-        raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
-    return int(count)
 
 
 def thread_count(threads: object) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rimroll import _core
+from rimroll.given import number, optional, whole_number
 
 
 @dataclass(frozen=True)
@@ -16,6 +17,19 @@ class Options:
     rtol: float = 1e-10
     topple_tilt: float | None = None
     max_steps: int = 1_000_000
+
+    @classmethod
+    def read(
+        cls, duration: object, gravity: object, rtol: object, topple_tilt: object, max_steps: object
+    ) -> Options:
+        """Options as users give them; raises ``RimrollError`` for what is no such quantity."""
+        return cls(
+            number("duration", duration, "s"),
+            number("gravity", gravity, "m/s^2"),
+            number("rtol", rtol),
+            optional("topple_tilt", topple_tilt, "rad"),
+            whole_number("max_steps", max_steps),
+        )
 
     @property
     def values(self) -> tuple[float, float, float, float | None, int]:

@@ -13,17 +13,17 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.ensemble import OPTIONS, VARIABLES, follow
-from rimroll.errors import RimrollError, callback, expect, hold, number
+from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.exact import conserves_energy
 from rimroll.exact_falls import exact_falls
 from rimroll.falls import Column, Falls, Interrupted
+from rimroll.given import Number, Values, number, numbers
 from rimroll.laws import IDEAL, Frictionless, Law, ideal
-from rimroll.motion import whole_number
 from rimroll.options import Options
 from rimroll.state import State, single
 
@@ -40,13 +40,13 @@ def turn_map(
     body: Body,
     start: State,
     law: Law,
-    yaw_rates: ArrayLike,
-    spin_rates: ArrayLike,
+    yaw_rates: Values,
+    spin_rates: Values,
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
-    duration: float = 10.0,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    duration: Number = 10.0,
     rtol: float = 1e-6,
-    topple_tilt: float | None = None,
+    topple_tilt: Number | None = None,
     max_steps: int = 100_000,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -87,7 +87,7 @@ def turn_map(
     Interrupted
         On Ctrl-C; it carries the map as far as its rows, one a spin rate, are done.
     """
-    options = Options(duration, gravity, rtol, topple_tilt, max_steps)
+    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     falls = map_falls(body, start, law, yaw_rates, spin_rates, options, threads, progress)
     return falls.to_xarray()
 
@@ -96,8 +96,8 @@ def map_falls(
     body: Body,
     start: State,
     law: Law,
-    yaw_rates: ArrayLike,
-    spin_rates: ArrayLike,
+    yaw_rates: Values,
+    spin_rates: Values,
     options: Options,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -111,7 +111,6 @@ def map_falls(
     try:
         if conserves_energy(law):
             # One step of one fall: what a stepped map would refuse is refused here, too.
-            whole_number("max_steps", options.max_steps)
             follow(body, start, law, replace(options, max_steps=1), threads=threads)
             falls = exact_falls(
                 body,
@@ -133,10 +132,10 @@ def watershed(
     body: Body,
     start: State,
     law: Law,
-    spin_rates: ArrayLike,
+    spin_rates: Values,
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    rtol: Number = 1e-8,
 ) -> Array:
     """Yaw rates, rad/s, on one side of which a body falls left and on the other right, by trial.
 
@@ -150,7 +149,9 @@ def watershed(
     expect("body", body, Body)
     expect("start", start, State)
     start, spin = single(start), _flat("spin_rates", spin_rates)
-    options = replace(OPTIONS, gravity=gravity, rtol=rtol)
+    options = replace(
+        OPTIONS, gravity=number("gravity", gravity, "m/s^2"), rtol=number("rtol", rtol)
+    )
     slope = max(watershed_slope(body, start.tilt, one) for one in IDEAL)  # type: ignore[arg-type]
     ends = np.sort([-slope * spin, 3.0 * slope * spin], axis=0)
 
@@ -183,7 +184,7 @@ def halved(
     return 0.5 * (low + high)
 
 
-def watershed_slope(body: Body, tilt: float, law: Law) -> float:
+def watershed_slope(body: Body, tilt: Number, law: Law) -> float:
     """Yaw rate over spin rate of the starts at a tilt (rad) that come down flat, dimensionless.
 
     Without slip or without friction yaw and spin rates obey linear equations with the tilt as
@@ -195,7 +196,7 @@ def watershed_slope(body: Body, tilt: float, law: Law) -> float:
     Raises ``RimrollError`` for other laws and for a tilt outside (0, π/2).
     """
     expect("body", body, Body)
-    tilt = number("tilt", tilt)
+    tilt = number("tilt", tilt, "rad")
     if not 0.0 < tilt < 0.5 * math.pi:
         raise RimrollError(f"tilt must be inside (0, pi/2), got {tilt} rad")
     transverse, axial = body.transverse_inertia, body.axial_inertia
@@ -255,16 +256,16 @@ def _plane(falls: Falls, yaw: Array, spin: Array, start: State) -> Falls:
     )
 
 
-def _flat(name: str, values: ArrayLike) -> Array:
-    array = np.atleast_1d(np.asarray(values))
-    if array.dtype.kind not in "iuf" or array.ndim > 1 or not array.size:
+def _flat(name: str, values: Values) -> Array:
+    """Rates (n,), rad/s."""
+    array = np.atleast_1d(numbers(name, values, "rad/s"))
+    if array.ndim > 1 or not array.size:
         raise RimrollError(f"{name} must be a flat array of numbers, got {values!r}")
-    array = array.astype(np.float64)
     hold(name, array, np.isfinite(array), "finite")
     return array
 
 
-def _rising(name: str, values: ArrayLike) -> Array:
+def _rising(name: str, values: Values) -> Array:
     array = _flat(name, values)
     falling = np.flatnonzero(np.diff(array) <= 0.0)
     if falling.size:

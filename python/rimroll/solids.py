@@ -10,7 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields
 
 from rimroll import _core
-from rimroll.errors import number
+from rimroll.given import Number, number
+from rimroll.units import UNIT_OF
 
 
 @dataclass(frozen=True)
@@ -28,22 +29,23 @@ class Solid:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = number(field.name, getattr(self, field.name))
+            value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
             object.__setattr__(self, field.name, value)
         _core.check_solid(self)
 
 
 def _made(solid: Callable[..., tuple[float, float, float, float]], **sizes: object) -> Solid:
-    return Solid(*solid(**{name: number(name, size) for name, size in sizes.items()}))
+    read = {name: number(name, size, UNIT_OF[name]) for name, size in sizes.items()}
+    return Solid(*solid(**read))
 
 
-def cylinder(mass: float, radius: float, length: float, base: float = 0.0) -> Solid:
+def cylinder(mass: Number, radius: Number, length: Number, base: Number = 0.0) -> Solid:
     """A solid cylinder with its lower face at ``base``: C = mR²/2, A = C/2 + mL²/12."""
     return _made(_core.cylinder, mass=mass, radius=radius, length=length, base=base)
 
 
 def hollow_cylinder(
-    mass: float, inner_radius: float, outer_radius: float, length: float, base: float = 0.0
+    mass: Number, inner_radius: Number, outer_radius: Number, length: Number, base: Number = 0.0
 ) -> Solid:
     """A cylinder with a coaxial bore: C = m(a² + b²)/2, A = C/2 + mL²/12."""
     return _made(
@@ -56,22 +58,22 @@ def hollow_cylinder(
     )
 
 
-def disc(mass: float, radius: float, height: float = 0.0) -> Solid:
+def disc(mass: Number, radius: Number, height: Number = 0.0) -> Solid:
     """A thin disc at a height: C = mR²/2, A = C/2."""
     return _made(_core.disc, mass=mass, radius=radius, height=height)
 
 
-def ring(mass: float, radius: float, height: float = 0.0) -> Solid:
+def ring(mass: Number, radius: Number, height: Number = 0.0) -> Solid:
     """A thin ring at a height: C = mR², A = C/2."""
     return _made(_core.ring, mass=mass, radius=radius, height=height)
 
 
-def wall(mass: float, radius: float, length: float, base: float = 0.0) -> Solid:
+def wall(mass: Number, radius: Number, length: Number, base: Number = 0.0) -> Solid:
     """A thin cylindrical wall, open at both ends, from ``base`` up: C = mR², A = C/2 + mL²/12."""
     return _made(_core.wall, mass=mass, radius=radius, length=length, base=base)
 
 
-def filling(density: float, radius: float, depth: float, base: float = 0.0) -> Solid:
+def filling(density: Number, radius: Number, depth: Number, base: Number = 0.0) -> Solid:
     """A filling of a density (kg/m³), moving with the body as if frozen.
 
     A real liquid takes less part in the turning than this.

@@ -6,9 +6,11 @@ import math
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
+from rimroll.given import Values, numbers
+from rimroll.units import START_UNIT_OF
 
 Numbers = float | NDArray[np.float64]
 
@@ -17,7 +19,8 @@ Numbers = float | NDArray[np.float64]
 class State:
     """Position and motion in the paper's Euler angles (rad, rad/s).
 
-    Every field is a number or an array; arrays must agree in shape, and numbers stand for all.
+    Every field is a number or an array, or carries a unit as :mod:`rimroll.given` describes; arrays
+    must agree in shape, and numbers stand for all.
 
     Parameters
     ----------
@@ -38,8 +41,8 @@ class State:
     Raises
     ------
     RimrollError
-        A value that is not a finite number, a tilt outside (0, π), arrays that differ in shape; of
-        an array the message names the element, ``tilt[1]``.
+        A value that is not a finite number, a unit of another kind, a tilt outside (0, π), arrays
+        that differ in shape; of an array the message names the element, ``tilt[1]``.
     """
 
     tilt: Numbers
@@ -82,25 +85,15 @@ def single(start: State) -> State:
     return start
 
 
-def times(t: ArrayLike) -> NDArray[np.float64]:
-    """Times (s) as an array (n,); raises ``RimrollError`` for anything else."""
-    array = np.atleast_1d(_numbers("t", t))
+def times(t: Values) -> NDArray[np.float64]:
+    """Times (s) as an array () or (n,); raises ``RimrollError`` for anything else."""
+    array = numbers("t", t, "s")
     if array.ndim > 1:
         raise RimrollError(f"t must be a number or a flat array, got shape {array.shape}")
     return array
 
 
 def _finite(field: str, value: object) -> NDArray[np.float64]:
-    array = _numbers(field, value)
+    array = numbers(field, value, START_UNIT_OF[field])
     hold(field, array, np.isfinite(array), "finite")
-    return array
-
-
-def _numbers(field: str, value: object) -> NDArray[np.float64]:
-    """A copy of its own, that nobody can change."""
-    array = np.asarray(value)
-    if array.dtype.kind not in "iuf":
-        raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}")
-    array = array.astype(np.float64)
-    array.flags.writeable = False
     return array

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import expect, number
+from rimroll.errors import expect
+from rimroll.given import Number, number
 from rimroll.laws import Law, ideal
 from rimroll.state import State, single
 
@@ -32,13 +33,13 @@ class Arrival:
     friction_ratio: float = math.nan
     """The largest |T|/N on the way down: what tipping without slip needs. NaN if not known."""
 
+    def __post_init__(self) -> None:
+        units = {"tipping_rate": "rad/s", "slip": "m/s", "spin": "rad/s", "friction_ratio": "1"}
+        for name, unit in units.items():
+            object.__setattr__(self, name, number(name, getattr(self, name), unit))
+
     def _numbers(self) -> tuple[float, float, float, float]:
-        return (
-            number("tipping_rate", self.tipping_rate),
-            number("slip", self.slip),
-            number("spin", self.spin),
-            number("friction_ratio", self.friction_ratio),
-        )
+        return self.tipping_rate, self.slip, self.spin, self.friction_ratio
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,9 @@ class Passage:
     """The part of the kinetic energy that friction takes."""
 
 
-def arrival(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_GRAVITY) -> Arrival:
+def arrival(
+    body: Body, start: State, law: Law, gravity: Number = _core.STANDARD_GRAVITY
+) -> Arrival:
     """How a body let go at ``start`` comes down, in the limit of ever smaller sideways rates.
 
     The start's yaw rate and spin rate are taken for zero. Raises ``RimrollError`` where the base
@@ -66,7 +69,7 @@ def arrival(body: Body, start: State, law: Law, gravity: float = _core.STANDARD_
     expect("body", body, Body)
     expect("start", start, State)
     expect("law", law, Law)
-    return Arrival(*_core.arrival(body, single(start), law, number("gravity", gravity)))
+    return Arrival(*_core.arrival(body, single(start), law, number("gravity", gravity, "m/s^2")))
 
 
 def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> float:
@@ -104,7 +107,7 @@ def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
     return Passage(*_core.passage(body, law, (arrival or Arrival())._numbers()))
 
 
-def turn_limit_with_spin(body: Body, spin: float, tipping_rate: float) -> float:
+def turn_limit_with_spin(body: Body, spin: Number, tipping_rate: Number) -> float:
     """Limiting angle without slip, rad, for a body that arrives with a spin about its axis.
 
     √(J/K) [π + 2 arctan(mHR s/(ω √(JK)))], with s = dθ/dt + dψ/dt cos φ (rad/s, positive in the
@@ -114,11 +117,11 @@ def turn_limit_with_spin(body: Body, spin: float, tipping_rate: float) -> float:
     """
     expect("body", body, Body)
     return _core.turn_limit_with_spin(
-        body, number("spin", spin), number("tipping_rate", tipping_rate)
+        body, number("spin", spin, "rad/s"), number("tipping_rate", tipping_rate, "rad/s")
     )
 
 
-def disk_turn_limit(gyration_ratio: float) -> float:
+def disk_turn_limit(gyration_ratio: Number) -> float:
     """Limiting angle of a disk, rad: π √(2 + k²)/k for the radius of gyration kR, k > 0.
 
     Source: the paper, Eq. (23). The same with and without friction. Uniform disk:
@@ -137,13 +140,14 @@ def tall_turn_limit(body: Body, law: Law) -> float:
     return _core.tall_turn_limit(body, ideal(law).name)
 
 
-def point_mass_turn_limit(radius: float, height: float, law: Law) -> float:
+def point_mass_turn_limit(radius: Number, height: Number, law: Law) -> float:
     """Limiting angle of a point mass at ``height`` over the base (A → 0), rad: π √(1 + R²/H²).
 
     Without friction it grows without bound: infinity.
     """
     name = ideal(law).name
-    return _core.point_mass_turn_limit(number("radius", radius), number("height", height), name)
+    radius, height = number("radius", radius, "m"), number("height", height, "m")
+    return _core.point_mass_turn_limit(radius, height, name)
 
 
 def needed_friction(body: Body) -> float:
@@ -166,7 +170,7 @@ def painleve_friction(body: Body) -> float:
 
 
 def error_law_coefficient(
-    body: Body, law: Law, tipping_rate: float, gravity: float = _core.STANDARD_GRAVITY
+    body: Body, law: Law, tipping_rate: Number, gravity: Number = _core.STANDARD_GRAVITY
 ) -> float:
     """Coefficient b of the error law |Δψ| = limit + φ_c (b ln φ_c + a), dimensionless.
 
@@ -178,18 +182,22 @@ def error_law_coefficient(
     """
     expect("body", body, Body)
     return _core.error_law_coefficient(
-        body, ideal(law).name, number("tipping_rate", tipping_rate), number("gravity", gravity)
+        body,
+        ideal(law).name,
+        number("tipping_rate", tipping_rate, "rad/s"),
+        number("gravity", gravity, "m/s^2"),
     )
 
 
-def steady_wobble_rate(body: Body, tilt: float, gravity: float = _core.STANDARD_GRAVITY) -> float:
+def steady_wobble_rate(body: Body, tilt: Number, gravity: Number = _core.STANDARD_GRAVITY) -> float:
     """Yaw rate of the steady wobble at a tilt with the centre of mass at rest, rad/s.
 
     ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate that
     goes with it is ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
     """
     expect("body", body, Body)
-    return _core.steady_wobble_rate(body, number("tilt", tilt), number("gravity", gravity))
+    tilt, gravity = number("tilt", tilt, "rad"), number("gravity", gravity, "m/s^2")
+    return _core.steady_wobble_rate(body, tilt, gravity)
 
 
 def balance_tilt(body: Body) -> float:
@@ -198,19 +206,19 @@ def balance_tilt(body: Body) -> float:
     return _core.balance_tilt(body)
 
 
-def lift_off_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
+def lift_off_rate(body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> float:
     """Rate of tipping on arrival above which rolling needs pull from the table, rad/s: √(gK/(JH)).
 
     Infinite for a disk. The paper warns that a flick too fast lifts the can off.
     """
     expect("body", body, Body)
-    return _core.lift_off_rate(body, number("gravity", gravity))
+    return _core.lift_off_rate(body, number("gravity", gravity, "m/s^2"))
 
 
-def slip_rate(body: Body, gravity: float = _core.STANDARD_GRAVITY) -> float:
+def slip_rate(body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> float:
     """Rate of tipping on arrival above which tipping needs more friction than μ*, rad/s.
 
     √(2mgHK/(J(K + mH²))): the ratio |T|/N at the end of the tipping phase passes μ* there.
     """
     expect("body", body, Body)
-    return _core.slip_rate(body, number("gravity", gravity))
+    return _core.slip_rate(body, number("gravity", gravity, "m/s^2"))

@@ -27,9 +27,50 @@ KINDS = {
     "m/s": ("a speed", "1 cm/s"),
     "m/s^2": ("an acceleration", "9.8 m/s^2"),
     "N s/m": ("a viscous resistance", "0.5 N s/m"),
+    "Pa s": ("a viscosity", "1.8e-5 Pa s"),
     "1": ("a pure number", "0.5"),
 }
 """What an SI unit measures, in words, and an example of it."""
+
+UNIT_OF = {
+    "mass": "kg",
+    "radius": "m",
+    "inner_radius": "m",
+    "outer_radius": "m",
+    "height": "m",
+    "length": "m",
+    "depth": "m",
+    "base": "m",
+    "density": "kg/m^3",
+    "transverse_inertia": "kg m^2",
+    "axial_inertia": "kg m^2",
+    "fill": "1",
+}
+"""The SI unit of each number that describes a body or a solid."""
+
+LAW_UNIT_OF = {
+    "friction": "1",
+    "static": "1",
+    "restitution": "1",
+    "coefficient": "N s/m",
+    "stribeck_speed": "m/s",
+    "creep_speed": "m/s",
+    "dry": "1",
+    "viscous": "N s/m",
+    "length": "m",
+    "exponent": "1",
+}
+"""The SI unit of each number of a law or resistance but one: see :func:`air_unit`."""
+
+START_UNIT_OF = {
+    "tilt": "rad",
+    "tilt_rate": "rad/s",
+    "yaw": "rad",
+    "yaw_rate": "rad/s",
+    "spin": "rad",
+    "spin_rate": "rad/s",
+}
+"""The SI unit of each number of a start."""
 
 _EVERYDAY = {
     ("rad", "rad"): 1.0,
@@ -180,26 +221,26 @@ def _read(text: str, unit: str, name: str) -> tuple[float, float]:
     number, given = parts.groups()
     if given.startswith(","):
         raise _refusal(name, unit, text, "decimals follow a point, not a comma")
-    return float(number), _factor(given, unit, name, text) if given else 1.0
+    return float(number), factor_of(given, unit, name, text) if given else 1.0
 
 
-def _factor(given: str, unit: str, name: str, text: str) -> float:
-    """How many ``unit`` a ``given`` unit is."""
+def factor_of(given: str, unit: str, name: str, value: object) -> float:
+    """How many SI units a ``given`` unit is; ``value`` is what the message quotes."""
     given = _BARE_POWER.sub(r"\1^\2", given.replace("²", "^2").replace("³", "^3").strip())
     everyday = _EVERYDAY.get((given.replace("°", "deg"), unit))
     if everyday is not None:
         return everyday
     units = registry()
     if _TOWER.search(given):
-        raise _refusal(name, unit, text, f'"{given}" is no unit')
+        raise _refusal(name, unit, value, f'"{given}" is no unit')
     try:
         ours = units.parse_units(given)
     except AttributeError as error:  # pint's UndefinedUnitError
         unknown = getattr(error, "unit_names", given)
         first = unknown if isinstance(unknown, str) else next(iter(unknown))
-        raise _refusal(name, unit, text, f'unknown unit "{first}"') from None
+        raise _refusal(name, unit, value, f'unknown unit "{first}"') from None
     except Exception:  # pint's parser fails in its own many ways on what is no unit
-        raise _refusal(name, unit, text, f'"{given}" is no unit') from None
+        raise _refusal(name, unit, value, f'"{given}" is no unit') from None
     theirs = units.parse_units("dimensionless" if unit == "1" else unit.replace(" ", "*"))
     # Root units keep radians apart from pure numbers, as a comparison of dimensions does not.
     scale: Any
@@ -207,14 +248,18 @@ def _factor(given: str, unit: str, name: str, text: str) -> float:
     scale, root = units.get_root_units(ours)
     scale_si, root_si = units.get_root_units(theirs)
     if root != root_si:
-        kind = _kind(unit)[0]
-        raise _refusal(name, unit, text, f'"{given}" does not measure {kind}')
-    return _tidy(float(scale) / float(scale_si))
+        raise mismatch(name, unit, value, given)
+    return tidy(float(scale) / float(scale_si))
 
 
-def _tidy(factor: float) -> float:
+def tidy(factor: float) -> float:
     """A factor without the rounding errors of its making: 1e-06 for 9.999999999999999e-07."""
     return float(f"{factor:.15g}") if math.isclose(factor, float(f"{factor:.6g}")) else factor
+
+
+def mismatch(name: str, unit: str, value: object, given: str) -> UnitError:
+    """The refusal of a value because its unit, ``given``, measures something else."""
+    return _refusal(name, unit, value, f'"{given}" does not measure {_kind(unit)[0]}')
 
 
 def _kind(unit: str) -> tuple[str, str]:

@@ -19,9 +19,9 @@ from rimroll.cli.options import (
 from rimroll.errors import RimrollError
 from rimroll.names import choose
 from rimroll.options import Options
-from rimroll.scenario import UNIT_OF, Scenario, load, presets
+from rimroll.scenario import Scenario, load, presets
 from rimroll.state import State
-from rimroll.units import quantity, tilt_angle
+from rimroll.units import UNIT_OF, quantity, tilt_angle
 
 NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 SIZES = (*NUMBERS, "length", "fill")

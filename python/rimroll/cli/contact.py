@@ -21,8 +21,8 @@ from rimroll.laws import (
     Viscous,
 )
 from rimroll.names import typed
-from rimroll.scenario import FILM, LAW_UNIT_OF
-from rimroll.units import air_unit, quantity
+from rimroll.scenario import FILM
+from rimroll.units import LAW_UNIT_OF, air_unit, quantity
 
 NUMBER_OF = {
     "friction": "friction",

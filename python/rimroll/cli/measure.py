@@ -20,7 +20,7 @@ from rimroll.experiment.measurement import Measurement, measured
 from rimroll.experiment.readings import ESTIMATE, UNITS, main_source, pretty
 from rimroll.names import typed
 from rimroll.output import writing
-from rimroll.scenario import UNIT_OF
+from rimroll.units import UNIT_OF
 
 WIDTH = 79  # of a paragraph
 

@@ -26,6 +26,7 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.experiment.readings import ESTIMATE, Readings, pretty
+from rimroll.given import Number
 from rimroll.names import choose
 
 RADIUS = (("radius",), ("diameter",))
@@ -43,7 +44,7 @@ PIVOTS = {name: name for name in ("edge", "point")}
 
 ROUNDING = 1e-9  # by which numbers may miss a bound that they are to meet
 
-Reading = float | str | None
+Reading = Number | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,9 +120,11 @@ def measure(
     >>> print(f"{can.transverse_inertia / can.mass:.1ue} m²")
     (5.14+/-0.07)e-03 m²
 
-    Numbers are SI units and exact; texts carry units and, if they like, uncertainties, as in
-    ``"70 ± 1 g"`` or ``"6.9(1) cm"``, else half a unit of their last digit and for times at least
-    0.1 s (rocking: 1/30 s).
+    Plain numbers are in SI units and exact, as are quantities of pint, astropy.units or unyt.
+    Numbers of ``uncertainties``, with or without a unit of pint, bring their own standard
+    uncertainty. Texts carry units and, where they state it, an uncertainty, as in ``"70 ± 1 g"`` or
+    ``"6.9(1) cm"``; else it is half a unit of the last digit and for times at least 0.1 s (rocking:
+    1/30 s).
 
     Parameters
     ----------

@@ -15,7 +15,8 @@ from uncertainties import UFloat
 from uncertainties.core import Variable
 
 from rimroll.errors import RimrollError
-from rimroll.units import has_uncertainty, reading
+from rimroll.given import without_unit
+from rimroll.units import has_uncertainty, quantity, reading
 
 UNITS = {
     "mass": "kg",
@@ -67,9 +68,10 @@ class Readings(Mapping[str, UFloat]):
     Parameters
     ----------
     given
-        Numbers in SI units, taken to be exact, or texts as :func:`rimroll.units.reading` takes
-        them; None is left out. A text that does not say its uncertainty has half a unit of its
-        last digit, times also at least :data:`HAND` or :data:`FRAME`; counts and gravity are exact.
+        Numbers in SI units, taken to be exact; texts as :func:`rimroll.units.reading` takes them;
+        quantities with units, or of ``uncertainties``; None is left out. A text that does not say
+        its uncertainty has half a unit of its last digit, times also at least :data:`HAND` or
+        :data:`FRAME`; counts and gravity are exact.
     typed
         How messages write the name of a reading.
 
@@ -97,12 +99,7 @@ class Readings(Mapping[str, UFloat]):
 
     def _one(self, name: str, value: object) -> UFloat:
         unit, said = UNITS[name], self.typed(name)
-        number, uncertainty = reading(value, unit, said)
-        if not has_uncertainty(value):
-            if name in _COUNTS or name == "gravity":
-                uncertainty = 0.0
-            elif isinstance(value, str):
-                uncertainty = max(uncertainty, _LEAST.get(name, 0.0))
+        number, uncertainty = self._number(name, value)
         least = ">= 0" if name in _MAY_BE_ZERO else "> 0"
         if number < 0.0 or (number == 0.0 and name not in _MAY_BE_ZERO):
             raise RimrollError(f"{said} must be {least}, got {pretty(number, unit)}")
@@ -120,6 +117,19 @@ class Readings(Mapping[str, UFloat]):
                 f" {number:g}; a swing timed by itself, off a film, is {period}"
             )
         return Variable(number, uncertainty, tag=name)
+
+    def _number(self, name: str, value: object) -> tuple[float, float]:
+        """A reading and its standard uncertainty, in the SI unit."""
+        unit, said = UNITS[name], self.typed(name)
+        value = without_unit(said, value, unit)
+        if isinstance(value, UFloat):
+            return quantity(value.nominal_value, unit, said), quantity(value.std_dev, unit, said)
+        number, uncertainty = reading(value, unit, said)
+        if has_uncertainty(value):
+            return number, uncertainty
+        if name in _COUNTS or name == "gravity":
+            return number, 0.0
+        return number, max(uncertainty, _LEAST.get(name, 0.0)) if isinstance(value, str) else 0.0
 
     def way(self, ways: Sequence[Way]) -> Way | None:
         """Which of the ways to measure one number was taken; None if none was.

@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, expect, number
-from rimroll.motion import whole_number
+from rimroll.errors import RimrollError, expect
+from rimroll.given import Number, number, whole_number
 from rimroll.names import choose
 from rimroll.state import State
 from rimroll.theory import balance_tilt
+from rimroll.units import START_UNIT_OF
 
 Array = NDArray[np.float64]
 
@@ -71,13 +72,13 @@ class Release:
             raise RimrollError(f"grip must be > 0, got {self.grip[0]}")
 
     @classmethod
-    def named(cls, name: str, body: Body, gravity: float = _core.STANDARD_GRAVITY) -> Release:
+    def named(cls, name: str, body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> Release:
         """The preset of that name (see :data:`PRESETS`) for a body under gravity (m/s²).
 
         Raises ``RimrollError`` with the nearest name when there is none such.
         """
         expect("body", body, Body)
-        gravity = number("gravity", gravity)
+        gravity = number("gravity", gravity, "m/s^2")
         if not 0.0 < gravity < math.inf:
             raise RimrollError(f"gravity must be > 0 and finite, got {gravity} m/s2")
         return choose("release", name.replace("-", " ").replace("_", " "), PRESETS)(body, gravity)
@@ -160,7 +161,8 @@ def _pair(name: str, value: Any) -> tuple[float, float]:
     given = value if isinstance(value, tuple | list) else (value, 0.0)
     if len(given) != 2:
         raise RimrollError(f"{name} must be (mean, spread) or a mean, got {value!r}")
-    mean, spread = number(name, given[0]), number(f"{name} spread", given[1])
+    unit = "1" if name == "grip" else START_UNIT_OF.get(name, "rad/s")
+    mean, spread = number(name, given[0], unit), number(f"{name} spread", given[1], unit)
     if not math.isfinite(mean):
         raise RimrollError(f"{name} must be finite, got {mean}")
     if not 0.0 <= spread < math.inf:

@@ -17,6 +17,7 @@ from rimroll.ensemble import OPTIONS, body_of, follow, law_of
 from rimroll.errors import RimrollError, expect
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
+from rimroll.given import Number
 from rimroll.laws import IDEAL, Law
 from rimroll.options import Options
 from rimroll.state import State
@@ -37,10 +38,10 @@ def topple(
     release: Release | str = "flick",
     seed: int | None = None,
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
-    duration: float = 10.0,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    duration: Number = 10.0,
     rtol: float = 1e-6,
-    topple_tilt: float | None = None,
+    topple_tilt: Number | None = None,
     max_steps: int = 100_000,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -77,7 +78,7 @@ def topple(
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
-    options = Options(duration, gravity, rtol, topple_tilt, max_steps)
+    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     return let_go(body, law, n, release, seed, options, threads, progress).to_xarray()
 
 

@@ -52,32 +52,6 @@ def presets() -> dict[str, Callable[..., Body]]:
     return {**bodies.PRESETS, "disk": bodies.disk, "cylinder": bodies.cylinder}
 
 
-UNIT_OF = {
-    "mass": "kg",
-    "radius": "m",
-    "inner_radius": "m",
-    "outer_radius": "m",
-    "height": "m",
-    "length": "m",
-    "depth": "m",
-    "base": "m",
-    "density": "kg/m^3",
-    "transverse_inertia": "kg m^2",
-    "axial_inertia": "kg m^2",
-    "fill": "1",
-}
-"""The SI unit of each number that describes a body or a solid."""
-
-LAW_UNIT_OF = {
-    "friction": "1",
-    "static": "1",
-    "restitution": "1",
-    "coefficient": "N s/m",
-    "stribeck_speed": "m/s",
-    "creep_speed": "m/s",
-}
-"""The SI unit of each number of a law."""
-
 RESISTANCES: dict[str, type[Resistance]] = {
     "rolling_resistance": RollingResistance,
     "pivoting_friction": PivotingFriction,

@@ -28,15 +28,13 @@ from rimroll.names import choose, nearest, typed
 from rimroll.options import Options
 from rimroll.scenario import (
     FILM,
-    LAW_UNIT_OF,
     MOST_STEPS,
     RESISTANCES,
-    UNIT_OF,
     Scenario,
     presets,
 )
 from rimroll.state import State
-from rimroll.units import air_unit, quantity, tilt_angle
+from rimroll.units import LAW_UNIT_OF, UNIT_OF, air_unit, quantity, tilt_angle
 
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,

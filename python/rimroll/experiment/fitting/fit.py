@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.body import Body
-from rimroll.errors import RimrollError, callback, expect, number
+from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.fitting.estimate import Estimate, Interval, estimate
 from rimroll.experiment.fitting.likelihood import (
     FEWEST_OF_A_SIDE,
@@ -21,9 +21,10 @@ from rimroll.experiment.fitting.likelihood import (
     Likelihood,
     Point,
 )
-from rimroll.experiment.fitting.predicted import TURN, Predicted, predict_falls
+from rimroll.experiment.fitting.predicted import READING_ERROR, TURN, Predicted, predict_falls
 from rimroll.experiment.fitting.verdict import Verdict, of_hypothesis, of_shape
 from rimroll.experiment.release import Release
+from rimroll.given import Number, Values, number, without_unit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -130,13 +131,13 @@ class Fit:
 
 def fit(
     body: Body,
-    directions: ArrayLike,
+    directions: Values,
     release: Release | str = "flick",
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
-    reading_error: float = math.radians(2.0),
-    tilt_rate_error: float | None = None,
-    bias: float | None = None,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    reading_error: Number = READING_ERROR,
+    tilt_rate_error: Number | None = None,
+    bias: Number | None = None,
     counted: str | None = None,
     confidence: float = 0.95,
     predicted: Predicted | None = None,
@@ -188,7 +189,7 @@ def fit(
     if not 0.5 <= confidence <= 0.9999:
         raise RimrollError(f"confidence must be between 0.5 and 0.9999, got {confidence}")
     if bias is not None:
-        bias = number("bias", bias)
+        bias = number("bias", bias, "rad")
         if not abs(bias) <= TURN:
             raise RimrollError(f"bias must be between -2 pi and 2 pi, got {bias} rad")
     others: list[Predicted] = []
@@ -238,7 +239,7 @@ def fit(
 
 
 def _releases(
-    body: Body, release: Release | str, gravity: float, error: float | None
+    body: Body, release: Release | str, gravity: Number, error: Number | None
 ) -> list[Release | str]:
     """The release, and the same with its tilt rate off by its error either way."""
     named = Release.named(release, body, gravity) if isinstance(release, str) else release
@@ -247,7 +248,7 @@ def _releases(
     rate, spread = named.tilt_rate
     if error is None:
         error = 0.1 * abs(rate)
-    error = number("tilt_rate_error", error)
+    error = number("tilt_rate_error", error, "rad/s")
     if not 0.0 <= error < math.inf:
         raise RimrollError(f"tilt_rate_error must be finite and >= 0, got {error} rad/s")
     offs = (error, -error) if error > 0.0 else ()
@@ -365,9 +366,10 @@ def _verdicts(
     return [*found, of_shape(likelihood, best, confidence)]
 
 
-def _checked(directions: ArrayLike) -> Array:
+def _checked(directions: Values) -> Array:
+    bare = without_unit("directions", directions, "rad")
     try:
-        data = np.asarray(directions)
+        data = np.asarray(bare)
     except ValueError:
         raise RimrollError("directions must be a flat array of angles, got a ragged one") from None
     if data.ndim != 1 or (data.size and data.dtype.kind not in "iuf"):

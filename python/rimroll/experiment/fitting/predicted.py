@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.ensemble import follow
-from rimroll.errors import RimrollError, callback, expect, number
+from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import FALLING
+from rimroll.given import Number, number, whole_number
 from rimroll.laws import Coulomb, NoSlip
-from rimroll.motion import whole_number
 from rimroll.state import State
 from rimroll.theory import arrival, needed_friction
 
@@ -29,6 +29,9 @@ Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
 ANGLES = 720
 """Points of a density round the circle, half a degree apart."""
+
+READING_ERROR = math.radians(2.0)
+"""Standard deviation with which a direction is read unless given, rad."""
 
 LEAST_ERROR = math.radians(0.5)
 """The least error of reading: below, densities would be narrower than their points are apart."""
@@ -87,8 +90,8 @@ def predict_falls(
     body: Body,
     release: Release | str = "flick",
     *,
-    gravity: float = _core.STANDARD_GRAVITY,
-    reading_error: float = math.radians(2.0),
+    gravity: Number = _core.STANDARD_GRAVITY,
+    reading_error: Number = READING_ERROR,
     frictions: int = 33,
     falls: int = 1024,
     counted: str | None = None,
@@ -116,7 +119,8 @@ def predict_falls(
     """
     expect("body", body, Body)
     callback("progress", progress)
-    gravity, error = number("gravity", gravity), number("reading_error", reading_error)
+    gravity = number("gravity", gravity, "m/s^2")
+    error = number("reading_error", reading_error, "rad")
     if not LEAST_ERROR <= error <= 1.0:
         raise RimrollError(
             f"reading_error must be between {math.degrees(LEAST_ERROR):g} and 57 degrees, got "

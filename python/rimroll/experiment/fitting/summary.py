@@ -7,9 +7,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.errors import RimrollError, number
+from rimroll.errors import RimrollError
 from rimroll.experiment.fitting.predicted import TURN
-from rimroll.motion import whole_number
+from rimroll.given import number, whole_number
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,8 @@ def directions_of_summary(
             raise RimrollError(f"{name} must be a mean, a spread and a count, got {given!r}")
         mean, spread, count = given
         n = whole_number(f"{name} count", count)
-        mean, spread = number(f"{name} mean", mean), number(f"{name} spread", spread)
+        mean = number(f"{name} mean", mean, "rad")
+        spread = number(f"{name} spread", spread, "rad")
         if not (math.isfinite(mean) and 0.0 <= spread < math.inf):
             raise RimrollError(f"{name} must be a mean and a spread >= 0, got {mean}, {spread}")
         if n < 2:

@@ -1,0 +1,173 @@
+"""Numbers as users give them, turned into floats and arrays in SI units and radians.
+
+One rule holds for every number of the Python interface that has a unit. It may be a plain number or
+array, which is in the SI unit already; a text such as ``"30 deg"``, as in scenario files; or a
+quantity of pint, astropy.units or unyt, or a data array with a ``units`` attribute, which is
+converted. A unit that does not fit is refused, and none is ever dropped. No unit package is
+imported here: what carries a unit brings the means to convert it.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Real
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rimroll.errors import RimrollError, UnitError, element
+from rimroll.units import factor_of, mismatch, quantity, tidy
+
+
+class HasUnit(Protocol):
+    """A quantity of pint, astropy.units or unyt: anything that converts itself with ``to``."""
+
+    def to(self, unit: Any, /) -> Any:
+        """The same quantity in another unit."""
+
+
+Number = float | str | HasUnit
+"""A single number in its SI unit, or with a unit: ``0.5``, ``"30 deg"``, ``30 * ureg.deg``."""
+
+Values = ArrayLike | HasUnit
+"""The same for numbers and arrays."""
+
+_BARE = frozenset({float, int, np.float64, np.ndarray, str, bool, type(None)})
+_POWER_OF_RATIO = re.compile(r"\((\w+)/(\w+)\)\^([\d.]+)")
+
+
+def number(field: str, value: object, unit: str = "1") -> float:
+    """The value of a field as a float in an SI unit, one of :data:`rimroll.units.KINDS`.
+
+    Raises ``RimrollError`` naming the field when the value is not a single number, or is in a unit
+    of another kind.
+    """
+    if type(value) is float:
+        return value
+    if isinstance(value, str):
+        return quantity(value, unit, field)
+    bare = without_unit(field, value, unit)
+    if not isinstance(bare, bytes | bool | np.timedelta64):
+        try:
+            return float(bare)  # type: ignore[arg-type]
+        except (TypeError, ValueError, OverflowError):
+            pass
+    raise RimrollError(f"{field} must be a single number, got {value!r}")
+
+
+def optional(field: str, value: object, unit: str = "1") -> float | None:
+    """A number as :func:`number` reads it, or None."""
+    return None if value is None else number(field, value, unit)
+
+
+def numbers(field: str, value: object, unit: str = "1") -> NDArray[np.float64]:
+    """A number, or an array of any shape, in an SI unit: a copy that nobody can change.
+
+    Raises ``RimrollError`` naming the field for anything else, and for a unit of another kind.
+    """
+    if isinstance(value, str):
+        array = np.asarray(quantity(value, unit, field))
+    else:
+        bare = without_unit(field, value, unit)
+        try:
+            array = np.asarray(bare)
+        except ValueError:  # rows of different lengths
+            array = np.asarray(None)
+    if array.dtype.kind not in "iuf":
+        raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}")
+    array = array.astype(np.float64)
+    array.flags.writeable = False
+    return array
+
+
+def whole_number(field: str, value: object) -> int:
+    """A count, >= 1, as an int; raises ``RimrollError`` for anything else, also for a text."""
+    count = math.nan if isinstance(value, str) else number(field, value)
+    if not (count.is_integer() and 1 <= count < 2**53):
+        raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
+    return int(count)
+
+
+def without_unit(field: str, value: Any, unit: str) -> object:
+    """What carries a unit as plain numbers in the SI unit; anything else as it is.
+
+    Lists are searched for elements that carry one. Raises ``UnitError`` for a unit of another kind,
+    and for one that cannot be converted.
+    """
+    if type(value) in _BARE:
+        return value
+    if isinstance(value, list | tuple):
+        return [_item(element(field, (i,)), item, unit) for i, item in enumerate(value)]
+    units = _units(value)
+    if units is not None and (hasattr(value, "to") or not isinstance(units, str)):
+        return _converted(field, value, units, unit)
+    data = getattr(value, "data", None)
+    if not isinstance(data, memoryview) and _units(data) is not None:
+        return value.copy(data=without_unit(field, data, unit))  # a data array of quantities
+    # A data array may say its unit in an attribute.
+    return value * factor_of(units, unit, field, value) if units else value
+
+
+def _item(field: str, value: object, unit: str) -> object:
+    return (
+        quantity(value, unit, field) if isinstance(value, str) else without_unit(field, value, unit)
+    )
+
+
+def _units(value: object) -> Any:
+    """The unit that a value carries, if any: an object, or a text."""
+    found = getattr(value, "units", None)
+    return getattr(value, "unit", None) if found is None else found
+
+
+def _converted(field: str, value: Any, units: Any, unit: str) -> object:
+    if not hasattr(value, "to"):
+        raise UnitError(
+            f"{field}: the unit of {value!r} cannot be converted: give a plain number in {unit}, a"
+            " text with a unit, or a quantity of pint, astropy.units or unyt"
+        )
+    si = _spelled(unit)
+    try:
+        converted = _magnitude(value.to(si))
+        if hasattr(value, "to_root_units"):  # pint takes radians for pure numbers
+            fits = type(value)(1.0, si).to_root_units().units == value.to_root_units().units
+        else:
+            fits = True
+    except Exception:  # each package has its own errors
+        fits = False
+    if not fits:
+        raise mismatch(field, unit, value, str(units) or "dimensionless")
+    if np.ndim(converted):
+        return np.asarray(converted)
+    return _exact(float(converted), value, units, si) if isinstance(converted, Real) else converted
+
+
+def _exact(converted: float, value: Any, units: Any, si: str) -> float:
+    """The double that the decimals name, as of a text: 6.9 cm is 0.069 m."""
+    try:
+        factor = tidy(float(_magnitude((1.0 * units).to(si))))
+        exact = float(Decimal(repr(float(_magnitude(value)))) * Decimal(repr(factor)))
+    except Exception:  # a unit that is not a factor, or not a finite number
+        return converted
+    return exact if math.isclose(exact, converted, rel_tol=1e-12) else converted
+
+
+def _magnitude(value: Any) -> Any:
+    return value.magnitude if hasattr(value, "magnitude") else value.value
+
+
+def _spelled(unit: str) -> str:
+    """An SI unit as every package reads it: ``kg*m**2``."""
+    if unit == "1":
+        return ""
+    return _POWER_OF_RATIO.sub(_both_powers, unit).replace(" ", "*").replace("^", "**")
+
+
+def _both_powers(found: re.Match[str]) -> str:
+    """``s^(5/2)/rad^(5/2)`` for ``(s/rad)^2.5``, which not every package reads."""
+    power = Fraction(found[3])
+    return f"{found[1]}^({power})/{found[2]}^({power})"
