@@ -1,8 +1,15 @@
 """What pytest hands to the tests that ask for it by name."""
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from motions import LAWS, paper_motion
+
+# How long an example takes depends on what else the machine does.
+settings.register_profile(
+    "any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("any machine")
 
 
 @pytest.fixture(scope="session", params=LAWS, ids=lambda law: law.name)

@@ -2,15 +2,14 @@
 
 import errno
 import os
-import signal
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
 
 import rimroll as rr
+from ctrl_c import interrupt_when, needs_signals, running
 from rimroll import cli
 from rimroll.cli import files
 
@@ -325,39 +324,28 @@ def test_a_full_disk_under_stdout_is_one_line():
     assert one_line(run.stderr) == "No space left on device"
 
 
-def interrupted(arguments, when, folder):
-    """Runs a command, interrupts it a little after `when()` is true; returns what it says."""
-    process = subprocess.Popen(
-        [sys.executable, "-m", "rimroll.cli", *arguments.split()],
-        cwd=folder,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    try:
-        until = time.monotonic() + 20.0
-        while not when() and process.poll() is None and time.monotonic() < until:
-            time.sleep(0.01)
-        time.sleep(0.1)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=20.0)
-    finally:
-        process.kill()
+def interrupted(arguments, folder):
+    """Runs a command and interrupts it once it has made a folder; returns what it says."""
+    command = ["-m", "rimroll.cli", *arguments.split()]
+    with running(*command, cwd=folder.parent) as process:
+        out, err = interrupt_when(folder.exists, process)
     assert out == ""
     assert process.returncode == 130
     return one_line(err)
 
 
+@needs_signals
 def test_ctrl_c_in_a_long_motion_is_one_line_and_leaves_nothing(tmp_path):
     folder = tmp_path / "out"  # made just before the motion is computed
     endless = "simulate --tilt 30deg --yaw-rate 0.005 --duration 1e6s --max-steps 2000000000"
-    assert interrupted(f"{endless} -o out/can.csv", folder.exists, tmp_path) == "interrupted"
+    assert interrupted(f"{endless} -o out/can.csv", folder) == "interrupted"
     assert os.listdir(folder) == []
 
 
+@needs_signals
 def test_ctrl_c_in_a_report_is_one_line_and_leaves_no_page(tmp_path):
     folder = tmp_path / "paper"
-    assert interrupted("reproduce -o paper", folder.exists, tmp_path) == "interrupted"
+    assert interrupted("reproduce -o paper", folder) == "interrupted"
     names = os.listdir(folder)
     assert "index.html" not in names
     assert not [name for name in names if name.startswith(".")]

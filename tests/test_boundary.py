@@ -46,9 +46,9 @@ def test_an_exception_of_a_signal_handler_arrives_as_it_was_raised():
         raise TimeoutError("too long")
 
     before = signal.signal(signal.SIGALRM, alarm)
-    signal.setitimer(signal.ITIMER_REAL, 0.05)
     try:
         with pytest.raises(TimeoutError, match="too long"):
+            signal.setitimer(signal.ITIMER_REAL, 0.05)
             rr.simulate(CAN, START, rr.NoSlip(), 1e7)
     finally:
         signal.signal(signal.SIGALRM, before)

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rimroll as rr
+from ctrl_c import heard
 from rimroll.ensemble import OUTCOMES, VARIABLES, body_of, law_of
 from strategies import bodies, rockings
 
@@ -307,7 +308,7 @@ def test_a_signal_stops_the_work_at_once(threads):
         if done:
             signal.raise_signal(signal.SIGINT)
 
-    with pytest.raises(rr.Interrupted) as caught:
+    with heard(), pytest.raises(rr.Interrupted) as caught:
         rr.ensemble(CAN, starts, rr.NoSlip(), threads=threads, progress=press)
     assert 0 < caught.value.done.sizes["trial"] < 500_000
 

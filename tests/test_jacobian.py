@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import rimroll as rr
+from ctrl_c import needs_signals, processor_time_after_ctrl_c
 from rimroll.jacobian import PARAMETERS, QUANTITIES
 
 CAN = rr.bodies.can_2007()
@@ -198,3 +199,46 @@ def test_a_rim_that_never_slips_has_the_derivatives_of_rolling():
     np.testing.assert_allclose(
         dry.jacobian(t).values, rolling.jacobian(t).values, rtol=1e-9, atol=1e-9
     )
+
+
+LONG = """
+import time
+import ctrl_c
+import rimroll as rr
+
+start = rr.State(tilt=0.5, tilt_rate=-0.4, yaw_rate=0.2, spin_rate=0.4)
+times = []
+with ctrl_c.timed() as ready:
+
+    def progress(t):
+        if times and t < times[-1]:  # the motion is over, its derivatives begin
+            ready()
+        if t < max(times, default=0.0):
+            time.sleep(0.01)  # so that they do not end before the signal comes
+        times.append(t)
+
+    rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip(), 500, jacobian=True, progress=progress)
+"""
+
+
+@needs_signals
+def test_ctrl_c_does_not_wait_for_the_derivatives():
+    assert processor_time_after_ctrl_c(LONG) < 0.3
+
+
+def test_progress_goes_through_the_motion_and_then_through_its_derivatives():
+    times = []
+    simulated(LAWS[0], duration=20.0, jacobian=True, progress=times.append)
+    begins = times.index(0.0)
+    motion, derivatives = times[:begins], times[begins:]
+    assert motion == sorted(motion) and derivatives == sorted(derivatives)
+    assert motion and len(derivatives) > 10 * len(motion) and derivatives[-1] == 20.0
+
+
+def test_what_progress_raises_ends_the_derivatives():
+    def stop(t):
+        if t == 0.0:  # the first of the derivatives
+            raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        simulated(LAWS[0], jacobian=True, progress=stop)

@@ -1,14 +1,12 @@
 """``rimroll lab`` serves the page that comes with the package, to this machine alone."""
 
 import re
-import signal
-import subprocess
-import sys
 from http.client import HTTPConnection
-from threading import Thread, Timer
+from threading import Thread
 
 import pytest
 
+from ctrl_c import interrupt, needs_signals, running
 from rimroll.cli import main
 from rimroll.cli.page_server import PageServer
 
@@ -124,29 +122,15 @@ def test_the_browser_is_opened_with_the_set_up(package, monkeypatch):
     assert opened(monkeypatch, "--setup", "body=coin&tilt=60").endswith("/#body=coin&tilt=60")
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is no signal there")
+@needs_signals
 def test_ctrl_c_ends_it_in_peace(package):
     code = (
         "import pathlib, sys; from importlib import resources;"
         f"resources.files = lambda _: pathlib.Path({str(package)!r});"
         "from rimroll.cli import main; sys.exit(main(['lab', '--no-browser']))"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", code],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        env={"PYTHONUNBUFFERED": "1"},
-        text=True,
-    ) as lab:
-        # Whatever it waits for, this test does not wait with it for ever.
-        watch = Timer(60, lab.kill)
-        watch.start()
-        try:
-            assert "http://127.0.0.1:" in lab.stdout.readline()
-            assert "Ctrl-C" in lab.stdout.readline()
-            lab.send_signal(signal.SIGINT)
-            _, errors = lab.communicate()
-        finally:
-            watch.cancel()
-            lab.kill()
+    with running("-c", code, env={"PYTHONUNBUFFERED": "1"}) as lab:
+        assert "http://127.0.0.1:" in lab.stdout.readline()
+        assert "Ctrl-C" in lab.stdout.readline()
+        _, errors = interrupt(lab)
     assert (lab.returncode, errors) == (0, "")

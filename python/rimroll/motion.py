@@ -504,7 +504,8 @@ def simulate(
     max_steps
         Most steps to make before giving up with the status ``failed``; a step takes 0.3 kB.
     progress
-        Called now and then in a long motion with the time reached, s.
+        Called now and then in a long motion with the time reached, s. With ``jacobian`` the
+        derivatives are computed after the motion, and the times begin again at 0.
     jacobian
         Whether to compute derivatives, too: see :meth:`Motion.jacobian`. For rolling without slip
         and frictionless sliding without resistance; some thirty times the work.

@@ -4,7 +4,7 @@ use crate::arguments::{BodyArgument, RimrollError, StateArgument, SurfaceArgumen
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::{Instant, PARAMETERS, Sensitivity, pose};
-use rimroll::{Options, simulate as simulate_in_core};
+use rimroll::{Options, Status, simulate as simulate_in_core};
 use std::ops::ControlFlow;
 
 /// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
@@ -189,7 +189,7 @@ pub fn simulate(
                 .map_or(Ok(()), |call| call.call1(py, (t,)).map(drop))
         })
     };
-    let watch = |t| match report(t) {
+    let mut watch = |t| match report(t) {
         Ok(()) => ControlFlow::Continue(()),
         Err(error) => {
             raised = Some(error);
@@ -197,8 +197,12 @@ pub fn simulate(
         }
     };
     let followed = py.detach(|| {
-        let motion = simulate_in_core(&body, &start, surface, &options, watch)?;
-        let sensitivity = jacobian.then(|| motion.sensitivity()).transpose()?;
+        let motion = simulate_in_core(&body, &start, surface, &options, &mut watch)?;
+        let sensitivity = match motion.status {
+            Status::Interrupted => None,
+            _ if jacobian => motion.sensitivity(&mut watch)?,
+            _ => None,
+        };
         Ok(CoreMotion {
             motion,
             sensitivity,

@@ -233,13 +233,20 @@ impl Motion {
         self.contacts.law(at.phase)
     }
 
-    /// The derivatives of the motion by its start, its body and gravity.
+    /// The derivatives of the motion by its start, its body and gravity: some thirty times the work
+    /// of the motion itself.
+    ///
+    /// `watch` is called every few hundred steps with the time (s) that the derivatives have reached,
+    /// from 0 on; when it breaks off the work, the result is `None`.
     ///
     /// # Errors
     /// Where the motion is not smooth in them: offered is rolling without slip and sliding without
     /// friction, each all the way and without resistance.
-    pub fn sensitivity(&self) -> Result<Sensitivity, InvalidInput> {
-        Sensitivity::of(self)
+    pub fn sensitivity(
+        &self,
+        mut watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Sensitivity>, InvalidInput> {
+        Sensitivity::of(self, &mut watch)
     }
 
     /// All that is known at an instant of the motion.

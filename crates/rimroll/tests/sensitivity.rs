@@ -4,8 +4,9 @@
 #[path = "given/motions.rs"]
 mod motions;
 
+use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
-use rimroll::motion::{PARAMETERS, Slope};
+use rimroll::motion::{PARAMETERS, Sensitivity, Slope};
 use rimroll::{Body, FrictionLaw, IdealLaw, Motion, Options, State, Surface, presets};
 
 /// What a motion is computed from, in the order of [`PARAMETERS`].
@@ -49,6 +50,13 @@ fn moved(numbers: &Numbers, law: IdealLaw, duration: f64) -> Motion {
     follow(&body, &start, law, &options)
 }
 
+const CONTINUE: ControlFlow<()> = ControlFlow::Continue(());
+
+fn derivatives(motion: &Motion) -> Sensitivity {
+    let derivatives = motion.sensitivity(|_| CONTINUE);
+    derivatives.expect("a smooth motion").expect("not stopped")
+}
+
 fn can() -> Body {
     presets::can_2007().expect("the paper's can")
 }
@@ -82,7 +90,7 @@ fn the_state_changes_with_each_parameter_as_neighbouring_motions_say() {
     let of = numbers(&can());
     for law in IdealLaw::ALL {
         let motion = moved(&of, law, 1.0);
-        let sensitivity = motion.sensitivity().expect("a smooth motion");
+        let sensitivity = derivatives(&motion);
         for t in TIMES {
             let slopes = sensitivity.at(&motion.track, t);
             for (quantity, slope) in slopes.iter().enumerate() {
@@ -109,7 +117,7 @@ fn the_angles_of_turn_change_with_each_parameter_as_neighbouring_motions_say() {
     let of = numbers(&can());
     for law in IdealLaw::ALL {
         let motion = moved(&of, law, 2.0);
-        let sensitivity = motion.sensitivity().expect("a smooth motion");
+        let sensitivity = derivatives(&motion);
         assert_eq!(sensitivity.turns().len(), motion.turns.len());
         assert!(motion.turns.len() > 1);
         for (k, slope) in sensitivity.turns().iter().enumerate() {
@@ -141,7 +149,7 @@ fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
         .map(|event| event.kind.name())
         .collect();
     assert_eq!(kinds, ["on_edge", "tilt_max", "on_edge"]);
-    let slope = motion.sensitivity().expect("a smooth motion").turns()[0];
+    let slope = derivatives(&motion).turns()[0];
     // Another height or moment of inertia alone no disk has.
     for i in [0, 1, 3, 5, 7, 11] {
         let expected = difference(i, &of, |numbers| moved(numbers).turns[0].angle);
@@ -162,7 +170,7 @@ fn derivatives_know_the_units_of_the_parameters() {
     let of = numbers(&can());
     for law in IdealLaw::ALL {
         let motion = moved(&of, law, 1.0);
-        let sensitivity = motion.sensitivity().expect("a smooth motion");
+        let sensitivity = derivatives(&motion);
         let slopes = TIMES.map(|t| sensitivity.at(&motion.track, t));
         let turns = sensitivity.turns().iter();
         for slope in slopes.iter().flatten().chain(turns) {
@@ -188,9 +196,58 @@ fn a_motion_joined_from_phases_has_no_derivative() {
         static_friction: 0.2,
     });
     let motion = follow(&can(), &paper_start(0.005), dry, &tight(1.0));
-    let refusal = motion.sensitivity().err().expect("it slips").to_string();
+    let refusal = motion
+        .sensitivity(|_| CONTINUE)
+        .err()
+        .expect("it slips")
+        .to_string();
     assert!(
         refusal.contains("the contact changes on the way"),
         "{refusal}"
     );
+}
+
+/// A step with its derivatives takes some 15 µs, so this is a few milliseconds.
+const MOST_STEPS_BETWEEN_REPORTS: usize = 300;
+
+#[test]
+fn a_caller_hears_of_the_derivatives_every_few_hundred_steps() {
+    let motion = moved(&numbers(&can()), IdealLaw::NoSlip, 60.0);
+    let mut times = Vec::new();
+    let report = |t| {
+        times.push(t);
+        CONTINUE
+    };
+    motion.sensitivity(report).expect("a smooth motion");
+    assert!(motion.work.steps > 10 * MOST_STEPS_BETWEEN_REPORTS);
+    assert!(times.len() >= motion.work.steps / MOST_STEPS_BETWEEN_REPORTS);
+    assert_eq!(times[0], 0.0);
+    assert!(times.is_sorted());
+    // After the last steps come the turns.
+    assert_eq!(times.last(), Some(&60.0));
+}
+
+#[test]
+fn a_caller_can_stop_the_derivatives_at_any_report() {
+    let motion = moved(&numbers(&can()), IdealLaw::NoSlip, 20.0);
+    let mut all = 0;
+    let counted = |_| {
+        all += 1;
+        CONTINUE
+    };
+    motion.sensitivity(counted).expect("a smooth motion");
+    for last in 1..=all {
+        let mut reports = 0;
+        let stop = |_| {
+            reports += 1;
+            if reports == last {
+                ControlFlow::Break(())
+            } else {
+                CONTINUE
+            }
+        };
+        let stopped = motion.sensitivity(stop).expect("a smooth motion");
+        assert!(stopped.is_none());
+        assert_eq!(reports, last);
+    }
 }

@@ -18,7 +18,14 @@ use crate::law::{Frictionless, Law, NoSlip, Parameters};
 use crate::motion::Phase;
 use crate::real::{Dual, Slopes};
 use crate::solve::Step;
-use crate::state::{Coordinates, MOVING};
+use crate::state::{Coordinates, MOVING, TIME};
+use core::ops::ControlFlow;
+
+/// A caller who wants to stop is asked after so many steps: on any machine, some thousandths of a second.
+const STEPS_BETWEEN_REPORTS: usize = 256;
+
+/// The derivatives of a turn take two steps, and two searches for them.
+const TURNS_BETWEEN_REPORTS: usize = 64;
 
 /// What a motion is computed from, in the order of [`Slope`]; SI units and radians.
 pub const PARAMETERS: [&str; 12] = [
@@ -80,21 +87,38 @@ struct Moving {
 }
 
 impl Sensitivity {
-    /// Of a motion from its start on.
-    pub(super) fn of(motion: &Motion) -> Result<Sensitivity, InvalidInput> {
-        let mut at = first(&start(&motion.track.start()).into_array());
+    /// Of a motion from its start on; none when `watch` breaks off the work.
+    pub(super) fn of(
+        motion: &Motion,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Sensitivity>, InvalidInput> {
         let mut sensitivity = Sensitivity {
             law: smooth_law(motion)?,
-            starts: vec![at],
+            starts: vec![first(&start(&motion.track.start()).into_array())],
             turns: Vec::new(),
         };
-        for leg in motion.track.legs() {
-            at = sensitivity.law.step(&at, leg.h);
-            sensitivity.starts.push(at);
+        let followed = sensitivity.follow(motion, watch);
+        Ok(followed.is_continue().then_some(sensitivity))
+    }
+
+    fn follow(
+        &mut self,
+        motion: &Motion,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        for legs in motion.track.legs().chunks(STEPS_BETWEEN_REPORTS) {
+            watch(legs[0].start[TIME])?;
+            for (leg, i) in legs.iter().zip(self.starts.len() - 1..) {
+                self.starts.push(self.law.step(&self.starts[i], leg.h));
+            }
         }
-        let turn = |turn| sensitivity.of_turn(motion, turn);
-        sensitivity.turns = motion.turns.iter().map(turn).collect();
-        Ok(sensitivity)
+        for turns in motion.turns.chunks(TURNS_BETWEEN_REPORTS) {
+            watch(motion.track.end().t)?;
+            for turn in turns {
+                self.turns.push(self.of_turn(motion, turn));
+            }
+        }
+        ControlFlow::Continue(())
     }
 
     /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion.
@@ -134,10 +158,11 @@ impl Sensitivity {
     fn of_turn(&self, motion: &Motion, turn: &Turn) -> Slope {
         let yaw = |t: f64| {
             let at = self.moving(&motion.track, t);
-            let is_here = |kind| {
-                let mut events = motion.events.iter();
-                events.any(|event| event.at.t == t && event.kind == kind)
-            };
+            let earlier = motion.events.partition_point(|event| event.at.t < t);
+            let here = motion.events[earlier..]
+                .iter()
+                .take_while(|event| event.at.t == t);
+            let is_here = |kind| here.clone().any(|event| event.kind == kind);
             if is_here(EventKind::OnEdge) {
                 at.fixed(&(at.u.cos, at.rates.cos)).yaw.slope
             } else if is_here(EventKind::TiltMax) || is_here(EventKind::TiltMin) {
