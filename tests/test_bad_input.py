@@ -238,7 +238,6 @@ def body(**changed):
         ("turn --lawl no-slip", "No such option: --lawl"),
         ("turn --tilt", "requires an argument"),
         ("tilt", "No such command 'tilt'"),
-        ("simulate", "a motion needs a start, for instance --tilt 30deg"),
         ("simulate --tilt 30", "--tilt: 30 is read as radians"),
         ("simulate --tilt 30 --topple-tilt 80", "for degrees write"),
         ("simulate --tilt 0", "tilt must be inside (0, pi)"),

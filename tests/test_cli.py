@@ -399,8 +399,8 @@ def test_figures_and_films_are_written_by_their_suffix(said, tmp_path, name, beg
 # compare
 
 
-def test_compare_alone_shows_the_papers_flick_on_ice_wood_and_rubber(said):
-    lines = said("compare").splitlines()
+def test_compare_shows_the_papers_flick_on_ice_wood_and_rubber(said):
+    lines = said(f"compare {PAPER.removesuffix(' --gravity 9.8')}").splitlines()
     ice, wood, rubber = (
         next(line for line in lines if line.startswith(name)) for name in ("ice", "wood", "rubber")
     )
@@ -434,9 +434,11 @@ def test_compare_takes_a_files_body_and_start_and_resistances_but_not_its_fricti
     assert "law_static" not in answer
 
 
-def test_compare_of_a_flick_that_topples_says_so(said):
+def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(said):
     text = said("compare --tilt 50deg")
-    assert text.count("toppled") >= 3 and "no near-collision" in text
+    assert text.count("toppled") == 3
+    assert text.count("past the balance tilt of this body, 36.47°") == 1
+    assert " rad " not in text and "try --tilt 18deg" in text
 
 
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from rimroll import bodies
@@ -17,11 +17,12 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.errors import RimrollError
+from rimroll.experiment.release import nudged
 from rimroll.names import choose
 from rimroll.options import Options
 from rimroll.scenario import Scenario, load, presets
 from rimroll.state import State
-from rimroll.units import UNIT_OF, quantity, tilt_angle
+from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, tilt_angle
 
 NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 SIZES = (*NUMBERS, "length", "fill")
@@ -33,6 +34,8 @@ class Asked(Scenario):
     """A scenario, with the name under which its body was asked for."""
 
     name: str
+    nudged: bool = False
+    """Whether nobody said where it starts, so that it is :func:`nudged`."""
 
 
 def asked(
@@ -41,9 +44,9 @@ def asked(
     motion: MotionOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
-    usual: State | None = None,
+    needs_start: bool = False,
 ) -> Asked:
-    """Put together what a command asks for; ``usual`` is the start that options change.
+    """Put together what a command asks for; where it needs a start, there is one for every body.
 
     Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
     """
@@ -60,12 +63,17 @@ def asked(
     contact = law_asked(law, resistances, of_file)
     if of_file is not None:
         contact = replace(contact, resistances=of_file.resistances)
+    given, begin = _given(start), scenario.start if scenario else None
+    is_nudged = needs_start and begin is None
+    if is_nudged:
+        begin = _nudged(what, options.gravity, given)
     return Asked(
         body=what,
-        start=_start(start, (scenario.start if scenario else None) or usual),
+        start=_start(given, begin),
         law=with_resistances(contact, resistances, what, options.gravity),
         options=options,
         name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
+        nudged=is_nudged and not given,
     )
 
 
@@ -118,13 +126,23 @@ def _read(name: str, text: str, unit: str) -> float:
     return quantity(text, unit, option(name))
 
 
-def _start(options: StartOptions, start: State | None) -> State | None:
-    units = {"tilt": "rad", "tilt_rate": "rad/s", "yaw_rate": "rad/s", "spin_rate": "rad/s"}
-    given = {
-        name: _read(name, text, unit)
-        for name, unit in units.items()
-        if (text := getattr(options, name)) is not None
+def _given(options: StartOptions) -> dict[str, float]:
+    """The numbers of a start that options give."""
+    return {
+        field.name: _read(field.name, text, START_UNIT_OF[field.name])
+        for field in fields(options)
+        if (text := getattr(options, field.name)) is not None
     }
+
+
+def _nudged(body: Body, gravity: float, given: dict[str, float]) -> State:
+    """The usual start at the tilt that is given; without its push if there is another."""
+    start = nudged(body, gravity, given.get("tilt"))
+    pushed = "yaw_rate" in given or "spin_rate" in given
+    return replace(start, yaw_rate=0.0, spin_rate=0.0) if pushed else start
+
+
+def _start(given: dict[str, float], start: State | None) -> State | None:
     if start is not None:
         return replace(start, **given)
     if given and "tilt" not in given:

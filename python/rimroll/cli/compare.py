@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -12,6 +12,7 @@ import typer
 from rimroll._core import __version__
 from rimroll.cli.asked import asked
 from rimroll.cli.formats import Forms, check, pictures, write
+from rimroll.cli.hints import hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -21,23 +22,18 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.cli.outcomes import IDEALS, Outcome, outcome, tables
-from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.screen import angle, in_degrees, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, start_line
 from rimroll.errors import RimrollError
 from rimroll.laws import NoSlip
 from rimroll.motion import Motion
 from rimroll.names import typed
-from rimroll.state import State
 from rimroll.surfaces import SURFACES
 from rimroll.theory import needed_friction
 from rimroll.units import quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-USUAL = State(tilt=math.radians(30.0), tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
-"""The paper's start."""
-
 
 OnOption = Annotated[
     str,
@@ -71,12 +67,14 @@ def compare(
 ) -> int:
     """How the same flick turns out on ice, on wood and on rubber.
 
-    Unless told otherwise it is that of the paper: the can, released from 30 degrees.
-    What a scenario file says of friction gives way to the tables that are compared.
+    Without a start the body is let go at half its balance tilt, pushed aside a little.
+    The tables that are compared replace the friction of a scenario file.
 
     Examples:
 
     $ rimroll compare
+
+    $ rimroll compare soda_can
 
     $ rimroll compare can_2007 --tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 1e-5
 
@@ -87,9 +85,7 @@ def compare(
     rebound = quantity(resistances.restitution or "0", "1", "--restitution")
     laws = tables(on, rebound)
     resistances = replace(resistances, restitution=None)
-    sideways = start.yaw_rate is not None or start.spin_rate is not None
-    usual = replace(USUAL, yaw_rate=0.0, spin_rate=0.0) if sideways else USUAL
-    what = asked(body, start, motion, LawOptions(), resistances, usual)
+    what = asked(body, start, motion, LawOptions(), resistances, needs_start=True)
     outcomes = []
     with working(f"following {what.name}") as bar:
         for done, (name, law) in enumerate(laws.items()):
@@ -109,7 +105,7 @@ def compare(
         )
     else:
         say(body_line(what.name, what.body))
-        say(start_line(outcomes[0].motion))
+        say(start_line(outcomes[0].motion, what.nudged))
         _show(outcomes)
         for file in files:
             say(f"wrote {file}")
@@ -133,7 +129,7 @@ def _show(outcomes: list[Outcome]) -> None:
             one.name,
             "any" if friction is None else f"{friction:g}",
             "none" if limit is None else angle(limit),
-            "none" if turn is None else angle(turn.angle),
+            "none" if turn is None else angle(abs(turn.angle)),
             _slips(one),
             f"{100 * max(one.lost, 0.0):.2f} %" if one.motion.status != "failed" else "",
             typed(one.motion.status),
@@ -142,12 +138,40 @@ def _show(outcomes: list[Outcome]) -> None:
     say(rows)
     say()
     say("limit: the turn as the sideways push goes to 0, for a body that arrives as this one")
-    say("turn, lost: this motion's, and of its energy, from the release to its next maximum of")
-    say("            tilt, or to its end")
+    say("turn, lost: of this motion, from the release to its next tilt maximum or to its end; what")
+    say("            is lost is a part of the energy above that of standing upright or, for a body")
+    say("            that comes down lower, above that of its lowest place")
+    say("slips: first while tipping down on the table, or only in the near-collision, or nowhere")
+    for way, names in _by_table(outcomes, _way_round).items():
+        say(f"turned {way} on {', '.join(names)}")
     say(_needs(outcomes[0].motion))
+    for remark, names in _by_table(outcomes, _remarks).items():
+        say(remark if len(names) == len(outcomes) else f"on {', '.join(names)}: {remark}")
+
+
+def _by_table(
+    outcomes: list[Outcome], remarks: Callable[[Outcome], list[str]]
+) -> dict[str, list[str]]:
+    """Each remark once, with the tables that it is about."""
+    found: dict[str, list[str]] = {}
     for one in outcomes:
-        if one.limit.why_not:
-            say(f"on {one.name}: {one.limit.why_not}")
+        for remark in remarks(one):
+            found.setdefault(remark, []).append(one.name)
+    return found
+
+
+def _way_round(one: Outcome) -> list[str]:
+    """In which direction the contact point went round, seen from above."""
+    if one.turn is None:
+        return []
+    return ["anticlockwise" if one.turn.angle > 0.0 else "clockwise"]
+
+
+def _remarks(one: Outcome) -> list[str]:
+    """What to try instead; else why there is no limit, without the numbers of each table."""
+    if found := hints(one.motion):
+        return found
+    return [in_degrees(one.limit.why_not.split(" at t = ")[0])] if one.limit.why_not else []
 
 
 def _slips(one: Outcome) -> str:

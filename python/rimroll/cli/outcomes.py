@@ -57,16 +57,30 @@ class Outcome:
     @property
     def slips(self) -> bool:
         """Whether the rim slips anywhere up to the first tilt maximum."""
-        until = self.turn.end if self.turn else float(self.motion.t[-1])
         phases = self.motion.phases
-        return any(phase.kind == "sliding" and phase.start < until for phase in phases)
+        return any(phase.kind == "sliding" and phase.start < self._until for phase in phases)
 
     @property
     def lost(self) -> float:
-        """The part of the energy at the start that is lost up to the first tilt maximum."""
-        until = self.turn.end if self.turn else float(self.motion.t[-1])
-        moment = self.motion.evaluate(until)
-        return 1.0 - float(moment.energy[0] / self.motion.energy[0])
+        """The part of :attr:`energy_available` that is lost up to the first tilt maximum."""
+        lost = self.motion.energy[0] - self.motion.evaluate(self._until).energy[0]
+        return float(lost / self.energy_available)
+
+    @property
+    def energy_available(self) -> float:
+        """The energy at the start, counted from the lowest potential energy of the motion, J.
+
+        That of standing upright, or less where the body comes down lower: no loss is above it.
+        """
+        t = self.motion.t
+        passed = self.motion.potential_energy[t <= self._until]
+        end = self.motion.evaluate(self._until).potential_energy[0]
+        return float(self.motion.energy[0] - min(0.0, end, *passed))
+
+    @property
+    def _until(self) -> float:
+        """The time of the first tilt maximum, or of the end, s."""
+        return self.turn.end if self.turn else float(self.motion.t[-1])
 
     def answer(self) -> dict[str, Any]:
         """The outcome as plain numbers, SI units and radians."""
@@ -82,6 +96,7 @@ class Outcome:
             "slips": self.slips,
             "turn": None if self.turn is None else asdict(self.turn),
             "energy_at_start": float(self.motion.energy[0]),
+            "energy_available": self.energy_available,
             "energy_lost": self.lost,
             "status": self.motion.status,
             "message": self.motion.message,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -13,13 +14,40 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
+_RADIANS = re.compile(r"(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?) rad(?![/\w])")
+
 Bar = Callable[[int, int, str], None]
 """Takes what is done, what is to do in all, and what comes next."""
 
 
 def say(*what: object) -> None:
-    """Print lines or tables on stdout, in words only: nothing in them is taken for markup."""
-    Console(highlight=False, markup=False, soft_wrap=True).print(*what)
+    """Print lines or tables on stdout, in words only: nothing in them is taken for markup.
+
+    A table that a terminal is too narrow for becomes a list, so that nothing is cut off.
+    """
+    console = Console(highlight=False, markup=False, soft_wrap=True)
+    for item in what or ("",):
+        if not isinstance(item, Table):
+            console.print(item)
+            continue
+        width = console.measure(item, options=console.options.update(max_width=10_000)).maximum
+        if width <= console.width:
+            console.print(item)
+        elif console.is_terminal:
+            console.print(_list(item))
+        else:
+            console.print(item, width=width)
+
+
+def _list(rows: Table) -> str:
+    """The rows of a table one below the other, a line for each cell."""
+    names = [str(column.header) for column in rows.columns]
+    width = max(map(len, names))
+    cells = zip(*(column.cells for column in rows.columns), strict=True)
+    return "\n\n".join(
+        "\n".join(f"{name:<{width}}  {cell}" for name, cell in zip(names, row, strict=True) if cell)
+        for row in cells
+    )
 
 
 def table(*columns: str) -> Table:
@@ -57,6 +85,12 @@ def angle(radians: float) -> str:
     """An angle in degrees, to a thousandth; smaller ones to four digits."""
     degrees = math.degrees(radians)
     return f"{degrees:.3f}°" if abs(degrees) >= 1.0 or degrees == 0.0 else f"{degrees:.4g}°"
+
+
+def in_degrees(text: str) -> str:
+    """A sentence about angles in radians, as the core makes them, with degrees instead."""
+    text = _RADIANS.sub(lambda found: angle(float(found[1])), text)
+    return re.sub(r"\bpi/2\b", "90°", text)
 
 
 def _silent(done: int, total: int, what: str) -> None:

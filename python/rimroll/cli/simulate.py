@@ -71,9 +71,12 @@ def simulate(
     """Follow a body from a start: how it ends, its turns, its events; files on request.
 
     It rolls without slip unless another law is given.
+    Without a start the body is let go at half its balance tilt, pushed aside a little.
     In files, times may repeat where the contact changes: once as before, once as after.
 
     Examples:
+
+    $ rimroll simulate coin -o coin.gif
 
     $ rimroll simulate --tilt 30deg --tilt-rate -0.5rad/s --yaw-rate 0.005
 
@@ -87,7 +90,7 @@ def simulate(
     check(files, FORMS)
     spacing = None if every is None else quantity(every, "s", "--every")
     _check_spacing(points, spacing)
-    what = asked(body, start, motion, law, resistances)
+    what = asked(body, start, motion, law, resistances, needs_start=start.tilt is None)
     computed = _follow(what)
     record = Record(computed, _moments(computed, points, spacing), what)
     for file in files:
@@ -109,8 +112,7 @@ def _check_spacing(points: int | None, every: float | None) -> None:
 
 
 def _follow(what: Asked) -> Motion:
-    if what.start is None:
-        raise RimrollError("a motion needs a start, for instance --tilt 30deg --yaw-rate 0.005")
+    assert what.start is not None
     with working(f"following {what.name}") as bar:
 
         def progress(t: float) -> None:
@@ -139,7 +141,7 @@ def _moments(motion: Motion, points: int | None, every: float | None) -> Moments
 def _show(record: Record, files: list[Path]) -> None:
     motion = record.motion
     say(body_line(record.asked.name, motion.body))
-    say(start_line(motion))
+    say(start_line(motion, record.asked.nudged))
     show_turns(motion)
     if len(motion.phases) > 1:
         say("phases: " + ", ".join(_phases(motion)))

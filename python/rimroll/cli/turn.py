@@ -13,6 +13,7 @@ from rimroll._core import __version__
 from rimroll.body import Body
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
+from rimroll.cli.hints import hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -21,7 +22,7 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
-from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.screen import angle, in_degrees, say, show_json, table, working
 from rimroll.errors import RimrollError
 from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
 from rimroll.motion import Motion, simulate
@@ -186,12 +187,15 @@ def body_line(name: str, body: Body) -> str:
     )
 
 
-def start_line(motion: Motion) -> str:
-    """A start and the gravity in one line."""
+def start_line(motion: Motion, nudged: bool = False) -> str:
+    """A start and the gravity in one line; ``nudged`` where nobody asked for another start."""
     start = motion.start
-    rates = f"tilt {start.tilt_rate:g}, yaw {start.yaw_rate:g}, spin {start.spin_rate:g} rad/s"
+    rates = ", ".join(
+        f"{name} {getattr(start, f'{name}_rate'):.4g}" for name in ("tilt", "yaw", "spin")
+    )
     tilt = angle(float(start.tilt))
-    return f"from tilt {tilt}, rates of {rates}; gravity {motion.gravity:g} m/s²"
+    tilt += " (half its balance tilt)" if nudged else ""
+    return f"from tilt {tilt}, rates of {rates} rad/s; gravity {motion.gravity:g} m/s²"
 
 
 def _show_limits(what: Asked, limits: list[Limit]) -> None:
@@ -237,7 +241,7 @@ def _show_arrival(what: Asked, limit: Limit) -> None:
         say(f"arrival from this start           {arrival_words(limit.arrival)}")
     say()
     if limit.why_not:
-        say(f"{name}: {limit.why_not}")
+        say(in_degrees(f"{name}: {limit.why_not}"))
     say(_depends(limit.law, needed_friction(what.body)))
 
 
@@ -269,7 +273,9 @@ def _depends(law: Law, needed: float) -> str:
 def show_turns(motion: Motion) -> None:
     """How a motion ended, and its first turns, beside their limit if it is that of each."""
     say()
-    say(f"{in_words(motion.law)}: {motion.message}")
+    say(f"{in_words(motion.law)}: {in_degrees(motion.message)}")
+    for hint in hints(motion):
+        say(hint)
     if not motion.turns:
         return
     limit = turn_limit(motion.body, motion.law) if is_ideal(motion.law) else None

@@ -138,7 +138,7 @@ class Release:
         }
 
 
-def _sideways_rates(tilt: Array, sideways: Array, twist: Array) -> dict[str, Array]:
+def _sideways_rates(tilt: Any, sideways: Any, twist: Any) -> dict[str, Any]:
     """Euler rates of a rotation ``sideways`` e_x1 + ``twist`` e_z, besides the tilting.
 
     It is ψ̇ e_z + θ̇ e_z2 with the axis e_z2 = −sin φ e_x1 + cos φ e_z.
@@ -188,6 +188,19 @@ def _flick(body: Body, gravity: float) -> Release:
     slowest = 0.05 * math.sqrt(gravity / body.radius)
     rate = max(math.sqrt(max(min(squared, allowed), 0.0)), slowest)
     return Release((tilt, 0.1 * tilt), (-rate, 0.07 * rate), (0.0, 0.05 * rate), (0.0, 0.05 * rate))
+
+
+def nudged(body: Body, gravity: float, tilt: float | None = None) -> State:
+    """A start from which a body rocks: let go at half its balance tilt, pushed aside a little.
+
+    It is the mean of the release ``let go`` with a push of one standard deviation; another ``tilt``
+    (rad) may take the place of its own.
+    """
+    release = _let_go(body, gravity)
+    start = State(tilt=release.tilt[0] if tilt is None else tilt)
+    assert isinstance(start.tilt, float)
+    rates = _sideways_rates(np.float64(start.tilt), release.sideways[1], 0.0)
+    return replace(start, **rates)
 
 
 def _rim_inertia(body: Body) -> float:

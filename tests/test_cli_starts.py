@@ -1,0 +1,85 @@
+"""Commands have a start for every body, and say what to try where one leads to nothing."""
+
+import io
+import json
+import math
+from functools import partial
+
+import pytest
+from rich.console import Console
+
+import rimroll as rr
+from rimroll import bodies
+from rimroll.cli import main, screen
+
+
+@pytest.fixture
+def said(capsys):
+    """Runs a command that must succeed, and returns what it says on stdout."""
+
+    def run(arguments):
+        assert main(arguments.split()) == 0
+        return capsys.readouterr().out
+
+    return run
+
+
+@pytest.mark.parametrize("name", sorted(bodies.PRESETS))
+def test_compare_and_simulate_need_no_start_for_any_body(said, name):
+    compared = json.loads(said(f"compare {name} --json"))["outcomes"]
+    followed = json.loads(said(f"simulate {name} --json"))
+    balance = rr.balance_tilt(bodies.by_name(name))
+    for one in compared:
+        assert one["parameters"]["start_tilt"] == pytest.approx(0.5 * balance)
+        assert one["turn"] is not None and one["turn_limit"] is not None
+        assert one["status"] == "finished"
+    assert followed["parameters"]["start_tilt"] == pytest.approx(0.5 * balance)
+    assert followed["status"] == "finished" and len(followed["turns"]) > 1
+
+
+def test_a_tilt_alone_is_compared_with_a_push_and_simulated_as_it_is(said):
+    start = json.loads(said("compare --tilt 20deg --json"))["outcomes"][0]["parameters"]
+    assert start["start_tilt"] == math.radians(20.0) and start["start_yaw_rate"] != 0.0
+    start = json.loads(said("compare --spin-rate 0.1 --json"))["outcomes"][0]["parameters"]
+    assert (start["start_yaw_rate"], start["start_spin_rate"]) == (0.0, 0.1)
+    assert json.loads(said("simulate --tilt 20deg --json"))["status"] == "face_down"
+
+
+@pytest.mark.parametrize("body", ["soda_can", "beer_bottle", "battery", "can_2007", "coin"])
+@pytest.mark.parametrize("tilt", [5, 20, 40, 70, 85])
+def test_no_loss_is_above_what_there_is_to_lose(said, body, tilt):
+    for one in json.loads(said(f"compare {body} --tilt {tilt}deg --json"))["outcomes"]:
+        assert -1e-9 < one["energy_lost"] <= 1.0 + 1e-9
+        assert one["energy_available"] >= one["energy_at_start"]
+
+
+@pytest.mark.parametrize("command", ["simulate", "turn"])
+def test_a_start_past_the_balance_tilt_is_said_to_be_so_in_degrees(said, command):
+    text = said(f"{command} beer_bottle --tilt 20deg --yaw-rate 1deg/s --law no-slip")
+    assert "toppled: the tilt reached 90.000°" in text and " rad at" not in text
+    assert "the start at 20° is past the balance tilt of this body, 17.05°" in text
+    assert "try --tilt 8.5deg" in text
+    assert "past the balance tilt" not in said(f"{command} beer_bottle --tilt 8.5deg --yaw-rate 1")
+
+
+@pytest.mark.parametrize("command", ["simulate", "turn"])
+def test_where_the_rim_lifts_off_another_friction_is_proposed_and_helps(said, command):
+    text = said(f"{command} coin --tilt 60deg --yaw-rate 1deg/s")
+    assert "try --friction 0.3" in text
+    text = said(f"{command} coin --tilt 60deg --yaw-rate 1deg/s --friction 0.3")
+    assert "followed for the whole 2 s" in text and "try --friction" not in text
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 120])
+def test_nothing_of_a_table_is_cut_off_on_a_narrow_terminal(monkeypatch, width):
+    shown = io.StringIO()
+    console = partial(Console, file=shown, width=width, force_terminal=True, color_system=None)
+    monkeypatch.setattr(screen, "Console", console)
+    rows = screen.table("law", "limiting angle of turn", "beyond 180°")
+    rows.add_row("no-slip", "202.287°", "22.287°")
+    rows.add_row("frictionless", "220.969°", "")
+    screen.say(rows)
+    assert "…" not in shown.getvalue()
+    for word in ("limiting angle of turn", "frictionless", "202.287°", "22.287°"):
+        assert word in shown.getvalue()
+    assert max(map(len, shown.getvalue().splitlines())) <= width
