@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 __version__: str
 COLUMNS: list[str]
 EXACT_COLUMNS: list[str]
-EXACT_STATUSES: list[str]
 PARAMETERS: list[str]
 FALL_COLUMNS: list[str]
-ENDINGS: list[str]
+OUTCOMES: list[str]
 LAWS: list[str]
 STANDARD_GRAVITY: float
 

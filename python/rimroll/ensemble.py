@@ -20,7 +20,6 @@ from rimroll.motion import thread_count
 from rimroll.options import Options
 from rimroll.refusals import placed
 from rimroll.state import State
-from rimroll.theory import balance_tilt
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,7 +35,7 @@ OUTCOMES = {
     " a law that knows no flight ends with the rim's leaving the table past the balance tilt",
     "rocked": "came down and rose again to a largest tilt",
     "fell_back": "fell over as it leaned: its tilt only grew, or was smallest at the release",
-    "hovered": "did neither before time was up",
+    "hovered": "did none of these before time was up",
     "lifted_off": "would have left the table, under a law that knows no flight",
     "face_down": "came down flat",
     "at_rest": "came to rest",
@@ -113,9 +112,10 @@ def ensemble(
         was computed from, and the :data:`VARIABLES`. ``turn`` is by how much the contact point went
         round, with its sign, and ``direction`` where that led: a body that dips and falls over near
         where it leaned has a small turn. ``turn``, ``direction``, ``min_tilt`` and
-        ``near_time`` are NaN for a fall that did not come down. The attributes hold everything
-        else that it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are what
-        :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``.
+        ``near_time`` are NaN for a fall that did not come down, and for one that ``hovered`` or
+        ``failed``, whose turn was not over when time or steps were up. The attributes hold
+        everything else that it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are
+        what :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def follow(
         table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
     except RimrollError as refusal:
         raise placed(refusal, body, starts, rows, options.gravity, options.topple_tilt) from None
-    columns = _columns(rows, grips, table, balance_tilt(body))
+    columns = _columns(rows, grips, table)
     falls = in_rows(columns, parameters(body, law, asdict(options)))
     if isinstance(stopped, KeyboardInterrupt):
         raise Interrupted(falls) from None
@@ -202,19 +202,18 @@ def _grips(grip: Values, count: int) -> Array:
     return np.array(np.broadcast_to(grips, (count,)))
 
 
-def _columns(rows: _Rows, grips: Array, table: Array, balance: float) -> dict[str, Column]:
+def _columns(rows: _Rows, grips: Array, table: Array) -> dict[str, Column]:
     done = len(table)
     told = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
     told["time"] = told.pop("end_time")
-    came_down = ~np.isnan(told["turn"])
     gone_round = np.mod(told.pop("end_yaw") - rows.yaw[:done], 2.0 * np.pi)
-    told["direction"] = np.where(came_down, gone_round, np.nan)
+    told["direction"] = np.where(np.isnan(told["turn"]), np.nan, gone_round)
     losses = ("friction_loss", "resistance_loss", "impact_loss")
     told["energy_lost"] = sum((told[loss] for loss in losses), np.zeros(done))
     for flag in ("slid", "flew"):
         told[flag] = told[flag] != 0.0
     told["steps"] = told["steps"].astype(np.int64)
-    outcome = _outcomes(told["ending"].astype(np.int64), came_down, told["end_tilt"] > balance)
+    outcome = np.array(_core.OUTCOMES)[told["outcome"].astype(np.int64)]
     return {
         "outcome": Column(outcome),
         **described(told),
@@ -233,26 +232,6 @@ def described(numbers: Mapping[str, NDArray[Any]]) -> dict[str, Column]:
         for name, (unit, meaning) in VARIABLES.items()
         if name in numbers
     }
-
-
-def _outcomes(
-    ending: NDArray[np.int64], came_down: NDArray[np.bool_], over: NDArray[np.bool_]
-) -> NDArray[np.str_]:
-    names = np.array(_core.ENDINGS, dtype="<U11")
-    finished, toppled, lifted_off = (
-        ending == _core.ENDINGS.index(name) for name in ("finished", "toppled", "lifted_off")
-    )
-    return np.select(
-        [
-            finished & came_down,
-            finished,
-            toppled & ~came_down,
-            # rising, its centre of mass past the rim
-            lifted_off & came_down & over,
-        ],
-        ["rocked", "hovered", "fell_back", "toppled"],
-        names[ending],
-    ).astype("<U10")
 
 
 def fell(falls: Falls | xr.Dataset) -> NDArray[np.bool_]:

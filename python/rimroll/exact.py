@@ -27,7 +27,7 @@ AT_A_TIME = 1 << 16
 DERIVED_AT_A_TIME = 1 << 11
 """The same with derivatives."""
 
-STATUSES = np.array(_core.EXACT_STATUSES)
+OUTCOMES = np.array(_core.OUTCOMES)
 """What can become of a body, by the core's codes."""
 
 NUMBERS = tuple(_core.EXACT_COLUMNS)
@@ -123,9 +123,10 @@ def exact_turn(
         )
     parts = turns_in_parts(body, start, law, gravity, topple_tilt, threads, bool(jacobian))
     codes, table, derivatives = (np.concatenate(of, axis=-1) for of in zip(*parts, strict=True))
+    endings, _ = codes
     return ExactTurn(
         **_named(NUMBERS, table, start.shape),
-        status=_shaped(STATUSES[codes], start.shape),
+        status=_shaped(OUTCOMES[endings], start.shape),
         jacobian=_named(PARAMETERS, derivatives, start.shape) if jacobian else None,
     )
 
@@ -141,8 +142,8 @@ def turns_in_parts(
 ) -> Iterator[tuple[NDArray[np.uint8], Array, Array]]:
     """The turns of some starts after the other, at least once.
 
-    For each start a code of :data:`STATUSES`, and a column of the :data:`NUMBERS` and, if asked
-    for, of derivatives.
+    For each start two codes of :data:`OUTCOMES`, how the turn ended and what became of the body,
+    and a column of the :data:`NUMBERS` and, if asked for, of derivatives.
     """
     expect("body", body, Body)
     expect("start", start, State)
@@ -160,7 +161,7 @@ def turns_in_parts(
             )
         except RimrollError as refusal:
             raise placed(refusal, body, start, columns, *options[:2]) from None
-        none = np.empty((0, len(codes)))
+        none = np.empty((0, codes.shape[1]))
         yield codes, table, none if derivatives is None else derivatives
 
 

@@ -9,20 +9,13 @@ from numpy.typing import NDArray
 
 from rimroll.body import Body
 from rimroll.ensemble import described, parameters
-from rimroll.exact import NUMBERS, STATUSES, turns_in_parts
+from rimroll.exact import NUMBERS, OUTCOMES, turns_in_parts
 from rimroll.falls import Column, Falls, Interrupted, rows
 from rimroll.given import Number, number, optional
 from rimroll.laws import Law
 from rimroll.state import State
-from rimroll.theory import balance_tilt
 
 Array = NDArray[np.float64]
-
-PAST_BALANCE = len(STATUSES)
-"""To be added to a code of a turn that ends past the balance tilt."""
-
-OUTCOMES = np.concatenate([STATUSES, np.where(STATUSES == "lifted_off", "toppled", STATUSES)])
-"""What codes mean. Rising past it a body falls over whether its rim leaves the table or not."""
 
 
 def exact_falls(
@@ -47,13 +40,14 @@ def exact_falls(
 
     def told() -> Falls:
         options = {"gravity": gravity, "topple_tilt": topple_tilt}
-        columns = _columns(codes[:done], table[:, :done], balance_tilt(body))
+        columns = _columns(codes[:done], table[:, :done])
         return rows(columns, parameters(body, law, options))
 
     try:
         for part, columns, _ in turns_in_parts(body, starts, law, gravity, topple_tilt, threads):
-            last = done + len(part)
-            codes[done:last], table[:, done:last] = part, columns
+            _, outcomes = part
+            last = done + len(outcomes)
+            codes[done:last], table[:, done:last] = outcomes, columns
             done = last
             if progress is not None:
                 progress(done, total)
@@ -62,10 +56,9 @@ def exact_falls(
     return told()
 
 
-def _columns(codes: NDArray[np.uint8], table: Array, balance: float) -> dict[str, Column]:
+def _columns(codes: NDArray[np.uint8], table: Array) -> dict[str, Column]:
     told = dict(zip(NUMBERS, table, strict=True))
     with np.errstate(invalid="ignore"):  # a NaN stays one
         told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
     told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]
-    outcome = OUTCOMES[codes + PAST_BALANCE * (told["max_tilt"] > balance)]
-    return {"outcome": Column(outcome), **described(told)}
+    return {"outcome": Column(OUTCOMES[codes]), **described(told)}

@@ -13,7 +13,7 @@ use std::time::Duration;
 
 /// What is told of a fall, in the order of [`numbers`].
 pub const FALL_COLUMNS: [&str; 14] = [
-    "ending",
+    "outcome",
     "turn",
     "min_tilt",
     "near_time",
@@ -33,7 +33,7 @@ fn numbers(fall: &Fall) -> [f64; FALL_COLUMNS.len()] {
     let of_turn =
         |number: fn(&rimroll::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
     [
-        f64::from(fall.status as u8),
+        f64::from(fall.outcome as u8),
         of_turn(|turn| turn.angle),
         of_turn(|turn| turn.min_tilt),
         of_turn(|turn| turn.t),
@@ -118,8 +118,8 @@ pub fn first_refused(
     Ok(options.first_refused(&body.body()?, starts.starts()?))
 }
 
-/// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the endings by their place in
-/// `ENDINGS`; and what has stopped the work, if anything has: then the rows are of the first starts.
+/// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the outcomes by their place in
+/// `OUTCOMES`; and what has stopped the work, if anything has: then the rows are of the first starts.
 /// `grip` has a factor of the friction for each start; `threads` = 0 means as many as there are
 /// processors; `progress` is called now and then with the number of falls done.
 #[pyfunction]

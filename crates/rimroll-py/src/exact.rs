@@ -2,13 +2,13 @@
 
 use crate::arguments::{BodyArgument, ideal_law, refusal};
 use crate::ensemble::{StartsArgument, Watched, state};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use rimroll::State;
 use rimroll::motion::PARAMETERS;
-use rimroll::turn::exact::{Ending, Exact, ExactTurn};
+use rimroll::turn::exact::{Exact, ExactTurn};
 use std::sync::mpsc::channel;
 
 /// What is told of a turn, in the order of [`numbers`].
@@ -25,15 +25,11 @@ fn numbers(turn: &ExactTurn) -> [f64; EXACT_COLUMNS.len()] {
     ]
 }
 
-/// The endings by name, in the order of their codes.
-pub fn statuses() -> Vec<&'static str> {
-    Ending::ALL.map(Ending::name).to_vec()
-}
-
 type Table<'py> = Bound<'py, PyArray2<f64>>;
 
-/// Codes of the endings, a table with one column a start and a row for each of [`EXACT_COLUMNS`], and
-/// if asked for another with the turn's derivative by each of [`PARAMETERS`]. `threads` = 0 means as
+/// Two rows of codes, places in `OUTCOMES`: how each turn ended, and what became of the body; a table
+/// with one column a start and a row for each of [`EXACT_COLUMNS`]; and if asked for another with the
+/// turn's derivative by each of [`PARAMETERS`]. `threads` = 0 means as
 /// many as there are processors. Ctrl-C stops the work.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
@@ -46,7 +42,7 @@ pub fn exact_turns<'py>(
     topple_tilt: Option<f64>,
     threads: usize,
     jacobian: bool,
-) -> PyResult<(Bound<'py, PyArray1<u8>>, Table<'py>, Option<Table<'py>>)> {
+) -> PyResult<(Bound<'py, PyArray2<u8>>, Table<'py>, Option<Table<'py>>)> {
     let exact = Exact::new(&body.body()?, ideal_law(law_name)?, gravity, topple_tilt);
     let exact = exact.map_err(refusal)?;
     let columns = starts.columns()?;
@@ -64,12 +60,9 @@ pub fn exact_turns<'py>(
         let slopes = jacobian.then(|| exact.turn_slopes_while(&starts, goes_on));
         let slopes = slopes.transpose()?.flatten();
         let turns = exact.turns_while(&starts, goes_on)?.unwrap_or_default();
-        let code = |turn: &ExactTurn| Ending::ALL.iter().position(|&ending| ending == turn.ending);
+        let codes = |turn: &ExactTurn| [turn.ending as u8, exact.outcome(turn) as u8];
         Ok(Told {
-            codes: turns
-                .par_iter()
-                .map(|turn| code(turn).unwrap_or(0) as u8)
-                .collect(),
+            codes: by_columns(&turns, codes),
             table: by_columns(&turns, numbers),
             slopes: slopes.map(|slopes| by_columns(&slopes, |slopes| *slopes)),
         })
@@ -92,10 +85,10 @@ pub fn exact_turns<'py>(
     let told = done
         .map_err(|_| PyRuntimeError::new_err("the quadrature has come to grief"))?
         .map_err(refusal)?;
-    let count = told.codes.len();
+    let count = told.codes.len() / 2;
     let reshaped = |table: Vec<f64>, rows| table.into_pyarray(py).reshape([rows, count]);
     Ok((
-        told.codes.into_pyarray(py),
+        told.codes.into_pyarray(py).reshape([2, count])?,
         reshaped(told.table, EXACT_COLUMNS.len())?,
         told.slopes
             .map(|slopes| reshaped(slopes, PARAMETERS.len()))
@@ -111,11 +104,11 @@ struct Told {
 }
 
 /// Some numbers of each of many things: first the first of all, then the second.
-fn by_columns<T: Sync, const N: usize>(
+fn by_columns<T: Sync, U: Copy + Default + Send, const N: usize>(
     many: &[T],
-    numbers: impl Fn(&T) -> [f64; N] + Sync,
-) -> Vec<f64> {
-    let mut table = vec![0.0; N * many.len()];
+    numbers: impl Fn(&T) -> [U; N] + Sync,
+) -> Vec<U> {
+    let mut table = vec![U::default(); N * many.len()];
     let rows = table.par_chunks_mut(many.len().max(1)).enumerate();
     rows.for_each(|(row, places)| {
         for (place, one) in places.iter_mut().zip(many) {

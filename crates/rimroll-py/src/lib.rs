@@ -44,9 +44,8 @@ mod _core {
         module.add("COLUMNS", core::COLUMNS)?;
         module.add("PARAMETERS", core::PARAMETERS)?;
         module.add("EXACT_COLUMNS", crate::exact::EXACT_COLUMNS)?;
-        module.add("EXACT_STATUSES", crate::exact::statuses())?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
-        module.add("ENDINGS", rimroll::Status::ALL.map(rimroll::Status::name))?;
+        module.add("OUTCOMES", core::Outcome::ALL.map(core::Outcome::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }

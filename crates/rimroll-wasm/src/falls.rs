@@ -1,13 +1,13 @@
-//! Falls, of which only the outcome is told.
+//! Falls, of which only the outcome is given.
 
 use crate::asked::Asked;
 use crate::exchange::{answer, name, unless_refused};
-use rimroll::motion::{Fall, fall};
-use rimroll::{InvalidInput, Status};
+use rimroll::InvalidInput;
+use rimroll::motion::{Fall, Outcome, fall};
 
 /// Follows a body through its first turn from each of many starts. Arguments: body, surface, options,
 /// then for each fall its start and a factor of the friction. The answer has for each fall the place
-/// of its ending in [`endings`], the angle of turn and the smallest tilt (NaN where there is no turn),
+/// of its outcome in [`outcomes`], the angle of turn and the smallest tilt (NaN where there is no turn),
 /// and the time, tilt and yaw of its end.
 ///
 /// They are followed one by one: sixteen at a time would be sooner done, and make the page half as
@@ -20,7 +20,7 @@ pub extern "C" fn falls() -> bool {
     answer(falls.iter().flat_map(|fall| {
         let turn = fall.turn.as_ref();
         [
-            f64::from(fall.status as u8),
+            f64::from(fall.outcome as u8),
             turn.map_or(f64::NAN, |turn| turn.angle),
             turn.map_or(f64::NAN, |turn| turn.min_tilt),
             fall.end.t,
@@ -31,10 +31,10 @@ pub extern "C" fn falls() -> bool {
     true
 }
 
-/// The names of the endings.
+/// The names of the outcomes.
 #[unsafe(no_mangle)]
-pub extern "C" fn endings() {
-    name(Status::ALL.map(Status::name));
+pub extern "C" fn outcomes() {
+    name(Outcome::ALL.map(Outcome::name));
 }
 
 fn followed(mut asked: Asked) -> Result<Vec<Fall>, InvalidInput> {

@@ -1,7 +1,8 @@
 //! What an exact turn costs: microseconds on one thread, of starts that rock, of a flick that topples and of
 //! throws of all kinds, with what becomes of them. The time of the thread is Linux's.
 
-use rimroll::turn::exact::{Ending, Exact, ExactTurn};
+use rimroll::motion::Outcome;
+use rimroll::turn::exact::{Exact, ExactTurn};
 use rimroll::{IdealLaw, State, presets};
 
 /// Numbers between 0 and 1 without a pattern.
@@ -85,7 +86,7 @@ fn main() {
             let exact = Exact::new(&can, law, 9.8, None).expect("valid");
             let (turns, cost) = pool.install(|| measured(&exact, &starts(kind, n), runs));
             print!("{kind:8} {:13} {cost:7.3} us ", law.name());
-            for ending in Ending::ALL {
+            for ending in Outcome::ALL {
                 let count = turns.iter().filter(|turn| turn.ending == ending).count();
                 if count > 0 {
                     print!(" {} {:.1}%", ending.name(), 100.0 * count as f64 / n as f64);

@@ -70,6 +70,13 @@ impl<T: Copy> Parameters<T> {
     }
 }
 
+impl Parameters<f64> {
+    /// The tilt at which the centre of mass is above the contact point, rad.
+    pub(crate) fn balance_tilt(&self) -> f64 {
+        libm::atan2(self.r, self.h)
+    }
+}
+
 impl<T: Real> Parameters<T> {
     /// The numbers of a body under gravity g (m/s²).
     pub fn new(body: &Body, gravity: f64) -> Self {

@@ -9,7 +9,7 @@ mod bodies;
 use bodies::{any_body, cases};
 use core::ops::ControlFlow;
 use proptest::prelude::*;
-use rimroll::motion::{EventKind, Fall, fall};
+use rimroll::motion::{EventKind, Fall, Outcome, fall};
 use rimroll::{
     Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, State, Status, Surface, ensemble,
     presets, simulate,
@@ -75,7 +75,8 @@ proptest! {
         } else {
             prop_assert_eq!(fall.status, motion.status);
             let came_down = motion.events.iter().any(|event| event.kind == EventKind::TiltMin);
-            prop_assert_eq!(fall.turn.is_some(), came_down);
+            let cut_short = matches!(motion.status, Status::Finished | Status::Failed);
+            prop_assert_eq!(fall.turn.is_some(), came_down && !cut_short);
             prop_assert_eq!(fall.end.t, first_ending(&motion));
             if let Some(turn) = fall.turn {
                 prop_assert_eq!(turn.end, fall.end.t);
@@ -89,6 +90,25 @@ proptest! {
         let losses = column("friction_loss") + column("resistance_loss") + column("impact_loss");
         let scale = column("kinetic_energy") + column("potential_energy").abs() + losses;
         prop_assert!((fall.energy_lost() - losses).abs() <= 1e-6 * scale);
+    }
+
+    #[test]
+    fn a_fall_whose_time_is_up_before_its_turn_is_over_has_hovered(
+        body in any_body(), start in starts(), surface in surfaces(), part in 0.05..0.95,
+    ) {
+        let whole = whole(&body, &start, surface);
+        prop_assume!(!whole.turns.is_empty());
+        let turn = whole.turns[0];
+        // On its way up, and somewhere before.
+        for duration in [turn.t + part * (turn.end - turn.t), part * turn.end] {
+            let options = Options { duration, ..options() };
+            let alone = fall(&body, &start, &surface, &options).expect("a valid start");
+            let among_others = all(&body, &[(start, surface)], &options)[0];
+            for fall in [alone, among_others] {
+                prop_assert_eq!((fall.outcome, fall.status), (Outcome::Hovered, Status::Finished));
+                prop_assert_eq!((fall.turn, fall.end.t), (None, duration));
+            }
+        }
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Turns by quadrature end as those by steps do, for throws of all kinds: also where the table would have to
 //! pull the rim, if only for a moment.
 
+use rimroll::motion::Outcome;
 use rimroll::motion::{Options, Status, fall};
-use rimroll::turn::exact::{Ending, Exact, ExactTurn};
+use rimroll::turn::exact::{Exact, ExactTurn};
 use rimroll::{Body, IdealLaw, State};
 
 const GRAVITY: f64 = 9.8;
@@ -117,7 +118,7 @@ fn by_quadrature((law, constants, start): &Throw) -> ExactTurn {
 }
 
 /// By steps: how it ended, and the turn if there was one.
-fn by_steps((law, constants, start): &Throw) -> (Ending, Option<f64>) {
+fn by_steps((law, constants, start): &Throw) -> (Outcome, Option<f64>) {
     let options = Options {
         duration: 1000.0,
         gravity: GRAVITY,
@@ -126,11 +127,11 @@ fn by_steps((law, constants, start): &Throw) -> (Ending, Option<f64>) {
     };
     let fall = fall(&body(*constants), &state(*start), &(*law).into(), &options).unwrap();
     let ending = match (fall.status, &fall.turn) {
-        (Status::Finished, Some(_)) => Ending::Rocked,
-        (Status::Toppled, Some(_)) => Ending::Toppled,
-        (Status::Toppled, None) => Ending::FellBack,
-        (Status::LiftedOff, _) => Ending::LiftedOff,
-        (Status::FaceDown, _) => Ending::FaceDown,
+        (Status::Finished, Some(_)) => Outcome::Rocked,
+        (Status::Toppled, Some(_)) => Outcome::Toppled,
+        (Status::Toppled, None) => Outcome::FellBack,
+        (Status::LiftedOff, _) => Outcome::LiftedOff,
+        (Status::FaceDown, _) => Outcome::FaceDown,
         (status, _) => panic!("{status:?} of {constants:?} {start:?}"),
     };
     (ending, fall.turn.map(|turn| turn.angle))
@@ -139,9 +140,9 @@ fn by_steps((law, constants, start): &Throw) -> (Ending, Option<f64>) {
 #[test]
 fn a_rim_that_has_to_be_pulled_at_once_lifts_off_without_a_turn() {
     for throw in &PULLED {
-        assert_eq!(by_steps(throw), (Ending::LiftedOff, None));
+        assert_eq!(by_steps(throw), (Outcome::LiftedOff, None));
         let exact = by_quadrature(throw);
-        assert_eq!(exact.ending, Ending::LiftedOff);
+        assert_eq!(exact.ending, Outcome::LiftedOff);
         assert!(exact.turn.is_nan() && exact.time.is_nan());
     }
 }
@@ -153,7 +154,7 @@ fn a_rim_that_has_to_be_pulled_for_a_moment_lifts_off() {
         let exact = by_quadrature(throw);
         assert_eq!(
             (exact.ending, ending),
-            (Ending::LiftedOff, Ending::LiftedOff)
+            (Outcome::LiftedOff, Outcome::LiftedOff)
         );
         assert_eq!(exact.turn.is_nan(), turn.is_none(), "{throw:?}");
         assert!(turn.is_none_or(|turn| (exact.turn - turn).abs() < 1e-8));
@@ -177,9 +178,9 @@ fn a_rim_that_has_to_be_pulled_where_the_tilt_would_be_largest_lifts_off_without
             -17.08765390847556,
         ],
     );
-    assert_eq!(by_steps(&throw), (Ending::LiftedOff, None));
+    assert_eq!(by_steps(&throw), (Outcome::LiftedOff, None));
     let exact = by_quadrature(&throw);
-    assert_eq!(exact.ending, Ending::LiftedOff);
+    assert_eq!(exact.ending, Outcome::LiftedOff);
     assert!(exact.turn.is_nan());
 }
 
@@ -250,10 +251,10 @@ fn throws_of_all_kinds_end_and_turn_by_quadrature_as_by_steps() {
     }
     assert!(met.len() > 590, "too many on an edge: {}", met.len());
     for ending in [
-        Ending::Rocked,
-        Ending::Toppled,
-        Ending::FellBack,
-        Ending::LiftedOff,
+        Outcome::Rocked,
+        Outcome::Toppled,
+        Outcome::FellBack,
+        Outcome::LiftedOff,
     ] {
         let count = met.iter().filter(|&&one| one == ending).count();
         assert!(count > 50, "{count} {ending:?}");

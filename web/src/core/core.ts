@@ -67,9 +67,9 @@ export interface Solid {
 
 /** What became of a body let go, through its first turn. */
 export interface Fall {
-  /** How it ended: `finished` when it rocked up again. */
-  ending: string;
-  /** Angle of turn, rad; NaN when it did not come down. */
+  /** In the words of rimroll.ensemble. */
+  outcome: string;
+  /** Angle of turn, rad; NaN when it did not come down, or time was up first. */
   turn: number;
   minTilt: number;
   /** s */
@@ -92,7 +92,7 @@ export interface Theory {
 
 export class Core {
   /** Where the core has what it calls by name; only it knows the order. */
-  private readonly names: Readonly<Record<"endings" | "laws" | "presets" | "shapes", string[]>>;
+  private readonly names: Readonly<Record<"laws" | "outcomes" | "presets" | "shapes", string[]>>;
 
   private constructor(private readonly exchange: Exchange) {
     const { core } = exchange;
@@ -101,8 +101,8 @@ export class Core {
       return exchange.names();
     };
     this.names = {
-      endings: names(core.endings),
       laws: names(core.laws),
+      outcomes: names(core.outcomes),
       presets: names(core.presets),
       shapes: names(core.shapes),
     };
@@ -160,12 +160,12 @@ export class Core {
     this.exchange.granted(this.exchange.core.falls());
     const numbers = this.exchange.numbers();
     return trials.map((_, k) => {
-      const [ending, turn, minTilt, time, endTilt, endYaw] = numbers.subarray(
+      const [outcome, turn, minTilt, time, endTilt, endYaw] = numbers.subarray(
         6 * k,
         6 * k + 6,
       ) as unknown as Row<6>;
       return {
-        ending: this.names.endings[ending] ?? "failed",
+        outcome: this.names.outcomes[outcome] ?? "failed",
         turn,
         minTilt,
         time,

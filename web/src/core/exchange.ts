@@ -22,7 +22,7 @@ interface Exports {
   status(motion: number): void;
   message(motion: number): void;
   falls(): number;
-  endings(): void;
+  outcomes(): void;
   laws(): void;
   presets(): void;
   shapes(): void;

@@ -1,6 +1,6 @@
 // The same release again and again by a human hand, and where the body falls each time.
 
-import type { Core, Fall } from "../core/core";
+import type { Core } from "../core/core";
 import { reasonFrom } from "../core/reason";
 import { posed } from "../setup/posed";
 import type { Setup } from "../setup/setup";
@@ -8,7 +8,7 @@ import { scattered } from "./scatter";
 
 /** What became of one flick of many. */
 export interface Flicked {
-  /** `toppled`, `rocked` (up again), or how else it ended. */
+  /** In the words of rimroll.ensemble: `toppled`, `rocked` (up again) or another. */
   outcome: string;
   /** How far round it came, rad, anticlockwise: flat bodies go round more than once. */
   turn: number;
@@ -21,31 +21,19 @@ export interface Flicked {
 export function flicked(core: Core, setup: Readonly<Setup>): Flicked[] {
   try {
     const { body, start, surface, options } = posed(core, setup);
-    const { balanceTilt } = core.theory(body, start, surface, options.gravity);
     const trials = scattered(setup, body).map((start) => ({ start, grip: 1 }));
     // Right to 1e-4 degrees, as rimroll.topple.
     const coarse = { ...options, duration: 10, rtol: 1e-6 };
-    return core.falls(body, surface, coarse, trials).map((fall) => {
-      const outcome = outcomeOf(fall, balanceTilt);
-      const round = fall.endYaw - start.yaw;
+    return core.falls(body, surface, coarse, trials).map(({ outcome, turn: rocked, endYaw }) => {
+      const round = endYaw - start.yaw;
       // One that was let go rising turns from where it was highest.
-      const turn = outcome === "rocked" ? fall.turn : round;
+      const turn = outcome === "rocked" ? rocked : round;
       return { outcome, turn, direction: cycled(round) };
     });
   } catch (error) {
     reasonFrom(error);
     return [];
   }
-}
-
-/** In the words of rimroll.ensemble. */
-function outcomeOf({ ending, turn, endTilt }: Fall, balanceTilt: number): string {
-  const cameDown = !Number.isNaN(turn);
-  if (ending === "finished") return cameDown ? "rocked" : "hovered";
-  if (ending === "toppled" && !cameDown) return "fell_back";
-  // Rising, its centre of mass past the rim.
-  if (ending === "lifted_off" && cameDown && endTilt > balanceTilt) return "toppled";
-  return ending;
 }
 
 const cycled = (angle: number) => angle - 2 * Math.PI * Math.floor(angle / (2 * Math.PI));

@@ -35,19 +35,18 @@ export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>)
 }
 
 /** What would become of it, as the end of a sentence. */
-function becoming({ ending, turn, time }: Readonly<Fall>): string {
+function becoming({ outcome, turn, time }: Readonly<Fall>): string {
   const after = `after ${shownTime(time)}`;
-  const down = !Number.isNaN(turn);
   const round = `its lean would swing round by ${degrees(Math.abs(turn), 1)}`;
-  switch (ending) {
-    case "finished":
-      return down
-        ? `${round} on its way down and up to the next largest tilt, ${after}`
-        : `it would not have come down and up again ${after}, when the computation ends`;
+  switch (outcome) {
+    case "rocked":
+      return `${round} on its way down and up to the next largest tilt, ${after}`;
+    case "hovered":
+      return `it would not have come down and up again ${after}, when the computation ends`;
     case "toppled":
-      return down
-        ? `${round}, and it would fall over ${after}`
-        : `it would fall over the way it leans, ${after}`;
+      return `${round}, and it would fall over ${after}`;
+    case "fell_back":
+      return `it would fall over the way it leans, ${after}`;
     case "face_down":
       return `it would come down flat, ${after}`;
     case "at_rest":

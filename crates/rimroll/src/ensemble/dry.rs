@@ -254,7 +254,7 @@ impl<'a> Dry<'a> {
                     friction_loss,
                     ..*at
                 };
-                self.done[trial.index] = Some(trial.fall(status, &at));
+                self.done[trial.index] = Some(trial.fall(&self.parameters, status, &at));
                 None
             }
             Exit::GivesWay => {
@@ -273,7 +273,7 @@ impl<'a> Dry<'a> {
     ) -> Option<Begins> {
         match exit {
             Exit::Over(status) => {
-                self.done[trial.index] = Some(trial.fall(status, at));
+                self.done[trial.index] = Some(trial.fall(&self.parameters, status, at));
                 None
             }
             Exit::Stops => {

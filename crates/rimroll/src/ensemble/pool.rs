@@ -283,6 +283,7 @@ where
         if self.lockstep.direction.0[lane] < 0.0 {
             trial.lowest = Some(at);
         } else if trial.lowest.is_some() {
+            trial.turned = true;
             return Some((Exit::Over(Status::Finished), at));
         } else {
             trial.from = at;

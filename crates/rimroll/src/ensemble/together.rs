@@ -108,7 +108,7 @@ impl Falls<'_> {
                     Exit::GivesWay => Status::LiftedOff,
                     Exit::Stops | Exit::Rare => return,
                 };
-                done[trial.index] = Some(trial.fall(status, at));
+                done[trial.index] = Some(trial.fall(parameters, status, at));
             });
         }
     }

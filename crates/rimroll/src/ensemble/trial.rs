@@ -2,7 +2,7 @@
 
 use super::lockstep::Limits;
 use crate::law::Parameters;
-use crate::motion::{End, Fall, Status, Turn};
+use crate::motion::{Fall, Seen, Status, Turn};
 use crate::state::Coordinates;
 use crate::yardstick::Yardstick;
 
@@ -15,6 +15,8 @@ pub(super) struct Trial {
     pub from: Coordinates<f64>,
     /// Where it was lowest.
     pub lowest: Option<Coordinates<f64>>,
+    /// Whether it has risen to a largest tilt after that.
+    pub turned: bool,
     /// The sign of the tilt rate, 0 before it has one.
     pub direction: f64,
     /// Steps made.
@@ -38,6 +40,7 @@ impl Trial {
             index,
             from: *start,
             lowest: None,
+            turned: false,
             direction: limits.sign_of_tilt_rate(start, &Yardstick::new(k)),
             steps: 0.0,
             slid,
@@ -45,18 +48,17 @@ impl Trial {
         }
     }
 
-    /// What has become of it.
-    pub(super) fn fall(&self, status: Status, end: &Coordinates<f64>) -> Fall {
-        Fall {
-            status,
-            turn: self
-                .lowest
-                .map(|lowest| Turn::between(&self.from, &lowest, end)),
-            end: End::of(end),
+    /// What has become of it, a body with these parameters.
+    pub(super) fn fall(&self, k: &Parameters<f64>, status: Status, end: &Coordinates<f64>) -> Fall {
+        let turn = |lowest| Turn::between(&self.from, lowest, end);
+        let seen = Seen {
+            turn: self.lowest.as_ref().map(turn),
+            turned: self.turned,
             slid: self.slid,
             // A law that knows no flight ends where it would begin.
             flew: status == Status::LiftedOff,
             steps: self.steps as usize,
-        }
+        };
+        Fall::of(k, status, seen, end)
     }
 }

@@ -326,8 +326,8 @@ impl<'a> Watch<'a> {
         self.note_extremes(piece, &looks);
         self.note_on_edge(piece, &looks);
         let mut last = self.refine(piece, x, |u| self.level(switch, phase, u));
-        if let (Switch::Done, Goal::Time(duration)) = (switch, self.goal) {
-            // Not a rounding error short of what was asked for.
+        if let (Switch::Done, Goal::Time(duration) | Goal::Turn(duration)) = (switch, self.goal) {
+            // Neither a rounding error short of what was asked for nor one beyond it.
             last.end[TIME] = duration;
         }
         track.push(last);

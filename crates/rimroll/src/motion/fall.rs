@@ -2,11 +2,13 @@
 
 use super::contacts::{Contacts, Phase};
 use super::events::{EventKind, Goal};
+use super::outcome::{Outcome, Tilting};
 use super::run::Run;
 use super::turns::{Turn, first_over, first_turn};
 use super::{Options, Status};
 use crate::body::Body;
 use crate::error::InvalidInput;
+use crate::law::Parameters;
 use crate::state::{Coordinates, State};
 use crate::surface::Surface;
 use core::ops::ControlFlow;
@@ -15,10 +17,13 @@ use std::sync::Arc;
 /// What became of a body let go.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fall {
-    /// How it ended; [`Status::Finished`] also when it rocks up to a tilt maximum.
+    /// What became of it.
+    pub outcome: Outcome,
+    /// How the motion ended; [`Status::Finished`] also when it rocks up to a tilt maximum.
     pub status: Status,
     /// From the release (or the tilt maximum after it) through the tilt minimum to the next tilt
-    /// maximum, or to the ending if that comes first; none for a body that does not come down.
+    /// maximum, or to the ending if that comes first. None for a body that does not come down, and
+    /// none where time or steps were up before: that turn has no end.
     pub turn: Option<Turn>,
     /// How it was when that was over, or at the end: before the side of a body that topples
     /// meets the table.
@@ -65,7 +70,46 @@ impl End {
     }
 }
 
+/// What was seen of a body on its way through the first turn.
+pub(crate) struct Seen {
+    /// The first turn, as far as it went.
+    pub turn: Option<Turn>,
+    /// Whether it is over: the tilt was largest again.
+    pub turned: bool,
+    /// Whether the rim slid.
+    pub slid: bool,
+    /// Whether the rim left the table.
+    pub flew: bool,
+    /// Steps of the solver.
+    pub steps: usize,
+}
+
 impl Fall {
+    /// The fall of a body with these parameters that ended so.
+    pub(crate) fn of(
+        k: &Parameters<f64>,
+        status: Status,
+        seen: Seen,
+        end: &Coordinates<f64>,
+    ) -> Fall {
+        let end = End::of(end);
+        let tilting = Tilting {
+            came_down: seen.turn.is_some(),
+            turned: seen.turned,
+            past_balance: end.tilt > k.balance_tilt(),
+        };
+        let outcome = Outcome::of(status, tilting);
+        Fall {
+            outcome,
+            status,
+            turn: seen.turn.filter(|_| !outcome.is_cut_short()),
+            end,
+            slid: seen.slid,
+            flew: seen.flew,
+            steps: seen.steps,
+        }
+    }
+
     /// Energy lost on the way to friction, resistance and impacts, J.
     pub fn energy_lost(&self) -> f64 {
         self.end.friction_loss + self.end.resistance_loss + self.end.impact_loss
@@ -95,14 +139,15 @@ pub fn fall(
         track.start().phase == phase || later
     };
     let topple = events.iter().find(|event| event.kind == EventKind::Topple);
-    let over = first_over(&events).or_else(|| topple.map(|event| event.at.u));
+    let turned = first_over(&events);
+    let over = turned.or_else(|| topple.map(|event| event.at.u));
     let end = over.unwrap_or_else(|| track.end().u);
-    Ok(Fall {
+    let seen = Seen {
         turn: first_turn(&start, &events, &end),
+        turned: turned.is_some(),
         slid: was(Phase::Sliding, EventKind::Slip),
         flew: was(Phase::Flying, EventKind::LiftOff),
-        status,
-        end: End::of(&end),
         steps: work.steps,
-    })
+    };
+    Ok(Fall::of(contacts.parameters(), status, seen, &end))
 }

@@ -38,9 +38,9 @@ mod wobble;
 use crate::body::Body;
 use crate::error::{InvalidInput, positive};
 use crate::law::{IdealLaw, Parameters};
-use crate::motion::{Fall, Options, Status, fall};
+use crate::motion::{Fall, Options, Outcome, Status, fall};
 use crate::state::State;
-use alone::{Alone, Outcome, Scalar};
+use alone::{Alone, Quadrature, Scalar};
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use fundamental::Fundamental;
@@ -66,56 +66,12 @@ const MOST_OUTER: f64 = 2.6;
 /// Points at which the sign of a function is looked at in search of a first root.
 const LOOKS: usize = 24;
 
-/// What becomes of a body let go.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ending {
-    /// It comes down and rocks up to a largest tilt; a disk may rise to the vertical, and past it.
-    Rocked,
-    /// It comes down and topples.
-    Toppled,
-    /// It topples without coming down.
-    FellBack,
-    /// The table would have to pull to keep the rim.
-    LiftedOff,
-    /// The whole rim meets the table at once.
-    FaceDown,
-    /// It does neither come down nor topple for a thousand times as long as falling over takes.
-    Hovered,
-    /// It could not be computed.
-    Failed,
-}
-
-impl Ending {
-    /// All of them.
-    pub const ALL: [Ending; 7] = [
-        Ending::Rocked,
-        Ending::Toppled,
-        Ending::FellBack,
-        Ending::LiftedOff,
-        Ending::FaceDown,
-        Ending::Hovered,
-        Ending::Failed,
-    ];
-
-    /// The name that the user reads.
-    pub fn name(self) -> &'static str {
-        match self {
-            Ending::Rocked => "rocked",
-            Ending::Toppled => "toppled",
-            Ending::FellBack => "fell_back",
-            Ending::LiftedOff => "lifted_off",
-            Ending::FaceDown => "face_down",
-            Ending::Hovered => "hovered",
-            Ending::Failed => "failed",
-        }
-    }
-}
-
 /// The first turn of a motion, and what became of it. What does not exist is NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExactTurn {
-    /// How it ended.
-    pub ending: Ending,
+    /// How it ended. A rim that leaves the table ends the turn wherever the body leans; see
+    /// [`Exact::outcome`].
+    pub ending: Outcome,
     /// Change of yaw from the release, or the largest tilt after it, through the smallest tilt to the
     /// end, rad.
     pub turn: f64,
@@ -185,7 +141,7 @@ impl Exact {
         Ok(exact)
     }
 
-    fn end(&self) -> (f64, Ending) {
+    fn end(&self) -> (f64, Outcome) {
         end(&self.options)
     }
 
@@ -213,6 +169,17 @@ impl Exact {
         Ok(self.turn_of(start))
     }
 
+    /// What becomes of the body after a turn: as its ending, except that a body falls over whose rim
+    /// leaves the table as it rises past the balance point.
+    pub fn outcome(&self, turn: &ExactTurn) -> Outcome {
+        match turn.ending {
+            Outcome::LiftedOff => {
+                Outcome::lifted_off(turn.max_tilt > self.parameters.balance_tilt())
+            }
+            ending => ending,
+        }
+    }
+
     fn check(&self, start: &State) -> Result<(), InvalidInput> {
         self.options.check(start)
     }
@@ -238,12 +205,12 @@ impl Exact {
         let outcome = if self.is_beyond(start) {
             None
         } else {
-            self.outcome(start)
+            self.quadrature(start)
         };
         outcome.map_or_else(|| self.stepped(start), |outcome| told(&outcome))
     }
 
-    fn outcome(&self, start: &State) -> Option<Outcome<f64>> {
+    fn quadrature(&self, start: &State) -> Option<Quadrature<f64>> {
         let start = Start::of(start);
         match &self.table {
             Some(table) => self.alone(&Rolling::new(table, &start), &self.parameters, start),
@@ -260,13 +227,13 @@ impl Exact {
         motion: &impl Tilting<T>,
         k: &Parameters<T>,
         start: Start<T>,
-    ) -> Option<Outcome<T>> {
+    ) -> Option<Quadrature<T>> {
         let (end, balance) = (self.end(), self.balance);
         if lingers(motion, &start, &balance) {
             let motion = OnTop::new(motion, k, start, [balance.eta, libm::log(end.0)]);
-            return Alone::new(&motion, start, end, balance).outcome();
+            return Alone::new(&motion, start, end, balance).quadrature();
         }
-        Alone::new(motion, start, end, balance).outcome()
+        Alone::new(motion, start, end, balance).quadrature()
     }
 
     /// The same by steps, where quadrature does not reach.
@@ -285,11 +252,11 @@ impl Exact {
 
 /// Where a motion ends that nothing turns back, tan(φ/2), and what that is called. A disk may pass
 /// the vertical, where its turn is over, and fall to the other face.
-fn end(options: &Options) -> (f64, Ending) {
+fn end(options: &Options) -> (f64, Outcome) {
     match options.topple_tilt {
-        Some(tilt) if tilt < FRAC_PI_2 => (half_tangent(tilt), Ending::Toppled),
-        Some(tilt) if tilt == FRAC_PI_2 => (1.0, Ending::Toppled),
-        _ => (1.0, Ending::Rocked),
+        Some(tilt) if tilt < FRAC_PI_2 => (half_tangent(tilt), Outcome::Toppled),
+        Some(tilt) if tilt == FRAC_PI_2 => (1.0, Outcome::Toppled),
+        _ => (1.0, Outcome::Rocked),
     }
 }
 
@@ -304,7 +271,7 @@ fn half_tangent(tilt: f64) -> f64 {
     sin / (1.0 + cos)
 }
 
-fn told(outcome: &Outcome<f64>) -> ExactTurn {
+fn told(outcome: &Quadrature<f64>) -> ExactTurn {
     let tilt = |y: Option<f64>| y.map_or(f64::NAN, |y| 2.0 * libm::atan(y));
     let of = |piece: &Option<pieces::Piece<f64>>, number: fn(&pieces::Piece<f64>) -> f64| {
         piece.as_ref().map_or(f64::NAN, number)
@@ -327,13 +294,8 @@ fn told_of_fall(fall: &Fall, start: &State) -> ExactTurn {
     let of_turn =
         |number: fn(&crate::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
     let ending = match fall.status {
-        Status::Toppled if fall.turn.is_some() => Ending::Toppled,
-        Status::Toppled => Ending::FellBack,
-        Status::LiftedOff => Ending::LiftedOff,
-        Status::FaceDown => Ending::FaceDown,
-        Status::Finished if fall.turn.is_some() => Ending::Rocked,
-        Status::Finished => Ending::Hovered,
-        _ => Ending::Failed,
+        Status::LiftedOff => Outcome::LiftedOff,
+        _ => fall.outcome,
     };
     ExactTurn {
         ending,

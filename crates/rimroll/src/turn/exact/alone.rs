@@ -8,7 +8,7 @@ use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
-use super::{Ending, FLAT, MOST_OUTER, SHORT};
+use super::{FLAT, MOST_OUTER, Outcome, SHORT};
 use crate::real::{Dual, Real, Slope};
 
 /// A number that stands for one motion, so that it can decide.
@@ -35,10 +35,10 @@ impl<T: Scalar> Piece<T> {
     }
 }
 
-/// What became of it: as [`ExactTurn`](super::ExactTurn), with tan(φ/2) for the tilts.
+/// What quadrature has found: as [`ExactTurn`](super::ExactTurn), with tan(φ/2) for the tilts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Outcome<T> {
-    pub(super) ending: Ending,
+pub(super) struct Quadrature<T> {
+    pub(super) ending: Outcome,
     pub(super) low: Option<T>,
     pub(super) high: Option<T>,
     /// Yaw and time from the release to the first largest tilt, if it rises at first.
@@ -49,9 +49,9 @@ pub(super) struct Outcome<T> {
     pub(super) up: Option<Piece<T>>,
 }
 
-impl<T> Outcome<T> {
-    pub(super) fn without_turn(ending: Ending, low: Option<T>) -> Self {
-        Outcome {
+impl<T> Quadrature<T> {
+    pub(super) fn without_turn(ending: Outcome, low: Option<T>) -> Self {
+        Quadrature {
             ending,
             low,
             high: None,
@@ -67,7 +67,7 @@ enum Top<T> {
     /// At a largest tilt.
     Rest(Extreme<T>),
     /// On the move, at tan(φ/2).
-    Passing(T, Ending),
+    Passing(T, Outcome),
 }
 
 /// One motion and what is looked up on the way.
@@ -75,7 +75,7 @@ pub(super) struct Alone<'a, M, T> {
     motion: &'a M,
     start: Start<T>,
     /// Where it ends if nothing turns it back: tan(φ/2), and what that is called.
-    end: (f64, Ending),
+    end: (f64, Outcome),
     balance: Balance,
 }
 
@@ -95,7 +95,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     pub(super) fn new(
         motion: &'a M,
         start: Start<T>,
-        end: (f64, Ending),
+        end: (f64, Outcome),
         balance: Balance,
     ) -> Self {
         Alone {
@@ -108,11 +108,11 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
 
     /// `None` where quadrature does not reach: near the edge between rocking and toppling, and where
     /// the tilt hardly changes.
-    pub(super) fn outcome(&self) -> Option<Outcome<T>> {
+    pub(super) fn quadrature(&self) -> Option<Quadrature<T>> {
         let start = self.start;
         let point = self.motion.at(start.y, start.eta);
         if self.motion.pressing(&point).value() < 0.0 {
-            return Some(Outcome::without_turn(Ending::LiftedOff, None));
+            return Some(Quadrature::without_turn(Outcome::LiftedOff, None));
         }
         let p = start.p.value();
         let rising = p > 0.0 || (p == 0.0 && point.slope.value() > 0.0);
@@ -129,8 +129,8 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         };
         let top = match self.lifting(&low, &top, rising) {
             None => top,
-            Some(None) => return Some(Outcome::without_turn(Ending::LiftedOff, None)),
-            Some(Some(y)) => Top::Passing(y, Ending::LiftedOff),
+            Some(None) => return Some(Quadrature::without_turn(Outcome::LiftedOff, None)),
+            Some(Some(y)) => Top::Passing(y, Outcome::LiftedOff),
         };
         match top {
             Top::Rest(high) if (high.eta - low.eta).value() < LONGEST => {
@@ -141,7 +141,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 
     /// The same with the energy of a tilt that hardly changes.
-    fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Outcome<T>> {
+    fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Quadrature<T>> {
         let eta = self.start.eta;
         let (from, to) = ((low.eta - eta).value(), (high.eta - eta).value());
         let margin = 0.1 * (to - from);
@@ -157,29 +157,29 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         self.along(&wobble, &start, &low, &Top::Rest(high), rising)
     }
 
-    fn fell_back(&self) -> Option<Outcome<T>> {
-        if self.end.1 == Ending::Rocked {
+    fn fell_back(&self) -> Option<Quadrature<T>> {
+        if self.end.1 == Outcome::Rocked {
             // A disk, which goes on to its other face.
             return None;
         }
         let eta = self.start.eta.value();
         let end = libm::log(self.end.0);
         let ending = match first_sign_change(eta, end, |eta| self.pressing(eta)) {
-            Some(_) => Ending::LiftedOff,
-            None => Ending::FellBack,
+            Some(_) => Outcome::LiftedOff,
+            None => Outcome::FellBack,
         };
-        Some(Outcome::without_turn(ending, None))
+        Some(Quadrature::without_turn(ending, None))
     }
 
     /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way.
-    fn came_down_flat(&self, high: &Option<Extreme<T>>) -> Outcome<T> {
+    fn came_down_flat(&self, high: &Option<Extreme<T>>) -> Quadrature<T> {
         let highest = high.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
         let ending = if self.lifts_coming_down(highest.value(), libm::log(FLAT)) {
-            Ending::LiftedOff
+            Outcome::LiftedOff
         } else {
-            Ending::FaceDown
+            Outcome::FaceDown
         };
-        Outcome::without_turn(ending, None)
+        Quadrature::without_turn(ending, None)
     }
 
     /// Yaw and time along the whole.
@@ -190,7 +190,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         low: &Extreme<T>,
         top: &Top<T>,
         rising: bool,
-    ) -> Option<Outcome<T>> {
+    ) -> Option<Quadrature<T>> {
         let eta_top = match top {
             Top::Rest(high) => high.eta,
             Top::Passing(y, _) => y.ln(),
@@ -235,9 +235,9 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         } else {
             (None, risen)
         };
-        Some(Outcome {
+        Some(Quadrature {
             ending: match top {
-                Top::Rest(_) => Ending::Rocked,
+                Top::Rest(_) => Outcome::Rocked,
                 Top::Passing(_, ending) => *ending,
             },
             low: Some(low.y),

@@ -3,7 +3,7 @@
 //! A block of starts goes through the parts of its turns one after another; in each, starts that need
 //! rules of the same size share lanes. What is rare is treated alone.
 
-use super::alone::Outcome;
+use super::alone::Quadrature;
 use super::dispatch::Group;
 use super::passing::{Stretch, Way};
 use super::pieces::Told;
@@ -13,7 +13,7 @@ use super::tilting::Conserved;
 use super::together::Part;
 use super::top::is_on_top;
 use super::waiting::Waiting;
-use super::{Ending, Exact, ExactTurn, SHORT, told};
+use super::{Exact, ExactTurn, Outcome, SHORT, told};
 use crate::error::InvalidInput;
 use crate::real::{LANES, Lanes, Real};
 use crate::state::State;
@@ -85,7 +85,7 @@ impl Exact {
         goes_on: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
         let refused = |block: &[State]| block.iter().find_map(|start| self.check(start).err());
-        let mut turns = vec![told(&Outcome::without_turn(Ending::Failed, None)); starts.len()];
+        let mut turns = vec![told(&Quadrature::without_turn(Outcome::Failed, None)); starts.len()];
         #[cfg(feature = "threads")]
         let (first, (of_turns, of_starts)) = (
             starts.par_chunks(BLOCK).find_map_first(refused),
@@ -125,7 +125,7 @@ impl Exact {
             *turn = match lane.course {
                 Course::Rocks => lane.rocked(),
                 Course::Passes => lane.passed(end),
-                Course::FallsBack => told(&Outcome::without_turn(Ending::FellBack, None)),
+                Course::FallsBack => told(&Quadrature::without_turn(Outcome::FellBack, None)),
                 // One that has to be stepped may take long.
                 _ if goes_on() => self.turn_of(start),
                 _ => return None,
@@ -181,7 +181,7 @@ impl Exact {
                 lane.nodes = found.nodes.map(here);
             }
         }
-        if way.ending == Ending::Rocked {
+        if way.ending == Outcome::Rocked {
             return; // A disk goes on to its other face.
         }
         for group in rising.chunks(LANES) {
@@ -316,7 +316,7 @@ impl Lane {
             (turn, half_time - leg_time, turn)
         };
         ExactTurn {
-            ending: Ending::Rocked,
+            ending: Outcome::Rocked,
             turn,
             min_tilt: self.tilts[0],
             max_tilt: self.tilts[1],
@@ -326,7 +326,7 @@ impl Lane {
         }
     }
 
-    fn passed(&self, (_, ending): (f64, Ending)) -> ExactTurn {
+    fn passed(&self, (_, ending): (f64, Outcome)) -> ExactTurn {
         let ([half_yaw, half_time], [leg_yaw, leg_time]) = (self.half, self.leg);
         let turn = half_yaw + (half_yaw + leg_yaw);
         ExactTurn {

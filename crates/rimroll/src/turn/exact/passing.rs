@@ -11,7 +11,7 @@ use super::rule::{Rule, nodes_across, nodes_towards};
 use super::start::Start;
 use super::tilting::{Conserved, Point, Tilting};
 use super::together::{ROUNDS, is_lowest};
-use super::{Ending, FLAT, LOOKS};
+use super::{FLAT, LOOKS, Outcome};
 use crate::real::{Bits, Lanes, Mask, Vector};
 
 /// So much of the way up to the balance point, in η, belongs to its passage.
@@ -32,7 +32,7 @@ pub(super) struct Way {
     pub(super) balance: Balance,
     /// Where it ends: tan(φ/2) and its logarithm.
     pub(super) end: [f64; 2],
-    pub(super) ending: Ending,
+    pub(super) ending: Outcome,
 }
 
 /// How sixteen motions pass.

@@ -4,7 +4,7 @@ use super::fundamental::Fundamental;
 use super::rolling::Rolling;
 use super::sliding::Sliding;
 use super::start::Start;
-use super::{Ending, Exact};
+use super::{Exact, Outcome};
 use crate::error::InvalidInput;
 use crate::law::Parameters;
 use crate::motion::{PARAMETERS, Slope};
@@ -71,7 +71,7 @@ impl Exact {
             Some(table) => self.alone(&Rolling::new(table, &start), &k, start),
             None => self.alone(&Sliding::new(k, &start), &k, start),
         }?;
-        let known = matches!(outcome.ending, Ending::Rocked | Ending::Toppled);
+        let known = matches!(outcome.ending, Outcome::Rocked | Outcome::Toppled);
         let turn = (outcome.down? + outcome.up?).yaw;
         known.then_some(turn.slope.0)
     }
