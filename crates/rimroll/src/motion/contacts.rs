@@ -330,17 +330,19 @@ impl Contacts {
         }
     }
 
-    /// The coordinates after a landing, and how the rim goes on.
-    pub(super) fn land(&self, u: &Coordinates<f64>) -> (Coordinates<f64>, Next) {
+    /// The coordinates after a landing, and how the rim goes on; none where the impact cannot be followed.
+    pub(super) fn land(&self, u: &Coordinates<f64>) -> Option<(Coordinates<f64>, Next)> {
         let friction = self.surface.friction.friction_in_impact();
         let restitution = self.surface.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
         let rest = self.stopped_speed(u);
-        let after = impact::land(&self.parameters, u, friction, restitution, rest);
-        if after.gap_rate > 0.0 {
-            return (after, Next::Fly);
-        }
-        (after, self.settle(&after))
+        let after = impact::land(&self.parameters, u, friction, restitution, rest)?;
+        let next = if after.gap_rate > 0.0 {
+            Next::Fly
+        } else {
+            self.settle(&after)
+        };
+        Some((after, next))
     }
 }
 

@@ -328,7 +328,9 @@ impl<'a> Run<'a> {
                 self.going_on(next, stopped)
             }
             Switch::Land => {
-                let (landed, next) = self.contacts.land(at);
+                let Some((landed, next)) = self.contacts.land(at) else {
+                    return Then::End(Status::Failed);
+                };
                 let phase = match next {
                     Next::Fly => Phase::Flying,
                     Next::Roll => Phase::Rolling,
