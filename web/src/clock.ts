@@ -87,6 +87,8 @@ export class Clock {
   readonly stretched: Signal<boolean> = signal(INITIAL_PACE.stretched);
   /** s of the motion */
   readonly time: Signal<number> = signal(0);
+  /** When playing stops, s of the motion. */
+  private until = Infinity;
   private readonly schedule: ReadonlySignal<Schedule | undefined>;
 
   constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
@@ -128,13 +130,16 @@ export class Clock {
     return (this.schedule.value?.slownessAt(this.time.value) ?? 1) / this.speed.value;
   }
 
-  play(): void {
+  /** Plays on from the time shown, up to a time (s) or to the end. */
+  play(until = Infinity): void {
     if (this.time.value >= this.end) this.time.value = 0;
+    this.until = until;
     this.playing.value = true;
   }
 
   pause(): void {
     this.playing.value = false;
+    this.until = Infinity;
   }
 
   toggle(): void {
@@ -152,8 +157,13 @@ export class Clock {
     const schedule = this.schedule.value;
     if (!schedule) return;
     const shown = schedule.shownAt(this.time.value) + seconds * this.speed.value;
-    this.time.value = schedule.timeAt(Math.min(Math.max(shown, 0), schedule.length));
-    if (shown >= schedule.length) this.pause();
+    if (shown >= Math.min(schedule.shownAt(this.until), schedule.length)) {
+      // Exactly there: shown time and back again would round it.
+      this.time.value = Math.min(this.until, this.end);
+      this.pause();
+      return;
+    }
+    this.time.value = schedule.timeAt(Math.max(shown, 0));
   }
 
   /** One picture on or back. */

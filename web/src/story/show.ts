@@ -6,7 +6,8 @@ import type { Lab } from "../lab";
 import { INITIAL } from "../setup/setup";
 import type { Step } from "./steps";
 
-/** Not `moving`, it shows what comes of the release: the end of its first turn. */
+/** Plays up to the first rise, where the body has come up again: what comes after repeats it. Not
+ * `moving`, it shows that moment at once. */
 export function show(lab: Lab, step: Step, moving: boolean): void {
   const { clock } = lab;
   batch(() => {
@@ -21,6 +22,7 @@ export function show(lab: Lab, step: Step, moving: boolean): void {
   // Not while it is watched.
   lab.complete();
   if (step.shows === "flicks") makeThem(lab);
-  if (moving) clock.play();
-  else clock.time.value = lab.motion.value?.turns[0]?.end ?? clock.end;
+  const risen = lab.motion.value?.turns[0]?.end ?? clock.end;
+  if (moving) clock.play(risen);
+  else clock.time.value = risen;
 }

@@ -37,6 +37,31 @@ describe("at the speed of life, unstretched", () => {
   });
 });
 
+/** Lets it play for as long as it does, but not for ever. */
+function playOut(clock: Clock): void {
+  for (let k = 0; k < 100_000 && clock.playing.value; k++) clock.advance(0.01);
+}
+
+test("played up to a time it stops just there, but not when it is played on", () => {
+  const clock = clockOf(motionOf());
+  clock.play(0.3);
+  playOut(clock);
+  expect([clock.time.value, clock.playing.value]).toEqual([0.3, false]);
+  clock.play();
+  clock.advance(0.01);
+  expect(clock.time.value).toBeGreaterThan(0.3);
+  expect(clock.playing.value).toBe(true);
+});
+
+test("what was to stop it is forgotten when somebody goes elsewhere", () => {
+  const clock = clockOf(motionOf());
+  clock.play(0.3);
+  clock.step(1);
+  clock.play();
+  playOut(clock);
+  expect(clock.time.value).toBe(clock.end);
+});
+
 describe("stretched", () => {
   test("no picture turns the contact point by more than is unhurried", () => {
     const motion = motionOf();
