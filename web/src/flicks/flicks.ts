@@ -2,14 +2,14 @@
 
 import { effect } from "@preact/signals-core";
 import { clearThem, makeThem } from "../falls/making";
+import { tallied } from "../falls/tally";
+import { told } from "../falls/told";
 import { Hand } from "../inputs/hand";
 import { numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
 import { FLICK_FIELDS } from "../setup/fields";
 import "./flicks.css";
 import { histogram } from "./histogram";
-import { tallied } from "./tally";
-import { told } from "./words";
 
 export function mountFlicks(lab: Lab, place: HTMLElement): void {
   place.innerHTML = `

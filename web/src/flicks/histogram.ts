@@ -3,17 +3,15 @@
 // straight ahead is up, and falls to the left of the hand are on the left.
 
 import type { Theory } from "../core/core";
+import { MEASURED } from "../falls/paper";
+import type { Tally } from "../falls/tally";
 import { LAW_COLOURS } from "./colours";
-import type { Tally } from "./tally";
 
 const BIN = 3; // degrees: divides 180, so that no bar has falls of both sides
 const [INNER, OUTER] = [46, 92];
 
-/** The paper's can, 42 flicks: mean turn and standard deviation of each side (Srinivasan & Ruina 2007). */
-const MEASURED = [
-  { mean: 213.0, deviation: 3.9 },
-  { mean: 360 - 217.9, deviation: 4.5 },
-];
+/** To the right it is counted the other way round. */
+const MEASURED_ROUND = [MEASURED.left, { ...MEASURED.right, mean: 360 - MEASURED.right.mean }];
 
 export interface Shown {
   tally: Tally;
@@ -29,7 +27,7 @@ export function histogram({ tally, theory, measured }: Shown): string {
     degreeMarks(),
     bars(tally.directions),
     ...limits(theory),
-    ...(measured ? MEASURED.map(({ mean, deviation }) => measuredArc(mean, deviation)) : []),
+    ...(measured ? MEASURED_ROUND.map(({ mean, deviation }) => measuredArc(mean, deviation)) : []),
     `<path d="M0 12V30m-3.5 -5L0 33l3.5 -8" class="lean"/>`,
     `<text y="7" class="small">first lean</text>`,
   ].join("");

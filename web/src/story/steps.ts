@@ -19,7 +19,7 @@ const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0.02, duration: 2 };
 export const STEPS: readonly Step[] = [
   {
     title: "It looks like rocking",
-    text: "Tip a can and let it go. It seems to slap down flat on the table and rock up on the other side. Watch where it comes up: not quite opposite.",
+    text: "Tip a can and let it go. It seems to slap down flat on the table and rock up on the other side. Watch where it comes up, and stops here: not opposite, but 22° to the side.",
     setup: {},
     speed: 1,
     stretched: false,
@@ -35,7 +35,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "It is rolling",
-    text: "Now time stretches by itself while the contact point races round the rim. The can rolls along its rim, by more than half a turn, in less than a ten-thousandth of a second.",
+    text: "Now time stretches by itself while the contact point races round the rim. The can rolls along its rim: the contact point runs more than half way round in less than a ten-thousandth of a second, and the can itself does not turn. Watch its red mark.",
     setup: {},
     speed: 1,
     stretched: true,
@@ -59,7 +59,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Your turn",
-    text: "Take the top of the body and tilt it. Let go, or flick it by letting go in motion. Change the body and the table, fill the bottle, spin a coin, and send the link to a friend.",
+    text: "Take the top of the body and tilt it. Let go, or flick it by letting go in motion. Change the body and the table, fill the bottle, spin a coin. Share, further down, is for what you want to keep or show to a friend.",
     setup: {},
     speed: 1,
     stretched: true,

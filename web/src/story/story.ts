@@ -3,6 +3,7 @@
 import { effect, signal } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { wantsStillness } from "../stillness";
+import { fallsOf } from "./falls";
 import { show } from "./show";
 import { STEPS, type Step } from "./steps";
 import "./story.css";
@@ -25,6 +26,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     // Who wants no motion did not ask for any yet.
     show(lab, step(), !wantsStillness());
   };
+  part(".row").before(fallsOf(lab, () => step().shows === "flicks"));
   part(".back").addEventListener("click", () => go(-1));
   part(".show").addEventListener("click", () => show(lab, step(), true));
   part(".next").addEventListener("click", () => go(1));

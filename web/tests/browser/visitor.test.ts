@@ -167,6 +167,31 @@ test("forty-two flicks are told in words and drawn as a histogram", async () => 
   });
 });
 
+test("both humps are beside the story on a laptop, without scrolling", async () => {
+  await visited("", async ({ page }) => {
+    const story = page.getByRole("region", { name: "The story" });
+    const falls = story.getByRole("img", {
+      name: /^How far round it fell, from 195° to 230° by 1°/,
+    });
+    expect(await falls.isVisible()).toBe(false);
+    while (!/step 5 of 6/.test(await story.innerText()))
+      await story.getByRole("button", { name: "Next step" }).click();
+    await page.waitForFunction(() =>
+      /^Of 42/.test(document.querySelector("#flicks-said")!.textContent),
+    );
+    const box = (await falls.boundingBox())!;
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+    expect([box.y > 0, box.y + box.height < 768, box.height > 100]).toEqual([true, true, true]);
+    for (const side of ["left", "right"])
+      expect(await falls.locator(`.bar.${side}`).count()).toBeGreaterThan(3);
+    expect(await falls.getAttribute("aria-label")).toMatch(
+      /Of 42 flicks \d+ fell to the left after/,
+    );
+    await story.getByRole("button", { name: "Next step" }).click();
+    expect(await falls.isVisible()).toBe(false);
+  });
+});
+
 test("the story goes through its six steps, each another set-up", { timeout: 60_000 }, async () => {
   await visited("", async ({ page }) => {
     const story = page.getByRole("region", { name: "The story" });

@@ -4,8 +4,8 @@ import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vi
 import type { Core } from "../../src/core/core";
 import { clearThem, makeThem } from "../../src/falls/making";
 import { flicked } from "../../src/falls/flicked";
-import { tallied } from "../../src/flicks/tally";
-import { told } from "../../src/flicks/words";
+import { tallied } from "../../src/falls/tally";
+import { told } from "../../src/falls/told";
 import { posed } from "../../src/setup/posed";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";

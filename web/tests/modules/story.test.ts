@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, test } from "vitest";
 import { SPEEDS } from "../../src/setup/pace";
 import type { Core } from "../../src/core/core";
 import { flicked } from "../../src/falls/flicked";
-import { tallied } from "../../src/flicks/tally";
+import { tallied } from "../../src/falls/tally";
 import { FIELD_NAMES } from "../../src/setup/fields";
 import { INITIAL, read } from "../../src/setup/setup";
 import { show } from "../../src/story/show";
@@ -57,6 +57,26 @@ test("the angle is close to 202° every time", () => {
 });
 
 describe("a step that is shown", () => {
+  test("stops where the body has come up for the first time, and says so", () => {
+    const lab = labWith(core);
+    const first = STEPS[0] as Step;
+    show(lab, first, true);
+    const [turn] = lab.motion.value!.turns;
+    for (let k = 0; k < 100_000 && lab.clock.playing.value; k++) lab.clock.advance(1 / 60);
+    expect(lab.clock.playing.value).toBe(false);
+    expect(lab.clock.time.value).toBe(turn!.end);
+    const DEGREES = 180 / Math.PI;
+    expect(lab.moment.value!.tilt * DEGREES).toBeGreaterThan(19);
+    // What stands beside it is of that fall, as is the text.
+    const angle = lab.turning.value!.angle * DEGREES;
+    expect(angle).toBeCloseTo(turn!.angle * DEGREES, 9);
+    expect(first.text).toContain(`${(angle - 180).toFixed(0)}° to the side`);
+    // Whoever presses play sees the rest.
+    lab.clock.play();
+    for (let k = 0; k < 100_000 && lab.clock.playing.value; k++) lab.clock.advance(1 / 60);
+    expect(lab.clock.time.value).toBe(lab.motion.value!.end);
+  });
+
   test("plays from the release, also when it is set up already", () => {
     const lab = labWith(core);
     show(lab, STEPS[0] as Step, true);

@@ -1,9 +1,10 @@
 // What many flicks came to: how many fell left and right, and how far round.
 
-import type { Flicked } from "../falls/flicked";
+import type { Flicked } from "./flicked";
 
 /** The falls of one side; how far round they came, in degrees, whichever way round. */
 export interface Side {
+  turns: number[];
   count: number;
   mean: number;
   deviation: number;
@@ -45,5 +46,5 @@ function side(turns: number[]): Side {
   const count = turns.length;
   const mean = turns.reduce((sum, turn) => sum + turn, 0) / count;
   const squares = turns.reduce((sum, turn) => sum + (turn - mean) ** 2, 0);
-  return { count, mean, deviation: Math.sqrt(squares / (count - 1)) };
+  return { turns, count, mean, deviation: Math.sqrt(squares / (count - 1)) };
 }

@@ -1,0 +1,60 @@
+// The axis of a straight histogram of angles of turn: about the theory's limits, whatever the body.
+
+import type { Theory } from "../core/core";
+
+/** Degrees. */
+export interface Bins {
+  from: number;
+  to: number;
+  width: number;
+}
+
+/** How many falls lie in each bin, and beyond the ends of the axis. */
+export interface Counts {
+  below: number;
+  bins: number[];
+  above: number;
+}
+
+/** Beyond the limits, degrees, and what the ends are multiples of. */
+const [ROOM, ROUND] = [7, 5];
+/** No more bins than this can be told apart. */
+const MOST = 60;
+/** So many falls of a hundred may lie beyond the axis at either end. */
+const STRAY = 5;
+
+/** An axis that holds the limits, and nearly all of the turns (degrees, whichever way round). */
+export function binsFor(theory: Theory | undefined, turns: readonly number[]): Bins {
+  const limits = limitsOf(theory);
+  const sorted = [...turns].sort((a, b) => a - b);
+  const stray = Math.floor((sorted.length * STRAY) / 100);
+  const usual = sorted.slice(stray, sorted.length - stray);
+  const held = [...limits.map((limit) => limit - ROOM), ...limits.map((limit) => limit + ROOM)];
+  const ends = [...held, ...usual.slice(0, 1), ...usual.slice(-1)];
+  if (ends.length === 0) return { from: 180, to: 180 + MOST, width: 1 };
+  const from = ROUND * Math.floor(Math.min(...ends) / ROUND);
+  const to = ROUND * Math.ceil((Math.max(...ends) + 1e-9) / ROUND);
+  const width = [1, 2, 5, 10].find((width) => to - from <= MOST * width) ?? 20;
+  // Whole bins.
+  return { from, to: from + width * Math.ceil((to - from) / width), width };
+}
+
+/** The limits that there are on ideal tables, degrees. */
+export const limitsOf = (theory: Theory | undefined): number[] =>
+  theory
+    ? [theory.noSlip, theory.frictionless]
+        .filter((limit) => !Number.isNaN(limit))
+        .map((limit) => (limit * 180) / Math.PI)
+    : [];
+
+/** The bins are closed below and open above. */
+export function counted(turns: readonly number[], { from, to, width }: Bins): Counts {
+  const bins = new Array<number>(Math.round((to - from) / width)).fill(0);
+  let [below, above] = [0, 0];
+  for (const turn of turns) {
+    if (turn < from) below++;
+    else if (turn >= to) above++;
+    else bins[Math.floor((turn - from) / width)]! += 1;
+  }
+  return { below, bins, above };
+}

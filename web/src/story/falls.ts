@@ -1,0 +1,38 @@
+// The falls of a step of the story that flicks the body: a straight histogram beside what is said.
+
+import { effect, computed } from "@preact/signals-core";
+import { element } from "../elements";
+import { tallied } from "../falls/tally";
+import { told } from "../falls/told";
+import type { Lab } from "../lab";
+import { binsFor } from "./bins";
+import { HEIGHT, WIDTH, humps } from "./humps";
+
+/** Hidden while no step asks for it; `wanted` reads signals. */
+export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
+  const figure = element("figure", { class: "falls" });
+  figure.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img"></svg><figcaption></figcaption>`;
+  const picture = figure.querySelector("svg") as SVGElement;
+  const caption = figure.querySelector("figcaption") as HTMLElement;
+  // Of all that are on their way, so that the axis stays while they fall.
+  const bins = computed(() => {
+    const { left, right } = tallied(lab.flicks.value);
+    return binsFor(lab.theory.value, [...left.turns, ...right.turns]);
+  });
+  effect(() => {
+    figure.hidden = !wanted();
+    if (figure.hidden) return;
+    const theory = lab.theory.value;
+    const measured = lab.setup.value.body === "can_2007";
+    const tally = tallied(lab.flicks.value.slice(0, lab.flicksMade.value ?? 0));
+    picture.innerHTML = humps({ tally, theory, bins: bins.value, measured });
+    const { from, to, width } = bins.value;
+    picture.setAttribute(
+      "aria-label",
+      `How far round it fell, from ${from}° to ${to}° by ${width}°. ${told(lab)}`,
+    );
+    const beside = measured ? " Lines with a dot: the paper’s falls." : "";
+    caption.textContent = `How far round it fell: left above, right below, ${width}° a bar.${beside}`;
+  });
+  return figure;
+}
