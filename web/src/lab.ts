@@ -11,7 +11,7 @@ import {
 } from "@preact/signals-core";
 import { Clock } from "./clock";
 import type { Core, Theory } from "./core/core";
-import type { Moment, Motion, Turn } from "./core/motion";
+import { type Moment, type Motion, type Turn, headingOf } from "./core/motion";
 import { reasonFrom } from "./core/reason";
 import { type Flicked, flicked } from "./falls/flicked";
 import { type Foreseen, foreseen } from "./falls/foreseen";
@@ -39,12 +39,18 @@ const REST = 250;
 /** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
 export interface Turning {
   angle: number;
+  /** How far the body itself has turned about its axis meanwhile, rad; see {@link headingOf}. */
+  own: number;
   start: number;
   /** Yaw then. */
   from: number;
   /** The whole of it; none if the motion ends on the way. */
   whole: Turn | undefined;
 }
+
+/** How far the body itself has turned, rad: positive the way that the contact point runs. */
+export const ownBeside = ({ angle, own, whole }: Turning): number =>
+  own * (Math.sign(whole?.angle ?? angle) || 1);
 
 export class Lab {
   readonly setup: Signal<Readonly<Setup>> = signal(INITIAL);
@@ -133,8 +139,9 @@ export class Lab {
     const whole = motion.turns.find((turn) => time <= turn.end);
     const before = motion.turns.findLast((turn) => turn.end <= time);
     const start = whole?.start ?? before?.end ?? 0;
-    const from = motion.at([start]).moment(0).yaw;
-    return { angle: moment.yaw - from, start, from, whole };
+    const first = motion.at([start]).moment(0);
+    const own = headingOf(moment) - headingOf(first);
+    return { angle: moment.yaw - first.yaw, own, start, from: first.yaw, whole };
   }
 }
 

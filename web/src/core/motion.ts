@@ -33,6 +33,10 @@ export type Column =
 /** One moment. */
 export type Moment = Record<Column, number>;
 
+/** Where a mark on the body points, rad: its azimuth once the body is tipped upright, straight back from
+ * its lean. Only a turn of the body about its axis changes it; to lean elsewhere does not. */
+export const headingOf = ({ yaw, spin }: Pick<Moment, "yaw" | "spin">): number => yaw + spin;
+
 /** Many moments, column by column. */
 export class Moments {
   readonly length: number;

@@ -33,6 +33,9 @@ export function shownWide(value: number, digits: number): string {
   return `${mantissa.replace(/^-/, "−")} × 10${raised}`;
 }
 
-/** An angle in rad, shown in degrees with so many decimals. */
-export const degrees = (angle: number, decimals: number): string =>
-  Number.isNaN(angle) ? "–" : `${((angle * 180) / Math.PI).toFixed(decimals).replace("-", "−")}°`;
+/** An angle in rad, shown in degrees with so many decimals; what rounds to zero has no sign. */
+export function degrees(angle: number, decimals: number): string {
+  if (Number.isNaN(angle)) return "–";
+  const text = ((angle * 180) / Math.PI).toFixed(decimals);
+  return `${Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−")}°`;
+}

@@ -2,12 +2,15 @@
 // has changed, and not otherwise.
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
-import type { Lab, Turning } from "../lab";
+import { type Lab, type Turning, ownBeside } from "../lab";
 import type { Moment, Motion } from "../core/motion";
+import { degrees } from "../inputs/shown";
+import { BODY_NOUNS } from "../setup/fields";
 import { bodyOf } from "../setup/posed";
 import type { Held } from "../setup/released";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "./bodies/bodies";
+import { MARK_FACES, markPlace } from "./bodies/mark";
 import { type Size, reachOf, sizeOf } from "./bodies/shapes";
 import { Contact } from "./contact";
 import { Dots } from "./dots";
@@ -64,7 +67,7 @@ export class Picture {
   private readonly shade = new Shade();
   private readonly words: Words;
   private readonly outline = new Outline();
-  private readonly said: { turned: number; theory: number; other: number };
+  private readonly said: { turned: number; theory: number; other: number; itself: number };
   private palette = readPalette();
   private body = new Group();
   /** What the body takes up, for a pointer to hit. */
@@ -92,6 +95,7 @@ export class Picture {
   private readonly caster = new Raycaster();
   private readonly pointed = new Vector2();
   private readonly spot = new Vector3();
+  private readonly faces = new Vector3();
 
   /** Throws if the browser has no WebGL. */
   constructor(
@@ -103,9 +107,10 @@ export class Picture {
     this.view = new View(this.stage.camera);
     this.words = new Words(frame.words);
     this.said = {
-      turned: this.words.add("turned"),
+      turned: this.words.add("turned", true),
       theory: this.words.add("theory"),
       other: this.words.add("theory"),
+      itself: this.words.add("itself"),
     };
     this.body.matrixAutoUpdate = this.hull.matrixAutoUpdate = false;
     const { scene } = this.stage;
@@ -189,7 +194,7 @@ export class Picture {
     this.pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
     PIXEL.value = wider * this.pixel;
     const stood = this.stand(lab.held.peek(), setup);
-    this.goAfter(stood.pose);
+    this.goAfter(stood);
     const gliding = this.view.update(now);
     camera.updateMatrixWorld();
     this.mark(stood);
@@ -302,9 +307,10 @@ export class Picture {
   }
 
   /** Lamp, table and eye go after a body that rolls away. */
-  private goAfter(pose: Pose): void {
-    const [x, y] = [pose.x / this.reach, pose.y / this.reach];
-    this.view.follow(x, y);
+  private goAfter({ pose, contact }: Stood): void {
+    const { reach } = this;
+    this.view.follow(pose.x / reach, pose.y / reach);
+    this.view.aim(contact.x / reach, contact.y / reach);
     this.stage.follow(this.view.focus.x, this.view.focus.y);
     this.table.follow(this.view.focus.x, this.view.focus.y);
   }
@@ -360,14 +366,31 @@ export class Picture {
       words.say(index, text, wx, wy);
       words.dim(index, this.hidden(wx, wy));
     };
-    say(said.turned, `turned ${degrees(turning.angle)}`, turning.angle / 2, 1.13);
+    say(
+      said.turned,
+      `contact ran round ${degrees(Math.abs(turning.angle), 1)}`,
+      turning.angle / 2,
+      1.13,
+    );
+    this.sayItself(turning);
     // Beyond the dots where many flicks have fallen, if there are any.
     const far = lab.flicksMade.peek() === undefined ? 1.2 : 1.6;
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
-      say(index, one ? `${one.name} ${degrees(one.angle)}` : "", sense * (one?.angle ?? 0), far);
+      say(index, one ? `${one.name} ${degrees(one.angle, 1)}` : "", sense * (one?.angle ?? 0), far);
     limit(said.theory, first);
     limit(said.other, second);
+  }
+
+  /** How far the body itself has turned, at the mark on it. */
+  private sayItself(turning: Turning): void {
+    const { lab, said, words, spot } = this;
+    const noun = BODY_NOUNS[lab.setup.peek().body];
+    const { x, y, z } = spot.copy(markPlace(this.size)).applyMatrix4(this.body.matrix);
+    words.say(said.itself, `the ${noun} itself turned ${degrees(ownBeside(turning), 1)}`, x, y, z);
+    const away = spot.sub(this.stage.camera.position);
+    const faces = this.faces.copy(MARK_FACES).transformDirection(this.body.matrix);
+    words.dim(said.itself, faces.dot(away) > 0);
   }
 
   /** Whether the body is before a spot of the table. */
@@ -401,5 +424,3 @@ export class Picture {
 
 const scale = new Matrix4();
 const scaling = (factor: number) => scale.makeScale(factor, factor, factor);
-
-const degrees = (angle: number) => `${((Math.abs(angle) * 180) / Math.PI).toFixed(1)}°`;

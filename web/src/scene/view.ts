@@ -9,10 +9,16 @@ const USUAL = { azimuth: -1.36, elevation: 0.5 };
 /** s */
 const GLIDE = 0.45;
 
+/** Nearer than this, over the distance from which all is seen, the eye is on the contact point. */
+const NEAR = 0.5;
+
 /** As far as a body goes without the eye going after it, in radii of the circle of degrees. */
 const ROAM = 0.9;
 
 const stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+/** From 0 to 1 with neither a start nor an end that jerks. */
+const smooth = (part: number) => part * part * (3 - 2 * part);
 
 interface Eye {
   azimuth: number;
@@ -30,6 +36,9 @@ export class View {
 
   /** The spot of the table that is in the middle of the picture. */
   readonly focus = { x: 0, y: 0 };
+  /** Where the body touches the table, and where it did when the eye was last turned to it. */
+  private contact = { x: 0, y: 0 };
+  private aimed = this.contact;
 
   constructor(private readonly camera: PerspectiveCamera) {}
 
@@ -55,6 +64,12 @@ export class View {
     this.focus.y = part * y;
   }
 
+  /** Takes note of the spot where the body touches the table: it is what there is to see from near by. */
+  aim(x: number, y: number): void {
+    this.contact = { x, y };
+    if (!stillness()) this.aimed = this.contact;
+  }
+
   turn(azimuth: number, elevation: number): void {
     this.go({
       ...this.eye,
@@ -64,6 +79,7 @@ export class View {
   }
 
   zoom(factor: number): void {
+    this.aimed = this.contact;
     this.go({ ...this.eye, farness: this.eye.farness * factor });
   }
 
@@ -79,7 +95,7 @@ export class View {
   update(now: number): boolean {
     if (this.way) {
       const part = Math.min((now - this.way.begun) / 1000 / GLIDE, 1);
-      const eased = part * part * (3 - 2 * part);
+      const eased = smooth(part);
       const { from, to } = this.way;
       const between = (key: keyof Eye) => from[key] + eased * (to[key] - from[key]);
       this.eye = {
@@ -99,14 +115,17 @@ export class View {
     const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
     const distance = (this.radius / Math.sin(narrow)) * eye.farness;
     const flat = distance * Math.cos(eye.elevation);
-    const lookAt = height * Math.cos(eye.elevation);
-    const { x, y } = this.focus;
+    // From afar it looks at the middle of the body, from near by at the contact point.
+    const part = smooth(Math.min(Math.max((1 - eye.farness) / (1 - NEAR), 0), 1));
+    const x = this.focus.x + part * (this.aimed.x - this.focus.x);
+    const y = this.focus.y + part * (this.aimed.y - this.focus.y);
+    const z = (1 - part) * height * Math.cos(eye.elevation);
     camera.position.set(
       x + flat * Math.cos(eye.azimuth),
       y + flat * Math.sin(eye.azimuth),
-      lookAt + distance * Math.sin(eye.elevation),
+      z + distance * Math.sin(eye.elevation),
     );
-    camera.lookAt(x, y, lookAt);
+    camera.lookAt(x, y, z);
   }
 
   private go(eye: Eye): void {

@@ -7,6 +7,9 @@ const MARGIN = 6;
 /** As far as points of the outline are apart on a body as large as the picture, px. */
 const BAND = 12;
 
+/** Farther from the middle than this, its edge being 1, a spot is far outside the picture. */
+const OUTSIDE = 1.4;
+
 interface Word {
   element: HTMLElement;
   spot: Vector3;
@@ -16,6 +19,8 @@ interface Word {
   width: number;
   height: number;
   shown: boolean;
+  /** Whether it is seen at the edge while its spot is beyond. */
+  stays: boolean;
 }
 
 export class Words {
@@ -27,7 +32,8 @@ export class Words {
     place.setAttribute("aria-hidden", "true");
   }
 
-  add(name: string): number {
+  /** One that `stays` is said at the edge of the picture while its spot is far outside. */
+  add(name: string, stays = false): number {
     const element = document.createElement("span");
     element.className = `word ${name}`;
     element.hidden = true;
@@ -40,6 +46,7 @@ export class Words {
       width: 0,
       height: 0,
       shown: false,
+      stays,
     });
     return this.words.length - 1;
   }
@@ -71,14 +78,14 @@ export class Words {
         word.height = word.element.offsetHeight;
       }
       const { x, y, z } = this.seen.copy(word.spot).project(camera);
-      const behind = z > 1;
+      const away = z > 1 || (!word.stays && Math.max(Math.abs(x), Math.abs(y)) > OUTSIDE);
       word.x = ((x + 1) / 2) * width - word.width / 2;
       word.y = ((1 - y) / 2) * height - word.height / 2;
       word.x = Math.min(Math.max(word.x, MARGIN), width - word.width - MARGIN);
       word.y = Math.min(Math.max(word.y, MARGIN), height - word.height - MARGIN);
       keepBeside(word, body, width);
       this.makeRoom(word);
-      word.element.style.visibility = behind ? "hidden" : "visible";
+      word.element.style.visibility = away ? "hidden" : "visible";
       word.element.style.transform = `translate(${word.x.toFixed(1)}px, ${word.y.toFixed(1)}px)`;
     }
   }

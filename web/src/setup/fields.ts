@@ -43,6 +43,18 @@ const BODIES: Record<Preset | "own", string> = {
   own: "Your own",
 };
 
+/** What a body is called in a sentence. */
+export const BODY_NOUNS: Record<Preset | "own", string> = {
+  can_2007: "can",
+  soda_can: "can",
+  beer_bottle: "bottle",
+  coin: "coin",
+  ring: "ring",
+  battery: "battery",
+  euler_disk: "disk",
+  own: "body",
+};
+
 const LAW_NAMES: Record<LawName, string> = {
   frictionless: "No friction at all",
   coulomb: "Dry friction",

@@ -3,6 +3,7 @@
 import type { Fall } from "../core/core";
 import type { Foreseen } from "../falls/foreseen";
 import { degrees, shownTime, shownWide, written } from "../inputs/shown";
+import { BODY_NOUNS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Told } from "./told";
 import { beside, comparison } from "./words";
@@ -16,6 +17,11 @@ export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>)
       name: "Angle of turn",
       number: turn === undefined ? "–" : degrees(turn, 1),
       note: "if you let go now",
+    },
+    itself: {
+      name: `The ${BODY_NOUNS[setup.body]} itself`,
+      number: "–",
+      note: "seen when you let go",
     },
     theory: {
       name: "In theory",
@@ -37,7 +43,7 @@ export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>)
 /** What would become of it, as the end of a sentence. */
 function becoming({ outcome, turn, time }: Readonly<Fall>): string {
   const after = `after ${shownTime(time)}`;
-  const round = `its lean would swing round by ${degrees(Math.abs(turn), 1)}`;
+  const round = `its contact point would run round by ${degrees(Math.abs(turn), 1)}`;
   switch (outcome) {
     case "rocked":
       return `${round} on its way down and up to the next largest tilt, ${after}`;

@@ -2,6 +2,7 @@
 // at any time in it.
 
 import { degrees, shownWide } from "../inputs/shown";
+import { BODY_NOUNS } from "../setup/fields";
 import type { Lab } from "../lab";
 import type { Passage } from "./passage";
 import type { Told } from "./told";
@@ -18,8 +19,13 @@ export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
   const { motion, theory, begun } = "motion" in outcome ? outcome : NONE;
   const rounds = passage && Math.abs(passage.yawRate) / (2 * Math.PI);
   return {
-    // The number ticks; see verdict.ts.
-    turned: { name: "Turned so far", number: "", note: inThisTurn(passage, motion) },
+    // The numbers of these two tick; see verdict.ts.
+    turned: { name: "Contact ran round", number: "", note: inThisTurn(passage, motion) },
+    itself: {
+      name: `The ${BODY_NOUNS[setup.body]} itself`,
+      number: "",
+      note: "turned meanwhile",
+    },
     theory: {
       name: "In theory",
       number: degrees(theory?.here ?? NaN, 2),

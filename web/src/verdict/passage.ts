@@ -1,10 +1,12 @@
 // The body comes down, its contact point races, and it rises again: what is to be said about that.
 
-import type { Motion } from "../core/motion";
+import { type Motion, headingOf } from "../core/motion";
 
 export interface Passage {
   /** Angle of turn, rad; as far as it came, if the motion ends on the way up. */
   angle: number;
+  /** How far the body itself turned about its axis meanwhile, rad. */
+  own: number;
   /** Whether it came up to a largest tilt again. */
   whole: boolean;
   /** When that begins and ends, s. */
@@ -30,6 +32,7 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
   if (!lowest) return undefined;
   const end = turn?.end ?? motion.end;
   const yawAt = (time: number) => motion.at([time]).moment(0).yaw;
+  const headingAt = (time: number) => headingOf(motion.at([time]).moment(0));
   const from = yawAt(start);
   const angle = turn?.angle ?? yawAt(end) - from;
   const crosses = (part: number) => (time: number) => (yawAt(time) - from) / angle >= part;
@@ -39,6 +42,7 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
     motion.phases.some((phase) => phase.kind === kind && phase.start < end && phase.end > start);
   return {
     angle,
+    own: headingAt(end) - headingAt(start),
     whole: turn !== undefined,
     start,
     end,

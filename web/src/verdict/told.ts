@@ -8,7 +8,10 @@ export interface Tile {
 }
 
 export interface Told {
+  /** How far round the contact point ran. */
   turned: Tile;
+  /** How far the body itself turned about its axis. */
+  itself: Tile;
   theory: Tile;
   lowest: Tile;
   /** At the smallest tilt, or in the hand. */

@@ -3,13 +3,16 @@
 import { computed, effect } from "@preact/signals-core";
 import { element } from "../elements";
 import { degrees } from "../inputs/shown";
-import type { Lab } from "../lab";
+import { type Lab, ownBeside } from "../lab";
 import { ofHand } from "./held";
 import { ofMotion } from "./moving";
 import { passageFrom } from "./passage";
 
 /** s without a change after which the words are read out; not while it moves. */
 const SETTLED = 0.8;
+
+/** Tiles whose numbers change with every picture. */
+const TICKING = ["turned", "itself"] as const;
 
 export function mountVerdict(lab: Lab, place: HTMLElement): void {
   const start = computed(() => lab.turning.value?.start);
@@ -24,7 +27,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
   });
   const words = computed(() => `${told.value.said} ${told.value.ended}`.trim());
 
-  const tiles = { turned: tile(), theory: tile(), lowest: tile(), then: tile() };
+  const tiles = { turned: tile(), itself: tile(), theory: tile(), lowest: tile(), then: tile() };
   const said = element("p", { class: "said" });
   const ended = element("p", { class: "ended" });
   const heard = element("p", { class: "unseen", role: "status" });
@@ -35,12 +38,16 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
   }
   place.append(numbers, element("div", { class: "words" }, said, ended), heard);
 
-  // It ticks, so it is not read out; the whole of it, beside, is.
-  tiles.turned.number.setAttribute("aria-hidden", "true");
+  // These tick, so they are not read out; the whole of them, in words, is.
+  for (const kind of TICKING) tiles[kind].number.setAttribute("aria-hidden", "true");
   effect(() => {
-    const angle = lab.turning.value?.angle;
-    const ticking = angle === undefined ? "–" : degrees(Math.abs(angle), 1);
-    tiles.turned.number.textContent = lab.foreseen.value ? told.value.turned.number : ticking;
+    const turning = lab.turning.value;
+    const ticking = {
+      turned: turning ? degrees(Math.abs(turning.angle), 1) : "–",
+      itself: turning ? degrees(ownBeside(turning), 1) : "–",
+    };
+    for (const kind of TICKING)
+      tiles[kind].number.textContent = lab.foreseen.value ? told.value[kind].number : ticking[kind];
   });
   effect(() => {
     numbers.hidden = lab.motion.value === undefined && !lab.foreseen.value;
@@ -49,7 +56,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
     for (const [kind, { name, number, note }] of entries(tiles)) {
       const now = told.value[kind];
       name.textContent = now.name;
-      if (kind !== "turned") number.textContent = now.number;
+      if (!(TICKING as readonly string[]).includes(kind)) number.textContent = now.number;
       note.textContent = now.note;
     }
     said.textContent = told.value.said;

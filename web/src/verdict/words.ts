@@ -4,22 +4,31 @@ import type { Outcome } from "../lab";
 import type { Theory } from "../core/core";
 import type { Motion } from "../core/motion";
 import { degrees, shown, shownTime } from "../inputs/shown";
+import { BODY_NOUNS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "./passage";
 
-/** What the body does on its way down and up: from where to where the angle is counted, and how far
- * it goes. */
+/** What happens on the way down and up: from where to where the angle is counted, how far the contact
+ * point goes, and how far the body itself turns. */
 export function story(
   passage: Passage | undefined,
   motion: Motion | undefined,
   setup: Readonly<Setup>,
 ): string {
   if (!passage) return "";
-  const { angle, swiftness, rim } = passage;
-  const round = `the lean swings round by ${degrees(Math.abs(angle), 1)}`;
-  const swift = `, most of that in ${shownTime(swiftness)}`;
+  const { angle, own, swiftness, rim } = passage;
+  const round = `the contact point runs round by ${degrees(Math.abs(angle), 1)}`;
+  const swift = `, most of it in ${shownTime(swiftness)}`;
+  const itself = `the ${BODY_NOUNS[setup.body]} itself turns ${ownWay(own, angle)}`;
   const law = setup.law === "coulomb" ? ` ${RIM[rim]}` : "";
-  return `${counted(passage, motion)} ${round}${swift}.${beside(angle)}${law}`;
+  return `${counted(passage, motion)} ${round}${swift}; ${itself}.${beside(angle)}${law}`;
+}
+
+/** How far the body itself turned, and which way beside the contact point. */
+function ownWay(own: number, angle: number): string {
+  const size = degrees(Math.abs(own), 1);
+  if (size === degrees(0, 1)) return size;
+  return `${size} ${own > 0 === angle > 0 ? "the same way" : "the other way"}`;
 }
 
 /** Between which moments the angle is counted. */
@@ -30,7 +39,7 @@ function counted({ start, end, whole }: Passage, motion: Motion | undefined): st
 }
 
 const RIM: Record<Passage["rim"], string> = {
-  rolled: "Friction holds: it rolls all the way, without slipping.",
+  rolled: "Friction holds: it rolls all the way.",
   slipped: "The rim slips on the way.",
   jumped: "The rim jumps off the table on the way.",
 };

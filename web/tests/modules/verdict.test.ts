@@ -1,15 +1,21 @@
 // What the page says about a motion.
 
+import { Matrix4, Quaternion, Vector3 } from "three";
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
+import type { Moment } from "../../src/core/motion";
 import { shownTime } from "../../src/inputs/shown";
+import { ownBeside } from "../../src/lab";
 import { Hands } from "../../src/scene/hands";
+import { placed as place } from "../../src/scene/pose";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { ofHand } from "../../src/verdict/held";
 import { passageFrom } from "../../src/verdict/passage";
 import { comparison, ending, story } from "../../src/verdict/words";
+import { Chance } from "../given/chance";
 import { loadCore } from "../given/core";
 import { labWith } from "../given/page";
+import { likelySetup } from "../given/setups";
 
 let core: Core;
 beforeAll(async () => {
@@ -58,18 +64,68 @@ describe("what the rim does", () => {
   });
 });
 
-test("the lean swings round by the change of yaw, whatever the body does about its axis", () => {
+test("the contact point runs round by the change of yaw, whatever the body does about its axis", () => {
   const { motion, story } = saidOf({ twist: 0.5 });
   const [from, to] = [0, motion.turns[0]?.end ?? 0].map((t) => motion.at([t]).moment(0).yaw);
   const swung = (((to as number) - (from as number)) * 180) / Math.PI;
-  expect(story).toContain(`the lean swings round by ${swung.toFixed(1)}°`);
+  expect(story).toContain(`the contact point runs round by ${swung.toFixed(1)}°`);
+});
+
+describe("the body itself", () => {
+  /** Which way a mark on the body points once it is tipped upright, the shortest way. */
+  function markOf(moment: Moment): number {
+    const placed = new Matrix4();
+    place(placed, { ...moment, x: 0, y: 0, z: 0 });
+    const axis = new Vector3(0, 0, 1).transformDirection(placed);
+    const upright = new Quaternion().setFromUnitVectors(axis, new Vector3(0, 0, 1));
+    const mark = new Vector3(1, 0, 0).transformDirection(placed).applyQuaternion(upright);
+    return Math.atan2(mark.y, mark.x);
+  }
+
+  test("has turned as far as a mark on it has, whatever it does", () => {
+    const chance = new Chance(7);
+    for (let k = 0; k < 60; k++) {
+      const lab = labWith(core, { ...likelySetup(chance), duration: 1 });
+      const motion = lab.motion.value;
+      if (!motion || motion.end === 0) continue;
+      for (const part of [0.2, 0.55, 0.9]) {
+        lab.clock.time.value = part * motion.end;
+        const { own, start } = lab.turning.value!;
+        const turned = markOf(lab.moment.value!) - markOf(motion.at([start]).moment(0));
+        expect(Math.cos(own - turned)).toBeCloseTo(1, 9);
+      }
+    }
+  });
+
+  test("does not turn while its contact point runs round, and that is said", () => {
+    const { passage, story } = saidOf({});
+    expect(Math.abs(passage!.own)).toBeLessThan(1e-3);
+    expect(story).toMatch(
+      /the contact point runs round by 202\.4°.*; the can itself turns 0\.0°\./,
+    );
+  });
+
+  test("turns the one way or the other when it is twisted", () => {
+    expect(saidOf({ twist: 0.5 }).story).toMatch(/itself turns \d+\.\d° the same way\./);
+    expect(saidOf({ twist: 0.5, sideways: -0.3 }).story).toMatch(/itself turns .* the other way\./);
+    expect(saidOf({ twist: 0.5, body: "coin" }).story).toMatch(/the coin itself turns/);
+  });
+
+  test("is counted positive the way that the contact point runs", () => {
+    const lab = labWith(core, { twist: -0.5, sideways: -0.01 });
+    const turning = lab.turning.value!;
+    expect(turning.whole!.angle).toBeLessThan(0);
+    lab.clock.time.value = turning.whole!.end;
+    expect(lab.turning.value!.own).toBeLessThan(0);
+    expect(ownBeside(lab.turning.value!)).toBe(-lab.turning.value!.own);
+  });
 });
 
 test("it says from where to where the angle is counted", () => {
   const { motion } = saidOf({});
   const [first, second] = motion.turns;
   expect(saidOf({}).story).toMatch(
-    `From the release, down and up to the next largest tilt at ${shownTime(first!.end)}, the lean`,
+    `From the release, down and up to the next largest tilt at ${shownTime(first!.end)}, the contact`,
   );
   const later = story(passageFrom(motion, second!.start), motion, INITIAL);
   expect(later).toMatch(/^From the largest tilt at \S+ m?s, down and up to the next largest tilt/);
@@ -94,7 +150,7 @@ describe("in the hand", () => {
     const angle = (lab.motion.value!.turns[0]!.angle * 180) / Math.PI;
     expect(turned.number).toBe(`${Math.abs(angle).toFixed(1)}°`);
     expect(said).toMatch(/^In your hand it leans by 12\.3° toward 40°/);
-    expect(said).toContain(`its lean would swing round by ${turned.number}`);
+    expect(said).toContain(`its contact point would run round by ${turned.number}`);
     expect(lab.foreseen.value).toBe(undefined);
   });
 

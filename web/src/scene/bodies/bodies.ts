@@ -12,12 +12,15 @@ import {
 } from "three";
 import type { Setup } from "../../setup/setup";
 import { batteryPrint, beerLabel, coinFace, diskFace, ringPrint, sodaPrint, tinLabel } from "./art";
+import { markOn } from "./mark";
 import { ownBody } from "./own";
 import { type Outline, arc, revolved } from "./revolved";
 import { sizeOf } from "./shapes";
 
 export function pictureOf(setup: Readonly<Setup>): Group {
-  const body = setup.body === "own" ? ownBody(setup, sizeOf(setup)) : PICTURES[setup.body](setup);
+  const size = sizeOf(setup);
+  const body = setup.body === "own" ? ownBody(setup, size) : PICTURES[setup.body](setup);
+  body.add(markOn(size));
   body.traverse((part) => {
     part.castShadow = true;
     part.receiveShadow = true;
@@ -40,7 +43,6 @@ const material = (parameters: MeshStandardMaterialParameters) =>
   new MeshStandardMaterial(parameters);
 const steel = () => material({ color: "#c9ced3", metalness: 1, roughness: 0.28 });
 const aluminium = () => material({ color: "#d9dde0", metalness: 1, roughness: 0.36 });
-const paint = (color: string) => material({ color, roughness: 0.5 });
 const turned = (outline: Outline, look: Material) => new Mesh(revolved(outline), look);
 
 /** A picture seen from above (or below), z up. */
@@ -95,9 +97,7 @@ function tin(radius: number, length: number): Group {
     ],
     paper,
   );
-  const spot = face(0.0055, length - 0.0026, paint("#e4572e"));
-  spot.position.x = 0.7 * radius;
-  return new Group().add(body, label, spot);
+  return new Group().add(body, label);
 }
 
 function sodaCan(): Group {

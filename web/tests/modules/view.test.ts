@@ -1,0 +1,76 @@
+// Where the eye is.
+
+import { PerspectiveCamera, Vector3 } from "three";
+import { afterEach, describe, expect, test, vi } from "vitest";
+import { View } from "../../src/scene/view";
+
+afterEach(() => vi.unstubAllGlobals());
+
+/** A view of a can whose rim has a radius of half that of the circle of degrees. */
+function viewOf(aspect: number, still = false) {
+  vi.stubGlobal("matchMedia", () => ({ matches: still }));
+  const camera = new PerspectiveCamera(30, aspect, 0.1, 60);
+  const view = new View(camera);
+  view.frame(1.33);
+  const contactAt = (angle: number) => {
+    const spot = new Vector3(0.5 * Math.cos(angle), 0.5 * Math.sin(angle), 0);
+    view.aim(spot.x, spot.y);
+    return spot;
+  };
+  /** How far from the middle of the picture a spot is: 1 is its edge. */
+  const aside = (spot: Vector3) => {
+    view.update(0);
+    camera.updateMatrixWorld();
+    const { x, y, z } = spot.clone().project(camera);
+    expect(z).toBeLessThan(1);
+    return Math.max(Math.abs(x), Math.abs(y));
+  };
+  return { view, contactAt, aside };
+}
+
+describe("who comes near sees the contact point", () => {
+  test.each([
+    ["a telephone", 360 / 318],
+    ["a laptop", 900 / 430],
+    ["a tall picture", 0.5],
+  ])("on %s, from every side and height, wherever it is", (_, aspect) => {
+    for (const azimuth of [0, 1, 2.5, 4])
+      for (const height of [-15, 0, 15])
+        for (const angle of [0, 1.5, 3, 4.5]) {
+          const { view, contactAt, aside } = viewOf(aspect);
+          const spot = contactAt(angle);
+          view.turn(azimuth, 0.06 * height);
+          for (let press = 0; press < 15; press++) view.zoom(0.9);
+          expect(aside(spot)).toBeLessThan(0.1);
+          // Also while it runs round the rim.
+          expect(aside(contactAt(angle + 2))).toBeLessThan(0.1);
+        }
+  });
+
+  test("on the way there it never leaves the picture", () => {
+    const { view, contactAt, aside } = viewOf(2);
+    const spot = contactAt(2);
+    for (let press = 0; press < 25; press++) {
+      expect(aside(spot)).toBeLessThan(0.9);
+      view.zoom(0.9);
+    }
+  });
+});
+
+test("from afar the eye stays where it is while the contact point runs round", () => {
+  const { contactAt, aside } = viewOf(2);
+  const before = aside(contactAt(0));
+  contactAt(2);
+  expect(aside(new Vector3(0.5, 0, 0))).toBe(before);
+});
+
+test("nothing moves by itself for who asks for that; the next step nearer looks again", () => {
+  const { view, contactAt, aside } = viewOf(2, true);
+  const first = contactAt(0);
+  for (let press = 0; press < 15; press++) view.zoom(0.9);
+  const second = contactAt(2);
+  expect(aside(first)).toBeLessThan(0.1);
+  expect(aside(second)).toBeGreaterThan(0.5);
+  view.zoom(0.9);
+  expect(aside(second)).toBeLessThan(0.1);
+});
