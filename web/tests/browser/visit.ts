@@ -7,11 +7,16 @@ import { type Served, serve } from "../given/server";
 // Without a graphics card, as on a machine for tests, WebGL is drawn in software.
 const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
+/** A name by which the browser finds the page, though nobody else does. */
+export const PUBLIC_HOST = "rimroll.example";
+
 export interface VisitOptions extends BrowserContextOptions {
   /** What the address holds after #. */
   hash?: string;
   /** Whether the browser can draw in space; without a graphics card that takes its time. */
   webgl?: boolean;
+  /** By what name the page is visited, if not by the address of this machine. */
+  host?: string;
 }
 
 /** A page that is open, and all that has gone wrong in it. */
@@ -32,7 +37,8 @@ export function browserForAll(): void {
   beforeAll(async () => {
     served = await serve();
     const executablePath = process.env["RIMROLL_CHROMIUM"] ?? "/usr/bin/chromium-headless-shell";
-    browser = await chromium.launch({ executablePath, args: FLAGS });
+    const args = [...FLAGS, `--host-resolver-rules=MAP ${PUBLIC_HOST} 127.0.0.1`];
+    browser = await chromium.launch({ executablePath, args });
   });
   afterEach(async () => {
     await Promise.all(browser.contexts().map((context) => context.close()));
@@ -47,9 +53,19 @@ export function browserForAll(): void {
 export const elsewhere = (requests: readonly string[]): string[] =>
   requests.filter((one) => !one.startsWith(served.address) && !/^(data|blob):/.test(one));
 
+export const addressOfPage = (): string => served.address;
+
+/** A page of the browser on which there is nothing yet. */
+export async function emptyPage(): Promise<Page> {
+  const context = await browser.newContext();
+  await context.addInitScript(withoutWebGL);
+  context.setDefaultTimeout(50_000);
+  return context.newPage();
+}
+
 /** Opens the page as a visitor whom nobody knows, and waits until there is something to see. */
 export async function visit(options: VisitOptions = {}): Promise<Visit> {
-  const { hash = "", webgl = false, ...rest } = options;
+  const { hash = "", webgl = false, host, ...rest } = options;
   const context = await browser.newContext({
     viewport: { width: 1366, height: 768 },
     acceptDownloads: true,
@@ -71,7 +87,8 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
       /GPU stall|GL Driver Message|software WebGL/i.test(text) || (!webgl && /WebGL/.test(text));
     if (["error", "warning"].includes(message.type()) && !expected) complaints.push(text);
   });
-  await page.goto(served.address + (hash && `#${hash}`));
+  const address = host ? served.address.replace("127.0.0.1", host) : served.address;
+  await page.goto(address + (hash && `#${hash}`));
   await page.getByRole("button", { name: "Let go" }).waitFor();
   // three.js marks the canvas that it draws on.
   const scene = page.locator("#scene");

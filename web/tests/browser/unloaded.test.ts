@@ -1,0 +1,77 @@
+// Where the page cannot load its parts, it says in words what to do.
+
+import { pathToFileURL } from "node:url";
+import { join } from "node:path";
+import type { Frame, Page } from "playwright-core";
+import { expect, test } from "vitest";
+import { PAGE } from "../given/server";
+import { addressOfPage, browserForAll, emptyPage } from "./visit";
+
+browserForAll();
+
+const said = (place: Page | Frame) => place.locator("#scene .loading");
+
+test("opened from a file", async () => {
+  const page = await emptyPage();
+  await page.goto(pathToFileURL(join(PAGE, "index.html")).href);
+  await said(page).getByText("rimroll lab", { exact: true }).waitFor();
+  expect(await said(page).innerText()).toMatch(/Opened as a file.*web server/s);
+});
+
+test("in a sandboxed frame", async () => {
+  const page = await emptyPage();
+  await page.setContent(`<iframe sandbox="allow-scripts" src="${addressOfPage()}"></iframe>`);
+  const frame = page.frames()[1] as Frame;
+  await said(frame).getByText("allow-same-origin", { exact: true }).waitFor();
+  expect(await said(frame).innerText()).toContain(addressOfPage());
+});
+
+test("when its script is missing on the server", async () => {
+  const page = await emptyPage();
+  await page.route(/index-.*\.js$/, (route) => route.fulfill({ status: 404 }));
+  await page.goto(addressOfPage());
+  await said(page).getByText("its script did not come").waitFor();
+});
+
+test("when its script fails", async () => {
+  const page = await emptyPage();
+  await page.route(/index-.*\.js$/, (route) =>
+    route.fulfill({ contentType: "text/javascript", body: "this is no script" }),
+  );
+  await page.goto(addressOfPage());
+  await said(page)
+    .getByText(/SyntaxError/)
+    .waitFor();
+});
+
+test("when its script is long in coming, until it comes", async () => {
+  const page = await emptyPage();
+  await page.clock.install();
+  let send = () => {};
+  const held = new Promise<void>((resolve) => (send = resolve));
+  await page.route(/index-.*\.js$/, async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.goto(addressOfPage(), { waitUntil: "commit" });
+  await said(page).waitFor();
+  expect(await said(page).innerText()).toBe("Loading…");
+  await page.clock.fastForward(20_000);
+  await said(page)
+    .getByText(/takes long to load/)
+    .waitFor();
+  await page.clock.resume();
+  send();
+  await page.getByRole("button", { name: "Let go" }).waitFor();
+  expect(await said(page).count()).toBe(0);
+});
+
+test("but not where all is well", async () => {
+  const page = await emptyPage();
+  await page.clock.install();
+  await page.goto(addressOfPage());
+  await page.getByRole("button", { name: "Let go" }).waitFor();
+  await page.clock.fastForward(60_000);
+  expect(await said(page).count()).toBe(0);
+  expect(await page.locator("#lab").innerText()).not.toMatch(/load it again|could not load/i);
+});
