@@ -57,6 +57,10 @@ function help(): HTMLElement {
   summary.setAttribute("aria-label", "How to move things here");
   const box = element("div", "table-help-box");
   box.id = "table-keys";
+  // Where it is longer than the picture is high, it is scrolled with keys too.
+  box.tabIndex = 0;
+  box.setAttribute("role", "group");
+  box.setAttribute("aria-label", "How to move things here");
   box.append(
     element(
       "p",

@@ -171,9 +171,11 @@ describe("with the keyboard alone", () => {
     await page.waitForFunction(() => location.hash === "");
     await page.getByRole("button", { name: "Friction of ice" }).press("Space");
     await page.waitForFunction(() => location.hash === "#friction=0.03");
-    await page.getByRole("button", { name: "Copy link" }).press("Enter");
-    await page.getByText("Link copied.").waitFor();
-    expect(await page.evaluate(() => navigator.clipboard.readText())).toContain("#friction=0.03");
+    await page.getByRole("button", { name: "Copy command" }).press("Enter");
+    await page.getByText("Command copied.").waitFor();
+    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
+      'rimroll lab --setup "friction=0.03"',
+    );
     expect(complaints).toEqual([]);
   });
 
@@ -260,6 +262,40 @@ async function focused() {
   const by = top?.closest("[id]")?.id ?? "being off the screen";
   return { which: which === undefined ? undefined : Number(which), name, marked: ringed, seen, by };
 }
+
+describe("the help on the table is read to its end", () => {
+  test.each([
+    [360, 740],
+    [1000, 640],
+    [1366, 768],
+  ])("at %i by %i", { timeout: 180_000 }, async (width, height) => {
+    const { page } = await visit({ viewport: { width, height }, webgl: true });
+    await page.locator(".table-help summary").press("Enter");
+    const box = page.locator(".table-help-box");
+    const edges = () =>
+      page.evaluate(() => {
+        const of = (selector: string) => document.querySelector(selector)!.getBoundingClientRect();
+        const [stage, help] = [of(".table-stage"), of(".table-help-box")];
+        const last = of(".table-help-box dd:last-child");
+        return { stage: [stage.left, stage.top, stage.right, stage.bottom], help, last };
+      });
+    const { stage, help } = await edges();
+    const [left, top, right, bottom] = stage as [number, number, number, number];
+    expect(help.left).toBeGreaterThanOrEqual(left);
+    expect(help.top).toBeGreaterThanOrEqual(top);
+    expect(help.right).toBeLessThanOrEqual(right);
+    expect(help.bottom).toBeLessThanOrEqual(bottom);
+    await box.press("End");
+    await page.waitForFunction(() => {
+      const box = document.querySelector(".table-help-box")!;
+      return box.scrollTop + box.clientHeight >= box.scrollHeight - 1;
+    });
+    const { last } = await edges();
+    expect(last.bottom).toBeLessThanOrEqual(help.bottom);
+    expect(last.top).toBeGreaterThanOrEqual(help.top);
+    expect(await violations(page)).toEqual([]);
+  });
+});
 
 describe("without WebGL", () => {
   test("the page says so, and everything else works", async () => {
