@@ -3,6 +3,7 @@
 import re
 from http.client import HTTPConnection
 from threading import Thread
+from urllib.parse import unquote
 
 import pytest
 
@@ -15,6 +16,12 @@ FILES = {
     "assets/page.js": (b"console.log(1)", "text/javascript"),
     "assets/page.css": (b":root { color: red }", "text/css"),
     "assets/core.wasm": (b"\0asm\1\0\0\0" + bytes(range(256)), "application/wasm"),
+    "setup.json": (
+        b'{"body": {"choices": ["can_2007", "coin"]},'
+        b' "tilt": {"unit": "\xc2\xb0", "least": 0, "most": 90, "open": true, "whole": false},'
+        b' "flicks": {"unit": "", "least": 1, "most": 1000, "open": false, "whole": true}}',
+        "application/json",
+    ),
     "licences.txt": ("François".encode(), "text/plain; charset=utf-8"),
 }
 
@@ -120,6 +127,31 @@ def test_the_browser_is_opened_at_the_page(package, monkeypatch, capsys):
 
 def test_the_browser_is_opened_with_the_set_up(package, monkeypatch):
     assert opened(monkeypatch, "--setup", "body=coin&tilt=60").endswith("/#body=coin&tilt=60")
+
+
+@pytest.mark.parametrize(
+    ("setup", "reason"),
+    [
+        ("body=nonsense", "body cannot be 'nonsense': choose from can_2007, coin"),
+        ("body=coins", "body cannot be 'coins': did you mean 'coin'?"),
+        ("tllt=20", "there is no quantity 'tllt': did you mean 'tilt'?"),
+        ("nonsense", "there is no quantity 'nonsense'"),
+        ("tilt=steep", "tilt must be a number, got 'steep'"),
+        ("tilt=", "tilt must be a number, got ''"),
+        ("tilt=nan", "tilt must be between 0 and 90 (°), got 'nan'"),
+        ("body=coin&tilt=90", "tilt must be between 0 and 90 (°), got '90'"),
+        ("flicks=1001", "flicks must be from 1 to 1000, got '1001'"),
+        ("flicks=2.5", "flicks must be a whole number, got '2.5'"),
+    ],
+)
+def test_a_set_up_that_the_page_does_not_take_is_refused_at_once(package, capsys, setup, reason):
+    assert main(["lab", "--no-browser", "--setup", setup]) == 2
+    assert f"--setup: {reason}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("setup", ["tilt=12,5", "tilt=20°", "flicks=3", "body=coin&tilt=60"])
+def test_a_set_up_that_the_page_takes_is_opened(package, monkeypatch, setup):
+    assert unquote(opened(monkeypatch, "--setup", setup)).endswith(f"/#{setup}")
 
 
 @needs_signals

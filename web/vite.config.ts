@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { fields } from "./fields";
 import { licences } from "./licences";
 
 export default defineConfig({
@@ -12,7 +13,7 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 800, // kB: three.js by itself has most of it
   },
-  plugins: [licences("licences.txt")],
+  plugins: [licences("licences.txt"), fields("setup.json")],
   test: {
     // One browser at a time: it draws in software and takes all processors by itself.
     fileParallelism: false,

@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 import typer
 
+from rimroll.cli.lab_setup import check
 from rimroll.cli.screen import say
 from rimroll.errors import RimrollError
 
@@ -43,6 +44,8 @@ def lab(
     """
     folder = resources.files("rimroll") / "page"
     with resources.as_file(folder) as page, _server(page, port) as server:
+        if setup:
+            check(setup, page)
         address = server.address + (f"#{quote(setup, safe='=&%+')}" if setup else "")
         try:
             say(f"The lab is at {address}")

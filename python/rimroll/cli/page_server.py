@@ -26,6 +26,7 @@ _TYPES = {
     ".js": "text/javascript",
     ".css": "text/css",
     ".wasm": "application/wasm",
+    ".json": "application/json",
     ".txt": "text/plain; charset=utf-8",
 }
 

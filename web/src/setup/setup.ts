@@ -35,11 +35,16 @@ export function read(name: FieldName, text: string): { value: string | number } 
     const message = noSuchChoice(field.label, Object.values(field.choices), text);
     return { field: name, text, message };
   }
+  const bare = withoutUnit(text.trim(), field);
   // A comma may be somebody's decimal point; a minus sign may be a real one.
-  const value = Number(text.trim().replace(",", ".").replaceAll("−", "-") || NaN);
-  const message = outOfBounds(field, value, text);
+  const value = Number(bare.replace(",", ".").replaceAll("−", "-") || NaN);
+  const message = outOfBounds(field, value, bare);
   return message === undefined ? { value } : { field: name, text, message };
 }
+
+/** A number that is written with its unit, without it. */
+const withoutUnit = (text: string, { unit }: NumberField): string =>
+  unit !== "" && text.endsWith(unit) ? text.slice(0, -unit.length).trim() : text;
 
 /** One thousand, or one with three decimals after somebody's comma. */
 const THOUSANDS = /^\s*[-+−]?[1-9]\d{0,2}(,\d{3})+\s*$/;

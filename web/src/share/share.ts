@@ -1,4 +1,4 @@
-// What a visitor takes away: a link, Python code for the very same motion, and its numbers.
+// What a visitor takes away: a link or a command, Python code for the very same motion, and its numbers.
 
 import { effect } from "@preact/signals-core";
 import { button, element } from "../elements";
@@ -8,16 +8,18 @@ import { toPython } from "../setup/python";
 import { toHash } from "../setup/url";
 import { copied } from "./copy";
 import { download } from "./download";
+import { sent } from "./sent";
 
 export function mountShare(lab: Lab, place: HTMLElement): void {
   const said = element("p", { class: "done", role: "status" });
+  const { help, label, name } = WORDS[sentBy(lab).kind];
   const link = element("input", { type: "text", id: "share-link", readonly: true });
   const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": "Python code" });
   const copy = async (text: string, shownIn: HTMLElement, what: string) => {
     const done = await copied(text, shownIn);
     say(said, done ? `${what} copied.` : "Selected: copy it with Ctrl+C or ⌘C.");
   };
-  const copyLink = button("Copy link", () => void copy(link.value, link, "Link"));
+  const copyLink = button(`Copy ${name.toLowerCase()}`, () => void copy(link.value, link, name));
   const copyCode = button("Copy as Python", () => void copy(code.textContent, code, "Python code"));
   const saveCsv = button("Download CSV", () => {
     lab.complete();
@@ -29,11 +31,11 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
   });
   place.append(
     element("h2", {}, "Share"),
-    element("p", { class: "help" }, "All that is set here is in the link; no server sees it."),
+    element("p", { class: "help" }, help),
     element(
       "div",
       { class: "link" },
-      element("label", { for: link.id, class: "unseen" }, "Link to this set-up"),
+      element("label", { for: link.id, class: "unseen" }, label),
       link,
       copyLink,
     ),
@@ -42,7 +44,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     element("details", {}, element("summary", {}, "The same motion in Python"), code),
   );
   effect(() => {
-    link.value = addressOf(lab);
+    link.value = sentBy(lab).text;
   });
   effect(() => {
     const outcome = lab.outcome.value;
@@ -51,11 +53,20 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
   });
 }
 
-/** The address, as it is about to be in the browser's own field. */
-function addressOf(lab: Lab): string {
-  const hash = toHash(lab.setup.value, lab.clock.pace);
-  return location.href.replace(/#.*$/, "") + (hash === "" ? "" : `#${hash}`);
-}
+const WORDS = {
+  link: {
+    help: "All that is set here is in the link; no server sees it.",
+    label: "Link to this set-up",
+    name: "Link",
+  },
+  command: {
+    help: "This page is served by your own machine, so its address works for nobody else, and not for you next time. This command opens the same set-up wherever rimroll is installed.",
+    label: "Command that opens this set-up",
+    name: "Command",
+  },
+} as const;
+
+const sentBy = (lab: Lab) => sent(toHash(lab.setup.value, lab.clock.pace), location.href);
 
 const pythonOf = (outcome: Outcome) =>
   "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.posed);

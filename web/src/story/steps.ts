@@ -19,7 +19,7 @@ const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0.02, duration: 2 };
 export const STEPS: readonly Step[] = [
   {
     title: "It looks like rocking",
-    text: "Tip a can and let it go. It seems to slap down flat on the table and rock up on the other side. Watch where it comes up, and stops here: not opposite, but 22° to the side.",
+    text: "Tip a can and let it go. It seems to slap down flat on the table and rock up on the other side. It stops where it has come up: not opposite, but 22° to the side.",
     setup: {},
     speed: 1,
     stretched: false,

@@ -35,13 +35,11 @@ test("Python computes from the copied code what was downloaded", async () => {
   for (const setup of setups) {
     const hash = toHash(setup);
     await visited.page.evaluate((hash) => (location.hash = hash), hash);
-    // The page has taken the set-up when its own link holds it.
+    // The page has taken the set-up when what it gives to share holds it.
     await visited.page.waitForFunction(
       (hash) =>
-        (document.getElementById("share-link") as HTMLInputElement).value.replace(
-          /^[^#]*#?/,
-          "",
-        ) === hash,
+        (document.getElementById("share-link") as HTMLInputElement).value ===
+        `rimroll lab${hash && ` --setup "${hash}"`}`,
       hash,
     );
     ours.push(await taken(visited.page));

@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { type Visit, browserForAll, visit } from "./visit";
+import { PUBLIC_HOST, type Visit, browserForAll, visit } from "./visit";
 
 browserForAll();
 
@@ -60,8 +60,35 @@ describe("a link", () => {
         "#gravity-field": "1.62",
       });
       expect(await page.locator("#law-frictionless").isChecked()).toBe(true);
-      expect(await page.locator("#share-link").inputValue()).toBe(page.url());
       expect(new URL(page.url()).hash).toBe(`#${hash}`);
+      // The address of a page on this machine is of no use to anybody else.
+      expect(await page.getByLabel("Command that opens this set-up").inputValue()).toBe(
+        `rimroll lab --setup "${hash}"`,
+      );
+    });
+  });
+
+  test("can be sent from a page that others can reach", async () => {
+    const visited = await visit({ hash: "tilt=33", host: PUBLIC_HOST });
+    const { page } = visited;
+    expect(page.url()).toMatch(new RegExp(`^http://${PUBLIC_HOST}:`));
+    expect(await page.getByLabel("Link to this set-up").inputValue()).toBe(page.url());
+    await page.getByRole("button", { name: "Copy link" }).click();
+    await page.getByText(/^(Link copied|Selected: copy it)/).waitFor();
+    expect(visited.complaints).toEqual([]);
+  });
+
+  test("is a command on this machine, with all that is set by hand", async () => {
+    await visited("", async ({ page }) => {
+      const command = page.getByLabel("Command that opens this set-up");
+      expect(await command.inputValue()).toBe("rimroll lab");
+      await page.locator("#body-field").selectOption("coin");
+      await page.waitForFunction(() => location.hash === "#body=coin");
+      await page.getByRole("button", { name: "Copy command" }).click();
+      await page.getByText("Command copied.").waitFor();
+      expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
+        'rimroll lab --setup "body=coin"',
+      );
     });
   });
 

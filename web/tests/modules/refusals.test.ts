@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { allowed } from "../../fields";
 import { written } from "../../src/inputs/shown";
 import { FIELDS, FIELD_NAMES } from "../../src/setup/fields";
 import { read } from "../../src/setup/setup";
@@ -39,6 +40,38 @@ test("a number is read as it is written in its field, to the last digit", () => 
   }
   expect(written(9.80665001)).toBe("9.80665001");
   expect(written(-1e-7)).toBe("−1e−7");
+});
+
+test.each([
+  ["tilt", "20°", 20],
+  ["tilt_rate", "−0.5 rad/s", -0.5],
+  ["gravity", "1,62 m/s²", 1.62],
+  ["fill", "30%", 30],
+  ["length", "12 cm ", 12],
+] as const)("%s takes “%s”, with its unit", (name, text, value) => {
+  expect(read(name, text)).toEqual({ value });
+});
+
+test("another unit is no number", () => {
+  expect(message("length", "12 mm")).toBe("Height is a number, not “12 mm”.");
+  expect(message("tilt", "°")).toBe("Tilt needs a number.");
+});
+
+test("what `rimroll lab` checks a set-up by is what the page takes", () => {
+  const table = allowed();
+  expect(Object.keys(table)).toEqual([...FIELD_NAMES, "speed", "slow"]);
+  for (const name of FIELD_NAMES) {
+    const entry = table[name]!;
+    if ("choices" in entry) {
+      for (const choice of entry.choices) expect(message(name, choice)).toBe(undefined);
+      continue;
+    }
+    for (const end of [entry.least, entry.most])
+      expect(message(name, String(end)) === undefined).toBe(!entry.open);
+    expect(message(name, String(entry.most + 1))).toContain("is outside");
+    const half = entry.least + 0.5;
+    expect(message(name, String(half)) === undefined).toBe(!entry.whole);
+  }
 });
 
 test("a minus sign may be a real one", () => {
