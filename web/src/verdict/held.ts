@@ -29,7 +29,7 @@ export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>)
       note: comparison(undefined, fall?.minTilt, theory, { ...setup, twist: 0 }),
     },
     lowest: {
-      name: "Flattest",
+      name: "Smallest tilt",
       number: turn === undefined ? "–" : `${shownWide(((fall?.minTilt ?? 0) * 180) / Math.PI, 2)}°`,
       note: "if you let go now",
     },

@@ -5,6 +5,7 @@ import { degrees, shownWide } from "../inputs/shown";
 import { BODY_NOUNS } from "../setup/fields";
 import type { Lab } from "../lab";
 import type { Passage } from "./passage";
+import { gapOf, speedOf } from "./size";
 import type { Told } from "./told";
 import { comparison, ending, inThisTurn, story } from "./words";
 
@@ -17,6 +18,7 @@ const NONE = { motion: undefined, theory: undefined, begun: false };
 export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
   const [setup, outcome] = [lab.setup.value, lab.outcome.value];
   const { motion, theory, begun } = "motion" in outcome ? outcome : NONE;
+  const radius = "motion" in outcome ? outcome.posed.body.radius : undefined;
   const rounds = passage && Math.abs(passage.yawRate) / (2 * Math.PI);
   return {
     // The numbers of these two tick; see verdict.ts.
@@ -32,14 +34,14 @@ export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
       note: comparison(passage && Math.abs(passage.angle), passage?.minTilt, theory, setup),
     },
     lowest: {
-      name: "Flattest",
+      name: "Smallest tilt",
       number: passage ? `${shownWide((passage.minTilt * 180) / Math.PI, 2)}°` : "–",
-      note: "smallest tilt",
+      note: passage && radius ? `a gap of ${gapOf(passage, radius)}` : "",
     },
     then: {
-      name: "Contact point",
+      name: "Contact point then",
       number: rounds === undefined ? "–" : shownWide(rounds, 3),
-      note: "rounds a second, when flattest",
+      note: passage && radius ? `rounds a second: ${speedOf(passage, radius)}` : "rounds a second",
     },
     said: story(passage, motion, setup),
     ended: ending(outcome, setup),

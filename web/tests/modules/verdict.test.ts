@@ -8,8 +8,10 @@ import { shownTime } from "../../src/inputs/shown";
 import { ownBeside } from "../../src/lab";
 import { Hands } from "../../src/scene/hands";
 import { placed as place } from "../../src/scene/pose";
+import { posed } from "../../src/setup/posed";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { ofHand } from "../../src/verdict/held";
+import { ofMotion } from "../../src/verdict/moving";
 import { passageFrom } from "../../src/verdict/passage";
 import { comparison, ending, story } from "../../src/verdict/words";
 import { Chance } from "../given/chance";
@@ -175,6 +177,26 @@ describe("the theory", () => {
 
   test("is said to be for coming down flat, when it does not", () => {
     expect(saidOf({ sideways: 0.3 }).theory).toMatch(/here; it is for coming down flat$/);
+  });
+});
+
+describe("how small and how fast it is", () => {
+  test.each([
+    ["the paper's can", {}, "a gap of 3.5 µm", /^rounds a second: 7\.6 km\/s$/],
+    ["by a hand", { sideways: 0.02 }, "a gap of 140 µm", /^rounds a second: \d+ m\/s$/],
+    ["not coming down", { tilt: 60 }, "", /^rounds a second$/],
+  ] as const)("%s", (_what, changed, gap, speed) => {
+    const lab = labWith(core, changed);
+    const passage = passageFrom(lab.motion.value!, 0);
+    const { lowest, then } = ofMotion(lab, passage);
+    expect(lowest.note).toBe(gap);
+    expect(then.note).toMatch(speed);
+    if (!passage) return;
+    // Against what the mechanics has at that moment: how far the highest point of the rim is up.
+    const { radius } = posed(core, lab.setup.value).body;
+    const moment = lab.motion.value!.at([lab.motion.value!.turns[0]!.t]).moment(0);
+    const up = 2 * radius * Math.sin(moment.tilt) * 1e6;
+    expect(Number.parseFloat(gap.split(" ")[3]!)).toBeCloseTo(Number(up.toPrecision(2)), 9);
   });
 });
 
