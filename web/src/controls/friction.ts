@@ -10,6 +10,9 @@ import { FIELDS } from "../setup/fields";
 /** Dry friction of a metal rim, as rimroll.surfaces. */
 const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 };
 
+/** As parts of the slider: a word in the middle over a place so far on would begin before the slider. */
+const NEAR_THE_START = 0.08;
+
 const IDLE: Record<string, string> = {
   frictionless: "Without any friction there is no number to set.",
   no_slip: "Without any slip, friction is as great as it needs to be.",
@@ -62,5 +65,6 @@ function placed(mark: HTMLElement, friction: number): HTMLElement {
   const part = Math.min((friction - low) / (high - low), 1);
   mark.style.setProperty("--part", String(part));
   mark.classList.toggle("beyond", friction > high);
+  mark.classList.toggle("first", part < NEAR_THE_START);
   return mark;
 }
