@@ -19,19 +19,18 @@ export function mountScene(lab: Lab, place: HTMLElement): void {
     frame.notice.textContent = text;
     frame.stage.classList.toggle("blind", text !== "");
   };
+  const without = (why: string) => (error: unknown) => {
+    console.warn(error);
+    say(`${why} All else on this page works: the motion, the angles and the plots.`);
+  };
+  const draw = ({ Picture }: Awaited<typeof coming>) => {
+    const picture = new Picture(lab, frame);
+    connect(lab, frame, picture);
+    surviveLoss(frame, picture, say);
+  };
   coming
-    .then(({ Picture }) => {
-      const picture = new Picture(lab, frame);
-      connect(lab, frame, picture);
-      surviveLoss(frame, picture, say);
-    })
-    .catch((error: unknown) => {
-      console.warn(error);
-      say(
-        "This browser shows no three-dimensional pictures (WebGL is off or missing). " +
-          "All else on this page works: the motion, the angles and the plots.",
-      );
-    });
+    .then(draw, without("The picture could not be loaded; to see it, load the page again."))
+    .catch(without("This browser shows no three-dimensional pictures (WebGL is off or missing)."));
 }
 
 function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Picture): void {

@@ -66,6 +66,17 @@ test("when its script is long in coming, until it comes", async () => {
   expect(await said(page).count()).toBe(0);
 });
 
+test("when only the picture is missing, and all else works", async () => {
+  const page = await emptyPage();
+  await page.route(/picture-.*\.js$/, (route) => route.fulfill({ status: 404 }));
+  await page.goto(addressOfPage());
+  await page
+    .locator("#scene")
+    .getByText(/picture could not be loaded.*load the page again/)
+    .waitFor();
+  expect(await page.locator(".theory .big").innerText()).toBe("202.29°");
+});
+
 test("but not where all is well", async () => {
   const page = await emptyPage();
   await page.clock.install();

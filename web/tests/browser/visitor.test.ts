@@ -194,6 +194,14 @@ test("forty-two flicks are told in words and drawn as a histogram", async () => 
   });
 });
 
+test("no mark of friction begins outside its panel", async () => {
+  await visited("body=ring", async ({ page }) => {
+    const left = async (place: string) => (await page.locator(place).boundingBox())!.x;
+    expect(await page.locator(".needed button").innerText()).toBe("μ* 0.000");
+    expect(await left(".needed button")).toBeGreaterThanOrEqual(await left("#friction-slider"));
+  });
+});
+
 test("both humps are beside the story on a laptop, without scrolling", async () => {
   await visited("", async ({ page }) => {
     const story = page.getByRole("region", { name: "The story" });
