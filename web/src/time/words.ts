@@ -18,7 +18,8 @@ export function unitFor(duration: number): TimeUnit {
 export function duration(seconds: number): string {
   if (seconds === 0) return "0 s";
   const unit = unitFor(seconds);
-  return `${significant(seconds / unit.size, 3)} ${unit.name}`;
+  // The two are not parted at the end of a line.
+  return `${significant(seconds / unit.size, 3)}\u00a0${unit.name}`;
 }
 
 /** A number with so many digits that count, without powers of ten unless it is tiny, and with a real

@@ -28,5 +28,5 @@ export const speedOf = ({ yawRate }: Passage, radius: number): string =>
 
 function written(value: number, units: readonly { name: string; size: number }[]): string {
   const unit = units.find(({ size }) => value >= 0.9995 * size) ?? units[units.length - 1];
-  return unit ? `${significant(value / unit.size, 2)} ${unit.name}` : "";
+  return unit ? `${significant(value / unit.size, 2)}\u00a0${unit.name}` : "";
 }

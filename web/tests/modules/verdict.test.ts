@@ -130,7 +130,7 @@ test("it says from where to where the angle is counted", () => {
     `From the release, down and up to the next largest tilt at ${shownTime(first!.end)}, the contact`,
   );
   const later = story(passageFrom(motion, second!.start), motion, INITIAL);
-  expect(later).toMatch(/^From the largest tilt at \S+ m?s, down and up to the next largest tilt/);
+  expect(later).toMatch(/^From the largest tilt at \S+\sm?s, down and up to the next largest tilt/);
   const fallen = saidOf({ tilt_rate: -3 });
   expect(fallen.story).toMatch(/^From the release, down and up to its fall at/);
   expect(fallen.ending).toMatch(/^It falls over after/);
@@ -182,8 +182,8 @@ describe("the theory", () => {
 
 describe("how small and how fast it is", () => {
   test.each([
-    ["the paper's can", {}, "a gap of 3.5 µm", /^rounds a second: 7\.6 km\/s$/],
-    ["by a hand", { sideways: 0.02 }, "a gap of 140 µm", /^rounds a second: \d+ m\/s$/],
+    ["the paper's can", {}, "a gap of 3.5\u00a0µm", /^rounds a second: 7\.6\skm\/s$/],
+    ["by a hand", { sideways: 0.02 }, "a gap of 140\u00a0µm", /^rounds a second: \d+\sm\/s$/],
     ["not coming down", { tilt: 60 }, "", /^rounds a second$/],
   ] as const)("%s", (_what, changed, gap, speed) => {
     const lab = labWith(core, changed);
@@ -196,7 +196,10 @@ describe("how small and how fast it is", () => {
     const { radius } = posed(core, lab.setup.value).body;
     const moment = lab.motion.value!.at([lab.motion.value!.turns[0]!.t]).moment(0);
     const up = 2 * radius * Math.sin(moment.tilt) * 1e6;
-    expect(Number.parseFloat(gap.split(" ")[3]!)).toBeCloseTo(Number(up.toPrecision(2)), 9);
+    expect(Number.parseFloat(gap.replace("a gap of ", ""))).toBeCloseTo(
+      Number(up.toPrecision(2)),
+      9,
+    );
   });
 });
 

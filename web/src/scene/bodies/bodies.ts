@@ -20,7 +20,7 @@ import { sizeOf } from "./shapes";
 export function pictureOf(setup: Readonly<Setup>): Group {
   const size = sizeOf(setup);
   const body = setup.body === "own" ? ownBody(setup, size) : PICTURES[setup.body](setup);
-  body.add(markOn(size));
+  body.add(markOn(size, setup.body === "ring" ? HOLLOW * size.widest : 0));
   body.traverse((part) => {
     part.castShadow = true;
     part.receiveShadow = true;
@@ -38,6 +38,9 @@ export function dispose(body: Group): void {
     material.dispose();
   });
 }
+
+/** The inner radius of the ring over its outer one. */
+const HOLLOW = 0.95;
 
 const material = (parameters: MeshStandardMaterialParameters) =>
   new MeshStandardMaterial(parameters);
@@ -237,7 +240,7 @@ function coin(): Group {
 
 function ring(): Group {
   const { widest: outer, length: height } = sizeOf({ body: "ring" } as Setup);
-  const inner = 0.95 * outer;
+  const inner = HOLLOW * outer;
   const look = material({ map: ringPrint(), metalness: 0.7, roughness: 0.35 });
   return new Group().add(
     turned(

@@ -12,7 +12,8 @@ const WIDE = 0.075;
 
 export const MARK_COLOUR = "#e4572e";
 
-export function markOn(size: Size): Group {
+/** `inner`: the radius of what is hollow, m. */
+export function markOn(size: Size, inner = 0): Group {
   const { widest, length } = size;
   const [low, high] = heights(size);
   // Over whatever is printed there.
@@ -24,7 +25,8 @@ export function markOn(size: Size): Group {
     [out, high],
   ] as const;
   const side = new Mesh(revolved(outline, 12, from, sweep), look);
-  const top = new Mesh(new RingGeometry(0.7 * widest, 0.97 * widest, 12, 1, from, sweep), look);
+  const begins = Math.max(0.7 * widest, inner);
+  const top = new Mesh(new RingGeometry(begins, widest, 12, 1, from, sweep), look);
   top.position.z = 1.004 * length;
   return isFlat(size) ? new Group().add(side, top) : new Group().add(side);
 }
