@@ -105,10 +105,10 @@ test("a thinned curve keeps its ends and every extreme, in order", () => {
 describe("in words", () => {
   test("times have the unit that suits them", () => {
     expect([3, 0.0123, 95.2e-6, 4.2e-8, 0].map(duration)).toEqual([
-      "3.00 s",
-      "12.3 ms",
-      "95.2 µs",
-      "42.0 ns",
+      "3.00\u00a0s",
+      "12.3\u00a0ms",
+      "95.2\u00a0µs",
+      "42.0\u00a0ns",
       "0 s",
     ]);
     expect(significant(-37253.45, 2)).toBe("−37\u202f000");
@@ -116,7 +116,9 @@ describe("in words", () => {
 
   test("a stretch says from what it is counted", () => {
     const near = { since: "collision", origin: 0.17640804, from: -1e-4, to: 1e-4 } as const;
-    expect(stretchText(near)).toBe("from −100 µs to 100 µs about the collision at 0.176408 s");
+    expect(stretchText(near)).toBe(
+      "from −100\u00a0µs to 100\u00a0µs about the collision at 0.176408 s",
+    );
     expect(timeLabel(near)).toBe("µs from the collision at 0.176408 s");
     expect(timeLabel({ since: "start", origin: 0, from: 0, to: 3 })).toBe("time, s");
   });
