@@ -228,7 +228,7 @@ def body(**changed):
         ("compare --restitution 2", "restitution must be between 0 and 1, got 2"),
         ("compare --tilt 0", "tilt must be inside (0, pi)"),
         ("compare -o can.csv", "its suffix must be one of .png, .svg, .pdf"),
-        ("compare -o /proc/none/can.svg", "cannot make the folder /proc/none"),
+        ("compare -o none/can.svg", "cannot write none/can.svg: there is no folder none"),
         ("compare -o can.svg --on .1,.2,.3,.4,.5,.6,.7", "at most 6 tables, got 7"),
         ("turn --yaw-rate 1", "a start needs --tilt"),
         ("turn nothing.toml", "nothing.toml: there is no such file"),
@@ -257,13 +257,26 @@ def body(**changed):
         ("simulate --tilt 30deg --points 1", "--points must be between 2 and"),
         ("simulate --tilt 30deg --points 99999999999", "--points must be between 2 and"),
         ("simulate --tilt 30deg --every 0s", "--every must be > 0"),
-        ("simulate --tilt 30deg --every 1fs", "makes more than 10000000 points"),
+        ("simulate --tilt 30deg --every 1fs -o can.csv", "makes more than 10000000 points"),
         ("simulate --tilt 30deg --every 1m", "--every must be a time"),
         ("simulate --tilt 30deg --every 1ms --points 9", "give one"),
         ("simulate --tilt 30deg -o can.xyz", "its suffix must be one of .csv, .nc, .json, .png"),
         ("simulate --tilt 30deg -o can", "its suffix must be one of"),
-        ("simulate --tilt 30deg -o /proc/none/can.csv", "cannot make the folder /proc/none"),
+        ("simulate -o none/can.csv", "cannot write none/can.csv: there is no folder none"),
         ("simulate --tilt 30deg -o /proc/can.csv", "cannot write /proc/can.csv"),
+        ("simulate --points 5", "--points spaces the points of a file: give one with -o"),
+        ("simulate --every 1ms -o can.png", "--every spaces the points of a file"),
+        ("simulate -o can.csv -o can.csv", "-o gives the same file again: can.csv twice"),
+        ("topple -o a.csv -o ./sub/../a.csv", "-o gives the same file again"),
+        ("simulate -o - -o -", "-o gives the same file again: - twice"),
+        ("simulate -o - --json", "--json and -o - both go to standard output"),
+        ("compare -o -", "cannot write standard output: its suffix must be one of .png"),
+        ("topple --number 1.5", "must be a whole number such as 42, got '1.5'"),
+        ("topple --number many", "must be a whole number such as 42, got 'many'"),
+        ("topple --number 1e999999999", "must be a whole number"),
+        ("topple --number nan", "must be a whole number"),
+        ("simulate --max-steps 0", "must be between 1 and"),
+        ("map --threads 0", "threads must be a whole number >= 1"),
         ("reproduce --output /proc/none", "cannot make the folder /proc/none"),
     ],
 )
@@ -278,10 +291,16 @@ def test_a_half_written_scenario_is_named_with_line_and_column(complaint, tmp_pa
     assert "line 3, column 7" in line
 
 
-@pytest.mark.parametrize("command", ["simulate --tilt 30deg -o way/can.csv", "reproduce -o way"])
-def test_a_file_in_the_way_of_a_folder(complaint, tmp_path, command):
+@pytest.mark.parametrize(
+    ("command", "says"),
+    [
+        ("simulate -o way/can.csv", "cannot write way/can.csv: way is no folder"),
+        ("reproduce -o way", "cannot make the folder way: a file is in the way"),
+    ],
+)
+def test_a_file_in_the_way_of_a_folder(complaint, tmp_path, command, says):
     (tmp_path / "way").write_text("mine")
-    assert complaint(command) == "cannot make the folder way: a file is in the way"
+    assert complaint(command) == says
     assert (tmp_path / "way").read_text() == "mine"
 
 
@@ -323,11 +342,10 @@ def test_a_full_disk_under_stdout_is_one_line():
     assert one_line(run.stderr) == "No space left on device"
 
 
-def interrupted(arguments, folder):
-    """Runs a command and interrupts it once it has made a folder; returns what it says."""
-    command = ["-m", "rimroll.cli", *arguments.split()]
-    with running(*command, cwd=folder.parent) as process:
-        out, err = interrupt_when(folder.exists, process)
+def interrupted(command, sign):
+    """Runs Python and interrupts it once the path ``sign`` is there; returns what it says."""
+    with running(*command, cwd=sign.parent) as process:
+        out, err = interrupt_when(sign.exists, process)
     assert out == ""
     assert process.returncode == 130
     return one_line(err)
@@ -335,16 +353,28 @@ def interrupted(arguments, folder):
 
 @needs_signals
 def test_ctrl_c_in_a_long_motion_is_one_line_and_leaves_nothing(tmp_path):
-    folder = tmp_path / "out"  # made just before the motion is computed
+    code = (
+        "import sys\n"
+        "from pathlib import Path\n"
+        "from rimroll.cli import main, simulate\n"
+        "follow = simulate._follow\n"
+        "def ready_to_follow(what):\n"
+        "    Path('ready').touch()\n"
+        "    return follow(what)\n"
+        "simulate._follow = ready_to_follow\n"
+        "sys.exit(main(sys.argv[1:]))\n"
+    )
     endless = "simulate --tilt 30deg --yaw-rate 0.005 --duration 1e6s --max-steps 2000000000"
-    assert interrupted(f"{endless} -o out/can.csv", folder) == "interrupted"
-    assert os.listdir(folder) == []
+    command = ["-c", code, *endless.split(), "-o", "can.csv"]
+    assert interrupted(command, tmp_path / "ready") == "interrupted"
+    assert os.listdir(tmp_path) == ["ready"]
 
 
 @needs_signals
 def test_ctrl_c_in_a_report_is_one_line_and_leaves_no_page(tmp_path):
     folder = tmp_path / "paper"
-    assert interrupted("reproduce -o paper", folder) == "interrupted"
+    command = ["-m", "rimroll.cli", "reproduce", "-o", "paper"]
+    assert interrupted(command, folder) == "interrupted"
     names = os.listdir(folder)
     assert "index.html" not in names
     assert not [name for name in names if name.startswith(".")]

@@ -293,7 +293,7 @@ def test_a_solver_that_gives_up_is_exit_code_1(capsys):
 
 
 def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
-    path = tmp_path / "new" / "can.csv"
+    path = tmp_path / "can.csv"
     said(f"simulate {PAPER} -o {path}")
     lines = path.read_text().splitlines()
     comments = [line for line in lines if line.startswith("#")]
@@ -308,6 +308,8 @@ def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
     # As the documentation says that one reads it.
     read = np.genfromtxt(path, delimiter=",", names=True, deletechars="")
     assert np.array_equal(read["tilt[rad]"], motion.tilt)
+    # A spreadsheet sees one table: the comments come last.
+    assert lines[0] == header and lines[-len(comments) :] == comments
 
 
 def test_netcdf_opens_again_as_the_same_dataset(said, motion, tmp_path):
@@ -443,7 +445,7 @@ def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(said):
 
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
 def test_compare_draws_itself(said, tmp_path, suffix):
-    path = tmp_path / "new" / f"compare.{suffix}"
+    path = tmp_path / f"compare.{suffix}"
     assert f"wrote {path}" in said(f"compare --on 0.1,rubber -o {path}")
     assert path.read_bytes()[:4] in (b"<?xm", b"\x89PNG", b"%PDF")
 

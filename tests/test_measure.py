@@ -485,7 +485,7 @@ def test_json_has_each_number_with_its_uncertainty(said):
 
 
 def test_the_file_is_a_scenario_that_other_commands_take(said, tmp_path):
-    file = tmp_path / "new" / "my_can.toml"
+    file = tmp_path / "my_can.toml"
     assert f"wrote {file}" in said(f"measure {LINE} -o {file}")
     body = rr.measure(**KITCHEN).body
     assert load(file).body == body

@@ -170,7 +170,7 @@ def test_labels_that_would_overlap_move_apart_by_as_little_as_may_be():
 
 @pytest.mark.parametrize("suffix", ["pdf", "svg", "png"])
 def test_the_command_writes_a_sheet_and_says_where_it_falls(capsys, tmp_path, suffix):
-    path = tmp_path / "new" / f"sheet.{suffix}"
+    path = tmp_path / f"sheet.{suffix}"
     assert main(["protractor", "soda_can", "--paper", "Letter", "-o", str(path)]) == 0
     text = capsys.readouterr().out
     assert "between 190.3 (rolling) and 202.0" in text and f"wrote {path}" in text

@@ -411,7 +411,7 @@ def test_motion_options_and_the_table_are_those_of_the_other_commands(said):
 
 
 def test_csv_begins_with_degrees_and_outcome_and_keeps_every_bit(said, tmp_path):
-    path = tmp_path / "new" / "falls.csv"
+    path = tmp_path / "falls.csv"
     assert f"wrote {path}" in said(f"topple -n 20 --seed 1 --friction 0.2 -o {path}")
     falls = rr.topple(CAN, rr.Coulomb(0.2), 20, seed=1)
     lines = path.read_text().splitlines()

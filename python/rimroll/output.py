@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import secrets
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -23,26 +24,50 @@ def ensure_folder(path: str | os.PathLike[str]) -> Path:
         raise RimrollError(f"cannot make the folder {folder}: a file is in the way") from None
     except OSError as error:
         raise RimrollError(f"cannot make the folder {folder}: {error.strerror}") from error
+    _check_access(folder)
+    return folder
+
+
+def place_of(path: str | os.PathLike[str]) -> Path:
+    """Where a file is written: ``path``, or what it points to if it is a symbolic link.
+
+    Raises ``RimrollError`` when there is no such folder, when it cannot be written to, and when
+    something is in the way that is no regular file. A folder is never made, lest a misspelt one is.
+    """
+    given = Path(path)
+    final = Path(os.path.realpath(given))
+    folder = final.parent
+    if not folder.is_dir():
+        named = folder if given.is_symlink() else given.parent
+        what = f"{named} is no folder" if named.exists() else f"there is no folder {named}"
+        raise RimrollError(f"cannot write {given}: {what}")
+    if final.is_dir():
+        raise RimrollError(f"cannot write {given}: it is a folder")
+    if final.exists() and not final.is_file():
+        raise RimrollError(f"cannot write {given}: it is no regular file")
+    _check_access(folder)
+    return final
+
+
+def _check_access(folder: Path) -> None:
     if not os.access(folder, os.W_OK | os.X_OK):
         raise RimrollError(f"cannot write to the folder {folder}: permission denied")
-    return folder
 
 
 @contextmanager
 def writing(path: str | os.PathLike[str]) -> Iterator[Path]:
     """Yield a temporary path beside ``path``, with its suffix, and move it into place on success.
 
-    The folder is made if needed. If the block raises, even ``KeyboardInterrupt``, what it wrote is
-    removed and an older file at ``path`` stays as it was. Raises ``RimrollError`` when the folder
-    cannot be written to or ``path`` is a folder.
+    A symbolic link stays one: its target is written. A file that is replaced passes on its
+    permissions. If the block raises, even ``KeyboardInterrupt``, what it wrote is removed and an
+    older file at ``path`` stays as it was. Raises ``RimrollError`` as :func:`place_of` does.
     """
-    final = Path(path)
-    folder = ensure_folder(final.parent)
-    if final.is_dir():
-        raise RimrollError(f"cannot write {final}: it is a folder")
-    part = folder / f".{final.stem}.{secrets.token_hex(4)}{final.suffix}"
+    final = place_of(path)
+    part = final.with_name(f".{final.stem}.{secrets.token_hex(4)}{Path(path).suffix}")
     try:
         yield part
+        if final.exists():
+            shutil.copymode(final, part)
         os.replace(part, final)
     finally:
         part.unlink(missing_ok=True)

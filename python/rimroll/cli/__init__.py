@@ -17,8 +17,8 @@ from rimroll.errors import RimrollError
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command with the given arguments, else the program's own; return its exit code.
 
-    0 when all went well, 1 when the solver gave up; with one line on stderr, 2 for what cannot be
-    done and 130 when interrupted.
+    0 when all went well, also if whoever reads stdout has had enough, as ``head`` has; 1 when the
+    solver gave up; with one line on stderr, 2 for what cannot be done and 130 when interrupted.
     """
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # rather a ? for a ° than no answer
@@ -29,6 +29,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except KeyboardInterrupt:
         return _complain("interrupted", 130)
+    except BrokenPipeError:
+        _forget_output()
+        return 0
+    except SystemExit as stop:
+        # rich and typer turn a closed pipe into an exit of their own.
+        if isinstance(stop.__context__, BrokenPipeError):
+            _forget_output()
+            return 0
+        raise
     except RimrollError as error:
         return _complain(str(error), 2)
     except OSError as error:

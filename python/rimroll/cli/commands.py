@@ -24,7 +24,6 @@ from rimroll.cli.turn import turn
 from rimroll.errors import RimrollError
 
 app = typer.Typer(
-    add_completion=False,
     rich_markup_mode="rich",
     context_settings={"help_option_names": ["-h", "--help"]},
 )

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.cli.formats import Forms, write_json
+from rimroll.cli.formats import Forms, write_csv, write_json
 from rimroll.cli.screen import Bar
 from rimroll.falls import Column, Falls
 
@@ -20,16 +21,16 @@ SMALL_INTEGERS = 2**31  # netCDF's; a larger seed is written down as text
 
 
 def _csv(part: Path, falls: Falls, bar: Bar) -> None:
-    """One line of ``name[unit]``, comments with the parameters, and a row a fall in full."""
+    """A row for each fall, numbers in full."""
     columns = _columns(falls)
-    with part.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(",".join(columns) + "\n")
-        for name, value in {**falls.attrs, "direction": DIRECTION}.items():
-            file.write(f"# {name} = {value}\n")
-        for first in range(0, falls.size, ROWS):
-            bar(first, falls.size, "")
-            some = (_texts(column[first : first + ROWS]) for column in columns.values())
-            file.writelines(f"{','.join(row)}\n" for row in zip(*some, strict=True))
+    write_csv(part, columns, _rows(falls, columns, bar), {**falls.attrs, "direction": DIRECTION})
+
+
+def _rows(falls: Falls, columns: dict[str, NDArray[Any]], bar: Bar) -> Iterator[tuple[str, ...]]:
+    for first in range(0, falls.size, ROWS):
+        bar(first, falls.size, "")
+        some = (_texts(column[first : first + ROWS]) for column in columns.values())
+        yield from zip(*some, strict=True)
 
 
 def _columns(falls: Falls) -> dict[str, NDArray[Any]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rimroll.cli.asked import Asked
-from rimroll.cli.formats import Forms, pictures, write_json
+from rimroll.cli.formats import Forms, pictures, write_csv, write_json
 from rimroll.cli.screen import Bar
 from rimroll.motion import UNITS, Moments, Motion
 
@@ -57,20 +58,17 @@ def summary(record: Record) -> dict[str, Any]:
 
 
 def _csv(part: Path, record: Record, bar: Bar) -> None:
-    """One line of ``name[unit]``, comments with the parameters, and doubles in full.
+    """A column ``name[unit]`` for each quantity, doubles in full."""
+    comments = {**record.parameters, "status": record.motion.status, "t": TWICE}
+    names = (f"{name}[{unit}]" for name, unit in UNITS.items())
+    write_csv(part, names, _rows(record.moments, bar), comments)
 
-    The names come first, so that ``numpy.genfromtxt(file, delimiter=",", names=True)`` reads it.
-    """
-    columns = np.stack([record.moments[name] for name in UNITS], axis=-1)
-    with part.open("w", encoding="utf-8", newline="\n") as file:
-        file.write(",".join(f"{name}[{unit}]" for name, unit in UNITS.items()) + "\n")
-        comments = {**record.parameters, "status": record.motion.status, "t": TWICE}
-        for name, value in comments.items():
-            file.write(f"# {name} = {value}\n")
-        for first in range(0, len(columns), ROWS):
-            bar(first, len(columns), "")
-            rows = columns[first : first + ROWS].tolist()
-            file.writelines(",".join(map(repr, row)) + "\n" for row in rows)
+
+def _rows(moments: Moments, bar: Bar) -> Iterator[Iterable[str]]:
+    columns = np.stack([moments[name] for name in UNITS], axis=-1)
+    for first in range(0, len(columns), ROWS):
+        bar(first, len(columns), "")
+        yield from (map(repr, row) for row in columns[first : first + ROWS].tolist())
 
 
 def _netcdf(part: Path, record: Record, bar: Bar) -> None:

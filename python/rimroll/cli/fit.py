@@ -23,6 +23,7 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    ThreadsOption,
 )
 from rimroll.cli.release import ReleaseOptions, release_asked, release_line
 from rimroll.cli.screen import Bar, say, show_json, table, working
@@ -129,6 +130,7 @@ def fit(
     clockwise: Annotated[
         bool, typer.Option("--clockwise", help="Angles grow clockwise, as on a compass.")
     ] = False,
+    threads: ThreadsOption = None,
     output: OutputOption = None,
     json: JsonOption = False,
 ) -> int:
@@ -173,6 +175,7 @@ def fit(
             bias=None if bias is None else quantity(bias, "rad", "--bias"),
             counted=counted,
             confidence=quantity(confidence, "1", "--confidence"),
+            threads=threads,
             progress=lambda done, total: bar(done, total, ""),
         )
     answer = {

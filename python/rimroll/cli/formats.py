@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Collection, Mapping, Sequence
+import shutil
+import sys
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from rimroll.cli.screen import Bar, plain, working
 from rimroll.errors import RimrollError
-from rimroll.output import ensure_folder, writing
+from rimroll.output import place_of, writing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,13 +22,33 @@ Forms = Mapping[str, Callable[[Path, T, Bar], None]]
 """What writes a thing to a path, by suffix."""
 
 
-def check(files: Sequence[Path], suffixes: Collection[str]) -> None:
-    """Raise ``RimrollError``, before the work, for what could not be written after it."""
+STDOUT = Path("-")
+"""In place of a file: standard output, which gets .csv and nothing else."""
+
+
+def form_of(file: Path) -> str:
+    """The suffix that says in which form a file is written."""
+    return ".csv" if file == STDOUT else file.suffix.lower()
+
+
+def check(files: Sequence[Path], suffixes: Collection[str], json: bool = False) -> None:
+    """Raise ``RimrollError``, before the work, for what could not be written after it.
+
+    ``json`` says whether standard output is taken by an answer in JSON.
+    """
+    places: dict[Path, Path] = {}
     for file in files:
-        if file.suffix.lower() not in suffixes:
+        if form_of(file) not in suffixes:
             known = ", ".join(suffixes)
-            raise RimrollError(f"cannot write {file}: its suffix must be one of {known}")
-        ensure_folder(file.parent)
+            what = "standard output" if file == STDOUT else str(file)
+            raise RimrollError(f"cannot write {what}: its suffix must be one of {known}")
+        if file == STDOUT and json:
+            raise RimrollError("--json and -o - both go to standard output: give one")
+        place = file if file == STDOUT else place_of(file)
+        if place in places:
+            twice = f"{file} twice" if places[place] == file else f"{places[place]} and {file}"
+            raise RimrollError(f"-o gives the same file again: {twice}")
+        places[place] = file
 
 
 def write(file: Path, thing: T, forms: Forms[T]) -> None:
@@ -33,11 +56,42 @@ def write(file: Path, thing: T, forms: Forms[T]) -> None:
 
     Raises ``RimrollError`` when it cannot be written, for instance because the disk is full.
     """
+    if file == STDOUT:
+        _to_stdout(thing, forms[form_of(file)])
+        return
     try:
         with working(f"writing {file.name}") as bar, writing(file) as part:
-            forms[file.suffix.lower()](part, thing, bar)
+            forms[form_of(file)](part, thing, bar)
     except OSError as error:
         raise RimrollError(f"cannot write {file}: {error.strerror or error}") from error
+
+
+def _to_stdout(thing: T, form: Callable[[Path, T, Bar], None]) -> None:
+    with TemporaryDirectory(prefix="rimroll-") as folder, working("writing") as bar:
+        part = Path(folder) / "standard_output"
+        form(part, thing, bar)
+        with part.open("rb") as file:
+            sys.stdout.flush()
+            shutil.copyfileobj(file, sys.stdout.buffer)
+            sys.stdout.buffer.flush()
+
+
+def write_csv(
+    part: Path,
+    names: Iterable[str],
+    rows: Iterable[Iterable[str]],
+    comments: Mapping[str, object],
+) -> None:
+    """Write a line of names, the rows, and then the comments, as lines that begin with #.
+
+    Names come first and comments last, so that a spreadsheet sees one whole table, and
+    ``pandas.read_csv(file, comment="#")`` and ``numpy.genfromtxt(file, delimiter=",", names=True)``
+    read it.
+    """
+    with part.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(",".join(names) + "\n")
+        file.writelines(",".join(row) + "\n" for row in rows)
+        file.writelines(f"# {name} = {value}\n" for name, value in comments.items())
 
 
 def pictures(draw: Callable[[T], Figure], dpi: int = 200) -> Forms[T]:

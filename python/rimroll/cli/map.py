@@ -13,7 +13,7 @@ import typer
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.falls import NUMBERS
-from rimroll.cli.formats import Forms, check, pictures, write
+from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -21,6 +21,8 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    ThreadsOption,
+    whole,
 )
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
@@ -78,7 +80,10 @@ class PlaneOptions:
     points: Annotated[
         int,
         typer.Option(
-            help="Starts of the map, each way.", metavar="NUMBER", rich_help_panel="Start"
+            parser=whole(),
+            help="Starts of the map, each way.",
+            metavar="NUMBER",
+            rich_help_panel="Start",
         ),
     ] = 120
 
@@ -89,7 +94,8 @@ MapOutputOption = Annotated[
         "--output",
         "-o",
         help="Write a file; may be repeated. Its suffix says what: .png, .svg or .pdf a picture,"
-        " .csv, .nc or .json numbers; of a large map .nc is the smallest and quickest.",
+        " .csv, .nc or .json numbers; of a large map .nc is the smallest and quickest; - is .csv on"
+        " stdout.",
         metavar="FILE",
         rich_help_panel="Output",
     ),
@@ -111,6 +117,7 @@ def map(
     motion: MotionOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
+    threads: ThreadsOption = None,
     output: MapOutputOption = None,
     json: JsonOption = False,
 ) -> int:
@@ -128,7 +135,7 @@ def map(
     $ rimroll map soda_can --yaw-rates -0.1..0.1 --points 50 -o near.nc
     """
     files = output or []
-    check(files, FORMS)
+    check(files, FORMS, json)
     if not 2 <= plane.points <= MOST_POINTS:
         raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {plane.points}")
     yaw = rates(plane.yaw_rates, plane.points, "--yaw-rates")
@@ -136,12 +143,13 @@ def map(
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
     what = asked(body, start, motion, law, resistances)
     what = replace(what, start=what.start or _flick(what))
-    falls, cut_short = _follow(what, yaw, spin, RTOL if motion.rtol is None else motion.rtol)
+    rtol = RTOL if motion.rtol is None else motion.rtol
+    falls, cut_short = _follow(what, yaw, spin, rtol, threads)
     for file in files:
         write(file, falls, FORMS)
     if json:
         show_json({**summary(what, falls), "files": [str(file) for file in files]})
-    else:
+    elif STDOUT not in files:
         _show(what, falls, files)
     if cut_short:
         return 130
@@ -168,7 +176,9 @@ def _flick(what: Asked) -> State:
     return State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
 
 
-def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> tuple[Falls, bool]:
+def _follow(
+    what: Asked, yaw: Any, spin: Any, rtol: float, threads: int | None
+) -> tuple[Falls, bool]:
     """The map, and whether Ctrl-C cut it short."""
     assert what.start is not None
     options = replace(what.options, rtol=rtol)
@@ -181,7 +191,8 @@ def _follow(what: Asked, yaw: Any, spin: Any, rtol: float) -> tuple[Falls, bool]
                 yaw,
                 spin,
                 options,
-                progress=lambda done, total: bar(done, total, ""),
+                threads,
+                lambda done, total: bar(done, total, ""),
             )
         except Interrupted as interrupted:
             done = len(interrupted.falls["spin_rate"])

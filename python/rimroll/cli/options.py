@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields, is_dataclass
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Annotated, Any, get_type_hints
 
@@ -13,11 +14,40 @@ import typer
 
 from rimroll import laws, surfaces
 from rimroll.names import typed
-from rimroll.scenario import MOST_STEPS
+from rimroll.scenario import MOST_STEPS, presets
 
 
-def _option(help: str, metavar: str, panel: str) -> Any:
-    return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
+def whole(least: int | None = None, most: int | None = None) -> Callable[[str], int]:
+    """What reads a whole number, also as 1e3, and refuses others in words."""
+
+    def read(text: str | int) -> int:
+        try:
+            number = Decimal(str(text).strip())
+        except InvalidOperation:
+            number = Decimal("NaN")
+        if not number.is_finite() or number.adjusted() > 30 or number != number.to_integral():
+            raise typer.BadParameter(f"must be a whole number such as 42, got {str(text)!r}")
+        if (least is not None and number < least) or (most is not None and number > most):
+            raise typer.BadParameter(f"must be between {least} and {most}, got {text}")
+        return int(number)
+
+    return read
+
+
+def _option(help: str, metavar: str, panel: str, choices: Iterable[str] = ()) -> Any:
+    return typer.Option(
+        help=help, metavar=metavar, rich_help_panel=panel, autocompletion=completing(choices)
+    )
+
+
+def completing(choices: Iterable[str]) -> Callable[[str], list[str]] | None:
+    """What tells a shell how a word goes on; None where there is nothing to choose from."""
+    known = list(choices)
+
+    def those_that_begin(incomplete: str) -> list[str]:
+        return [name for name in known if name.startswith(incomplete)]
+
+    return those_that_begin if known else None
 
 
 @dataclass(frozen=True)
@@ -31,6 +61,7 @@ class BodyOptions:
             " can_2007, unless given.",
             metavar="BODY",
             show_default=False,
+            autocompletion=completing(presets()),
         ),
     ] = None
     scenario: Annotated[
@@ -102,14 +133,13 @@ class MotionOptions:
         typer.Option(
             help="Most steps of the solver. [1000000]",
             metavar="NUMBER",
-            min=1,
-            max=MOST_STEPS,
+            parser=whole(1, MOST_STEPS),
             rich_help_panel="Motion",
         ),
     ] = None
 
 
-_CHOICES = ", ".join(map(typed, laws.LAWS))
+_LAWS = [typed(name) for name in laws.LAWS]
 
 
 @dataclass(frozen=True)
@@ -118,7 +148,12 @@ class LawOptions:
 
     law: Annotated[
         str | None,
-        _option(f"{_CHOICES}. \\[no-slip; with --friction: coulomb]", "LAW", "Table"),
+        _option(
+            f"{', '.join(_LAWS)}. \\[no-slip; with --friction: coulomb]",
+            "LAW",
+            "Table",
+            _LAWS,
+        ),
     ] = None
     surface: Annotated[
         str | None,
@@ -126,6 +161,7 @@ class LawOptions:
             f"Dry friction of metal on {', '.join(surfaces.SURFACES)}: typical values.",
             "NAME",
             "Table",
+            surfaces.SURFACES,
         ),
     ] = None
     friction: Annotated[
@@ -183,6 +219,15 @@ class ResistanceOptions:
         str | None, _option("1.5 to 8; a viscous film has 4. [4]", "NUMBER", "Table")
     ] = None
 
+
+ThreadsOption = Annotated[
+    int | None,
+    typer.Option(
+        parser=whole(),
+        help="Processors to use; the results do not depend on it. \\[all]",
+        metavar="NUMBER",
+    ),
+]
 
 JsonOption = Annotated[
     bool, typer.Option("--json", help="Answer in JSON, in SI units and radians.")

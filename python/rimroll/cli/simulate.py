@@ -13,7 +13,7 @@ import typer
 from rimroll import motion as motions
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.files import FORMS, Record, summary
-from rimroll.cli.formats import check, write
+from rimroll.cli.formats import STDOUT, check, form_of, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -21,6 +21,7 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    whole,
 )
 from rimroll.cli.screen import say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
@@ -30,13 +31,16 @@ from rimroll.units import quantity
 
 MOST_POINTS = 10_000_000
 
+SAMPLED = (".csv", ".nc", ".json")
+"""The forms that hold the motion point by point."""
+
 OutputOption = Annotated[
     list[Path] | None,
     typer.Option(
         "--output",
         "-o",
         help="Write a file; may be repeated. Its suffix says what: .csv, .nc or .json numbers,"
-        " .png, .svg or .pdf nine panels, .gif, .html or .mp4 a film.",
+        " .png, .svg or .pdf nine panels, .gif, .html or .mp4 a film; - writes .csv to stdout.",
         metavar="FILE",
         rich_help_panel="Output",
     ),
@@ -44,6 +48,7 @@ OutputOption = Annotated[
 PointsOption = Annotated[
     int | None,
     typer.Option(
+        parser=whole(),
         help="Evenly spaced points in .csv, .nc and .json, instead of the solver's own steps.",
         metavar="NUMBER",
         rich_help_panel="Output",
@@ -87,9 +92,9 @@ def simulate(
     $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
     """
     files = output or []
-    check(files, FORMS)
+    check(files, FORMS, json)
     spacing = None if every is None else quantity(every, "s", "--every")
-    _check_spacing(points, spacing)
+    _check_spacing(points, spacing, files)
     what = asked(body, start, motion, law, resistances, needs_start=start.tilt is None)
     computed = _follow(what)
     record = Record(computed, _moments(computed, points, spacing), what)
@@ -97,18 +102,22 @@ def simulate(
         write(file, record, FORMS)
     if json:
         show_json({**summary(record), "files": [str(file) for file in files]})
-    else:
+    elif STDOUT not in files:
         _show(record, files)
     return int(computed.status == "failed")
 
 
-def _check_spacing(points: int | None, every: float | None) -> None:
+def _check_spacing(points: int | None, every: float | None, files: list[Path]) -> None:
     if points is not None and every is not None:
         raise RimrollError("--points and --every both space the points: give one")
     if points is not None and not 2 <= points <= MOST_POINTS:
         raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {points}")
     if every is not None and not every > 0.0:
         raise RimrollError(f"--every must be > 0, got {every} s")
+    spaced = any(form_of(file) in SAMPLED for file in files)
+    if not spaced and (points is not None or every is not None):
+        name = "--every" if points is None else "--points"
+        raise RimrollError(f"{name} spaces the points of a file: give one with -o, as -o can.csv")
 
 
 def _follow(what: Asked) -> Motion:

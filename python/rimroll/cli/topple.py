@@ -14,7 +14,7 @@ import typer
 from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.falls import NUMBERS
-from rimroll.cli.formats import Forms, check, pictures, write
+from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -22,6 +22,8 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    ThreadsOption,
+    whole,
 )
 from rimroll.cli.release import ReleaseOptions, release_asked, release_line
 from rimroll.cli.screen import angle, say, show_json, table, working
@@ -57,23 +59,23 @@ class FallOptions(MotionOptions):
         typer.Option(
             help="Most steps of the solver for a fall. [100000]",
             metavar="NUMBER",
-            min=1,
-            max=MOST_STEPS,
+            parser=whole(1, MOST_STEPS),
             rich_help_panel="Motion",
         ),
     ] = None
 
 
 NumberOption = Annotated[
-    int, typer.Option("--number", "-n", help="How many times. The paper: 42.", metavar="NUMBER")
+    int,
+    typer.Option(
+        "--number", "-n", parser=whole(), help="How many times. The paper: 42.", metavar="NUMBER"
+    ),
 ]
 SeedOption = Annotated[
     int | None,
-    typer.Option(help="Of the scatter: the same falls again. \\[by chance]", metavar="NUMBER"),
-]
-ThreadsOption = Annotated[
-    int | None,
-    typer.Option(help="Processors to use; nothing else hangs on it. \\[all]", metavar="NUMBER"),
+    typer.Option(
+        parser=whole(), help="Of the scatter: the same falls again. \\[by chance]", metavar="NUMBER"
+    ),
 ]
 FallsOption = Annotated[
     list[Path] | None,
@@ -81,7 +83,7 @@ FallsOption = Annotated[
         "--output",
         "-o",
         help="Write the falls (.csv, .nc, .json) or draw where they went (.png, .svg, .pdf);"
-        " may be repeated.",
+        " may be repeated; - writes .csv to stdout.",
         metavar="FILE",
         rich_help_panel="Output",
     ),
@@ -127,7 +129,7 @@ def topple(
     $ rimroll topple coin --release let-go --twist-spread 3deg/s
     """
     paths = output or []
-    check(paths, FORMS)
+    check(paths, FORMS, json)
     what = asked(body, StartOptions(), motion, law, resistances)
     release = release_asked(hand, what)
     falls, cut_short = _fall(what, motion, release, number, seed, threads)
@@ -135,7 +137,7 @@ def topple(
         write(path, falls, FORMS)
     if json:
         show_json(_answer(falls, paths))
-    else:
+    elif STDOUT not in paths:
         _show(what, release, falls, paths)
     if cut_short:
         return 130
