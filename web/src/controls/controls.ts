@@ -30,7 +30,7 @@ export function mountControls(lab: Lab, place: HTMLElement): void {
       { class: "foot" },
       hintFor(place),
       button("Let go", () => hand.letGo(), { class: "primary", id: "let-go" }),
-      button("As at the start", () => hand.reset(), { id: "reset" }),
+      button("Reset", () => hand.reset(), { id: "reset" }),
     ),
   );
 }

@@ -12,6 +12,6 @@ export function hintFor(place: HTMLElement): HTMLElement {
     hint.textContent = helpOf(event.target) ?? helpOf(focused) ?? hint.textContent;
   };
   for (const kind of ["pointerover", "focusin", "input"]) place.addEventListener(kind, say);
-  hint.textContent = "Point at a quantity, and here is what it means.";
+  hint.textContent = "Point at a setting to see what it means.";
   return hint;
 }

@@ -7,7 +7,7 @@ export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
 
 /** As a visitor reads it. */
 export const speedName = (speed: number) =>
-  speed === 1 ? "as in life" : `1/${Math.round(1 / speed)}`;
+  speed === 1 ? "real time" : `1/${Math.round(1 / speed)}`;
 
 export interface Pace {
   /** Seconds of the motion in one of the visitor's. */

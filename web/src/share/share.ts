@@ -27,7 +27,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}.csv`;
     download(name, toCsv(motion), "text/csv");
-    say(said, `${name} downloaded.`);
+    say(said, `${name} downloaded, in SI units and radians.`);
   });
   place.append(
     element("h2", {}, "Share"),

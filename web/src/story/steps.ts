@@ -27,7 +27,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Look slower",
-    text: "Let it go from close by, and look fifty times slower. The base never slaps. It comes within a hair of lying flat, and one point of its rim keeps touching.",
+    text: "Let it go from a small tilt, and watch it fifty times slower. The base never slaps. It comes within a hair of lying flat, and one point of its rim keeps touching.",
     setup: { tilt: 5, sideways: 0.02 },
     speed: 0.02,
     stretched: false,
@@ -43,7 +43,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The angle is the same every time",
-    text: "Let it go again and again. To the left or to the right is chance, but how far round is not: close to 202° every time, and the flatter it comes down, the closer. Only the shape of the can decides, by π √((A + mR² + mH²)/(A + mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A how hard it is to tip about that centre.",
+    text: "Let it go again and again. To the left or to the right is chance, but how far round is not: close to 202° every time, and the flatter it comes down, the closer. Only the shape of the can decides, by π\u00a0√((A\u00a0+\u00a0mR²\u00a0+\u00a0mH²)/(A\u00a0+\u00a0mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A how hard it is to tip about that centre.",
     setup: { law: "no_slip", unsteady: 10 },
     speed: 1,
     stretched: true,
@@ -59,7 +59,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Your turn",
-    text: "Take the top of the body and tilt it. Let go, or flick it by letting go in motion. Change the body and the table, fill the bottle, spin a coin. Share, further down, is for what you want to keep or show to a friend.",
+    text: "Grab the top of the body and tilt it. Let go, or flick it by letting go in motion. Change the body and the table, fill the bottle, spin a coin. Share, further down, is for what you want to keep or show to a friend.",
     setup: {},
     speed: 1,
     stretched: true,

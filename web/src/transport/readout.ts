@@ -17,6 +17,6 @@ export function collisionText(time: number, collision: number | undefined): stri
 
 /** How the speed compares with life's. */
 export function slownessText(slowness: number): string {
-  if (slowness < 1.005) return "as fast as in life";
-  return `${significant(slowness, 2)} times slower than life`;
+  if (slowness < 1.005) return "in real time";
+  return `${significant(slowness, 2)} times slower than real time`;
 }

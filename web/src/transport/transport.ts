@@ -27,9 +27,9 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
   const buttons = [
     button("rewind", "Back to the release", "Home", rewind),
     button("before", "To the collision before", "", () => jump(lab, -1)),
-    button("back", "One picture back", ",", actions[","]),
+    button("back", "Previous frame", ",", actions[","]),
     play,
-    button("on", "One picture on", ".", actions["."]),
+    button("on", "Next frame", ".", actions["."]),
     button("after", "To the next collision", "", () => jump(lab, 1)),
   ];
   effect(() => {
@@ -149,8 +149,8 @@ function keys(): HTMLElement {
       "ul",
       {},
       key("Space", "play, pause"),
-      key(",", "one picture back"),
-      key(".", "one picture on"),
+      key(",", "previous frame"),
+      key(".", "next frame"),
       key("Home", "back to the release"),
     ),
     element("label", {}, box, " These keys work anywhere on the page"),

@@ -41,7 +41,8 @@ export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
     then: {
       name: "Contact point then",
       number: rounds === undefined ? "–" : shownWide(rounds, 3),
-      note: passage && radius ? `rounds a second: ${speedOf(passage, radius)}` : "rounds a second",
+      note:
+        passage && radius ? `rounds per second: ${speedOf(passage, radius)}` : "rounds per second",
     },
     said: story(passage, motion, setup),
     ended: ending(outcome, setup),

@@ -20,9 +20,13 @@ describe("axe finds nothing serious", () => {
     expect(await violations(page)).toEqual([]);
   });
 
-  test("on a telephone", { timeout: 60_000 }, async () => {
-    const visited = await visit({ viewport: { width: 360, height: 740 }, hasTouch: true });
+  test("on a telephone, where nothing is wider than the screen", { timeout: 60_000 }, async () => {
+    const hash = "body=own&sideways=0.02&law=no_slip&twist=0.25";
+    const visited = await visit({ hash, viewport: { width: 360, height: 740 }, hasTouch: true });
     expect(await violations(visited.page)).toEqual([]);
+    await unfold(visited.page);
+    const wide = () => document.documentElement.scrollWidth;
+    expect(await visited.page.evaluate(wide)).toBe(360);
   });
 });
 
@@ -167,7 +171,7 @@ describe("with the keyboard alone", () => {
     await page.waitForFunction(() => /body=soda_can/.test(location.hash));
     await page.locator("#law-coulomb").press("ArrowDown");
     await page.waitForFunction(() => /law=no_slip/.test(location.hash));
-    await page.getByRole("button", { name: "As at the start" }).press("Enter");
+    await page.getByRole("button", { name: "Reset", exact: true }).press("Enter");
     await page.waitForFunction(() => location.hash === "");
     await page.getByRole("button", { name: "Friction of ice" }).press("Space");
     await page.waitForFunction(() => location.hash === "#friction=0.03");

@@ -71,6 +71,7 @@ test("once loaded it needs no network, and never another host", async () => {
     page.getByRole("button", { name: "Download CSV" }).click(),
   ]);
   expect(readFileSync(await file.path(), "utf8")).toMatch(/^t,tilt,/);
+  await page.getByText("in SI units and radians").waitFor();
   await page.waitForTimeout(1000);
   expect(complaints).toEqual([]);
   expect(elsewhere(requests)).toEqual([]);

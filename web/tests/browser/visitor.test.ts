@@ -100,7 +100,7 @@ describe("a link", () => {
       await page.waitForFunction(() => location.hash === "#body=coin&tilt=12.5");
       await page.reload();
       await expectValues(page, { "#tilt-field": "12.5", "#body-field": "coin" });
-      await page.getByRole("button", { name: "As at the start" }).click();
+      await page.getByRole("button", { name: "Reset", exact: true }).click();
       await page.waitForFunction(() => location.hash === "");
     });
   });

@@ -68,7 +68,7 @@ describe("the pace", () => {
     const { pace, refusals } = fromHash("#speed=0&slow=maybe");
     expect(pace).toEqual(INITIAL_PACE);
     expect(refusals.map(({ message }) => message)).toEqual([
-      "Speed: there is no “0”; choose as in life, 1/2, 1/5, 1/10, 1/50, 1/100, 1/1000 or 1/10000.",
+      "Speed: there is no “0”; choose real time, 1/2, 1/5, 1/10, 1/50, 1/100, 1/1000 or 1/10000.",
       "Slow at the collision: there is no “maybe”; choose on or off.",
     ]);
   });
