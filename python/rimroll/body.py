@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
 
 from rimroll import _core
-from rimroll.given import number
+from rimroll.given import Number, number
 from rimroll.solids import Solid
 from rimroll.units import UNIT_OF
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,17 @@ class Body:
     transverse_inertia: float
     axial_inertia: float
 
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            mass: Number,
+            radius: Number,
+            height: Number,
+            transverse_inertia: Number,
+            axial_inertia: Number,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         for field in fields(self):
             value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
@@ -51,7 +66,19 @@ class Body:
         _core.check_body(self)
 
     @classmethod
-    def from_solids(cls, radius: float, solids: Sequence[Solid]) -> Body:
+    def from_xarray(cls, dataset: xr.Dataset) -> Body:
+        """The body of a dataset of a motion, of falls or of a map.
+
+        Raises ``RimrollError`` for a dataset of something else.
+        """
+        from rimroll.ensemble import body_of
+        from rimroll.recorded import expect_dataset
+
+        expect_dataset(dataset)
+        return body_of(dataset)
+
+    @classmethod
+    def from_solids(cls, radius: Number, solids: Sequence[Solid]) -> Body:
         """A body put together from coaxial solids, standing on a rim of the given radius (m).
 
         The parallel-axis theorem gives A and C; see :mod:`rimroll.solids`.

@@ -15,7 +15,7 @@ def expect(field: str, value: object, kind: Any) -> None:
     """Raise ``RimrollError`` unless the value is of the kind, a class or a union of classes."""
     if not isinstance(value, kind):
         kinds = " or ".join(
-            "None" if k is type(None) else f"rimroll.{k.__name__}"
+            "None" if k is type(None) else f"{k.__module__.split('.')[0]}.{k.__name__}"
             for k in getattr(kind, "__args__", (kind,))
         )
         name = getattr(value, "__name__", "something callable")

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.names import choose
+from rimroll.units import START_UNIT_OF, UNIT_OF
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 QUANTITIES = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
 """What of the state changes, in the order of :attr:`Jacobian.values`."""
@@ -31,6 +36,8 @@ class Jacobian:
 
     values: NDArray[np.float64]
     """Shape (6, 12) for one time, (n, 6, 12) for n."""
+    t: NDArray[np.float64]
+    """The time, or times (n,), s."""
 
     def __getitem__(self, names: tuple[str, str]) -> NDArray[np.float64] | np.float64:
         """The derivative of a quantity by a parameter: a number for one time, else shape (n,)."""
@@ -38,6 +45,26 @@ class Jacobian:
         column = choose("parameter", names[1], _INDEX_OF_PARAMETER)
         derivative: NDArray[np.float64] | np.float64 = self.values[..., row, column]
         return derivative
+
+    def to_xarray(self) -> xr.Dataset:
+        """The derivatives as ``derivative`` over (``t``,) ``quantity`` and ``parameter``.
+
+        The coordinates ``quantity_units`` and ``parameter_units`` say the units.
+        """
+        import xarray as xr
+
+        over = ("t",) if self.values.ndim == 3 else ()
+        units = {**START_UNIT_OF, **UNIT_OF, "gravity": "m/s^2"}
+        return xr.Dataset(
+            {"derivative": ((*over, "quantity", "parameter"), self.values)},
+            coords={
+                "t": (over, self.t, {"units": "s"}),
+                "quantity": list(QUANTITIES),
+                "parameter": list(PARAMETERS),
+                "quantity_units": ("quantity", [units[name] for name in QUANTITIES]),
+                "parameter_units": ("parameter", [units[name] for name in PARAMETERS]),
+            },
+        )
 
     def __repr__(self) -> str:
         number = "one time" if self.values.ndim == 2 else f"{len(self.values)} times"

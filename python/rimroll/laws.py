@@ -10,13 +10,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 from rimroll import _core
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number
 from rimroll.names import choose, typed
 from rimroll.units import LAW_UNIT_OF, air_unit
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 class _Numbered:
@@ -150,6 +153,18 @@ class Law(_Numbered):
         in_order = tuple(sorted(items, key=lambda item: type(item).__name__, reverse=True))
         object.__setattr__(self, "resistances", in_order)
         _core.check_surface(self)
+
+    @classmethod
+    def from_xarray(cls, dataset: xr.Dataset) -> Law:
+        """The law of a dataset of a motion, of falls or of a map, with its resistances.
+
+        Raises ``RimrollError`` for a dataset of something else.
+        """
+        from rimroll.ensemble import law_of
+        from rimroll.recorded import expect_dataset
+
+        expect_dataset(dataset)
+        return law_of(dataset)
 
     def __add__(self, other: Resistance) -> Self:
         expect("what is added to a law", other, Resistance)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -189,13 +189,28 @@ class Moments:
         return self.energy + self.friction_loss + self.resistance_loss + self.impact_loss
 
     @property
-    def state(self) -> State:
+    def state(self) -> State[Array]:
         """Euler angles and rates as a :class:`rimroll.State` of arrays."""
         names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
-        return State(**{name: self[name] for name in names})
+        return cast("State[Array]", State(**{name: self[name] for name in names}))
 
     def __len__(self) -> int:
         return int(self._table.shape[1])
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns: ``dict(moments)`` and ``pandas.DataFrame(dict(moments))``."""
+        return iter(UNITS)
+
+    def __contains__(self, column: object) -> bool:
+        return column in UNITS
+
+    def keys(self) -> list[str]:
+        """The names of the columns."""
+        return list(UNITS)
+
+    def __repr__(self) -> str:
+        span = f", t from {self.t.min():.6g} to {self.t.max():.6g} s" if len(self) else ""
+        return f"<Moments at {len(self)} times{span}; columns: {', '.join(UNITS)}>"
 
 
 @dataclass(frozen=True)
@@ -210,7 +225,7 @@ class Event:
 
     kind: str
     t: float
-    state: State
+    state: State[float]
 
 
 @dataclass(frozen=True)
@@ -277,7 +292,7 @@ class Motion(Moments):
         self,
         core: _core.CoreMotion,
         body: Body,
-        start: State,
+        start: State[float],
         law: Law,
         options: Options,
         has_jacobian: bool = False,
@@ -349,10 +364,22 @@ class Motion(Moments):
             f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
         )
 
+    def _repr_html_(self) -> str:
+        """How notebooks show it: the ending, the first turns and the losses, in degrees."""
+        from rimroll.notebook import motion_in_html
+
+        return motion_in_html(self)
+
     def __reduce__(self) -> tuple[Any, ...]:
         """A copy is the motion computed again: the same to the last bit."""
         return _follow, (self.body, self.start, self.law, self._options, self._has_jacobian)
 
+    @overload
+    def __call__(self, t: float | str) -> State[float]: ...
+    @overload
+    def __call__(self, t: Array | Sequence[float]) -> State[Array]: ...
+    @overload
+    def __call__(self, t: Values) -> State: ...
     def __call__(self, t: Values) -> State:
         """Dense output: the state at a time t (s, inside the motion), or at times (n,).
 
@@ -384,7 +411,7 @@ class Motion(Moments):
         """
         moments = self._inside(t)
         values = self._core.jacobian(np.atleast_1d(moments))
-        return Jacobian(values if moments.ndim else values[0])
+        return Jacobian(values if moments.ndim else values[0], moments)
 
     @cached_property
     def turn_jacobians(self) -> list[dict[str, float]]:
@@ -447,6 +474,21 @@ class Motion(Moments):
             coords={"t": ("t", self.t[last], {"units": "s"})},
         )
         return dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+
+    @classmethod
+    def from_xarray(cls, dataset: xr.Dataset, *, jacobian: bool = False) -> Motion:
+        """The motion of a dataset from :meth:`to_xarray`, or from a file that holds one.
+
+        It is computed again from the attributes: the same to the last bit, whichever points the
+        dataset holds. ``jacobian`` as for :func:`simulate`. Raises ``RimrollError`` for a dataset
+        of something else.
+        """
+        from rimroll.ensemble import body_of, law_of
+        from rimroll.recorded import expect_dataset, options_of, start_of
+
+        expect_dataset(dataset)
+        start = single(start_of(dataset))
+        return _follow(body_of(dataset), start, law_of(dataset), options_of(dataset), jacobian)
 
     def parameters(self) -> dict[str, Any]:
         """All that the motion was computed from, as plain numbers and texts."""
@@ -532,7 +574,7 @@ def simulate(
 
 def _follow(
     body: Body,
-    start: State,
+    start: State[float],
     law: Law,
     options: Options,
     has_jacobian: bool = False,

@@ -107,7 +107,8 @@ def map_falls(
     start = single(start)
     yaw, spin = _rising("yaw_rates", yaw_rates), _rising("spin_rates", spin_rates)
     callback("progress", progress)
-    starts = replace(start, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw)))
+    given: State = start
+    starts = replace(given, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw)))
     try:
         if conserves_energy(law):
             # One step of one fall: what a stepped map would refuse is refused here, too.
@@ -148,15 +149,16 @@ def watershed(
     """
     expect("body", body, Body)
     expect("start", start, State)
-    start, spin = single(start), _flat("spin_rates", spin_rates)
+    given: State = single(start)
+    spin = _flat("spin_rates", spin_rates)
     options = replace(
         OPTIONS, gravity=number("gravity", gravity, "m/s^2"), rtol=number("rtol", rtol)
     )
-    slope = max(watershed_slope(body, start.tilt, one) for one in IDEAL)  # type: ignore[arg-type]
+    slope = max(watershed_slope(body, single(start).tilt, one) for one in IDEAL)
     ends = np.sort([-slope * spin, 3.0 * slope * spin], axis=0)
 
     def to_the_left(yaw_rate: Array) -> NDArray[np.bool_]:
-        starts = replace(start, yaw_rate=yaw_rate, spin_rate=spin)
+        starts = replace(given, yaw_rate=yaw_rate, spin_rate=spin)
         return goes_left(body, starts, law, options)
 
     turning = spin != 0.0  # without spin it is the start without yaw, by symmetry

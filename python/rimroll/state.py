@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Generic, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,15 +13,29 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, numbers
 from rimroll.units import START_UNIT_OF
 
-Numbers = float | NDArray[np.float64]
+Array = NDArray[np.float64]
+Numbers = float | Array
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    # Its default lets one write State where it does not matter what the fields are.
+    from typing_extensions import TypeVar
+
+    FieldT = TypeVar("FieldT", bound=Numbers, covariant=True, default=Numbers)
+else:
+    from typing import TypeVar
+
+    FieldT = TypeVar("FieldT", covariant=True)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class State:
+class State(Generic[FieldT]):
     """Position and motion in the paper's Euler angles (rad, rad/s).
 
     Every field is a number or an array, or carries a unit as :mod:`rimroll.given` describes; arrays
-    must agree in shape, and numbers stand for all.
+    must agree in shape, and numbers stand for all. For type checkers a state of single numbers is a
+    ``State[float]``, whose fields are floats.
 
     Parameters
     ----------
@@ -45,12 +60,38 @@ class State:
         that differ in shape; of an array the message names the element, ``tilt[1]``.
     """
 
-    tilt: Numbers
-    tilt_rate: Numbers = 0.0
-    yaw: Numbers = 0.0
-    yaw_rate: Numbers = 0.0
-    spin: Numbers = 0.0
-    spin_rate: Numbers = 0.0
+    tilt: FieldT
+    tilt_rate: FieldT = 0.0  # type: ignore[assignment]
+    yaw: FieldT = 0.0  # type: ignore[assignment]
+    yaw_rate: FieldT = 0.0  # type: ignore[assignment]
+    spin: FieldT = 0.0  # type: ignore[assignment]
+    spin_rate: FieldT = 0.0  # type: ignore[assignment]
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __init__(
+            self: State[float],
+            *,
+            tilt: float | str,
+            tilt_rate: float | str = 0.0,
+            yaw: float | str = 0.0,
+            yaw_rate: float | str = 0.0,
+            spin: float | str = 0.0,
+            spin_rate: float | str = 0.0,
+        ) -> None: ...
+        @overload
+        def __init__(
+            self: State[Numbers],
+            *,
+            tilt: Values,
+            tilt_rate: Values = 0.0,
+            yaw: Values = 0.0,
+            yaw_rate: Values = 0.0,
+            spin: Values = 0.0,
+            spin_rate: Values = 0.0,
+        ) -> None: ...
+        def __init__(self, **fields: Values) -> None: ...
 
     def __post_init__(self) -> None:
         if self._is_plain():
@@ -71,18 +112,29 @@ class State:
         plain = all(type(value) is float and math.isfinite(value) for value in values)
         return plain and 0.0 < self.tilt < math.pi  # type: ignore[return-value]
 
+    @classmethod
+    def from_xarray(cls, dataset: xr.Dataset) -> State:
+        """The start of a dataset of a motion, or the starts of one of falls (n,).
+
+        Raises ``RimrollError`` for a dataset of something else.
+        """
+        from rimroll.recorded import expect_dataset, start_of
+
+        expect_dataset(dataset)
+        return start_of(dataset)
+
     @property
     def shape(self) -> tuple[int, ...]:
         """Shape of the arrays; () when every field is a single number."""
         return np.broadcast_shapes(*(np.shape(getattr(self, f.name)) for f in fields(self)))
 
 
-def single(start: State) -> State:
+def single(start: State) -> State[float]:
     """The start itself, when it is one; raises ``RimrollError`` for a State of arrays."""
     # Its fields are floats or arrays; numpy is slow to say so.
     if not all(isinstance(value, float) for value in vars(start).values()):
         raise RimrollError(f"a motion has one start, got arrays of shape {start.shape}")
-    return start
+    return cast("State[float]", start)
 
 
 def times(t: Values) -> NDArray[np.float64]:

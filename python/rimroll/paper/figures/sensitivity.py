@@ -99,7 +99,7 @@ def line(law: Law) -> tuple[Array, Array]:
     if isinstance(law, Coulomb):
         gravity = setting.GRAVITY
         return watershed(setting.CAN, FLICK, law, spin_rates, gravity=gravity), spin_rates
-    return watershed_slope(setting.CAN, FLICK.tilt, law) * spin_rates, spin_rates  # type: ignore[arg-type]
+    return watershed_slope(setting.CAN, FLICK.tilt, law) * spin_rates, spin_rates
 
 
 @cache
@@ -258,7 +258,7 @@ def _draw_shares(ax: Axes) -> None:
 
 def _caption() -> str:
     jumps = {law.name: np.subtract(*jump(law)[::-1]) for law in LAWS}
-    slopes = [watershed_slope(setting.CAN, FLICK.tilt, law) for law in setting.LAWS]  # type: ignore[arg-type]
+    slopes = [watershed_slope(setting.CAN, FLICK.tilt, law) for law in setting.LAWS]
     nearest = min(gap(law) for law in LAWS)
     followed = sum(int(np.isfinite(directions(falls(law))).sum()) for law in LAWS)
     smallest = np.degrees(cut(LAWS[0])[1][_at(1e-3)])

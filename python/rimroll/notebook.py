@@ -1,0 +1,42 @@
+"""How notebooks show a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from rimroll.motion import Motion
+
+SHOWN = 6  # turns of a motion
+
+
+def motion_in_html(motion: Motion) -> str:
+    """The ending of a motion, and its first turns as a table in degrees."""
+    rows = [
+        (
+            str(number),
+            f"{np.degrees(turn.angle):.4f}°",
+            f"{np.degrees(turn.min_tilt):.4g}°",
+            f"{turn.t:.6g} s",
+        )
+        for number, turn in enumerate(motion.turns[:SHOWN], 1)
+    ]
+    head = f"<p><b>Motion</b>, {escape(repr(motion.law))}: {escape(motion.message)}</p>"
+    more = len(motion.turns) - len(rows)
+    rest = f"<p>and {more} more turns</p>" if more else ""
+    return f"<div>{head}{_table(rows)}{rest}</div>"
+
+
+def _table(rows: Sequence[tuple[str, ...]]) -> str:
+    if not rows:
+        return "<p>no turns</p>"
+    names = ("turn", "angle", "smallest tilt", "at t")
+    head = "".join(f"<th>{name}</th>" for name in names)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows
+    )
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"

@@ -1,0 +1,50 @@
+"""What motions and falls were computed from, as their datasets record it."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import TYPE_CHECKING
+
+from rimroll.errors import RimrollError, expect
+from rimroll.given import Values
+from rimroll.options import Options
+from rimroll.state import State
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def start_of(dataset: xr.Dataset) -> State:
+    """The start of a motion, or the starts of falls (n,).
+
+    Raises ``RimrollError`` for a dataset without them, as a map of falls, whose plane has them.
+    """
+    names = [field.name for field in fields(State)]
+    given: dict[str, Values] = {}
+    for name in names:
+        if (key := f"start_{name}") in dataset:
+            given[name] = dataset[key].values
+        elif key in dataset.attrs:
+            given[name] = float(dataset.attrs[key])
+        else:
+            raise RimrollError(f"this dataset records no start: there is no {key} in it")
+    return State(**given)
+
+
+def options_of(dataset: xr.Dataset) -> Options:
+    """How the motion or the falls were followed.
+
+    Raises ``RimrollError`` for a dataset that does not say.
+    """
+    told = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
+    for name, value in told.items():
+        if value is None and name != "topple_tilt":
+            raise RimrollError(f"this dataset records no options: there is no {name} in it")
+    return Options.read(**told)
+
+
+def expect_dataset(value: object) -> None:
+    """Raise ``RimrollError`` unless the value is an ``xarray.Dataset``."""
+    import xarray as xr
+
+    expect("dataset", value, xr.Dataset)
