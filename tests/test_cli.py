@@ -493,8 +493,8 @@ def test_reproduce_says_last_where_the_report_is(said, short_report, monkeypatch
 
 QUICK = {
     "turn --tilt 30deg --yaw-rate 1deg/s": "matplotlib jinja2 scipy",
-    "topple can_2007 -o falls.csv -o falls.json": "matplotlib jinja2",
-    "topple --friction 0.2 --json": "matplotlib jinja2",
+    "topple can_2007 -o falls.csv -o falls.json": "matplotlib jinja2 scipy",
+    "topple --friction 0.2 --json": "matplotlib jinja2 scipy",
     "topple -o falls.svg": "",
     "map --points 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",
     "map --points 4 -o map.svg": "jinja2",

@@ -484,6 +484,7 @@ def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(
     assert 0 < rows < 300_000
     assert f"# interrupted = after {rows} of 300000 falls" in lines
     assert f"after {rows} of 300000 falls" in captured.out and picture.exists()
+    assert asked_for or f"wrote {csv}: a part, {rows} falls" in captured.out
     assert {path.name for path in tmp_path.iterdir()} == {"falls.csv", "falls.svg"}
 
 

@@ -238,8 +238,9 @@ def _show(what: Asked, release: Release, falls: Falls, paths: list[Path]) -> Non
         _show_sides(falls)
     if "interrupted" in falls.attrs:
         say(f"interrupted {falls.attrs['interrupted']}")
+    part = f": a part, {falls.size} falls" if "interrupted" in falls.attrs else ""
     for path in paths:
-        say(f"wrote {path}")
+        say(f"wrote {path}{part}")
 
 
 def _show_sides(falls: Falls) -> None:

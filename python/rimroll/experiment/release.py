@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect
+from rimroll.experiment.normal import chance_below, quantiles
 from rimroll.given import Number, number, whole_number
 from rimroll.names import choose
 from rimroll.state import State
@@ -114,14 +115,12 @@ class Release:
         One column a field, in their order, so that releases which differ a little give starts which
         differ a little.
         """
-        from scipy.special import ndtr, ndtri
-
         chances = chances.T
         mean, spread = self.tilt
-        low, high = ndtr((np.array([0.0, 0.5 * math.pi]) - mean) / (spread or 1.0))
-        tilt = mean + spread * ndtri(low + (high - low) * chances[0])
+        low, high = (chance_below((end - mean) / (spread or 1.0)) for end in (0.0, 0.5 * math.pi))
+        tilt = mean + spread * quantiles(low + (high - low) * chances[0])
         tilt_rate, sideways, twist, grip = (
-            mean + spread * ndtri(chances[1 + k])
+            mean + spread * quantiles(chances[1 + k])
             for k, (mean, spread) in enumerate(
                 (self.tilt_rate, self.sideways, self.twist, self.grip)
             )

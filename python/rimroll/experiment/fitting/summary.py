@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
 from rimroll.experiment.fitting.predicted import TURN
+from rimroll.experiment.normal import quantiles
 from rimroll.given import number, whole_number
 
 Array = NDArray[np.float64]
@@ -23,8 +24,6 @@ def directions_of_summary(
     many. The values are spread as those of a normal distribution; under normal errors a mean, a
     spread and a number are all that a likelihood asks of data.
     """
-    from scipy.special import ndtri
-
     sides = []
     for name, sign, given in (("left", 1.0, left), ("right", -1.0, right)):
         if not isinstance(given, tuple | list) or len(given) != 3:
@@ -37,6 +36,6 @@ def directions_of_summary(
             raise RimrollError(f"{name} must be a mean and a spread >= 0, got {mean}, {spread}")
         if n < 2:
             raise RimrollError(f"{name} needs at least 2 falls, got {n}")
-        normal = ndtri((np.arange(n) + 0.5) / n)
+        normal = quantiles((np.arange(n) + 0.5) / n)
         sides.append(sign * (mean + spread * normal / normal.std(ddof=1)))
     return np.asarray(np.mod(np.concatenate(sides), TURN))
