@@ -13,6 +13,7 @@ import rimroll as rr
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import write
 from rimroll.experiment.fitting.angles import read_falls
+from rimroll.falls import Falls
 
 FALLS = np.array([213.5, 147.25, 210.0, 142.0])
 """Directions, degrees, such as the paper's can falls in."""
@@ -117,7 +118,7 @@ def test_what_topple_wrote_is_read_back_without_the_falls_that_do_not_count(tmp_
     file, falls = tmp_path / "falls.csv", rr.topple(can, rr.Coulomb(0.2), 60, release, seed=7)
     toppled = falls["outcome"].values == "toppled"
     assert 30 < toppled.sum() < 60
-    write(file, falls, NUMBERS)
+    write(file, Falls.of(falls), NUMBERS)
     assert rr.read_angles(file) == pytest.approx(falls["direction"].values[toppled], abs=1e-12)
 
 
