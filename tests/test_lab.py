@@ -149,6 +149,12 @@ def test_a_set_up_that_the_page_does_not_take_is_refused_at_once(package, capsys
     assert f"--setup: {reason}" in capsys.readouterr().err
 
 
+def test_a_page_too_old_to_check_a_set_up_by_is_to_be_built_again(package, capsys):
+    (package / "page" / "setup.json").unlink()
+    assert main(["lab", "--no-browser", "--setup", "tilt=20"]) == 2
+    assert "make web" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("setup", ["tilt=12,5", "tilt=20°", "flicks=3", "body=coin&tilt=60"])
 def test_a_set_up_that_the_page_takes_is_opened(package, monkeypatch, setup):
     assert unquote(opened(monkeypatch, "--setup", setup)).endswith(f"/#{setup}")

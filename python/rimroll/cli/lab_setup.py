@@ -17,7 +17,12 @@ def check(setup: str, page: Path) -> None:
     ``setup`` is ``name=value&...`` as in the page's address; what the page takes is in its
     ``setup.json``.
     """
-    quantities = json.loads((page / "setup.json").read_text(encoding="utf-8"))
+    table = page / "setup.json"
+    if not table.is_file():
+        raise RimrollError(
+            "--setup: the page is older than this rimroll; in its source tree, run: make web"
+        )
+    quantities = json.loads(table.read_text(encoding="utf-8"))
     for name, value in parse_qsl(setup, keep_blank_values=True):
         if name not in quantities:
             raise RimrollError(f"--setup: there is no quantity {name!r}{nearest(name, quantities)}")
