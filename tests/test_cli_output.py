@@ -82,6 +82,22 @@ def test_what_topple_says_fit_reads(monkeypatch, capfdbinary):
     assert json.loads(capfdbinary.readouterr().out)["falls"] == 40
 
 
+@pytest.mark.parametrize(
+    ("command", "says"),
+    [
+        ("turn nosuch --json", "unknown body 'nosuch'"),
+        ("topple --json --number many", "must be a whole number"),
+        ("simulate --json -o none/can.csv", "there is no folder none"),
+    ],
+)
+def test_where_json_is_asked_for_errors_are_json_too(capsys, command, says):
+    assert main(command.split()) == 2
+    captured = capsys.readouterr()
+    assert captured.out == "" and captured.err.count("\n") == 1
+    answer = json.loads(captured.err)
+    assert list(answer) == ["error"] and says in answer["error"]
+
+
 def test_a_link_stays_a_link_and_its_target_is_written(tmp_path, capsys):
     (tmp_path / "data").mkdir()
     target, link = tmp_path / "data" / "target.csv", tmp_path / "link.csv"

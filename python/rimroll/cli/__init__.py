@@ -7,6 +7,7 @@ matplotlib only by what needs them, so that short answers come at once.
 from __future__ import annotations
 
 import io
+import json
 import os
 import sys
 from collections.abc import Sequence
@@ -18,8 +19,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command with the given arguments, else the program's own; return its exit code.
 
     0 when all went well, also if whoever reads stdout has had enough, as ``head`` has; 1 when the
-    solver gave up; with one line on stderr, 2 for what cannot be done and 130 when interrupted.
+    solver gave up; with one line on stderr, 2 for what cannot be done and 130 when interrupted. The
+    line is ``rimroll: ...`` or, where an answer in JSON is asked for, ``{"error": "..."}``.
     """
+    in_json = "--json" in (sys.argv[1:] if arguments is None else arguments)
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # rather a ? for a ° than no answer
     try:
@@ -28,7 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         code = run(arguments)
         sys.stdout.flush()
     except KeyboardInterrupt:
-        return _complain("interrupted", 130)
+        return _complain("interrupted", 130, in_json)
     except BrokenPipeError:
         _forget_output()
         return 0
@@ -39,18 +42,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 0
         raise
     except RimrollError as error:
-        return _complain(str(error), 2)
+        return _complain(str(error), 2, in_json)
     except OSError as error:
         _forget_output()
         place = f"{error.filename}: " if error.filename else ""
-        return _complain(f"{place}{error.strerror or error}", 2)
+        return _complain(f"{place}{error.strerror or error}", 2, in_json)
     except MemoryError:
-        return _complain("out of memory; ask for fewer points", 2)
+        return _complain("out of memory; ask for fewer points", 2, in_json)
     return code
 
 
-def _complain(message: str, code: int) -> int:
-    print("rimroll:", " ".join(message.split()), file=sys.stderr)
+def _complain(message: str, code: int, in_json: bool) -> int:
+    line = " ".join(message.split())
+    answer = json.dumps({"error": line}, ensure_ascii=False) if in_json else f"rimroll: {line}"
+    print(answer, file=sys.stderr)
     return code
 
 

@@ -230,7 +230,8 @@ ThreadsOption = Annotated[
 ]
 
 JsonOption = Annotated[
-    bool, typer.Option("--json", help="Answer in JSON, in SI units and radians.")
+    bool,
+    typer.Option("--json", help="Answer in JSON, in SI units and radians; errors too, on stderr."),
 ]
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import inspect
+import json
 import tomllib
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
@@ -48,17 +50,49 @@ SOLIDS: dict[str, Callable[..., solids.Solid]] = {
 """What [[body.solids]] may be; "solid" is a part given by its four numbers."""
 
 
+@dataclass(frozen=True)
+class _Shown:
+    """A value that messages show as it stands in the file."""
+
+    value: object
+
+    def __repr__(self) -> str:
+        return as_toml(self.value)
+
+
+def _readable(value: object) -> object:
+    """A number or a text as it is, and anything else so that messages show it as TOML."""
+    known = isinstance(value, str | int | float) and not isinstance(value, bool)
+    return value if known else _Shown(value)
+
+
+def as_toml(value: object) -> str:
+    """A value as a TOML file has it: ``true``, ``"text"``, ``[1, 2]``, ``{ a = 1 }``."""
+    match value:
+        case bool():
+            return str(value).lower()
+        case str():
+            return json.dumps(value, ensure_ascii=False)
+        case list():
+            return f"[{', '.join(map(as_toml, value))}]"
+        case dict():
+            items = ", ".join(f"{key} = {as_toml(item)}" for key, item in value.items())
+            return f"{{ {items} }}" if items else "{}"
+        case _:
+            return str(value)
+
+
 def _in(unit: str) -> BeforeValidator:
     """Reads a field of a table as a quantity in an SI unit."""
 
     def read(value: object, info: ValidationInfo) -> float:
-        return quantity(value, unit, info.field_name or "the value")
+        return quantity(_readable(value), unit, info.field_name or "the value")
 
     return BeforeValidator(read)
 
 
 def _tilt(value: object, info: ValidationInfo) -> float:
-    return tilt_angle(value, info.field_name or "the tilt")
+    return tilt_angle(_readable(value), info.field_name or "the tilt")
 
 
 Angle = Annotated[float, _in("rad")]
@@ -158,6 +192,9 @@ def read(file: Path) -> dict[str, Any]:
 
 def scenario(content: dict[str, Any]) -> Scenario:
     """What the content of a scenario file describes."""
+    if "body" not in content and content.keys() <= _File.model_fields.keys():
+        what = "has no table [body]" if content else "is empty"
+        raise RimrollError(f'{what}: write what rolls, such as [body] and preset = "can_2007"')
     file = _checked(_File, content, "")
     start = None
     if file.start is not None:
@@ -183,7 +220,7 @@ def _law(given: object, body: Body, gravity: float) -> Law:
             raise RimrollError(f'law = "{given}" lacks {missing[0]!r}: write {table}')
         return kind()
     if not isinstance(given, dict):
-        raise RimrollError(f"law must be a text or a table, got {given!r}")
+        raise RimrollError(f"law must be a text or a table, got {as_toml(given)}")
     law = _contact({key: value for key, value in given.items() if key not in RESISTANCES})
     for name in RESISTANCES:
         if name in given:
@@ -202,7 +239,7 @@ def _contact(table: dict[str, Any]) -> Law:
         raise RimrollError(f"[law] lacks 'kind': one of {choices}; or a surface")
     name = table[key]
     if not isinstance(name, str):
-        raise RimrollError(f"[law] {key} must be a text, got {name!r}")
+        raise RimrollError(f"[law] {key} must be a text, got {as_toml(name)}")
     rest = {other: value for other, value in table.items() if other != key}
     where = f'[law] of {key} "{name}"'
     if key == "surface":
@@ -227,7 +264,7 @@ def _numbers_of_law(names: tuple[str, ...]) -> type[_Table]:
 def _resistance(name: str, given: object, body: Body, gravity: float) -> Resistance:
     where = f"[law.{name}]"
     if not isinstance(given, dict):
-        raise RimrollError(f"[law] {name} must be a table, got {given!r}")
+        raise RimrollError(f"[law] {name} must be a table, got {as_toml(given)}")
     if name == "pivoting_friction":
         return _made(where, lambda: PivotingFriction(_checked(_Pivoting, given, where).length))
     if name == "rolling_resistance":
@@ -241,7 +278,7 @@ def _resistance(name: str, given: object, body: Body, gravity: float) -> Resista
             raise RimrollError(f"{where} a film has its own exponent, 4: leave it out")
         return AirDrag.film(body.radius, gravity=gravity)
     unit = air_unit(drag.exponent)
-    coefficient = _made(where, lambda: quantity(drag.coefficient, unit, "coefficient"))
+    coefficient = _made(where, lambda: quantity(_readable(drag.coefficient), unit, "coefficient"))
     return AirDrag(coefficient, drag.exponent)
 
 
@@ -249,7 +286,7 @@ def _body(table: dict[str, Any]) -> Body:
     if "preset" in table:
         name = table["preset"]
         if not isinstance(name, str):
-            raise RimrollError(f"[body] preset must be a text, got {name!r}")
+            raise RimrollError(f"[body] preset must be a text, got {as_toml(name)}")
         function = _made("[body]", lambda: choose("preset", name, presets()))
         rest = {key: value for key, value in table.items() if key != "preset"}
         arguments = _checked(_arguments_of(function), rest, f'[body] with preset "{name}"')
@@ -304,9 +341,9 @@ def _problem(found: ErrorDetails, known: list[str]) -> str:
         case "value_error":  # a quantity's own refusal, which names the field
             return str(found.get("ctx", {}).get("error", found["msg"]))
         case "dict_type" | "list_type" | "string_type" | "int_type" as kind:
-            return f"{key} must be a {_KINDS[kind]}, got {found['input']!r}"
+            return f"{key} must be a {_KINDS[kind]}, got {as_toml(found['input'])}"
         case _:
-            return f"{key} is {found['input']!r}: {found['msg'].lower()}"
+            return f"{key} is {as_toml(found['input'])}: {found['msg'].lower()}"
 
 
 _KINDS = {
