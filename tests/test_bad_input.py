@@ -269,7 +269,6 @@ def body(**changed):
         ("simulate -o can.csv -o can.csv", "-o gives the same file again: can.csv twice"),
         ("topple -o a.csv -o ./sub/../a.csv", "-o gives the same file again"),
         ("simulate -o - -o -", "-o gives the same file again: - twice"),
-        ("simulate -o - --json", "--json and -o - both go to standard output"),
         ("compare -o -", "cannot write standard output: its suffix must be one of .png"),
         ("topple --number 1.5", "must be a whole number such as 42, got '1.5'"),
         ("topple --number many", "must be a whole number such as 42, got 'many'"),

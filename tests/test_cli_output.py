@@ -87,6 +87,7 @@ def test_what_topple_says_fit_reads(monkeypatch, capfdbinary):
     [
         ("turn nosuch --json", "unknown body 'nosuch'"),
         ("topple --json --number many", "must be a whole number"),
+        ("simulate -o - --json", "--json and -o - both go to standard output"),
         ("simulate --json -o none/can.csv", "there is no folder none"),
     ],
 )
