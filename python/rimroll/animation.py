@@ -10,15 +10,17 @@ import subprocess
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from PIL import Image
+from matplotlib.font_manager import FontProperties, findfont
+from matplotlib.text import Annotation
+from PIL import Image, ImageDraw, ImageFont
 
 from rimroll import scene
 from rimroll.errors import RimrollError, callback
@@ -28,6 +30,9 @@ from rimroll.scene import Array, Camera, Motion, RoundBody
 
 PACE = 1.1 * np.pi  # rad of yaw in a second of film: as fast as an eye likes to follow the contact
 LONGEST = 1.5  # the runs of the contact point take at most this many times the rest of the film
+DPI = 100
+POINT = DPI / 72.0  # pixels
+CAPTION = 10.0  # points
 WORTH_A_WEDGE = 0.1  # rad: less is not yet a turn
 HOLD = 1.2  # s for which the last picture of a film stays
 
@@ -147,7 +152,7 @@ class Stage:
         self._build(size)
 
     def _build(self, size: tuple[int, int]) -> None:
-        figure = Figure(figsize=(size[0] / 100.0, size[1] / 100.0), dpi=100)
+        figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI)
         self.canvas = FigureCanvasAgg(figure)
         (left, right), (low, high) = self._limits(size[0] / size[1])
         self.ax = figure.add_axes((0, 0, 1, 1), xlim=(left, right), ylim=(low, high))
@@ -183,12 +188,16 @@ class Stage:
     def shoot(self, k: int) -> Image.Image:
         """The ``k``-th picture, RGB."""
         artists = sorted(self._artists(k), key=lambda artist: artist.get_zorder())
+        words = [artist for artist in artists if isinstance(artist, Annotation)]
         self.canvas.restore_region(self.still)  # type: ignore[no-untyped-call]
         for artist in artists:
-            self.ax.draw_artist(artist)
+            if artist not in words:
+                self.ax.draw_artist(artist)
             artist.remove()
         pixels = np.asarray(self.canvas.buffer_rgba())  # type: ignore[no-untyped-call]
-        return Image.fromarray(pixels).convert("RGB")
+        picture = Image.fromarray(pixels).convert("RGB")
+        self._write(picture, k, words)
+        return picture
 
     def _artists(self, k: int) -> list[Artist]:
         ax, camera, pose = self.ax, self.camera, scene.pose_at(self.states, k)
@@ -197,8 +206,7 @@ class Stage:
         artists += scene.draw_trail(ax, camera, trail, alpha=0.22, zorder=4.0)
         artists += self._wedge(k)
         artists += scene.draw_body(ax, self.body, pose, camera)
-        artists += scene.draw_contact(ax, self.body, pose, camera)
-        return artists + self._captions(k)
+        return artists + scene.draw_contact(ax, self.body, pose, camera)
 
     def _wedge(self, k: int) -> list[Artist]:
         """The angle turned so far, which stays until the next turn is under way."""
@@ -211,16 +219,35 @@ class Stage:
                 return scene.draw_wedge(self.ax, self.camera, turn.center, size, start, angle)
         return []
 
-    def _captions(self, k: int) -> list[Artist]:
+    def _write(self, picture: Image.Image, k: int, words: list[Annotation]) -> None:
+        """Write on a picture, over all else: what matplotlib would, in a fifth of the time."""
+        draw = ImageDraw.Draw(picture)
+        width, height = picture.size
+        for one in words:
+            x, y = self.ax.transData.transform(one.xy)
+            right, up = (POINT * offset for offset in one.xyann)
+            draw.text(
+                (float(x) + right, height - float(y) - up),
+                one.get_text(),
+                scene.INK,
+                _font(POINT * float(one.get_fontsize())),
+                anchor="mm",
+                stroke_width=POINT,
+                stroke_fill="white",
+            )
+        top, font = 0.045 * height, _font(POINT * CAPTION)
         tick = max(1e-12, 1.0 / self.slowdown[k])
         digits = int(np.clip(np.ceil(-np.log10(tick)) + 1, 3, 12))
         left = f"t = {self.t[k]:.{digits}f} s\ntilt {np.degrees(self.states.tilt[k]):.3g}°"
-        write, place = self.ax.text, self.ax.transAxes
-        style: dict[str, Any] = {"va": "top", "color": scene.INK, "size": 10, "zorder": 7}
-        return [
-            write(0.035, 0.955, left, ha="left", transform=place, **style),
-            write(0.965, 0.955, slowed(self.slowdown[k]), ha="right", transform=place, **style),
-        ]
+        draw.multiline_text((0.035 * width, top), left, scene.INK, font, anchor="la")
+        right_text = slowed(self.slowdown[k])
+        draw.text((0.965 * width, top), right_text, scene.INK, font, anchor="ra")
+
+
+@cache
+def _font(pixels: float) -> ImageFont.FreeTypeFont:
+    """The font of the figures, at a height in pixels."""
+    return ImageFont.truetype(findfont(FontProperties()), pixels)
 
 
 def slowed(factor: float) -> str:
@@ -341,7 +368,7 @@ def _write_page(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: flo
         page.write(head)
         for shot in _reduced(shots, _palette(stage)):
             png = io.BytesIO()
-            shot.save(png, "PNG", optimize=True)
+            shot.save(png, "PNG")
             page.write(f'"{base64.b64encode(png.getvalue()).decode()}",\n')
         page.write(tail)
 
