@@ -79,6 +79,20 @@ class Coulomb:
 
 
 @dataclass(frozen=True)
+class DryCurve:
+    """|T| <= static N at rest, T = -mu(|u|) N u/|u| in slip; a landing has the mu of its slip."""
+
+    mu: object
+    static_friction: float
+    restitution: float = 0.0
+    unilateral: bool = True
+
+    def friction_force(self, u):
+        speed = np.hypot(u[0], u[1])
+        return NOTHING, -self.mu(speed) * u / speed
+
+
+@dataclass(frozen=True)
 class Viscous:
     """T = -coefficient u, with the coefficient in N s/m: nothing in the instant of a landing."""
 
@@ -701,7 +715,11 @@ class _Run:
         # Bounces that no one would see end here, lest there be infinitely many.
         bounces = -y[VELOCITY][2] > LEAST_BOUNCE * self.slip_unit
         restitution = law.restitution if bounces else 0.0
-        landing = land(mobility(self.body, at), y[VELOCITY], law.landing_friction, restitution)
+        if isinstance(law, DryCurve):
+            friction = law.mu(np.hypot(*y[VELOCITY][:2]))
+        else:
+            friction = law.landing_friction
+        landing = land(mobility(self.body, at), y[VELOCITY], friction, restitution)
         y[OMEGA] += inverse_inertia(self.body, at) @ cross(at.arm, landing.impulse)
         y[VELOCITY], y[RIM][2] = landing.velocity, 0.0
         return landing, y

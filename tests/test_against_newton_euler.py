@@ -88,6 +88,32 @@ def test_smooth_dry_friction():
     compare(CAN, START, law, its_law, 0.5)
 
 
+def falling(speed):
+    """From 0.3 at rest to 0.15, mostly within 0.05 m/s."""
+    return 0.15 + 0.15 * np.exp(-((speed / 0.05) ** 2))
+
+
+def rising_again(speed):
+    """A Stribeck curve with a viscous part: it falls from 0.25, then rises."""
+    return 0.12 + 0.13 * np.exp(-speed / 0.04) + 0.1 * speed
+
+
+@pytest.mark.parametrize(("mu", "static"), [(falling, 0.3), (falling, 0.33), (rising_again, 0.25)])
+def test_friction_by_a_table_of_a_curve(mu, static):
+    law = rr.Tabulated.from_function(mu, np.linspace(0.0, 2.0, 11), tolerance=1e-9, static=static)
+    changes = compare(CAN, START, law, rb.DryCurve(mu, static), 0.5, agree=1e-6)
+    assert changes.count("slip") >= 1
+
+
+def test_landings_on_friction_by_a_table():
+    thrown = rr.State(tilt=0.4, tilt_rate=-14.0, yaw_rate=5.0, spin_rate=-3.0)
+    law = rr.Tabulated.from_function(
+        rising_again, np.linspace(0.0, 5.0, 21), tolerance=1e-9, restitution=0.4
+    )
+    its_law = rb.DryCurve(rising_again, 0.25, restitution=0.4)
+    assert "land" in compare(CAN, thrown, law, its_law, 0.12, agree=1e-6)
+
+
 @pytest.mark.parametrize("law", ["rolling", "sliding"])
 def test_resistances(law):
     """All at once; the smoothing of the signs is that of the laws."""

@@ -45,6 +45,7 @@ from rimroll.laws import (
     PivotingFriction,
     RollingResistance,
     Stribeck,
+    Tabulated,
     Viscous,
 )
 from rimroll.motion import Event, Moments, Motion, Phase, Stats, Turn, simulate
@@ -102,6 +103,7 @@ __all__ = [
     "State",
     "Stats",
     "Stribeck",
+    "Tabulated",
     "Turn",
     "Viscous",
     "__version__",

@@ -15,7 +15,15 @@ from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, number, numbers
-from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
+from rimroll.laws import (
+    AirDrag,
+    Law,
+    PivotingFriction,
+    Resistance,
+    RollingResistance,
+    contact_law,
+    listed,
+)
 from rimroll.motion import thread_count
 from rimroll.options import Options
 from rimroll.refusals import placed
@@ -146,7 +154,7 @@ def follow(
     """
     expect("body", body, Body)
     expect("starts", starts, State)
-    expect("law", law, Law)
+    contact_law(law)
     workers = thread_count(threads)
     callback("progress", progress)
     rows = _rows(starts)
@@ -274,7 +282,7 @@ def law_of(falls: Falls | xr.Dataset) -> Law:
     """The law under which it fell; raises ``RimrollError`` for a dataset of something else."""
     kind = laws.kind(str(_told(falls, "law")))
     own = [name for name in laws.numbers_of(kind) if f"law_{name}" in falls.attrs]
-    law = laws.by_name(kind.name, {name: _number(falls, f"law_{name}") for name in own})
+    law = laws.by_name(kind.name, {name: _law_number(falls, name) for name in own})
     for resistance, names in _RESISTANCES.items():
         if f"law_{names[0]}" in falls.attrs:
             law += resistance(*(_number(falls, f"law_{name}") for name in names))
@@ -293,6 +301,12 @@ def _told(falls: Falls | xr.Dataset, name: str) -> object:
     if name not in falls.attrs:
         raise RimrollError(f"falls must be a dataset of rimroll.ensemble: there is no {name} in it")
     return falls.attrs[name]
+
+
+def _law_number(falls: Falls | xr.Dataset, name: str) -> float | tuple[float, ...]:
+    if name in laws.TABLES:
+        return listed(name, _told(falls, f"law_{name}"))
+    return _number(falls, f"law_{name}")
 
 
 def _number(falls: Falls | xr.Dataset, name: str) -> float:

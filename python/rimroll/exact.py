@@ -14,7 +14,7 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number, optional
 from rimroll.jacobian import PARAMETERS
-from rimroll.laws import Frictionless, Law, NoSlip
+from rimroll.laws import Frictionless, Law, NoSlip, contact_law
 from rimroll.motion import thread_count
 from rimroll.refusals import placed
 from rimroll.state import Numbers, State
@@ -167,7 +167,7 @@ def turns_in_parts(
 
 def conserves_energy(law: Law) -> bool:
     """Whether nothing is lost under a law, so that turns are integrals."""
-    expect("law", law, Law)
+    contact_law(law)
     return type(law) in (NoSlip, Frictionless) and not law.resistances
 
 

@@ -8,18 +8,25 @@ Coulomb(friction=0.3) + RollingResistance(dry=0.001)
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
 
 from rimroll import _core
-from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number
+from rimroll.errors import RimrollError, expect, hold
+from rimroll.given import Number, Values, number
+from rimroll.given import numbers as array
 from rimroll.names import choose, typed
+from rimroll.sampled_curve import sampled
 from rimroll.units import LAW_UNIT_OF, air_unit
 
 if TYPE_CHECKING:
     import xarray as xr
+
+TABLES = ("speeds", "frictions")
+"""The numbers of a law that are lists of numbers."""
 
 
 class _Numbered:
@@ -30,19 +37,38 @@ class _Numbered:
             value = getattr(self, item.name)
             left_out = value is None and item.default is None
             if item.name != "resistances" and not left_out:
+                read = listed if item.name in TABLES else number
                 unit = self._unit_of(item.name)
-                object.__setattr__(self, item.name, number(item.name, value, unit))
+                object.__setattr__(self, item.name, read(item.name, value, unit))
 
     def _unit_of(self, name: str) -> str:
         return LAW_UNIT_OF[name]
 
     def __repr__(self) -> str:
         given = ", ".join(
-            f"{item.name}={getattr(self, item.name)!r}"
+            f"{item.name}={_brief(getattr(self, item.name))}"
             for item in fields(self)  # type: ignore[arg-type]
             if item.repr and getattr(self, item.name) != item.default
         )
         return f"{type(self).__name__}({given})"
+
+
+def listed(field: str, values: object, unit: str = "1") -> tuple[float, ...]:
+    """The values of a field as a tuple of floats in an SI unit.
+
+    Raises ``RimrollError`` naming the field when they are not a flat list of numbers.
+    """
+    flat = array(field, values, unit)
+    if flat.ndim != 1:
+        raise RimrollError(f"{field} must be a flat list of numbers, got {values!r}")
+    return tuple(flat.tolist())
+
+
+def _brief(value: object) -> str:
+    """A number, or a list of numbers without its middle where it is long."""
+    if not isinstance(value, tuple) or len(value) <= 8:
+        return repr(value)
+    return f"({value[0]!r}, {value[1]!r}, ..., {value[-1]!r}: {len(value)} numbers)"
 
 
 @dataclass(frozen=True)
@@ -142,6 +168,7 @@ class Law(_Numbered):
     resistances: tuple[Resistance, ...] = field(default=(), kw_only=True, repr=False)
 
     def __post_init__(self) -> None:
+        _expect_known(type(self))
         self._read()
         given = self.resistances
         items = (given,) if isinstance(given, Resistance) else tuple(given)
@@ -177,8 +204,11 @@ class Law(_Numbered):
         return " + ".join([super().__repr__(), *map(repr, self.resistances)])
 
     @property
-    def numbers(self) -> dict[str, float]:
-        """The law's numbers and those of its resistances, by name, in SI units."""
+    def numbers(self) -> dict[str, float | tuple[float, ...]]:
+        """The law's numbers and those of its resistances, by name, in SI units.
+
+        Tables are tuples of numbers.
+        """
         own = {
             item.name: value
             for item in fields(self)
@@ -259,21 +289,131 @@ class Stribeck(Law):
     name: ClassVar[str] = "stribeck"
 
 
-IDEAL: tuple[Law, ...] = (NoSlip(), Frictionless())
-"""The paper's two laws, for which there are closed forms."""
+@dataclass(frozen=True, repr=False)
+class Tabulated(Law):
+    """Dry friction whose coefficient is a curve μ(u) over the slip speed: T = −μ(u) N against it.
+
+    The curve goes through the points (``speeds`` in m/s, ``frictions``). Between them it is the
+    monotone piecewise cubic of Fritsch & Butland (SIAM J. Sci. Stat. Comput. 5, 1984; SciPy's
+    ``PchipInterpolator``), which has a continuous slope and overshoots no point; below the first
+    speed and beyond the last it is constant. A curve may fall and rise.
+
+    Everything else is as under :class:`Coulomb`: exact phases of rolling, sliding and flight, none
+    of them regularised. The rim rolls while |T| ≤ ``static`` · N; ``static`` is the friction at the
+    lowest speed unless given, and not below it. In a landing the coefficient is that of the slip
+    with which the rim comes down, all through the impulse.
+
+    >>> import rimroll as rr
+    >>> law = rr.Tabulated(speeds=[0.0, 0.05, 0.2], frictions=[0.3, 0.22, 0.2], static=0.35)
+    >>> law.friction_at(0.05)
+    0.22
+
+    Raises ``RimrollError`` for fewer than two points, speeds that do not rise from 0 or more,
+    frictions outside 0 to 1e6.
+    """
+
+    speeds: Sequence[float]
+    frictions: Sequence[float]
+    static: float | None = None
+    restitution: float = 0.0
+    name: ClassVar[str] = "tabulated"
+
+    def friction_at(self, speeds: Values) -> Any:
+        """μ of slips at ``speeds`` (m/s, not negative): a number, or an array of their shape."""
+        given = array("speeds", speeds, "m/s")
+        hold("speeds", given, given >= 0.0, ">= 0", "m/s")
+        values = _core.friction_at(self, np.ascontiguousarray(given).ravel())
+        return values.reshape(given.shape) if given.ndim else float(values[0])
+
+    @classmethod
+    def from_function(
+        cls,
+        mu: Callable[[float], float],
+        speeds: Values,
+        *,
+        tolerance: Number = 1e-6,
+        static: Number | None = None,
+        restitution: Number = 0.0,
+    ) -> Tabulated:
+        """A table of the function μ(u), which is called with one slip speed (m/s) at a time.
+
+        Parameters
+        ----------
+        mu
+            The coefficient of friction: a continuous function.
+        speeds
+            The speeds to begin with, m/s, at least two: from the lowest to the one beyond which
+            the friction counts as constant.
+        tolerance
+            How far the curve may be off. Points are added in the middle of each interval in which
+            it is farther from ``mu`` at a quarter, half or three quarters of it.
+        static, restitution
+            As for :class:`Tabulated`.
+
+        >>> import math
+        >>> import rimroll as rr
+        >>> fading = rr.Tabulated.from_function(
+        ...     lambda u: 0.2 + 0.1 * math.exp(-u / 0.05), speeds=[0.0, 1.0]
+        ... )
+        >>> round(fading.friction_at(0.05), 5)
+        0.23679
+
+        Raises ``RimrollError`` where ``mu`` gives anything but a number from 0 to 1e6, and where
+        it is not continuous or needs more than ten thousand points.
+        """
+        if not callable(mu):
+            raise RimrollError(f"mu must be a function of the slip speed, got {mu!r}")
+        tolerance = number("tolerance", tolerance)
+        if not tolerance > 0.0:
+            raise RimrollError(f"tolerance must be > 0, got {tolerance:g}")
+        begin = listed("speeds", speeds, "m/s")
+        # Refuses speeds that are no speeds before the function is asked about them.
+        cls(begin, [0.0] * len(begin))
+        points = sampled(mu, begin, lambda u, mus: cls(u, mus).friction_at, tolerance)
+        sticking = None if static is None else number("static", static)
+        return cls(*points, sticking, number("restitution", restitution))
+
 
 LAWS: dict[str, type[Law]] = {
-    law.name: law for law in (NoSlip, Frictionless, Coulomb, Viscous, Stribeck)
+    law.name: law for law in (NoSlip, Frictionless, Coulomb, Viscous, Stribeck, Tabulated)
 }
 """The laws by name, in the core's order."""
 
 assert list(LAWS) == list(_core.LAWS)
 
 
-def ideal(law: object) -> Law:
-    """The law, if it is one of the two with closed forms; else ``RimrollError``."""
+def contact_law(law: object) -> Law:
+    """The law, if it is one that the core computes; else ``RimrollError``."""
     expect("law", law, Law)
     assert isinstance(law, Law)
+    _expect_known(type(law))
+    return law
+
+
+def _expect_known(kind: type[Law]) -> None:
+    """Refuse a class of one's own: the core knows laws by name, not what Python adds to them."""
+    if kind not in LAWS.values():
+        known = ", ".join(known.__name__ for known in LAWS.values())
+        raise RimrollError(
+            f"law must be one of rimroll's own, {known}, got the class {kind.__name__}: laws are"
+            " compiled; for a friction of your own over the slip speed use rimroll.Tabulated"
+        )
+
+
+IDEAL: tuple[Law, ...] = (NoSlip(), Frictionless())
+"""The paper's two laws, for which there are closed forms."""
+
+
+def in_brief(value: float | tuple[float, ...]) -> str:
+    """A number of a law for people, or from where to where the numbers of a table go."""
+    if isinstance(value, tuple):
+        return f"{min(value):g} to {max(value):g}"
+    return f"{value:g}"
+
+
+def ideal(law: object) -> Law:
+    """The law, if it is one of the two with closed forms; else ``RimrollError``."""
+    law = contact_law(law)
     if type(law) not in (NoSlip, Frictionless):
         raise RimrollError(f"law must be NoSlip or Frictionless for a closed form, got {law!r}")
     return law
@@ -294,7 +434,7 @@ def numbers_of(law: type[Law]) -> dict[str, bool]:
     }
 
 
-def by_name(name: str, numbers: Mapping[str, float] | None = None) -> Law:
+def by_name(name: str, numbers: Mapping[str, float | tuple[float, ...]] | None = None) -> Law:
     """The law of that name with these numbers; ``-`` may stand for ``_``.
 
     Raises ``RimrollError`` with the nearest name when there is none such, and naming the number

@@ -17,7 +17,7 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.given import Number, Values, whole_number
 from rimroll.jacobian import PARAMETERS, Jacobian
-from rimroll.laws import Law
+from rimroll.laws import Law, contact_law
 from rimroll.options import Options
 from rimroll.state import State, single, times
 
@@ -566,7 +566,7 @@ def simulate(
     """
     expect("body", body, Body)
     expect("start", start, State)
-    expect("law", law, Law)
+    contact_law(law)
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     callback("progress", progress)
     return _follow(body, single(start), law, options, bool(jacobian), progress)

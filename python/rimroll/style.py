@@ -37,8 +37,16 @@ COLORS = {
     "coulomb": "#CC79A7",
     "viscous": "#E69F00",
     "stribeck": "#009E73",
+    "tabulated": "#56B4E9",
 }
-MARKERS = {"no_slip": "o", "frictionless": "s", "coulomb": "D", "viscous": "v", "stribeck": "^"}
+MARKERS = {
+    "no_slip": "o",
+    "frictionless": "s",
+    "coulomb": "D",
+    "viscous": "v",
+    "stribeck": "^",
+    "tabulated": "P",
+}
 SLIDING = "#F0E442"
 """Behind the stretches of time in which the rim slides; drawn faintly."""
 
@@ -133,7 +141,7 @@ def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
 def look(law: Law) -> dict[str, Any]:
     """Colour and marker of what was computed under a law; filled where the rim can stick."""
     color = COLORS[law.name]
-    face = color if law.name in ("no_slip", "coulomb") else "white"
+    face = color if law.name in ("no_slip", "coulomb", "tabulated") else "white"
     return {"color": color, "marker": MARKERS[law.name], "markerfacecolor": face}
 
 

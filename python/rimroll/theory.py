@@ -13,7 +13,7 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import expect
 from rimroll.given import Number, number
-from rimroll.laws import Law, ideal
+from rimroll.laws import Law, contact_law, ideal
 from rimroll.state import State, single
 
 
@@ -68,7 +68,7 @@ def arrival(
     """
     expect("body", body, Body)
     expect("start", start, State)
-    expect("law", law, Law)
+    contact_law(law)
     return Arrival(*_core.arrival(body, single(start), law, number("gravity", gravity, "m/s^2")))
 
 
@@ -91,7 +91,7 @@ def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> float:
     Raises ``RimrollError`` when the rim lifts off on the way or Painlevé's paradox is met.
     """
     expect("body", body, Body)
-    expect("law", law, Law)
+    contact_law(law)
     expect("arrival", arrival, Arrival | None)
     return _core.turn_limit(body, law, (arrival or Arrival())._numbers())
 
@@ -102,7 +102,7 @@ def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
     ``arrival`` as for :func:`turn_limit`, which has the errors too.
     """
     expect("body", body, Body)
-    expect("law", law, Law)
+    contact_law(law)
     expect("arrival", arrival, Arrival | None)
     return Passage(*_core.passage(body, law, (arrival or Arrival())._numbers()))
 

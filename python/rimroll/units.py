@@ -55,6 +55,8 @@ LAW_UNIT_OF = {
     "coefficient": "N s/m",
     "stribeck_speed": "m/s",
     "creep_speed": "m/s",
+    "speeds": "m/s",
+    "frictions": "1",
     "dry": "1",
     "viscous": "N s/m",
     "length": "m",

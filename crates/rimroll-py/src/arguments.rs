@@ -87,12 +87,25 @@ pub fn ideal_law(name: &str) -> PyResult<IdealLaw> {
 #[derive(FromPyObject)]
 pub struct SurfaceArgument {
     name: String,
-    numbers: HashMap<String, f64>,
+    numbers: HashMap<String, Given>,
+}
+
+/// A number of a law, or a list of them.
+#[derive(FromPyObject)]
+enum Given {
+    Number(f64),
+    Table(Vec<f64>),
 }
 
 impl SurfaceArgument {
     pub fn surface(&self) -> PyResult<Surface> {
-        let numbers: Vec<_> = self.numbers.clone().into_iter().collect();
-        Surface::named(&self.name, &numbers).map_err(refusal)
+        let (mut numbers, mut tables) = (Vec::new(), Vec::new());
+        for (name, given) in &self.numbers {
+            match given {
+                Given::Number(number) => numbers.push((name.clone(), *number)),
+                Given::Table(table) => tables.push((name.clone(), table.clone())),
+            }
+        }
+        Surface::named(&self.name, &numbers, &tables).map_err(refusal)
     }
 }

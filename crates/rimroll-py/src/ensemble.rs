@@ -150,7 +150,7 @@ pub fn ensemble<'py>(
     let trials: Vec<(State, Surface)> = starts
         .starts()?
         .zip(grip.iter())
-        .map(|(start, &factor)| (start, surface.with_grip(factor)))
+        .map(|(start, &factor)| (start, surface.clone().with_grip(factor)))
         .collect();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)

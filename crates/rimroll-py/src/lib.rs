@@ -33,8 +33,8 @@ mod _core {
     #[pymodule_export]
     use crate::theory::{
         CoreNearCollision, CorePasted, arrival, balance_tilt, check_surface, disk_turn_limit,
-        error_law_coefficient, lift_off_rate, needed_friction, painleve_friction, passage,
-        point_mass_turn_limit, slip_rate, steady_wobble_rate, tall_turn_limit, turn_limit,
+        error_law_coefficient, friction_at, lift_off_rate, needed_friction, painleve_friction,
+        passage, point_mass_turn_limit, slip_rate, steady_wobble_rate, tall_turn_limit, turn_limit,
         turn_limit_with_spin,
     };
 

@@ -3,8 +3,9 @@
 use crate::arguments::{BodyArgument, StateArgument, SurfaceArgument, ideal_law, refusal};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
+use rimroll::law::DryFriction;
 use rimroll::turn::{Arrival, NearCollision};
-use rimroll::{pasted, small_angle, turn};
+use rimroll::{FrictionLaw, pasted, small_angle, turn};
 
 /// (tipping_rate, slip, spin, friction_ratio)
 type ArrivalNumbers = (f64, f64, f64, f64);
@@ -21,6 +22,21 @@ fn arrival_of((tipping_rate, slip, spin, friction_ratio): ArrivalNumbers) -> Arr
 #[pyfunction]
 pub fn check_surface(surface: SurfaceArgument) -> PyResult<()> {
     surface.surface().map(|_| ())
+}
+
+/// The coefficient of friction of a tabulated law at slip speeds, m/s.
+#[pyfunction]
+pub fn friction_at<'py>(
+    py: Python<'py>,
+    surface: SurfaceArgument,
+    speeds: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let FrictionLaw::Tabulated(table) = surface.surface()?.friction else {
+        unreachable!("only tabulated laws are asked for their curve");
+    };
+    let speeds = speeds.as_array();
+    let frictions: Vec<f64> = speeds.iter().map(|&v| table.coefficient(v)).collect();
+    Ok(frictions.into_pyarray(py))
 }
 
 #[pyfunction]

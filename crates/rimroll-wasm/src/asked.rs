@@ -80,7 +80,7 @@ impl Asked {
             .into_iter()
             .filter_map(|name| Some((name.to_owned(), self.given()?)))
             .collect();
-        Surface::named(law, &given)
+        Surface::named(law, &given, &[])
     }
 
     /// Duration, gravity, rtol and the most steps.

@@ -42,7 +42,7 @@ fn followed(mut asked: Asked) -> Result<Vec<Fall>, InvalidInput> {
     let mut falls = Vec::new();
     while asked.more() {
         let start = asked.start();
-        let gripped = surface.with_grip(asked.number());
+        let gripped = surface.clone().with_grip(asked.number());
         falls.push(fall(&body, &start, &gripped, &options)?);
     }
     Ok(falls)

@@ -35,7 +35,7 @@ fn limit_here(body: &Body, friction: &FrictionLaw, arrival: &Arrival) -> Result<
         return Ok(limit);
     }
     let limit = turn_limit_of(body, friction, &Arrival::at_rest())?;
-    AT_REST.set(Some((*body, *friction, limit)));
+    AT_REST.set(Some((*body, friction.clone(), limit)));
     Ok(limit)
 }
 

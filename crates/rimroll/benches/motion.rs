@@ -49,9 +49,9 @@ fn main() {
                 .map(|turn| turn.angle)
                 .collect::<Vec<_>>()
         };
-        let exact = turns(&motion(surface, 1e-13));
+        let exact = turns(&motion(surface.clone(), 1e-13));
         for rtol in [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12] {
-            let last = motion(surface, rtol);
+            let last = motion(surface.clone(), rtol);
             let errors = turns(&last)
                 .into_iter()
                 .zip(&exact)
@@ -61,7 +61,7 @@ fn main() {
             let begun = Instant::now();
             while begun.elapsed() < Duration::from_millis(150) {
                 let before = Instant::now();
-                black_box(motion(surface, black_box(rtol)));
+                black_box(motion(surface.clone(), black_box(rtol)));
                 best = best.min(before.elapsed());
             }
             println!(

@@ -56,7 +56,10 @@ fn main() {
                 duration: 10.0,
                 ..Options::default()
             };
-            let trials: Vec<_> = starts(n).into_iter().map(|s| (s, surface)).collect();
+            let trials: Vec<_> = starts(n)
+                .into_iter()
+                .map(|s| (s, surface.clone()))
+                .collect();
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(1)
                 .build()

@@ -177,7 +177,7 @@ mod tests {
             tilt: i as f64,
             ..State::default()
         };
-        (0..count).map(|i| (numbered(i), surface)).collect()
+        (0..count).map(|i| (numbered(i), surface.clone())).collect()
     }
 
     #[test]
@@ -211,9 +211,9 @@ mod tests {
         let trials: Vec<_> = rolling
             .iter()
             .enumerate()
-            .map(|(i, &(start, surface))| match i % 10 {
-                0 => (start, viscous.into()),
-                _ => (start, surface),
+            .map(|(i, (start, surface))| match i % 10 {
+                0 => (*start, Surface::from(&viscous)),
+                _ => (*start, surface.clone()),
             })
             .collect();
         for (threads, full) in [(1, MOST), (2, 3000 / 8), (8, FEWEST)] {
@@ -222,7 +222,7 @@ mod tests {
             let alone_in = |piece: &[(State, Surface)]| {
                 let alone = piece
                     .iter()
-                    .filter(|(_, surface)| *surface == viscous.into());
+                    .filter(|(_, surface)| surface.friction == viscous);
                 alone.count()
             };
             assert!(alone_in(pieces[0]) > 0 && alone_in(pieces[0]) < pieces[0].len());

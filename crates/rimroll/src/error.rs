@@ -27,6 +27,30 @@ pub enum InvalidInput {
         /// Its unit.
         unit: &'static str,
     },
+    /// An entry of a table outside its bound.
+    #[error("{field}[{index}] must be {bound}, got {}", with_unit(*value, unit))]
+    EntryOutOfBounds {
+        /// The table's name in the API.
+        field: &'static str,
+        /// The entry's place in it, from 0.
+        index: usize,
+        /// What was given.
+        value: f64,
+        /// What it must be, in words.
+        bound: String,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A table with too few entries, or another number of them than the table beside it.
+    #[error("{field} must have {bound}, got {count}")]
+    WrongLength {
+        /// The table's name in the API.
+        field: &'static str,
+        /// How many it must have, in words.
+        bound: String,
+        /// How many were given.
+        count: usize,
+    },
     /// Two numbers that no rigid body can have together.
     #[error(
         "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
@@ -112,6 +136,27 @@ pub(crate) fn bounded(
             unit,
         })
     }
+}
+
+/// Accepts an entry of a table for which `holds`; `bound` says in words what that asks.
+pub(crate) fn entry(
+    field: &'static str,
+    index: usize,
+    value: f64,
+    holds: impl Fn(f64) -> bool,
+    bound: &str,
+    unit: &'static str,
+) -> Result<(), InvalidInput> {
+    if holds(value) {
+        return Ok(());
+    }
+    Err(InvalidInput::EntryOutOfBounds {
+        field,
+        index,
+        value,
+        bound: bound.to_owned(),
+        unit,
+    })
 }
 
 /// Accepts moments of inertia with C ≤ 2A, but for the rounding of a flat body's, where C = 2A.

@@ -6,8 +6,8 @@
 //! vertical distance from the contact point to the centre of mass.
 //!
 //! The paper's two laws, [`NoSlip`] and [`Frictionless`], are the limits. Between them the rim
-//! slides under a friction that depends on its slip: [`Sliding`] with [`Coulomb`], [`Stribeck`] or
-//! [`Viscous`] friction. Dry friction also lets it roll, which is `NoSlip` again, and any contact may
+//! slides under a friction that depends on its slip: [`Sliding`] with [`Coulomb`], [`Tabulated`],
+//! [`Stribeck`] or [`Viscous`] friction. Dry friction also lets it roll, which is `NoSlip` again, and any contact may
 //! end in [`Flight`]; which holds when is decided in [`motion`](crate::motion).
 //! [`Resisted`] adds rolling resistance, pivoting friction and air drag to any of them.
 
@@ -18,6 +18,7 @@ mod no_slip;
 mod resisted;
 mod sliding;
 mod stribeck;
+mod tabulated;
 mod viscous;
 
 pub use coulomb::Coulomb;
@@ -25,9 +26,11 @@ pub use flight::Flight;
 pub use frictionless::Frictionless;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
-pub(crate) use sliding::Pace;
-pub use sliding::{Friction, Pull, Sliding};
+pub use sliding::{DryFriction, Friction, Pull, Sliding};
+pub(crate) use sliding::{DryLaw, Pace};
 pub use stribeck::Stribeck;
+pub(crate) use tabulated::MOST_FRICTION;
+pub use tabulated::Tabulated;
 pub use viscous::Viscous;
 
 use crate::body::Body;

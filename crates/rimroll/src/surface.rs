@@ -1,10 +1,13 @@
 //! What the table is like: its friction, how bodies rebound from it, and what resists their rolling.
 
 use crate::error::{InvalidInput, bounded, not_negative, positive};
-use crate::law::{AirDrag, IdealLaw, PivotingFriction, Resistance, RollingResistance};
+use crate::law::{
+    AirDrag, DryFriction, IdealLaw, MOST_FRICTION, PivotingFriction, Resistance, RollingResistance,
+    Tabulated,
+};
 
 /// Friction between rim and table, with its numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum FrictionLaw {
     /// The rim never slips.
     NoSlip,
@@ -33,11 +36,20 @@ pub enum FrictionLaw {
         /// v₀, m/s.
         creep_speed: f64,
     },
+    /// Dry friction like Coulomb's, whose coefficient of slipping is a curve over the slip speed.
+    Tabulated(Tabulated),
 }
 
 impl FrictionLaw {
     /// The names that a user types, in the order in which they are listed.
-    pub const NAMES: [&str; 5] = ["no_slip", "frictionless", "coulomb", "viscous", "stribeck"];
+    pub const NAMES: [&str; 6] = [
+        "no_slip",
+        "frictionless",
+        "coulomb",
+        "viscous",
+        "stribeck",
+        "tabulated",
+    ];
 
     /// Dry friction with one coefficient for sticking and slipping.
     pub fn coulomb(friction: f64) -> Self {
@@ -55,6 +67,7 @@ impl FrictionLaw {
             FrictionLaw::Coulomb { .. } => "coulomb",
             FrictionLaw::Viscous { .. } => "viscous",
             FrictionLaw::Stribeck { .. } => "stribeck",
+            FrictionLaw::Tabulated(_) => "tabulated",
         }
     }
 
@@ -67,19 +80,34 @@ impl FrictionLaw {
         }
     }
 
-    /// The friction in a landing: none where friction is no part of the weight.
-    pub(crate) fn friction_in_impact(&self) -> f64 {
-        match *self {
+    /// μ_s of dry friction, by which the rim is held while it does not slip; `None` under laws that do not
+    /// hold it so.
+    pub(crate) fn static_friction(&self) -> Option<f64> {
+        match self {
+            FrictionLaw::Coulomb {
+                static_friction, ..
+            } => Some(*static_friction),
+            FrictionLaw::Tabulated(table) => Some(table.static_friction()),
+            _ => None,
+        }
+    }
+
+    /// The coefficient of friction in a landing with this slip (m/s): none where friction does not grow
+    /// with the normal force.
+    pub(crate) fn friction_in_impact(&self, slip_speed: f64) -> f64 {
+        match self {
             FrictionLaw::Coulomb { friction, .. } | FrictionLaw::Stribeck { friction, .. } => {
-                friction
+                *friction
             }
+            FrictionLaw::Tabulated(table) => table.coefficient(slip_speed),
             FrictionLaw::Viscous { .. } | FrictionLaw::NoSlip | FrictionLaw::Frictionless => 0.0,
         }
     }
 
     fn check(&self) -> Result<(), InvalidInput> {
         match *self {
-            FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
+            // A table is checked when it is made.
+            FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::Tabulated(_) => {}
             FrictionLaw::Viscous { coefficient } => {
                 not_negative("coefficient", coefficient, "N s/m")?;
             }
@@ -103,13 +131,12 @@ impl FrictionLaw {
 }
 
 fn check_coefficients(friction: f64, static_friction: f64) -> Result<(), InvalidInput> {
-    const MOST: f64 = 1e6;
-    let sensible = |f: f64| (0.0..=MOST).contains(&f);
+    let sensible = |f: f64| (0.0..=MOST_FRICTION).contains(&f);
     bounded("friction", friction, sensible, "between 0 and 1e6", "")?;
     bounded(
         "static",
         static_friction,
-        |f| (friction..=MOST).contains(&f),
+        |f| (friction..=MOST_FRICTION).contains(&f),
         &format!("between friction = {friction} and 1e6"),
         "",
     )?;
@@ -125,8 +152,14 @@ impl From<IdealLaw> for FrictionLaw {
     }
 }
 
+impl From<&FrictionLaw> for FrictionLaw {
+    fn from(law: &FrictionLaw) -> Self {
+        law.clone()
+    }
+}
+
 /// All that a motion needs to know of the table.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// Friction on the rim.
     pub friction: FrictionLaw,
@@ -152,11 +185,20 @@ impl Surface {
     /// A surface from the name of its friction law and its numbers by name, as users write them:
     /// `friction`, `static` (the same as `friction` unless given), `coefficient`, `stribeck_speed`,
     /// `creep_speed`, `restitution`, `rolling_dry`, `rolling_viscous`, `pivoting_length`,
-    /// `air_coefficient`, `air_exponent`. What is not given is 0.
+    /// `air_coefficient`, `air_exponent`. What is not given is 0. Lists of numbers are `tables`:
+    /// `speeds` and `frictions`.
     ///
     /// # Errors
-    /// Refuses an unknown name and what [`Surface::check`] refuses.
-    pub fn named(law: &str, numbers: &[(String, f64)]) -> Result<Surface, InvalidInput> {
+    /// Refuses an unknown name and what [`Surface::check`] and [`Tabulated::new`] refuse.
+    pub fn named(
+        law: &str,
+        numbers: &[(String, f64)],
+        tables: &[(String, Vec<f64>)],
+    ) -> Result<Surface, InvalidInput> {
+        let table = |name: &str| {
+            let given = tables.iter().find(|(n, _)| n == name);
+            given.map_or(&[][..], |(_, values)| values)
+        };
         let given = |name: &str| numbers.iter().find(|(n, _)| n == name).map(|&(_, v)| v);
         let number = |name: &str| given(name).unwrap_or(0.0);
         let friction = number("friction");
@@ -177,6 +219,11 @@ impl Surface {
                 stribeck_speed: number("stribeck_speed"),
                 creep_speed: number("creep_speed"),
             },
+            "tabulated" => FrictionLaw::Tabulated(Tabulated::new(
+                table("speeds"),
+                table("frictions"),
+                given("static"),
+            )?),
             _ => {
                 return Err(InvalidInput::UnknownName {
                     what: "law",
@@ -242,6 +289,7 @@ impl Surface {
         match &mut self.friction {
             FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
             FrictionLaw::Viscous { coefficient } => *coefficient *= factor,
+            FrictionLaw::Tabulated(table) => *table = table.times(factor),
             FrictionLaw::Coulomb {
                 friction,
                 static_friction,

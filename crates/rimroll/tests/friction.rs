@@ -140,7 +140,7 @@ fn near_collision_turn(motion: &Motion, min_tilt: f64) -> f64 {
 fn full_motions_near_the_limit_turn_as_the_near_collision_by_itself() {
     for friction in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.34, 0.4] {
         let surface = FrictionLaw::coulomb(friction);
-        let motion = follow(&can(), &paper_start(1e-6), surface, &options(0.3));
+        let motion = follow(&can(), &paper_start(1e-6), &surface, &options(0.3));
         let arrival = Arrival::of(&can(), &paper_start(0.0), &surface.into(), PAPER_GRAVITY);
         let expected = limit(&can(), friction, &arrival.expect("it comes down flat"));
         let low = motion.turns.first().map_or(1e-7, |turn| turn.min_tilt);
@@ -179,13 +179,13 @@ fn slip_leaves_spin_behind_and_the_can_turns_on_as_it_rises() {
     for (friction, to_maximum, to_side) in WHOLE_TURNS {
         let law = FrictionLaw::coulomb(friction);
         if let Some(expected) = to_maximum {
-            let motion = follow(&can(), &paper_start(1e-5), law, &options(1.0));
+            let motion = follow(&can(), &paper_start(1e-5), &law, &options(1.0));
             let turn = motion.turns[0].angle.to_degrees();
             // Printed to the thousandth, not always the nearest.
             assert!((turn - expected).abs() < 1.5e-3, "{friction}: {turn}");
         }
         if let Some(expected) = to_side {
-            let motion = follow(&can(), &flick, law, &to_fall);
+            let motion = follow(&can(), &flick, &law, &to_fall);
             assert_eq!(motion.status, Status::Toppled);
             let turn = motion.track.end().yaw.to_degrees();
             // Printed to the hundredth.
@@ -227,7 +227,7 @@ fn a_disk_turns_by_the_same_angle_under_every_law() {
         for law in laws() {
             let alone = passage(&body, &law, &Arrival::at_rest()).expect("it passes");
             assert!((alone.turn - expected).abs() < 1e-8, "{law:?}");
-            let motion = follow(&body, &paper_start(1e-6), law, &options(0.3));
+            let motion = follow(&body, &paper_start(1e-6), &law, &options(0.3));
             let low = motion
                 .events
                 .iter()
@@ -248,7 +248,7 @@ fn a_disk_that_slides_on_its_way_down_and_up_turns_by_another_angle_in_all() {
         (FrictionLaw::Frictionless, 402.49),
         (FrictionLaw::coulomb(0.8), 399.07),
     ] {
-        let motion = follow(&disk, &paper_start(1e-6), law, &options(1.0));
+        let motion = follow(&disk, &paper_start(1e-6), &law, &options(1.0));
         let turn = motion.turns[0].angle.to_degrees().abs();
         assert!((turn - expected).abs() < 0.006, "{law:?}: {turn}");
     }

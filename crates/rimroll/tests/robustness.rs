@@ -13,14 +13,16 @@ use core::ops::ControlFlow;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
-use rimroll::law::{AirDrag, PivotingFriction, Resistance, RollingResistance};
+use rimroll::law::{
+    AirDrag, DryFriction, PivotingFriction, Resistance, RollingResistance, Tabulated,
+};
 use rimroll::motion::{COLUMNS, EventKind, Instant, Phase};
 use rimroll::turn::painleve_friction;
 use rimroll::{Body, FrictionLaw, Motion, Options, State, Status, Surface, simulate};
 use std::collections::BTreeMap;
 
 /// A start on a table.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Case {
     body: Body,
     surface: Surface,
@@ -54,6 +56,7 @@ fn any_friction() -> impl Strategy<Value = FrictionLaw> {
             static_friction: friction * excess,
         }),
         // In units of m √(g/R) and √(gR): see `any_case`.
+        4 => any_table(),
         2 => powers_of_ten(-3.0, 1.0).prop_map(|coefficient| FrictionLaw::Viscous { coefficient }),
         2 => (coefficient(), excess, speed(), speed()).prop_map(|(friction, excess, stribeck_speed, creep_speed)| {
             FrictionLaw::Stribeck {
@@ -66,10 +69,36 @@ fn any_friction() -> impl Strategy<Value = FrictionLaw> {
     ]
 }
 
+/// The same coefficients at speeds that are a factor larger.
+fn faster(table: &Tabulated, factor: f64) -> FrictionLaw {
+    let (speeds, frictions): (Vec<_>, Vec<_>) =
+        (table.points()).map(|(v, f)| (factor * v, f)).unzip();
+    let sticking = Some(table.static_friction());
+    FrictionLaw::Tabulated(Tabulated::new(&speeds, &frictions, sticking).expect("a table"))
+}
+
+/// Falling and rising curves, from slow to fast slips, with steps of all widths.
+fn any_table() -> impl Strategy<Value = FrictionLaw> {
+    let begin = prop_oneof![2 => Just(0.0), 1 => powers_of_ten(-3.0, -1.0)];
+    let points = prop::collection::vec((powers_of_ten(-3.0, 0.0), 0.0..1.5), 1..8);
+    let excess = prop_oneof![1 => Just(1.0), 1 => 1.0..1.5];
+    (begin, 0.01..1.5, points, excess).prop_map(|(mut speed, slowest, points, excess)| {
+        let (mut speeds, mut frictions) = (vec![speed], vec![slowest]);
+        for (step, friction) in points {
+            speed += step;
+            speeds.push(speed);
+            frictions.push(friction);
+        }
+        let sticking = Some(slowest * excess);
+        FrictionLaw::Tabulated(Tabulated::new(&speeds, &frictions, sticking).expect("a table"))
+    })
+}
+
 /// The numbers of a surface, with a unit, are given in those of a body of mass, radius and gravity 1.
 fn in_units_of(body: &Body, surface: Surface) -> Surface {
     let (m, r, rate) = (body.mass(), body.radius(), falling_rate(body));
     let friction = match surface.friction {
+        FrictionLaw::Tabulated(table) => faster(&table, r * rate),
         FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
             coefficient: coefficient * m * rate,
         },
@@ -222,13 +251,9 @@ fn follow(case: &Case) -> Motion {
         surface,
         options,
     } = case;
-    simulate(
-        body,
-        start,
-        *surface,
-        options,
-        |_| ControlFlow::Continue(()),
-    )
+    simulate(body, start, surface.clone(), options, |_| {
+        ControlFlow::Continue(())
+    })
     .expect("valid input")
 }
 
@@ -352,11 +377,19 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
                 found.complain("slips while it rolls", libm::hypot(slip_x, slip_y), &at);
             }
         }
-        if let FrictionLaw::Coulomb {
-            friction: kinetic,
-            static_friction,
-        } = surface.friction
-        {
+        let [slip_x, slip_y] = law.slip(&at);
+        let coefficients = match &surface.friction {
+            FrictionLaw::Coulomb {
+                friction,
+                static_friction,
+            } => Some((*friction, *static_friction)),
+            FrictionLaw::Tabulated(table) => {
+                let kinetic = table.coefficient(libm::hypot(slip_x, slip_y));
+                Some((kinetic, table.static_friction()))
+            }
+            _ => None,
+        };
+        if let Some((kinetic, static_friction)) = coefficients {
             let excess = match at.phase {
                 Phase::Rolling => friction - static_friction * force.normal,
                 _ => (friction - kinetic * force.normal).abs(),
@@ -463,13 +496,17 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         Status::FaceDown => end.sin <= 1.001e-9,
         // What is left when it lies flat goes with it.
         Status::AtRest => end.sin <= 1.001e-9 || above_rest(&end) <= 1.001e-10 * above_rest(&begin),
-        Status::Painleve => match surface.friction {
+        Status::Painleve => match &surface.friction {
+            FrictionLaw::Tabulated(table) => {
+                let most = table.points().map(|(_, friction)| friction);
+                paradoxical(most.fold(table.static_friction(), f64::max))
+            }
             FrictionLaw::Coulomb {
                 static_friction, ..
             }
             | FrictionLaw::Stribeck {
                 static_friction, ..
-            } => paradoxical(static_friction),
+            } => paradoxical(*static_friction),
             _ => false,
         },
         Status::Failed => motion.work.steps >= options.max_steps,
@@ -516,7 +553,7 @@ proptest! {
                 spin_rate: -start.spin_rate,
                 ..start
             },
-            ..case
+            ..case.clone()
         };
         agree_at_first(&case, &follow(&case), &follow(&image), -1.0)?;
     }
@@ -524,7 +561,7 @@ proptest! {
     /// The table looks the same in every direction.
     #[test]
     fn a_turned_start_is_a_turned_motion(case in any_case(), yaw in -3.0..3.0) {
-        let turned = Case { start: State { yaw, ..case.start }, ..case };
+        let turned = Case { start: State { yaw, ..case.start }, ..case.clone() };
         agree_at_first(&case, &follow(&case), &follow(&turned), 1.0)?;
     }
 
@@ -546,7 +583,8 @@ proptest! {
         let larger = Case {
             body,
             surface: Surface {
-                friction: match case.surface.friction {
+                friction: match case.surface.friction.clone() {
+                    FrictionLaw::Tabulated(table) => faster(&table, length / time),
                     FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
                         coefficient: coefficient * mass / time,
                     },
@@ -561,7 +599,7 @@ proptest! {
                     dry => dry,
                 },
                 resistance: Resistance::default(),
-                ..case.surface
+                ..case.surface.clone()
             },
             start: State {
                 tilt_rate: slower(case.start.tilt_rate),
@@ -571,8 +609,8 @@ proptest! {
             },
             options: Options { duration: time * case.options.duration, ..case.options },
         };
-        let surface = Surface { resistance: Resistance::default(), ..case.surface };
-        let (one, other) = (follow(&Case { surface, ..case }), follow(&larger));
+        let surface = Surface { resistance: Resistance::default(), ..case.surface.clone() };
+        let (one, other) = (follow(&Case { surface, ..case.clone() }), follow(&larger));
         prop_assert_eq!(one.status, other.status);
         prop_assert_eq!(one.work, other.work);
         let (a, b) = (one.track.end(), other.track.end());
@@ -586,7 +624,7 @@ proptest! {
     fn tolerances_converge(case in any_case()) {
         let at = |rtol| {
             let options = Options { rtol, ..case.options };
-            follow(&Case { options, ..case })
+            follow(&Case { options, ..case.clone() })
         };
         let (loose, tight, tightest) = (at(1e-6), at(1e-9), at(1e-12));
         // Over a short while: what follows a threshold or a near-collision may be chaotic.
@@ -601,8 +639,8 @@ proptest! {
     #[test]
     fn no_dry_friction_is_frictionless(case in any_case()) {
         let on = |friction| {
-            let surface = Surface { friction, resistance: Resistance::default(), ..case.surface };
-            follow(&Case { surface, ..case })
+            let surface = Surface { friction, resistance: Resistance::default(), ..case.surface.clone() };
+            follow(&Case { surface, ..case.clone() })
         };
         agree_while_they_last(&case, &on(FrictionLaw::Frictionless), &on(FrictionLaw::coulomb(0.0)))?;
     }
@@ -611,8 +649,8 @@ proptest! {
     #[test]
     fn much_dry_friction_is_no_slip(case in any_case()) {
         let on = |friction| {
-            let surface = Surface { friction, resistance: Resistance::default(), ..case.surface };
-            follow(&Case { surface, ..case })
+            let surface = Surface { friction, resistance: Resistance::default(), ..case.surface.clone() };
+            follow(&Case { surface, ..case.clone() })
         };
         agree_while_they_last(&case, &on(FrictionLaw::NoSlip), &on(FrictionLaw::coulomb(1e5)))?;
     }

@@ -54,7 +54,7 @@ def law_asked(options: LawOptions, resistances: ResistanceOptions, law: Law | No
     takes = laws.numbers_of(kind)
     for name in numbers:
         if name not in takes:
-            known = ", ".join(option(OPTION_OF[other]) for other in takes) or "no numbers"
+            known = ", ".join(map(_asked_by, takes)) or "no numbers"
             raise RimrollError(
                 f"{option(OPTION_OF[name])} does not go with {typed(kind.name)}, which takes"
                 f" {known}"
@@ -63,8 +63,15 @@ def law_asked(options: LawOptions, resistances: ResistanceOptions, law: Law | No
         return replace(law, resistances=(), **numbers)
     for name, needed in takes.items():
         if needed and name not in numbers:
-            raise RimrollError(f"{typed(kind.name)} needs {option(OPTION_OF[name])}")
+            raise RimrollError(f"{typed(kind.name)} needs {_asked_by(name)}")
     return laws.by_name(kind.name, numbers)
+
+
+def _asked_by(name: str) -> str:
+    """The option that gives a number of a law; tables are given in a file."""
+    if name in laws.TABLES:
+        return f"{name} from a scenario file"
+    return option(OPTION_OF[name])
 
 
 def _numbers(options: LawOptions, resistances: ResistanceOptions) -> dict[str, float]:
@@ -144,12 +151,13 @@ def _air(options: ResistanceOptions, body: Body, gravity: float) -> AirDrag | No
 
 def in_words(law: Law) -> str:
     """A law as it is typed, its numbers, and its resistances: ``coulomb, friction 0.2``."""
-    units = {**LAW_UNIT_OF, "friction": "", "static": "", "restitution": ""}
+    units = {name: "" if unit == "1" else unit for name, unit in LAW_UNIT_OF.items()}
     said = [typed(law.name)]
     for name in laws.numbers_of(type(law)):
         value = getattr(law, name)
         if value is not None and not (name == "restitution" and value == 0.0):
-            said.append(f"{name.replace('_', ' ')} {value:g} {units[name]}".strip())
+            amount = laws.in_brief(value)
+            said.append(f"{name.replace('_', ' ')} {amount} {units[name]}".strip())
     return " + ".join([", ".join(said), *map(_resisting, law.resistances)])
 
 

@@ -23,7 +23,7 @@ from rimroll.ensemble import Array, body_of, law_of
 from rimroll.errors import RimrollError
 from rimroll.experiment.toppling import counted, limits
 from rimroll.falls import Falls
-from rimroll.laws import Law
+from rimroll.laws import Law, in_brief
 from rimroll.names import typed
 
 if TYPE_CHECKING:
@@ -345,7 +345,11 @@ def _title(shown: list[_Falls], name: str) -> str:
 
 
 def _law(law: Law) -> str:
-    said = [f"{name.replace('_', ' ')} {value:g}" for name, value in law.numbers.items() if value]
+    said = [
+        f"{name.replace('_', ' ')} {in_brief(value)}"
+        for name, value in law.numbers.items()
+        if value
+    ]
     return ", ".join([typed(law.name), *said])
 
 

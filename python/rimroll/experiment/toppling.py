@@ -18,7 +18,7 @@ from rimroll.errors import RimrollError, expect
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
 from rimroll.given import Number
-from rimroll.laws import IDEAL, Law
+from rimroll.laws import IDEAL, Law, contact_law
 from rimroll.options import Options
 from rimroll.state import State
 from rimroll.theory import arrival, turn_limit
@@ -94,7 +94,7 @@ def let_go(
 ) -> Falls:
     """What :func:`topple` computes, in plain columns; arguments and errors are its own."""
     expect("body", body, Body)
-    expect("law", law, Law)
+    contact_law(law)
     if isinstance(release, str):
         release = Release.named(release, body, options.gravity)
     if not isinstance(release, Release):

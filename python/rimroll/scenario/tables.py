@@ -256,7 +256,13 @@ def _contact(table: dict[str, Any]) -> Law:
 def _numbers_of_law(names: tuple[str, ...]) -> type[_Table]:
     """A table with these numbers of a law."""
     fields: dict[str, Any] = {
-        name: (Annotated[float | None, _in(LAW_UNIT_OF[name])], None) for name in names
+        name: (
+            list[Annotated[float, _in(LAW_UNIT_OF[name])]] | None
+            if name in laws.TABLES
+            else Annotated[float | None, _in(LAW_UNIT_OF[name])],
+            None,
+        )
+        for name in names
     }
     return create_model("law", __base__=_Table, **fields)
 

@@ -4,7 +4,7 @@
 //! as long as |T| ≤ μ_s N; the halves are joined by events, without regularisation (see
 //! [`motion`](crate::motion)).
 
-use super::{Friction, Pull};
+use super::{DryFriction, Friction, Pull};
 use crate::real::Real;
 
 /// The friction of a rim that slips.
@@ -25,7 +25,13 @@ impl<T: Real> Coulomb<T> {
 impl<T: Real> Friction<T> for Coulomb<T> {
     #[inline(always)]
     fn pull(&self, slip: [T; 2]) -> Pull<T> {
-        let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        Pull::per_normals(slip, self.friction, speed)
+        self.dry_pull(slip)
+    }
+}
+
+impl<T: Real> DryFriction<T> for Coulomb<T> {
+    #[inline(always)]
+    fn coefficient(&self, _speed: T) -> T {
+        self.friction
     }
 }

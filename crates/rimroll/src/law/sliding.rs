@@ -21,7 +21,7 @@
 //! inertia are here taken over m, which saves multiplications.
 //! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
 
-use super::{Contact, Law, Parameters};
+use super::{Contact, Law, Parameters, Resisted};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -60,6 +60,53 @@ impl<T: Real> Pull<T> {
 pub trait Friction<T: Real> {
     /// The friction at a slip (m/s, along e_x1 and e_y1).
     fn pull(&self, slip: [T; 2]) -> Pull<T>;
+}
+
+/// Dry friction: against the slip however slow it is, T = −μ(|u|) N u/|u|. A rim that does not slip is held,
+/// and rolls.
+pub trait DryFriction<T: Real>: Friction<T> {
+    /// μ of a slip of this speed (m/s), which may be 0.
+    fn coefficient(&self, speed: T) -> T;
+
+    /// The friction at a slip: [`Friction::pull`] of dry friction.
+    #[inline(always)]
+    fn dry_pull(&self, slip: [T; 2]) -> Pull<T> {
+        let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
+        Pull::per_normals(slip, self.coefficient(speed), speed)
+    }
+}
+
+/// Sliding under dry friction, whatever its coefficient: what is asked of it where the slip begins.
+pub(crate) trait DryLaw: Law<f64> {
+    /// The table's force (times sin φ) and the rates at a slip in the direction of a unit vector,
+    /// however slow.
+    fn slipping(
+        &self,
+        u: &Coordinates<f64>,
+        direction: [f64; 2],
+        speed: f64,
+    ) -> (Contact<f64>, Coordinates<f64>);
+
+    /// [`Law::consistency`] where a slip begins in the direction of a unit vector.
+    fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64;
+}
+
+impl<F: DryFriction<f64>> DryLaw for Resisted<Sliding<f64, F>> {
+    fn slipping(
+        &self,
+        u: &Coordinates<f64>,
+        direction: [f64; 2],
+        speed: f64,
+    ) -> (Contact<f64>, Coordinates<f64>) {
+        let sliding = self.law();
+        let (contact, rates) = sliding.under(u, &sliding.against(direction, speed));
+        (contact, self.resist(u, rates, contact.normal))
+    }
+
+    fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64 {
+        let sliding = self.law();
+        sliding.consistency_under(u, &sliding.against(direction, 0.0))
+    }
 }
 
 /// The law of a rim that slides under the friction `F`.
@@ -302,6 +349,14 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     #[inline(always)]
     pub(crate) fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
         self.friction.pull([u.slip_x, u.slip_y])
+    }
+}
+
+impl<T: Real, F: DryFriction<T>> Sliding<T, F> {
+    /// The friction on a slip in the direction of a unit vector, however slow.
+    #[inline(always)]
+    fn against(&self, direction: [T; 2], speed: T) -> Pull<T> {
+        Pull::per_normal(direction, self.friction.coefficient(speed))
     }
 }
 

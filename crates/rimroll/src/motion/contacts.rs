@@ -6,7 +6,8 @@ use super::track::Instant;
 use crate::body::Body;
 use crate::impact;
 use crate::law::{
-    Coulomb, Flight, Frictionless, Law, NoSlip, Parameters, Resisted, Sliding, Stribeck, Viscous,
+    Coulomb, DryLaw, Flight, Frictionless, Law, NoSlip, Parameters, Resisted, Sliding, Stribeck,
+    Tabulated, Viscous,
 };
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, MOVING};
@@ -39,17 +40,79 @@ impl Phase {
     }
 }
 
-/// The law of a rim that slides under dry friction.
-pub(super) type DrySliding = Resisted<Sliding<f64, Coulomb<f64>>>;
+/// A law of sliding with resistance.
+type Slides<F> = Resisted<Sliding<f64, F>>;
 
 /// The law of a rim that slides.
 #[derive(Clone)]
 enum SlidingLaw {
     Never,
     Free(Resisted<Frictionless<f64>>),
-    Dry(DrySliding),
-    Viscous(Resisted<Sliding<f64, Viscous<f64>>>),
-    Stribeck(Resisted<Sliding<f64, Stribeck<f64>>>),
+    Coulomb(Slides<Coulomb<f64>>),
+    Tabulated(Slides<Tabulated>),
+    Viscous(Slides<Viscous<f64>>),
+    Stribeck(Slides<Stribeck<f64>>),
+}
+
+impl SlidingLaw {
+    /// That of a friction, with resistance.
+    fn new(surface: &Surface, parameters: Parameters<f64>) -> SlidingLaw {
+        let resistance = surface.resistance;
+        match surface.friction.clone() {
+            FrictionLaw::NoSlip => SlidingLaw::Never,
+            FrictionLaw::Frictionless => {
+                SlidingLaw::Free(Resisted::new(Frictionless::new(parameters), resistance))
+            }
+            FrictionLaw::Coulomb { friction, .. } => {
+                let law = Sliding::new(parameters, Coulomb { friction });
+                SlidingLaw::Coulomb(Resisted::new(law, resistance))
+            }
+            FrictionLaw::Tabulated(table) => {
+                let law = Sliding::new(parameters, table);
+                SlidingLaw::Tabulated(Resisted::new(law, resistance))
+            }
+            FrictionLaw::Viscous { coefficient } => {
+                let law = Sliding::new(parameters, Viscous { coefficient });
+                SlidingLaw::Viscous(Resisted::new(law, resistance))
+            }
+            FrictionLaw::Stribeck {
+                friction,
+                static_friction,
+                stribeck_speed,
+                creep_speed,
+            } => {
+                let friction = Stribeck {
+                    friction,
+                    static_friction,
+                    stribeck_speed,
+                    creep_speed,
+                };
+                let law = Sliding::new(parameters, friction);
+                SlidingLaw::Stribeck(Resisted::new(law, resistance))
+            }
+        }
+    }
+
+    /// The law, where the rim can slide.
+    fn law(&self) -> Option<&dyn Law<f64>> {
+        match self {
+            SlidingLaw::Never => None,
+            SlidingLaw::Free(law) => Some(law),
+            SlidingLaw::Coulomb(law) => Some(law),
+            SlidingLaw::Tabulated(law) => Some(law),
+            SlidingLaw::Viscous(law) => Some(law),
+            SlidingLaw::Stribeck(law) => Some(law),
+        }
+    }
+
+    /// The law, where the friction is dry.
+    fn dry(&self) -> Option<&dyn DryLaw> {
+        match self {
+            SlidingLaw::Coulomb(law) => Some(law),
+            SlidingLaw::Tabulated(law) => Some(law),
+            _ => None,
+        }
+    }
 }
 
 /// Something to do with the system of equations that holds in a phase. It is compiled anew for each of
@@ -94,56 +157,23 @@ impl Contacts {
     /// slower than a tenth of that, relative to the velocities at hand, no slip is followed.
     pub(crate) fn new(body: &Body, surface: &Surface, gravity: f64, tolerance: f64) -> Self {
         let parameters = Parameters::new(body, gravity);
-        let resistance = surface.resistance;
-        let sliding = match surface.friction {
-            FrictionLaw::NoSlip => SlidingLaw::Never,
-            FrictionLaw::Frictionless => {
-                SlidingLaw::Free(Resisted::new(Frictionless::new(parameters), resistance))
-            }
-            FrictionLaw::Coulomb { friction, .. } => {
-                let law = Sliding::new(parameters, Coulomb { friction });
-                SlidingLaw::Dry(Resisted::new(law, resistance))
-            }
-            FrictionLaw::Viscous { coefficient } => {
-                let law = Sliding::new(parameters, Viscous { coefficient });
-                SlidingLaw::Viscous(Resisted::new(law, resistance))
-            }
-            FrictionLaw::Stribeck {
-                friction,
-                static_friction,
-                stribeck_speed,
-                creep_speed,
-            } => {
-                let friction = Stribeck {
-                    friction,
-                    static_friction,
-                    stribeck_speed,
-                    creep_speed,
-                };
-                let law = Sliding::new(parameters, friction);
-                SlidingLaw::Stribeck(Resisted::new(law, resistance))
-            }
-        };
         Contacts {
             parameters,
-            surface: *surface,
+            surface: surface.clone(),
             stopped: 0.1 * tolerance,
-            rolling: Resisted::new(NoSlip::new(parameters), resistance),
-            sliding,
+            rolling: Resisted::new(NoSlip::new(parameters), surface.resistance),
+            sliding: SlidingLaw::new(surface, parameters),
             flying: Flight::new(parameters),
         }
     }
 
     /// The law that holds in a phase.
     pub fn law(&self, phase: Phase) -> &dyn Law<f64> {
-        match (phase, &self.sliding) {
-            (Phase::Rolling, _) | (Phase::Sliding, SlidingLaw::Never) => &self.rolling,
-            (Phase::Sliding, SlidingLaw::Free(law)) => law,
-            (Phase::Sliding, SlidingLaw::Dry(law)) => law,
-            (Phase::Sliding, SlidingLaw::Viscous(law)) => law,
-            (Phase::Sliding, SlidingLaw::Stribeck(law)) => law,
+        match phase {
+            Phase::Rolling => &self.rolling,
+            Phase::Sliding => self.sliding.law().unwrap_or(&self.rolling),
             // Of a body that lies nothing is asked but its energy.
-            (Phase::Flying | Phase::Lying, _) => &self.flying,
+            Phase::Flying | Phase::Lying => &self.flying,
         }
     }
 
@@ -168,10 +198,10 @@ impl Contacts {
             (Phase::Sliding, SlidingLaw::Free(law)) if law.only_moves() => {
                 task.with::<_, MOVING>(&Mechanics::new(law.law()))
             }
-            (Phase::Sliding, SlidingLaw::Dry(law)) => {
+            (Phase::Sliding, SlidingLaw::Coulomb(law)) => {
                 task.with::<_, COORDINATES>(&Mechanics::slipping(law))
             }
-            _ => task.with::<_, COORDINATES>(&Mechanics::new(self.law(phase))),
+            _ => task.with::<_, COORDINATES>(&self.mechanics(phase)),
         }
     }
 
@@ -186,11 +216,8 @@ impl Contacts {
     }
 
     /// The law of sliding under dry friction, where there is dry friction.
-    pub(super) fn dry(&self) -> Option<&DrySliding> {
-        match &self.sliding {
-            SlidingLaw::Dry(law) => Some(law),
-            _ => None,
-        }
+    pub(super) fn dry(&self) -> Option<&dyn DryLaw> {
+        self.sliding.dry()
     }
 
     /// Whether the contact may be lost and found again: the two ideal laws end there instead.
@@ -200,10 +227,7 @@ impl Contacts {
 
     /// By how much dry friction could hold the rolling rim yet, N sin φ: μ_s N − |T|.
     pub(super) fn grip(&self, u: &Coordinates<f64>) -> f64 {
-        let FrictionLaw::Coulomb {
-            static_friction, ..
-        } = self.surface.friction
-        else {
+        let Some(static_friction) = self.surface.friction.static_friction() else {
             return 1.0;
         };
         let contact = self.rolling.contact(u);
@@ -221,7 +245,7 @@ impl Contacts {
         match self.surface.friction {
             FrictionLaw::NoSlip => Next::Roll,
             FrictionLaw::Frictionless => Next::Slide,
-            FrictionLaw::Coulomb { .. } if u.slip_speed() <= self.stopped_speed(u) => {
+            _ if self.dry().is_some() && u.slip_speed() <= self.stopped_speed(u) => {
                 let pressed = self.rolling.contact(u).normal > 0.0;
                 if pressed && self.grip(u) >= 0.0 {
                     Next::Roll
@@ -322,17 +346,14 @@ impl Contacts {
     pub(crate) fn first_rates(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         match (self.settle(u), self.dry()) {
             (Next::Roll, _) => self.rolling.rates(u),
-            (Next::BeginToSlip(e), Some(dry)) => {
-                let pull = dry.law().friction().against(e);
-                dry.law().under(u, &pull).1
-            }
+            (Next::BeginToSlip(e), Some(dry)) => dry.slipping(u, e, u.slip_speed()).1,
             _ => self.law(Phase::Sliding).rates(u),
         }
     }
 
     /// The coordinates after a landing, and how the rim goes on; none where the impact cannot be followed.
     pub(super) fn land(&self, u: &Coordinates<f64>) -> Option<(Coordinates<f64>, Next)> {
-        let friction = self.surface.friction.friction_in_impact();
+        let friction = self.surface.friction.friction_in_impact(u.slip_speed());
         let restitution = self.surface.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
         let rest = self.stopped_speed(u);
@@ -368,7 +389,7 @@ impl Onset {
 
 /// The direction close by, as an angle from `base`, that a slip which begins in it keeps: to the
 /// last digit, since any other is left at once. By Newton's method.
-fn kept_angle(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
+fn kept_angle(dry: &dyn DryLaw, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
     const NUDGE: f64 = 1e-5;
     const CLOSE_BY: f64 = 0.3;
     let sideways = |angle: f64| onset(dry, u, base, angle).sideways;
@@ -387,25 +408,22 @@ fn kept_angle(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2]) -> Option<
     onset(dry, u, base, angle).is_possible().then_some(angle)
 }
 
-fn onset(dry: &DrySliding, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {
+fn onset(dry: &dyn DryLaw, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {
     let e = turned(base, angle);
     let at_rest = Coordinates {
         slip_x: 0.0,
         slip_y: 0.0,
         ..*u
     };
-    let sliding = dry.law();
-    let pull = sliding.friction().against(e);
-    let (contact, rates) = sliding.under(&at_rest, &pull);
-    let rates = dry.resist(&at_rest, rates, contact.normal);
-    let k = sliding.parameters();
+    let (contact, rates) = dry.slipping(&at_rest, e, 0.0);
+    let k = dry.parameters();
     Onset {
         sideways: rates.slip_y * e[0] - rates.slip_x * e[1],
         forward: rates.slip_x * e[0] + rates.slip_y * e[1],
         size: libm::hypot(contact.along, contact.across) * k.sideways_mobility()
             + libm::hypot(rates.slip_x, rates.slip_y),
         normal: contact.normal,
-        consistency: sliding.consistency_under(&at_rest, &pull),
+        consistency: dry.consistency_at_onset(&at_rest, e),
     }
 }
 

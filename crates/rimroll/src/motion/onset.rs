@@ -12,8 +12,9 @@
 //! steps are made by collocation: Newton's method for δ, simple iteration for everything else. Once
 //! explicit steps can follow, they take over.
 
-use super::contacts::{DrySliding, turned};
+use super::contacts::turned;
 use super::mechanics::Mechanics;
+use crate::law::DryLaw;
 use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
 use crate::yardstick::turn_size;
@@ -57,7 +58,7 @@ struct Rates {
 }
 
 struct Beginning<'a> {
-    dry: &'a DrySliding,
+    dry: &'a dyn DryLaw,
     mechanics: &'a Mechanics<'a>,
     direction: [f64; 2],
     method: &'static Collocation,
@@ -79,7 +80,7 @@ struct Found {
 /// Follows a slip in a direction (unit vector), from rest or from the slip that there is, until
 /// explicit steps can; `h` is a first guess for the length of a step.
 pub(super) fn begin(
-    dry: &DrySliding,
+    dry: &dyn DryLaw,
     mechanics: &Mechanics<'_>,
     start: &Coordinates<f64>,
     direction: [f64; 2],
@@ -152,10 +153,7 @@ impl Beginning<'_> {
     fn accelerations(&self, polar: &Polar) -> (Coordinates<f64>, f64, f64) {
         let e = self.direction(polar.turn);
         let u = self.whole(polar);
-        let sliding = self.dry.law();
-        let pull = sliding.friction().against(e);
-        let (contact, rates) = sliding.under(&u, &pull);
-        let rates = self.dry.resist(&u, rates, contact.normal);
+        let (_, rates) = self.dry.slipping(&u, e, polar.speed);
         let forward = rates.slip_x * e[0] + rates.slip_y * e[1];
         let sideways = rates.slip_y * e[0] - rates.slip_x * e[1];
         (rates, forward, sideways)

@@ -6,7 +6,7 @@ use super::leg::Leg;
 use super::mechanics::{Mechanics, first};
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
-use crate::law::{Law, Parameters};
+use crate::law::Parameters;
 use crate::solve::{Implicit, Stepper, System, Work};
 use crate::state::{COORDINATES, Coordinates};
 use crate::yardstick::{Yardstick, brief_change};

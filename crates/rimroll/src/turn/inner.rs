@@ -69,7 +69,7 @@ impl Arrival {
             rtol: 1e-12,
             ..Options::default()
         };
-        let fall = simulate(body, &start, *surface, &options, |_| {
+        let fall = simulate(body, &start, surface.clone(), &options, |_| {
             ControlFlow::Continue(())
         })?;
         if fall.status != Status::FaceDown {
@@ -135,7 +135,7 @@ pub fn turn_limit_of(
 ) -> Result<f64, InvalidInput> {
     arrival.check()?;
     let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
-    match *friction {
+    match friction {
         FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
         // In no time a viscous force does nothing.
         FrictionLaw::Frictionless
@@ -143,9 +143,7 @@ pub fn turn_limit_of(
         | FrictionLaw::Coulomb { friction: 0.0, .. } => {
             Ok(turn_limit(body, IdealLaw::Frictionless))
         }
-        FrictionLaw::Coulomb {
-            static_friction, ..
-        } if gentle && static_friction >= needed_friction(body) => {
+        _ if gentle && holds(friction, needed_friction(body)) => {
             Ok(turn_limit(body, IdealLaw::NoSlip))
         }
         _ => Ok(passage(body, friction, arrival)?.turn),
@@ -164,9 +162,7 @@ pub fn passage(
     let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
     let needed = needed_friction(body);
     match *friction {
-        FrictionLaw::Coulomb {
-            static_friction, ..
-        } if gentle && static_friction >= needed => {
+        _ if gentle && holds(friction, needed) => {
             computed_passage(body, &FrictionLaw::NoSlip, arrival)
         }
         FrictionLaw::Coulomb { friction, .. } if gentle && friction > needed * (1.0 - CLOSE) => {
@@ -174,6 +170,11 @@ pub fn passage(
         }
         _ => computed_passage(body, friction, arrival),
     }
+}
+
+/// Whether dry friction holds a rim that needs so much of it.
+fn holds(friction: &FrictionLaw, needed: f64) -> bool {
+    friction.static_friction().is_some_and(|f| f >= needed)
 }
 
 /// How close to μ*, relative to it, friction has to be to count as just below.
@@ -206,7 +207,7 @@ fn computed_passage(
     const RTOL: f64 = 1e-11;
     const NO_GRAVITY: f64 = 1e-100;
     arrival.check()?;
-    let surface = Surface::from(*friction);
+    let surface = Surface::from(friction.clone());
     surface.check()?;
     let options = Options {
         rtol: RTOL,

@@ -1,0 +1,323 @@
+//! Dry friction that depends on the speed of the slip by a table: T = −μ(|u|) N u/|u|.
+//!
+//! This is Coulomb's law with a coefficient that is a curve: a rim that does not slip rolls as long as
+//! |T| ≤ μ_s N, and nothing is regularised (see [`Coulomb`](super::Coulomb)). Between the points of the table
+//! the curve is a monotone piecewise cubic with a continuous slope: it goes through the points and
+//! overshoots none, so that it is nowhere negative. Below the first speed and beyond the last it is
+//! constant. Source of the slopes: F. N. Fritsch & J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984), with
+//! the three-point formula at the ends of C. Moler, *Numerical Computing with MATLAB* (2004), section 3.6.
+
+use super::{DryFriction, Friction, Pull};
+use crate::error::{InvalidInput, entry};
+use std::sync::Arc;
+
+/// Coefficients of friction above this are refused.
+pub(crate) const MOST_FRICTION: f64 = 1e6;
+
+/// Friction whose coefficient is a function of the slip speed, given by points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tabulated {
+    curve: Arc<Curve>,
+    /// A factor of the curve.
+    factor: f64,
+    static_friction: f64,
+}
+
+impl Tabulated {
+    /// Friction through the points (`speeds`[i] in m/s, `frictions`[i]); `static_friction` is that of the
+    /// lowest speed unless given.
+    ///
+    /// # Errors
+    /// Names the first entry that is out of bounds: at least two points, speeds from 0 to 1e9 m/s, each
+    /// at least 1e-12 m/s above the one before, frictions from 0 to 1e6, and a static one from that of
+    /// the lowest speed to 1e6.
+    pub fn new(
+        speeds: &[f64],
+        frictions: &[f64],
+        static_friction: Option<f64>,
+    ) -> Result<Tabulated, InvalidInput> {
+        check_points(speeds, frictions)?;
+        let slowest = frictions[0];
+        let static_friction = static_friction.unwrap_or(slowest);
+        crate::error::bounded(
+            "static",
+            static_friction,
+            |f| (slowest..=MOST_FRICTION).contains(&f),
+            &format!("between frictions[0] = {slowest} and 1e6"),
+            "",
+        )?;
+        Ok(Tabulated {
+            curve: Arc::new(Curve::through(speeds, frictions)),
+            factor: 1.0,
+            static_friction,
+        })
+    }
+
+    /// μ_s, of sticking.
+    pub fn static_friction(&self) -> f64 {
+        self.static_friction
+    }
+
+    /// The points through which the curve goes: speeds (m/s) and coefficients of friction.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        let curve = &self.curve;
+        let points = curve.pieces.iter().map(|piece| (piece.begin, piece.value));
+        let points = points.chain([(curve.end, curve.value_at_end)]);
+        points.map(|(speed, value)| (speed, self.factor * value))
+    }
+
+    /// The same friction, a factor larger or smaller at all speeds.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Tabulated {
+        Tabulated {
+            curve: Arc::clone(&self.curve),
+            factor: self.factor * factor,
+            static_friction: self.static_friction * factor,
+        }
+    }
+}
+
+impl Friction<f64> for Tabulated {
+    #[inline]
+    fn pull(&self, slip: [f64; 2]) -> Pull<f64> {
+        self.dry_pull(slip)
+    }
+}
+
+impl DryFriction<f64> for Tabulated {
+    #[inline]
+    fn coefficient(&self, speed: f64) -> f64 {
+        self.factor * self.curve.at(speed)
+    }
+}
+
+fn check_points(speeds: &[f64], frictions: &[f64]) -> Result<(), InvalidInput> {
+    const LEAST_STEP: f64 = 1e-12;
+    const MOST_SPEED: f64 = 1e9;
+    if speeds.len() < 2 {
+        return Err(InvalidInput::WrongLength {
+            field: "speeds",
+            bound: "at least 2 entries".to_owned(),
+            count: speeds.len(),
+        });
+    }
+    if frictions.len() != speeds.len() {
+        return Err(InvalidInput::WrongLength {
+            field: "frictions",
+            bound: format!("as many entries as speeds, {}", speeds.len()),
+            count: frictions.len(),
+        });
+    }
+    let unit = "m/s";
+    for (i, &speed) in speeds.iter().enumerate() {
+        let sensible = |v: f64| (0.0..=MOST_SPEED).contains(&v);
+        entry("speeds", i, speed, sensible, "between 0 and 1e9 m/s", unit)?;
+        if i > 0 {
+            let before = speeds[i - 1];
+            let bound = format!("at least 1e-12 m/s above speeds[{}] = {before}", i - 1);
+            let above = |v: f64| v - before >= LEAST_STEP;
+            entry("speeds", i, speed, above, &bound, unit)?;
+        }
+    }
+    for (i, &friction) in frictions.iter().enumerate() {
+        let sensible = |f: f64| (0.0..=MOST_FRICTION).contains(&f);
+        entry("frictions", i, friction, sensible, "between 0 and 1e6", "")?;
+    }
+    Ok(())
+}
+
+/// A monotone piecewise cubic.
+#[derive(Debug, PartialEq)]
+struct Curve {
+    /// In order of their beginnings.
+    pieces: Box<[Piece]>,
+    end: f64,
+    value_at_end: f64,
+}
+
+/// value + x (slope + x (square + x cube)) at x beyond its beginning.
+#[derive(Debug, PartialEq)]
+struct Piece {
+    begin: f64,
+    value: f64,
+    slope: f64,
+    square: f64,
+    cube: f64,
+}
+
+impl Curve {
+    /// Through at least two points, ordered by x.
+    fn through(x: &[f64], y: &[f64]) -> Curve {
+        let widths: Vec<f64> = x.windows(2).map(|x| x[1] - x[0]).collect();
+        let secants: Vec<f64> = (y.windows(2).zip(&widths))
+            .map(|(y, width)| (y[1] - y[0]) / width)
+            .collect();
+        let slopes = slopes(&widths, &secants);
+        let piece = |i: usize| Piece {
+            begin: x[i],
+            value: y[i],
+            slope: slopes[i],
+            square: (3.0 * secants[i] - 2.0 * slopes[i] - slopes[i + 1]) / widths[i],
+            cube: (slopes[i] + slopes[i + 1] - 2.0 * secants[i]) / (widths[i] * widths[i]),
+        };
+        let last = widths.len();
+        Curve {
+            pieces: (0..last).map(piece).collect(),
+            end: x[last],
+            value_at_end: y[last],
+        }
+    }
+
+    #[inline]
+    fn at(&self, x: f64) -> f64 {
+        if x >= self.end {
+            return self.value_at_end;
+        }
+        let after = self.pieces.partition_point(|piece| piece.begin <= x);
+        let Some(piece) = after.checked_sub(1).map(|i| &self.pieces[i]) else {
+            return self.pieces[0].value;
+        };
+        let x = x - piece.begin;
+        piece.value + x * (piece.slope + x * (piece.square + x * piece.cube))
+    }
+}
+
+/// The slopes at the points, from the widths of the intervals and the slopes of their secants.
+fn slopes(widths: &[f64], secants: &[f64]) -> Vec<f64> {
+    let last = widths.len() - 1;
+    if last == 0 {
+        return vec![secants[0]; 2];
+    }
+    let mut slopes = vec![end_slope([widths[0], widths[1]], [secants[0], secants[1]])];
+    for (h, d) in widths.windows(2).zip(secants.windows(2)) {
+        // Zero at an extreme, else the weighted harmonic mean.
+        slopes.push(if d[0] * d[1] > 0.0 {
+            let (before, after) = (2.0 * h[1] + h[0], h[1] + 2.0 * h[0]);
+            (before + after) / (before / d[0] + after / d[1])
+        } else {
+            0.0
+        });
+    }
+    let from_the_end = [last, last - 1];
+    slopes.push(end_slope(
+        from_the_end.map(|i| widths[i]),
+        from_the_end.map(|i| secants[i]),
+    ));
+    slopes
+}
+
+/// The slope at an end point: that of the parabola through three points, limited so that the curve stays monotone.
+fn end_slope(h: [f64; 2], d: [f64; 2]) -> f64 {
+    let slope = ((2.0 * h[0] + h[1]) * d[0] - h[0] * d[1]) / (h[0] + h[1]);
+    if slope * d[0] <= 0.0 {
+        0.0
+    } else if d[0] * d[1] <= 0.0 && slope.abs() > 3.0 * d[0].abs() {
+        3.0 * d[0]
+    } else {
+        slope
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tabulated;
+    use crate::law::DryFriction;
+    use proptest::prelude::*;
+
+    fn any_table() -> impl Strategy<Value = (Vec<f64>, Vec<f64>)> {
+        prop::collection::vec((1e-6..1.0, 0.0..2.0), 2..12).prop_map(|points| {
+            let mut speed = 0.0;
+            points
+                .into_iter()
+                .map(|(step, friction)| {
+                    speed += step;
+                    (speed, friction)
+                })
+                .unzip()
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn the_curve_goes_through_its_points_and_overshoots_none((speeds, frictions) in any_table()) {
+            let law = Tabulated::new(&speeds, &frictions, Some(2.0)).unwrap();
+            for (&speed, &friction) in speeds.iter().zip(&frictions) {
+                prop_assert!((law.coefficient(speed) - friction).abs() <= 1e-15);
+            }
+            for (x, y) in speeds.windows(2).zip(frictions.windows(2)) {
+                let sign = (y[1] - y[0]).signum();
+                let mut before = y[0];
+                for i in 1..=20 {
+                    let now = law.coefficient(x[0] + (x[1] - x[0]) * f64::from(i) / 20.0);
+                    prop_assert!(sign * (now - before) >= -1e-14, "{now} after {before}");
+                    before = now;
+                }
+            }
+            prop_assert_eq!(law.coefficient(0.0), frictions[0]);
+            prop_assert_eq!(law.coefficient(1e9), *frictions.last().unwrap());
+        }
+
+        #[test]
+        fn the_slope_is_continuous_at_the_points((speeds, frictions) in any_table()) {
+            let law = Tabulated::new(&speeds, &frictions, Some(2.0)).unwrap();
+            for i in 1..speeds.len() - 1 {
+                let h = 1e-4 * (speeds[i] - speeds[i - 1]).min(speeds[i + 1] - speeds[i]);
+                let at = |x: f64| law.coefficient(speeds[i] + x);
+                let (before, after) = ((at(0.0) - at(-h)) / h, (at(h) - at(0.0)) / h);
+                // The slope changes by some second derivative over h, which the secants bound.
+                let secant = |i: usize| {
+                    ((frictions[i] - frictions[i - 1]) / (speeds[i] - speeds[i - 1])).abs()
+                };
+                let steepest = secant(i).max(secant(i + 1));
+                prop_assert!((after - before).abs() <= 3e-3 * steepest + 1e-9 / h * 1e-6);
+            }
+        }
+    }
+
+    /// Two points make a straight line, and the points of a parabola, which is monotone where they are, keep
+    /// its slope at the end.
+    #[test]
+    fn few_points_make_the_curve_that_one_expects() {
+        let line = Tabulated::new(&[0.0, 2.0], &[0.4, 0.2], None).unwrap();
+        assert!((line.coefficient(0.5) - 0.35).abs() < 1e-16);
+        assert_eq!(line.static_friction(), 0.4);
+        let parabola = Tabulated::new(&[0.0, 1.0, 2.0], &[0.0, 0.1, 0.4], None).unwrap();
+        assert!(parabola.coefficient(1e-9).abs() < 1e-17);
+    }
+
+    #[test]
+    fn bad_tables_are_refused_by_field_value_and_bound() {
+        let refused = |speeds: &[f64], frictions: &[f64], sticking: Option<f64>| {
+            let refusal = Tabulated::new(speeds, frictions, sticking).unwrap_err();
+            refusal.to_string()
+        };
+        assert_eq!(
+            refused(&[0.0], &[0.1], None),
+            "speeds must have at least 2 entries, got 1"
+        );
+        assert_eq!(
+            refused(&[0.0, 1.0], &[0.1], None),
+            "frictions must have as many entries as speeds, 2, got 1"
+        );
+        assert_eq!(
+            refused(&[-1.0, 1.0], &[0.1, 0.1], None),
+            "speeds[0] must be between 0 and 1e9 m/s, got -1 m/s"
+        );
+        assert_eq!(
+            refused(&[0.0, 1.0, 0.5], &[0.1; 3], None),
+            "speeds[2] must be at least 1e-12 m/s above speeds[1] = 1, got 0.5 m/s"
+        );
+        assert_eq!(
+            refused(&[0.0, f64::NAN], &[0.1; 2], None),
+            "speeds[1] must be between 0 and 1e9 m/s, got NaN m/s"
+        );
+        assert_eq!(
+            refused(&[0.0, 1.0], &[0.1, -0.1], None),
+            "frictions[1] must be between 0 and 1e6, got -0.1"
+        );
+        assert_eq!(
+            refused(&[0.0, 1.0], &[0.3, 0.1], Some(0.2)),
+            "static must be between frictions[0] = 0.3 and 1e6, got 0.2"
+        );
+    }
+}
