@@ -89,8 +89,8 @@ def test_smooth_dry_friction():
 
 
 def falling(speed):
-    """From 0.3 at rest to 0.15, mostly within 0.05 m/s."""
-    return 0.15 + 0.15 * np.exp(-((speed / 0.05) ** 2))
+    """From 0.27 at rest to 0.12, mostly within 0.05 m/s."""
+    return 0.12 + 0.15 * np.exp(-((speed / 0.05) ** 2))
 
 
 def rising_again(speed):
@@ -98,11 +98,18 @@ def rising_again(speed):
     return 0.12 + 0.13 * np.exp(-speed / 0.04) + 0.1 * speed
 
 
-@pytest.mark.parametrize(("mu", "static"), [(falling, 0.3), (falling, 0.33), (rising_again, 0.25)])
+@pytest.mark.parametrize(("mu", "static"), [(falling, 0.27), (falling, 0.3), (rising_again, 0.25)])
 def test_friction_by_a_table_of_a_curve(mu, static):
     law = rr.Tabulated.from_function(mu, np.linspace(0.0, 2.0, 11), tolerance=1e-9, static=static)
     changes = compare(CAN, START, law, rb.DryCurve(mu, static), 0.5, agree=1e-6)
     assert changes.count("slip") >= 1
+
+
+def test_a_rim_sticks_and_slips_again_and_again_under_friction_that_falls():
+    start = rr.State(tilt=0.37, tilt_rate=-0.5, yaw_rate=3.3, spin_rate=2.9)
+    law = rr.Tabulated.from_function(falling, [0.0, 2.0], tolerance=1e-9, static=0.3)
+    changes = compare(CAN, start, law, rb.DryCurve(falling, 0.3), 0.5, agree=1e-5)
+    assert changes == ["slip", "stick"] * 3 + ["slip"]
 
 
 def test_landings_on_friction_by_a_table():
