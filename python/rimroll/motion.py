@@ -219,8 +219,8 @@ class Event:
 
     ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
     faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``) or an ending
-    (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``); ``t`` in s; ``state`` as
-    single numbers.
+    (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``), or a ``crossing`` (see
+    :meth:`Motion.crossings`); ``t`` in s; ``state`` as single numbers.
     """
 
     kind: str
@@ -347,7 +347,7 @@ class Motion(Moments):
     @cached_property
     def events(self) -> list[Event]:
         """What happened, in order of time."""
-        return _events(self._core)
+        return _events(*self._core.events())
 
     @cached_property
     def phases(self) -> list[Phase]:
@@ -432,13 +432,72 @@ class Motion(Moments):
 
     def samples(self, per_step: int = 4) -> Moments:
         """Everything at the accepted steps and evenly inside each: for smooth curves."""
-        count = whole_number("per_step", per_step)
-        if count * len(self) > MOST_SAMPLES:
+        return Moments(self._core.samples(self._fitting(whole_number("per_step", per_step))))
+
+    def crossings(
+        self,
+        function: Callable[[Moments], Array],
+        *,
+        rising: bool | None = None,
+        per_step: int = 4,
+    ) -> list[Event]:
+        """Events of one's own: where a function of the motion passes through zero.
+
+        Parameters
+        ----------
+        function
+            Takes the :class:`Moments` at n places of the motion and gives n numbers: whatever
+            changes its sign at the event, such as ``lambda at: at.tilt - 0.3``.
+        rising
+            Whether the function has to rise through zero (True) or fall (False); either unless
+            given.
+        per_step
+            How often to look in each of the solver's steps. Two zeros between two looks are missed,
+            and a zero that the function touches without changing its sign is no event.
+
+        Returns
+        -------
+        list of Event
+            In order of time, of kind ``crossing``: where the function changes its sign inside a
+            step, to the last digits of the dense output, or comes to be exactly 0, as the slip
+            does when the rim sticks. A jump over zero where the contact changes, as of a velocity
+            in a landing, is no event.
+
+        >>> import rimroll as rr
+        >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
+        >>> motion = rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip())
+        >>> down, *_ = motion.crossings(lambda at: at.tilt - 0.3, rising=False)
+        >>> round(down.state.tilt, 12), round(down.t, 4)
+        (0.3, 0.1423)
+
+        Raises ``RimrollError`` where the function gives anything but n numbers.
+        """
+        from rimroll.crossings import checked, crossings
+
+        if not callable(function):
+            raise RimrollError(f"function must be something to call, got {function!r}")
+        if rising is not None and not isinstance(rising, bool | np.bool_):
+            raise RimrollError(f"rising must be None, True or False, got {rising!r}")
+        count = self._fitting(whole_number("per_step", per_step))
+
+        def values(steps: NDArray[np.int64], fractions: Array) -> Array:
+            moments = Moments(self._core.inside(steps, fractions))
+            return checked(function(moments), len(moments), moments.t)
+
+        found = crossings(values, self._core.step_count(), count)
+        wanted = slice(None) if rising is None else found.rises == bool(rising)
+        table = self._core.inside(found.steps[wanted], found.fractions[wanted])
+        return _events(["crossing"] * table.shape[1], table)
+
+    def _fitting(self, per_step: int) -> int:
+        """As many samples a step, if that is not too many in all."""
+        if per_step * len(self) > MOST_SAMPLES:
             most = MOST_SAMPLES // len(self)
             raise RimrollError(
-                f"per_step must be at most {most} for this motion of {len(self)} steps, got {count}"
+                f"per_step must be at most {most} for this motion of {len(self)} steps,"
+                f" got {per_step}"
             )
-        return Moments(self._core.samples(count))
+        return per_step
 
     def plot(self) -> Figure:
         """The paper's nine-panel simulation figure of this motion."""
@@ -503,8 +562,7 @@ class Motion(Moments):
         }
 
 
-def _events(core: _core.CoreMotion) -> list[Event]:
-    kinds, table = core.events()
+def _events(kinds: list[str], table: Array) -> list[Event]:
     names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
     times = table[_ROW["t"]].tolist()
     states = zip(*(table[_ROW[name]].tolist() for name in names), strict=True)

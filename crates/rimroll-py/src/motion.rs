@@ -84,6 +84,27 @@ impl CoreMotion {
         self.table(py, t.iter().map(|&t| look_up.at(t)))
     }
 
+    /// How many steps the motion has.
+    fn step_count(&self) -> usize {
+        self.motion.track.steps()
+    }
+
+    /// Dense output inside steps, given by their places: at fractions of them from 0 to 1.
+    fn inside<'py>(
+        &self,
+        py: Python<'py>,
+        steps: PyReadonlyArray1<'py, i64>,
+        fractions: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (steps, fractions) = (steps.as_array(), fractions.as_array());
+        let mut look_up = self.motion.track.look_up();
+        let places = steps.iter().zip(fractions.iter());
+        self.table(
+            py,
+            places.filter_map(|(&step, &x)| look_up.inside(usize::try_from(step).ok()?, x)),
+        )
+    }
+
     /// Derivatives of the state at times (s) by each parameter, (times, 6, 12).
     fn jacobian<'py>(
         &self,

@@ -102,6 +102,11 @@ impl Track {
         self.look_up().locate(t)
     }
 
+    /// How many steps the motion has.
+    pub fn steps(&self) -> usize {
+        self.legs.len()
+    }
+
     /// To evaluate the motion at many times, the sooner the closer together they are.
     pub fn look_up(&self) -> LookUp<'_> {
         LookUp {
@@ -160,6 +165,20 @@ impl LookUp<'_> {
         }
     }
 
+    /// The motion inside a step: at a fraction of it on the solver's clock, from 0 to 1. There is no such
+    /// instant where there is no such step.
+    pub fn inside(&mut self, step: usize, fraction: f64) -> Option<Instant> {
+        let leg = self.track.legs.get(step)?;
+        if fraction <= 0.0 {
+            return Some(instant(leg.phase, &leg.start));
+        }
+        if fraction >= 1.0 {
+            return Some(end_of(leg));
+        }
+        let dense = self.open(step)?;
+        Some(instant(leg.phase, &dense.at(fraction)))
+    }
+
     fn locate(&mut self, t: f64) -> (usize, f64) {
         if t <= self.track.start.t {
             return (0, 0.0);
@@ -172,14 +191,19 @@ impl LookUp<'_> {
 
     /// The step in which a time lies; none after the end.
     fn opened(&mut self, t: f64) -> Option<(usize, &Polynomial)> {
-        let Track { contacts, legs, .. } = self.track;
+        let legs = &self.track.legs;
         let index = legs.partition_point(|leg| leg.end[TIME] <= t);
+        Some((index, self.open(index)?))
+    }
+
+    /// A step as a polynomial.
+    fn open(&mut self, index: usize) -> Option<&Polynomial> {
+        let Track { contacts, legs, .. } = self.track;
         let leg = legs.get(index)?;
         if self.opened.as_ref().is_none_or(|opened| opened.0 != index) {
             self.opened = Some((index, leg.dense(contacts)));
         }
-        let dense = self.opened.as_ref().map(|opened| &opened.1)?;
-        Some((index, dense))
+        self.opened.as_ref().map(|opened| &opened.1)
     }
 }
 
