@@ -83,10 +83,11 @@ def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> float:
     Other laws: the near-collision is computed by itself, to 3e-8 rad. It depends on how the body
     arrives: at rest on its rim and without spin unless ``arrival`` says otherwise (see
     :func:`arrival`); under ``Stribeck`` and ``Tabulated`` friction, which have speeds of their own,
-    on the tipping rate as well. Under Coulomb friction it is the no-slip angle from μ = ``needed_friction(body)`` on,
-    the frictionless one at μ = 0, and for a body like the can it falls steadily between; a low,
-    wide body may turn a little more under a little friction than under none. Under friction a body
-    goes on turning as it rises: its whole turn from release to tilt maximum tends to another value.
+    on the tipping rate as well. Under Coulomb friction it is the no-slip angle from
+    μ = ``needed_friction(body)`` on, the frictionless one at μ = 0, and for a body like the can it
+    falls steadily between; a low, wide body may turn a little more under a little friction than
+    under none. Under friction a body goes on turning as it rises: its whole turn from release to
+    tilt maximum tends to another value.
 
     Raises ``RimrollError`` when the rim lifts off on the way or Painlevé's paradox is met.
     """

@@ -62,7 +62,7 @@ proptest! {
     fn a_fall_is_the_first_turn_of_its_motion(
         body in any_body(), start in starts(), surface in surfaces(),
     ) {
-        let motion = whole(&body, &start, surface);
+        let motion = whole(&body, &start, surface.clone());
         let fall = fall(&body, &start, &surface, &options()).expect("a valid start");
         if let Some(turn) = motion.turns.first() {
             // The same steps, to the last bit.
@@ -96,14 +96,14 @@ proptest! {
     fn a_fall_whose_time_is_up_before_its_turn_is_over_has_hovered(
         body in any_body(), start in starts(), surface in surfaces(), part in 0.05..0.95,
     ) {
-        let whole = whole(&body, &start, surface);
+        let whole = whole(&body, &start, surface.clone());
         prop_assume!(!whole.turns.is_empty());
         let turn = whole.turns[0];
         // On its way up, and somewhere before.
         for duration in [turn.t + part * (turn.end - turn.t), part * turn.end] {
             let options = Options { duration, ..options() };
             let alone = fall(&body, &start, &surface, &options).expect("a valid start");
-            let among_others = all(&body, &[(start, surface)], &options)[0];
+            let among_others = all(&body, &[(start, surface.clone())], &options)[0];
             for fall in [alone, among_others] {
                 prop_assert_eq!((fall.outcome, fall.status), (Outcome::Hovered, Status::Finished));
                 prop_assert_eq!((fall.turn, fall.end.t), (None, duration));
@@ -122,7 +122,7 @@ proptest! {
         backward.reverse();
         prop_assert_eq!(&together, &backward);
         for (trial, found) in trials.iter().zip(&together) {
-            prop_assert_eq!(&all(&body, &[*trial], &options())[0], found);
+            prop_assert_eq!(&all(&body, std::slice::from_ref(trial), &options())[0], found);
         }
     }
 
@@ -130,7 +130,7 @@ proptest! {
     fn a_fall_in_an_ensemble_is_that_fall(
         body in any_body(), start in starts(), surface in surfaces(),
     ) {
-        let found = &all(&body, &[(start, surface)], &options())[0];
+        let found = &all(&body, &[(start, surface.clone())], &options())[0];
         let alone = fall(&body, &start, &surface, &options()).expect("a valid start");
         // What a hair's breadth of the start decides is not compared.
         let steady = [-1e-6, 1e-6].into_iter().all(|hair| {
@@ -253,7 +253,7 @@ fn one_bad_start_is_refused_for_all() {
     };
     let bad = State { tilt: -0.4, ..good };
     let surface = Surface::from(IdealLaw::NoSlip);
-    let trials = [(good, surface), (bad, surface)];
+    let trials = [(good, surface.clone()), (bad, surface)];
     let watch = |_| ControlFlow::Continue(());
     let refused = ensemble(&can, &trials, &options(), watch);
     assert!(matches!(
@@ -317,9 +317,9 @@ fn those_that_are_followed_alone_change_no_bit_of_others() {
         yaw_rate: 0.02,
         ..State::default()
     };
-    let moving: Vec<_> = (0..20).map(|i| (moving(i), surface)).collect();
+    let moving: Vec<_> = (0..20).map(|i| (moving(i), surface.clone())).collect();
     let mut mixed = vec![(at_rest, surface); 40];
-    mixed.extend(&moving);
+    mixed.extend(moving.clone());
     let alone = all(&can, &moving, &options());
     assert_eq!(all(&can, &mixed, &options())[40..], alone);
 }
