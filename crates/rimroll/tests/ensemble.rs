@@ -299,7 +299,7 @@ fn grip_scales_every_coefficient_of_friction() {
         }
     );
     let ideal = Surface::from(IdealLaw::NoSlip);
-    assert_eq!(ideal.with_grip(2.0), ideal);
+    assert_eq!(ideal.clone().with_grip(2.0), ideal);
 }
 
 /// Let go at rest where friction cannot hold them, cans slip at once before they have a direction, which is rare.
