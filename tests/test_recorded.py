@@ -15,6 +15,7 @@ START = rr.State(tilt=0.5, tilt_rate=-0.5, yaw=0.1, yaw_rate=0.05, spin_rate=-0.
 LAWS = [
     rr.NoSlip(),
     rr.Coulomb(0.2, static=0.3, restitution=0.1) + rr.RollingResistance(1e-5, 1e-6),
+    rr.Tabulated([0.0, 0.01, 0.2], [0.3, 0.2, 0.15], static=0.35) + rr.RollingResistance(1e-6),
     rr.Stribeck(0.2, creep_speed=2e-3) + rr.PivotingFriction(1e-5) + rr.AirDrag(1e-9, 2.5),
 ]
 
