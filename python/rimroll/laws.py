@@ -85,7 +85,11 @@ class RollingResistance(_Numbered):
 
     The resisting force is ``dry`` for each newton of normal force plus ``viscous`` (N s/m) for each
     m/s. Also called contour friction. In a near-collision the contact point runs without bound: the
-    closer, the more it takes. Source: R. I. Leine, Arch. Appl. Mech. 79 (2009).
+    closer, the more it takes. The sign of ``dry`` is smoothed where the base turns slower than
+    0.001 √(g/R). Source: R. I. Leine, Arch. Appl. Mech. 79 (2009).
+
+    A resistance can stop the contact point in a near-collision: see the endings of
+    :func:`rimroll.simulate`.
     """
 
     dry: float = 0.0
@@ -119,6 +123,10 @@ class AirDrag(_Numbered):
 
     ``coefficient`` in W (s/rad)^exponent; ``exponent`` from 1.5 to 8: 4 for a viscous film
     (Moffatt, Nature 404, 2000), 5/2 for boundary layers (Bildsten, Phys. Rev. E 66, 2002).
+
+    Below 2 the moment has an infinite slope at dψ/dt = 0. There |dψ/dt| is taken as
+    √((dψ/dt)² + ω₀²) with ω₀ = 1e-15 (√(g/R) + axial spin rate), which changes dψ/dt by some ω₀ at
+    most, far less than any ``rtol`` allows.
     """
 
     coefficient: float

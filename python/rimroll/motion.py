@@ -616,6 +616,17 @@ def simulate(
         Whatever happens to a valid start is a status of the motion, not an error. A start with
         yaw_rate = spin_rate = 0 falls exactly face down and ends there.
 
+    Notes
+    -----
+    Near-collisions are followed down to a tilt of 1e-16 rad; below it a motion ends as
+    ``face_down``. With a resistance it ends below 1e-9 rad, but only where resistance has stopped
+    the contact point on the rim for good: where it would take a hundred times as much from a
+    contact point that runs fast enough to raise the body again as the falling tilt gives. A
+    resistance that is too weak for that ends no motion, and as it vanishes the motion becomes that
+    without it. A motion that ends so is ``at_rest`` instead when at most 1 % of its energy at the
+    start is left, which then goes with the last slap; the message says how much. With friction or a
+    resistance a motion is also ``at_rest`` when 1e-10 of its energy is left.
+
     Raises
     ------
     RimrollError

@@ -210,6 +210,11 @@ pub trait Law<T: Real> {
         None
     }
 
+    /// What resistance by itself adds to dw/dτ.
+    fn resisting(&self, _u: &Coordinates<T>) -> T {
+        T::from(0.0)
+    }
+
     /// Positive as long as the law and rigidity determine the normal force: 1 − a_x z mρ/(A + mρ²),
     /// where a_x is the friction along e_x1 that each newton of normal force brings. At zero is
     /// Painlevé's paradox.

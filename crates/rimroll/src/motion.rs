@@ -52,9 +52,10 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 /// rim in less time than the last digit of t can tell.
 pub const FACE_DOWN_TILT: f64 = 1e-16;
 
-/// The same (rad) where rolling resistance or air wear the motion down: the rim is then over the table
-/// by less than an atom's width.
-pub const FLAT_TILT_WITH_RESISTANCE: f64 = 1e-9;
+/// Below this tilt (rad) the base counts as flat, too, once resistance has stopped the contact point on the
+/// rim for good ([`Contacts::has_stopped_running`]): the rim is then over the table by less than an atom's
+/// width.
+pub const STOPPED_TILT: f64 = 1e-9;
 
 /// How to simulate.
 #[derive(Debug, Clone, Copy, PartialEq)]

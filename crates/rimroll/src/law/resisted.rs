@@ -82,7 +82,7 @@ impl Resistance {
         let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth, touching);
         let [pivoting_x, pivoting_z] = self.pivoting.moment(u, normal, smooth);
         [
-            rolling_x + pivoting_x + touching * self.air.moment(u),
+            rolling_x + pivoting_x + touching * self.air.moment(u, smooth),
             rolling_z + pivoting_z,
         ]
     }
@@ -127,8 +127,17 @@ impl PivotingFriction {
 }
 
 impl AirDrag {
-    fn moment<T: Real>(&self, u: &Coordinates<T>) -> T {
-        T::from(-self.coefficient) * u.yaw_rate().odd_power(self.exponent - 1.0)
+    /// −k ψ̇ |ψ̇|ⁿ⁻². Below n = 2 its slope is infinite at ψ̇ = 0, and a ψ̇ that drag and gyroscopic moments
+    /// hold close to 0 would relax infinitely fast; so |ψ̇| is there √(ψ̇² + ψ̇₀²).
+    fn moment<T: Real>(&self, u: &Coordinates<T>, smooth: T) -> T {
+        const NEGLIGIBLE: f64 = 1e-15;
+        let (yaw_rate, k) = (u.yaw_rate(), T::from(-self.coefficient));
+        if self.exponent >= 2.0 {
+            return k * yaw_rate.odd_power(self.exponent - 1.0);
+        }
+        let slow = T::from(NEGLIGIBLE) * (u.s.abs() + T::from(1e3) * smooth);
+        let size = (yaw_rate * yaw_rate + slow * slow).sqrt();
+        k * (yaw_rate / size) * size.odd_power(self.exponent - 1.0)
     }
 }
 
@@ -222,6 +231,11 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
 
     fn hold(&self, moment: [T; 2]) -> Option<T> {
         self.law.hold(moment)
+    }
+
+    fn resisting(&self, u: &Coordinates<T>) -> T {
+        let normal = self.law.contact(u).normal;
+        self.resist(u, Coordinates::zero(), normal).w
     }
 
     fn consistency(&self, u: &Coordinates<T>) -> T {

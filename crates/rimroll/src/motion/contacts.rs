@@ -274,6 +274,23 @@ impl Contacts {
         k.m * (u.sin * k.g + (k.r + k.h) * rates)
     }
 
+    /// Whether resistance has stopped the contact point's running round the rim for good: the tilt falls to
+    /// zero and does not rise again.
+    ///
+    /// For the tilt to rise, w, which grows at the rate |φ̇| w as the tilt falls, has to reach the size of φ̇.
+    /// It cannot where resistance would take a hundred times as much from a w of that size, since
+    /// resistance grows beside that rate as the tilt falls on. Of the two signs of w one may lift the rim
+    /// off the table, where nothing resists; the other counts.
+    pub(super) fn has_stopped_running(&self, phase: Phase, u: &Coordinates<f64>) -> bool {
+        const FOR_GOOD: f64 = 100.0;
+        if u.p >= 0.0 || u.w.abs() > 0.5 * u.p.abs() {
+            return false;
+        }
+        let law = self.law(phase);
+        let taken_from = |w: f64| -w.signum() * law.resisting(&Coordinates { w, ..*u });
+        taken_from(u.p).max(taken_from(-u.p)) > FOR_GOOD * u.p * u.p
+    }
+
     /// Positive where a rim that slides is pressed to the table, N sin φ: where it is by its friction, or
     /// where, without the table, it would go through it.
     pub(super) fn pressing(&self, u: &Coordinates<f64>) -> f64 {

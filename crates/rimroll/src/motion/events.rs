@@ -4,7 +4,7 @@ use super::contacts::{Contacts, Phase};
 use super::glance::{Glance, are_clear};
 use super::leg::{Leg, Polynomial};
 use super::track::Instant;
-use super::{FACE_DOWN_TILT, FLAT_TILT_WITH_RESISTANCE, Options, Track, turns};
+use super::{FACE_DOWN_TILT, Options, STOPPED_TILT, Track, turns};
 use crate::law::Law;
 use crate::solve::Step;
 use crate::state::{COORDINATES, Coordinates, MOVING, TIME};
@@ -174,8 +174,6 @@ pub(super) struct Watch<'a> {
     goal: Goal,
     topple: Option<(f64, f64)>,
     start_energy: f64,
-    /// The sine of the tilt below which the base counts as flat on the table.
-    flat: f64,
     /// A tilt rate counts as having a sign when it is larger than this part of its scale: a steady
     /// wobble has none.
     significant: f64,
@@ -199,7 +197,6 @@ impl<'a> Watch<'a> {
             goal,
             topple: options.topple_tilt.map(libm::sincos),
             start_energy: energy,
-            flat: flat_tilt(contacts),
             significant: 10.0 * options.rtol,
             direction: 0.0,
             crossing: None,
@@ -231,10 +228,11 @@ impl<'a> Watch<'a> {
         self.crossing = None;
     }
 
-    /// Whether a body whose base has come down flat has no energy to speak of any more.
+    /// Whether a body whose base has come down flat has no energy to speak of any more, since resistance
+    /// has taken it.
     pub(super) fn rests(&self, at: &Instant) -> bool {
         let energy = energy_above_rest(self.contacts.law(at.phase), at);
-        self.contacts.surface().resists() && energy < REST_ENERGY_FLAT * self.start_energy
+        was_stopped(at) && energy < REST_ENERGY_FLAT * self.start_energy
     }
 
     /// What a phase can end with, and the sign that its level has before.
@@ -291,7 +289,7 @@ impl<'a> Watch<'a> {
     fn stays_on_an_ideal_table(&self, glance: &Glance, end: f64) -> bool {
         let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
         glance.end().t < end
-            && glance.stays_above(self.flat, |u| u.sin)
+            && glance.stays_above(FACE_DOWN_TILT, |u| u.sin)
             && self.topple.is_none_or(upright)
             && glance.stays_pressed(self.contacts.parameters())
     }
@@ -354,14 +352,22 @@ impl<'a> Watch<'a> {
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
             Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
             Switch::LiftOff => law.contact(u).normal,
-            // In the air nothing resists.
-            Switch::Flat if phase == Phase::Flying => u.sin - FACE_DOWN_TILT,
-            Switch::Flat => u.sin - self.flat,
+            Switch::Flat => self.over_flat(phase, u),
             Switch::Break => self.contacts.grip(u),
             Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
             Switch::Land => u.gap,
             Switch::Rest => energy_above_rest(law, u) - REST_ENERGY * self.start_energy,
+        }
+    }
+
+    /// Positive until the base counts as flat: the sine of the tilt over that at which it does.
+    fn over_flat(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
+        let resists = self.contacts.surface().resists();
+        if resists && (u.sin > STOPPED_TILT || self.contacts.has_stopped_running(phase, u)) {
+            u.sin - STOPPED_TILT
+        } else {
+            u.sin - FACE_DOWN_TILT
         }
     }
 
@@ -500,20 +506,17 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// Resistance grows without bound as the tilt goes to zero, and needs ever shorter steps.
-fn flat_tilt(contacts: &Contacts) -> f64 {
-    if contacts.surface().resists() {
-        FLAT_TILT_WITH_RESISTANCE
-    } else {
-        FACE_DOWN_TILT
-    }
-}
-
 /// Energy that a body lying flat has lost. One that leans far may have its centre of mass lower yet,
 /// and is not at rest for that.
 fn energy_above_rest(law: &dyn Law<f64>, u: &Coordinates<f64>) -> f64 {
     let energy = law.energy(u);
     energy.kinetic + energy.potential.abs()
+}
+
+/// Whether the base counts as flat because resistance has stopped the contact point on the rim, and not
+/// because of the tilt alone.
+pub(super) fn was_stopped(at: &Instant) -> bool {
+    at.sin > 2.0 * FACE_DOWN_TILT
 }
 
 fn extreme_kind(direction: f64) -> EventKind {

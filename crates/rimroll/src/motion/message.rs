@@ -1,6 +1,7 @@
 //! How a motion ended, in a sentence.
 
 use super::contacts::{Contacts, Phase};
+use super::events::was_stopped;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status};
 use crate::error::shown;
@@ -50,7 +51,7 @@ pub(super) fn message(
              of it. A start with a yaw_rate or spin_rate, however small beside the others (1e-12 of \
              them will do), can be followed past this point"
         ),
-        Status::FaceDown if contacts.surface().resists() => format!(
+        Status::FaceDown if was_stopped(&end) => format!(
             "face down at t = {t} s: resistance has stopped the contact point on the rim, and the base comes \
              down flat, tilting at {:.4} rad/s and spinning about its axis at {:.4} rad/s. Rigid-body \
              mechanics does not say what follows from simultaneous impacts at every point of it",

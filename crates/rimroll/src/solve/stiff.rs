@@ -94,12 +94,15 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
 
     fn slopes(&self, u: &[f64; N]) -> Slopes<N> {
         const NUDGE: f64 = 1e-7;
+        // What is held close to zero by something that is not smooth there, as drag with an exponent
+        // below 2 holds the yaw rate, changes on the scale of its own value, not of its size.
+        const SMALLEST: f64 = 1e-9;
         let sizes = self.system.scale(u);
         let rates = self.system.rates(u);
         let columns: Vec<[f64; N]> = (0..N)
             .map(|j| {
                 let mut beside = *u;
-                beside[j] += NUDGE * sizes[j];
+                beside[j] += NUDGE * u[j].abs().clamp(SMALLEST * sizes[j], sizes[j]);
                 let nudge = (beside[j] - u[j]) / sizes[j];
                 let there = self.system.rates(&beside);
                 core::array::from_fn(|i| {
