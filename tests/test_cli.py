@@ -491,9 +491,11 @@ def test_reproduce_says_last_where_the_report_is(said, short_report, monkeypatch
 # how it starts and ends
 
 
+FALLS = Path(__file__).parents[1] / "examples/falls_of_the_paper.csv"
 QUICK = {
     "turn --tilt 30deg --yaw-rate 1deg/s": "matplotlib jinja2 scipy",
     "topple can_2007 -o falls.csv -o falls.json": "matplotlib jinja2 scipy",
+    f"fit {FALLS}": "matplotlib jinja2 scipy.stats",
     "topple --friction 0.2 --json": "matplotlib jinja2 scipy",
     "topple -o falls.svg": "",
     "map --points 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",

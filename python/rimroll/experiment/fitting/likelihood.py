@@ -102,17 +102,17 @@ class Likelihood:
 
     def chance(self, deviance: float) -> float:
         """The chance of a D as large when the point is true."""
-        from scipy.stats import f as fisher
+        from scipy.special import fdtrc
 
         spare = len(self.directions) - 2
-        return float(fisher.sf(spare * math.expm1(deviance / len(self.directions)), 1, spare))
+        return float(fdtrc(1, spare, spare * math.expm1(deviance / len(self.directions))))
 
     def most(self, confidence: float) -> float:
         """The largest D inside the confidence set."""
-        from scipy.stats import f as fisher
+        from scipy.special import fdtri
 
         n = len(self.directions)
-        return n * math.log1p(float(fisher.ppf(confidence, 1, n - 2)) / (n - 2))
+        return n * math.log1p(float(fdtri(1, n - 2, confidence)) / (n - 2))
 
     def _starts(self, fixed: Mapping[str, float]) -> list[Point]:
         """Where to climb from: the best of a coarse lattice, at the best three frictions."""

@@ -17,6 +17,8 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.ensemble import follow
 from rimroll.errors import RimrollError, callback, expect
+from rimroll.experiment import normal
+from rimroll.experiment.fitting import sobol
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import FALLING
 from rimroll.given import Number, number, whole_number
@@ -208,12 +210,10 @@ class _Draws:
 
     @classmethod
     def of(cls, release: Release, count: int) -> _Draws:
-        from scipy.stats import norm, qmc
-
         sideways, twist = release.sideways[1], release.twist[1]
         steady = sideways == 0.0 and twist == 0.0
         hands = np.array([1.0] if steady else HANDS)
-        points = qmc.Sobol(5, seed=2007).random_base2(round(math.log2(count / len(hands))))
+        points = sobol.points(2 ** round(math.log2(count / len(hands))))
         parts = [release.unsteady(float(hand)).at(points) for hand in hands]
         starts = State(
             **{
@@ -226,10 +226,10 @@ class _Draws:
             return cls(starts, grip, np.ones(1), np.ones((1, len(grip))))
         # What was drawn, in units of the release's own scatter, where it has any.
         varied = [column for column, spread in ((2, sideways), (3, twist)) if spread > 0.0]
-        drawn = np.concatenate([hand * norm.ppf(points[:, varied]) for hand in hands])
+        drawn = np.concatenate([hand * normal.quantiles(points[:, varied]) for hand in hands])
 
         def density(hand: Array) -> Array:
-            return np.asarray(norm.pdf(drawn / hand[:, None, None]).prod(-1)) / hand[
+            return np.asarray(normal.density(drawn / hand[:, None, None]).prod(-1)) / hand[
                 :, None
             ] ** len(varied)
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from rimroll.experiment.fitting.likelihood import Likelihood, Point
 from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN
+from rimroll.experiment.fitting.shape import Hump, chance_of_uniform
 
 Array = NDArray[np.float64]
 
@@ -50,19 +51,17 @@ def of_shape(likelihood: Likelihood, best: Point, confidence: float) -> Verdict:
     By Cramér and von Mises' test of the fitted distribution, which errs on the side of letting it
     pass since it was fitted; and against one hump, a von Mises distribution.
     """
-    from scipy.stats import cramervonmises, vonmises
-
     name = "two humps as friction makes them"
     data = likelihood.directions
     grid = np.linspace(0.0, TURN, ANGLES + 1)
     density = likelihood.density(grid, best)
     steps = 0.5 * (density[1:] + density[:-1]) * (TURN / ANGLES)
     total = np.concatenate([[0.0], np.cumsum(steps)])
-    chance = float(cramervonmises(np.interp(data, grid, total / total[-1]), "uniform").pvalue)
-    narrowness, middle, _ = vonmises.fit(data, fscale=1.0)
-    one_hump = (1.0 - STRAY) * vonmises.pdf(data, narrowness, middle) + STRAY / TURN
+    chance = chance_of_uniform(np.interp(data, grid, total / total[-1]))
+    hump = Hump.of(data)
+    one_hump = (1.0 - STRAY) * hump.density(data) + STRAY / TURN
     gain = float(np.log(one_hump).sum()) - best.log_likelihood
-    about = f"one hump about {math.degrees(middle) % 360.0:.0f} degrees describes the falls"
+    about = f"one hump about {math.degrees(hump.middle) % 360.0:.0f} degrees describes the falls"
     if gain > MUCH_BETTER:
         better = f"excluded; {about} better (log likelihood {gain:.1f} higher)"
         return Verdict(name, True, None, f"{name}: {better}")

@@ -1,0 +1,84 @@
+"""What whole commands cost, in units of importing NumPy.
+
+Each command and ``python -c "import numpy"`` are run by turns, in processes of their own; told is
+the median of the ratios of the processor's times, user and system. Run, with the package installed:
+
+    .venv/bin/python bench/commands.py
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from contest.contestants import ROOT
+from contest.tables import put_between
+
+CODE = [sys.executable, "-c"]
+RIMROLL = [sys.executable, "-m", "rimroll.cli"]
+NUMPY = [*CODE, "import numpy"]
+
+FALLS = str(ROOT / "examples/falls_of_the_paper.csv")
+COMMANDS = {
+    '`python -c "import rimroll"`': ([*CODE, "import rimroll"], 9),
+    "`rimroll --version`": ([*RIMROLL, "--version"], 9),
+    "`rimroll turn`": ([*RIMROLL, "turn"], 9),
+    "`rimroll topple can_2007`, 42 falls": ([*RIMROLL, "topple", "can_2007"], 9),
+    "`rimroll fit examples/falls_of_the_paper.csv`": ([*RIMROLL, "fit", FALLS], 5),
+    "`rimroll simulate --tilt 30deg -o can.gif`, 2 s": (
+        [*RIMROLL, "simulate", "--tilt", "30deg", "--yaw-rate", "0.005", "-o", "can.gif"],
+        3,
+    ),
+    "`rimroll simulate --tilt 30deg -o can.html`, 2 s": (
+        [*RIMROLL, "simulate", "--tilt", "30deg", "--yaw-rate", "0.005", "-o", "can.html"],
+        3,
+    ),
+    "`rimroll reproduce`": ([*RIMROLL, "reproduce", "-o", "paper"], 3),
+}
+"""What is run, and how many times."""
+
+
+def main() -> None:
+    lines = [["", "times importing NumPy: median, range"], ["---", "--:"]]
+    with tempfile.TemporaryDirectory() as folder:
+        run = Run(Path(folder))
+        run.seconds(NUMPY)
+        for name, (command, rounds) in COMMANDS.items():
+            run.seconds(command)  # what is cached once is cached
+            found = [run.seconds(command) / run.seconds(NUMPY) for _ in range(rounds)]
+            told = f"**{statistics.median(found):.1f}**, {min(found):.1f} to {max(found):.1f}"
+            lines.append([name, told])
+            print(name, told, flush=True)
+    table = "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
+    put_between(ROOT / "docs/performance.md", "commands", table)
+
+
+class Run:
+    """Runs commands in a folder, with all bytecode cached in it."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.environment = {**os.environ, "PYTHONPYCACHEPREFIX": str(folder / "bytecode")}
+        self.environment.pop("PYTHONDONTWRITEBYTECODE", None)
+
+    def seconds(self, command: list[str]) -> float:
+        """The processor's time of a command, user and system; raises when it fails."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run(
+            command,
+            cwd=self.folder,
+            env=self.environment,
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+
+if __name__ == "__main__":
+    main()
