@@ -17,6 +17,9 @@ export default defineConfig({
   test: {
     // One browser at a time: it draws in software and takes all processors by itself.
     fileParallelism: false,
+    // Long enough for a machine with much else to do: nothing that passes waits for them.
+    testTimeout: 180_000,
+    hookTimeout: 180_000,
     projects: [
       { extends: true, test: { name: "modules", include: ["tests/modules/**/*.test.ts"] } },
       {
@@ -26,8 +29,6 @@ export default defineConfig({
           include: ["tests/browser/**/*.test.ts"],
           // A busy machine that draws in software may be too late once; what fails three times is wrong.
           retry: 2,
-          testTimeout: 60_000,
-          hookTimeout: 60_000,
         },
       },
     ],

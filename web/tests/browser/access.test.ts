@@ -8,7 +8,7 @@ import { browserForAll, visit } from "./visit";
 browserForAll();
 
 describe("axe finds nothing serious", () => {
-  test.each(["light", "dark"] as const)("in the %s", { timeout: 90_000 }, async (colorScheme) => {
+  test.each(["light", "dark"] as const)("in the %s", async (colorScheme) => {
     const visited = await visit({ colorScheme });
     const { page } = visited;
     expect(await violations(page)).toEqual([]);
@@ -20,7 +20,7 @@ describe("axe finds nothing serious", () => {
     expect(await violations(page)).toEqual([]);
   });
 
-  test("on a telephone, where nothing is wider than the screen", { timeout: 60_000 }, async () => {
+  test("on a telephone, where nothing is wider than the screen", async () => {
     const hash = "body=own&sideways=0.02&law=no_slip&twist=0.25";
     const visited = await visit({ hash, viewport: { width: 360, height: 740 }, hasTouch: true });
     expect(await violations(visited.page)).toEqual([]);
@@ -77,7 +77,7 @@ describe("with the keyboard alone", () => {
   test(
     "every control is reached, shows that it has the focus, and is not covered",
     {
-      timeout: 90_000,
+      timeout: 150_000,
     },
     async () => {
       const visited = await visit({ reducedMotion: "reduce" });
@@ -112,7 +112,7 @@ describe("with the keyboard alone", () => {
     },
   );
 
-  test("every slider moves, every field takes what is typed", { timeout: 180_000 }, async () => {
+  test("every slider moves, every field takes what is typed", async () => {
     const visited = await visit({ hash: "body=own", reducedMotion: "reduce" });
     const { page } = visited;
     await unfold(page);
@@ -165,7 +165,7 @@ describe("with the keyboard alone", () => {
     expect(visited.complaints).toEqual([]);
   });
 
-  test("choices change, buttons are pressed", { timeout: 60_000 }, async () => {
+  test("choices change, buttons are pressed", async () => {
     const { page, complaints } = await visit();
     await page.locator("#body-field").press("ArrowDown");
     await page.waitForFunction(() => /body=soda_can/.test(location.hash));
@@ -183,7 +183,7 @@ describe("with the keyboard alone", () => {
     expect(complaints).toEqual([]);
   });
 
-  test("time is gone through", { timeout: 60_000 }, async () => {
+  test("time is gone through", async () => {
     const { page, complaints } = await visit();
     const transport = page.locator("#transport");
     const time = async () => Number.parseFloat(await transport.locator("strong").innerText());
@@ -213,7 +213,7 @@ describe("with the keyboard alone", () => {
     expect(complaints).toEqual([]);
   });
 
-  test("plots come nearer and go back", { timeout: 60_000 }, async () => {
+  test("plots come nearer and go back", async () => {
     const { page, complaints } = await visit();
     const zoom = page.getByRole("group", { name: "Zoom" });
     const shown = page.locator("#plots .shown");
@@ -272,7 +272,7 @@ describe("the help on the table is read to its end", () => {
     [360, 740],
     [1000, 640],
     [1366, 768],
-  ])("at %i by %i", { timeout: 180_000 }, async (width, height) => {
+  ])("at %i by %i", async (width, height) => {
     const { page } = await visit({ viewport: { width, height }, webgl: true });
     await page.locator(".table-help summary").press("Enter");
     const box = page.locator(".table-help-box");
@@ -354,7 +354,7 @@ describe("nothing moves by itself for whoever asks for that", () => {
     });
   }
 
-  test("the eye is above at once; for others it glides there", { timeout: 180_000 }, async () => {
+  test("the eye is above at once; for others it glides there", async () => {
     const [usual, first, later] = await fromAbove("reduce");
     expect(first).not.toBe(usual);
     expect(later).toBe(first);

@@ -38,7 +38,7 @@ async function taken(hash: string, what: (visit: Visit, canvas: Locator) => Prom
 }
 
 describe("with a mouse", () => {
-  test("a body that is led aside and held is let go at rest", { timeout: 180_000 }, async () => {
+  test("a body that is led aside and held is let go at rest", async () => {
     // As if it had been flicked before: the hand at rest leaves nothing of that.
     await taken("tilt_rate=-1", async ({ page }, canvas) => {
       const { x, y } = await pointAt(page, canvas);
@@ -65,7 +65,7 @@ describe("with a mouse", () => {
     });
   });
 
-  test("a body that is let go in motion is flicked", { timeout: 180_000 }, async () => {
+  test("a body that is let go in motion is flicked", async () => {
     await taken("", async ({ page }, canvas) => {
       const { x, y } = await pointAt(page, canvas);
       await page.mouse.down();
@@ -95,7 +95,7 @@ describe("with a mouse", () => {
     });
   });
 
-  test("beside the body the eye goes round, and nothing is set", { timeout: 180_000 }, async () => {
+  test("beside the body the eye goes round, and nothing is set", async () => {
     await taken("", async ({ page }, canvas) => {
       const { x } = await pointAt(page, canvas);
       const box = await canvas.boundingBox();
@@ -110,7 +110,7 @@ describe("with a mouse", () => {
   });
 });
 
-test("with keys it is tipped, let go, and put back", { timeout: 180_000 }, async () => {
+test("with keys it is tipped, let go, and put back", async () => {
   await taken("", async ({ page }, table) => {
     for (const key of ["+", "+", "-", "Enter"]) await table.press(key);
     expect((await address(page, /tilt=/)).get("tilt")).toBe("21");

@@ -14,7 +14,7 @@ test.each([
   [360, 740, "light"],
   [1366, 768, "dark"],
   [3840, 2160, "light"],
-] as const)("%i by %i, %s", { timeout: 180_000 }, async (width, height, colorScheme) => {
+] as const)("%i by %i, %s", async (width, height, colorScheme) => {
   const visited = await visit({ viewport: { width, height }, colorScheme, webgl: true });
   const { page, complaints, requests } = visited;
   // Nobody scrolls sideways, and no words run out of their place.

@@ -59,7 +59,7 @@ export const addressOfPage = (): string => served.address;
 export async function emptyPage(): Promise<Page> {
   const context = await browser.newContext();
   await context.addInitScript(withoutWebGL);
-  context.setDefaultTimeout(50_000);
+  context.setDefaultTimeout(150_000);
   return context.newPage();
 }
 
@@ -73,7 +73,7 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
     ...rest,
   });
   if (!webgl) await context.addInitScript(withoutWebGL);
-  context.setDefaultTimeout(50_000);
+  context.setDefaultTimeout(150_000);
   const page = await context.newPage();
   const requests: string[] = [];
   const complaints: string[] = [];

@@ -21,7 +21,7 @@ const SPECIAL: Partial<Setup>[] = [
   { friction: 0 },
 ];
 
-test("in Python a set-up's code computes the same bits", { timeout: 60_000 }, async () => {
+test("in Python a set-up's code computes the same bits", async () => {
   const core = await loadCore();
   const chance = new Chance(2007);
   const setups = SPECIAL.map((changed) => ({ ...INITIAL, ...changed }));
