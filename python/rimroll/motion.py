@@ -140,7 +140,11 @@ class Moments:
 
     @property
     def friction_ratio(self) -> Array:
-        """|T|/N: the friction coefficient that the motion needs."""
+        """|T|/N: the friction coefficient that the motion needs.
+
+        While the rim slides under dry friction it is what the law says. It is infinite where a
+        rim that rolls needs friction and nothing presses it any more, as at a lift-off.
+        """
         return self["friction_ratio"]
 
     @property

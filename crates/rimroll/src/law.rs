@@ -215,6 +215,12 @@ pub trait Law<T: Real> {
         T::from(0.0)
     }
 
+    /// |T|/N where the law itself sets it, also where nothing presses any more; `None` where friction does not
+    /// follow the normal force.
+    fn friction_ratio(&self, _u: &Coordinates<T>) -> Option<T> {
+        None
+    }
+
     /// Positive as long as the law and rigidity determine the normal force: 1 − a_x z mρ/(A + mρ²),
     /// where a_x is the friction along e_x1 that each newton of normal force brings. At zero is
     /// Painlevé's paradox.

@@ -238,6 +238,10 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
         self.resist(u, Coordinates::zero(), normal).w
     }
 
+    fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
+        self.law.friction_ratio(u)
+    }
+
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.law.consistency(u)
     }

@@ -387,6 +387,15 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
         [u.slip_x, u.slip_y]
     }
 
+    fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
+        let Pull {
+            per_normal: [x, y],
+            of,
+            own,
+        } = self.pull(u);
+        own.is_none().then(|| (x * x + y * y).sqrt() / of)
+    }
+
     #[inline(always)]
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.consistency_under(u, &self.pull(u))

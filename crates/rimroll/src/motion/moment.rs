@@ -5,6 +5,8 @@ use crate::state::Coordinates;
 
 /// What is known at one moment, in SI units and radians. `x`, `y`, `z` are the centre of mass; contact
 /// point (in flight: the point under the rim's lowest), friction and slip are on the table.
+/// `friction_ratio` is |T|/N: what the law says of a rim that slides, the coefficient that it would need of one
+/// that rolls, infinite where it would need friction and nothing presses, as at a lift-off from rolling.
 pub const COLUMNS: [&str; 25] = [
     "t",
     "tilt",
@@ -64,13 +66,12 @@ pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
     let force = law.contact(u);
     let (along, across) = (force.along / u.sin, force.across / u.sin);
     let friction = (force.along * force.along + force.across * force.across).sqrt();
-    // Where nothing presses, no friction is had at any coefficient.
-    let needed = if friction == 0.0 {
-        0.0
-    } else if force.normal > 0.0 {
-        friction / force.normal
-    } else {
-        f64::INFINITY
+    let needed = match law.friction_ratio(u) {
+        Some(ratio) if ratio.is_finite() => ratio,
+        _ if friction == 0.0 => 0.0,
+        _ if force.normal > 0.0 => friction / force.normal,
+        // Where nothing presses, no friction is had at any coefficient.
+        _ => f64::INFINITY,
     };
     let energy = law.energy(u);
     let [slip_along, slip_across] = law.slip(u);

@@ -36,3 +36,19 @@ pub fn any_body() -> impl Strategy<Value = Body> {
             Body::new(mass, radius, slenderness * radius, a, axial * a).expect("a rigid body")
         })
 }
+
+/// Bodies of mass and radius 1 that nobody would build: needles, plates, all mass at the axis or at the centre.
+#[allow(
+    dead_code,
+    reason = "not every test that includes this file draws them"
+)]
+pub fn wild_body() -> impl Strategy<Value = Body> {
+    let height = prop_oneof![1 => Just(0.0), 4 => powers_of_ten(-3.0, 3.0)];
+    let axial = powers_of_ten(-6.0, 3.0);
+    let spread = prop_oneof![1 => Just(0.5), 3 => powers_of_ten(-0.3, 6.0)];
+    (height, axial, spread).prop_map(|(height, c, spread)| {
+        // C ≤ 2A.
+        let a = (spread * c).clamp(0.5 * c, 1e3_f64.max(c));
+        Body::new(1.0, 1.0, height, a, c).expect("a rigid body")
+    })
+}
