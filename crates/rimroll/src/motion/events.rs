@@ -117,13 +117,17 @@ impl Goal {
     }
 }
 
-/// A change of sign of the tilt rate, between two looks, that is not yet known to be more than
-/// rounding.
-struct Crossing {
-    leg: Leg,
-    dense: Polynomial,
-    from: f64,
-    to: f64,
+/// A change of sign of the tilt rate that is not yet known to be more than rounding.
+enum Crossing {
+    /// Between two looks into a step.
+    Within {
+        leg: Box<Leg>,
+        dense: Box<Polynomial>,
+        from: f64,
+        to: f64,
+    },
+    /// At once, in a landing or a flight through upright.
+    Jump(Instant),
 }
 
 /// A finished step, and the polynomial that it is.
@@ -215,17 +219,12 @@ impl<'a> Watch<'a> {
         self.events.push(Event { kind, at });
     }
 
-    /// A landing may reverse the tilt rate at once.
-    pub(super) fn note_landing(&mut self, at: Instant) {
-        self.note(EventKind::Land, at);
-        let direction = self.sign_of_tilt_rate(&at);
-        if direction != 0.0 && direction != self.direction {
-            if self.direction != 0.0 {
-                self.note(extreme_kind(direction), at);
-            }
-            self.direction = direction;
+    /// The motion has changed at once from `before`, and with it perhaps the sign of the tilt rate.
+    pub(super) fn note_jump(&mut self, before: &Coordinates<f64>, at: Instant) {
+        if (before.p < 0.0) != (at.p < 0.0) {
+            self.crossing = Some(Crossing::Jump(at));
         }
-        self.crossing = None;
+        self.follow_tilt_rate(&at);
     }
 
     /// Whether a body whose base has come down flat has no energy to speak of any more, since resistance
@@ -321,12 +320,19 @@ impl<'a> Watch<'a> {
         };
         let before = looks.into_iter().filter(|look| look.x < x);
         let looks: Vec<_> = before.chain([Look::at(dense, x)]).collect();
-        self.note_extremes(piece, &looks);
-        self.note_on_edge(piece, &looks);
         let mut last = self.refine(piece, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration) | Goal::Turn(duration)) = (switch, self.goal) {
             // Neither a rounding error short of what was asked for nor one beyond it.
             last.end[TIME] = duration;
+        }
+        let known = self.events.len();
+        self.note_extremes(piece, &looks);
+        self.note_on_edge(piece, &looks);
+        // Each time is right but for rounding, and nothing happens after the end.
+        for event in &mut self.events[known..] {
+            if event.at.t > last.end[TIME] {
+                event.at.u = Coordinates::from_array(&last.end);
+            }
         }
         track.push(last);
         Some(switch)
@@ -431,37 +437,52 @@ impl<'a> Watch<'a> {
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.p < 0.0) != (after.u.p < 0.0) {
-                self.crossing = Some(Crossing {
-                    leg: piece.leg.clone(),
-                    dense: piece.dense.clone(),
+                self.crossing = Some(Crossing::Within {
+                    leg: Box::new(piece.leg.clone()),
+                    dense: Box::new(piece.dense.clone()),
                     from: before.x,
                     to: after.x,
                 });
             }
-            let direction = self.sign_of_tilt_rate(&after.u);
-            if direction == 0.0 || direction == self.direction {
-                continue;
-            }
-            // The first clear direction after a release from rest is no reversal.
-            if let Some(crossing) = self.crossing.take().filter(|_| self.direction != 0.0) {
-                self.note_extreme(crossing, direction);
-            }
-            self.direction = direction;
+            self.follow_tilt_rate(&after.u);
         }
     }
 
-    fn note_extreme(&mut self, crossing: Crossing, direction: f64) {
-        let piece = Piece {
-            leg: &crossing.leg,
-            dense: &crossing.dense,
-        };
-        let p = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
-        let x = piece.dense.root(crossing.from, crossing.to, p);
-        let at = self.instant(piece, x, |u| u.p);
-        self.note(extreme_kind(direction), at);
+    /// Notes an extreme once the tilt rate clearly has the other sign.
+    fn follow_tilt_rate(&mut self, u: &Coordinates<f64>) {
+        let direction = self.sign_of_tilt_rate(u);
+        if direction == 0.0 || direction == self.direction {
+            return;
+        }
+        // The first clear direction after a release from rest is no reversal.
+        if let Some(crossing) = self.crossing.take().filter(|_| self.direction != 0.0) {
+            let at = self.instant_of(&crossing);
+            self.note(extreme_kind(direction), at);
+        }
+        self.direction = direction;
+    }
+
+    fn instant_of(&self, crossing: &Crossing) -> Instant {
+        match crossing {
+            Crossing::Jump(at) => *at,
+            Crossing::Within {
+                leg,
+                dense,
+                from,
+                to,
+            } => {
+                let p = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
+                let x = dense.root(*from, *to, p);
+                self.instant(Piece { leg, dense }, x, |u| u.p)
+            }
+        }
     }
 
     fn note_on_edge(&mut self, piece: Piece<'_>, looks: &[Look]) {
+        // What topples there does not go past it.
+        if self.topple.is_some_and(|(_, cos)| cos.abs() < 1e-15) {
+            return;
+        }
         for look in looks.windows(2) {
             let (before, after) = (&look[0], &look[1]);
             if (before.u.cos > 0.0) != (after.u.cos > 0.0) {

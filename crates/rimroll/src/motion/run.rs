@@ -305,8 +305,10 @@ impl<'a> Run<'a> {
                 if u.gap < TOUCHING * k.r && u.gap_rate < 0.0 {
                     return end(self, EventKind::FaceDown, Status::FaceDown);
                 }
+                let phase = Phase::Flying;
+                self.watch.note_jump(at, Instant { phase, u });
                 let direction = None;
-                Then::Phase(Phase::Flying, Begin { u, direction })
+                Then::Phase(phase, Begin { u, direction })
             }
             Switch::Flat if self.watch.rests(at) => end(self, EventKind::Rest, Status::AtRest),
             Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
@@ -336,7 +338,9 @@ impl<'a> Run<'a> {
                     Next::Roll => Phase::Rolling,
                     _ => Phase::Sliding,
                 };
-                self.watch.note_landing(Instant { phase, u: landed });
+                let after = Instant { phase, u: landed };
+                self.watch.note(EventKind::Land, after);
+                self.watch.note_jump(at, after);
                 self.going_on(next, landed)
             }
         }
@@ -476,12 +480,14 @@ pub(crate) fn stopped(
 }
 
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
-/// (ψ + π, φ, θ − π): in a flight through upright the lowest point of the rim changes sides, and its
-/// velocity with it.
+/// (ψ ± π, φ, θ ∓ π): in a flight through upright the lowest point of the rim changes sides, and its
+/// velocity with it. The yaw goes on the way it turns, as it would just beside upright, so that mirror images
+/// stay mirror images; a flight in a plane has no such way, and takes +π.
 fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
+    let half_turn = if u.w < 0.0 { -PI } else { PI };
     Coordinates {
-        yaw: u.yaw + PI,
-        spin: u.spin - PI,
+        yaw: u.yaw + half_turn,
+        spin: u.spin - half_turn,
         sin: FACE_DOWN_TILT,
         p: -u.p,
         w: -u.w,
