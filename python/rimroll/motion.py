@@ -601,7 +601,9 @@ def simulate(
         m/s²; 9.80665 unless given. The paper used 9.8.
     rtol
         The error to aim at over some tens of rockings, relative to each quantity's size, 1e-14 to
-        1e-3; from 1e-13 on rounding decides.
+        1e-3; from 1e-13 on rounding decides. A step may err by a fiftieth of it, and the errors of
+        steps add up: after thousands of steps the energy can be off by some hundred times `rtol`,
+        which matters for a large one.
     topple_tilt
         The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
         meets the table; none for a disk, which may stand on its edge and fall to either face.

@@ -65,7 +65,8 @@ pub struct Options {
     /// g, m/s².
     pub gravity: f64,
     /// Error to aim at over some tens of rockings, relative to the size of each coordinate; from 1e-13
-    /// on rounding decides.
+    /// on rounding decides. A step may err by a fiftieth of it, and the errors of steps add up: after thousands
+    /// of steps the energy can be off by some hundred times `rtol`.
     pub rtol: f64,
     /// The tilt at which the body counts as toppled, rad. `None`: π/2 for a body with height, where
     /// its side meets the table; never for a disk, which may stand on its edge and fall to either
