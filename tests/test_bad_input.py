@@ -27,7 +27,7 @@ NOT_FINITE = [np.nan, np.inf, -np.inf]
 
 
 @pytest.mark.parametrize("field", NUMBERS)
-@pytest.mark.parametrize("value", [*NOT_FINITE, "light", "7 s", None, True, [1.0, 2.0]])
+@pytest.mark.parametrize("value", [*NOT_FINITE, "light", "7 s", None, True])
 def test_a_body_is_made_of_finite_numbers(field, value):
     with pytest.raises(rr.RimrollError, match=f"^{field} must be"):
         rr.Body(**{**NUMBERS, field: value})

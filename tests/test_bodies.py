@@ -33,7 +33,8 @@ def test_a_body_is_a_value():
         ({"axial_inertia": np.nan}, "axial_inertia must be a finite number, got NaN"),
         ({"axial_inertia": 1.0}, "no rigid body has more), got 1 kg m2"),
         ({"mass": "heavy"}, "mass must be a mass such as"),
-        ({"mass": [1.0, 2.0]}, "mass must be a single number, got [1.0, 2.0]"),
+        ({"mass": [1.0, -2.0]}, "mass[1] must be > 0, got -2 kg"),
+        ({"mass": ["heavy"]}, "mass[0] must be a mass such as"),
     ],
 )
 def test_what_is_no_body_is_refused_with_a_sentence(changed, complaint):

@@ -259,7 +259,6 @@ START = rr.State(tilt=0.3)
         ({"starts": rr.State(tilt=np.full((2, 2), 0.3))}, r"flat arrays, got shape \(2, 2\)"),
         ({"grip": -0.1}, "grip must be finite and >= 0, got -0.1"),
         ({"grip": np.nan}, "grip must be finite and >= 0, got nan"),
-        ({"grip": [1.0, 1.0]}, "grip must be a number or 1 of them"),
         ({"grip": "much"}, 'grip must be a pure number such as "0.5", got "much"'),
         ({"threads": 0}, "threads must be a whole number >= 1"),
         ({"threads": 10**6}, "threads must be at most 1024"),

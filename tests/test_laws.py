@@ -8,14 +8,14 @@ from rimroll import laws, surfaces, units
 from rimroll.names import typed
 
 CAN = rr.bodies.can_2007()
-NOT_NUMBERS = [np.nan, np.inf, -np.inf, "0.2 m", None, True, [0.1, 0.2]]
+NOT_NUMBERS = [np.nan, np.inf, -np.inf, "0.2 m", None, True, [0.1, -0.2]]
 
 
 @pytest.mark.parametrize("value", [*NOT_NUMBERS, -0.1, 1e7])
 def test_friction_is_a_number_not_below_zero(value):
-    with pytest.raises(rr.RimrollError, match=r"^friction must be"):
+    with pytest.raises(rr.RimrollError, match=r"^friction(\[1\])? must be"):
         rr.Coulomb(value)
-    with pytest.raises(rr.RimrollError, match=r"^friction must be"):
+    with pytest.raises(rr.RimrollError, match=r"^friction(\[1\])? must be"):
         rr.Stribeck(value)
 
 

@@ -34,6 +34,7 @@ from rimroll.experiment.measurement import Measurement, measure
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import topple
 from rimroll.falls import Interrupted
+from rimroll.grid import axis
 from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
 from rimroll.jacobian import Jacobian
 from rimroll.laws import (
@@ -108,6 +109,7 @@ __all__ = [
     "Viscous",
     "__version__",
     "arrival",
+    "axis",
     "balance_tilt",
     "bodies",
     "directions_of_summary",

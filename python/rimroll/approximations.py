@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.errors import expect, hold
 from rimroll.given import Number, Values, number
 from rimroll.laws import Law, ideal
@@ -36,7 +36,7 @@ class NearCollision:
     def __init__(
         self, body: Body, law: Law, min_tilt: Number, tipping_rate: Number, direction: float = 1.0
     ) -> None:
-        expect("body", body, Body)
+        one_body(body)
         min_tilt = number("min_tilt", min_tilt, "rad")
         tipping_rate = number("tipping_rate", tipping_rate, "rad/s")
         direction = number("direction", direction)
@@ -116,7 +116,7 @@ def pasted(body: Body, start: State, law: Law, gravity: Number = _core.STANDARD_
 
     Raises ``RimrollError`` for a start that never comes down or comes down flat.
     """
-    expect("body", body, Body)
+    one_body(body)
     expect("start", start, State)
     gravity = number("gravity", gravity, "m/s^2")
     return Pasted(_core.CorePasted(body, single(start), ideal(law).name, gravity))

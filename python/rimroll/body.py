@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.given import Number, number
+from rimroll.errors import RimrollError, element, expect
+from rimroll.given import Number, Values, number, values
+from rimroll.grid import Grid, key, same
 from rimroll.solids import Solid
 from rimroll.units import UNIT_OF
 
@@ -15,12 +20,16 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Body:
     """An axisymmetric rigid body whose base is a circle (SI units).
 
     Only these five numbers enter the motion; the shape above the base does not matter. They may
     carry units, as in ``"70 g"``: see :mod:`rimroll.given`.
+
+    Arrays stand for many bodies: fields broadcast against one another, as in NumPy, and data arrays
+    of xarray by the names of their dimensions. :func:`rimroll.ensemble`, :func:`rimroll.exact_turn`
+    and the closed forms take many bodies; a single motion takes one.
 
     Parameters
     ----------
@@ -39,7 +48,8 @@ class Body:
     Raises
     ------
     RimrollError
-        A number that is not finite; m, R, A or C ≤ 0; H < 0; C > 2A, which no rigid body has.
+        A number that is not finite; m, R, A or C ≤ 0; H < 0; C > 2A, which no rigid body has;
+        arrays that do not broadcast. Of an array the message names the element, ``height[3]``.
     """
 
     mass: float
@@ -49,21 +59,63 @@ class Body:
     axial_inertia: float
 
     if TYPE_CHECKING:
-
+        # The fields are typed as those of one body, of which most programs are.
         def __init__(
             self,
-            mass: Number,
-            radius: Number,
-            height: Number,
-            transverse_inertia: Number,
-            axial_inertia: Number,
+            mass: Values,
+            radius: Values,
+            height: Values,
+            transverse_inertia: Values,
+            axial_inertia: Values,
         ) -> None: ...
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
+            value = values(field.name, getattr(self, field.name), UNIT_OF[field.name])
             object.__setattr__(self, field.name, value)
-        _core.check_body(self)
+        if any(map(np.ndim, vars(self).values())):
+            _check_each(self)
+        else:
+            _core.check_body(self)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Body):
+            return NotImplemented
+        mine, others = vars(self), vars(other)
+        return all(same(mine[field.name], others[field.name]) for field in fields(self))
+
+    def __hash__(self) -> int:
+        return hash(tuple(key(getattr(self, field.name)) for field in fields(self)))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """What the fields broadcast to; () for one body."""
+        return Grid.over({field.name: getattr(self, field.name) for field in fields(self)}).shape
+
+    @classmethod
+    def stack(cls, bodies: Iterable[Body] | Mapping[str, Body], dim: str = "body") -> Body:
+        """Some bodies, each a single one, as one Body of arrays (n,).
+
+        Bodies by name become data arrays of xarray, which name them along the dimension ``dim``.
+
+        >>> from rimroll import bodies
+        >>> Body.stack([bodies.coin(), bodies.can_2007()]).shape
+        (2,)
+
+        Raises ``RimrollError`` for no bodies, or what is not a single one.
+        """
+        names = list(bodies) if isinstance(bodies, Mapping) else None
+        each = list(bodies.values() if isinstance(bodies, Mapping) else bodies)
+        if not each:
+            raise RimrollError("bodies must be one or more, got none")
+        for place, body in enumerate(each):
+            one_body(body, element("bodies", [place]))
+        columns = [np.array(column) for column in zip(*map(_numbers, each), strict=True)]
+        if names is None:
+            return cls(*columns)
+        import xarray as xr
+
+        return cls(*(xr.DataArray(column, coords={dim: names}, dims=dim) for column in columns))
 
     @classmethod
     def from_xarray(cls, dataset: xr.Dataset) -> Body:
@@ -89,3 +141,47 @@ class Body:
         Raises ``RimrollError`` for no solids, or solids that make up no valid body.
         """
         return cls(*_core.body_from_solids(number("radius", radius, "m"), list(solids)))
+
+
+def one_body(body: Any, field: str = "body") -> Body:
+    """The body itself, if it is a single one; else ``RimrollError``."""
+    expect(field, body, Body)
+    assert isinstance(body, Body)
+    if body.shape:
+        raise RimrollError(
+            f"{field} must be a single body, got bodies of shape {body.shape}: rimroll.ensemble and"
+            " rimroll.exact_turn take many"
+        )
+    return body
+
+
+def _numbers(body: Body) -> tuple[float, ...]:
+    return tuple(getattr(body, field.name) for field in fields(body))
+
+
+class Bodies(NamedTuple):
+    """Bodies as the core reads them: each array is (1,), for all rows, or (n,)."""
+
+    mass: NDArray[np.float64]
+    radius: NDArray[np.float64]
+    height: NDArray[np.float64]
+    transverse_inertia: NDArray[np.float64]
+    axial_inertia: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, body: Body, grid: Grid) -> Bodies:
+        """The bodies of the rows of a grid."""
+        return cls(*(grid.column(getattr(body, name)) for name in cls._fields))
+
+    def part(self, rows: slice) -> Bodies:
+        """Those of some of the rows."""
+        return Bodies(*(column if len(column) == 1 else column[rows] for column in self))
+
+
+def _check_each(body: Body) -> None:
+    given = {field.name: getattr(body, field.name) for field in fields(body)}
+    grid = Grid.over(given)
+    bad = _core.first_bad_body(Bodies.of(body, grid))
+    if bad is not None:
+        row, message = bad
+        raise RimrollError(grid.placed(message, given, row))

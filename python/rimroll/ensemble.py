@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
-from rimroll.given import Number, Values, number, numbers
+from rimroll.given import Number, Values, number, values
 from rimroll.laws import (
     AirDrag,
     Law,
@@ -22,12 +22,16 @@ from rimroll.laws import (
     Resistance,
     RollingResistance,
     contact_law,
+    fixed_numbers,
     listed,
+    only_fixed,
+    varied_numbers,
 )
 from rimroll.motion import thread_count
 from rimroll.options import Options
-from rimroll.refusals import placed
+from rimroll.rows import Rows
 from rimroll.state import State
+from rimroll.units import START_UNIT_OF, UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -100,12 +104,14 @@ def ensemble(
 
     Parameters
     ----------
-    body, law
-        What rolls, and how its rim meets the table.
-    starts
-        A State of arrays (n,).
+    body, starts, law
+        What rolls, how it is let go, and how its rim meets the table. Arrays in their fields stand
+        for many: they broadcast to n rows, or, where they are data arrays of xarray, by the names
+        of their dimensions, as with :func:`rimroll.axis`. Each row is what its body, start and law
+        give by themselves, to the last bit.
     grip
-        A factor of the law's friction, one for all or (n,).
+        A factor of the law's friction, a number, (n,) or a data array. A sweep of the coefficient
+        itself is a law of arrays, ``Coulomb([0.1, 0.2])``.
     duration, gravity, rtol, topple_tilt, max_steps
         As for :func:`rimroll.simulate`.
     threads
@@ -116,22 +122,24 @@ def ensemble(
     Returns
     -------
     xarray.Dataset
-        One row a ``trial``: ``outcome`` (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it
-        was computed from, and the :data:`VARIABLES`. ``turn`` is by how much the contact point went
-        round, with its sign, and ``direction`` where that led: a body that dips and falls over near
-        where it leaned has a small turn. ``turn``, ``direction``, ``min_tilt`` and
-        ``near_time`` are NaN for a fall that did not come down, and for one that ``hovered`` or
-        ``failed``, whose turn was not over when time or steps were up. The attributes hold
-        everything else that it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are
-        what :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``.
+        One row a ``trial``, or the dimensions that were named with their coordinates: ``outcome``
+        (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it was computed from, ``body_...``
+        and ``law_...`` where they differ from row to row, and the :data:`VARIABLES`. ``turn`` is by
+        how much the contact point went round, with its sign, and ``direction`` where that led: a
+        body that dips and falls over near where it leaned has a small turn. ``turn``,
+        ``direction``, ``min_tilt`` and ``near_time`` are NaN for a fall that did not come down, and
+        for one that ``hovered`` or ``failed``, whose turn was not over when time or steps were up.
+        The attributes hold everything else that it was computed from. ``outcome``, ``near_time``
+        and ``end_tilt`` are what :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and
+        ``max_tilt``.
 
     Raises
     ------
     RimrollError
-        A number outside its bounds, or starts that are no flat arrays; of an array the message
-        names the element, ``tilt[1]``.
+        A number outside its bounds, arrays that do not broadcast, or that are not flat and have no
+        names for their dimensions; of an array the message names the element, ``tilt[1]``.
     Interrupted
-        On Ctrl-C; it carries the falls done so far.
+        On Ctrl-C; it carries the falls done so far, in rows.
     """
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     falls = follow(body, starts, law, options, grip=grip, threads=threads, progress=progress)
@@ -157,20 +165,26 @@ def follow(
     contact_law(law)
     workers = thread_count(threads)
     callback("progress", progress)
-    rows = _rows(starts)
-    grips = _grips(grip, len(rows.tilt))
-    count = len(rows.tilt)
+    grip = _grip(grip)
+    numbers = varied_numbers(law.numbers)
+    rows = _flat(Rows.of(body, starts, {"grip": grip, **numbers}))
+    varied = {name: rows.grid.flat(value) for name, value in numbers.items()}
+    grips, count = rows.grid.flat(grip), rows.grid.size
 
     def said(done: int) -> None:
         if progress is not None:
             progress(done, count)
 
     try:
-        table, stopped = _core.ensemble(body, rows, law, grips, *options.values, workers, said)
+        table, stopped = _core.ensemble(
+            rows.bodies, rows.starts, only_fixed(law), varied, grips, *options.values, workers, said
+        )
     except RimrollError as refusal:
-        raise placed(refusal, body, starts, rows, options.gravity, options.topple_tilt) from None
-    columns = _columns(rows, grips, table)
+        raise rows.placed(refusal, options.gravity, options.topple_tilt) from None
+    columns = _columns(rows, varied, grips, table)
     falls = in_rows(columns, parameters(body, law, asdict(options)))
+    if len(table) == count and rows.grid.dims is not None:
+        falls = falls.laid_out(rows.grid)
     if isinstance(stopped, KeyboardInterrupt):
         raise Interrupted(falls) from None
     if stopped is not None:
@@ -178,43 +192,31 @@ def follow(
     return falls
 
 
-@dataclass(frozen=True)
-class _Rows:
-    """A start for each trial: arrays (n,)."""
-
-    tilt: Array
-    tilt_rate: Array
-    yaw: Array
-    yaw_rate: Array
-    spin: Array
-    spin_rate: Array
+def _grip(grip: Values) -> Any:
+    given = values("grip", grip)
+    factors = np.asarray(given)
+    hold("grip", factors, np.isfinite(factors) & (factors >= 0.0), "finite and >= 0")
+    return given
 
 
-def _rows(starts: State) -> _Rows:
-    if len(starts.shape) > 1:
-        raise RimrollError(f"starts must be flat arrays, got shape {starts.shape}")
-    shape = starts.shape or (1,)
-    return _Rows(
-        **{
-            field.name: np.array(np.broadcast_to(getattr(starts, field.name), shape), np.float64)
-            for field in fields(_Rows)
-        }
-    )
+def _flat(rows: Rows) -> Rows:
+    """The same rows if they have one dimension, or names for more."""
+    grid = rows.grid
+    if grid.dims is None and len(grid.shape) > 1:
+        raise RimrollError(
+            f"bodies, starts, law and grip must be flat arrays, got shape {grid.shape}: for a grid,"
+            " name its dimensions, as with rimroll.axis"
+        )
+    return rows
 
 
-def _grips(grip: Values, count: int) -> Array:
-    grips = numbers("grip", grip)
-    if grips.shape not in ((), (count,)):
-        raise RimrollError(f"grip must be a number or {count} of them, got shape {grips.shape}")
-    hold("grip", grips, np.isfinite(grips) & (grips >= 0.0), "finite and >= 0")
-    return np.array(np.broadcast_to(grips, (count,)))
-
-
-def _columns(rows: _Rows, grips: Array, table: Array) -> dict[str, Column]:
+def _columns(
+    rows: Rows, varied: Mapping[str, Array], grips: Array, table: Array
+) -> dict[str, Column]:
     done = len(table)
     told = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
     told["time"] = told.pop("end_time")
-    gone_round = np.mod(told.pop("end_yaw") - rows.yaw[:done], 2.0 * np.pi)
+    gone_round = np.mod(told.pop("end_yaw") - rows.starts.yaw[:done], 2.0 * np.pi)
     told["direction"] = np.where(np.isnan(told["turn"]), np.nan, gone_round)
     losses = ("friction_loss", "resistance_loss", "impact_loss")
     told["energy_lost"] = sum((told[loss] for loss in losses), np.zeros(done))
@@ -226,9 +228,15 @@ def _columns(rows: _Rows, grips: Array, table: Array) -> dict[str, Column]:
         "outcome": Column(outcome),
         **described(told),
         **{
-            f"start_{name}": Column(column[:done], _unit(name))
-            for name, column in vars(rows).items()
+            f"start_{name}": Column(column[:done], START_UNIT_OF[name])
+            for name, column in rows.starts._asdict().items()
         },
+        **{
+            f"body_{name}": Column(column[:done], UNIT_OF[name])
+            for name, column in rows.bodies._asdict().items()
+            if np.ndim(rows.given[name])
+        },
+        **{f"law_{name}": Column(column[:done]) for name, column in varied.items()},
         "grip": Column(grips[:done], ""),
     }
 
@@ -258,34 +266,38 @@ def outcomes(falls: Falls | xr.Dataset) -> dict[str, int]:
     return {name: count for name, count in counts.items() if count}
 
 
-def _unit(name: str) -> str:
-    return "rad/s" if name.endswith("_rate") else "rad"
-
-
 def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str, object]:
     """The attributes of falls: everything that they were computed from but the starts."""
     return {
         "law": law.name,
-        **{f"law_{name}": value for name, value in law.numbers.items()},
-        **{f"body_{name}": value for name, value in asdict(body).items()},
+        **{f"law_{name}": value for name, value in fixed_numbers(law.numbers).items()},
+        **{f"body_{name}": value for name, value in asdict(body).items() if not np.ndim(value)},
         **{name: value for name, value in options.items() if value is not None},
         "rimroll_version": _core.__version__,
     }
 
 
 def body_of(falls: Falls | xr.Dataset) -> Body:
-    """The body whose falls they are; raises ``RimrollError`` for a dataset of something else."""
-    return Body(**{field.name: _number(falls, f"body_{field.name}") for field in fields(Body)})
+    """The body whose falls they are, or a Body of arrays where it differs from fall to fall.
+
+    Raises ``RimrollError`` for a dataset of something else.
+    """
+    return Body(**{field.name: _value(falls, f"body_{field.name}") for field in fields(Body)})
 
 
 def law_of(falls: Falls | xr.Dataset) -> Law:
-    """The law under which it fell; raises ``RimrollError`` for a dataset of something else."""
-    kind = laws.kind(str(_told(falls, "law")))
-    own = [name for name in laws.numbers_of(kind) if f"law_{name}" in falls.attrs]
+    """The law under which it fell, with arrays of those numbers that differ from fall to fall.
+
+    Raises ``RimrollError`` for a dataset of something else.
+    """
+    if "law" not in falls.attrs:
+        raise _unknown("law")
+    kind = laws.kind(str(falls.attrs["law"]))
+    own = [name for name in laws.numbers_of(kind) if _has(falls, f"law_{name}")]
     law = laws.by_name(kind.name, {name: _law_number(falls, name) for name in own})
     for resistance, names in _RESISTANCES.items():
-        if f"law_{names[0]}" in falls.attrs:
-            law += resistance(*(_number(falls, f"law_{name}") for name in names))
+        if _has(falls, f"law_{names[0]}"):
+            law += resistance(*(_value(falls, f"law_{name}") for name in names))
     return law
 
 
@@ -297,17 +309,25 @@ _RESISTANCES: dict[type[Resistance], tuple[str, ...]] = {
 """The numbers of resistances, as a law tells them."""
 
 
-def _told(falls: Falls | xr.Dataset, name: str) -> object:
-    if name not in falls.attrs:
-        raise RimrollError(f"falls must be a dataset of rimroll.ensemble: there is no {name} in it")
-    return falls.attrs[name]
+def _has(falls: Falls | xr.Dataset, name: str) -> bool:
+    return name in falls.attrs or name in falls
 
 
-def _law_number(falls: Falls | xr.Dataset, name: str) -> float | tuple[float, ...]:
+def _value(falls: Falls | xr.Dataset, name: str) -> Any:
+    if name in falls.attrs:
+        return number(name, falls.attrs[name])
+    if name not in falls:
+        raise _unknown(name)
+    if isinstance(falls, Falls) or falls[name].dims == ("trial",):
+        return np.asarray(falls[name])
+    return falls[name]
+
+
+def _law_number(falls: Falls | xr.Dataset, name: str) -> Any:
     if name in laws.TABLES:
-        return listed(name, _told(falls, f"law_{name}"))
-    return _number(falls, f"law_{name}")
+        return listed(name, falls.attrs[f"law_{name}"])
+    return _value(falls, f"law_{name}")
 
 
-def _number(falls: Falls | xr.Dataset, name: str) -> float:
-    return number(name, _told(falls, name))
+def _unknown(name: str) -> RimrollError:
+    return RimrollError(f"falls must be a dataset of rimroll.ensemble: there is no {name} in it")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +12,11 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number, optional
+from rimroll.grid import Grid
 from rimroll.jacobian import PARAMETERS
 from rimroll.laws import Frictionless, Law, NoSlip, contact_law
 from rimroll.motion import thread_count
-from rimroll.refusals import placed
+from rimroll.rows import Rows
 from rimroll.state import Numbers, State
 
 Array = NDArray[np.float64]
@@ -36,7 +36,9 @@ NUMBERS = tuple(_core.EXACT_COLUMNS)
 
 @dataclass(frozen=True, eq=False)
 class ExactTurn:
-    """The first turn from each of some starts; arrays shaped like these, or single numbers.
+    """The first turn from each of some starts: single numbers, or arrays shaped like these.
+
+    Where a start or body has data arrays of xarray, so has this.
 
     A turn begins at the release or, where the tilt rises then, at the tilt maximum that follows. It
     ends at the first tilt maximum after the near-collision, or where the body topples or its rim
@@ -95,10 +97,10 @@ def exact_turn(
 
     Parameters
     ----------
-    body
-        What rolls.
-    start
-        One start or arrays of any shape.
+    body, start
+        What rolls and how it is let go: single ones, or arrays, which broadcast against one another
+        as in NumPy, and data arrays of xarray by the names of their dimensions. A body is prepared
+        once for all of its starts, which takes as long as some tens of them.
     law
         ``NoSlip()`` or ``Frictionless()``.
     gravity
@@ -121,46 +123,47 @@ def exact_turn(
             "law must be NoSlip or Frictionless without resistances, under which turns are"
             f" integrals, got {law!r}: rimroll.ensemble follows falls under any law"
         )
-    parts = turns_in_parts(body, start, law, gravity, topple_tilt, threads, bool(jacobian))
+    expect("body", body, Body)
+    expect("start", start, State)
+    rows = Rows.of(body, start)
+    parts = turns_in_parts(rows, law, gravity, topple_tilt, threads, bool(jacobian))
     codes, table, derivatives = (np.concatenate(of, axis=-1) for of in zip(*parts, strict=True))
     endings, _ = codes
     return ExactTurn(
-        **_named(NUMBERS, table, start.shape),
-        status=_shaped(OUTCOMES[endings], start.shape),
-        jacobian=_named(PARAMETERS, derivatives, start.shape) if jacobian else None,
+        **_named(rows.grid, NUMBERS, table),
+        status=rows.grid.laid_out(OUTCOMES[endings]),
+        jacobian=_named(rows.grid, PARAMETERS, derivatives) if jacobian else None,
     )
 
 
 def turns_in_parts(
-    body: Body,
-    start: State,
+    rows: Rows,
     law: Law,
     gravity: Number,
     topple_tilt: Number | None,
     threads: int | None,
     jacobian: bool = False,
 ) -> Iterator[tuple[NDArray[np.uint8], Array, Array]]:
-    """The turns of some starts after the other, at least once.
+    """The turns of some rows after the other, at least once.
 
-    For each start two codes of :data:`OUTCOMES`, how the turn ended and what became of the body,
+    For each row two codes of :data:`OUTCOMES`, how the turn ended and what became of the body,
     and a column of the :data:`NUMBERS` and, if asked for, of derivatives.
     """
-    expect("body", body, Body)
-    expect("start", start, State)
-    columns = _Starts(*(_column(start, name) for name in _Starts._fields))
     options = (
         number("gravity", gravity, "m/s^2"),
         optional("topple_tilt", topple_tilt, "rad"),
         thread_count(threads),
     )
     at_a_time = DERIVED_AT_A_TIME if jacobian else AT_A_TIME
-    for first in range(0, max(1, len(columns.tilt)), at_a_time):
+    for first in range(0, max(1, rows.grid.size), at_a_time):
+        part = slice(first, first + at_a_time)
+        bodies, starts = rows.bodies.part(part), rows.starts.part(part)
         try:
             codes, table, derivatives = _core.exact_turns(
-                body, columns.part(first, at_a_time), law.name, *options, jacobian
+                bodies, starts, law.name, *options, jacobian
             )
         except RimrollError as refusal:
-            raise placed(refusal, body, start, columns, *options[:2]) from None
+            raise rows.placed(refusal, *options[:2]) from None
         none = np.empty((0, codes.shape[1]))
         yield codes, table, none if derivatives is None else derivatives
 
@@ -171,28 +174,5 @@ def conserves_energy(law: Law) -> bool:
     return type(law) in (NoSlip, Frictionless) and not law.resistances
 
 
-class _Starts(NamedTuple):
-    """Flat arrays of equal length, as the core reads them."""
-
-    tilt: Array
-    tilt_rate: Array
-    yaw: Array
-    yaw_rate: Array
-    spin: Array
-    spin_rate: Array
-
-    def part(self, first: int, count: int) -> _Starts:
-        return _Starts(*(column[first : first + count] for column in self))
-
-
-def _column(start: State, name: str) -> Array:
-    whole = np.broadcast_to(getattr(start, name), start.shape)
-    return np.ascontiguousarray(whole, np.float64).reshape(-1)
-
-
-def _named(names: tuple[str, ...], table: Array, shape: tuple[int, ...]) -> dict[str, Numbers]:
-    return {name: _shaped(row, shape) for name, row in zip(names, table, strict=True)}
-
-
-def _shaped(row: NDArray[np.generic], shape: tuple[int, ...]) -> Any:
-    return row.reshape(shape) if shape else row.item()
+def _named(grid: Grid, names: tuple[str, ...], table: Array) -> dict[str, Numbers]:
+    return {name: grid.laid_out(row) for name, row in zip(names, table, strict=True)}

@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 from rimroll.body import Body
 from rimroll.ensemble import described, parameters
 from rimroll.exact import NUMBERS, OUTCOMES, turns_in_parts
-from rimroll.falls import Column, Falls, Interrupted, rows
+from rimroll.falls import Column, Falls, Interrupted
+from rimroll.falls import rows as in_rows
 from rimroll.given import Number, number, optional
 from rimroll.laws import Law
+from rimroll.rows import Rows
 from rimroll.state import State
 
 Array = NDArray[np.float64]
@@ -35,16 +37,17 @@ def exact_falls(
     gravity = number("gravity", gravity, "m/s^2")
     topple_tilt = optional("topple_tilt", topple_tilt, "rad")
     (total,) = starts.shape
+    rows = Rows.of(body, starts)
     codes, table = np.empty(total, np.uint8), np.empty((len(NUMBERS), total))
     done = 0
 
     def told() -> Falls:
         options = {"gravity": gravity, "topple_tilt": topple_tilt}
         columns = _columns(codes[:done], table[:, :done])
-        return rows(columns, parameters(body, law, options))
+        return in_rows(columns, parameters(body, law, options))
 
     try:
-        for part, columns, _ in turns_in_parts(body, starts, law, gravity, topple_tilt, threads):
+        for part, columns, _ in turns_in_parts(rows, law, gravity, topple_tilt, threads):
             _, outcomes = part
             last = done + len(outcomes)
             codes[done:last], table[:, done:last] = outcomes, columns

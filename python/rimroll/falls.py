@@ -6,13 +6,14 @@ xarray takes longer to import than most falls to compute, so it is imported only
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
+from rimroll.grid import Coordinate, Grid
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -40,12 +41,14 @@ class Falls:
     ``axes`` are the coordinates by name, one flat column each: ``trial`` (n,) for rows; for a map
     ``spin_rate`` (s,) and ``yaw_rate`` (y,). The ``columns`` have their shape, (n,) or (s, y):
     ``outcome`` and the numbers of each fall. ``attrs`` are what all the falls have in common.
-    ``falls["turn"]`` is the array of one column or axis.
+    ``falls["turn"]`` is the array of one column or axis. ``labels`` are further coordinates, each
+    along some of the axes.
     """
 
     columns: Mapping[str, Column]
     axes: Mapping[str, Column]
     attrs: dict[str, Any]
+    labels: Mapping[str, Coordinate] = field(default_factory=dict)
 
     @classmethod
     def of(cls, falls: Falls | xr.Dataset) -> Falls:
@@ -77,6 +80,25 @@ class Falls:
         """The same falls with more attributes; those given win."""
         return replace(self, attrs=self.attrs | dict(attrs))
 
+    def laid_out(self, grid: Grid) -> Falls:
+        """Falls in rows, laid out on a grid of named dimensions.
+
+        Raises ``RimrollError`` for a dimension that is called as a column is.
+        """
+        assert grid.dims is not None
+        axes: dict[str, Column] = {}
+        for dim, size in zip(grid.dims, grid.shape, strict=True):
+            if dim in self.columns:
+                raise RimrollError(f"a dimension cannot be called {dim}, which is a result")
+            _, values, attrs = grid.coords.get(dim, ((dim,), np.arange(size), {}))
+            axes[dim] = Column(values, attrs.get("units"), attrs.get("long_name"))
+        columns = {
+            name: replace(one, values=one.values.reshape(grid.shape))
+            for name, one in self.columns.items()
+        }
+        labels = {name: coord for name, coord in grid.coords.items() if name not in axes}
+        return Falls(columns, axes, self.attrs, labels)
+
     def to_xarray(self) -> xr.Dataset:
         """The falls as a labelled dataset with units."""
         import xarray as xr
@@ -84,7 +106,8 @@ class Falls:
         across = tuple(self.axes)
         return xr.Dataset(
             {name: (across, one.values, one.attrs) for name, one in self.columns.items()},
-            coords={name: (name, one.values, one.attrs) for name, one in self.axes.items()},
+            coords={name: (name, one.values, one.attrs) for name, one in self.axes.items()}
+            | dict(self.labels),
             attrs=self.attrs,
         )
 

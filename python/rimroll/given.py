@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rimroll.errors import RimrollError, UnitError, element
+from rimroll.grid import is_labelled
 from rimroll.units import factor_of, mismatch, quantity, tidy
 
 
@@ -82,6 +83,26 @@ def numbers(field: str, value: object, unit: str = "1") -> NDArray[np.float64]:
     array = array.astype(np.float64)
     array.flags.writeable = False
     return array
+
+
+def values(field: str, value: object, unit: str = "1") -> Any:
+    """A number as a float, an array as :func:`numbers` reads it, a data array with its labels.
+
+    Raises ``RimrollError`` as these do.
+    """
+    try:
+        is_one = np.ndim(value) == 0  # type: ignore[arg-type]
+    except ValueError:  # rows of different lengths
+        is_one = False
+    if is_one:
+        return number(field, value, unit)
+    array = numbers(field, value, unit)
+    if not is_labelled(value):
+        return array
+    named = value.copy(data=array)
+    if "units" in named.attrs:
+        named.attrs["units"] = unit
+    return named
 
 
 def whole_number(field: str, value: object) -> int:

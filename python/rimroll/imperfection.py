@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rimroll import _core
-from rimroll.body import Body
-from rimroll.errors import expect
+from rimroll.body import Body, one_body
 from rimroll.given import Number, number
 from rimroll.laws import Law, ideal
 
@@ -96,7 +95,7 @@ def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.
     >>> round(float(np.degrees(fall.turn)), 2), round(fall.energy_kept, 3)
     (195.53, 0.553)
     """
-    expect("body", body, Body)
+    one_body(body)
     turn, rate, energy_kept, collisions = _core.imperfect_rim(
         body,
         number("angle", angle, "rad"),

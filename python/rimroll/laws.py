@@ -10,14 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
 from rimroll import _core
 from rimroll.errors import RimrollError, expect, hold
-from rimroll.given import Number, Values, number
+from rimroll.given import Number, Values, number, values
 from rimroll.given import numbers as array
+from rimroll.grid import Grid, is_array, key, same
 from rimroll.names import choose, typed
 from rimroll.sampled_curve import sampled
 from rimroll.units import LAW_UNIT_OF, air_unit
@@ -30,14 +31,14 @@ TABLES = ("speeds", "frictions")
 
 
 class _Numbered:
-    """Numbers that are checked when they are given."""
+    """Numbers, or arrays of them, that are checked when they are given."""
 
     def _read(self) -> None:
         for item in fields(self):  # type: ignore[arg-type]
             value = getattr(self, item.name)
             left_out = value is None and item.default is None
             if item.name != "resistances" and not left_out:
-                read = listed if item.name in TABLES else number
+                read = listed if item.name in TABLES else values
                 unit = self._unit_of(item.name)
                 object.__setattr__(self, item.name, read(item.name, value, unit))
 
@@ -48,9 +49,21 @@ class _Numbered:
         given = ", ".join(
             f"{item.name}={_brief(getattr(self, item.name))}"
             for item in fields(self)  # type: ignore[arg-type]
-            if item.repr and getattr(self, item.name) != item.default
+            if item.repr and not same(getattr(self, item.name), item.default)
         )
         return f"{type(self).__name__}({given})"
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(
+            same(getattr(self, item.name), getattr(other, item.name))
+            for item in fields(self)  # type: ignore[arg-type]
+        )
+
+    def __hash__(self) -> int:
+        numbers = (key(getattr(self, item.name)) for item in fields(self))  # type: ignore[arg-type]
+        return hash((type(self), *numbers))
 
 
 def listed(field: str, values: object, unit: str = "1") -> tuple[float, ...]:
@@ -71,15 +84,42 @@ def _brief(value: object) -> str:
     return f"({value[0]!r}, {value[1]!r}, ..., {value[-1]!r}: {len(value)} numbers)"
 
 
-@dataclass(frozen=True)
-class _Alone:
-    """A resistance by itself, for the core to check."""
+class OneLaw(NamedTuple):
+    """The name of a law and its numbers, as the core reads them."""
 
+    name: str
     numbers: dict[str, float]
-    name: str = "no_slip"
 
 
-@dataclass(frozen=True, repr=False)
+def varied_numbers(numbers: Mapping[str, Any]) -> dict[str, Any]:
+    """Those of a law's numbers that are arrays."""
+    return {name: value for name, value in numbers.items() if is_array(value)}
+
+
+def fixed_numbers(numbers: Mapping[str, Any]) -> dict[str, float]:
+    """Those that are single numbers."""
+    return {name: value for name, value in numbers.items() if not is_array(value)}
+
+
+def only_fixed(law: Law) -> OneLaw:
+    """A law without the numbers that are arrays."""
+    return OneLaw(law.name, fixed_numbers(law.numbers))
+
+
+def _check(name: str, numbers: Mapping[str, Any]) -> None:
+    varied, fixed = varied_numbers(numbers), OneLaw(name, fixed_numbers(numbers))
+    if not varied:
+        _core.check_surface(fixed)
+        return
+    grid = Grid.over(varied)
+    columns = {name: grid.flat(value) for name, value in varied.items()}
+    bad = _core.first_bad_surface(fixed, columns)
+    if bad is not None:
+        row, message = bad
+        raise RimrollError(grid.placed(message, numbers, row))
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class RollingResistance(_Numbered):
     """What the contact point's running along the rim at R |dθ/dt| costs.
 
@@ -95,29 +135,37 @@ class RollingResistance(_Numbered):
     dry: float = 0.0
     viscous: float = 0.0
 
+    if TYPE_CHECKING:
+
+        def __init__(self, dry: Values = 0.0, viscous: Values = 0.0) -> None: ...
+
     def __post_init__(self) -> None:
         self._read()
-        _core.check_surface(_Alone(self._numbers()))
+        _check("no_slip", self._numbers())
 
     def _numbers(self) -> dict[str, float]:
         return {"rolling_dry": self.dry, "rolling_viscous": self.viscous}
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class PivotingFriction(_Numbered):
     """What turning about the vertical costs: a moment of ``length`` (m) times the normal force."""
 
     length: float
 
+    if TYPE_CHECKING:
+
+        def __init__(self, length: Values) -> None: ...
+
     def __post_init__(self) -> None:
         self._read()
-        _core.check_surface(_Alone(self._numbers()))
+        _check("no_slip", self._numbers())
 
     def _numbers(self) -> dict[str, float]:
         return {"pivoting_length": self.length}
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class AirDrag(_Numbered):
     """What the wobble costs in the air under the base: ``coefficient`` |dψ/dt|^``exponent``, W.
 
@@ -132,13 +180,18 @@ class AirDrag(_Numbered):
     coefficient: float
     exponent: float = 4.0
 
+    if TYPE_CHECKING:
+
+        def __init__(self, coefficient: Values, exponent: Values = 4.0) -> None: ...
+
     def __post_init__(self) -> None:
         self._read()
-        _core.check_surface(_Alone(self._numbers()))
+        _check("no_slip", self._numbers())
 
     def _unit_of(self, name: str) -> str:
         if name == "coefficient":
-            return air_unit(number("exponent", self.exponent))
+            # Of several exponents there is no one unit.
+            return "1" if np.ndim(self.exponent) else air_unit(number("exponent", self.exponent))
         return super()._unit_of(name)
 
     @classmethod
@@ -165,10 +218,18 @@ class AirDrag(_Numbered):
 
 Resistance = RollingResistance | PivotingFriction | AirDrag
 
+Resistances = Resistance | tuple[Resistance, ...]
 
-@dataclass(frozen=True, repr=False)
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Law(_Numbered):
-    """How the rim meets the table; add resistances with ``+``."""
+    """How the rim meets the table; add resistances with ``+``.
+
+    The numbers of laws and resistances may be arrays, which stand for many laws: they broadcast
+    against one another, as in NumPy, and data arrays of xarray by the names of their dimensions.
+    :func:`rimroll.ensemble` and :func:`rimroll.turn_limit` take many laws; a single motion takes
+    one.
+    """
 
     name: ClassVar[str]
     """What a user types on the command line and in scenario files."""
@@ -187,7 +248,7 @@ class Law(_Numbered):
                 raise RimrollError(f"a law takes one {kind}, got two")
         in_order = tuple(sorted(items, key=lambda item: type(item).__name__, reverse=True))
         object.__setattr__(self, "resistances", in_order)
-        _core.check_surface(self)
+        _check(self.name, self.numbers)
 
     @classmethod
     def from_xarray(cls, dataset: xr.Dataset) -> Law:
@@ -226,8 +287,13 @@ class Law(_Numbered):
             own |= resistance._numbers()
         return own
 
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """What the numbers broadcast to; () for one law."""
+        return Grid.over(varied_numbers(self.numbers)).shape
 
-@dataclass(frozen=True, repr=False)
+
+@dataclass(frozen=True, repr=False, eq=False)
 class NoSlip(Law):
     """Rolling without slip: the point of the rim that touches the table is at rest.
 
@@ -238,7 +304,7 @@ class NoSlip(Law):
     name: ClassVar[str] = "no_slip"
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Frictionless(Law):
     """Sliding without friction: the table only pushes upward.
 
@@ -249,7 +315,7 @@ class Frictionless(Law):
     name: ClassVar[str] = "frictionless"
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Coulomb(Law):
     """Dry friction, with exact phases of rolling, sliding and flight.
 
@@ -265,8 +331,19 @@ class Coulomb(Law):
     restitution: float = 0.0
     name: ClassVar[str] = "coulomb"
 
+    if TYPE_CHECKING:
 
-@dataclass(frozen=True, repr=False)
+        def __init__(
+            self,
+            friction: Values,
+            static: Values | None = None,
+            restitution: Values = 0.0,
+            *,
+            resistances: Resistances = (),
+        ) -> None: ...
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Viscous(Law):
     """A film of oil: T = −``coefficient`` (N s/m) times the slip, whatever the normal force.
 
@@ -278,8 +355,18 @@ class Viscous(Law):
     restitution: float = 0.0
     name: ClassVar[str] = "viscous"
 
+    if TYPE_CHECKING:
 
-@dataclass(frozen=True, repr=False)
+        def __init__(
+            self,
+            coefficient: Values,
+            restitution: Values = 0.0,
+            *,
+            resistances: Resistances = (),
+        ) -> None: ...
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Stribeck(Law):
     """Dry friction made smooth: T = −μ(u) N u/√(u² + creep_speed²).
 
@@ -296,8 +383,21 @@ class Stribeck(Law):
     restitution: float = 0.0
     name: ClassVar[str] = "stribeck"
 
+    if TYPE_CHECKING:
 
-@dataclass(frozen=True, repr=False)
+        def __init__(
+            self,
+            friction: Values,
+            static: Values | None = None,
+            stribeck_speed: Values = 0.01,
+            creep_speed: Values = 1e-3,
+            restitution: Values = 0.0,
+            *,
+            resistances: Resistances = (),
+        ) -> None: ...
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Tabulated(Law):
     """Dry friction whose coefficient is a curve μ(u) over the slip speed: T = −μ(u) N against it.
 
@@ -388,6 +488,18 @@ LAWS: dict[str, type[Law]] = {
 """The laws by name, in the core's order."""
 
 assert list(LAWS) == list(_core.LAWS)
+
+
+def one_law(law: Any) -> Law:
+    """The law itself, if it is a single one of the core's; else ``RimrollError``."""
+    contact_law(law)
+    if law.shape:
+        raise RimrollError(
+            f"law must be a single law, got numbers of shape {law.shape}: rimroll.ensemble takes"
+            " many"
+        )
+    assert isinstance(law, Law)
+    return law
 
 
 def contact_law(law: object) -> Law:

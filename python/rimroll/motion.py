@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.given import Number, Values, whole_number
 from rimroll.jacobian import PARAMETERS, Jacobian
-from rimroll.laws import Law, contact_law
+from rimroll.laws import Law, one_law
 from rimroll.options import Options
 from rimroll.state import State, single, times
 
@@ -639,9 +639,9 @@ def simulate(
         A number outside its bounds, or a start of arrays; derivatives of a motion that has none,
         since its contact changes on the way, or under a law for which they are not offered.
     """
-    expect("body", body, Body)
+    one_body(body)
     expect("start", start, State)
-    contact_law(law)
+    one_law(law)
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     callback("progress", progress)
     return _follow(body, single(start), law, options, bool(jacobian), progress)

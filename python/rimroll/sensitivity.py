@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.ensemble import OPTIONS, VARIABLES, follow
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.exact import conserves_energy
@@ -147,7 +147,7 @@ def watershed(
     Raises ``RimrollError`` where the falls on both sides of all plausible yaw rates do not differ,
     as for starts that do not come down.
     """
-    expect("body", body, Body)
+    one_body(body)
     expect("start", start, State)
     given: State = single(start)
     spin = _flat("spin_rates", spin_rates)
@@ -197,7 +197,7 @@ def watershed_slope(body: Body, tilt: Number, law: Law) -> float:
 
     Raises ``RimrollError`` for other laws and for a tilt outside (0, π/2).
     """
-    expect("body", body, Body)
+    one_body(body)
     tilt = number("tilt", tilt, "rad")
     if not 0.0 < tilt < 0.5 * math.pi:
         raise RimrollError(f"tilt must be inside (0, pi/2), got {tilt} rad")

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Generic, cast, overload
+from typing import TYPE_CHECKING, Any, Generic, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Values, numbers
+from rimroll.given import Values, numbers, values
+from rimroll.grid import Grid, is_labelled
 from rimroll.units import START_UNIT_OF
 
 Array = NDArray[np.float64]
@@ -34,8 +35,9 @@ class State(Generic[FieldT]):
     """Position and motion in the paper's Euler angles (rad, rad/s).
 
     Every field is a number or an array, or carries a unit as :mod:`rimroll.given` describes; arrays
-    must agree in shape, and numbers stand for all. For type checkers a state of single numbers is a
-    ``State[float]``, whose fields are floats.
+    must agree in shape, and numbers stand for all. Data arrays of xarray broadcast by the names of
+    their dimensions. For type checkers a state of single numbers is a ``State[float]``, whose
+    fields are floats.
 
     Parameters
     ----------
@@ -98,13 +100,19 @@ class State(Generic[FieldT]):
             return
         for field in fields(self):
             value = _finite(field.name, getattr(self, field.name))
-            object.__setattr__(self, field.name, float(value) if value.ndim == 0 else value)
+            object.__setattr__(self, field.name, value)
+        if any(map(is_labelled, vars(self).values())):
+            _ = self.shape
+        else:
+            self._check_shapes()
+        tilt = np.asarray(self.tilt)
+        hold("tilt", tilt, (tilt > 0.0) & (tilt < np.pi), "inside (0, pi)", "rad")
+
+    def _check_shapes(self) -> None:
         shapes = {f.name: np.shape(getattr(self, f.name)) for f in fields(self)}
         if len({shape for shape in shapes.values() if shape}) > 1:
             arrays = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
             raise RimrollError(f"the arrays of a State must agree in shape, got {arrays}")
-        tilt = np.asarray(self.tilt)
-        hold("tilt", tilt, (tilt > 0.0) & (tilt < np.pi), "inside (0, pi)", "rad")
 
     def _is_plain(self) -> bool:
         """Whether it is of valid floats, as most are, for which nothing more is to be done."""
@@ -125,8 +133,8 @@ class State(Generic[FieldT]):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Shape of the arrays; () when every field is a single number."""
-        return np.broadcast_shapes(*(np.shape(getattr(self, f.name)) for f in fields(self)))
+        """What the fields broadcast to; () when every field is a single number."""
+        return Grid.over({f.name: getattr(self, f.name) for f in fields(self)}).shape
 
 
 def single(start: State) -> State[float]:
@@ -145,7 +153,11 @@ def times(t: Values) -> NDArray[np.float64]:
     return array
 
 
-def _finite(field: str, value: object) -> NDArray[np.float64]:
+def _finite(field: str, value: object) -> Any:
+    if is_labelled(value) and value.ndim:
+        given = values(field, value, START_UNIT_OF[field])
+        hold(field, given.values, np.isfinite(given.values), "finite")
+        return given
     array = numbers(field, value, START_UNIT_OF[field])
     hold(field, array, np.isfinite(array), "finite")
-    return array
+    return array if array.ndim else float(array)

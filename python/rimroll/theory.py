@@ -2,18 +2,24 @@
 
 Symbols: K = A + mH², J = K + mR². SI units and radians. Every function raises ``RimrollError`` for
 numbers outside the bounds that it states.
+
+The functions of a body that return one number take arrays, too: bodies, laws and numbers broadcast,
+and the result is an array of that shape, to the last bit that of each by itself. Data arrays of
+xarray broadcast by the names of their dimensions, and the result is one, too.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.errors import expect
-from rimroll.given import Number, number
-from rimroll.laws import Law, contact_law, ideal
+from rimroll.given import Number, Values, number, values
+from rimroll.laws import Law, contact_law, ideal, one_law
+from rimroll.rows import elementwise
 from rimroll.state import State, single
 
 
@@ -66,13 +72,13 @@ def arrival(
     The start's yaw rate and spin rate are taken for zero. Raises ``RimrollError`` where the base
     does not come down flat: for a start that topples, a rim that lifts off on the way.
     """
-    expect("body", body, Body)
+    one_body(body)
     expect("start", start, State)
-    contact_law(law)
+    one_law(law)
     return Arrival(*_core.arrival(body, single(start), law, number("gravity", gravity, "m/s^2")))
 
 
-def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> float:
+def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> Any:
     """Limiting angle of turn, rad, as the motion comes arbitrarily close to a face-down collision.
 
     No-slip: π √(J/K) = π √((A + mR² + mH²)/(A + mH²)). Frictionless: π √((A + mR²)/A).
@@ -94,7 +100,8 @@ def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> float:
     expect("body", body, Body)
     contact_law(law)
     expect("arrival", arrival, Arrival | None)
-    return _core.turn_limit(body, law, (arrival or Arrival())._numbers())
+    numbers = (arrival or Arrival())._numbers()
+    return elementwise(lambda body, law: _core.turn_limit(body, law, numbers), body, law)
 
 
 def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
@@ -102,13 +109,13 @@ def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
 
     ``arrival`` as for :func:`turn_limit`, which has the errors too.
     """
-    expect("body", body, Body)
-    contact_law(law)
+    one_body(body)
+    one_law(law)
     expect("arrival", arrival, Arrival | None)
     return Passage(*_core.passage(body, law, (arrival or Arrival())._numbers()))
 
 
-def turn_limit_with_spin(body: Body, spin: Number, tipping_rate: Number) -> float:
+def turn_limit_with_spin(body: Body, spin: Values, tipping_rate: Values) -> Any:
     """Limiting angle without slip, rad, for a body that arrives with a spin about its axis.
 
     √(J/K) [π + 2 arctan(mHR s/(ω √(JK)))], with s = dθ/dt + dψ/dt cos φ (rad/s, positive in the
@@ -117,62 +124,67 @@ def turn_limit_with_spin(body: Body, spin: Number, tipping_rate: Number) -> floa
     limit a spin against the turn keeps the rim pressed; with one along it the motion lifts off.
     """
     expect("body", body, Body)
-    return _core.turn_limit_with_spin(
-        body, number("spin", spin, "rad/s"), number("tipping_rate", tipping_rate, "rad/s")
+    spin, tipping_rate = (
+        values("spin", spin, "rad/s"),
+        values("tipping_rate", tipping_rate, "rad/s"),
     )
+    return elementwise(_core.turn_limit_with_spin, body, spin, tipping_rate)
 
 
-def disk_turn_limit(gyration_ratio: Number) -> float:
+def disk_turn_limit(gyration_ratio: Values) -> Any:
     """Limiting angle of a disk, rad: π √(2 + k²)/k for the radius of gyration kR, k > 0.
 
     Source: the paper, Eq. (23). The same with and without friction. Uniform disk:
     k = 1/√2, π√5; ring: k = 1, π√3; it grows without bound as k → 0.
     """
-    return _core.disk_turn_limit(number("gyration_ratio", gyration_ratio))
+    return elementwise(_core.disk_turn_limit, values("gyration_ratio", gyration_ratio))
 
 
-def tall_turn_limit(body: Body, law: Law) -> float:
+def tall_turn_limit(body: Body, law: Law) -> Any:
     """Limiting angle of a tall body to first order in R²/H², rad: π + (π/2) mR²/K'.
 
     K' = A + mH² without slip, A without friction. Above the exact limit by less than
     (π/8)(mR²/K')². Source: the paper's "Tall thin containers", carried one order further.
     """
     expect("body", body, Body)
-    return _core.tall_turn_limit(body, ideal(law).name)
+    name = ideal(law).name
+    return elementwise(lambda body: _core.tall_turn_limit(body, name), body)
 
 
-def point_mass_turn_limit(radius: Number, height: Number, law: Law) -> float:
+def point_mass_turn_limit(radius: Values, height: Values, law: Law) -> Any:
     """Limiting angle of a point mass at ``height`` over the base (A → 0), rad: π √(1 + R²/H²).
 
     Without friction it grows without bound: infinity.
     """
     name = ideal(law).name
-    radius, height = number("radius", radius, "m"), number("height", height, "m")
-    return _core.point_mass_turn_limit(radius, height, name)
+    radius, height = values("radius", radius, "m"), values("height", height, "m")
+    return elementwise(
+        lambda radius, height: _core.point_mass_turn_limit(radius, height, name), radius, height
+    )
 
 
-def needed_friction(body: Body) -> float:
+def needed_friction(body: Body) -> Any:
     """Friction coefficient needed to roll through the near-collision: μ* = mHR/(A + mH²).
 
     |T|/N tends to it, and stays there throughout, however violent the near-collision. The paper
     shows a finite ratio in its simulation figure and gives no formula.
     """
     expect("body", body, Body)
-    return _core.needed_friction(body)
+    return elementwise(_core.needed_friction, body)
 
 
-def painleve_friction(body: Body) -> float:
+def painleve_friction(body: Body) -> Any:
     """Friction coefficient from which on sliding can meet Painlevé's paradox: 2 √(q (1 + q)).
 
     q = A/(m (R² + H²)). Below it the normal force is determined however the body slides.
     """
     expect("body", body, Body)
-    return _core.painleve_friction(body)
+    return elementwise(_core.painleve_friction, body)
 
 
 def error_law_coefficient(
-    body: Body, law: Law, tipping_rate: Number, gravity: Number = _core.STANDARD_GRAVITY
-) -> float:
+    body: Body, law: Law, tipping_rate: Values, gravity: Values = _core.STANDARD_GRAVITY
+) -> Any:
     """Coefficient b of the error law |Δψ| = limit + φ_c (b ln φ_c + a), dimensionless.
 
     Δψ is the turn from tilt maximum to tilt maximum and φ_c the smallest tilt (rad) between; a is a
@@ -182,44 +194,45 @@ def error_law_coefficient(
     like ε ln ε, not like a power. Not in the paper.
     """
     expect("body", body, Body)
-    return _core.error_law_coefficient(
+    name = ideal(law).name
+    return elementwise(
+        lambda body, *numbers: _core.error_law_coefficient(body, name, *numbers),
         body,
-        ideal(law).name,
-        number("tipping_rate", tipping_rate, "rad/s"),
-        number("gravity", gravity, "m/s^2"),
+        values("tipping_rate", tipping_rate, "rad/s"),
+        values("gravity", gravity, "m/s^2"),
     )
 
 
-def steady_wobble_rate(body: Body, tilt: Number, gravity: Number = _core.STANDARD_GRAVITY) -> float:
+def steady_wobble_rate(body: Body, tilt: Values, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
     """Yaw rate of the steady wobble at a tilt with the centre of mass at rest, rad/s.
 
     ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate that
     goes with it is ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
     """
     expect("body", body, Body)
-    tilt, gravity = number("tilt", tilt, "rad"), number("gravity", gravity, "m/s^2")
-    return _core.steady_wobble_rate(body, tilt, gravity)
+    tilt, gravity = values("tilt", tilt, "rad"), values("gravity", gravity, "m/s^2")
+    return elementwise(_core.steady_wobble_rate, body, tilt, gravity)
 
 
-def balance_tilt(body: Body) -> float:
+def balance_tilt(body: Body) -> Any:
     """Tilt at which the centre of mass is over the rim, rad: arctan(R/H); π/2 for a disk."""
     expect("body", body, Body)
-    return _core.balance_tilt(body)
+    return elementwise(_core.balance_tilt, body)
 
 
-def lift_off_rate(body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> float:
+def lift_off_rate(body: Body, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
     """Rate of tipping on arrival above which rolling needs pull from the table, rad/s: √(gK/(JH)).
 
     Infinite for a disk. The paper warns that a flick too fast lifts the can off.
     """
     expect("body", body, Body)
-    return _core.lift_off_rate(body, number("gravity", gravity, "m/s^2"))
+    return elementwise(_core.lift_off_rate, body, values("gravity", gravity, "m/s^2"))
 
 
-def slip_rate(body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> float:
+def slip_rate(body: Body, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
     """Rate of tipping on arrival above which tipping needs more friction than μ*, rad/s.
 
     √(2mgHK/(J(K + mH²))): the ratio |T|/N at the end of the tipping phase passes μ* there.
     """
     expect("body", body, Body)
-    return _core.slip_rate(body, number("gravity", gravity, "m/s^2"))
+    return elementwise(_core.slip_rate, body, values("gravity", gravity, "m/s^2"))

@@ -66,8 +66,8 @@ fn stepping(
     law: IdealLaw,
     options: &Options,
 ) -> Result<Vec<f64>, String> {
-    let trials: Vec<_> = starts.iter().map(|&at| (at, Surface::from(law))).collect();
-    let falls = ensemble(can, &trials, options, |_| ControlFlow::Continue(())).map_err(|error| error.to_string())?;
+    let trials: Vec<_> = starts.iter().map(|&at| (can, at, Surface::from(law))).collect();
+    let falls = ensemble(&trials, options, |_| ControlFlow::Continue(())).map_err(|error| error.to_string())?;
     let angle = |turn: Option<rimroll::motion::Turn>| turn.map_or(f64::NAN, |turn| turn.angle);
     Ok(falls.iter().map(|fall| angle(fall.turn)).collect())
 }

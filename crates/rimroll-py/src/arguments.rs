@@ -1,5 +1,6 @@
 //! What Python hands over, read attribute by attribute, and errors on their way back.
 
+use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use rimroll::{Body, IdealLaw, InvalidInput, Solid, State, Surface};
 use std::collections::HashMap;
@@ -32,6 +33,47 @@ impl BodyArgument {
         )
         .map_err(refusal)
     }
+}
+
+/// Any object with the attributes of `rimroll.Body` as arrays, each of one number for all rows or of one for
+/// each.
+#[derive(FromPyObject)]
+pub struct BodiesArgument<'py> {
+    mass: PyReadonlyArray1<'py, f64>,
+    radius: PyReadonlyArray1<'py, f64>,
+    height: PyReadonlyArray1<'py, f64>,
+    transverse_inertia: PyReadonlyArray1<'py, f64>,
+    axial_inertia: PyReadonlyArray1<'py, f64>,
+}
+
+impl BodiesArgument<'_> {
+    /// The bodies in their order, with what is wrong with those that cannot be.
+    pub fn each(&self) -> PyResult<impl Iterator<Item = Result<Body, InvalidInput>>> {
+        let columns = [
+            self.mass.as_slice()?,
+            self.radius.as_slice()?,
+            self.height.as_slice()?,
+            self.transverse_inertia.as_slice()?,
+            self.axial_inertia.as_slice()?,
+        ];
+        let count = columns.iter().map(|column| column.len()).max();
+        Ok((0..count.unwrap_or(0)).map(move |row| {
+            let [mass, radius, height, transverse, axial] =
+                columns.map(|column| *of_row(column, row));
+            Body::new(mass, radius, height, transverse, axial)
+        }))
+    }
+
+    /// One body for all rows, or one for each.
+    pub fn bodies(&self) -> PyResult<Vec<Body>> {
+        let bodies: Result<_, _> = self.each()?.collect();
+        bodies.map_err(refusal)
+    }
+}
+
+/// What belongs to a row, where there is one for each or one for all.
+pub fn of_row<T>(all: &[T], row: usize) -> &T {
+    &all[if all.len() == 1 { 0 } else { row }]
 }
 
 /// Any object with the attributes of `rimroll.solids.Solid`.
@@ -99,6 +141,13 @@ enum Given {
 
 impl SurfaceArgument {
     pub fn surface(&self) -> PyResult<Surface> {
+        let (numbers, tables) = self.given();
+        Surface::named(&self.name, &numbers, &tables).map_err(refusal)
+    }
+
+    /// The numbers and the lists of numbers, by name.
+    #[allow(clippy::type_complexity)]
+    fn given(&self) -> (Vec<(String, f64)>, Vec<(String, Vec<f64>)>) {
         let (mut numbers, mut tables) = (Vec::new(), Vec::new());
         for (name, given) in &self.numbers {
             match given {
@@ -106,6 +155,30 @@ impl SurfaceArgument {
                 Given::Table(table) => tables.push((name.clone(), table.clone())),
             }
         }
-        Surface::named(&self.name, &numbers, &tables).map_err(refusal)
+        (numbers, tables)
+    }
+
+    /// The surfaces whose numbers are those of this one but for some, which have an array each with one number
+    /// for each surface; with what is wrong with those that cannot be.
+    pub fn varied(
+        &self,
+        varied: &VariedArgument<'_>,
+    ) -> PyResult<impl Iterator<Item = Result<Surface, InvalidInput>>> {
+        let (mut numbers, tables) = self.given();
+        let mut columns = Vec::with_capacity(varied.len());
+        for (name, column) in varied {
+            columns.push((numbers.len(), column.as_slice()?));
+            numbers.push((name.clone(), f64::NAN));
+        }
+        let count = columns.iter().map(|(_, column)| column.len()).min();
+        Ok((0..count.unwrap_or(0)).map(move |row| {
+            for &(place, column) in &columns {
+                numbers[place].1 = column[row];
+            }
+            Surface::named(&self.name, &numbers, &tables)
+        }))
     }
 }
+
+/// Numbers of a law by name, as arrays of equal length.
+pub type VariedArgument<'py> = HashMap<String, PyReadonlyArray1<'py, f64>>;

@@ -1,6 +1,6 @@
 //! Bodies, the solids they are put together from, and presets.
 
-use crate::arguments::{BodyArgument, SolidArgument, refusal};
+use crate::arguments::{BodiesArgument, BodyArgument, SolidArgument, refusal};
 use pyo3::prelude::*;
 use rimroll::{Body, InvalidInput, Solid, presets};
 
@@ -28,6 +28,13 @@ fn solid_numbers(solid: Result<Solid, InvalidInput>) -> PyResult<SolidNumbers> {
 #[pyfunction]
 pub fn check_body(body: BodyArgument) -> PyResult<()> {
     body.body().map(|_| ())
+}
+
+/// The first of many bodies that cannot be, and why, if there is one.
+#[pyfunction]
+pub fn first_bad_body(bodies: BodiesArgument<'_>) -> PyResult<Option<(usize, String)>> {
+    let mut bad = bodies.each()?.enumerate();
+    Ok(bad.find_map(|(row, body)| body.err().map(|error| (row, error.to_string()))))
 }
 
 #[pyfunction]

@@ -1,11 +1,11 @@
 //! Many falls at once.
 
-use crate::arguments::{BodyArgument, SurfaceArgument, refusal};
+use crate::arguments::{BodiesArgument, SurfaceArgument, VariedArgument, of_row, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rimroll::motion::Fall;
-use rimroll::{Options, State, Surface, ensemble as ensemble_in_core};
+use rimroll::{Options, Release, State, Surface, ensemble as ensemble_in_core};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -102,10 +102,10 @@ pub fn state([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [f64; 6]) -> Sta
     }
 }
 
-/// Which of the starts is the first that `ensemble` and `exact_turns` refuse, if they do.
+/// Which of the rows is the first that `ensemble` and `exact_turns` refuse for its body or start, if they do.
 #[pyfunction]
 pub fn first_refused(
-    body: BodyArgument,
+    bodies: BodiesArgument<'_>,
     starts: StartsArgument<'_>,
     gravity: f64,
     topple_tilt: Option<f64>,
@@ -115,20 +115,24 @@ pub fn first_refused(
         topple_tilt,
         ..Options::default()
     };
-    Ok(options.first_refused(&body.body()?, starts.starts()?))
+    let bodies = bodies.bodies()?;
+    let rows = starts.starts()?.enumerate();
+    Ok(options.first_refused(rows.map(|(row, start)| (of_row(&bodies, row), start))))
 }
 
 /// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the outcomes by their place in
 /// `OUTCOMES`; and what has stopped the work, if anything has: then the rows are of the first starts.
-/// `grip` has a factor of the friction for each start; `threads` = 0 means as many as there are
+/// `varied` has the numbers of the surface that differ between starts, `grip` a factor of the friction for each;
+/// `threads` = 0 means as many as there are
 /// processors; `progress` is called now and then with the number of falls done.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn ensemble<'py>(
     py: Python<'py>,
-    body: BodyArgument,
+    bodies: BodiesArgument<'py>,
     starts: StartsArgument<'py>,
     surface: SurfaceArgument,
+    varied: VariedArgument<'py>,
     grip: PyReadonlyArray1<'py, f64>,
     duration: f64,
     gravity: f64,
@@ -145,19 +149,27 @@ pub fn ensemble<'py>(
         topple_tilt,
         max_steps,
     };
-    let (body, surface) = (body.body()?, surface.surface()?);
+    let bodies = bodies.bodies()?;
+    let surfaces: Vec<Surface> = if varied.is_empty() {
+        vec![surface.surface()?]
+    } else {
+        let surfaces: Result<_, _> = surface.varied(&varied)?.collect();
+        surfaces.map_err(refusal)?
+    };
     let grip = grip.as_array();
-    let trials: Vec<(State, Surface)> = starts
-        .starts()?
-        .zip(grip.iter())
-        .map(|(start, &factor)| (start, surface.clone().with_grip(factor)))
+    let rows = starts.starts()?.zip(grip.iter()).enumerate();
+    let trials: Vec<Release<'_>> = rows
+        .map(|(row, (start, &factor))| {
+            let surface = of_row(&surfaces, row).clone().with_grip(factor);
+            (of_row(&bodies, row), start, surface)
+        })
         .collect();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
         .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let watched = Watched::default();
-    let follow = || ensemble_in_core(&body, &trials, &options, |falls| watched.count(falls));
+    let follow = || ensemble_in_core(&trials, &options, |falls| watched.count(falls));
     let (falls, stopped) = py.detach(|| {
         std::thread::scope(|scope| {
             let (tell, told) = channel();

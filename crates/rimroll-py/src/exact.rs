@@ -1,14 +1,13 @@
 //! Turns by quadrature.
 
-use crate::arguments::{BodyArgument, ideal_law, refusal};
+use crate::arguments::{BodiesArgument, ideal_law, of_row, refusal};
 use crate::ensemble::{StartsArgument, Watched, state};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use rimroll::State;
-use rimroll::motion::PARAMETERS;
-use rimroll::turn::exact::{Exact, ExactTurn};
+use rimroll::motion::{Outcome, PARAMETERS};
+use rimroll::turn::exact::{ExactRows, ExactTurn};
 use std::sync::mpsc::channel;
 
 /// What is told of a turn, in the order of [`numbers`].
@@ -35,7 +34,7 @@ type Table<'py> = Bound<'py, PyArray2<f64>>;
 #[allow(clippy::too_many_arguments)]
 pub fn exact_turns<'py>(
     py: Python<'py>,
-    body: BodyArgument,
+    bodies: BodiesArgument<'py>,
     starts: StartsArgument<'py>,
     law_name: &str,
     gravity: f64,
@@ -43,8 +42,7 @@ pub fn exact_turns<'py>(
     threads: usize,
     jacobian: bool,
 ) -> PyResult<(Bound<'py, PyArray2<u8>>, Table<'py>, Option<Table<'py>>)> {
-    let exact = Exact::new(&body.body()?, ideal_law(law_name)?, gravity, topple_tilt);
-    let exact = exact.map_err(refusal)?;
+    let (bodies, law) = (bodies.bodies()?, ideal_law(law_name)?);
     let columns = starts.columns()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
@@ -53,17 +51,21 @@ pub fn exact_turns<'py>(
     let watched = Watched::default();
     let work = || {
         let goes_on = || watched.count(0).is_continue();
-        let starts: Vec<State> = (0..columns[0].len())
+        let rows: Vec<_> = (0..columns[0].len())
             .into_par_iter()
-            .map(|i| state(columns.map(|column| column[i])))
+            .map(|row| {
+                let start = state(columns.map(|column| column[row]));
+                (of_row(&bodies, row), start)
+            })
             .collect();
-        let slopes = jacobian.then(|| exact.turn_slopes_while(&starts, goes_on));
+        let exact = ExactRows::new(law, gravity, topple_tilt, &rows);
+        let slopes = jacobian.then(|| exact.turn_slopes_while(goes_on));
         let slopes = slopes.transpose()?.flatten();
-        let turns = exact.turns_while(&starts, goes_on)?.unwrap_or_default();
-        let codes = |turn: &ExactTurn| [turn.ending as u8, exact.outcome(turn) as u8];
+        let turns = exact.turns_while(goes_on)?.unwrap_or_default();
+        let codes = |&(turn, outcome): &(ExactTurn, Outcome)| [turn.ending as u8, outcome as u8];
         Ok(Told {
             codes: by_columns(&turns, codes),
-            table: by_columns(&turns, numbers),
+            table: by_columns(&turns, |(turn, _)| numbers(turn)),
             slopes: slopes.map(|slopes| by_columns(&slopes, |slopes| *slopes)),
         })
     };

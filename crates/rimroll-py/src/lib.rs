@@ -18,9 +18,9 @@ mod _core {
 
     #[pymodule_export]
     use crate::bodies::{
-        body_from_solids, check_body, check_solid, cylinder, disc, filling, hollow_cylinder,
-        preset_battery, preset_beer_bottle, preset_can_2007, preset_coin, preset_cylinder,
-        preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
+        body_from_solids, check_body, check_solid, cylinder, disc, filling, first_bad_body,
+        hollow_cylinder, preset_battery, preset_beer_bottle, preset_can_2007, preset_coin,
+        preset_cylinder, preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
     };
     #[pymodule_export]
     use crate::ensemble::{ensemble, first_refused};
@@ -33,9 +33,9 @@ mod _core {
     #[pymodule_export]
     use crate::theory::{
         CoreNearCollision, CorePasted, arrival, balance_tilt, check_surface, disk_turn_limit,
-        error_law_coefficient, friction_at, lift_off_rate, needed_friction, painleve_friction,
-        passage, point_mass_turn_limit, slip_rate, steady_wobble_rate, tall_turn_limit, turn_limit,
-        turn_limit_with_spin,
+        error_law_coefficient, first_bad_surface, friction_at, lift_off_rate, needed_friction,
+        painleve_friction, passage, point_mass_turn_limit, slip_rate, steady_wobble_rate,
+        tall_turn_limit, turn_limit, turn_limit_with_spin,
     };
 
     #[pymodule_init]

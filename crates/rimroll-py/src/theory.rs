@@ -1,6 +1,8 @@
 //! Closed forms and the paper's two approximations.
 
-use crate::arguments::{BodyArgument, StateArgument, SurfaceArgument, ideal_law, refusal};
+use crate::arguments::{
+    BodyArgument, StateArgument, SurfaceArgument, VariedArgument, ideal_law, refusal,
+};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::law::DryFriction;
@@ -37,6 +39,16 @@ pub fn friction_at<'py>(
     let speeds = speeds.as_array();
     let frictions: Vec<f64> = speeds.iter().map(|&v| table.coefficient(v)).collect();
     Ok(frictions.into_pyarray(py))
+}
+
+/// The first of many surfaces that cannot be, and why, if there is one.
+#[pyfunction]
+pub fn first_bad_surface(
+    surface: SurfaceArgument,
+    varied: VariedArgument<'_>,
+) -> PyResult<Option<(usize, String)>> {
+    let mut each = surface.varied(&varied)?.enumerate();
+    Ok(each.find_map(|(row, surface)| surface.err().map(|error| (row, error.to_string()))))
 }
 
 #[pyfunction]

@@ -1,9 +1,9 @@
 //! What an exact turn costs: microseconds on one thread, of starts that rock, of a flick that topples and of
-//! throws of all kinds, with what becomes of them. The time of the thread is Linux's.
+//! throws of all kinds, with what becomes of them; for one body, and for a body in each row. The time of the thread is Linux's.
 
 use rimroll::motion::Outcome;
-use rimroll::turn::exact::{Exact, ExactTurn};
-use rimroll::{IdealLaw, State, presets};
+use rimroll::turn::exact::{Exact, ExactRows};
+use rimroll::{Body, IdealLaw, State, presets};
 
 /// Numbers between 0 and 1 without a pattern.
 fn random(seed: &mut u64) -> f64 {
@@ -52,16 +52,32 @@ fn seconds() -> f64 {
 }
 
 /// The least of some runs, which is the least disturbed, in microseconds a turn.
-fn measured(exact: &Exact, starts: &[State], runs: usize) -> (Vec<ExactTurn>, f64) {
+fn measured<T>(count: usize, runs: usize, work: impl Fn() -> T) -> (T, f64) {
     let once = |_| {
         let begin = seconds();
-        let turns = exact.turns(starts).expect("valid");
-        (turns, (seconds() - begin) / starts.len() as f64 * 1e6)
+        let turns = work();
+        (turns, (seconds() - begin) / count as f64 * 1e6)
     };
     (0..runs)
         .map(once)
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .expect("a run")
+}
+
+/// Bodies that move alike, and of which no two are equal.
+fn all_but_equal(body: &Body, n: usize) -> Vec<Body> {
+    let heavier = |i: usize| {
+        let more = 1.0 + 1e-13 * i as f64;
+        let (transverse, axial) = (body.transverse_inertia(), body.axial_inertia());
+        Body::new(
+            more * body.mass(),
+            body.radius(),
+            body.height(),
+            more * transverse,
+            more * axial,
+        )
+    };
+    (0..n).map(|i| heavier(i).expect("a body")).collect()
 }
 
 fn main() {
@@ -84,8 +100,20 @@ fn main() {
                 continue;
             }
             let exact = Exact::new(&can, law, 9.8, None).expect("valid");
-            let (turns, cost) = pool.install(|| measured(&exact, &starts(kind, n), runs));
-            print!("{kind:8} {:13} {cost:7.3} us ", law.name());
+            let starts = starts(kind, n);
+            let of_one = || exact.turns(&starts).expect("valid");
+            let (turns, cost) = pool.install(|| measured(n, runs, of_one));
+            let bodies = all_but_equal(&can, n.min(1 << 11));
+            let rows: Vec<_> = bodies.iter().zip(starts.iter().copied()).collect();
+            let of_each = || {
+                let exact = ExactRows::new(law, 9.8, None, &rows);
+                exact.turns_while(|| true).expect("valid")
+            };
+            let (_, cost_of_each) = pool.install(|| measured(rows.len(), runs, of_each));
+            print!(
+                "{kind:8} {:13} {cost:7.3} us, {cost_of_each:7.3} us with a body a row ",
+                law.name()
+            );
             for ending in Outcome::ALL {
                 let count = turns.iter().filter(|turn| turn.ending == ending).count();
                 if count > 0 {

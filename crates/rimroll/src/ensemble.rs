@@ -4,8 +4,9 @@
 //! there are, in whatever order, on however many threads. Falls of the common kind, under one of the
 //! paper's two laws or under dry friction, go sixteen at a time in lanes ([`Lanes`](crate::real::Lanes)):
 //!
+//! * `piece`, `limits`: some of the trials, with the numbers of each body, and what a fall must not cross unseen;
 //! * `carried`: the coordinates that such a fall needs, and their rates, by the laws that hold everywhere;
-//! * `lockstep`: one step of sixteen falls, each of its own length;
+//! * `lockstep`: one step of sixteen falls, each of its own body, friction and length;
 //! * `pool`: sixteen places; looks into a step where something may have happened, and lands on it by
 //!   steps made shorter; a fall that is over gives its place to the next;
 //! * `onset`: how slip comes out of rest;
@@ -16,8 +17,10 @@
 
 mod carried;
 mod dry;
+mod limits;
 mod lockstep;
 mod onset;
+mod piece;
 mod pool;
 mod together;
 mod trial;
@@ -45,8 +48,11 @@ const FEWEST: usize = 128;
 /// under some laws far longer.
 const ALONE: usize = 32;
 
-/// Follows a body from each start, on its surface, through the first turn; on the threads of the pool
-/// that it is called from.
+/// A trial: what is let go, from where and on what.
+pub type Release<'a> = (&'a Body, State, Surface);
+
+/// Follows each body from its start, on its surface, through the first turn; on the threads of the pool
+/// that it is called from. Rows of one body are somewhat faster side by side than mixed with others.
 ///
 /// `watch` is called by these threads after each piece of work with the number of falls in it, with 0 before
 /// each fall that is followed by itself, and can end the work early, from the first time that it says so: then
@@ -55,32 +61,24 @@ const ALONE: usize = 32;
 /// # Errors
 /// As [`simulate`](crate::simulate), for the first trial that is refused.
 pub fn ensemble(
-    body: &Body,
-    trials: &[(State, Surface)],
+    trials: &[Release<'_>],
     options: &Options,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Vec<Fall>, InvalidInput> {
-    // Options are checked where nothing starts, too, by a start that no option refuses.
-    let any = State {
-        tilt: f64::MIN_POSITIVE,
-        ..State::default()
-    };
-    let checked = options.checked(body, &any)?;
-    for (start, surface) in trials {
+    for (.., surface) in trials {
         surface.check()?;
-        checked.check(start)?;
     }
-    let work = |piece: &[(State, Surface)], goes_on: &dyn Fn() -> bool| {
-        together(body, piece, &checked, goes_on)
-    };
+    options.check_all(trials.iter().map(|&(body, start, _)| (body, start)))?;
+    let work =
+        |piece: &[Release<'_>], goes_on: &dyn Fn() -> bool| together(piece, options, goes_on);
     Ok(done_in_order(trials, work, watch))
 }
 
 /// The trials as pieces of work for some threads: the last are small, so that no thread waits long for another.
-fn pieces(
-    mut trials: &[(State, Surface)],
+fn pieces<'a>(
+    mut trials: &'a [Release<'a>],
     threads: usize,
-) -> impl Iterator<Item = &[(State, Surface)]> {
+) -> impl Iterator<Item = &'a [Release<'a>]> {
     core::iter::from_fn(move || {
         // One thread waits for none.
         let full = match threads {
@@ -88,7 +86,7 @@ fn pieces(
             _ => (trials.len() / (4 * threads)).clamp(FEWEST, MOST),
         };
         let mut size = 0;
-        let taken = trials.iter().take_while(|(_, surface)| {
+        let taken = trials.iter().take_while(|(.., surface)| {
             let goes_in = size < full;
             size += if go_in_lanes(surface) { 1 } else { ALONE };
             goes_in
@@ -102,8 +100,8 @@ fn pieces(
 /// watch ended the work.
 #[cfg(feature = "threads")]
 fn done_in_order<R: Send>(
-    trials: &[(State, Surface)],
-    work: impl Fn(&[(State, Surface)], &dyn Fn() -> bool) -> Vec<R> + Sync,
+    trials: &[Release<'_>],
+    work: impl Fn(&[Release<'_>], &dyn Fn() -> bool) -> Vec<R> + Sync,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Vec<R> {
     use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
@@ -148,8 +146,8 @@ fn done_in_order<R: Send>(
 
 #[cfg(not(feature = "threads"))]
 fn done_in_order<R>(
-    trials: &[(State, Surface)],
-    work: impl Fn(&[(State, Surface)], &dyn Fn() -> bool) -> Vec<R>,
+    trials: &[Release<'_>],
+    work: impl Fn(&[Release<'_>], &dyn Fn() -> bool) -> Vec<R>,
     watch: impl Fn(usize) -> ControlFlow<()>,
 ) -> Vec<R> {
     let mut all = Vec::with_capacity(trials.len());
@@ -166,24 +164,32 @@ fn done_in_order<R>(
 
 #[cfg(test)]
 mod tests {
-    use super::{ALONE, FEWEST, MOST, pieces};
+    use super::{ALONE, FEWEST, MOST, Release, pieces};
+    use crate::body::Body;
     use crate::law::IdealLaw;
     use crate::state::State;
     use crate::surface::{FrictionLaw, Surface};
 
-    fn trials(count: usize, surface: impl Into<Surface>) -> Vec<(State, Surface)> {
+    fn can() -> Body {
+        crate::presets::can_2007().expect("the paper's can")
+    }
+
+    fn trials(body: &Body, count: usize, surface: impl Into<Surface>) -> Vec<Release<'_>> {
         let surface = surface.into();
         let numbered = |i| State {
             tilt: i as f64,
             ..State::default()
         };
-        (0..count).map(|i| (numbered(i), surface.clone())).collect()
+        (0..count)
+            .map(|i| (body, numbered(i), surface.clone()))
+            .collect()
     }
 
     #[test]
     fn pieces_are_all_of_the_trials_in_order_and_end_small() {
+        let can = can();
         for (count, threads) in [(0, 2), (1, 2), (1000, 2), (54_321, 2), (54_321, 32)] {
-            let trials = trials(count, IdealLaw::NoSlip);
+            let trials = trials(&can, count, IdealLaw::NoSlip);
             let pieces: Vec<_> = pieces(&trials, threads).collect();
             assert_eq!(pieces.concat(), trials);
             let sizes: Vec<usize> = pieces.iter().map(|piece| piece.len()).collect();
@@ -196,7 +202,8 @@ mod tests {
     #[test]
     fn falls_that_go_by_themselves_are_few_in_a_piece() {
         let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
-        let trials = trials(1000, viscous);
+        let can = can();
+        let trials = trials(&can, 1000, viscous);
         let pieces: Vec<_> = pieces(&trials, 2).collect();
         assert_eq!(pieces.concat(), trials);
         let most = pieces.iter().map(|piece| piece.len()).max();
@@ -206,23 +213,24 @@ mod tests {
     #[test]
     fn falls_of_both_kinds_share_the_pieces() {
         let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
-        let rolling = trials(3000, IdealLaw::NoSlip);
+        let can = can();
+        let rolling = trials(&can, 3000, IdealLaw::NoSlip);
         // Every tenth goes by itself.
         let trials: Vec<_> = rolling
             .iter()
             .enumerate()
-            .map(|(i, (start, surface))| match i % 10 {
-                0 => (*start, Surface::from(&viscous)),
-                _ => (*start, surface.clone()),
+            .map(|(i, (body, start, surface))| match i % 10 {
+                0 => (*body, *start, Surface::from(&viscous)),
+                _ => (*body, *start, surface.clone()),
             })
             .collect();
         for (threads, full) in [(1, MOST), (2, 3000 / 8), (8, FEWEST)] {
             let pieces: Vec<_> = pieces(&trials, threads).collect();
             assert_eq!(pieces.concat(), trials);
-            let alone_in = |piece: &[(State, Surface)]| {
+            let alone_in = |piece: &[Release<'_>]| {
                 let alone = piece
                     .iter()
-                    .filter(|(_, surface)| surface.friction == viscous);
+                    .filter(|(.., surface)| surface.friction == viscous);
                 alone.count()
             };
             assert!(alone_in(pieces[0]) > 0 && alone_in(pieces[0]) < pieces[0].len());
@@ -242,19 +250,19 @@ mod tests {
         use core::ops::ControlFlow;
         use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-        let can = crate::presets::can_2007().expect("the paper's can");
-        let trials: Vec<_> = trials(100, FrictionLaw::Viscous { coefficient: 1.0 })
+        let can = can();
+        let trials: Vec<_> = trials(&can, 100, FrictionLaw::Viscous { coefficient: 1.0 })
             .into_iter()
-            .map(|(start, surface)| (State { tilt: 0.3, ..start }, surface))
+            .map(|(body, start, surface)| (body, State { tilt: 0.3, ..start }, surface))
             .collect();
         let go_on = |_| ControlFlow::Continue(());
-        let whole = ensemble(&can, &trials, &Options::default(), go_on).expect("valid starts");
+        let whole = ensemble(&trials, &Options::default(), go_on).expect("valid starts");
         let begun = AtomicUsize::new(0);
         let watch = |falls| match begun.fetch_add(usize::from(falls == 0), Relaxed) {
             0..6 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };
-        let stopped = || ensemble(&can, &trials, &Options::default(), watch);
+        let stopped = || ensemble(&trials, &Options::default(), watch);
         let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         let falls = one_thread.expect("a pool").install(stopped);
         assert_eq!(falls.expect("valid starts"), whole[..6]);

@@ -27,7 +27,7 @@ pub use frictionless::Frictionless;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
 pub use sliding::{DryFriction, Friction, Pull, Sliding};
-pub(crate) use sliding::{DryLaw, Pace};
+pub(crate) use sliding::{DryLaw, Pace, SlidingDry};
 pub use stribeck::Stribeck;
 pub(crate) use tabulated::MOST_FRICTION;
 pub use tabulated::Tabulated;
@@ -35,7 +35,7 @@ pub use viscous::Viscous;
 
 use crate::body::Body;
 use crate::error::InvalidInput;
-use crate::real::Real;
+use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
 /// The body and gravity as the equations of motion use them: the paper's letters, SI units.
@@ -54,6 +54,8 @@ pub struct Parameters<T> {
     /// Gravity, m/s².
     pub g: T,
 }
+
+fieldwise!(Parameters { m, r, h, a, c, g; });
 
 impl<T: Copy> Parameters<T> {
     /// [m, R, H, A, C, g], as another kind of number.
@@ -90,19 +92,6 @@ impl<T: Real> Parameters<T> {
             a: body.transverse_inertia().into(),
             c: body.axial_inertia().into(),
             g: gravity.into(),
-        }
-    }
-
-    /// The same in numbers of another type.
-    #[inline(always)]
-    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Parameters<U> {
-        Parameters {
-            m: f(self.m),
-            r: f(self.r),
-            h: f(self.h),
-            a: f(self.a),
-            c: f(self.c),
-            g: f(self.g),
         }
     }
 

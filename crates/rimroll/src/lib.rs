@@ -64,7 +64,7 @@ pub mod turn;
 mod yardstick;
 
 pub use body::Body;
-pub use ensemble::ensemble;
+pub use ensemble::{Release, ensemble};
 pub use error::InvalidInput;
 pub use law::IdealLaw;
 pub use motion::{Motion, Options, Status, simulate};

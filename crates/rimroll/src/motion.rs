@@ -99,17 +99,38 @@ impl Options {
         (0.02 * self.rtol).max(5e-15)
     }
 
-    /// Which of many starts is the first from which no motion can be computed, if any is.
-    pub fn first_refused(
+    /// Which of many bodies and starts are the first from which no motion can be computed, if any are.
+    pub fn first_refused<'a>(
         &self,
-        body: &Body,
-        starts: impl IntoIterator<Item = State>,
+        starts: impl IntoIterator<Item = (&'a Body, State)>,
     ) -> Option<usize> {
-        let mut starts = starts.into_iter();
-        match self.completed(body) {
-            Ok(options) => starts.position(|start| options.check(&start).is_err()),
-            Err(_) => starts.next().map(|_| 0),
-        }
+        let mut checks = self.checks(starts);
+        checks.position(|check| check.is_err())
+    }
+
+    /// Checks many bodies and starts.
+    pub(crate) fn check_all<'a>(
+        &self,
+        starts: impl IntoIterator<Item = (&'a Body, State)>,
+    ) -> Result<(), InvalidInput> {
+        // Also where nothing starts.
+        self.check_numbers()?;
+        self.checks(starts).collect()
+    }
+
+    fn checks<'a>(
+        &self,
+        starts: impl IntoIterator<Item = (&'a Body, State)>,
+    ) -> impl Iterator<Item = Result<(), InvalidInput>> {
+        let mut last: Option<(&Body, Options)> = None;
+        starts.into_iter().map(move |(body, start)| {
+            let options = match last {
+                Some((known, options)) if known == body => options,
+                _ => self.completed(body)?,
+            };
+            last = Some((body, options));
+            options.check(&start)
+        })
     }
 
     /// Checks the numbers and a start, and fills in the body's own topple tilt.
@@ -121,6 +142,30 @@ impl Options {
 
     /// Checks the numbers and fills in the body's own topple tilt.
     fn completed(mut self, body: &Body) -> Result<Options, InvalidInput> {
+        self.check_numbers()?;
+        self.topple_tilt = self.topple_tilt_of(body);
+        if let Some(topple) = self.topple_tilt {
+            // Past this tilt the centre of mass would be under the table.
+            let most = (FRAC_PI_2 + body.balance_tilt()).min(PI);
+            let within = topple > 0.0 && (topple <= FRAC_PI_2 || topple < most);
+            if !within {
+                // Put into words only where it is needed: this is asked of every body.
+                let bound =
+                    format!("inside (0, {most}), where the centre of mass is over the table");
+                bounded("topple_tilt", topple, |_| false, &bound, "rad")?;
+            }
+        }
+        Ok(self)
+    }
+
+    /// The tilt (rad) at which a body counts as toppled, if at any.
+    pub(crate) fn topple_tilt_of(&self, body: &Body) -> Option<f64> {
+        let has_side = body.height() > 0.0;
+        self.topple_tilt.or_else(|| has_side.then_some(FRAC_PI_2))
+    }
+
+    /// Checks the numbers that bound any motion, of whatever body.
+    fn check_numbers(&self) -> Result<(), InvalidInput> {
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;
         bounded(
@@ -138,17 +183,7 @@ impl Options {
                 unit: "",
             });
         }
-        if self.topple_tilt.is_none() && body.height() > 0.0 {
-            self.topple_tilt = Some(FRAC_PI_2);
-        }
-        if let Some(topple) = self.topple_tilt {
-            // Past this tilt the centre of mass would be under the table.
-            let most = (FRAC_PI_2 + body.balance_tilt()).min(PI);
-            let within = |tilt| tilt > 0.0 && (tilt <= FRAC_PI_2 || tilt < most);
-            let bound = format!("inside (0, {most}), where the centre of mass is over the table");
-            bounded("topple_tilt", topple, within, &bound, "rad")?;
-        }
-        Ok(self)
+        Ok(())
     }
 
     /// Checks a start, by options that are complete.

@@ -7,6 +7,7 @@
 
 mod dual;
 mod elementary;
+mod fieldwise;
 mod lanes;
 mod register;
 mod widest;
@@ -14,6 +15,8 @@ mod widest;
 mod x86;
 
 pub(crate) use elementary::{Parted, asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
+
+pub(crate) use fieldwise::fieldwise;
 
 pub use dual::{Dual, Slope, Slopes};
 pub(crate) use lanes::{Bits, Mask, Packed, Part, Vector};

@@ -2,7 +2,7 @@
 //! clock that dry friction is followed by. Steps of one motion and of sixteen in lanes are held to the same.
 
 use crate::law::Parameters;
-use crate::real::Real;
+use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
 /// Added to what may be 0 and is divided by.
@@ -24,6 +24,8 @@ pub(crate) struct Yardstick<T> {
     slow: T,
 }
 
+fieldwise!(Yardstick { mass, radius, falling_rate, per_falling_rate, slow; });
+
 impl<T: Real> Yardstick<T> {
     pub(crate) fn new(k: &Parameters<T>) -> Self {
         // Beside the speed of falling.
@@ -35,18 +37,6 @@ impl<T: Real> Yardstick<T> {
             falling_rate,
             per_falling_rate: T::from(1.0) / falling_rate,
             slow: T::from(ENDING) * k.r * falling_rate,
-        }
-    }
-
-    /// The same for numbers of another type.
-    #[inline(always)]
-    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Yardstick<U> {
-        Yardstick {
-            mass: f(self.mass),
-            radius: f(self.radius),
-            falling_rate: f(self.falling_rate),
-            per_falling_rate: f(self.per_falling_rate),
-            slow: f(self.slow),
         }
     }
 

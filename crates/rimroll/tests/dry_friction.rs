@@ -39,9 +39,9 @@ fn options(rtol: f64) -> Options {
 }
 
 fn in_ensemble(case: &Case, rtol: f64) -> Fall {
-    let trials = [(case.start, case.surface())];
+    let trials = [(&case.body, case.start, case.surface())];
     let watch = |_| ControlFlow::Continue(());
-    ensemble(&case.body, &trials, &options(rtol), watch).expect("a valid start")[0]
+    ensemble(&trials, &options(rtol), watch).expect("a valid start")[0]
 }
 
 fn alone(case: &Case, rtol: f64) -> Fall {

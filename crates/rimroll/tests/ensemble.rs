@@ -11,8 +11,8 @@ use core::ops::ControlFlow;
 use proptest::prelude::*;
 use rimroll::motion::{EventKind, Fall, Outcome, fall};
 use rimroll::{
-    Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, State, Status, Surface, ensemble,
-    presets, simulate,
+    Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, Release, State, Status, Surface,
+    ensemble, presets, simulate,
 };
 
 fn surfaces() -> impl Strategy<Value = Surface> {
@@ -127,6 +127,38 @@ proptest! {
     }
 
     #[test]
+    fn a_fall_among_those_of_other_bodies_is_that_of_its_body_alone_to_the_last_bit(
+        trials in prop::collection::vec((any_body(), starts(), surfaces()), 1..80),
+    ) {
+        // Every third is a disk, which topples at no tilt unless one is given.
+        let disk = |body: &Body| {
+            let (transverse, axial) = (body.transverse_inertia(), body.axial_inertia());
+            Body::new(body.mass(), body.radius(), 0.0, transverse, axial).expect("a disk")
+        };
+        let bodies: Vec<Body> = trials
+            .iter()
+            .enumerate()
+            .map(|(i, (body, ..))| if i % 3 == 0 { disk(body) } else { *body })
+            .collect();
+        let releases: Vec<Release<'_>> = bodies
+            .iter()
+            .zip(&trials)
+            .map(|(body, (_, start, surface))| (body, *start, surface.clone()))
+            .collect();
+        for topple_tilt in [None, Some(1.5)] {
+            let options = Options { topple_tilt, ..options() };
+            let together = of_many_bodies(&releases, &options);
+            let reversed: Vec<_> = releases.iter().rev().cloned().collect();
+            let mut backward = of_many_bodies(&reversed, &options);
+            backward.reverse();
+            prop_assert_eq!(&together, &backward);
+            for (release, found) in releases.iter().zip(&together) {
+                prop_assert_eq!(&of_many_bodies(&[release.clone()], &options)[0], found);
+            }
+        }
+    }
+
+    #[test]
     fn a_fall_in_an_ensemble_is_that_fall(
         body in any_body(), start in starts(), surface in surfaces(),
     ) {
@@ -146,8 +178,14 @@ proptest! {
 }
 
 fn all(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
+    let with_body = |(start, surface): &(State, Surface)| (body, *start, surface.clone());
+    let releases: Vec<_> = trials.iter().map(with_body).collect();
+    of_many_bodies(&releases, options)
+}
+
+fn of_many_bodies(releases: &[Release<'_>], options: &Options) -> Vec<Fall> {
     let watch = |_| ControlFlow::Continue(());
-    ensemble(body, trials, options, watch).expect("valid starts")
+    ensemble(releases, options, watch).expect("valid starts")
 }
 
 fn same_kind(a: &Fall, b: &Fall) -> bool {
@@ -177,6 +215,7 @@ fn near(a: &Fall, b: &Fall, within: f64) -> bool {
 #[test]
 fn the_number_of_threads_makes_no_difference() {
     let can = presets::can_2007().expect("the paper's can");
+    let coin = presets::coin().expect("a coin");
     let trials: Vec<_> = (0..3000)
         .map(|i| {
             let tilt = 0.3 + 1e-4 * f64::from(i);
@@ -187,13 +226,14 @@ fn the_number_of_threads_makes_no_difference() {
                 ..State::default()
             };
             let friction = 0.05 + 1e-4 * f64::from(i);
-            (start, Surface::from(FrictionLaw::coulomb(friction)))
+            let body = if i % 7 == 0 { &coin } else { &can };
+            (body, start, Surface::from(FrictionLaw::coulomb(friction)))
         })
         .collect();
     let by = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.expect("threads")
-            .install(|| all(&can, &trials, &options()))
+            .install(|| of_many_bodies(&trials, &options()))
     };
     let one = by(1);
     assert!(one.iter().all(|fall| fall.turn.is_some()));
@@ -210,10 +250,10 @@ fn what_is_done_before_the_watch_ends_the_work_is_kept() {
         yaw_rate: 0.01,
         ..State::default()
     };
-    let trials = vec![(start, Surface::from(IdealLaw::NoSlip)); 5000];
-    let whole = all(&can, &trials, &options());
+    let trials = vec![(&can, start, Surface::from(IdealLaw::NoSlip)); 5000];
+    let whole = of_many_bodies(&trials, &options());
     let stop = |_| ControlFlow::Break(());
-    let some = ensemble(&can, &trials, &options(), stop).expect("valid starts");
+    let some = ensemble(&trials, &options(), stop).expect("valid starts");
     assert!(!some.is_empty() && some.len() < whole.len());
     assert_eq!(some, whole[..some.len()]);
 }
@@ -253,9 +293,9 @@ fn one_bad_start_is_refused_for_all() {
     };
     let bad = State { tilt: -0.4, ..good };
     let surface = Surface::from(IdealLaw::NoSlip);
-    let trials = [(good, surface.clone()), (bad, surface)];
+    let trials = [(&can, good, surface.clone()), (&can, bad, surface)];
     let watch = |_| ControlFlow::Continue(());
-    let refused = ensemble(&can, &trials, &options(), watch);
+    let refused = ensemble(&trials, &options(), watch);
     assert!(matches!(
         refused,
         Err(InvalidInput::OutOfBounds { field: "tilt", .. })
@@ -264,7 +304,6 @@ fn one_bad_start_is_refused_for_all() {
 
 #[test]
 fn bad_options_are_refused_even_where_nothing_starts() {
-    let can = presets::can_2007().expect("the paper's can");
     let watch = |_| ControlFlow::Continue(());
     let falls = |gravity: f64| {
         let options = Options {
@@ -272,7 +311,7 @@ fn bad_options_are_refused_even_where_nothing_starts() {
             topple_tilt: Some(1e-3),
             ..options()
         };
-        ensemble(&can, &[], &options, watch)
+        ensemble(&[], &options, watch)
     };
     assert_eq!(falls(9.8).expect("valid options"), []);
     assert!(matches!(

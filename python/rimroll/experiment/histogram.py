@@ -17,7 +17,7 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from rimroll import bodies, style
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.directions import around, away, middle_of
 from rimroll.ensemble import Array, body_of, law_of
 from rimroll.errors import RimrollError
@@ -114,7 +114,7 @@ def falls_figure(
     # A dataset is a mapping, too.
     several = isinstance(falls, Mapping) and not hasattr(falls, "attrs")
     shown = _shown(falls if several else {"": falls})  # type: ignore[arg-type]
-    body = body_of(shown[0].data)
+    body = one_body(body_of(shown[0].data))
     if any(body_of(one.data) != body for one in shown):
         raise RimrollError("falls in one figure must be those of one body")
     turns = _limits(shown)

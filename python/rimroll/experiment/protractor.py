@@ -21,8 +21,8 @@ from matplotlib.patches import Circle, Polygon, Rectangle, Wedge
 from matplotlib.patheffects import withStroke
 
 from rimroll._core import __version__
-from rimroll.body import Body
-from rimroll.errors import RimrollError, expect
+from rimroll.body import Body, one_body
+from rimroll.errors import RimrollError
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.names import choose
 from rimroll.style import figure_style
@@ -98,7 +98,7 @@ def sheet(body: Body, name: str = "", paper: str = "a4") -> Figure:
 
     Raises ``RimrollError`` for another paper, and for a rim too wide for it.
     """
-    expect("body", body, Body)
+    one_body(body)
     kind = choose("paper", paper, PAPERS)
     if body.radius > widest(kind):
         raise RimrollError(

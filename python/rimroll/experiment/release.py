@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
-from rimroll.errors import RimrollError, expect
+from rimroll.body import Body, one_body
+from rimroll.errors import RimrollError
 from rimroll.experiment.normal import chance_below, quantiles
 from rimroll.given import Number, number, whole_number
 from rimroll.names import choose
@@ -78,7 +78,7 @@ class Release:
 
         Raises ``RimrollError`` with the nearest name when there is none such.
         """
-        expect("body", body, Body)
+        one_body(body)
         gravity = number("gravity", gravity, "m/s^2")
         if not 0.0 < gravity < math.inf:
             raise RimrollError(f"gravity must be > 0 and finite, got {gravity} m/s2")

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.ensemble import OPTIONS, body_of, follow, law_of
-from rimroll.errors import RimrollError, expect
+from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
 from rimroll.given import Number
-from rimroll.laws import IDEAL, Law, contact_law
+from rimroll.laws import IDEAL, Law, one_law
 from rimroll.options import Options
 from rimroll.state import State
 from rimroll.theory import arrival, turn_limit
@@ -93,8 +93,8 @@ def let_go(
     progress: Callable[[int, int], object] | None = None,
 ) -> Falls:
     """What :func:`topple` computes, in plain columns; arguments and errors are its own."""
-    expect("body", body, Body)
-    contact_law(law)
+    one_body(body)
+    one_law(law)
     if isinstance(release, str):
         release = Release.named(release, body, options.gravity)
     if not isinstance(release, Release):
@@ -134,7 +134,7 @@ def limits(falls: Falls | xr.Dataset) -> dict[str, float]:
     tilt and tilt rate, with its mean grip; without sideways rates. Where there is none, as when it
     then lifts off, the law is left out.
     """
-    body, law = body_of(falls), law_of(falls)
+    body, law = one_body(body_of(falls)), one_law(law_of(falls))
     found = {ideal.name: turn_limit(body, ideal) for ideal in IDEAL}
     if law.name not in found:
         gripped = _gripped(law, _mean(falls, "grip"))

@@ -1,7 +1,7 @@
 //! What is carried along of a fall while its contact stays the same: of the coordinates only those that
 //! the outcome needs. First come those that the law feels; the rest is summed up on the way.
 
-use crate::law::{Coulomb, Frictionless, Law, NoSlip, Pace, Parameters, Sliding};
+use crate::law::{Coulomb, Frictionless, Law, NoSlip, Pace, Parameters, Sliding, SlidingDry};
 use crate::real::Real;
 use crate::state::Coordinates;
 use crate::yardstick::{Yardstick, slip_speed};
@@ -17,8 +17,11 @@ pub(super) trait Carried<T: Real, const N: usize> {
     /// The same for other numbers.
     type Like<U: Real>: Carried<U, N>;
 
-    /// The same for other numbers under another friction.
-    fn like<U: Real + From<T>>(&self, friction: U) -> Self::Like<U>;
+    /// The same in other numbers.
+    fn like<U: Real>(&self, f: impl Fn(&T) -> U) -> Self::Like<U>;
+
+    /// Writes each number of the body and its friction into its counterpart.
+    fn write_to<U: Real>(&self, to: &mut Self::Like<U>, f: impl Fn(&T, &mut U));
 
     /// The coordinates that are carried, out of all.
     fn of(u: &Coordinates<T>) -> [T; N];
@@ -80,12 +83,22 @@ impl<T: Real, const DRY: bool> Carried<T, 7> for Rolling<T, DRY> {
     type Like<U: Real> = Rolling<U, DRY>;
 
     #[inline(always)]
-    fn like<U: Real + From<T>>(&self, static_friction: U) -> Rolling<U, DRY> {
+    fn like<U: Real>(&self, f: impl Fn(&T) -> U) -> Rolling<U, DRY> {
         Rolling {
-            law: self.law.map(U::from),
-            static_friction_squared: static_friction * static_friction,
-            yardstick: self.yardstick.map(U::from),
+            law: self.law.map(&f),
+            static_friction_squared: f(&self.static_friction_squared),
+            yardstick: self.yardstick.map(&f),
         }
+    }
+
+    #[inline(always)]
+    fn write_to<U: Real>(&self, to: &mut Rolling<U, DRY>, f: impl Fn(&T, &mut U)) {
+        self.law.write(&mut to.law, &f);
+        f(
+            &self.static_friction_squared,
+            &mut to.static_friction_squared,
+        );
+        self.yardstick.write(&mut to.yardstick, &f);
     }
 
     carries!(sin, cos, p, w, s, yaw, t; 7);
@@ -132,11 +145,17 @@ impl<T: Real> Carried<T, 7> for Gliding<T> {
     type Like<U: Real> = Gliding<U>;
 
     #[inline(always)]
-    fn like<U: Real + From<T>>(&self, _friction: U) -> Gliding<U> {
+    fn like<U: Real>(&self, f: impl Fn(&T) -> U) -> Gliding<U> {
         Gliding {
-            law: self.law.map(U::from),
-            yardstick: self.yardstick.map(U::from),
+            law: self.law.map(&f),
+            yardstick: self.yardstick.map(&f),
         }
+    }
+
+    #[inline(always)]
+    fn write_to<U: Real>(&self, to: &mut Gliding<U>, f: impl Fn(&T, &mut U)) {
+        self.law.write(&mut to.law, &f);
+        self.yardstick.write(&mut to.yardstick, &f);
     }
 
     carries!(sin, cos, p, w, s, yaw, t; 7);
@@ -158,8 +177,9 @@ impl<T: Real> Carried<T, 7> for Gliding<T> {
 }
 
 /// Sliding under dry friction, by a clock that slows down with the slip.
+#[derive(Clone, Copy)]
 pub(super) struct Slipping<T> {
-    law: Sliding<T, Coulomb<T>>,
+    law: SlidingDry<T>,
     yardstick: Yardstick<T>,
 }
 
@@ -217,11 +237,17 @@ impl<T: Real> Carried<T, 10> for Slipping<T> {
     type Like<U: Real> = Slipping<U>;
 
     #[inline(always)]
-    fn like<U: Real + From<T>>(&self, friction: U) -> Slipping<U> {
+    fn like<U: Real>(&self, f: impl Fn(&T) -> U) -> Slipping<U> {
         Slipping {
-            law: self.law.map(Coulomb { friction }, U::from),
-            yardstick: self.yardstick.map(U::from),
+            law: self.law.map(&f),
+            yardstick: self.yardstick.map(&f),
         }
+    }
+
+    #[inline(always)]
+    fn write_to<U: Real>(&self, to: &mut Slipping<U>, f: impl Fn(&T, &mut U)) {
+        self.law.write(&mut to.law, &f);
+        self.yardstick.write(&mut to.yardstick, &f);
     }
 
     // The root of the slip's speed is what takes longest, and so it is begun first.

@@ -2,17 +2,15 @@
 //! one to the other and back.
 
 use super::carried::{Carried, Rolling, Slipping};
-use super::lockstep::Limits;
 use super::onset::{Beginning, Begun, begin};
+use super::piece::{BodyNumbers, Piece};
 use super::pool::{Exit, Pool};
 use super::trial::Trial;
-use crate::body::Body;
-use crate::law::{Law, NoSlip, Parameters};
-use crate::motion::{Contacts, Fall, Next, Options, stopped};
+use crate::law::{Law, NoSlip};
+use crate::motion::{Contacts, Fall, Next, stopped};
 use crate::real::LANES;
-use crate::state::{Coordinates, State};
-use crate::surface::{FrictionLaw, Surface};
-use crate::yardstick::Yardstick;
+use crate::state::Coordinates;
+use crate::surface::FrictionLaw;
 
 type RollingPool<'a> = Pool<'a, Rolling<f64, true>, 7>;
 type SlippingPool<'a> = Pool<'a, Slipping<f64>, 10>;
@@ -39,39 +37,17 @@ enum Begins {
 }
 
 pub(super) struct Dry<'a> {
-    body: &'a Body,
-    trials: &'a [(State, Surface)],
-    options: &'a Options,
-    limits: &'a Limits,
-    parameters: Parameters<f64>,
-    yardstick: Yardstick<f64>,
-    rolling: NoSlip<f64>,
-    /// Without friction.
-    slipping: Slipping<f64>,
+    piece: &'a Piece<'a>,
     /// The length of a slip's first step, in first steps.
     onset: f64,
     done: &'a mut [Option<Fall>],
 }
 
 impl<'a> Dry<'a> {
-    pub(super) fn new(
-        body: &'a Body,
-        trials: &'a [(State, Surface)],
-        options: &'a Options,
-        limits: &'a Limits,
-        done: &'a mut [Option<Fall>],
-    ) -> Self {
-        let parameters = Parameters::new(body, options.gravity);
+    pub(super) fn new(piece: &'a Piece<'a>, done: &'a mut [Option<Fall>]) -> Self {
         Dry {
-            body,
-            trials,
-            options,
-            limits,
-            parameters,
-            yardstick: Yardstick::new(&parameters),
-            rolling: NoSlip::new(parameters),
-            slipping: Slipping::new(parameters, 0.0),
-            onset: onset_length(limits.tolerance),
+            piece,
+            onset: onset_length(piece.limits.tolerance),
             done,
         }
     }
@@ -79,8 +55,10 @@ impl<'a> Dry<'a> {
     /// Follows the falls from some of the trials; those that meet with what is rare are left undone.
     pub(super) fn follow(&mut self, waiting: impl Iterator<Item = usize>) {
         let mut waiting = waiting.peekable();
-        let mut rolling = RollingPool::new(self.parameters, self.limits);
-        let mut slipping = SlippingPool::new(self.parameters, self.limits);
+        let Some(&first) = waiting.peek() else { return };
+        let (body, limits) = (self.piece.body(first), &self.piece.limits);
+        let mut rolling = RollingPool::new(body, limits);
+        let mut slipping = SlippingPool::new(body, limits);
         let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
         let mut to_slip: Vec<ToSlip> = Vec::with_capacity(2 * LANES);
         let mut slipped: Vec<Waiting> = Vec::with_capacity(2 * LANES);
@@ -93,7 +71,8 @@ impl<'a> Dry<'a> {
                     break;
                 };
                 let (_, held_by) = self.frictions(&trial);
-                rolling.put(trial, &at, held_by, h);
+                let body = self.body(&trial);
+                rolling.put(trial, &at, (body, held_by), h);
             }
             while slipping.len() < LANES {
                 if slipped.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
@@ -103,7 +82,8 @@ impl<'a> Dry<'a> {
                     break;
                 };
                 let (friction, _) = self.frictions(&trial);
-                slipping.put(trial, &at, friction, h);
+                let body = self.body(&trial);
+                slipping.put(trial, &at, (body, friction), h);
             }
             if rolling.len() + slipping.len() + to_slip.len() == 0 {
                 if waiting.peek().is_some() {
@@ -131,9 +111,13 @@ impl<'a> Dry<'a> {
         }
     }
 
+    fn body(&self, trial: &Trial) -> &'a BodyNumbers {
+        self.piece.body(trial.index)
+    }
+
     /// Coefficients of friction: of slipping and static.
     fn frictions(&self, trial: &Trial) -> (f64, f64) {
-        match self.trials[trial.index].1.friction {
+        match self.piece.trials[trial.index].2.friction {
             FrictionLaw::Coulomb {
                 friction,
                 static_friction,
@@ -142,14 +126,16 @@ impl<'a> Dry<'a> {
         }
     }
 
+    fn slipping(&self, trial: &Trial) -> Slipping<f64> {
+        Slipping::new(self.body(trial).parameters, self.frictions(trial).0)
+    }
+
     fn contacts(&self, trial: &Trial) -> Contacts {
-        let surface = &self.trials[trial.index].1;
-        Contacts::new(
-            self.body,
-            surface,
-            self.options.gravity,
-            self.limits.tolerance,
-        )
+        let (body, _, surface) = &self.piece.trials[trial.index];
+        let Piece {
+            options, limits, ..
+        } = self.piece;
+        Contacts::new(body, surface, options.gravity, limits.tolerance)
     }
 
     /// The next of the trials that begins by rolling; those that begin to slip wait elsewhere.
@@ -160,11 +146,12 @@ impl<'a> Dry<'a> {
     ) -> Option<Waiting> {
         while to_slip.len() < LANES {
             let index = waiting.next()?;
-            let at = Coordinates::from_state(&self.trials[index].0);
-            if !self.limits.are_far_from(&at) {
+            let at = Coordinates::from_state(&self.piece.trials[index].1);
+            let (body, limits) = (self.piece.body(index), &self.piece.limits);
+            if !limits.are_far_from(&at, &body.topple) {
                 continue;
             }
-            let trial = Trial::new(index, &at, self.limits, &self.parameters, false);
+            let trial = Trial::new(index, &at, limits, body, false);
             let contacts = self.contacts(&trial);
             match self.going_on(trial, contacts.settle(&at), &at) {
                 Some(Begins::Rolling(waiting)) => return Some(waiting),
@@ -179,7 +166,7 @@ impl<'a> Dry<'a> {
     fn going_on(&self, mut trial: Trial, next: Next, at: &Coordinates<f64>) -> Option<Begins> {
         match next {
             Next::Roll => {
-                let h = self.yardstick.first_step(at);
+                let h = self.body(&trial).yardstick.first_step(at);
                 let at = *at;
                 Some(Begins::Rolling(Waiting { trial, at, h }))
             }
@@ -189,9 +176,9 @@ impl<'a> Dry<'a> {
                     friction_loss,
                     ..*at
                 };
-                let h = self.onset * self.yardstick.first_step(&at);
-                let friction = self.frictions(&trial).0;
-                let beginning = Beginning::from_rest(&at, direction, friction, h);
+                let h = self.onset * self.body(&trial).yardstick.first_step(&at);
+                let slipping = self.slipping(&trial);
+                let beginning = Beginning::from_rest(&at, direction, slipping, h);
                 trial.slid = true;
                 Some(Begins::Slipping(ToSlip {
                     trial,
@@ -205,8 +192,8 @@ impl<'a> Dry<'a> {
 
     /// The direction (unit vector) against the friction that holds a rolling rim: that in which it begins
     /// to slip, but for what it takes more to let go than to slip.
-    fn against_friction(&self, at: &Coordinates<f64>) -> [f64; 2] {
-        let needed = self.rolling.contact(at);
+    fn against_friction(&self, trial: &Trial, at: &Coordinates<f64>) -> [f64; 2] {
+        let needed = NoSlip::new(self.body(trial).parameters).contact(at);
         let size = (needed.along * needed.along + needed.across * needed.across).sqrt();
         if size > 0.0 {
             [-needed.along / size, -needed.across / size]
@@ -224,7 +211,8 @@ impl<'a> Dry<'a> {
         // A lane without a fall of its own repeats the last.
         let beginnings =
             core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
-        let begun = begin(&self.slipping, &beginnings, self.limits.tolerance);
+        let limits = &self.piece.limits;
+        let begun = begin(&beginnings, limits.tolerance);
         for (i, begun) in begun.take(to_slip.len() - first).enumerate() {
             to_slip[first + i].begun = Some(begun);
         }
@@ -234,10 +222,10 @@ impl<'a> Dry<'a> {
                 Some(Begun::Follow(at, h)) => {
                     let ToSlip { trial, .. } = to_slip.swap_remove(i);
                     // What happens while it begins to slip is left to be found elsewhere.
-                    let friction = self.frictions(&trial).0;
-                    let lasts = self.slipping.like(friction).holds(&Slipping::of(&at)) > 0.0;
+                    let lasts = self.slipping(&trial).holds(&Slipping::of(&at)) > 0.0;
                     let is_on_its_way = trial.direction * at.p > 0.0;
-                    if lasts && is_on_its_way && self.limits.are_far_from(&at) {
+                    let topple = &self.body(&trial).topple;
+                    if lasts && is_on_its_way && limits.are_far_from(&at, topple) {
                         slipped.push(Waiting { trial, at, h });
                     }
                 }
@@ -254,11 +242,12 @@ impl<'a> Dry<'a> {
                     friction_loss,
                     ..*at
                 };
-                self.done[trial.index] = Some(trial.fall(&self.parameters, status, &at));
+                self.done[trial.index] =
+                    Some(trial.fall(&self.body(&trial).parameters, status, &at));
                 None
             }
             Exit::GivesWay => {
-                let against = self.against_friction(at);
+                let against = self.against_friction(&trial, at);
                 self.going_on(trial, Next::BeginToSlip(against), at)
             }
             Exit::Stops | Exit::Rare => None,
@@ -273,12 +262,13 @@ impl<'a> Dry<'a> {
     ) -> Option<Begins> {
         match exit {
             Exit::Over(status) => {
-                self.done[trial.index] = Some(trial.fall(&self.parameters, status, at));
+                self.done[trial.index] =
+                    Some(trial.fall(&self.body(&trial).parameters, status, at));
                 None
             }
             Exit::Stops => {
                 let contacts = self.contacts(&trial);
-                let stopped = stopped(&contacts, at, self.limits.tolerance);
+                let stopped = stopped(&contacts, at, self.piece.limits.tolerance);
                 trial.friction_loss = stopped.friction_loss;
                 let rolling = Coordinates {
                     friction_loss: 0.0,
@@ -299,7 +289,8 @@ fn onset_length(tolerance: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dry, Limits};
+    use super::super::piece::Piece;
+    use super::Dry;
     use crate::motion::Options;
     use crate::presets;
     use crate::state::State;
@@ -319,7 +310,7 @@ mod tests {
                     spin_rate: libm::pow(10.0, -5.0 + 4.0 * part(i, 0.414_213_562)),
                     ..State::default()
                 };
-                (start, FrictionLaw::coulomb(0.2).into())
+                (&can, start, FrictionLaw::coulomb(0.2).into())
             })
             .collect();
         for rtol in [1e-6, 1e-9] {
@@ -327,9 +318,9 @@ mod tests {
                 rtol,
                 ..Options::default()
             };
-            let limits = Limits::of(&options);
+            let piece = Piece::new(&trials, &options);
             let mut done = vec![None; trials.len()];
-            Dry::new(&can, &trials, &options, &limits, &mut done).follow(0..trials.len());
+            Dry::new(&piece, &mut done).follow(0..trials.len());
             let left = done.iter().filter(|fall| fall.is_none()).count();
             assert_eq!(left, 0, "at {rtol}");
         }

@@ -2,12 +2,11 @@
 //! bad by itself.
 
 use super::carried::Carried;
-use crate::motion::{FACE_DOWN_TILT, Options};
-use crate::real::{Bits, Lanes, Mask, Part, Real, Task, Vector, in_widest};
+use super::limits::{Limits, Topple};
+use crate::real::{Bits, Lanes, Mask, Part, Task, Vector, in_widest};
 use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
-use crate::yardstick::Yardstick;
 
 /// Sixteen motions under way.
 pub(super) struct Lockstep<const N: usize> {
@@ -27,6 +26,8 @@ pub(super) struct Lockstep<const N: usize> {
     pub free: Lanes,
     /// Steps made.
     pub steps: Lanes,
+    /// Where each topples.
+    pub topple: Topple<Lanes>,
     /// Where the step that was tried has led.
     pub end: [Lanes; N],
     /// The rates there.
@@ -38,59 +39,6 @@ pub(super) struct Lockstep<const N: usize> {
     pub inside: Lanes,
     /// The rates at each stage of the step, first of all those where it begins.
     stages: [[Lanes; N]; 16],
-}
-
-/// What must not be crossed unseen.
-pub(super) struct Limits {
-    /// Sine and cosine of the tilt at which a body counts as toppled.
-    pub topple: (f64, f64),
-    /// s.
-    pub duration: f64,
-    /// Below this sine the base may be flat.
-    pub flat: f64,
-    /// What one step may err, relative to the sizes.
-    pub tolerance: f64,
-    /// A tilt rate counts as having a sign when it is larger than this part of its size.
-    pub significant: f64,
-    /// A fall of more steps is followed by itself.
-    pub most_steps: f64,
-}
-
-impl Limits {
-    /// The limits of falls with these options, which have been checked.
-    pub(super) fn of(options: &Options) -> Limits {
-        Limits {
-            // Beyond the tilt π no body gets.
-            topple: options.topple_tilt.map_or((0.0, -1.0), libm::sincos),
-            duration: options.duration,
-            flat: 10.0 * FACE_DOWN_TILT,
-            tolerance: options.step_tolerance(),
-            significant: 10.0 * options.rtol,
-            most_steps: (options.max_steps as f64).min(2000.0) - 1.0,
-        }
-    }
-
-    /// Whether a fall that starts here has some way to go to a limit.
-    pub(super) fn are_far_from(&self, u: &Coordinates<f64>) -> bool {
-        let in_time = u.t < self.duration && self.most_steps > 0.0;
-        u.sin > self.flat && u.cos > 0.0 && self.below_topple(u) > 0.0 && in_time
-    }
-
-    /// The sine of the tilt that is missing to where the body counts as toppled.
-    #[inline(always)]
-    pub(super) fn below_topple<T: Real>(&self, u: &Coordinates<T>) -> T {
-        let (sin, cos) = self.topple;
-        u.cos * T::from(sin) - u.sin * T::from(cos)
-    }
-
-    /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
-    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, by: &Yardstick<f64>) -> f64 {
-        if u.p.abs() > self.significant * by.tilt_rate(u) {
-            u.p.signum()
-        } else {
-            0.0
-        }
-    }
 }
 
 /// What a step may run into.
@@ -152,6 +100,7 @@ impl<const N: usize> Lockstep<N> {
             direction: zero,
             free: zero,
             steps: zero,
+            topple: Topple::at(None).map(|&number| Lanes::from(number)),
             end: [zero; N],
             end_rates: [zero; N],
             end_sizes: [zero; N],
@@ -201,25 +150,16 @@ impl<const N: usize> Lockstep<N> {
         self.steps.0[lane] += 1.0;
     }
 
-    /// Tries a step of each motion, and takes it where it is good and quiet; `friction` is that of each.
-    pub(super) fn step<P: Carried<f64, N>>(
-        &mut self,
-        phase: &P,
-        friction: &Lanes,
-        limits: &Limits,
-    ) -> Outcome {
-        in_widest(Step(self, phase, friction, limits))
+    /// Tries a step of each motion, and takes it where it is good and quiet; `phase` has the body and friction of
+    /// each.
+    pub(super) fn step<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
+        in_widest(Step(self, phase, limits))
     }
 
     #[inline(always)]
-    fn step_in<V: Vector, P: Carried<f64, N>>(
-        &mut self,
-        phase: &P,
-        friction: &Lanes,
-        limits: &Limits,
-    ) -> Outcome {
-        self.attempt(&phase.like(V::Part::from(0.0)), friction);
-        let phase = phase.like(V::load(friction));
+    fn step_in<V: Vector, P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
+        self.attempt::<V::Part, P>(phase);
+        let phase = phase.like(V::load);
         let (end, end_rates) = (V::load_all(&self.end), V::load_all(&self.end_rates));
         let sizes = phase.sizes(&end);
         let estimate = self.estimate(&sizes, limits.tolerance);
@@ -229,7 +169,7 @@ impl<const N: usize> Lockstep<N> {
         // In the order of `MARKS`.
         let levels = [
             V::load(&self.direction) * at.p,
-            limits.below_topple(&at),
+            self.topple.map(V::load).below(&at),
             V::from(limits.duration) - at.t,
             phase.holds(&end),
         ];
@@ -261,27 +201,25 @@ impl<const N: usize> Lockstep<N> {
     /// One step of the method of order 8, some of the lanes after the other in each stage: while some wait for
     /// the last of a formula, the others begin.
     #[inline(always)]
-    fn attempt<V: Part, P: Carried<V, N>>(&mut self, phase: &P, friction: &Lanes) {
+    fn attempt<V: Part, P: Carried<Lanes, N>>(&mut self, phase: &P) {
+        const { assert!(V::PARTS <= 2) };
         self.inside = Lanes::from(f64::INFINITY);
+        // Loaded once: the compiler cannot know that the stages leave the laws as they are.
+        let first = phase.like(|lanes| V::load_part(lanes, 0));
+        let last = phase.like(|lanes| V::load_part(lanes, V::PARTS - 1));
         for i in 0..=STAGES.len() {
-            for part in 0..V::PARTS {
-                self.stage::<V, P>(i, part, phase, friction);
+            self.stage(i, 0, &first);
+            if V::PARTS > 1 {
+                self.stage(i, 1, &last);
             }
         }
     }
 
     /// A stage of the step of some lanes, where the last leads to its end.
     #[inline(always)]
-    fn stage<V: Part, P: Carried<V, N>>(
-        &mut self,
-        i: usize,
-        part: usize,
-        phase: &P,
-        friction: &Lanes,
-    ) {
+    fn stage<V: Part, P: Carried<V, N>>(&mut self, i: usize, part: usize, phase: &P) {
         // Asked once rather than for every number.
         assert!(part < V::PARTS, "a part");
-        let phase = phase.like(V::load_part(friction, part));
         let (u, h) = (V::load_parts(&self.u, part), V::load_part(&self.h, part));
         if i == STAGES.len() {
             let end = combine(&u, h, SOLUTION, &self.stages, part, N);
@@ -293,7 +231,7 @@ impl<const N: usize> Lockstep<N> {
         V::store_parts(phase.rates(&at), &mut self.stages[i + 1], part);
         // At 1/3, 3/5 and 6/7 of the step.
         if matches!(i, 4 | 8 | 9) {
-            let tilting = V::load_part(&self.direction, part) * P::Like::<V>::all(&at).p;
+            let tilting = V::load_part(&self.direction, part) * P::all(&at).p;
             let inside = V::load_part(&self.inside, part);
             let inside = inside.min(tilting).min(phase.holds(&at));
             inside.store_part(&mut self.inside, part);
@@ -372,16 +310,16 @@ impl<const N: usize> Lockstep<N> {
     }
 }
 
-/// A step to be tried: the motions, their phase, their friction and their limits.
-struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Lanes, &'a Limits);
+/// A step to be tried: the motions, their phase and their limits.
+struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Limits);
 
-impl<P: Carried<f64, N>, const N: usize> Task for Step<'_, P, N> {
+impl<P: Carried<Lanes, N>, const N: usize> Task for Step<'_, P, N> {
     type Done = Outcome;
 
     #[inline(always)]
     fn run<V: Vector>(self) -> Outcome {
-        let Step(lockstep, phase, friction, limits) = self;
-        lockstep.step_in::<V, P>(phase, friction, limits)
+        let Step(lockstep, phase, limits) = self;
+        lockstep.step_in::<V, P>(phase, limits)
     }
 }
 
@@ -467,7 +405,8 @@ pub(super) fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::super::carried::{Carried, Gliding, Rolling, Slipping};
-    use super::{Limits, Lockstep, Outcome};
+    use super::super::limits::Limits;
+    use super::{Lockstep, Outcome};
     use crate::law::Parameters;
     use crate::motion::Options;
     use crate::presets;
@@ -499,14 +438,14 @@ mod tests {
     }
 
     /// Twenty steps.
-    struct Steps<'a, P>(&'a P, &'a Lanes, &'a Limits);
+    struct Steps<'a, P>(&'a P, &'a Limits);
 
-    impl<P: Carried<f64, N>, const N: usize> Task for (Steps<'_, P>, Lockstep<N>) {
+    impl<P: Carried<Lanes, N>, const N: usize> Task for (Steps<'_, P>, Lockstep<N>) {
         type Done = (Vec<Outcome>, Lockstep<N>);
 
         fn run<V: Vector>(self) -> Self::Done {
-            let (Steps(phase, friction, limits), mut lockstep) = self;
-            let step = |_| lockstep.step_in::<V, P>(phase, friction, limits);
+            let (Steps(phase, limits), mut lockstep) = self;
+            let step = |_| lockstep.step_in::<V, P>(phase, limits);
             ((0..20).map(step).collect(), lockstep)
         }
     }
@@ -514,8 +453,9 @@ mod tests {
     fn assert_steps_alike<P: Carried<f64, N>, const N: usize>(friction: f64) {
         let can = presets::can_2007().expect("the paper's can");
         let phase = P::new(Parameters::new(&can, 9.8), friction);
-        let (friction, limits) = (Lanes::from(friction), Limits::of(&Options::default()));
-        let steps = || (Steps(&phase, &friction, &limits), cans(&phase));
+        let in_lanes = phase.like(|&number| Lanes::from(number));
+        let limits = Limits::of(&Options::default());
+        let steps = || (Steps(&in_lanes, &limits), cans(&phase));
         let done = in_every_width(steps);
         let (first_outcomes, first) = &done[0];
         assert!(first.steps.0.iter().all(|&steps| steps > 5.0));

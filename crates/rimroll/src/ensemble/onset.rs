@@ -55,8 +55,8 @@ pub(super) struct Beginning {
     direction: [f64; 2],
     /// m/s.
     speed: f64,
-    /// μ.
-    friction: f64,
+    /// The body under its friction.
+    slipping: Slipping<f64>,
     /// How long a step to make, by the clock that does not slow down.
     h: f64,
     steps: usize,
@@ -67,7 +67,7 @@ impl Beginning {
     pub(super) fn from_rest(
         at: &Coordinates<f64>,
         direction: [f64; 2],
-        friction: f64,
+        slipping: Slipping<f64>,
         h: f64,
     ) -> Self {
         let at = Coordinates {
@@ -79,7 +79,7 @@ impl Beginning {
             at,
             direction,
             speed: 0.0,
-            friction,
+            slipping,
             h,
             steps: 0,
         }
@@ -98,16 +98,19 @@ pub(super) enum Begun {
 
 /// Makes a step in each of sixteen slips.
 pub(super) fn begin(
-    slipping: &Slipping<f64>,
     beginnings: &[Beginning; LANES],
     tolerance: f64,
 ) -> impl Iterator<Item = Begun> + use<> {
+    let mut slipping = beginnings[0].slipping.like(|&number| Lanes::from(number));
+    for (lane, beginning) in beginnings.iter().enumerate().skip(1) {
+        let write = |number: &f64, lanes: &mut Lanes| lanes.0[lane] = *number;
+        beginning.slipping.write_to(&mut slipping, write);
+    }
     let lanes = |f: fn(&Beginning) -> f64| Packed(beginnings.each_ref().map(f));
     let starts: [[f64; N]; LANES] =
         beginnings.map(|beginning| <Slipping<f64> as Carried<f64, N>>::of(&beginning.at));
     let found = in_widest(Beginnings {
-        slipping,
-        friction: lanes(|b| b.friction),
+        slipping: &slipping,
         direction: [lanes(|b| b.direction[0]), lanes(|b| b.direction[1])],
         start: core::array::from_fn(|i| Packed(starts.map(|start| start[i]))),
         speed: lanes(|b| b.speed),
@@ -121,9 +124,7 @@ pub(super) fn begin(
 /// What sixteen slips begin with.
 #[derive(Clone, Copy)]
 struct Beginnings<'a> {
-    /// Without friction.
-    slipping: &'a Slipping<f64>,
-    friction: Lanes,
+    slipping: &'a Slipping<Lanes>,
     direction: [Lanes; 2],
     start: [Lanes; N],
     speed: Lanes,
@@ -137,7 +138,7 @@ impl Task for Beginnings<'_> {
     #[inline(always)]
     fn run<V: Vector>(self) -> Found {
         let mut together = Together {
-            slipping: self.slipping.like(V::load(&self.friction)),
+            slipping: self.slipping.like(V::load),
             direction: V::load_all(&self.direction),
             start: V::load_all(&self.start),
             speed: V::load(&self.speed),
@@ -514,7 +515,8 @@ mod tests {
     #[test]
     fn the_width_of_the_registers_changes_no_bit() {
         let can = presets::can_2007().expect("the paper's can");
-        let slipping = &Slipping::new(Parameters::new(&can, 9.8), 0.0);
+        let slipping = Slipping::new(Parameters::new(&can, 9.8), 0.1);
+        let slipping = &slipping.like(|&number| Lanes::from(number));
         // Every other one slips already.
         let speed: Lanes = Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64));
         let starts: [[f64; N]; LANES] = from_fn(|lane| {
@@ -531,7 +533,6 @@ mod tests {
         });
         let done = in_every_width(|| Beginnings {
             slipping,
-            friction: Lanes::from(0.1),
             direction: [Lanes::from(1.0), Lanes::from(0.0)],
             start: from_fn(|i| Packed(starts.map(|start| start[i]))),
             speed,
@@ -547,7 +548,8 @@ mod tests {
     #[test]
     fn a_slip_under_way_does_not_feel_those_beside_it() {
         let can = presets::can_2007().expect("the paper's can");
-        let slipping = &Slipping::new(Parameters::new(&can, 9.8), 0.0);
+        let slipping = Slipping::new(Parameters::new(&can, 9.8), 0.1);
+        let slipping = &slipping.like(|&number| Lanes::from(number));
         let start = State {
             tilt: 0.03,
             tilt_rate: -1.0,
@@ -563,7 +565,6 @@ mod tests {
             start[1] = Packed(speed.0.map(|speed| speed * sin));
             in_widest(Beginnings {
                 slipping,
-                friction: Lanes::from(0.1),
                 direction: [Lanes::from(cos), Lanes::from(sin)],
                 start,
                 speed,

@@ -2,9 +2,10 @@
 //! when its place is free for the next.
 
 use super::carried::Carried;
-use super::lockstep::{Limits, Lockstep, MARKS, Mark, Outcome, lanes_of};
+use super::limits::{Limits, Topple};
+use super::lockstep::{Lockstep, MARKS, Mark, Outcome, lanes_of};
+use super::piece::BodyNumbers;
 use super::trial::Trial;
-use crate::law::Parameters;
 use crate::motion::Status;
 use crate::real::{LANES, Lanes};
 use crate::solve::bracketed_in;
@@ -38,35 +39,57 @@ struct Landing {
 const MOST_ROUNDS: usize = 40;
 
 /// Sixteen places, and the laws there.
-pub(super) struct Pool<'a, A, const N: usize> {
+pub(super) struct Pool<'a, A: Carried<f64, N>, const N: usize> {
     limits: &'a Limits,
-    parameters: Parameters<f64>,
     lockstep: Lockstep<N>,
-    friction: Lanes,
-    /// Without friction.
-    contact: A,
-    alone: [A; LANES],
+    /// The laws in all lanes.
+    contact: A::Like<Lanes>,
+    places: [Place<A>; LANES],
     trials: [Option<Trial>; LANES],
     landings: [Option<Landing>; LANES],
-    yardstick: Yardstick<f64>,
     count: usize,
+}
+
+/// A body under a friction in one of the lanes.
+#[derive(Clone)]
+struct Place<A> {
+    /// The place of the body in the piece of work, and the coefficient of friction.
+    of: (usize, f64),
+    alone: A,
+    yardstick: Yardstick<f64>,
+    topple: Topple<f64>,
+}
+
+impl<A> Place<A> {
+    fn new<const N: usize>(body: &BodyNumbers, friction: f64) -> Self
+    where
+        A: Carried<f64, N>,
+    {
+        Place {
+            of: (body.place, friction),
+            alone: A::new(body.parameters, friction),
+            yardstick: body.yardstick,
+            topple: body.topple,
+        }
+    }
 }
 
 impl<'a, A, const N: usize> Pool<'a, A, N>
 where
     A: Carried<f64, N>,
 {
-    pub(super) fn new(parameters: Parameters<f64>, limits: &'a Limits) -> Self {
+    /// No falls yet; the laws of the lanes are at first those of a body without friction.
+    pub(super) fn new(body: &BodyNumbers, limits: &'a Limits) -> Self {
+        let place: Place<A> = Place::new(body, 0.0);
+        let mut lockstep = Lockstep::new();
+        lockstep.topple = body.topple.map(|&number| Lanes::from(number));
         Pool {
             limits,
-            parameters,
-            lockstep: Lockstep::new(),
-            friction: Lanes::from(0.0),
-            contact: A::new(parameters, 0.0),
-            alone: core::array::from_fn(|_| A::new(parameters, 0.0)),
+            lockstep,
+            contact: place.alone.like(|&number| Lanes::from(number)),
+            places: core::array::from_fn(|_| Place::new(body, 0.0)),
             trials: core::array::from_fn(|_| None),
             landings: core::array::from_fn(|_| None),
-            yardstick: Yardstick::new(&parameters),
             count: 0,
         }
     }
@@ -76,17 +99,23 @@ where
         self.count
     }
 
-    /// Takes in a fall, where there is a place; `h` is a first guess for the length of a step.
-    pub(super) fn put(&mut self, trial: Trial, at: &Coordinates<f64>, friction: f64, h: f64) {
+    /// Takes in a fall of a body under a friction, where there is a place; `h` is a first guess for the length of
+    /// a step.
+    pub(super) fn put(
+        &mut self,
+        trial: Trial,
+        at: &Coordinates<f64>,
+        (body, friction): (&BodyNumbers, f64),
+        h: f64,
+    ) {
         let Some(lane) = self.trials.iter().position(Option::is_none) else {
             unreachable!("a fall is put where there is a place");
         };
-        if self.friction.0[lane] != friction {
-            self.friction.0[lane] = friction;
-            self.alone[lane] = A::new(self.parameters, friction);
+        if self.places[lane].of != (body.place, friction) {
+            self.prepare(lane, Place::new(body, friction));
         }
         self.count += 1;
-        let (u, alone) = (A::of(at), &self.alone[lane]);
+        let (u, alone) = (A::of(at), &self.places[lane].alone);
         self.lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
         self.lockstep.h.0[lane] = h;
         self.lockstep.least_h.0[lane] = 1e-16 * h;
@@ -97,11 +126,17 @@ where
         self.landings[lane] = None;
     }
 
+    /// Makes a lane that of another body or friction.
+    fn prepare(&mut self, lane: usize, place: Place<A>) {
+        let write = |number: &f64, lanes: &mut Lanes| lanes.0[lane] = *number;
+        place.alone.write_to(&mut self.contact, write);
+        place.topple.write(&mut self.lockstep.topple, write);
+        self.places[lane] = place;
+    }
+
     /// Makes a step of each fall; those that leave are handed to `leave` with where they then are.
     pub(super) fn step(&mut self, mut leave: impl FnMut(Trial, Exit, &Coordinates<f64>)) {
-        let outcome = self
-            .lockstep
-            .step(&self.contact, &self.friction, self.limits);
+        let outcome = self.lockstep.step(&self.contact, self.limits);
         for lane in lanes_of(!outcome.settled) {
             if self.trials[lane].is_none() {
                 continue;
@@ -144,13 +179,16 @@ where
         let u = A::all(&self.lockstep.end_at(lane));
         let steps = self.lockstep.steps.0[lane];
         // A disk may stand on its edge; what topples at π/2 has its base upright, too.
-        let toppled = outcome.is_beyond(lane, Mark::Topple) && self.limits.topple.1 > -1e-9;
+        let toppled =
+            outcome.is_beyond(lane, Mark::Topple) && self.places[lane].topple.is_at_most_upright();
         let on_edge = u.cos <= 0.0 && !toppled;
         if u.sin <= self.limits.flat || on_edge || steps >= self.limits.most_steps {
             return Some((Exit::Rare, u));
         }
         if self.lockstep.direction.0[lane] == 0.0 {
-            self.lockstep.direction.0[lane] = self.limits.sign_of_tilt_rate(&u, &self.yardstick);
+            self.lockstep.direction.0[lane] = self
+                .limits
+                .sign_of_tilt_rate(&u, &self.places[lane].yardstick);
         }
         let target = self.landings[lane].as_ref().map(|landing| landing.mark);
         match (self.run_over(lane, target, outcome), target) {
@@ -199,7 +237,10 @@ where
         };
         // A tilt rate without a clear sign may be that of a steady wobble.
         let unclear = mark == Mark::Extreme
-            && self.limits.sign_of_tilt_rate(&u, &self.yardstick) == 0.0
+            && self
+                .limits
+                .sign_of_tilt_rate(&u, &self.places[lane].yardstick)
+                == 0.0
             && self.landings[lane].is_none();
         if unclear || rounds > MOST_ROUNDS {
             return Some((Exit::Rare, u));
@@ -307,16 +348,17 @@ where
         self.lockstep.accept(lane);
         self.lockstep.h.0[lane] = self.lockstep.next.0[lane];
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
-        let stops = self.alone[lane].slips_on(&end, &rates, self.limits.tolerance) < 0.0;
+        let alone = &self.places[lane].alone;
+        let stops = alone.slips_on(&end, &rates, self.limits.tolerance) < 0.0;
         stops.then(|| (Exit::Stops, A::all(&end)))
     }
 
     fn level(&self, lane: usize, mark: Mark, u: &[f64; N]) -> f64 {
         match mark {
             Mark::Extreme => self.lockstep.direction.0[lane] * A::all(u).p,
-            Mark::Topple => self.limits.below_topple(&A::all(u)),
+            Mark::Topple => self.places[lane].topple.below(&A::all(u)),
             Mark::Time => self.limits.duration - A::all(u).t,
-            Mark::Contact => self.alone[lane].holds(u),
+            Mark::Contact => self.places[lane].alone.holds(u),
         }
     }
 
@@ -358,21 +400,27 @@ fn fraction_crossed(first: (f64, f64), last: (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::carried::{Carried, Slipping};
-    use super::super::lockstep::Limits;
+    use super::super::piece::Piece;
     use super::super::trial::Trial;
     use super::{Exit, Pool};
-    use crate::law::Parameters;
     use crate::motion::Options;
     use crate::presets;
     use crate::state::{Coordinates, State};
+    use crate::surface::FrictionLaw;
 
     #[test]
     fn a_fall_whose_contact_does_not_last_leaves() {
         let can = presets::can_2007().expect("the paper's can");
-        let limits = Limits::of(&Options::default());
-        let parameters = Parameters::new(&can, 9.8);
         let friction = 0.2;
-        let phase = Slipping::new(parameters, friction);
+        let releases = [(
+            &can,
+            State::default(),
+            FrictionLaw::coulomb(friction).into(),
+        )];
+        let options = Options::default();
+        let piece = Piece::new(&releases, &options);
+        let (body, limits) = (piece.body(0), &piece.limits);
+        let phase = Slipping::new(body.parameters, friction);
         // So fast that the rim is pulled off the table, harder and harder or ever less.
         for tilt_rate in [-30.0, 30.0] {
             let start = State {
@@ -386,9 +434,9 @@ mod tests {
                 ..Coordinates::from_state(&start)
             };
             assert!(phase.holds(&Slipping::of(&at)) < 0.0);
-            let mut pool: Pool<'_, Slipping<f64>, 10> = Pool::new(parameters, &limits);
-            let trial = Trial::new(0, &at, &limits, &parameters, true);
-            pool.put(trial, &at, friction, 1e-4);
+            let mut pool: Pool<'_, Slipping<f64>, 10> = Pool::new(body, limits);
+            let trial = Trial::new(0, &at, limits, body, true);
+            pool.put(trial, &at, (body, friction), 1e-4);
             let mut left = None;
             for _ in 0..200 {
                 pool.step(|_, exit, _| left = Some(exit));

@@ -1,10 +1,10 @@
 //! A fall in the making.
 
-use super::lockstep::Limits;
+use super::limits::Limits;
+use super::piece::BodyNumbers;
 use crate::law::Parameters;
 use crate::motion::{Fall, Seen, Status, Turn};
 use crate::state::Coordinates;
-use crate::yardstick::Yardstick;
 
 /// What is to be remembered of a fall on its way.
 #[derive(Debug, Clone)]
@@ -33,7 +33,7 @@ impl Trial {
         index: usize,
         start: &Coordinates<f64>,
         limits: &Limits,
-        k: &Parameters<f64>,
+        body: &BodyNumbers,
         slid: bool,
     ) -> Trial {
         Trial {
@@ -41,7 +41,7 @@ impl Trial {
             from: *start,
             lowest: None,
             turned: false,
-            direction: limits.sign_of_tilt_rate(start, &Yardstick::new(k)),
+            direction: limits.sign_of_tilt_rate(start, &body.yardstick),
             steps: 0.0,
             slid,
             friction_loss: 0.0,

@@ -5,7 +5,7 @@
 //! [`motion`](crate::motion)).
 
 use super::{DryFriction, Friction, Pull};
-use crate::real::Real;
+use crate::real::{Real, fieldwise};
 
 /// The friction of a rim that slips.
 #[derive(Debug, Clone, Copy)]
@@ -13,6 +13,8 @@ pub struct Coulomb<T> {
     /// μ, of slipping.
     pub friction: T,
 }
+
+fieldwise!(Coulomb { friction; });
 
 impl<T: Real> Coulomb<T> {
     /// The friction on a slip in the direction of a unit vector, however small.

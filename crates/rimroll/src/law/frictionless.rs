@@ -16,7 +16,7 @@
 //! The centre of mass keeps its horizontal velocity; it is zero in the frame chosen here.
 
 use super::{Contact, Law, Parameters};
-use crate::real::Real;
+use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
 /// The law; made once for a body.
@@ -27,21 +27,14 @@ pub struct Frictionless<T> {
     c_over_a: T,
 }
 
+fieldwise!(Frictionless { c_over_a; k });
+
 impl<T: Real> Frictionless<T> {
     /// The law for one body under one gravity.
     pub fn new(k: Parameters<T>) -> Self {
         Frictionless {
             k,
             c_over_a: k.c / k.a,
-        }
-    }
-
-    /// The same law for numbers of another type.
-    #[inline(always)]
-    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> Frictionless<U> {
-        Frictionless {
-            k: self.k.map(&f),
-            c_over_a: f(self.c_over_a),
         }
     }
 

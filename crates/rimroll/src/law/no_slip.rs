@@ -16,7 +16,7 @@
 //! ```
 
 use super::{Contact, Law, Parameters};
-use crate::real::Real;
+use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
 /// The law; made once for a body, since its coefficients do not change on the way.
@@ -42,6 +42,10 @@ pub struct NoSlip<T> {
     c_over_r: T,
 }
 
+fieldwise!(NoSlip {
+    base_inertia, mhr, c_rolling, weight_of_cos, weight_of_sin, l_of_s, l_of_w, s_of_w, s_of_s, c_over_r; k
+});
+
 impl<T: Real> NoSlip<T> {
     /// The law for one body under one gravity.
     pub fn new(k: Parameters<T>) -> Self {
@@ -63,24 +67,6 @@ impl<T: Real> NoSlip<T> {
             s_of_w: mrr * k.a / determinant,
             s_of_s: k.c * mhr / determinant,
             c_over_r: k.c / k.r,
-        }
-    }
-
-    /// The same law for numbers of another type.
-    #[inline(always)]
-    pub(crate) fn map<U>(&self, f: impl Fn(T) -> U) -> NoSlip<U> {
-        NoSlip {
-            k: self.k.map(&f),
-            base_inertia: f(self.base_inertia),
-            mhr: f(self.mhr),
-            c_rolling: f(self.c_rolling),
-            weight_of_cos: f(self.weight_of_cos),
-            weight_of_sin: f(self.weight_of_sin),
-            l_of_s: f(self.l_of_s),
-            l_of_w: f(self.l_of_w),
-            s_of_w: f(self.s_of_w),
-            s_of_s: f(self.s_of_s),
-            c_over_r: f(self.c_over_r),
         }
     }
 

@@ -21,8 +21,8 @@
 //! inertia are here taken over m, which saves multiplications.
 //! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
 
-use super::{Contact, Law, Parameters, Resisted};
-use crate::real::Real;
+use super::{Contact, Coulomb, Law, Parameters, Resisted};
+use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
 /// The force T = N a + b of a table on a rim that slips.
@@ -146,23 +146,12 @@ struct Accelerations<T> {
     slip: [T; 2],
 }
 
-impl<T: Real, F> Sliding<T, F> {
-    /// The same law for numbers of another type, under another friction.
-    #[inline(always)]
-    pub(crate) fn map<U, G>(&self, friction: G, f: impl Fn(T) -> U) -> Sliding<U, G> {
-        Sliding {
-            k: self.k.map(&f),
-            friction,
-            per_mass: f(self.per_mass),
-            a: f(self.a),
-            c: f(self.c),
-            sideways_mobility: f(self.sideways_mobility),
-            c_over_a: f(self.c_over_a),
-            h_over_a: f(self.h_over_a),
-            r_over_c: f(self.r_over_c),
-        }
-    }
-}
+/// Sliding under dry friction.
+pub(crate) type SlidingDry<T> = Sliding<T, Coulomb<T>>;
+
+fieldwise!(SlidingDry {
+    per_mass, a, c, sideways_mobility, c_over_a, h_over_a, r_over_c; k, friction
+});
 
 impl<T: Real, F: Friction<T>> Sliding<T, F> {
     /// The law for one body under one gravity.

@@ -12,10 +12,11 @@
 //! * the part of the yaw that the collision alone makes in closed form ([`pieces`]).
 //!
 //! [`alone`] treats one start with all that can become of it; [`together`] sixteen at a time that rock,
-//! [`passing`] sixteen that topple.
+//! [`passing`] sixteen that topple. [`bodies`] sorts many starts by their bodies.
 
 mod alone;
 mod antiderivative;
+mod bodies;
 mod dispatch;
 mod extremes;
 mod fundamental;
@@ -41,6 +42,7 @@ use crate::law::{IdealLaw, Parameters};
 use crate::motion::{Fall, Options, Outcome, Status, fall};
 use crate::state::State;
 use alone::{Alone, Quadrature, Scalar};
+pub use bodies::ExactRows;
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use fundamental::Fundamental;

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.fitting.estimate import Estimate, Interval, estimate
 from rimroll.experiment.fitting.likelihood import (
@@ -181,7 +181,7 @@ def fit(
 
     Raises ``RimrollError`` for too few falls and numbers outside their bounds.
     """
-    expect("body", body, Body)
+    one_body(body)
     data = _checked(directions)
     expect("predicted", predicted, Predicted | None)
     callback("progress", progress)

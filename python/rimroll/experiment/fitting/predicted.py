@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.body import Body, one_body
 from rimroll.ensemble import follow
-from rimroll.errors import RimrollError, callback, expect
+from rimroll.errors import RimrollError, callback
 from rimroll.experiment import normal
 from rimroll.experiment.fitting import sobol
 from rimroll.experiment.release import Release
@@ -119,7 +119,7 @@ def predict_falls(
     Raises ``RimrollError`` for numbers outside their bounds and where the body neither topples nor
     rocks from such a release.
     """
-    expect("body", body, Body)
+    one_body(body)
     callback("progress", progress)
     gravity = number("gravity", gravity, "m/s^2")
     error = number("reading_error", reading_error, "rad")
@@ -196,7 +196,7 @@ def _enough(body: Body, release: Release, gravity: float) -> float:
         tipping = arrival(body, straight, NoSlip(), gravity).friction_ratio
     except RimrollError:
         tipping = needed
-    return 1.3 * max(needed, tipping, 0.1) / release.grip[0]
+    return float(1.3 * max(needed, tipping, 0.1) / release.grip[0])
 
 
 @dataclass(frozen=True)

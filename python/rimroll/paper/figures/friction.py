@@ -37,7 +37,8 @@ def draw() -> Drawing:
 
 def collision_time(turn: Turn) -> float:
     """φ_c/ω, s, from the yaw rate ψ̇ = √(J/K) ω/φ_c at the smallest tilt."""
-    return turn_limit(setting.CAN, NoSlip()) / (np.pi * abs(turn.yaw_rate))
+    limit: float = turn_limit(setting.CAN, NoSlip())
+    return limit / (np.pi * abs(turn.yaw_rate))
 
 
 def ratio_at_smallest_tilt(motion: Motion) -> float:

@@ -112,7 +112,7 @@ def lossless_flick(law: Law) -> float:
 def fastest_flick(law: Law) -> float:
     """The rate of tipping on arrival, rad/s, with which the rim leaves the table beforehand."""
     if law == NoSlip():
-        return lift_off_rate(setting.CAN, setting.GRAVITY)
+        return float(lift_off_rate(setting.CAN, setting.GRAVITY))
     return float(np.sqrt(setting.GRAVITY / setting.CAN.height))
 
 

@@ -64,7 +64,8 @@ def draw_frictionless() -> Drawing:
 def _half_time(motion: Motion) -> float:
     """Time in which the middle half of a turn passes, 2φ_c/ω, s."""
     turn = motion.turns[1]
-    return 2.0 * turn_limit(motion.body, motion.law) / (np.pi * abs(turn.yaw_rate))
+    limit: float = turn_limit(motion.body, motion.law)
+    return 2.0 * limit / (np.pi * abs(turn.yaw_rate))
 
 
 def _numbers(law: Law, motion: Motion) -> dict[str, object]:

@@ -1,0 +1,136 @@
+"""Bodies, starts and laws as rows: arrays that the core reads, and one row after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, fields
+from itertools import repeat
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.body import Bodies, Body
+from rimroll.errors import RimrollError
+from rimroll.grid import Grid
+from rimroll.laws import Law, OneLaw, only_fixed, varied_numbers
+from rimroll.state import State
+
+Array = NDArray[np.float64]
+
+
+class Starts(NamedTuple):
+    """Starts as the core reads them: arrays (n,)."""
+
+    tilt: Array
+    tilt_rate: Array
+    yaw: Array
+    yaw_rate: Array
+    spin: Array
+    spin_rate: Array
+
+    def part(self, rows: slice) -> Starts:
+        """Some of the rows."""
+        return Starts(*(column[rows] for column in self))
+
+
+class OneBody(NamedTuple):
+    """The numbers of a body, which have been checked."""
+
+    mass: float
+    radius: float
+    height: float
+    transverse_inertia: float
+    axial_inertia: float
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A body and a start for each row of what they broadcast to, with whatever else varies."""
+
+    grid: Grid
+    given: Mapping[str, Any]
+    """The fields of the body and the start by name, as they were given."""
+    bodies: Bodies
+    starts: Starts
+
+    @classmethod
+    def of(cls, body: Body, starts: State, others: Mapping[str, Any] | None = None) -> Rows:
+        """The rows to which bodies, starts and other values broadcast."""
+        given = {**_fields(body), **_fields(starts)}
+        grid = Grid.over({**given, **(others or {})})
+        return cls(
+            grid,
+            given,
+            Bodies.of(body, grid),
+            Starts(*(grid.flat(getattr(starts, name)) for name in Starts._fields)),
+        )
+
+    def placed(
+        self, refusal: RimrollError, gravity: float, topple_tilt: float | None
+    ) -> RimrollError:
+        """A refusal by the core, with the element of the array that it is about: ``tilt[3]``."""
+        name, _ = str(refusal).split(" ", 1)
+        if name not in self.given:
+            return refusal
+        row = _core.first_refused(self.bodies, self.starts, gravity, topple_tilt)
+        return (
+            refusal
+            if row is None
+            else RimrollError(self.grid.placed(str(refusal), self.given, row))
+        )
+
+
+def elementwise(function: Callable[..., float], *things: Any) -> Any:
+    """A function of single bodies, laws and numbers, for each row of what these broadcast to.
+
+    A single number where nothing is an array; else an array, or a data array if names are given to
+    dimensions. A refusal names the row that it is about.
+    """
+    grid = Grid.over(_values(things))
+    if grid.shape == () and grid.dims is None:
+        return function(*things)
+    results = np.empty(grid.size)
+    for row, arguments in enumerate(zip(*(_each(thing, grid) for thing in things), strict=False)):
+        try:
+            results[row] = function(*arguments)
+        except RimrollError as refusal:
+            raise RimrollError(f"at {list(grid.index(row))}: {refusal}") from None
+    return grid.laid_out(results)
+
+
+def _values(things: tuple[Any, ...]) -> dict[str, Any]:
+    values: dict[str, Any] = {}
+    for place, thing in enumerate(things):
+        if isinstance(thing, Law):
+            values |= {
+                f"law {name}": value for name, value in varied_numbers(thing.numbers).items()
+            }
+        elif isinstance(thing, Body):
+            values |= _fields(thing)
+        else:
+            values[f"argument {place}"] = thing
+    return values
+
+
+def _each(thing: Any, grid: Grid) -> Iterator[Any]:
+    if isinstance(thing, Body):
+        columns = [grid.flat(getattr(thing, name)).tolist() for name in OneBody._fields]
+        return map(OneBody, *columns) if thing.shape else repeat(thing)
+    if isinstance(thing, Law):
+        return _each_law(thing, grid) if thing.shape else repeat(thing)
+    return iter(grid.flat(thing).tolist())
+
+
+def _each_law(law: Law, grid: Grid) -> Iterator[OneLaw]:
+    fixed = only_fixed(law).numbers
+    columns = {
+        name: grid.flat(value).tolist() for name, value in varied_numbers(law.numbers).items()
+    }
+    for row in zip(*columns.values(), strict=True):
+        yield OneLaw(law.name, fixed | dict(zip(columns, row, strict=True)))
+
+
+def _fields(thing: Body | State) -> dict[str, Any]:
+    return {field.name: getattr(thing, field.name) for field in fields(thing)}
