@@ -100,7 +100,7 @@ def exact_turn(
     body, start
         What rolls and how it is let go: single ones, or arrays, which broadcast against one another
         as in NumPy, and data arrays of xarray by the names of their dimensions. A body is prepared
-        once for all of its starts, which takes as long as some tens of them.
+        once for all of its starts, which takes as long as about a hundred of them.
     law
         ``NoSlip()`` or ``Frictionless()``.
     gravity
