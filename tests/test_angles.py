@@ -231,13 +231,30 @@ def test_a_few_commas_that_may_be_decimal_or_separate_columns_are_refused(writte
         "213,5\n147,25\n210\n",  # one cell in a line shows that there is one column
         "210\n213,5\n",
         '"Nr","Winkel"\n1,"213,5"\n2,"147,25"\n',
-        "213,5\n147,25\n210,0\n142,0\n" * 2,  # so many angles below 100 there are not
+        "213,5\n147,25\n210,0\n142,0\n" * 2,  # leans so far apart lead to falls above 100
         "213,5 deg\n147,25 deg\n210,0 deg\n142,0 deg\n" * 2,
     ],
 )
 def test_commas_that_cannot_separate_columns_are_decimal(written, content):
     expected = [float(number.replace(",", ".")) for number in re.findall(r"\d{3},?\d*", content)]
     assert same_directions(degrees(written(content)), expected)
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        (np.resize([230, 228, 233], 30), np.resize([83, 17], 30)),  # leans close together
+        (np.arange(1, 31), np.resize([20, 27], 30)),
+        (np.arange(1, 91), np.resize([20, 27], 90)),
+    ],
+    ids=["leans", "count", "long count"],
+)
+def test_columns_of_small_whole_numbers_are_not_taken_for_decimals(written, first, second):
+    file = written("".join(f"{a},{b}\n" for a, b in zip(first, second, strict=True)))
+    with pytest.raises(rr.RimrollError, match="may be one number or two"):
+        rr.read_angles(file)
+    assert same_directions(degrees(file, column=2), second)
+    assert same_directions(degrees(file, column=2, lean_column=1), second - first)
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
@@ -321,6 +338,7 @@ def test_a_lean_beside_a_direction_is_taken_from_it(written):
         ({"column": 0}, "column must be a number from 1 to 2"),
         ({"column": 2, "lean_column": "first"}, "lean_column must be a number from 1 to 2"),
         ({"lean_column": 1}, "column must be given with lean_column"),
+        ({"column": 2, "lean_column": "angle"}, "column and lean_column must differ"),
     ],
 )
 def test_a_column_that_is_not_there_is_refused(written, how, message):

@@ -58,6 +58,22 @@ def test_falls_can_be_followed_again_from_their_dataset():
     xr.testing.assert_identical(again, falls)
 
 
+def test_a_fall_is_no_motion_as_it_has_a_grip_of_its_own():
+    falls = rr.ensemble(CAN, START, rr.Coulomb(0.5), grip=0.2)
+    with pytest.raises(rr.RimrollError, match="that of a motion, got one of falls"):
+        rr.Motion.from_xarray(falls.isel(trial=0))
+
+
+def test_starts_in_other_units_are_converted():
+    falls = rr.ensemble(CAN, START, rr.NoSlip())
+    in_degrees = falls["start_yaw_rate"] * 180.0 / np.pi
+    other = falls.assign(start_yaw_rate=in_degrees.assign_attrs(units="deg/s"))
+    assert rr.State.from_xarray(other).yaw_rate == pytest.approx(0.05, rel=1e-14)
+    motion = rr.simulate(CAN, START, rr.NoSlip(), 0.1).to_xarray()
+    worded = motion.assign_attrs(start_tilt="30 deg")
+    assert rr.State.from_xarray(worded).tilt == pytest.approx(np.pi / 6.0, rel=1e-15)
+
+
 def test_a_motion_with_derivatives_comes_back_with_them():
     motion = rr.simulate(CAN, START, rr.NoSlip(), 0.5, jacobian=True)
     again = rr.Motion.from_xarray(motion.to_xarray(), jacobian=True)

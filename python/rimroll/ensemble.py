@@ -330,4 +330,4 @@ def _law_number(falls: Falls | xr.Dataset, name: str) -> Any:
 
 
 def _unknown(name: str) -> RimrollError:
-    return RimrollError(f"falls must be a dataset of rimroll.ensemble: there is no {name} in it")
+    return RimrollError(f"this dataset records no {name}: there is no {name} in it")

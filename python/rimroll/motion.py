@@ -550,6 +550,8 @@ class Motion(Moments):
         from rimroll.recorded import expect_dataset, options_of, start_of
 
         expect_dataset(dataset)
+        if "outcome" in dataset:
+            raise RimrollError("dataset must be that of a motion, got one of falls")
         start = single(start_of(dataset))
         return _follow(body_of(dataset), start, law_of(dataset), options_of(dataset), jacobian)
 

@@ -6,9 +6,10 @@ from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Values
+from rimroll.given import Values, numbers
 from rimroll.options import Options
 from rimroll.state import State
+from rimroll.units import START_UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -23,9 +24,9 @@ def start_of(dataset: xr.Dataset) -> State:
     given: dict[str, Values] = {}
     for name in names:
         if (key := f"start_{name}") in dataset:
-            given[name] = dataset[key].values
+            given[name] = numbers(key, dataset[key], START_UNIT_OF[name])
         elif key in dataset.attrs:
-            given[name] = float(dataset.attrs[key])
+            given[name] = numbers(key, dataset.attrs[key], START_UNIT_OF[name])
         else:
             raise RimrollError(f"this dataset records no start: there is no {key} in it")
     return State(**given)

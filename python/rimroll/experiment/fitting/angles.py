@@ -22,7 +22,7 @@ FALLS = re.compile(r"direction|angle|fall|end|richtung|winkel")
 DIRECTIONS = re.compile(r"direction|angle|richtung|winkel")
 """Those of them that are enough to choose one among many columns."""
 
-LEANS = re.compile(r"lean|(direction of |angle of )?(the )?first|start direction|neigung")
+LEANS = re.compile(r"lean|(direction of |angle of )?(the )?first|start direction")
 """Beginnings of the name of a column of directions of the first lean."""
 
 ENOUGH = 8
@@ -108,7 +108,7 @@ def read_falls(
     lean_column: str | int | None,
 ) -> FallDirections:
     """The same as :func:`read_angles` gives, with a sentence on what was read."""
-    table = read_table(file)
+    table = read_table(file, has_columns=lean_column is not None or column not in (None, 1, "1"))
     rows, kind = _counting(table, counted)
     if not rows:
         raise RimrollError(f"{table.name} holds no angles")
@@ -187,7 +187,12 @@ def _asked(table: Table, column: str | int | None, lean: str | int | None) -> li
     if column is None:
         raise RimrollError("column must be given with lean_column: it holds the direction of fall")
     fall = _place(table, "column", column)
-    return [fall] if lean is None else [_place(table, "lean_column", lean), fall]
+    if lean is None:
+        return [fall]
+    first = _place(table, "lean_column", lean)
+    if first == fall:
+        raise RimrollError(f"column and lean_column must differ, got {column!r} and {lean!r}")
+    return [first, fall]
 
 
 def _place(table: Table, field: str, column: str | int) -> int:

@@ -6,6 +6,7 @@ import csv
 import os
 import re
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import IO
 
@@ -23,9 +24,10 @@ _NOT_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f]")
 _DECIMAL_COMMA = re.compile(r"^([+\-−]?\d+),(\d+)(?!,)")
 _PAIR = re.compile(r"[+\-−]?\d+,(\d+)\s*(?:°|deg\w*|rad\w*)?")
 
-ENOUGH_FOR_DECIMALS = 8
-"""Unnamed lines such as ``213,5`` from which one can tell decimals from a second column: angles
-that are all below 100 in the second column have a chance of (100/360)⁸, below 1e-4."""
+ENOUGH_FOR_DECIMALS, WIDE_APART = 8, 60
+"""How many unnamed lines such as ``213,5`` hold decimals, and how far apart, in degrees, their
+whole parts are. As columns they would be a first lean and a fall, all falls below 100 degrees. A
+body falls some 140 degrees from its lean, to either side, so the leans would be close together."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +50,13 @@ class Table:
     width: int
 
 
-def read_table(source: Source) -> Table:
+def read_table(source: Source, *, has_columns: bool = False) -> Table:
     """Read comma, semicolon, tab or space separated values.
 
     Lines that begin with # and lines without content are passed over, and so are columns at the
     end that are empty throughout. The text is UTF-8, UTF-16 with a byte order mark, or Windows'
-    code page 1252. Decimals follow a point, or a comma where commas cannot separate columns.
+    code page 1252. Decimals follow a point, or a comma where commas cannot separate columns; that
+    they do is known where the file ``has_columns``.
 
     Raises ``RimrollError`` for what is no text, for rows of different widths, and for commas that
     may be decimal or separate columns.
@@ -68,7 +71,7 @@ def read_table(source: Source) -> Table:
     if not lines:
         raise RimrollError(f"{name} holds no angles" if text.strip() else f"{name} is empty")
     try:
-        cells = _cells(name, [line for _, line in lines])
+        cells = _cells(name, [line for _, line in lines], has_columns)
     except csv.Error as error:
         raise RimrollError(f"{name} does not read as a table: {error}") from None
     rows = [Row(i, part) for (i, _), part in zip(lines, cells, strict=True)]
@@ -113,13 +116,13 @@ def _text(source: Source, name: str) -> str:
     raise RimrollError(f"{name} is no text file in UTF-8, UTF-16 or Windows' code page 1252")
 
 
-def _cells(name: str, lines: list[str]) -> list[list[str]]:
+def _cells(name: str, lines: list[str], has_columns: bool) -> list[list[str]]:
     separator = next((mark for mark in ";\t" if mark in lines[0]), None)
     if separator is not None:
         return _without_empty_end([_separated(line, separator) for line in lines])
     if any("," in line for line in lines):
         rows = [_separated(line, ",") for line in lines]
-        if not _commas_are_decimal(name, lines, rows):
+        if has_columns or not _commas_are_decimal(name, lines, rows):
             return _without_empty_end(rows)
     width = next((len(line.split()) for line in lines if _are_numbers(_spaced(line))), 1)
     return [
@@ -142,12 +145,23 @@ def _commas_are_decimal(name: str, lines: list[str], rows: list[list[str]]) -> b
         alone = all(pair or len(row) == 1 for pair, row in zip(found, rows, strict=True))
         named = len(rows[0]) == 1 and bool(_names(rows[0]))
         return bool(parts) and alone and (named or short or certain)
-    if short and not certain and len(lines) < ENOUGH_FOR_DECIMALS:
+    if short and not certain and not _are_far_apart(rows):
         raise RimrollError(
             f"{name}: {lines[0]} may be one number or two; write decimals with a point, or "
             f"keep columns apart with a semicolon"
         )
     return short or certain
+
+
+def _are_far_apart(rows: list[list[str]]) -> bool:
+    """Whether whole parts are too many and too far apart for first leans, and count nothing."""
+    wholes = [int(row[0].replace("−", "-")) for row in rows]
+    counts = all(later - earlier == 1 for earlier, later in pairwise(wholes))
+    return (
+        len(wholes) >= ENOUGH_FOR_DECIMALS
+        and max(wholes) - min(wholes) >= WIDE_APART
+        and not counts
+    )
 
 
 def _separated(line: str, separator: str) -> list[str]:
