@@ -72,6 +72,27 @@ def test_a_tilt_is_met_on_the_way_down_and_up_to_the_last_digits():
     assert all(event.state.tilt_rate > 0.0 for event in up)
 
 
+@pytest.mark.parametrize("per_step", [2, 7, 64])
+@pytest.mark.parametrize("clip", [np.maximum, np.minimum])
+def test_a_clipped_function_comes_to_zero_where_the_unclipped_one_does(clip, per_step):
+    found = ROLLING.crossings(lambda at: clip(at.tilt - 0.3, 0.0), per_step=per_step)
+    free = ROLLING.crossings(lambda at: at.tilt - 0.3, rising=clip is np.minimum)
+    assert len(free) > 1
+    assert times(found) == pytest.approx(times(free), abs=1e-14)
+
+
+@pytest.mark.parametrize("per_step", [2, 7, 64])
+def test_a_dead_band_is_met_where_it_begins(per_step):
+    found = ROLLING.crossings(
+        lambda at: np.where(abs(at.tilt - 0.3) < 0.01, 0.0, at.tilt - 0.3), per_step=per_step
+    )
+    edges = [
+        *ROLLING.crossings(lambda at: at.tilt - 0.31, rising=False),
+        *ROLLING.crossings(lambda at: at.tilt - 0.29, rising=True),
+    ]
+    assert times(found) == pytest.approx(np.sort(times(edges)), abs=1e-14)
+
+
 @given(st.floats(0.001, 2.999))
 @settings(max_examples=50, deadline=None)
 def test_a_time_is_met_at_that_time(moment):

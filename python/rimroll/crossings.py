@@ -49,7 +49,10 @@ def crossings(values: Values, step_count: int, per_step: int) -> Crossings:
     roots = _closed_in(values, at, low, high, before[tuple(changes.T)], after[tuple(changes.T)])
     zeros = np.argwhere(_comes_to_zero(found))
     all_steps = np.concatenate([at, zeros[:, 0]])
+    # A zero at the start of a step has no earlier sample inside the step, and stays where it is.
+    all_low = np.concatenate([low, looks[np.maximum(zeros[:, 1] - 1, 0)]])
     all_fractions = np.concatenate([roots, looks[zeros[:, 1]]])
+    all_fractions = _first_zeros(values, all_steps, all_low, all_fractions)
     earlier = np.concatenate([before[tuple(changes.T)], _value_before(found, zeros)])
     order = np.lexsort((all_fractions, all_steps))
     return Crossings(all_steps[order], all_fractions[order], earlier[order] < 0.0)
@@ -66,6 +69,26 @@ def _comes_to_zero(found: Array) -> NDArray[np.bool_]:
 def _value_before(found: Array, places: Places) -> Array:
     values: Array = found.ravel()[places[:, 0] * found.shape[1] + places[:, 1] - 1]
     return values
+
+
+def _first_zeros(values: Values, steps: Places, low: Array, high: Array) -> Array:
+    """Where the function becomes exactly zero, between low, where it is not, and high.
+
+    A clipped function is zero over a stretch, and the sample that meets the stretch lies anywhere
+    in it. Brackets are halved until they are closed. Where the function is not exactly zero at
+    high, high is returned.
+    """
+    low, high = low.copy(), high.copy()
+    open_ = np.flatnonzero(values(steps, high) == 0.0) if len(steps) else np.arange(0)
+    for _ in range(ROUNDS):
+        open_ = open_[high[open_] - low[open_] > CLOSE]
+        if not len(open_):
+            break
+        middle = 0.5 * (low[open_] + high[open_])
+        zero = values(steps[open_], middle) == 0.0
+        high[open_] = np.where(zero, middle, high[open_])
+        low[open_] = np.where(zero, low[open_], middle)
+    return high
 
 
 def _closed_in(values: Values, steps: Places, a: Array, b: Array, fa: Array, fb: Array) -> Array:

@@ -463,9 +463,9 @@ class Motion(Moments):
         -------
         list of Event
             In order of time, of kind ``crossing``: where the function changes its sign inside a
-            step, to the last digits of the dense output, or comes to be exactly 0, as the slip
-            does when the rim sticks. A jump over zero where the contact changes, as of a velocity
-            in a landing, is no event.
+            step or becomes exactly 0, as the slip does when the rim sticks and a clipped function
+            at its bound, to the last digits of the dense output. A jump over zero where the contact
+            changes, as of a velocity in a landing, is no event.
 
         >>> import rimroll as rr
         >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
