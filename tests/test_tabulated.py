@@ -66,6 +66,25 @@ def test_a_function_is_followed_to_its_tolerance_everywhere(least, more, width, 
 
 
 @pytest.mark.parametrize(
+    ("mu", "begin"),
+    [
+        (lambda u: 0.2 + 0.1 * np.exp(-(((u - 0.1) / 0.02) ** 2)), [0.0, 1.0]),
+        (lambda u: 0.2 + 0.1 * np.exp(-(((u - 0.61) / 0.02) ** 2)), [0.0, 1.0]),
+        (lambda u: 0.3 + 0.1 * np.sin(8.0 * np.pi * u) ** 2, [0.0, 0.5, 1.0]),
+    ],
+)
+def test_narrow_and_periodic_features_between_the_given_speeds_are_followed(mu, begin):
+    law = rr.Tabulated.from_function(mu, begin, tolerance=1e-5)
+    speeds = np.linspace(0.0, 1.0, 20011)
+    assert np.max(np.abs(law.friction_at(speeds) - mu(speeds))) <= 1.5e-5
+
+
+def test_a_straight_line_needs_no_more_points_than_are_given():
+    law = rr.Tabulated.from_function(lambda u: 0.2 + 0.1 * u, [0.0, 1.0])
+    assert law.speeds == (0.0, 1.0)
+
+
+@pytest.mark.parametrize(
     ("make", "says"),
     [
         (lambda: rr.Tabulated([0.0], [0.1]), "speeds must have at least 2 entries, got 1"),

@@ -453,8 +453,10 @@ class Tabulated(Law):
             The speeds to begin with, m/s, at least two: from the lowest to the one beyond which
             the friction counts as constant.
         tolerance
-            How far the curve may be off. Points are added in the middle of each interval in which
-            it is farther from ``mu`` at a quarter, half or three quarters of it.
+            How far the curve may be from ``mu``. Points are added in the middle of each interval
+            in which it is farther at a quarter, half or three quarters of the interval, or at one
+            of 64 places between each two of ``speeds``. A feature of ``mu`` that is narrower than
+            1/46 of the interval between two ``speeds`` can be missed: give speeds around it.
         static, restitution
             As for :class:`Tabulated`.
 

@@ -21,6 +21,14 @@ CLOSEST = 1e-9
 
 MOST_FRICTION = 1e6
 
+GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
+PLACES = np.sort(np.arange(1, 65) * GOLDEN % 1.0)
+"""Parts of each interval between given speeds at which the curve is always compared.
+
+Multiples of the golden ratio are spread almost evenly, and have no common measure with a periodic
+function, whose every quarter of an interval may look alike. Neighbours are 1/46 apart at most.
+"""
+
 
 def sampled(
     mu: Callable[[float], float],
@@ -31,16 +39,25 @@ def sampled(
     """Speeds and frictions of points through which a curve follows ``mu`` to ``tolerance``.
 
     They begin with ``speeds``. The middle is added of each interval in which the curve is farther
-    from ``mu`` at a quarter, half or three quarters of it. Raises ``RimrollError`` where ``mu``
-    gives no friction, is not continuous, or needs more than :data:`MOST_POINTS`.
+    from ``mu`` at a quarter, half or three quarters of it, or at one of 64 places between each two
+    of ``speeds``. Raises ``RimrollError`` where ``mu`` gives no friction, is not continuous, or
+    needs more than :data:`MOST_POINTS`.
     """
     known = {speed: _friction(mu, speed) for speed in speeds}
+    begin = np.array(speeds)
+    places = (begin[:-1, None] + np.diff(begin)[:, None] * PLACES).ravel()
+    at_places = _frictions(mu, places)
     while True:
-        points = sorted(known)
-        frictions = [known[speed] for speed in points]
-        new = _off(mu, np.array(points), curve_through(points, frictions), tolerance)
+        points = np.array(sorted(known))
+        frictions = [known[speed] for speed in points.tolist()]
+        curve = curve_through(points.tolist(), frictions)
+        middles = points[:-1] + 0.5 * np.diff(points)
+        bad = _off_at_quarters(mu, points, curve, tolerance)
+        missed = places[np.abs(curve(places) - at_places) > tolerance]
+        bad[np.searchsorted(points, missed, side="right") - 1] = True
+        new = dict(zip(middles[bad].tolist(), _frictions(mu, middles[bad]).tolist(), strict=True))
         if not new:
-            return points, frictions
+            return points.tolist(), frictions
         closest = np.min(np.diff(sorted({*known, *new})))
         span = points[-1] - points[0]
         if len(known) + len(new) > MOST_POINTS or closest < CLOSEST * span:
@@ -58,12 +75,15 @@ def _friction(mu: Callable[[float], float], speed: float) -> float:
     return value
 
 
-def _off(
+def _frictions(mu: Callable[[float], float], speeds: Array) -> Array:
+    found = np.array([_friction(mu, speed) for speed in speeds.ravel().tolist()], np.float64)
+    return found.reshape(speeds.shape)
+
+
+def _off_at_quarters(
     mu: Callable[[float], float], points: Array, curve: Curve, tolerance: float
-) -> dict[float, float]:
-    """The middles of the intervals in which the curve is not yet good enough, and mu there."""
-    begin, widths = points[:-1], np.diff(points)
-    looks = np.array([begin + part * widths for part in (0.25, 0.5, 0.75)])
-    found = np.array([[_friction(mu, float(speed)) for speed in look] for look in looks])
-    bad = np.abs(curve(looks) - found).max(axis=0) > tolerance
-    return dict(zip(looks[1][bad].tolist(), found[1][bad].tolist(), strict=True))
+) -> NDArray[np.bool_]:
+    """Which intervals between points have the curve too far from mu at one of their quarters."""
+    looks = points[:-1] + np.array([[0.25], [0.5], [0.75]]) * np.diff(points)
+    bad: NDArray[np.bool_] = np.abs(curve(looks) - _frictions(mu, looks)).max(axis=0) > tolerance
+    return bad
