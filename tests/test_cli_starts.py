@@ -3,6 +3,7 @@
 import io
 import json
 import math
+import re
 from functools import partial
 
 import pytest
@@ -65,9 +66,25 @@ def test_a_start_past_the_balance_tilt_is_said_to_be_so_in_degrees(said, command
 @pytest.mark.parametrize("command", ["simulate", "turn"])
 def test_where_the_rim_lifts_off_another_friction_is_proposed_and_helps(said, command):
     text = said(f"{command} coin --tilt 60deg --yaw-rate 1deg/s")
-    assert "try --friction 0.3" in text
+    assert "try --law coulomb --friction 0.3" in text
     text = said(f"{command} coin --tilt 60deg --yaw-rate 1deg/s --friction 0.3")
-    assert "followed for the whole 2 s" in text and "try --friction" not in text
+    assert "followed for the whole 2 s" in text and "try --" not in text
+
+
+@pytest.mark.parametrize(
+    ("law", "start"),
+    [
+        ("no-slip", "coin --tilt 60deg --yaw-rate 1deg/s"),
+        ("frictionless", "soda_can --tilt 20deg --tilt-rate -10 --yaw-rate 50"),
+    ],
+)
+@pytest.mark.parametrize("command", ["simulate {} --law", "turn {} --law", "compare {} --on"])
+def test_the_friction_that_a_command_proposes_is_one_that_it_takes(said, command, law, start):
+    command = f"{command.format(start)} {law}"
+    proposed = re.search(r"try (--.*)", said(command))
+    assert proposed
+    # Of an option that is given twice the last one counts.
+    assert "leaves the table" not in said(f"{command} {proposed[1]}")
 
 
 @pytest.mark.parametrize("width", [40, 60, 80, 120])

@@ -10,9 +10,12 @@ from rimroll.names import typed
 from rimroll.theory import balance_tilt
 
 
-def hints(motion: Motion) -> list[str]:
-    """Sentences that say why a motion ended early and which option changes that; often none."""
-    found = [_past_balance(motion), _lifted_off(motion)]
+def hints(motion: Motion, friction_option: str) -> list[str]:
+    """Sentences that say why a motion ended early and which option changes that; often none.
+
+    ``friction_option`` is what the command needs before a coefficient of dry friction.
+    """
+    found = [_past_balance(motion), _lifted_off(motion, friction_option)]
     return [hint for hint in found if hint]
 
 
@@ -31,11 +34,11 @@ def _below(balance: float) -> str:
     return f"{math.degrees(0.5 * balance):.2g}deg"
 
 
-def _lifted_off(motion: Motion) -> str:
+def _lifted_off(motion: Motion, friction_option: str) -> str:
     if motion.status != "lifted_off" or not isinstance(motion.law, NoSlip | Frictionless):
         return ""
     friction = 0.3 if isinstance(motion.law, NoSlip) else 0
     return (
         f"{typed(motion.law.name)} ends where the rim leaves the table; with dry friction the body"
-        f" slides or flies on: try --friction {friction:g}"
+        f" slides or flies on: try {friction_option} {friction:g}"
     )

@@ -274,7 +274,7 @@ def show_turns(motion: Motion) -> None:
     """How a motion ended, and its first turns, beside their limit if it is that of each."""
     say()
     say(f"{in_words(motion.law)}: {in_degrees(motion.message)}")
-    for hint in hints(motion):
+    for hint in hints(motion, "--law coulomb --friction"):
         say(hint)
     if not motion.turns:
         return
