@@ -1,5 +1,6 @@
 """``rimroll lab`` serves the page that comes with the package, to this machine alone."""
 
+import math
 import re
 from http.client import HTTPConnection
 from threading import Thread
@@ -8,7 +9,7 @@ from urllib.parse import unquote
 import pytest
 
 from ctrl_c import interrupt, needs_signals, running
-from rimroll.cli import main
+from rimroll.cli import lab_setup, main
 from rimroll.cli.page_server import PageServer
 
 FILES = {
@@ -138,7 +139,9 @@ def test_the_browser_is_opened_with_the_set_up(package, monkeypatch):
         ("nonsense", "there is no quantity 'nonsense'"),
         ("tilt=steep", "tilt must be a number, got 'steep'"),
         ("tilt=", "tilt must be a number, got ''"),
-        ("tilt=nan", "tilt must be between 0 and 90 (°), got 'nan'"),
+        ("tilt=nan", "tilt must be a number, got 'nan'"),
+        ("tilt=Infinity", "tilt must be between 0 and 90 (°), got 'Infinity'"),
+        ("flicks=1,000", "flicks must be a number, got '1,000'"),
         ("body=coin&tilt=90", "tilt must be between 0 and 90 (°), got '90'"),
         ("flicks=1001", "flicks must be from 1 to 1000, got '1001'"),
         ("flicks=2.5", "flicks must be a whole number, got '2.5'"),
@@ -158,6 +161,37 @@ def test_a_page_too_old_to_check_a_set_up_by_is_to_be_built_again(package, capsy
 @pytest.mark.parametrize("setup", ["tilt=12,5", "tilt=20°", "flicks=3", "body=coin&tilt=60"])
 def test_a_set_up_that_the_page_takes_is_opened(package, monkeypatch, setup):
     assert unquote(opened(monkeypatch, "--setup", setup)).endswith(f"/#{setup}")
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("12", 12.0),
+        (" 12 ° ", 12.0),
+        ("12,5", 12.5),
+        ("0,125", 0.125),
+        ("1,0000", 1.0),
+        ("\N{MINUS SIGN}3e\N{MINUS SIGN}2", -0.03),
+        ("+.5", 0.5),
+        ("5.", 5.0),
+        ("0x1F", 31.0),
+        ("0x" + "F" * 300, math.inf),
+        ("-Infinity", -math.inf),
+        ("1,000", None),
+        ("\N{MINUS SIGN}1,000,000°", None),
+        ("1,5,5", None),
+        ("1_0", None),
+        ("-0x1F", None),
+        ("\N{ARABIC-INDIC DIGIT THREE}", None),
+        ("inf", None),
+        ("nan", None),
+        ("1 2", None),
+        ("", None),
+        ("°", None),
+    ],
+)
+def test_a_number_of_a_set_up_is_read_as_the_page_reads_it(text, number):
+    assert lab_setup._number(text, "°") == number
 
 
 @needs_signals

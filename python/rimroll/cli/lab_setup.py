@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qsl
 
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
+
+_DECIMAL = re.compile(r"[+-]?(Infinity|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)")
+_OTHER_BASE = re.compile(r"0([xX][0-9a-fA-F]+|[oO][0-7]+|[bB][01]+)")
+"""The two make up what JavaScript's ``Number`` takes, which is less than Python's ``float``."""
+
+_THOUSANDS = re.compile(r"[-+\N{MINUS SIGN}]?[1-9][0-9]{0,2}(,[0-9]{3})+")
 
 
 def check(setup: str, page: Path) -> None:
@@ -53,9 +61,22 @@ def _check_value(name: str, value: str, allowed: dict[str, Any]) -> None:
 
 
 def _number(text: str, unit: str) -> float | None:
-    """As the page reads it: with a comma for somebody's decimal point, and with the unit or not."""
+    """The number that the page reads, as ``read`` of web/src/setup/setup.ts; None if it refuses.
+
+    One comma may be a decimal point, and the unit may be there or not. What may be thousands with
+    commas between them, such as ``1,000``, is refused.
+    """
     bare = text.strip().removesuffix(unit).strip() if unit else text.strip()
-    try:
-        return float(bare.replace(",", ".").replace("\N{MINUS SIGN}", "-"))
-    except ValueError:
+    if _THOUSANDS.fullmatch(bare):
         return None
+    plain = bare.replace(",", ".", 1).replace("\N{MINUS SIGN}", "-")
+    if _DECIMAL.fullmatch(plain):
+        return float(plain)
+    return _whole(plain) if _OTHER_BASE.fullmatch(plain) else None
+
+
+def _whole(text: str) -> float:
+    try:
+        return float(int(text, 0))
+    except OverflowError:
+        return math.inf
