@@ -1,5 +1,7 @@
 """The contact laws as Python objects: their numbers, names, sums and surfaces."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -58,6 +60,16 @@ def test_no_landing_gives_back_more_than_it_took(value):
 def test_each_number_of_a_law_has_its_bounds(law, says):
     with pytest.raises(rr.RimrollError, match=says):
         law()
+
+
+@pytest.mark.parametrize("value", [-0.05, 0.0, math.nan, math.inf])
+@pytest.mark.parametrize(
+    ("name", "unit"), [("radius", "m"), ("viscosity", "Pa s"), ("gravity", "m/s^2")]
+)
+def test_a_film_needs_a_radius_a_viscosity_and_gravity(name, unit, value):
+    with pytest.raises(rr.RimrollError) as refusal:
+        rr.AirDrag.film(**{"radius": 0.05, name: value})
+    assert str(refusal.value) == f"{name} must be > 0 and finite, got {value} {unit}"
 
 
 def test_resistances_add_up_and_are_told():

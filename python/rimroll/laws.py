@@ -204,16 +204,22 @@ class AirDrag(_Numbered):
         """Moffatt's viscous film under a nearly flat uniform disk: π μ R⁴/(16 g) and exponent 4.
 
         His π μ R³ Ω²/(4 α) with Ω² α = 4 g/R. ``radius`` in m, ``viscosity`` in Pa s (air:
-        1.82e-5), ``gravity`` in m/s².
+        1.82e-5), ``gravity`` in m/s², all > 0.
         """
-        radius, viscosity = number("radius", radius, "m"), number("viscosity", viscosity, "Pa s")
-        gravity = number("gravity", gravity, "m/s^2")
-        if not gravity > 0.0:
-            raise RimrollError(f"gravity must be > 0, got {gravity} m/s2")
+        radius = _positive("radius", radius, "m")
+        viscosity = _positive("viscosity", viscosity, "Pa s")
+        gravity = _positive("gravity", gravity, "m/s^2")
         return cls(math.pi * viscosity * radius**4 / (16.0 * gravity), 4.0)
 
     def _numbers(self) -> dict[str, float]:
         return {"air_coefficient": self.coefficient, "air_exponent": self.exponent}
+
+
+def _positive(name: str, value: Number, unit: str) -> float:
+    read = number(name, value, unit)
+    if not 0.0 < read < math.inf:
+        raise RimrollError(f"{name} must be > 0 and finite, got {read} {unit}")
+    return read
 
 
 Resistance = RollingResistance | PivotingFriction | AirDrag
