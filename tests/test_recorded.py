@@ -133,6 +133,15 @@ def test_a_notebook_shows_the_ending_and_the_turns_of_a_motion():
     assert "Coulomb(friction=0.3)" in law
 
 
+def test_a_notebook_shows_the_losses_of_a_motion():
+    law = rr.Coulomb(0.05) + rr.RollingResistance(viscous=0.1)
+    motion = rr.simulate(CAN, START, law, 0.5)
+    friction, resistances = motion.friction_loss[-1], motion.resistance_loss[-1]
+    assert min(friction, resistances) > 0.0
+    lost = f"lost: {friction:.4g} J to friction, {resistances:.4g} J to resistances, "
+    assert lost + f"{motion.impact_loss[-1]:.4g} J to impacts" in motion._repr_html_()
+
+
 def test_states_and_derivatives_can_be_pickled():
     motion = rr.simulate(CAN, START, rr.NoSlip(), 0.5, jacobian=True)
     assert pickle.loads(pickle.dumps(motion(0.2))).tilt == motion(0.2).tilt

@@ -15,7 +15,7 @@ SHOWN = 6  # turns of a motion
 
 
 def motion_in_html(motion: Motion) -> str:
-    """The ending of a motion, and its first turns as a table in degrees."""
+    """The ending of a motion, its first turns as a table in degrees, and what it lost."""
     rows = [
         (
             str(number),
@@ -28,7 +28,20 @@ def motion_in_html(motion: Motion) -> str:
     head = f"<p><b>Motion</b>, {escape(repr(motion.law))}: {escape(motion.message)}</p>"
     more = len(motion.turns) - len(rows)
     rest = f"<p>and {more} more turns</p>" if more else ""
-    return f"<div>{head}{_table(rows)}{rest}</div>"
+    return f"<div>{head}{_table(rows)}{rest}{_losses(motion)}</div>"
+
+
+def _losses(motion: Motion) -> str:
+    """The energy that was lost by the end, J, by what it was lost to."""
+    lost = ", ".join(
+        f"{loss[-1]:.4g} J to {name}"
+        for name, loss in (
+            ("friction", motion.friction_loss),
+            ("resistances", motion.resistance_loss),
+            ("impacts", motion.impact_loss),
+        )
+    )
+    return f"<p>lost: {lost}</p>"
 
 
 def _table(rows: Sequence[tuple[str, ...]]) -> str:
