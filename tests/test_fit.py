@@ -442,7 +442,7 @@ def test_falls_that_are_their_own_mirror_image_need_no_bias(predicted, of_the_pa
 @pytest.mark.parametrize("spread", [4.0, 8.0])
 def test_one_hump_is_called_out(predicted, middle, spread):
     directions = np.radians(middle + spread * np.random.default_rng(8).standard_normal(60))
-    shape = rr.fit(CAN, directions, predicted=predicted).verdicts[-1]
+    shape = rr.fit(CAN, directions, predicted=predicted).shape
     assert shape.hypothesis == "two humps as friction makes them"
     # As one of them, far off by a bias, or as two that run together it can be had.
     assert shape.excluded or shape.sentence.endswith("as well; take the friction with care")
@@ -452,14 +452,17 @@ def test_one_hump_is_called_out(predicted, middle, spread):
 
 def test_of_falls_to_one_side_one_hump_is_no_surprise(predicted):
     directions = np.radians(213.0 + 3.0 * np.random.default_rng(8).standard_normal(40))
-    shape = rr.fit(CAN, directions, predicted=predicted).verdicts[-1]
+    shape = rr.fit(CAN, directions, predicted=predicted).shape
     assert not shape.excluded and "one hump" not in shape.sentence
 
 
 def test_falls_all_round_are_excluded(predicted):
     directions = TURN * np.random.default_rng(9).random(60)
     found = rr.fit(CAN, directions, predicted=predicted)
-    assert found.verdicts[-1].excluded and not found.supported
+    assert found.shape in found.verdicts
+    assert found.shape.excluded and not found.supported
+    backwards = replace(found, verdicts=found.verdicts[::-1])
+    assert not backwards.supported, "the order of the verdicts means nothing"
 
 
 @pytest.mark.parametrize("values", [[3.7], [3.7, 2.6], [0.0], [math.pi]])

@@ -75,7 +75,7 @@ class Outcome:
         t = self.motion.t
         passed = self.motion.potential_energy[t <= self._until]
         end = self.motion.evaluate(self._until).potential_energy[0]
-        return float(self.motion.energy[0] - min(0.0, end, *passed))
+        return float(self.motion.energy[0] - min(end, passed.min(initial=0.0)))
 
     @property
     def _until(self) -> float:

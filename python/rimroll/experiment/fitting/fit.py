@@ -60,7 +60,9 @@ class Fit:
         What else the friction would be, (tilt rate in rad/s, friction), were the mean tilt rate off
         by its error; empty where that was not asked for.
     verdicts
-        What the data exclude. The last is whether they have the shape that friction gives at all.
+        What the data exclude, ``shape`` included.
+    shape
+        The verdict on whether the data have the shape that friction gives at all.
     at_bounds
         The parameters whose best value is at an end of what is tried, ``bias`` or
         ``unsteadiness``, with the end, ``lowest`` or ``highest``: a better value may lie beyond.
@@ -81,6 +83,7 @@ class Fit:
     right: Estimate | None
     at_other_rates: tuple[tuple[float, float], ...]
     verdicts: tuple[Verdict, ...]
+    shape: Verdict
     at_bounds: dict[str, str]
     warnings: tuple[str, ...]
     confidence: float
@@ -91,7 +94,7 @@ class Fit:
     @property
     def supported(self) -> bool:
         """Whether the falls have the shape that friction gives; if not, it means nothing."""
-        return not self.verdicts[-1].excluded
+        return not self.shape.excluded
 
     def density(self, angles: ArrayLike) -> Array:
         """The fitted density of a direction, per rad, at angles (rad)."""
@@ -216,6 +219,7 @@ def fit(
     fixed = {} if bias is None else {"bias": bias}
     friction, best = estimate(likelihood, confidence, fixed)
     at_bounds = _at_bounds(likelihood, best, fixed)
+    shape = of_shape(likelihood, best, confidence)
     return Fit(
         friction=friction,
         bias=best.bias,
@@ -230,7 +234,8 @@ def fit(
         ),
         at_bounds=at_bounds,
         warnings=tuple(_warnings(likelihood, best, at_bounds, assumed)),
-        verdicts=tuple(_verdicts(likelihood, best, confidence, fixed)),
+        verdicts=(*_hypotheses(likelihood, best, confidence, fixed), shape),
+        shape=shape,
         confidence=confidence,
         directions=data,
         predicted=predicted,
@@ -349,7 +354,7 @@ def _bias_interval(likelihood: Likelihood, best: Point, confidence: float) -> In
     return end(-1.0), end(1.0)
 
 
-def _verdicts(
+def _hypotheses(
     likelihood: Likelihood, best: Point, confidence: float, fixed: dict[str, float]
 ) -> list[Verdict]:
     low, high = likelihood.predicted.frictions[[0, -1]].tolist()
@@ -363,7 +368,7 @@ def _verdicts(
         name = "one friction for both sides, without a bias"
         unbiased = likelihood.best(best, bias=0.0)
         found.append(of_hypothesis(likelihood, name, unbiased, best, confidence))
-    return [*found, of_shape(likelihood, best, confidence)]
+    return found
 
 
 def _checked(directions: Values) -> Array:
