@@ -1,10 +1,10 @@
 """Numbers as users give them, turned into floats and arrays in SI units and radians.
 
 One rule holds for every number of the Python interface that has a unit. It may be a plain number or
-array, which is in the SI unit already; a text such as ``"30 deg"``, as in scenario files; or a
-quantity of pint, astropy.units or unyt, or a data array with a ``units`` attribute, which is
-converted. A unit that does not fit is refused, and none is ever dropped. No unit package is
-imported here: what carries a unit brings the means to convert it.
+array, which is in the SI unit already; a text such as ``"30 deg"``, as in scenario files; a
+quantity of pint or of a package with the same interface; or a data array with a ``units``
+attribute. All of these are converted. A unit that does not fit is refused, and none is ever
+dropped. No unit package is imported here: what carries a unit brings the means to convert it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from rimroll.units import factor_of, mismatch, quantity, tidy
 
 
 class HasUnit(Protocol):
-    """A quantity of pint, astropy.units or unyt: anything that converts itself with ``to``."""
+    """A quantity of pint, or anything else that has a unit and converts itself with ``to``."""
 
     def to(self, unit: Any, /) -> Any:
         """The same quantity in another unit."""
@@ -52,11 +52,13 @@ def number(field: str, value: object, unit: str = "1") -> float:
     if isinstance(value, str):
         return quantity(value, unit, field)
     bare = without_unit(field, value, unit)
-    if not isinstance(bare, bytes | bool | np.timedelta64):
-        try:
+    try:
+        # "O" is that of exact numbers such as Decimal. float() would take booleans, too, and the
+        # real part of a complex number.
+        if np.asarray(bare).dtype.kind in "iufO":
             return float(bare)  # type: ignore[arg-type]
-        except (TypeError, ValueError, OverflowError):
-            pass
+    except (TypeError, ValueError, OverflowError):
+        pass
     raise RimrollError(f"{field} must be a single number, got {value!r}")
 
 
@@ -117,10 +119,11 @@ def without_unit(field: str, value: Any, unit: str) -> object:
     """What carries a unit as plain numbers in the SI unit; anything else as it is.
 
     Lists are searched for elements that carry one. Raises ``UnitError`` for a unit of another kind,
-    and for one that cannot be converted.
+    and for one that cannot be converted, and ``RimrollError`` for masked elements.
     """
     if type(value) in _BARE:
         return value
+    _expect_unmasked(field, value)
     if isinstance(value, list | tuple):
         return [_item(element(field, (i,)), item, unit) for i, item in enumerate(value)]
     units = _units(value)
@@ -131,6 +134,12 @@ def without_unit(field: str, value: Any, unit: str) -> object:
         return value.copy(data=without_unit(field, data, unit))  # a data array of quantities
     # A data array may say its unit in an attribute.
     return value * factor_of(units, unit, field, value) if units else value
+
+
+def _expect_unmasked(field: str, value: Any) -> None:
+    """Refuse missing data, which would be computed with as if they were there."""
+    if np.ma.is_masked(value):
+        raise RimrollError(f"{field} must have no masked elements, got {value!r}")
 
 
 def _item(field: str, value: object, unit: str) -> object:
@@ -149,7 +158,7 @@ def _converted(field: str, value: Any, units: Any, unit: str) -> object:
     if not hasattr(value, "to"):
         raise UnitError(
             f"{field}: the unit of {value!r} cannot be converted: give a plain number in {unit}, a"
-            " text with a unit, or a quantity of pint, astropy.units or unyt"
+            " text with a unit, or a quantity of pint"
         )
     si = _spelled(unit)
     try:
@@ -162,6 +171,7 @@ def _converted(field: str, value: Any, units: Any, unit: str) -> object:
         fits = False
     if not fits:
         raise mismatch(field, unit, value, str(units) or "dimensionless")
+    _expect_unmasked(field, converted)
     if np.ndim(converted):
         return np.asarray(converted)
     return _exact(float(converted), value, units, si) if isinstance(converted, Real) else converted

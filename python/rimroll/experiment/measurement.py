@@ -120,7 +120,7 @@ def measure(
     >>> print(f"{can.transverse_inertia / can.mass:.1ue} m²")
     (5.14+/-0.07)e-03 m²
 
-    Plain numbers are in SI units and exact, as are quantities of pint, astropy.units or unyt.
+    Plain numbers are in SI units and exact, as are quantities of pint.
     Numbers of ``uncertainties``, with or without a unit of pint, bring their own standard
     uncertainty. Texts carry units and, where they state it, an uncertainty, as in ``"70 ± 1 g"`` or
     ``"6.9(1) cm"``; else it is half a unit of the last digit and for times at least 0.1 s (rocking:
