@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 PATIENCE = 300.0
-"""A process that takes longer (s) is killed, lest a test wait for ever."""
+"""A process that takes longer (s) is killed, so that no test waits for ever."""
 
 needs_signals = pytest.mark.skipif(
     sys.platform == "win32", reason="Ctrl-C is no signal for another process there"

@@ -1,9 +1,11 @@
 """The set-up: a machine that lacks something is told so in one line, and versions agree."""
 
+import ast
 import os
 import re
 import shutil
 import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
@@ -171,6 +173,32 @@ def test_constraints_pin_every_package_and_name_no_address():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     asked = project["project"]["dependencies"] + project["dependency-groups"]["dev"]
     assert {re.split("[<>=]", requirement)[0] for requirement in asked} <= pinned
+
+
+def test_every_package_that_is_imported_is_declared():
+    """What another dependency happens to bring along may be missing or too old."""
+    imported = set()
+    for file in (ROOT / "python").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.Import):
+                imported |= {alias.name.split(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and not node.level:
+                imported.add(node.module.split(".")[0])
+    own = {"rimroll", "rimroll_command"}
+    type_checkers_only = {"typing_extensions"}
+    packages = imported - sys.stdlib_module_names - own - type_checkers_only
+    distributions = {
+        "PIL": "pillow",
+        "mpl_toolkits": "matplotlib",
+        "pydantic_core": "pydantic",  # pydantic asks for exactly one version of it
+    }
+    needed = {distributions.get(package, package) for package in packages}
+    declared = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
+    assert needed == {re.split("[<>=]", requirement)[0] for requirement in declared}
+    line = re.search(
+        r"\nPython: `numpy`.*\nThe page:", (ROOT / "ARCHITECTURE.md").read_text(), re.S
+    )
+    assert line and all(f"`{name}`" in line[0] for name in needed)
 
 
 def test_one_version_everywhere():

@@ -123,7 +123,7 @@ def _column(array: xr.DataArray) -> Column:
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in the midst of an ensemble; ``done`` is the dataset of the falls so far."""
+    """Ctrl-C during an ensemble; ``done`` is the dataset of the falls so far."""
 
     def __init__(self, falls: Falls | xr.Dataset) -> None:
         self.falls = Falls.of(falls)

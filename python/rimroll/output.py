@@ -32,7 +32,8 @@ def place_of(path: str | os.PathLike[str]) -> Path:
     """Where a file is written: ``path``, or what it points to if it is a symbolic link.
 
     Raises ``RimrollError`` when there is no such folder, when it cannot be written to, and when
-    something is in the way that is no regular file. A folder is never made, lest a misspelt one is.
+    the path is something other than a regular file. No folder is created, because a missing one
+    is often a misspelt name.
     """
     given = Path(path)
     final = Path(os.path.realpath(given))

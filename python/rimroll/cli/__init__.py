@@ -18,9 +18,10 @@ from rimroll.errors import RimrollError
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command with the given arguments, else the program's own; return its exit code.
 
-    0 when all went well, also if whoever reads stdout has had enough, as ``head`` has; 1 when the
-    solver gave up; with one line on stderr, 2 for what cannot be done and 130 when interrupted. The
-    line is ``rimroll: ...`` or, where an answer in JSON is asked for, ``{"error": "..."}``.
+    The code is 0 when all went well, also if the reader of stdout stops reading early, as ``head``
+    does, and 1 when the solver gave up. It is 2 for what cannot be done and 130 when interrupted;
+    then there is one line on stderr: ``rimroll: ...`` or, where an answer in JSON is asked for,
+    ``{"error": "..."}``.
     """
     in_json = "--json" in (sys.argv[1:] if arguments is None else arguments)
     if isinstance(sys.stdout, io.TextIOWrapper):
@@ -60,7 +61,7 @@ def _complain(message: str, code: int, in_json: bool) -> int:
 
 
 def _forget_output() -> None:
-    """Drop what stdout cannot take, lest Python complain once more on its way out."""
+    """Drop what stdout cannot take, so that Python does not report it again when it exits."""
     try:
         sys.stdout.flush()
     except OSError:

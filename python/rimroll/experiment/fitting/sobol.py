@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 DIMENSIONS = 5
 SEED = 2007
 BITS = 30
-"""Of each number: there are points for up to 2³⁰ of them."""
+"""Each number has this many binary digits, which allows for up to 2³⁰ points."""
 
 _STARTS = ((1, 0, (1,)), (2, 1, (1, 3)), (3, 1, (1, 3, 1)), (3, 2, (1, 1, 1)))
 """Degree and coefficients of the primitive polynomial, and first direction numbers, of all
