@@ -209,3 +209,8 @@ def test_what_is_no_solid_is_refused_with_a_sentence(make, complaint):
     with pytest.raises(rr.RimrollError) as refusal:
         make()
     assert complaint in str(refusal.value)
+
+
+def test_arrays_of_no_bodies_are_refused():
+    with pytest.raises(rr.RimrollError, match=r"^bodies must be one or more, got none"):
+        rr.Body([], 0.05, 0.07, 3e-4, 1e-4)

@@ -49,7 +49,8 @@ class Body:
     ------
     RimrollError
         A number that is not finite; m, R, A or C ≤ 0; H < 0; C > 2A, which no rigid body has;
-        arrays that do not broadcast. Of an array the message names the element, ``height[3]``.
+        arrays that are empty or do not broadcast. Of an array the message names the element,
+        ``height[3]``.
     """
 
     mass: float
@@ -181,6 +182,8 @@ class Bodies(NamedTuple):
 def _check_each(body: Body) -> None:
     given = {field.name: getattr(body, field.name) for field in fields(body)}
     grid = Grid.over(given)
+    if 0 in grid.shape:
+        raise RimrollError("bodies must be one or more, got none")
     bad = _core.first_bad_body(Bodies.of(body, grid))
     if bad is not None:
         row, message = bad
