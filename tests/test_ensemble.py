@@ -277,6 +277,22 @@ def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
         rr.ensemble(**asked)
 
 
+@pytest.mark.parametrize(
+    "law",
+    [
+        rr.Coulomb(0.3),
+        rr.Tabulated([0.0, 1.0], [0.1, 0.3]),
+        rr.Tabulated([0.0, 1.0], [0.3, 0.1]),
+        rr.Tabulated([0.0, 1.0], [0.1, 0.1], static=0.3),
+    ],
+)
+def test_the_bound_on_friction_holds_for_friction_times_grip(law):
+    rr.ensemble(CAN, START, law, grip=0.999e6 / 0.3, duration=1e-9)
+    for grip in (1.001e6 / 0.3, 1e9, 1e308):
+        with pytest.raises(rr.RimrollError, match=r"(friction|frictions|static) must be .*1e6"):
+            rr.ensemble(CAN, START, law, grip=grip, duration=1e-9)
+
+
 @pytest.mark.parametrize("place", [0, 3, 4999])
 def test_the_start_of_many_that_is_at_fault_is_named(place):
     tilts, yaws = np.full(5000, 0.3), np.zeros(5000)

@@ -13,6 +13,7 @@ PARAMETERS: list[str]
 FALL_COLUMNS: list[str]
 OUTCOMES: list[str]
 LAWS: list[str]
+MOST_FRICTION: float
 STANDARD_GRAVITY: float
 
 _Array = NDArray[np.float64]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from rimroll._core import MOST_FRICTION
 from rimroll.errors import RimrollError
 from rimroll.given import number
 
@@ -18,8 +19,6 @@ MOST_POINTS = 10_000
 
 CLOSEST = 1e-9
 """How close two points may be, relative to the range of speeds."""
-
-MOST_FRICTION = 1e6
 
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 PLACES = np.sort(np.arange(1, 65) * GOLDEN % 1.0)

@@ -47,7 +47,7 @@ struct Striking {
     slip: [f64; 2],
     /// P, N s.
     pressed: f64,
-    /// Of the normal impulse, J.
+    /// The work done by the normal impulse, J.
     work: f64,
 }
 
@@ -64,7 +64,7 @@ enum Until {
 struct Impact {
     mobility: Mobility,
     friction: f64,
-    /// At its beginning.
+    /// The slip at its beginning, m/s.
     slip: [f64; 2],
     /// v at its beginning, negative.
     approach: f64,

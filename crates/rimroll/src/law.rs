@@ -29,8 +29,7 @@ pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResis
 pub use sliding::{DryFriction, Friction, Pull, Sliding};
 pub(crate) use sliding::{DryLaw, Pace, SlidingDry};
 pub use stribeck::Stribeck;
-pub(crate) use tabulated::MOST_FRICTION;
-pub use tabulated::Tabulated;
+pub use tabulated::{MOST_FRICTION, Tabulated};
 pub use viscous::Viscous;
 
 use crate::body::Body;

@@ -106,8 +106,8 @@ impl FrictionLaw {
 
     fn check(&self) -> Result<(), InvalidInput> {
         match *self {
-            // A table is checked when it is made.
-            FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::Tabulated(_) => {}
+            FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
+            FrictionLaw::Tabulated(ref table) => table.check()?,
             FrictionLaw::Viscous { coefficient } => {
                 not_negative("coefficient", coefficient, "N s/m")?;
             }

@@ -8,11 +8,11 @@
 //! the three-point formula at the ends of C. Moler, *Numerical Computing with MATLAB* (2004), section 3.6.
 
 use super::{DryFriction, Friction, Pull};
-use crate::error::{InvalidInput, entry};
+use crate::error::{InvalidInput, bounded, entry};
 use std::sync::Arc;
 
 /// Coefficients of friction above this are refused.
-pub(crate) const MOST_FRICTION: f64 = 1e6;
+pub const MOST_FRICTION: f64 = 1e6;
 
 /// Friction whose coefficient is a function of the slip speed, given by points.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +39,7 @@ impl Tabulated {
         check_points(speeds, frictions)?;
         let slowest = frictions[0];
         let static_friction = static_friction.unwrap_or(slowest);
-        crate::error::bounded(
+        bounded(
             "static",
             static_friction,
             |f| (slowest..=MOST_FRICTION).contains(&f),
@@ -51,6 +51,24 @@ impl Tabulated {
             factor: 1.0,
             static_friction,
         })
+    }
+
+    /// Checks the coefficients, which [`Tabulated::times`] may have moved out of their bounds.
+    ///
+    /// # Errors
+    /// Refuses a curve whose largest value is not from 0 to 1e6, and such a static coefficient.
+    pub(crate) fn check(&self) -> Result<(), InvalidInput> {
+        let sensible = |f: f64| (0.0..=MOST_FRICTION).contains(&f);
+        let largest = self.factor * self.curve.largest;
+        bounded("frictions", largest, sensible, "between 0 and 1e6", "")?;
+        bounded(
+            "static",
+            self.static_friction,
+            sensible,
+            "between 0 and 1e6",
+            "",
+        )?;
+        Ok(())
     }
 
     /// μ_s, of sticking.
@@ -133,6 +151,8 @@ struct Curve {
     pieces: Box<[Piece]>,
     end: f64,
     value_at_end: f64,
+    /// The largest value, which is at one of the points.
+    largest: f64,
 }
 
 /// value + x (slope + x (square + x cube)) at x beyond its beginning.
@@ -165,6 +185,7 @@ impl Curve {
             pieces: (0..last).map(piece).collect(),
             end: x[last],
             value_at_end: y[last],
+            largest: y.iter().fold(y[0], |most, &value| most.max(value)),
         }
     }
 

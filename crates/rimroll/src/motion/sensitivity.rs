@@ -21,7 +21,8 @@ use crate::solve::Step;
 use crate::state::{Coordinates, MOVING, TIME};
 use core::ops::ControlFlow;
 
-/// A caller who wants to stop is asked after so many steps: on any machine, some thousandths of a second.
+/// How many steps lie between two questions to the caller whether to stop: on any machine, they take some
+/// thousandths of a second.
 const STEPS_BETWEEN_REPORTS: usize = 256;
 
 /// The derivatives of a turn take two steps, and two searches for them.
@@ -87,7 +88,7 @@ struct Moving {
 }
 
 impl Sensitivity {
-    /// Of a motion from its start on; none when `watch` breaks off the work.
+    /// The sensitivity of a motion from its start on; none when `watch` breaks off the work.
     pub(super) fn of(
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
