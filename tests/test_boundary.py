@@ -77,7 +77,7 @@ def test_odd_times_are_refused_with_a_sentence(t):
         rr.simulate(CAN, START, rr.NoSlip()).evaluate(t)
 
 
-@pytest.mark.parametrize("tilt", ["0.5", True])
+@pytest.mark.parametrize("tilt", ["half", "0.5 m", True])
 def test_a_state_refuses_what_a_body_refuses(tilt):
     with pytest.raises(rr.RimrollError):
         rr.State(tilt=tilt)
@@ -138,7 +138,7 @@ def test_things_of_the_wrong_kind_are_refused_by_name(body, start, law, words):
     [
         lambda: rr.bodies.soda_can(True),
         lambda: rr.disk_turn_limit(True),
-        lambda: rr.solids.wall("0.05", 0.1, 0.1),
+        lambda: rr.solids.wall("0.05 m", 0.1, 0.1),
         lambda: rr.Body(10**400, 0.05, 0.07, 1e-4, 1e-4),
         lambda: rr.simulate(CAN, START, rr.NoSlip(), 10**400),
         lambda: rr.Solid(-1.0, 0.0, 1.0, 1.0),

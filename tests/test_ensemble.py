@@ -309,7 +309,7 @@ def test_the_start_of_many_that_is_at_fault_is_named(place):
 
 
 def test_a_dataset_of_something_else_is_refused():
-    with pytest.raises(rr.RimrollError, match="must be a dataset of rimroll"):
+    with pytest.raises(rr.RimrollError, match="records no body_mass"):
         body_of(xr.Dataset())
 
 

@@ -576,7 +576,7 @@ def test_the_figure_shows_the_falls_three_curves_and_the_deviance(fit_of_the_pap
         (np.full((4, 4), 3.7), r"directions must be a flat array of angles, got shape \(4, 4\)"),
         (3.7, r"directions must be a flat array of angles, got shape \(\)"),
         ([[3.7], [3.7, 2.6]], "directions must be a flat array of angles, got a ragged one"),
-        (["3.7"] * 8, "directions must be a flat array of angles, got .* of <U3"),
+        (["3.7 kg"] * 8, '"kg" does not measure an angle'),
         ([True] * 8, "directions must be a flat array of angles, got .* of bool"),
         ([3.7j] * 8, "directions must be a flat array of angles, got .* of complex128"),
         (None, "directions must be a flat array of angles"),
