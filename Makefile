@@ -13,7 +13,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web test bench coverage lint clean toolchain
+.PHONY: help demo web test bench coverage census lint clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -35,6 +35,9 @@ bench: .venv/.extension ## measure against the peers, into bench/results (a quar
 
 coverage: .venv/.extension ## measure how often the fit's intervals hold the truth (twenty minutes)
 	.venv/bin/python bench/coverage.py
+
+census: .venv/.extension ## compare both engines from 100 000 wild starts (ten minutes)
+	.venv/bin/python bench/census.py
 
 lint: .venv/.packages web/node_modules/.installed ## check format, lints and types
 	cargo fmt --all --check

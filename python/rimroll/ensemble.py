@@ -126,7 +126,8 @@ def ensemble(
         (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it was computed from, ``body_...``
         and ``law_...`` where they differ from row to row, and the :data:`VARIABLES`. ``turn`` is by
         how much the contact point went round, with its sign, and ``direction`` where that led: a
-        body that dips and falls over near where it leaned has a small turn. ``turn``,
+        body that dips and falls over near where it leaned has a small turn. The turn counts from
+        the release unless the tilt rises there, as told in :class:`rimroll.ExactTurn`. ``turn``,
         ``direction``, ``min_tilt`` and ``near_time`` are NaN for a fall that did not come down, and
         for one that ``hovered`` or ``failed``, whose turn was not over when time or steps were up.
         The attributes hold everything else that it was computed from. ``outcome``, ``near_time``

@@ -40,9 +40,12 @@ class ExactTurn:
 
     Where a start or body has data arrays of xarray, so has this.
 
-    A turn begins at the release or, where the tilt rises then, at the tilt maximum that follows. It
-    ends at the first tilt maximum after the near-collision, or where the body topples or its rim
-    leaves the table before that. Numbers that a motion does not have are NaN.
+    A turn begins at the release or, where the tilt rises then, at the tilt maximum that follows:
+    the sign of ``tilt_rate`` decides, however small it is, and at exactly 0 that of the tilt's
+    acceleration. So a body let go about where its tilt is smallest has half the turn if it falls
+    by however little, and the whole if it is at rest or rises. A turn ends at the first tilt
+    maximum after the near-collision, or where the body topples or its rim leaves the table before
+    that. Numbers that a motion does not have are NaN.
     """
 
     turn: Numbers

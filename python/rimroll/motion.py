@@ -245,6 +245,10 @@ class Phase:
 class Turn:
     """From one tilt maximum (or the release) to the next, through a tilt minimum; rad and s.
 
+    The first begins at the release or, where the tilt rises then, at the maximum that follows: the
+    sign of ``tilt_rate`` decides, however small it is, and at exactly 0 that of the tilt's
+    acceleration. A disk that passes the vertical ends one turn there and begins another.
+
     When the minimum is a near-collision, ``angle`` is the paper's angle of turn. ``angle``: change
     of yaw, with its sign. ``min_tilt``, ``t``, ``yaw_rate``: the smallest tilt, its time and the
     yaw rate then. ``start``, ``end``: times of the maxima (or release) before and after.

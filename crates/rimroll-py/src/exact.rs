@@ -6,7 +6,7 @@ use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use rimroll::motion::{Outcome, PARAMETERS};
+use rimroll::motion::PARAMETERS;
 use rimroll::turn::exact::{ExactRows, ExactTurn};
 use std::sync::mpsc::channel;
 
@@ -62,10 +62,10 @@ pub fn exact_turns<'py>(
         let slopes = jacobian.then(|| exact.turn_slopes_while(goes_on));
         let slopes = slopes.transpose()?.flatten();
         let turns = exact.turns_while(goes_on)?.unwrap_or_default();
-        let codes = |&(turn, outcome): &(ExactTurn, Outcome)| [turn.ending as u8, outcome as u8];
+        let codes = |turn: &ExactTurn| [turn.ending as u8, turn.outcome as u8];
         Ok(Told {
             codes: by_columns(&turns, codes),
-            table: by_columns(&turns, |(turn, _)| numbers(turn)),
+            table: by_columns(&turns, numbers),
             slopes: slopes.map(|slopes| by_columns(&slopes, |slopes| *slopes)),
         })
     };

@@ -75,9 +75,10 @@ impl<T: Copy> Parameters<T> {
 }
 
 impl Parameters<f64> {
-    /// The tilt at which the centre of mass is above the contact point, rad.
-    pub(crate) fn balance_tilt(&self) -> f64 {
-        libm::atan2(self.r, self.h)
+    /// Whether a body that leans so far is past its balance point. A disk is not: past the vertical it leans
+    /// from its other face.
+    pub(crate) fn is_past_balance(&self, tilt: f64) -> bool {
+        self.h > 0.0 && tilt > libm::atan2(self.r, self.h)
     }
 }
 

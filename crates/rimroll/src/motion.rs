@@ -31,6 +31,7 @@ pub(crate) use run::{pass_near_collision, stopped};
 pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
 pub use track::{Instant, LookUp, Track};
 pub use turns::Turn;
+pub(crate) use turns::direction_at_release;
 
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};

@@ -146,6 +146,18 @@ impl<T: Real> Yardstick<T> {
     }
 }
 
+impl Yardstick<f64> {
+    /// −1 or 1 where the tilt clearly falls or rises, by more than a part `significant` of its scale; 0 where
+    /// it cannot be told.
+    pub(crate) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, significant: f64) -> f64 {
+        if u.p.abs() > significant * self.tilt_rate(u) {
+            u.p.signum()
+        } else {
+            0.0
+        }
+    }
+}
+
 impl<T: Real> Yardstick<T> {
     /// Negative where a dry slip stops so soon that the last of it can go at the rate at which it stops,
     /// to within the tolerance: neither its direction nor anything else changes much until then. The rates

@@ -151,7 +151,7 @@ impl<'a> Dry<'a> {
             if !limits.are_far_from(&at, &body.topple) {
                 continue;
             }
-            let trial = Trial::new(index, &at, limits, body, false);
+            let trial = Trial::new(index, &at, false);
             let contacts = self.contacts(&trial);
             match self.going_on(trial, contacts.settle(&at), &at) {
                 Some(Begins::Rolling(waiting)) => return Some(waiting),

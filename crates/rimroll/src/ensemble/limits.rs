@@ -39,11 +39,7 @@ impl Limits {
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
     pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, by: &Yardstick<f64>) -> f64 {
-        if u.p.abs() > self.significant * by.tilt_rate(u) {
-            u.p.signum()
-        } else {
-            0.0
-        }
+        by.sign_of_tilt_rate(u, self.significant)
     }
 }
 

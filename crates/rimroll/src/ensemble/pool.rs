@@ -435,7 +435,7 @@ mod tests {
             };
             assert!(phase.holds(&Slipping::of(&at)) < 0.0);
             let mut pool: Pool<'_, Slipping<f64>, 10> = Pool::new(body, limits);
-            let trial = Trial::new(0, &at, limits, body, true);
+            let trial = Trial::new(0, &at, true);
             pool.put(trial, &at, (body, friction), 1e-4);
             let mut left = None;
             for _ in 0..200 {

@@ -83,7 +83,7 @@ impl Falls<'_> {
                     contact = new_contact(body);
                 }
                 if limits.are_far_from(&u, &body.topple) && contact.1.holds(&A::of(&u)) > 0.0 {
-                    let trial = Trial::new(index, &u, limits, body, law != FrictionLaw::NoSlip);
+                    let trial = Trial::new(index, &u, law != FrictionLaw::NoSlip);
                     pool.put(trial, &u, (body, 0.0), body.yardstick.first_step(&u));
                 }
             }

@@ -1,9 +1,7 @@
 //! A fall in the making.
 
-use super::limits::Limits;
-use super::piece::BodyNumbers;
 use crate::law::Parameters;
-use crate::motion::{Fall, Seen, Status, Turn};
+use crate::motion::{Fall, Seen, Status, Turn, direction_at_release};
 use crate::state::Coordinates;
 
 /// What is to be remembered of a fall on its way.
@@ -29,19 +27,13 @@ pub(super) struct Trial {
 
 impl Trial {
     /// One that begins.
-    pub(super) fn new(
-        index: usize,
-        start: &Coordinates<f64>,
-        limits: &Limits,
-        body: &BodyNumbers,
-        slid: bool,
-    ) -> Trial {
+    pub(super) fn new(index: usize, start: &Coordinates<f64>, slid: bool) -> Trial {
         Trial {
             index,
             from: *start,
             lowest: None,
             turned: false,
-            direction: limits.sign_of_tilt_rate(start, &body.yardstick),
+            direction: direction_at_release(start),
             steps: 0.0,
             slid,
             friction_loss: 0.0,

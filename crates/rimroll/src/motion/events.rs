@@ -157,6 +157,22 @@ fn extreme(dense: &Polynomial, from: &Look, to: &Look) -> Option<f64> {
     reverses.then(|| dense.root(from.x, to.x, |u| Coordinates::from_array(u).p))
 }
 
+/// The looks, and one more wherever the tilt is extreme between two of them: what is reached there may be
+/// left again before the next look.
+fn with_extremes(dense: &Polynomial, looks: &[Look]) -> Vec<Look> {
+    let mut all = Vec::with_capacity(looks.len() + 1);
+    for (i, look) in looks.iter().enumerate() {
+        let before = i.checked_sub(1).map(|before| &looks[before]);
+        // A release from rest has its extreme where it begins: nothing has happened yet.
+        let between = before
+            .and_then(|before| extreme(dense, before, look))
+            .filter(|&x| x > 0.0);
+        all.extend(between.map(|x| Look::at(dense, x)));
+        all.push(*look);
+    }
+    all
+}
+
 /// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
 /// can be seen to land.
 fn in_the_air(dense: &Polynomial, from: f64, to: f64) -> f64 {
@@ -181,8 +197,9 @@ pub(super) struct Watch<'a> {
     /// A tilt rate counts as having a sign when it is larger than this part of its scale: a steady
     /// wobble has none.
     significant: f64,
-    /// The last such sign, 0 before there is one.
+    /// The last such sign, and at first [that of the release](turns::direction_at_release).
     direction: f64,
+    started_on_first_face: bool,
     crossing: Option<Crossing>,
     events: Vec<Event>,
 }
@@ -195,28 +212,30 @@ impl<'a> Watch<'a> {
         start: &Instant,
     ) -> Self {
         let energy = energy_above_rest(contacts.law(start.phase), start);
-        let mut watch = Watch {
+        Watch {
             contacts,
             yardstick: Yardstick::new(contacts.parameters()),
             goal,
             topple: options.topple_tilt.map(libm::sincos),
             start_energy: energy,
             significant: 10.0 * options.rtol,
-            direction: 0.0,
+            started_on_first_face: start.cos > 0.0,
+            direction: turns::direction_at_release(start),
             crossing: None,
             events: Vec::new(),
-        };
-        watch.direction = watch.sign_of_tilt_rate(start);
-        watch
+        }
     }
 
-    pub(super) fn into_events(mut self) -> Vec<Event> {
-        self.events.sort_by(|a, b| a.at.t.total_cmp(&b.at.t));
+    /// What happened, in order of time.
+    pub(super) fn into_events(self) -> Vec<Event> {
         self.events
     }
 
+    /// Notes an event in its place: that a tilt was extreme is known only some time after.
     pub(super) fn note(&mut self, kind: EventKind, at: Instant) {
-        self.events.push(Event { kind, at });
+        let earlier = |event: &Event| event.at.t.total_cmp(&at.t).is_le();
+        let place = self.events.partition_point(earlier);
+        self.events.insert(place, Event { kind, at });
     }
 
     /// The motion has changed at once from `before`, and with it perhaps the sign of the tilt rate.
@@ -311,25 +330,28 @@ impl<'a> Watch<'a> {
     ) -> Option<Switch> {
         let phase = leg.phase;
         let piece = Piece { leg: &leg, dense };
-        let looks = LOOKS.map(|x| Look::at(dense, x));
-        let Some((switch, x)) = self.first_ending(phase, dense, &looks) else {
+        let looks = LOOKS.map(|x| Look::at(dense, x)).to_vec();
+        let closer = with_extremes(dense, &looks);
+        let Some((switch, x)) = self.first_ending(phase, dense, &closer) else {
             self.note_extremes(piece, &looks);
-            self.note_on_edge(piece, &looks);
+            self.note_on_edge(piece, &closer);
             track.push(leg);
             return self.has_turned().then_some(Switch::Done);
         };
-        let before = looks.into_iter().filter(|look| look.x < x);
-        let looks: Vec<_> = before.chain([Look::at(dense, x)]).collect();
+        let up_to_the_end = |mut looks: Vec<Look>| {
+            looks.retain(|look| look.x < x);
+            looks.push(Look::at(dense, x));
+            looks
+        };
         let mut last = self.refine(piece, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration) | Goal::Turn(duration)) = (switch, self.goal) {
             // Neither a rounding error short of what was asked for nor one beyond it.
             last.end[TIME] = duration;
         }
-        let known = self.events.len();
-        self.note_extremes(piece, &looks);
-        self.note_on_edge(piece, &looks);
+        self.note_extremes(piece, &up_to_the_end(looks));
+        self.note_on_edge(piece, &up_to_the_end(closer));
         // Each time is right but for rounding, and nothing happens after the end.
-        for event in &mut self.events[known..] {
+        for event in &mut self.events {
             if event.at.t > last.end[TIME] {
                 event.at.u = Coordinates::from_array(&last.end);
             }
@@ -340,7 +362,8 @@ impl<'a> Watch<'a> {
 
     /// Whether one turn was asked for and is over.
     fn has_turned(&self) -> bool {
-        matches!(self.goal, Goal::Turn(_)) && turns::first_over(&self.events).is_some()
+        matches!(self.goal, Goal::Turn(_))
+            && turns::first_over(self.started_on_first_face, &self.events).is_some()
     }
 
     /// A function of the coordinates that changes sign where the phase ends.
@@ -384,18 +407,8 @@ impl<'a> Watch<'a> {
         dense: &Polynomial,
         looks: &[Look],
     ) -> Option<(Switch, f64)> {
-        looks.windows(2).find_map(|look| {
-            let (from, to) = (&look[0], &look[1]);
-            // A release from rest has its extreme where it begins: nothing has happened yet.
-            match extreme(dense, from, to).filter(|&x| x > 0.0) {
-                Some(x) => {
-                    let most = Look::at(dense, x);
-                    self.ending_between(phase, dense, from, &most)
-                        .or_else(|| self.ending_between(phase, dense, &most, to))
-                }
-                None => self.ending_between(phase, dense, from, to),
-            }
-        })
+        let ends = |look: &[Look]| self.ending_between(phase, dense, &look[0], &look[1]);
+        looks.windows(2).find_map(ends)
     }
 
     fn ending_between(
@@ -425,12 +438,7 @@ impl<'a> Watch<'a> {
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
     fn sign_of_tilt_rate(&self, u: &Coordinates<f64>) -> f64 {
-        let scale = self.yardstick.tilt_rate(u);
-        if u.p.abs() > self.significant * scale {
-            u.p.signum()
-        } else {
-            0.0
-        }
+        self.yardstick.sign_of_tilt_rate(u, self.significant)
     }
 
     fn note_extremes(&mut self, piece: Piece<'_>, looks: &[Look]) {

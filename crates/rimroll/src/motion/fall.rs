@@ -96,7 +96,7 @@ impl Fall {
         let tilting = Tilting {
             came_down: seen.turn.is_some(),
             turned: seen.turned,
-            past_balance: end.tilt > k.balance_tilt(),
+            past_balance: k.is_past_balance(end.tilt),
         };
         let outcome = Outcome::of(status, tilting);
         Fall {
@@ -139,7 +139,7 @@ pub fn fall(
         track.start().phase == phase || later
     };
     let topple = events.iter().find(|event| event.kind == EventKind::Topple);
-    let turned = first_over(&events);
+    let turned = first_over(start.cos > 0.0, &events);
     let over = turned.or_else(|| topple.map(|event| event.at.u));
     let end = over.unwrap_or_else(|| track.end().u);
     let seen = Seen {

@@ -5,6 +5,10 @@ use super::events::{Event, EventKind};
 use crate::state::Coordinates;
 
 /// From one tilt maximum to the next, through a minimum: the paper's turn when that is a near-collision.
+///
+/// The first begins at the release or, where the tilt rises there, at the maximum that follows: the sign of
+/// the tilt rate decides, however small it is, and at a tilt rate of exactly 0 the sign of the tilt's
+/// acceleration. A disk that passes the vertical ends one turn there and begins another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
     /// Change of yaw from one tilt maximum (or the release) to the next, rad, with its sign.
@@ -30,13 +34,37 @@ enum Lean {
     Most,
 }
 
-fn lean(event: &Event) -> Option<Lean> {
-    let on_first_face = event.at.cos > 0.0;
-    match event.kind {
-        EventKind::TiltMin if on_first_face => Some(Lean::Least),
-        EventKind::TiltMax if !on_first_face => Some(Lean::Least),
-        EventKind::TiltMin | EventKind::TiltMax | EventKind::OnEdge => Some(Lean::Most),
-        _ => None,
+/// The events at which the base leans least or most, for a motion that starts on the first face or not.
+/// Which face the body is on is counted from edge to edge, not read off the tilt, which where it only just
+/// reaches π/2 is on the one side or the other by rounding.
+fn leans(
+    mut on_first_face: bool,
+    events: &[Event],
+) -> impl Iterator<Item = (Lean, &Coordinates<f64>)> {
+    events.iter().filter_map(move |event| {
+        let lean = match event.kind {
+            EventKind::TiltMin if on_first_face => Lean::Least,
+            EventKind::TiltMax if !on_first_face => Lean::Least,
+            EventKind::TiltMin | EventKind::TiltMax => Lean::Most,
+            EventKind::OnEdge => {
+                on_first_face = !on_first_face;
+                Lean::Most
+            }
+            _ => return None,
+        };
+        Some((lean, &event.at.u))
+    })
+}
+
+/// Which way the tilt goes at the release: −1 where it falls, 1 where it rises, by however little. 0 at
+/// rest, where its acceleration decides: the first clear direction after that is no reversal.
+///
+/// A turn counts from the release unless the tilt rises there, then from the maximum that follows.
+pub(crate) fn direction_at_release(start: &Coordinates<f64>) -> f64 {
+    if start.p == 0.0 {
+        0.0
+    } else {
+        start.p.signum()
     }
 }
 
@@ -49,12 +77,13 @@ pub(super) fn turns(start: &Coordinates<f64>, events: &[Event]) -> Vec<Turn> {
     turns_and_rest(start, events).0
 }
 
-/// Where the first turn was over, if it was.
-pub(super) fn first_over(events: &[Event]) -> Option<Coordinates<f64>> {
-    let is = |wanted| move |event: &&Event| lean(event) == Some(wanted);
-    let mut events = events.iter();
-    events.find(is(Lean::Least))?;
-    events.find(is(Lean::Most)).map(|event| event.at.u)
+/// Where the first turn of a motion that starts on the first face, or not, was over, if it was.
+pub(super) fn first_over(on_first_face: bool, events: &[Event]) -> Option<Coordinates<f64>> {
+    let mut leans = leans(on_first_face, events);
+    leans.find(|&(lean, _)| lean == Lean::Least)?;
+    leans
+        .find(|&(lean, _)| lean == Lean::Most)
+        .map(|(_, at)| *at)
 }
 
 /// The first turn of a motion, which may have ended before the tilt was largest, as by toppling.
@@ -78,16 +107,15 @@ fn turns_and_rest(start: &Coordinates<f64>, events: &[Event]) -> (Vec<Turn>, Opt
     let mut turns = Vec::new();
     let mut from = *start;
     let mut lowest: Option<Coordinates<f64>> = None;
-    for event in events {
-        match lean(event) {
-            Some(Lean::Least) => lowest = Some(event.at.u),
-            Some(Lean::Most) => {
+    for (lean, at) in leans(start.cos > 0.0, events) {
+        match lean {
+            Lean::Least => lowest = Some(*at),
+            Lean::Most => {
                 if let Some(low) = lowest.take() {
-                    turns.push(Turn::between(&from, &low, &event.at));
+                    turns.push(Turn::between(&from, &low, at));
                 }
-                from = event.at.u;
+                from = *at;
             }
-            None => {}
         }
     }
     (turns, lowest.map(|lowest| Unfinished { from, lowest }))

@@ -71,9 +71,11 @@ const LOOKS: usize = 24;
 /// The first turn of a motion, and what became of it. What does not exist is NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExactTurn {
-    /// How it ended. A rim that leaves the table ends the turn wherever the body leans; see
-    /// [`Exact::outcome`].
+    /// How it ended. A rim that leaves the table ends the turn wherever the body leans.
     pub ending: Outcome,
+    /// What became of the body: the same, except that it falls over if its rim leaves the table as it rises
+    /// past the balance point.
+    pub outcome: Outcome,
     /// Change of yaw from the release, or the largest tilt after it, through the smallest tilt to the
     /// end, rad.
     pub turn: f64,
@@ -171,17 +173,6 @@ impl Exact {
         Ok(self.turn_of(start))
     }
 
-    /// What becomes of the body after a turn: as its ending, except that a body falls over whose rim
-    /// leaves the table as it rises past the balance point.
-    pub fn outcome(&self, turn: &ExactTurn) -> Outcome {
-        match turn.ending {
-            Outcome::LiftedOff => {
-                Outcome::lifted_off(turn.max_tilt > self.parameters.balance_tilt())
-            }
-            ending => ending,
-        }
-    }
-
     fn check(&self, start: &State) -> Result<(), InvalidInput> {
         self.options.check(start)
     }
@@ -204,12 +195,21 @@ impl Exact {
     }
 
     fn turn_of(&self, start: &State) -> ExactTurn {
-        let outcome = if self.is_beyond(start) {
+        let quadrature = if self.is_beyond(start) {
             None
         } else {
             self.quadrature(start)
         };
-        outcome.map_or_else(|| self.stepped(start), |outcome| told(&outcome))
+        let Some(turn) = quadrature.map(|quadrature| told(&quadrature)) else {
+            return self.stepped(start);
+        };
+        match turn.ending {
+            Outcome::LiftedOff => ExactTurn {
+                outcome: Outcome::lifted_off(self.parameters.is_past_balance(turn.max_tilt)),
+                ..turn
+            },
+            _ => turn,
+        }
     }
 
     fn quadrature(&self, start: &State) -> Option<Quadrature<f64>> {
@@ -283,6 +283,7 @@ fn told(outcome: &Quadrature<f64>) -> ExactTurn {
     let min_time = before.time + of(&outcome.down, |piece| piece.time);
     ExactTurn {
         ending: outcome.ending,
+        outcome: outcome.ending,
         turn,
         min_tilt: tilt(outcome.low),
         max_tilt: tilt(outcome.high),
@@ -301,6 +302,7 @@ fn told_of_fall(fall: &Fall, start: &State) -> ExactTurn {
     };
     ExactTurn {
         ending,
+        outcome: fall.outcome,
         turn: of_turn(|turn| turn.angle),
         min_tilt: of_turn(|turn| turn.min_tilt),
         max_tilt: of_turn(|turn| turn.max_tilt),

@@ -1,7 +1,7 @@
 //! One start by itself, whatever becomes of it.
 
 use super::extremes::{Extreme, highest, lowest};
-use super::looks::first_sign_change;
+use super::looks::{Energy, Unclear, first_sign_change, first_turn_back, is_clear};
 use super::pieces::{Piece, across, from_lowest, short, to_highest};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
@@ -115,28 +115,58 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             return Some(Quadrature::without_turn(Outcome::LiftedOff, None));
         }
         let p = start.p.value();
-        let rising = p > 0.0 || (p == 0.0 && point.slope.value() > 0.0);
-        let low = self.low(p == 0.0 && rising).ok()?;
-        let high = self.high(p == 0.0 && !rising).ok()?;
+        // At rest the tilt's acceleration decides, if rounding leaves it a sign.
+        let at_rest = p == 0.0;
+        if at_rest && point.slope.value().abs() <= self.motion.rounding(&point, start.eta).value() {
+            return None;
+        }
+        let rising = p > 0.0 || (at_rest && point.slope.value() > 0.0);
+        let low = self.low(at_rest && rising).ok()?;
+        let high = self.high(at_rest && !rising).ok()?;
         let low = match low {
             _ if rising && high.is_none() => return self.fell_back(),
             Some(low) if low.point.sin.value() >= FLAT => low,
-            _ => return Some(self.came_down_flat(&high)),
+            _ => return Some(self.came_down_flat(high.filter(|_| rising))),
         };
         let top = match high {
             Some(high) => Top::Rest(high),
             None => Top::Passing(T::from(self.end.0), self.end.1),
         };
-        let top = match self.lifting(&low, &top, rising) {
-            None => top,
-            Some(None) => return Some(Quadrature::without_turn(Outcome::LiftedOff, None)),
-            Some(Some(y)) => Top::Passing(y, Outcome::LiftedOff),
-        };
         match top {
             Top::Rest(high) if (high.eta - low.eta).value() < LONGEST => {
                 self.wobbling(&low, &high, rising)
             }
-            top => self.along(self.motion, &start, &low, &top, rising),
+            top => self.pressed(self.motion, &start, &low, top, rising),
+        }
+    }
+
+    /// Along the whole, or to where the table would have to pull.
+    fn pressed(
+        &self,
+        motion: &impl Tilting<T>,
+        start: &Start<T>,
+        low: &Extreme<T>,
+        top: Top<T>,
+        rising: bool,
+    ) -> Option<Quadrature<T>> {
+        // Extremes may be counted from the start; the table's push is not.
+        let counted_from = self.start.eta - start.eta;
+        let moved = |extreme: &Extreme<T>| Extreme {
+            eta: extreme.eta + counted_from,
+            ..*extreme
+        };
+        let absolute = match top {
+            Top::Rest(high) => Top::Rest(moved(&high)),
+            Top::Passing(y, outcome) => Top::Passing(y, outcome),
+        };
+        let low_there = moved(low);
+        match self.lifting(&low_there, &absolute, rising) {
+            None => self.along(motion, start, low, &top, rising),
+            Some(None) => Some(Quadrature::without_turn(Outcome::LiftedOff, None)),
+            Some(Some(y)) => {
+                let top = Top::Passing(y, Outcome::LiftedOff);
+                self.along(self.motion, &self.start, &low_there, &top, rising)
+            }
         }
     }
 
@@ -154,7 +184,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             eta: T::from(0.0),
             ..self.start
         };
-        self.along(&wobble, &start, &low, &Top::Rest(high), rising)
+        self.pressed(&wobble, &start, &low, Top::Rest(high), rising)
     }
 
     fn fell_back(&self) -> Option<Quadrature<T>> {
@@ -171,10 +201,13 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         Some(Quadrature::without_turn(ending, None))
     }
 
-    /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way.
-    fn came_down_flat(&self, high: &Option<Extreme<T>>) -> Quadrature<T> {
-        let highest = high.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
-        let ending = if self.lifts_coming_down(highest.value(), libm::log(FLAT)) {
+    /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way from the
+    /// start or, if it rises at first, from the largest tilt.
+    fn came_down_flat(&self, from: Option<Extreme<T>>) -> Quadrature<T> {
+        let highest = from.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
+        // Where sin φ = 2 tan(φ/2) is that at which steps end.
+        let flat = libm::log(0.5 * FLAT);
+        let ending = if self.lifts_coming_down(highest.value(), flat) {
             Outcome::LiftedOff
         } else {
             Outcome::FaceDown
@@ -346,7 +379,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             return Ok(Some(low));
         }
         let flat = libm::log(0.25 * FLAT);
-        let root = first_sign_change(start.eta.value(), flat, |eta| self.drive(eta));
+        let root = first_turn_back(start.eta.value(), flat, |eta| self.energy(eta))?;
         root.map(|eta| met(lowest(self.motion, at(eta), 4)))
             .transpose()
     }
@@ -370,15 +403,14 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
             }
         }
         let end = libm::log(self.end.0);
-        let root = first_sign_change(start.eta.value(), end, |eta| self.drive(eta));
+        let root = first_turn_back(start.eta.value(), end, |eta| self.energy(eta))?;
         root.map(|eta| met(highest(self.motion, at(eta), 4)))
             .transpose()
     }
 
     /// Whether the tilt does not turn back between two others.
     fn clear(&self, from: f64, to: f64) -> bool {
-        (1..8).all(|i| self.drive(from + (to - from) * f64::from(i) / 8.0) >= 0.0)
-            || (to - from).abs() < SHORT
+        (to - from).abs() < SHORT || is_clear(from, to, |eta| self.energy(eta))
     }
 
     /// Where the table would have to pull: `Some(None)` before the smallest tilt is reached.
@@ -413,11 +445,13 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         y < self.balance.y && self.motion.surely_pressing(&low.point, &point).value() > 0.0
     }
 
-    fn drive(&self, eta: f64) -> f64 {
-        self.motion
-            .at(T::from(libm::exp(eta)), T::from(eta))
-            .drive
-            .value()
+    fn energy(&self, eta: f64) -> Energy {
+        let point = self.motion.at(T::from(libm::exp(eta)), T::from(eta));
+        Energy {
+            drive: point.drive.value(),
+            slope: point.slope.value(),
+            rounding: self.motion.rounding(&point, T::from(eta)).value(),
+        }
     }
 
     fn pressing(&self, eta: f64) -> f64 {
@@ -487,10 +521,7 @@ fn head<T: Scalar>(
     })
 }
 
-/// An extreme on which the iteration does not settle: two of them are close together.
-struct Unclear;
-
-/// An extreme on which it does.
+/// An extreme on which the iteration settles; where it does not, two of them are close together.
 fn met<T: Scalar>(extreme: Extreme<T>) -> Result<Extreme<T>, Unclear> {
     let settled = extreme.change.value() < 1e-8;
     settled.then_some(extreme).ok_or(Unclear)

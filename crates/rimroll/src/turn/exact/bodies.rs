@@ -4,7 +4,7 @@ use super::{Exact, ExactTurn};
 use crate::body::Body;
 use crate::error::InvalidInput;
 use crate::law::IdealLaw;
-use crate::motion::{Options, Outcome, Slope};
+use crate::motion::{Options, Slope};
 use crate::state::State;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
@@ -33,20 +33,15 @@ impl<'a> ExactRows<'a> {
         ExactRows { law, options, rows }
     }
 
-    /// The turns of all rows, as [`Exact::turns_while`] of each body gives them to the last bit, and what becomes
-    /// of the bodies.
+    /// The turns of all rows, as [`Exact::turns_while`] of each body gives them to the last bit.
     ///
     /// # Errors
     /// Refuses numbers outside their bounds, in the first row that has one.
     pub fn turns_while(
         &self,
         goes_on: impl Fn() -> bool + Sync,
-    ) -> Result<Option<Vec<(ExactTurn, Outcome)>>, InvalidInput> {
-        self.by_body(|exact, starts| {
-            let turns = exact.turns_while(starts, &goes_on)?;
-            let with_outcome = |turn| (turn, exact.outcome(&turn));
-            Ok(turns.map(|turns| turns.into_iter().map(with_outcome).collect()))
-        })
+    ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
+        self.by_body(|exact, starts| exact.turns_while(starts, &goes_on))
     }
 
     /// The derivatives of the turns of all rows, as [`Exact::turn_slopes_while`] of each body gives them.
@@ -176,7 +171,7 @@ mod tests {
                 .expect("nothing has ended the work")
                 .into_iter()
                 .zip(slopes.expect("nothing has ended the work"))
-                .map(|((turn, _), slope)| [format!("{:?}", [turn]), format!("{:?}", [slope])])
+                .map(|(turn, slope)| [format!("{:?}", [turn]), format!("{:?}", [slope])])
                 .collect();
             assert_eq!(together, one_by_one(law, &rows));
             assert!(exact.turns_while(|| false).expect("valid rows").is_none());

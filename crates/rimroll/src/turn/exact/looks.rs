@@ -1,7 +1,97 @@
 //! The first place where a function of the tilt is negative, by looking at it here and there.
+//!
+//! Of the tilt's energy G the slope is known, too, and how far rounding can be off: its minima are found as
+//! roots of the slope, however narrow the stretch in which it is negative, and a minimum whose sign
+//! rounding decides is [`Unclear`].
 
 use super::LOOKS;
 use crate::solve::bracketed;
+
+/// Farther apart, in η, looks at G may miss a minimum: what makes one, gravity and the energies of yaw and
+/// spin, changes over about a unit of η.
+const FARTHEST: f64 = 0.25;
+
+/// The fewest steps from look to look.
+const FEWEST: f64 = 8.0;
+
+/// Where rounding decides what becomes of the body.
+pub(super) struct Unclear;
+
+/// G at some η.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Energy {
+    /// G.
+    pub(super) drive: f64,
+    /// dG/dη.
+    pub(super) slope: f64,
+    /// A bound of the rounding error of G.
+    pub(super) rounding: f64,
+}
+
+/// Where G, not negative at `from`, first is zero on the way to `to`.
+pub(super) fn first_turn_back(
+    from: f64,
+    to: f64,
+    energy: impl Fn(f64) -> Energy,
+) -> Result<Option<f64>, Unclear> {
+    let drive = |eta: f64| energy(eta).drive;
+    let mut before = (from, energy(from));
+    for eta in steps(from, to) {
+        let after = (eta, energy(eta));
+        if let Some(low) = minimum_between(before, after, &energy) {
+            let least = energy(low);
+            if least.drive.abs() <= least.rounding {
+                return Err(Unclear);
+            }
+            if least.drive < 0.0 {
+                return Ok(Some(bracketed(before.0, low, drive)));
+            }
+        }
+        if after.1.drive < 0.0 {
+            return Ok(Some(bracketed(before.0, eta, drive)));
+        }
+        before = after;
+    }
+    if before.1.drive <= before.1.rounding {
+        return Err(Unclear);
+    }
+    Ok(None)
+}
+
+/// Whether G is surely positive between two η, at which it may be zero.
+pub(super) fn is_clear(from: f64, to: f64, energy: impl Fn(f64) -> Energy) -> bool {
+    let mut before = (from, energy(from));
+    steps(from, to).all(|eta| {
+        let after = (eta, energy(eta));
+        let low = minimum_between(before, after, &energy).map(&energy);
+        before = after;
+        let positive = |at: Energy| at.drive > at.rounding;
+        low.is_none_or(positive) && (eta == to || positive(after.1))
+    })
+}
+
+/// η from look to look, without the first.
+fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let count = ((to - from).abs() / FARTHEST).max(FEWEST) as usize;
+    (1..=count).map(move |i| {
+        if i == count {
+            to
+        } else {
+            from + (to - from) * i as f64 / count as f64
+        }
+    })
+}
+
+/// Where G is least between two looks, if it falls after the one and rises before the other.
+fn minimum_between(
+    (from, before): (f64, Energy),
+    (to, after): (f64, Energy),
+    energy: impl Fn(f64) -> Energy,
+) -> Option<f64> {
+    let way = (to - from).signum();
+    let has_minimum = way * before.slope < 0.0 && way * after.slope > 0.0;
+    has_minimum.then(|| bracketed(from, to, |eta| energy(eta).slope))
+}
 
 /// Where a function that is not negative at first changes its sign, be it for less than from one look to
 /// the next.

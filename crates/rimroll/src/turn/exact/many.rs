@@ -317,6 +317,7 @@ impl Lane {
         };
         ExactTurn {
             ending: Outcome::Rocked,
+            outcome: Outcome::Rocked,
             turn,
             min_tilt: self.tilts[0],
             max_tilt: self.tilts[1],
@@ -331,6 +332,7 @@ impl Lane {
         let turn = half_yaw + (half_yaw + leg_yaw);
         ExactTurn {
             ending,
+            outcome: ending,
             turn,
             min_tilt: self.tilts[0],
             max_tilt: self.tilts[1],

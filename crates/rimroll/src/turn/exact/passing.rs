@@ -23,6 +23,10 @@ const LEAST: f64 = 1e-2;
 /// Below this width of the ridge, in η, G is rounding.
 const NARROWEST: f64 = 1e-2;
 
+/// Nor may rounding be more than this part of G at the balance point over the narrowest ridge, as that of
+/// the energy of a fast spin can be.
+const MOST_ROUNDING: f64 = 1e-3;
+
 /// Looks at G farther apart, in η, may miss something.
 const FARTHEST: f64 = 0.25;
 
@@ -60,11 +64,14 @@ pub(super) fn passing<V: Vector>(motion: &impl Tilting<V>, start: &Start<V>, way
     let end = motion.at(way.end[0].into(), way.end[1].into());
     let first = motion.at(start.y, start.eta);
     let ridge = Ridge::new(way.balance, balance.drive);
+    let rounding = motion.rounding(&balance, way.balance.eta.into());
+    let most_rounding = MOST_ROUNDING * NARROWEST * NARROWEST * way.balance.curvature;
     let foot = split(start.eta, way) - low.eta;
     let sound = is_lowest(&low)
         .and(V::from(FLAT).at_most(low.point.sin))
         .and(V::from(0.0).at_most(balance.drive))
         .and(V::from(NARROWEST).at_most(ridge.width()))
+        .and(rounding.at_most(V::from(most_rounding)))
         .and(V::from(0.0).at_most(end.drive))
         .and(V::from(0.0).at_most(motion.pressing(&first)))
         .and(V::from(0.0).at_most(motion.pressing(&end)))

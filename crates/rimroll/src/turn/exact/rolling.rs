@@ -141,6 +141,19 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
         }
     }
 
+    #[inline(always)]
+    fn terms(&self, at: &Point<T>) -> [T; 2] {
+        let [m, r, h, _, _, g] = self.body.parameters.letters::<T>();
+        let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
+        let axial: T = self.body.axial_inertia.into();
+        let two = T::from(2.0);
+        let weight = two * m * g * (r + h) * at.sin;
+        // s is the difference of two solutions, and w follows it.
+        let s = at.s.abs().max(self.regular.abs());
+        let turning = k * at.w * at.w + two * mhr * (s * at.w).abs() + axial * s * s;
+        [self.tilting_energy.abs() + weight, turning + turning]
+    }
+
     /// The near-collision by itself: K w² − 2mHR s w + (C + mR²) s² = 2E, with the s that the
     /// logarithm has brought there.
     #[inline(always)]

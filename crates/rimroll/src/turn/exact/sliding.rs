@@ -120,6 +120,17 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     }
 
     #[inline(always)]
+    fn terms(&self, at: &Point<T>) -> [T; 2] {
+        let [m, r, h, a, _, g] = self.k.letters::<T>();
+        let two = T::from(2.0);
+        let weight = two * m * g * (r + h) * at.sin;
+        // w is a difference, too.
+        let parts = (self.l_flat.abs() + (self.l_of_versine * (at.sin * at.sin)).abs()) / at.sin;
+        let turning = two * a * (at.w * parts).abs();
+        [self.energy.abs() + weight, turning]
+    }
+
+    #[inline(always)]
     fn lowest(&self) -> T {
         let a: T = self.k.a.into();
         T::from(0.5) * self.l_flat.abs() * (a / self.energy).sqrt()

@@ -6,6 +6,9 @@
 
 use crate::real::Real;
 
+/// The terms of G are known to within this part of their size: some roundings.
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The motion at one tilt.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Point<T> {
@@ -61,6 +64,17 @@ pub(super) trait Tilting<T: Real> {
     #[inline(always)]
     fn pace(&self, y: T, eta: T) -> Pace<T> {
         Pace::of(&self.at(y, eta))
+    }
+
+    /// How large the terms are of which G is the difference at a point: those of energy and weight, and those
+    /// of yaw and spin, J.
+    fn terms(&self, point: &Point<T>) -> [T; 2];
+
+    /// A bound of the rounding error of G at a point, J.
+    #[inline(always)]
+    fn rounding(&self, point: &Point<T>, _eta: T) -> T {
+        let [weight, turning] = self.terms(point);
+        T::from(ROUNDING) * (weight + turning)
     }
 
     /// About where the tilt is smallest: tan(φ/2).

@@ -13,7 +13,7 @@ use super::alone::Scalar;
 use super::antiderivative::Antiderivative;
 use super::ridge::Balance;
 use super::start::Start;
-use super::tilting::{Conserved, Point, Tilting, sin_and_versine};
+use super::tilting::{Conserved, Point, ROUNDING, Tilting, sin_and_versine};
 use crate::law::Parameters;
 
 /// So near to the balance point, in η, what a start has of energy is little beside that of its height.
@@ -120,6 +120,23 @@ impl<M: Tilting<T>, T: Scalar> Tilting<T> for OnTop<'_, M, T> {
             drive: (away - from).where_negative(point.drive, drive),
             ..point
         }
+    }
+
+    fn terms(&self, point: &Point<T>) -> [T; 2] {
+        self.motion.terms(point)
+    }
+
+    /// The weight's part has the rounding of the way from the start; what yaw and spin have lost, that of all
+    /// the way on which it is summed up.
+    fn rounding(&self, point: &Point<T>, eta: T) -> T {
+        let away = eta - self.start.eta;
+        let [from, to] = self.range;
+        let is_outside = (away - from).min(to - away).value() < 0.0;
+        if is_outside {
+            return self.motion.rounding(point, eta);
+        }
+        let [weight, turning] = self.terms(point);
+        T::from(ROUNDING) * (self.drive_start.abs() + weight * away.abs() + turning * (to - from))
     }
 
     fn lowest(&self) -> T {

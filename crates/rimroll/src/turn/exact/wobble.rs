@@ -6,7 +6,7 @@
 use super::antiderivative::Antiderivative;
 use super::extremes::Extreme;
 use super::start::Start;
-use super::tilting::{Conserved, Point, Tilting};
+use super::tilting::{Conserved, Point, ROUNDING, Tilting};
 use crate::real::Real;
 
 /// Up to this length in η.
@@ -66,6 +66,15 @@ impl<M: Tilting<T>, T: Real> Tilting<T> for Wobble<'_, M, T> {
             drive: self.drive_start + self.gained.at(eta),
             ..self.motion.at(y, self.start.eta + eta)
         }
+    }
+
+    fn terms(&self, point: &Point<T>) -> [T; 2] {
+        self.motion.terms(point)
+    }
+
+    /// What is added to G on the way has its rounding, and what there was at the start.
+    fn rounding(&self, point: &Point<T>, eta: T) -> T {
+        self.motion.rounding(point, eta) * eta.abs() + T::from(ROUNDING) * self.drive_start.abs()
     }
 
     fn lowest(&self) -> T {

@@ -1,0 +1,1 @@
+"""The parts of the census: what is drawn, computed, compared and explained."""

@@ -1,0 +1,46 @@
+"""Whether motions keep their energy: what they have and have lost is what they began with."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import rimroll as rr
+from counting.draws import Setting
+from counting.engines import MOST_STEPS, one
+
+RTOL = 1e-10
+
+ALLOWED = 1e3
+"""Errors of the energy in units of rtol: some hundred rockings, landings and changes of contact."""
+
+FALLING_TIMES = 20.0
+
+
+def surface(rng: np.random.Generator) -> rr.Law:
+    """One of the laws, with the friction and restitution of everyday tables."""
+    friction, restitution = float(rng.uniform(0.02, 1.0)), float(rng.uniform(0.0, 0.9))
+    laws = (rr.NoSlip(), rr.Frictionless(), rr.Coulomb(friction, restitution=restitution))
+    return laws[int(rng.integers(len(laws)))]
+
+
+def unbalanced(setting: Setting, law: rr.Law, starts: rr.State, row: int) -> str:
+    """What is wrong with the energy of the motion from a row of starts; nothing if nothing is."""
+    start, duration = one(starts, row), FALLING_TIMES * setting.falling_time
+    motion = rr.simulate(
+        setting.body,
+        start,
+        law,
+        duration=duration,
+        gravity=setting.gravity,
+        rtol=RTOL,
+        max_steps=MOST_STEPS,
+    )
+    budget = motion.energy_budget
+    whole = max(np.max(np.abs(budget)), np.max(motion.kinetic_energy))
+    off = float(np.max(np.abs(budget - budget[0])) / whole)
+    if off <= ALLOWED * RTOL:
+        return ""
+    return (
+        f"{off:.1e} of the energy is not accounted for: rr.simulate({setting.body!r}, {start!r},"
+        f" {law!r}, duration={duration!r}, gravity={setting.gravity!r}, rtol={RTOL})"
+    )
