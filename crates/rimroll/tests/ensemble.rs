@@ -153,7 +153,7 @@ proptest! {
             backward.reverse();
             prop_assert_eq!(&together, &backward);
             for (release, found) in releases.iter().zip(&together) {
-                prop_assert_eq!(&of_many_bodies(&[release.clone()], &options)[0], found);
+                prop_assert_eq!(&of_many_bodies(std::slice::from_ref(release), &options)[0], found);
             }
         }
     }
