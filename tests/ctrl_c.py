@@ -62,7 +62,7 @@ def interrupt(process):
 
 
 def interrupt_when(sign, process):
-    """The same as soon as `sign()` is true, which the process must bring about."""
+    """Interrupt a process as soon as `sign()`, which it must bring about, is true."""
     while not sign():
         assert process.poll() is None, f"it ended by itself: {process.communicate()}"
         time.sleep(0.01)

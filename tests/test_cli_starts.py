@@ -83,7 +83,7 @@ def test_the_friction_that_a_command_proposes_is_one_that_it_takes(said, command
     command = f"{command.format(start)} {law}"
     proposed = re.search(r"try (--.*)", said(command))
     assert proposed
-    # Of an option that is given twice the last one counts.
+    # Where an option is given twice the last one counts.
     assert "leaves the table" not in said(f"{command} {proposed[1]}")
 
 

@@ -130,7 +130,7 @@ def test_drag_below_an_exponent_of_2_costs_no_more_than_usual(rocking, law, expo
 
 
 SPUN = rr.State(tilt=0.4, spin_rate=5.0)
-"""Its yaw rate begins at zero; spin drives it to and fro, and drag holds it ever closer to zero."""
+"""Its yaw rate begins at zero; spin drives it back and forth, and drag holds it close to zero."""
 
 
 @pytest.mark.parametrize("exponent", [1.5, 1.6, 1.7, 1.8, 1.9, 1.99])

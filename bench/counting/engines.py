@@ -1,4 +1,4 @@
-"""The same falls by both engines: quadrature, and steps to a tolerance."""
+"""Falls by both engines: quadrature, and steps to a tolerance."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from counting.draws import Setting
 from rimroll.exact_falls import exact_falls
 
 RTOL = 1e-10
-"""Of the steps, unless two engines differ."""
+"""The tolerance of the steps, unless two engines differ."""
 
 TIGHTEST = 1e-13
-"""Of the steps where they do."""
+"""The tolerance of the steps where they differ."""
 
 FALLING_TIMES = 1000.0
 """So long a fall is followed, in the time that falling over takes: as long as by quadrature."""
@@ -52,7 +52,7 @@ def by_quadrature(setting: Setting, starts: rr.State) -> Outcomes:
 
 
 def by_steps(setting: Setting, starts: rr.State, rtol: float = RTOL) -> Outcomes:
-    """The same by steps."""
+    """Outcomes by steps."""
     falls = rr.ensemble(
         setting.body,
         starts,

@@ -201,7 +201,7 @@ def _grip(grip: Values) -> Any:
 
 
 def _flat(rows: Rows) -> Rows:
-    """The same rows if they have one dimension, or names for more."""
+    """The rows if they have one dimension, or names for more."""
     grid = rows.grid
     if grid.dims is None and len(grid.shape) > 1:
         raise RimrollError(

@@ -77,7 +77,7 @@ class Falls:
         return int(self["outcome"].size)
 
     def with_attrs(self, attrs: Mapping[str, Any]) -> Falls:
-        """The same falls with more attributes; those given win."""
+        """These falls with more attributes; those given win."""
         return replace(self, attrs=self.attrs | dict(attrs))
 
     def laid_out(self, grid: Grid) -> Falls:

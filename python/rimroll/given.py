@@ -28,7 +28,7 @@ class HasUnit(Protocol):
     """A quantity of pint, or anything else that has a unit and converts itself with ``to``."""
 
     def to(self, unit: Any, /) -> Any:
-        """The same quantity in another unit."""
+        """This quantity in another unit."""
 
 
 Number = float | str | HasUnit

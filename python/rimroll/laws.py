@@ -190,7 +190,7 @@ class AirDrag(_Numbered):
 
     def _unit_of(self, name: str) -> str:
         if name == "coefficient":
-            # Of several exponents there is no one unit.
+            # Several exponents have no common unit.
             return "1" if np.ndim(self.exponent) else air_unit(number("exponent", self.exponent))
         return super()._unit_of(name)
 

@@ -20,6 +20,7 @@ from rimroll.jacobian import PARAMETERS, Jacobian
 from rimroll.laws import Law, one_law
 from rimroll.options import Options
 from rimroll.state import State, single, times
+from rimroll.units import START_UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,12 +37,7 @@ MOST_THREADS = 1024
 
 UNITS = {
     "t": "s",
-    "tilt": "rad",
-    "tilt_rate": "rad/s",
-    "yaw": "rad",
-    "yaw_rate": "rad/s",
-    "spin": "rad",
-    "spin_rate": "rad/s",
+    **START_UNIT_OF,
     "axial_spin": "rad/s",
     "x": "m",
     "y": "m",

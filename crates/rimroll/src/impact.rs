@@ -228,7 +228,7 @@ impl Impact {
         (positive(to_stop), positive(to_end))
     }
 
-    /// By how much u_x and v grow for a normal impulse of 1 while dP_x = `pull` dP.
+    /// The growth of u_x and of v for a normal impulse of 1 while dP_x = `pull` dP.
     fn per_impulse(&self, pull: f64) -> (f64, f64) {
         let Mobility {
             along, held, carry, ..

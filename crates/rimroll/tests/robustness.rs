@@ -69,7 +69,7 @@ fn any_friction() -> impl Strategy<Value = FrictionLaw> {
     ]
 }
 
-/// The same coefficients at speeds that are a factor larger.
+/// These coefficients at speeds that are a factor larger.
 fn faster(table: &Tabulated, factor: f64) -> FrictionLaw {
     let (speeds, frictions): (Vec<_>, Vec<_>) =
         (table.points()).map(|(v, f)| (factor * v, f)).unzip();

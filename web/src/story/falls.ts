@@ -14,7 +14,7 @@ export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
   figure.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img"></svg><figcaption></figcaption>`;
   const picture = figure.querySelector("svg") as SVGElement;
   const caption = figure.querySelector("figcaption") as HTMLElement;
-  // Of all that are on their way, so that the axis stays while they fall.
+  // The range of all falls under way, so that the axis stays while they fall.
   const bins = computed(() => {
     const { left, right } = tallied(lab.flicks.value);
     return binsFor(lab.theory.value, [...left.turns, ...right.turns]);

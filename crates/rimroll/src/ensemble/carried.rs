@@ -17,7 +17,7 @@ pub(super) trait Carried<T: Real, const N: usize> {
     /// The same for other numbers.
     type Like<U: Real>: Carried<U, N>;
 
-    /// The same in other numbers.
+    /// The law in another number type.
     fn like<U: Real>(&self, f: impl Fn(&T) -> U) -> Self::Like<U>;
 
     /// Writes each number of the body and its friction into its counterpart.

@@ -53,7 +53,7 @@ pub(super) struct Topple<T> {
 fieldwise!(Topple { sin, cos; });
 
 impl Topple<f64> {
-    /// Of a body that counts as toppled at a tilt (rad), if at any.
+    /// The limits of a body that counts as toppled at a tilt (rad), if at any.
     pub(super) fn at(tilt: Option<f64>) -> Self {
         // Beyond the tilt π no body gets.
         let (sin, cos) = tilt.map_or((0.0, -1.0), libm::sincos);

@@ -84,7 +84,7 @@ impl Tabulated {
         points.map(|(speed, value)| (speed, self.factor * value))
     }
 
-    /// The same friction, a factor larger or smaller at all speeds.
+    /// This friction with all its coefficients multiplied by a factor.
     #[must_use]
     pub fn times(&self, factor: f64) -> Tabulated {
         Tabulated {

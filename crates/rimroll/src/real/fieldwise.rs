@@ -5,7 +5,7 @@
 macro_rules! fieldwise {
     ($name:ident { $($number:ident),*; $($part:ident),* }) => {
         impl<T> $name<T> {
-            /// The same in numbers of another type.
+            /// The value in another number type.
             #[inline(always)]
             pub(crate) fn map<U>(&self, f: impl Fn(&T) -> U) -> $name<U> {
                 $name {

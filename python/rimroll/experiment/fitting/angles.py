@@ -56,7 +56,7 @@ def read_angles(
     One column: the direction of fall, counted from the direction of the first lean. Two: the
     direction of the first lean and that of the fall, by the same protractor. More need a line of
     names with ``direction`` among them, or ``column``; a column named ``lean`` is the first lean.
-    Of a file written by ``rimroll topple`` the falls that count are taken. Lines that begin with #
+    A file written by ``rimroll topple`` gives the falls that count. Lines that begin with #
     are passed over. Files that spreadsheets write are read as they are: semicolons, decimal
     commas, quotes, UTF-8, UTF-16 or Windows' code page 1252.
 
@@ -107,7 +107,7 @@ def read_falls(
     column: str | int | None,
     lean_column: str | int | None,
 ) -> FallDirections:
-    """The same as :func:`read_angles` gives, with a sentence on what was read."""
+    """What :func:`read_angles` gives, with a sentence on what was read."""
     table = read_table(file, has_columns=lean_column is not None or column not in (None, 1, "1"))
     rows, kind = _counting(table, counted)
     if not rows:

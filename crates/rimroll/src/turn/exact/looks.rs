@@ -1,6 +1,6 @@
 //! The first place where a function of the tilt is negative, by looking at it here and there.
 //!
-//! Of the tilt's energy G the slope is known, too, and how far rounding can be off: its minima are found as
+//! The slope of the tilt's energy G is known, too, and how far rounding can be off: its minima are found as
 //! roots of the slope, however narrow the stretch in which it is negative, and a minimum whose sign
 //! rounding decides is [`Unclear`].
 
