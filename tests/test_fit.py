@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.ndimage import map_coordinates
 from scipy.stats import binom, chi2
 from scipy.stats import t as student
 
@@ -253,6 +254,35 @@ def test_the_likelihood_is_the_product_of_the_densities_where_they_were_computed
         logit=math.log(share / (1.0 - share)),
     )
     assert best.log_likelihood == pytest.approx(np.log(mixture).sum(), rel=1e-9)
+
+
+@pytest.mark.parametrize("fraction", [0.0, 0.31, 0.5, 1.0])
+def test_between_points_densities_are_the_splines_of_scipy(predicted, fraction):
+    friction = fraction * predicted.frictions[-1]
+    hand = math.exp((1.0 - fraction) * math.log(UNSTEADY[0]) + fraction * math.log(UNSTEADY[-1]))
+    angles = np.random.default_rng(4).uniform(-TURN, TURN, 50)
+    logs = np.log(np.concatenate([predicted.left] * 3, axis=-1))
+    place = (
+        which_node(fraction, len(predicted.frictions)),
+        fraction * (len(UNSTEADY) - 1),
+        np.mod(angles, TURN) / TURN * ANGLES + ANGLES,
+    )
+    expected = np.exp(map_coordinates(logs, np.broadcast_arrays(*place), mode="mirror"))
+    point = at(friction, unsteadiness=hand, left_share=1.0)
+    assert Likelihood(predicted, angles).density(angles, point) == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("friction", [0.02, 0.2, 0.4])
+@pytest.mark.parametrize("logit", [-2.0, 0.3])
+def test_the_gradient_is_that_of_differences(predicted, of_the_paper, friction, logit):
+    likelihood = Likelihood(predicted, of_the_paper)
+    point = {"friction": friction, "bias": 0.05, "log_unsteadiness": 0.37, "logit": logit}
+    _, slopes = likelihood.log_likelihood(**point)
+    for name, value in point.items():
+        up, down = (
+            likelihood.log_likelihood(**{**point, name: value + step})[0] for step in (1e-6, -1e-6)
+        )
+        assert slopes[name] == pytest.approx((up - down) / 2e-6, rel=1e-4, abs=1e-4)
 
 
 def test_a_bias_turns_the_densities(predicted):

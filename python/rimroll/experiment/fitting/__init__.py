@@ -2,8 +2,8 @@
 
 `table` reads files and `angles` the directions in them; `summary` makes stand-ins for directions
 of which only means and spreads are known. `predicted` computes how directions scatter at each
-friction, `likelihood` compares the data with that, `verdict` says what they exclude, `fit` puts it
-together and `figure` draws it.
+friction, `log_densities` interpolates that, `likelihood` compares the data with it, `verdict` says
+what they exclude, `fit` puts it together and `figure` draws it.
 """
 
 from rimroll.experiment.fitting.angles import read_angles

@@ -4,10 +4,9 @@ The probability density of one direction d is
 
     w f_left(d − b; μ, κ) + (1 − w) f_right(d − b; μ, κ)
 
-with the densities of :mod:`rimroll.experiment.fitting.predicted`; falls are independent. The
-logarithms of the densities are interpolated by cubic splines in μ, log κ and the angle, so that the
-likelihood is smooth in all four parameters. Those that are not asked for are profiled: set to what
-suits the data best.
+with the densities of :mod:`rimroll.experiment.fitting.predicted`, interpolated as in
+:mod:`rimroll.experiment.fitting.log_densities`; falls are independent.
+Parameters that are not asked for are profiled: set to what suits the data best.
 
 A confidence set is where twice the loss of log likelihood, D, stays below n log(1 + F/(n − 2)), F
 the quantile of Fisher's distribution with 1 and n − 2 degrees of freedom. For normal humps of
@@ -24,7 +23,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN, Predicted, which_node
+from rimroll.experiment.fitting.log_densities import LogDensities, Places
+from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN, Predicted
 
 Array = NDArray[np.float64]
 
@@ -39,8 +39,6 @@ BINS = 2 * ANGLES
 """A quarter of a degree each: less than any error of reading."""
 
 _BIASES = np.radians(np.linspace(-54.0, 54.0, 37))
-_PAD = 12
-"""Angles repeated at both ends, so that splines know nothing of the seam."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +59,7 @@ class Likelihood:
         self.predicted = predicted
         self.directions = np.mod(directions, TURN)
         self._angles, self._counts = _binned(self.directions)
-        self._left, self._right = (_spline(side) for side in (predicted.left, predicted.right))
+        self._log_densities = LogDensities(predicted)
         knows_hands = len(predicted.unsteady) > 1
         self._bounds = {
             "friction": (float(predicted.frictions[0]), float(predicted.frictions[-1])),
@@ -89,7 +87,8 @@ class Likelihood:
 
     def density(self, angles: Array, at: Point) -> Array:
         """Probability density of a direction, per radian, at angles (rad)."""
-        left, right = self._densities(angles - at.bias, at.friction, math.log(at.unsteadiness))
+        curves = self._log_densities.curve(at.friction, math.log(at.unsteadiness))[0]
+        left, right = np.exp(Places(angles - at.bias).values(curves))
         return np.asarray(at.left_share * left + (1.0 - at.left_share) * right)
 
     def strays(self, at: Point) -> NDArray[np.bool_]:
@@ -120,18 +119,21 @@ class Likelihood:
         biases = np.array([fixed["bias"]] if "bias" in fixed else _BIASES)
         hands = np.log(self.predicted.unsteady[:: max(len(self.predicted.unsteady) // 4, 1)])
         lefts = min(max(float(np.mean(self.directions > math.pi)), 0.05), 0.95)
-        lattice = np.array(np.meshgrid(frictions, biases, hands, indexing="ij"))
         some = np.sort(self.directions)[:: max(len(self.directions) // 128, 1)]
-        left, right = self._densities(
-            some - lattice[1][..., None], lattice[0][..., None], lattice[2][..., None]
-        )
-        heights = np.log(lefts * left + (1.0 - lefts) * right).sum(axis=-1)
-        flat = heights.reshape(len(frictions), -1)
-        points = lattice.reshape(3, len(frictions), -1)
+        places = Places(some - biases[:, None])
+        flat, curve = [], self._log_densities.curve
+        for friction in frictions.tolist():
+            curves = np.array([curve(friction, hand)[0] for hand in hands.tolist()])
+            left, right = np.exp(places.values(curves)).swapaxes(0, 1)
+            flat.append(np.log(lefts * left + (1.0 - lefts) * right).sum(axis=-1))
+        heights = np.array(flat)
         starts = []
-        for i in np.argsort(flat.max(axis=1))[::-1][:3]:
-            friction, bias, hand = points[:, i, int(np.argmax(flat[i]))].tolist()
-            starts.append(Point(friction, bias, math.exp(hand), lefts, -math.inf))
+        for i in np.argsort(heights.max(axis=(1, 2)))[::-1][:3]:
+            hand, bias = np.unravel_index(np.argmax(heights[i]), heights[i].shape)
+            unsteadiness = math.exp(hands[hand])
+            starts.append(
+                Point(float(frictions[i]), float(biases[bias]), unsteadiness, lefts, -math.inf)
+            )
         return starts
 
     def climb(self, start: Point, fixed: Mapping[str, float]) -> Point:
@@ -149,14 +151,17 @@ class Likelihood:
         }
         free = [name for name in values if name not in fixed and name not in self._fixed]
 
-        def loss(x: Array) -> float:
-            return -self._log_likelihood(**{**values, **dict(zip(free, x.tolist(), strict=True))})
+        def loss(x: Array) -> tuple[float, Array]:
+            moved = {**values, **dict(zip(free, x.tolist(), strict=True))}
+            height, slopes = self.log_likelihood(**moved)
+            return -height, -np.array([slopes[name] for name in free])
 
         if not free:
-            return self._point(values, -loss(np.empty(0)))
+            return self._point(values, self.log_likelihood(**values)[0])
         found = minimize(
             loss,
             [values[name] for name in free],
+            jac=True,
             method="SLSQP",  # several times as fast as L-BFGS-B here, and misses no top
             bounds=[self._bounds[name] for name in free],
             options={"ftol": 1e-9},
@@ -173,32 +178,25 @@ class Likelihood:
             log_likelihood,
         )
 
-    def _log_likelihood(
+    def log_likelihood(
         self, friction: float, bias: float, log_unsteadiness: float, logit: float
-    ) -> float:
-        left, right = self._densities(self._angles - bias, friction, log_unsteadiness)
+    ) -> tuple[float, dict[str, float]]:
+        """The logarithm of the likelihood, and its derivatives by the four parameters."""
         share = 1.0 / (1.0 + math.exp(-logit))
-        return float(self._counts @ np.log(share * left + (1.0 - share) * right))
-
-    def _densities(
-        self, angles: Array, friction: float | Array, log_unsteadiness: float | Array
-    ) -> tuple[Array, Array]:
-        """Of falls to the left and right, per radian; the arguments are broadcast."""
-        from scipy.ndimage import map_coordinates
-
-        frictions, hands = len(self.predicted.frictions), len(self.predicted.unsteady)
-        place = np.array(
-            np.broadcast_arrays(
-                which_node(_part(friction, self._bounds["friction"]), frictions),
-                _part(log_unsteadiness, self._bounds["log_unsteadiness"]) * (hands - 1),
-                np.mod(angles, TURN) / TURN * ANGLES + _PAD,
-            )
-        )
-        left, right = (
-            np.exp(map_coordinates(side, place, mode="mirror", prefilter=False))
-            for side in (self._left, self._right)
-        )
-        return left, right
+        places = Places(self._angles - bias)
+        curves = self._log_densities.curve(friction, log_unsteadiness)
+        logs, by_friction, by_hand = places.values(curves)
+        parts = np.exp(logs) * [[share], [1.0 - share]]
+        density = parts.sum(axis=0)
+        # The weight of each side of each fall: how many falls, times the chance that it fell there.
+        weights = parts * (self._counts / density)
+        slopes = {
+            "friction": float((weights * by_friction).sum()),
+            "bias": -float((weights * places.slopes(curves[0])).sum()),
+            "log_unsteadiness": float((weights * by_hand).sum()),
+            "logit": float((1.0 - share) * weights[0].sum() - share * weights[1].sum()),
+        }
+        return float(self._counts @ np.log(density)), slopes
 
 
 def _binned(directions: Array) -> tuple[Array, Array]:
@@ -208,18 +206,3 @@ def _binned(directions: Array) -> tuple[Array, Array]:
     counts, edges = np.histogram(directions, BINS, (0.0, TURN))
     there = counts > 0
     return 0.5 * (edges[1:] + edges[:-1])[there], counts[there].astype(np.float64)
-
-
-def _part(value: float | Array, bounds: tuple[float, float]) -> float | Array:
-    low, high = bounds
-    return (value - low) / (high - low) if high > low else 0.0 * value
-
-
-def _spline(density: Array) -> Array:
-    """Coefficients of the cubic spline through the logarithm of a density (f, k, a)."""
-    from scipy.ndimage import spline_filter
-
-    log = np.log(density)
-    hands = log if log.shape[1] > 1 else np.repeat(log, 2, axis=1)
-    padded = np.concatenate([hands[..., -_PAD:], hands, hands[..., :_PAD]], axis=-1)
-    return np.asarray(spline_filter(padded, mode="mirror"))
