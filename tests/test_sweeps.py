@@ -11,7 +11,9 @@ import xarray as xr
 
 import rimroll as rr
 from rimroll.ensemble import body_of, law_of
+from rimroll.units import registry
 
+DEGREE = registry().deg
 CAN, COIN = rr.bodies.can_2007(), rr.bodies.coin()
 FIELDS = [field.name for field in fields(rr.Body)]
 
@@ -347,6 +349,8 @@ def test_units_are_converted_in_arrays_of_bodies_too():
             "^yaw has 1 values along a, others have 2",
         ),
         (lambda: rr.axis("a", [[0.1]]), "values must be a flat array"),
+        (lambda: rr.axis("a", ["15 deg", "20 deg"]), r'write rr\.axis\("a", .*, units="deg"\)'),
+        (lambda: rr.axis("a", [DEGREE * 15, DEGREE * 20]), "values must be numbers, or one quant"),
     ],
 )
 def test_arrays_that_cannot_be_are_refused_by_their_element(make, words):
@@ -403,3 +407,11 @@ MANY, START = rr.Body.stack([CAN, COIN]), rr.State(tilt=0.3)
 def test_what_cannot_be_computed_for_rows_is_refused_with_a_sentence(asked, words):
     with pytest.raises(rr.RimrollError, match=words):
         asked()
+
+
+def test_an_axis_of_a_quantity_keeps_its_unit():
+    tilt = rr.State(tilt=rr.axis("lean", [15.0, 20.0] * DEGREE)).tilt
+    assert tilt.values == pytest.approx(np.radians([15.0, 20.0]), rel=1e-15)
+    rate = rr.axis("push", np.array([1, 10]) * DEGREE / registry().s)
+    found = rr.State(tilt=0.5, yaw_rate=rate).yaw_rate
+    assert found.values == pytest.approx(np.radians([1.0, 10.0]), rel=1e-15)

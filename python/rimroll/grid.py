@@ -186,18 +186,33 @@ def axis(name: str, values: Any, units: str | None = None) -> xr.DataArray:
     """A named dimension of a sweep: a data array of ``values`` (n,), labelled by themselves.
 
     Hand it to a field of ``State``, ``Body`` or a law. ``units`` is written into the attributes, as
-    for ``"deg"``, from which the field converts it.
+    for ``"deg"``, from which the field converts it. A quantity of pint brings its own.
 
     >>> import rimroll as rr
     >>> law = rr.Coulomb(rr.axis("friction", [0.1, 0.2, 0.3]))
     >>> rr.turn_limit(rr.bodies.can_2007(), law).dims
     ('friction',)
+
+    Raises ``RimrollError`` for anything but a flat array of numbers or one quantity of them.
     """
     import xarray as xr
 
-    array = np.asarray(values)
+    if units is None and hasattr(values, "magnitude"):
+        values, units = values.magnitude, str(values.units)
+    array = np.asarray(values) if not _carry_units(values) else np.asarray(None)
+    if array.dtype.kind not in "iuf":
+        raise RimrollError(
+            f"values must be numbers, or one quantity of them, got {values!r}; for angles in"
+            f' degrees write rr.axis("{name}", [15, 20], units="deg")'
+        )
     if array.ndim != 1:
         raise RimrollError(f"values must be a flat array, got shape {array.shape}")
     attrs = {} if units is None else {"units": units}
     labels = xr.DataArray(array, dims=name, attrs=attrs)
     return xr.DataArray(array, dims=name, coords={name: labels}, attrs=attrs)
+
+
+def _carry_units(values: Any) -> bool:
+    """Whether a unit would be lost in an array, of the values or of any among them."""
+    items = values if isinstance(values, list | tuple) else [values]
+    return any(hasattr(item, "magnitude") or hasattr(item, "unit") for item in items)

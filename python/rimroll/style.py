@@ -37,7 +37,7 @@ COLORS = {
     "coulomb": "#CC79A7",
     "viscous": "#E69F00",
     "stribeck": "#009E73",
-    "tabulated": "#56B4E9",
+    "tabulated": "#882255",
 }
 MARKERS = {
     "no_slip": "o",

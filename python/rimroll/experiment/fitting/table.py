@@ -147,8 +147,8 @@ def _commas_are_decimal(name: str, lines: list[str], rows: list[list[str]]) -> b
         return bool(parts) and alone and (named or short or certain)
     if short and not certain and not _are_far_apart(rows):
         raise RimrollError(
-            f"{name}: {lines[0]} may be one number or two; write decimals with a point, or "
-            f"keep columns apart with a semicolon"
+            f"{name}: {lines[0]} may be one number or two; write decimals with a point, keep "
+            f"columns apart with a semicolon, or name the columns in the first line"
         )
     return short or certain
 
