@@ -35,7 +35,7 @@ Number = float | str | HasUnit
 """A single number in its SI unit, or with a unit: ``0.5``, ``"30 deg"``, ``30 * ureg.deg``."""
 
 Values = ArrayLike | HasUnit
-"""The same for numbers and arrays."""
+"""A number or an array of them, in SI units or with a unit."""
 
 _BARE = frozenset({float, int, np.float64, np.ndarray, str, bool, type(None)})
 _POWER_OF_RATIO = re.compile(r"\((\w+)/(\w+)\)\^([\d.]+)")

@@ -103,7 +103,7 @@ class Grid:
         return np.ascontiguousarray(self._spread(value), np.float64).reshape(-1)
 
     def column(self, value: Any) -> Array:
-        """The same, but (1,) for a single number, which stands for all rows."""
+        """The value of each row, (n,), or (1,) for a single number, which stands for all rows."""
         return self.flat(value) if np.ndim(value) else np.array([value], np.float64)
 
     def laid_out(self, rows: NDArray[Any]) -> Any:

@@ -7,7 +7,7 @@ use logarithms::Logarithms;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// The same cases every time, so that a test that passes keeps passing; no file is left behind.
+/// Cases are drawn alike every time, so that a test that passes keeps passing; no file is left behind.
 fn cases(count: u32) -> ProptestConfig {
     ProptestConfig {
         cases: count,
@@ -41,7 +41,7 @@ fn mild_parameters() -> impl Strategy<Value = Parameters<f64>> {
     (height, 0.05..5.0, 0.05..2.0).prop_map(|(h, a, ratio)| parameters(h, a, ratio * a))
 }
 
-/// The same from needles to plates, with mass at the axis or far from it: across/along goes up to 10⁹.
+/// Parameters from needles to plates, with mass at the axis or far from it: across/along goes up to 10⁹.
 fn wild_parameters() -> impl Strategy<Value = Parameters<f64>> {
     let power = |low: f64, high: f64| (low..high).prop_map(|x| libm::pow(10.0, x));
     let height = prop_oneof![1 => Just(0.0), 4 => power(-3.0, 3.0)];

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rimroll::Body;
 
-/// The same cases every time, so that a test that passes keeps passing; no file is left behind.
+/// Cases are drawn alike every time, so that a test that passes keeps passing; no file is left behind.
 pub fn cases(count: u32) -> ProptestConfig {
     ProptestConfig {
         cases: count,

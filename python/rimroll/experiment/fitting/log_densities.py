@@ -95,7 +95,7 @@ def _basis(t: Array | np.float64) -> Array:
 
 
 def _coefficients(density: Array) -> Array:
-    """Of the cubic spline through the logarithm of a density (f, k, a).
+    """Coefficients of the cubic spline through the logarithm of a density (f, k, a).
 
     One more at either end of the first two axes, the mirror image of the one inside; there are at
     least two hands.
