@@ -6,7 +6,7 @@ mod protocol;
 use core::ops::ControlFlow;
 use protocol::{Law, Question, Repeated, Start};
 use rimroll::turn::exact::Exact;
-use rimroll::{Body, IdealLaw, Options, State, Surface, ensemble, presets, simulate};
+use rimroll::{Body, ContactLaw, IdealLaw, Options, State, ensemble, presets, simulate};
 
 const GRAVITY: f64 = 9.8;
 
@@ -66,8 +66,12 @@ fn stepping(
     law: IdealLaw,
     options: &Options,
 ) -> Result<Vec<f64>, String> {
-    let trials: Vec<_> = starts.iter().map(|&at| (can, at, Surface::from(law))).collect();
-    let falls = ensemble(&trials, options, |_| ControlFlow::Continue(())).map_err(|error| error.to_string())?;
+    let trials: Vec<_> = starts
+        .iter()
+        .map(|&at| (can, at, ContactLaw::from(law)))
+        .collect();
+    let falls = ensemble(&trials, options, |_| ControlFlow::Continue(()))
+        .map_err(|error| error.to_string())?;
     let angle = |turn: Option<rimroll::motion::Turn>| turn.map_or(f64::NAN, |turn| turn.angle);
     Ok(falls.iter().map(|fall| angle(fall.turn)).collect())
 }

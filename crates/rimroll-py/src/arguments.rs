@@ -2,7 +2,7 @@
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use rimroll::{Body, IdealLaw, InvalidInput, Solid, State, Surface};
+use rimroll::{Body, ContactLaw, IdealLaw, InvalidInput, Solid, State};
 use std::collections::HashMap;
 
 pyo3::import_exception!(rimroll.errors, RimrollError);
@@ -125,7 +125,7 @@ pub fn ideal_law(name: &str) -> PyResult<IdealLaw> {
     IdealLaw::from_name(name).map_err(refusal)
 }
 
-/// Any object with the attributes of `rimroll.laws.Law`: what the table is like.
+/// Any object with the attributes of `rimroll.laws.Dynamics`: what the table is like.
 #[derive(FromPyObject)]
 pub struct SurfaceArgument {
     name: String,
@@ -140,9 +140,9 @@ enum Given {
 }
 
 impl SurfaceArgument {
-    pub fn surface(&self) -> PyResult<Surface> {
+    pub fn contact_law(&self) -> PyResult<ContactLaw> {
         let (numbers, tables) = self.given();
-        Surface::named(&self.name, &numbers, &tables).map_err(refusal)
+        ContactLaw::named(&self.name, &numbers, &tables).map_err(refusal)
     }
 
     /// The numbers and the lists of numbers, by name.
@@ -163,7 +163,7 @@ impl SurfaceArgument {
     pub fn varied(
         &self,
         varied: &VariedArgument<'_>,
-    ) -> PyResult<impl Iterator<Item = Result<Surface, InvalidInput>>> {
+    ) -> PyResult<impl Iterator<Item = Result<ContactLaw, InvalidInput>>> {
         let (mut numbers, tables) = self.given();
         let mut columns = Vec::with_capacity(varied.len());
         for (name, column) in varied {
@@ -175,7 +175,7 @@ impl SurfaceArgument {
             for &(place, column) in &columns {
                 numbers[place].1 = column[row];
             }
-            Surface::named(&self.name, &numbers, &tables)
+            ContactLaw::named(&self.name, &numbers, &tables)
         }))
     }
 }

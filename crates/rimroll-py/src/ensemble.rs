@@ -5,7 +5,7 @@ use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rimroll::motion::Fall;
-use rimroll::{Options, Release, State, Surface, ensemble as ensemble_in_core};
+use rimroll::{ContactLaw, Options, Release, State, ensemble as ensemble_in_core};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -131,7 +131,7 @@ pub fn ensemble<'py>(
     py: Python<'py>,
     bodies: BodiesArgument<'py>,
     starts: StartsArgument<'py>,
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     varied: VariedArgument<'py>,
     grip: PyReadonlyArray1<'py, f64>,
     duration: f64,
@@ -150,18 +150,18 @@ pub fn ensemble<'py>(
         max_steps,
     };
     let bodies = bodies.bodies()?;
-    let surfaces: Vec<Surface> = if varied.is_empty() {
-        vec![surface.surface()?]
+    let contact_laws: Vec<ContactLaw> = if varied.is_empty() {
+        vec![contact_law.contact_law()?]
     } else {
-        let surfaces: Result<_, _> = surface.varied(&varied)?.collect();
-        surfaces.map_err(refusal)?
+        let contact_laws: Result<_, _> = contact_law.varied(&varied)?.collect();
+        contact_laws.map_err(refusal)?
     };
     let grip = grip.as_array();
     let rows = starts.starts()?.zip(grip.iter()).enumerate();
     let trials: Vec<Release<'_>> = rows
         .map(|(row, (start, &factor))| {
-            let surface = of_row(&surfaces, row).clone().with_grip(factor);
-            (of_row(&bodies, row), start, surface)
+            let contact_law = of_row(&contact_laws, row).clone().with_grip(factor);
+            (of_row(&bodies, row), start, contact_law)
         })
         .collect();
     let pool = rayon::ThreadPoolBuilder::new()

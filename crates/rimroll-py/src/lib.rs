@@ -47,7 +47,7 @@ mod _core {
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
         module.add("OUTCOMES", core::Outcome::ALL.map(core::Outcome::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
-        module.add("MOST_FRICTION", rimroll::law::MOST_FRICTION)?;
+        module.add("MOST_FRICTION", rimroll::law::MAX_FRICTION)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }
 }

@@ -183,7 +183,7 @@ pub fn simulate(
     py: Python<'_>,
     body: BodyArgument,
     start: StateArgument,
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     duration: f64,
     gravity: f64,
     rtol: f64,
@@ -199,7 +199,7 @@ pub fn simulate(
         topple_tilt,
         max_steps,
     };
-    let (body, start, surface) = (body.body()?, start.into(), surface.surface()?);
+    let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
     // What a signal handler or `progress` raised, Ctrl-C's KeyboardInterrupt for one.
     let mut raised = None;
     let report = |t: f64| {
@@ -218,7 +218,7 @@ pub fn simulate(
         }
     };
     let followed = py.detach(|| {
-        let motion = simulate_in_core(&body, &start, surface, &options, &mut watch)?;
+        let motion = simulate_in_core(&body, &start, contact_law, &options, &mut watch)?;
         let sensitivity = match motion.status {
             Status::Interrupted => None,
             _ if jacobian => motion.sensitivity(&mut watch)?,

@@ -22,18 +22,18 @@ fn arrival_of((tipping_rate, slip, spin, friction_ratio): ArrivalNumbers) -> Arr
 }
 
 #[pyfunction]
-pub fn check_surface(surface: SurfaceArgument) -> PyResult<()> {
-    surface.surface().map(|_| ())
+pub fn check_surface(contact_law: SurfaceArgument) -> PyResult<()> {
+    contact_law.contact_law().map(|_| ())
 }
 
 /// The coefficient of friction of a tabulated law at slip speeds, m/s.
 #[pyfunction]
 pub fn friction_at<'py>(
     py: Python<'py>,
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     speeds: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let FrictionLaw::Tabulated(table) = surface.surface()?.friction else {
+    let FrictionLaw::Tabulated(table) = contact_law.contact_law()?.friction else {
         unreachable!("only tabulated laws are asked for their curve");
     };
     let speeds = speeds.as_array();
@@ -44,11 +44,11 @@ pub fn friction_at<'py>(
 /// The first of many surfaces that cannot be, and why, if there is one.
 #[pyfunction]
 pub fn first_bad_surface(
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     varied: VariedArgument<'_>,
 ) -> PyResult<Option<(usize, String)>> {
-    let mut each = surface.varied(&varied)?.enumerate();
-    Ok(each.find_map(|(row, surface)| surface.err().map(|error| (row, error.to_string()))))
+    let mut each = contact_law.varied(&varied)?.enumerate();
+    Ok(each.find_map(|(row, contact_law)| contact_law.err().map(|error| (row, error.to_string()))))
 }
 
 #[pyfunction]
@@ -56,12 +56,12 @@ pub fn arrival(
     py: Python<'_>,
     body: BodyArgument,
     start: StateArgument,
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     gravity: f64,
 ) -> PyResult<ArrivalNumbers> {
-    let (body, start, surface) = (body.body()?, start.into(), surface.surface()?);
+    let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
     let arrival = py
-        .detach(|| Arrival::of(&body, &start, &surface, gravity))
+        .detach(|| Arrival::of(&body, &start, &contact_law, gravity))
         .map_err(refusal)?;
     Ok((
         arrival.tipping_rate,
@@ -75,10 +75,10 @@ pub fn arrival(
 pub fn turn_limit(
     py: Python<'_>,
     body: BodyArgument,
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     arrival: ArrivalNumbers,
 ) -> PyResult<f64> {
-    let (body, friction) = (body.body()?, surface.surface()?.friction);
+    let (body, friction) = (body.body()?, contact_law.contact_law()?.friction);
     py.detach(|| turn::turn_limit_of(&body, &friction, &arrival_of(arrival)))
         .map_err(refusal)
 }
@@ -90,10 +90,10 @@ type PassageNumbers = (f64, f64, f64, (f64, f64), f64);
 pub fn passage(
     py: Python<'_>,
     body: BodyArgument,
-    surface: SurfaceArgument,
+    contact_law: SurfaceArgument,
     arrival: ArrivalNumbers,
 ) -> PyResult<PassageNumbers> {
-    let (body, friction) = (body.body()?, surface.surface()?.friction);
+    let (body, friction) = (body.body()?, contact_law.contact_law()?.friction);
     let passage = py
         .detach(|| turn::passage(&body, &friction, &arrival_of(arrival)))
         .map_err(refusal)?;

@@ -1,6 +1,6 @@
 //! What the page asks about, read off its arguments one after the other.
 
-use rimroll::{Body, FrictionLaw, InvalidInput, Options, Solid, State, Surface};
+use rimroll::{Body, ContactLaw, FrictionLaw, InvalidInput, Options, Solid, State};
 
 /// The shapes of solids; the page names them by their places here.
 pub const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
@@ -74,13 +74,13 @@ impl Asked {
     }
 
     /// The law's place in [`FrictionLaw::NAMES`], then the numbers of [`SURFACE`].
-    pub fn surface(&mut self) -> Result<Surface, InvalidInput> {
+    pub fn contact_law(&mut self) -> Result<ContactLaw, InvalidInput> {
         let law = named("law", self.number(), &FrictionLaw::NAMES)?;
         let given: Vec<_> = SURFACE
             .into_iter()
             .filter_map(|name| Some((name.to_owned(), self.given()?)))
             .collect();
-        Surface::named(law, &given, &[])
+        ContactLaw::named(law, &given, &[])
     }
 
     /// Duration, gravity, rtol and the most steps.

@@ -38,11 +38,11 @@ pub extern "C" fn outcomes() {
 }
 
 fn followed(mut asked: Asked) -> Result<Vec<Fall>, InvalidInput> {
-    let (body, surface, options) = (asked.body()?, asked.surface()?, asked.options());
+    let (body, contact_law, options) = (asked.body()?, asked.contact_law()?, asked.options());
     let mut falls = Vec::new();
     while asked.more() {
         let start = asked.start();
-        let gripped = surface.clone().with_grip(asked.number());
+        let gripped = contact_law.clone().with_grip(asked.number());
         falls.push(fall(&body, &start, &gripped, &options)?);
     }
     Ok(falls)

@@ -17,8 +17,8 @@ pub extern "C" fn simulate() -> *mut Motion {
 
 fn computed(mut asked: Asked) -> Result<Motion, InvalidInput> {
     let (body, start) = (asked.body()?, asked.start());
-    let (surface, options) = (asked.surface()?, asked.options());
-    rimroll::simulate(&body, &start, surface, &options, |_| {
+    let (contact_law, options) = (asked.contact_law()?, asked.options());
+    rimroll::simulate(&body, &start, contact_law, &options, |_| {
         ControlFlow::Continue(())
     })
 }

@@ -40,10 +40,10 @@ fn limit_here(body: &Body, friction: &FrictionLaw, arrival: &Arrival) -> Result<
 }
 
 fn known(mut asked: Asked) -> Result<[f64; 6], InvalidInput> {
-    let (body, start, surface) = (asked.body()?, asked.start(), asked.surface()?);
+    let (body, start, contact_law) = (asked.body()?, asked.start(), asked.contact_law()?);
     let gravity = asked.number();
-    let here = Arrival::of(&body, &start, &surface, gravity)
-        .and_then(|arrival| limit_here(&body, &surface.friction, &arrival));
+    let here = Arrival::of(&body, &start, &contact_law, gravity)
+        .and_then(|arrival| limit_here(&body, &contact_law.friction, &arrival));
     Ok([
         turn_limit(&body, IdealLaw::NoSlip),
         turn_limit(&body, IdealLaw::Frictionless),

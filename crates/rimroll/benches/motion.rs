@@ -3,12 +3,12 @@
 //! `cargo bench --bench motion` prints the best of many runs, and beside it the error of the turns against
 //! a motion at the tightest tolerance.
 
-use rimroll::{FrictionLaw, IdealLaw, Motion, Options, State, Surface, presets, simulate};
+use rimroll::{ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets, simulate};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-fn motion(surface: Surface, rtol: f64) -> Motion {
+fn motion(contact_law: ContactLaw, rtol: f64) -> Motion {
     let can = presets::can_2007().expect("the paper's can");
     let start = State {
         tilt: core::f64::consts::FRAC_PI_6,
@@ -22,26 +22,26 @@ fn motion(surface: Surface, rtol: f64) -> Motion {
         rtol,
         ..Options::default()
     };
-    simulate(&can, &start, surface, &options, |_| {
+    simulate(&can, &start, contact_law, &options, |_| {
         ControlFlow::Continue(())
     })
     .expect("a valid start")
 }
 
 fn main() {
-    let surfaces = [
-        ("no slip", Surface::from(IdealLaw::NoSlip)),
-        ("frictionless", Surface::from(IdealLaw::Frictionless)),
+    let contact_laws = [
+        ("no slip", ContactLaw::from(IdealLaw::NoSlip)),
+        ("frictionless", ContactLaw::from(IdealLaw::Frictionless)),
         (
             "friction 0.2",
-            Surface::from(FrictionLaw::Coulomb {
+            ContactLaw::from(FrictionLaw::Coulomb {
                 friction: 0.2,
                 static_friction: 0.2,
             }),
         ),
     ];
     println!("law           rtol     time/ms   steps  evaluations  error of the turns/rad");
-    for (name, surface) in surfaces {
+    for (name, contact_law) in contact_laws {
         let turns = |motion: &Motion| {
             motion
                 .turns
@@ -49,9 +49,9 @@ fn main() {
                 .map(|turn| turn.angle)
                 .collect::<Vec<_>>()
         };
-        let exact = turns(&motion(surface.clone(), 1e-13));
+        let exact = turns(&motion(contact_law.clone(), 1e-13));
         for rtol in [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12] {
-            let last = motion(surface.clone(), rtol);
+            let last = motion(contact_law.clone(), rtol);
             let errors = turns(&last)
                 .into_iter()
                 .zip(&exact)
@@ -61,7 +61,7 @@ fn main() {
             let begun = Instant::now();
             while begun.elapsed() < Duration::from_millis(150) {
                 let before = Instant::now();
-                black_box(motion(surface.clone(), black_box(rtol)));
+                black_box(motion(contact_law.clone(), black_box(rtol)));
                 best = best.min(before.elapsed());
             }
             println!(

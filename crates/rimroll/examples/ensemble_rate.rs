@@ -3,7 +3,9 @@
 //! Linux's.
 
 use rimroll::motion::{Fall, fall};
-use rimroll::{Body, FrictionLaw, IdealLaw, Options, Release, State, Surface, ensemble, presets};
+use rimroll::{
+    Body, ContactLaw, FrictionLaw, IdealLaw, Options, Release, State, ensemble, presets,
+};
 
 fn starts(n: usize) -> Vec<State> {
     let mut seed = 1u64;
@@ -68,13 +70,13 @@ fn main() {
         .nth(1)
         .and_then(|s| s.parse().ok())
         .unwrap_or(20000);
-    let laws: [(&str, Surface); 3] = [
+    let laws: [(&str, ContactLaw); 3] = [
         ("no_slip", IdealLaw::NoSlip.into()),
         ("frictionless", IdealLaw::Frictionless.into()),
         ("coulomb", FrictionLaw::coulomb(0.2).into()),
     ];
     let only = std::env::args().nth(2);
-    for (name, surface) in laws {
+    for (name, contact_law) in laws {
         if only.as_ref().is_some_and(|o| o != name) {
             continue;
         }
@@ -87,7 +89,7 @@ fn main() {
             };
             let trials: Vec<_> = starts(n)
                 .into_iter()
-                .map(|s| (&can, s, surface.clone()))
+                .map(|s| (&can, s, contact_law.clone()))
                 .collect();
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(1)
@@ -96,7 +98,7 @@ fn main() {
             let (falls, us) = pool.install(|| timed(&trials, &options));
             let bodies = all_but_equal(&can, n);
             let mixed: Vec<_> = (bodies.iter().zip(&trials))
-                .map(|(body, (_, start, surface))| (body, *start, surface.clone()))
+                .map(|(body, (_, start, contact_law))| (body, *start, contact_law.clone()))
                 .collect();
             let (_, us_mixed) = pool.install(|| timed(&mixed, &options));
             let few = 300;

@@ -4,52 +4,52 @@
 //! there are, in whatever order, on however many threads. Falls of the common kind, under one of the
 //! paper's two laws or under dry friction, go sixteen at a time in lanes ([`Lanes`](crate::real::Lanes)):
 //!
-//! * `piece`, `limits`: some of the trials, with the numbers of each body, and what a fall must not cross unseen;
-//! * `carried`: the coordinates that such a fall needs, and their rates, by the laws that hold everywhere;
+//! * `chunk`, `limits`: some of the trials, with the numbers of each body, and what a fall must not cross unseen;
+//! * `reduced_system`: the coordinates that such a fall needs, and their rates, by the laws that hold everywhere;
 //! * `lockstep`: one step of sixteen falls, each of its own body, friction and length;
 //! * `pool`: sixteen places; looks into a step where something may have happened, and lands on it by
 //!   steps made shorter; a fall that is over gives its place to the next;
 //! * `onset`: how slip comes out of rest;
-//! * `together`, `dry`: falls under one law, and under dry friction from phase to phase.
+//! * `batch`, `dry`: falls under one law, and under dry friction from phase to phase.
 //!
 //! What is rare, as a flight or a landing on the flat of the base, and every other surface is followed by
 //! itself, as [`fall`] does.
 
-mod carried;
+mod batch;
+mod chunk;
 mod dry;
 mod limits;
 mod lockstep;
 mod onset;
-mod piece;
 mod pool;
-mod together;
+mod reduced_system;
 mod trial;
 
-use self::together::{go_in_lanes, together};
+use self::batch::{batch, fits_lanes};
 use crate::body::Body;
+use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
 #[cfg(doc)]
 use crate::motion::fall;
 use crate::motion::{Fall, Options};
 use crate::state::State;
-use crate::surface::Surface;
 use core::ops::ControlFlow;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
 /// The most falls that are one piece of work: in lanes they are over in some hundredths of a second, before which
 /// the work does not end.
-const MOST: usize = 1024;
+const MAX_CHUNK: usize = 1024;
 
 /// The fewest: toward its end more and more lanes are empty.
-const FEWEST: usize = 128;
+const MIN_CHUNK: usize = 128;
 
 /// A fall that goes by itself anyway counts as so many: as a rule it takes as long as some dozens in lanes, and
 /// under some laws far longer.
-const ALONE: usize = 32;
+const SCALAR_COST: usize = 32;
 
 /// A trial: what is let go, from where and on what.
-pub type Release<'a> = (&'a Body, State, Surface);
+pub type Release<'a> = (&'a Body, State, ContactLaw);
 
 /// Follows each body from its start, on its surface, through the first turn; on the threads of the pool
 /// that it is called from. Rows of one body are somewhat faster side by side than mixed with others.
@@ -65,34 +65,39 @@ pub fn ensemble(
     options: &Options,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Vec<Fall>, InvalidInput> {
-    for (.., surface) in trials {
-        surface.check()?;
+    for (.., contact_law) in trials {
+        contact_law.check()?;
     }
     options.check_all(trials.iter().map(|&(body, start, _)| (body, start)))?;
-    let work =
-        |piece: &[Release<'_>], goes_on: &dyn Fn() -> bool| together(piece, options, goes_on);
+    let work = |chunk: &[Release<'_>], should_continue: &dyn Fn() -> bool| {
+        batch(chunk, options, should_continue)
+    };
     Ok(done_in_order(trials, work, watch))
 }
 
 /// The trials as pieces of work for some threads: the last are small, so that no thread waits long for another.
-fn pieces<'a>(
+fn chunks<'a>(
     mut trials: &'a [Release<'a>],
     threads: usize,
 ) -> impl Iterator<Item = &'a [Release<'a>]> {
     core::iter::from_fn(move || {
         // One thread waits for none.
         let full = match threads {
-            1 => MOST,
-            _ => (trials.len() / (4 * threads)).clamp(FEWEST, MOST),
+            1 => MAX_CHUNK,
+            _ => (trials.len() / (4 * threads)).clamp(MIN_CHUNK, MAX_CHUNK),
         };
         let mut size = 0;
-        let taken = trials.iter().take_while(|(.., surface)| {
+        let taken = trials.iter().take_while(|(.., contact_law)| {
             let goes_in = size < full;
-            size += if go_in_lanes(surface) { 1 } else { ALONE };
+            size += if fits_lanes(contact_law) {
+                1
+            } else {
+                SCALAR_COST
+            };
             goes_in
         });
-        let piece = trials.split_off(..taken.count())?;
-        (!piece.is_empty()).then_some(piece)
+        let chunk = trials.split_off(..taken.count())?;
+        (!chunk.is_empty()).then_some(chunk)
     })
 }
 
@@ -106,36 +111,36 @@ fn done_in_order<R: Send>(
 ) -> Vec<R> {
     use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let goes_on_after = |count| {
+    let continues_after = |count| {
         if watch(count).is_break() {
             stopped.store(true, Relaxed);
         }
         !stopped.load(Relaxed)
     };
     let threads = rayon::current_num_threads();
-    let pieces: Vec<_> = pieces(trials, threads).collect();
+    let chunks: Vec<_> = chunks(trials, threads).collect();
     let of_one_thread = || {
         let mut done = Vec::new();
         while !stopped.load(Relaxed) {
             let index = next.fetch_add(1, Relaxed);
-            let Some(piece) = pieces.get(index) else {
+            let Some(chunk) = chunks.get(index) else {
                 break;
             };
-            let results = work(piece, &|| goes_on_after(0));
-            goes_on_after(results.len());
+            let results = work(chunk, &|| continues_after(0));
+            continues_after(results.len());
             done.push((index, results));
         }
         done
     };
-    let mut done: Vec<_> = (0..threads.min(pieces.len()))
+    let mut done: Vec<_> = (0..threads.min(chunks.len()))
         .into_par_iter()
         .with_max_len(1)
         .flat_map_iter(|_| of_one_thread())
         .collect();
     done.sort_unstable_by_key(|&(index, _)| index);
     let mut all = Vec::with_capacity(trials.len());
-    for ((_, results), piece) in done.into_iter().zip(&pieces) {
-        let is_whole = results.len() == piece.len();
+    for ((_, results), chunk) in done.into_iter().zip(&chunks) {
+        let is_whole = results.len() == chunk.len();
         all.extend(results);
         if !is_whole {
             break;
@@ -151,9 +156,9 @@ fn done_in_order<R>(
     watch: impl Fn(usize) -> ControlFlow<()>,
 ) -> Vec<R> {
     let mut all = Vec::with_capacity(trials.len());
-    for piece in pieces(trials, 1) {
-        let results = work(piece, &|| watch(0).is_continue());
-        let (count, is_whole) = (results.len(), results.len() == piece.len());
+    for chunk in chunks(trials, 1) {
+        let results = work(chunk, &|| watch(0).is_continue());
+        let (count, is_whole) = (results.len(), results.len() == chunk.len());
         all.extend(results);
         if watch(count).is_break() || !is_whole {
             break;
@@ -164,24 +169,24 @@ fn done_in_order<R>(
 
 #[cfg(test)]
 mod tests {
-    use super::{ALONE, FEWEST, MOST, Release, pieces};
+    use super::{MAX_CHUNK, MIN_CHUNK, Release, SCALAR_COST, chunks};
     use crate::body::Body;
+    use crate::contact_law::{ContactLaw, FrictionLaw};
     use crate::law::IdealLaw;
     use crate::state::State;
-    use crate::surface::{FrictionLaw, Surface};
 
     fn can() -> Body {
         crate::presets::can_2007().expect("the paper's can")
     }
 
-    fn trials(body: &Body, count: usize, surface: impl Into<Surface>) -> Vec<Release<'_>> {
-        let surface = surface.into();
+    fn trials(body: &Body, count: usize, contact_law: impl Into<ContactLaw>) -> Vec<Release<'_>> {
+        let contact_law = contact_law.into();
         let numbered = |i| State {
             tilt: i as f64,
             ..State::default()
         };
         (0..count)
-            .map(|i| (body, numbered(i), surface.clone()))
+            .map(|i| (body, numbered(i), contact_law.clone()))
             .collect()
     }
 
@@ -190,12 +195,15 @@ mod tests {
         let can = can();
         for (count, threads) in [(0, 2), (1, 2), (1000, 2), (54_321, 2), (54_321, 32)] {
             let trials = trials(&can, count, IdealLaw::NoSlip);
-            let pieces: Vec<_> = pieces(&trials, threads).collect();
-            assert_eq!(pieces.concat(), trials);
-            let sizes: Vec<usize> = pieces.iter().map(|piece| piece.len()).collect();
+            let chunks: Vec<_> = chunks(&trials, threads).collect();
+            assert_eq!(chunks.concat(), trials);
+            let sizes: Vec<usize> = chunks.iter().map(|chunk| chunk.len()).collect();
             assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
-            assert!(sizes.iter().all(|&size| size <= MOST), "{sizes:?}");
-            assert!(sizes.last().is_none_or(|&last| last <= FEWEST), "{sizes:?}");
+            assert!(sizes.iter().all(|&size| size <= MAX_CHUNK), "{sizes:?}");
+            assert!(
+                sizes.last().is_none_or(|&last| last <= MIN_CHUNK),
+                "{sizes:?}"
+            );
         }
     }
 
@@ -204,10 +212,10 @@ mod tests {
         let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
         let can = can();
         let trials = trials(&can, 1000, viscous);
-        let pieces: Vec<_> = pieces(&trials, 2).collect();
-        assert_eq!(pieces.concat(), trials);
-        let most = pieces.iter().map(|piece| piece.len()).max();
-        assert_eq!(most, Some(FEWEST / ALONE));
+        let chunks: Vec<_> = chunks(&trials, 2).collect();
+        assert_eq!(chunks.concat(), trials);
+        let most = chunks.iter().map(|chunk| chunk.len()).max();
+        assert_eq!(most, Some(MIN_CHUNK / SCALAR_COST));
     }
 
     #[test]
@@ -219,25 +227,25 @@ mod tests {
         let trials: Vec<_> = rolling
             .iter()
             .enumerate()
-            .map(|(i, (body, start, surface))| match i % 10 {
-                0 => (*body, *start, Surface::from(&viscous)),
-                _ => (*body, *start, surface.clone()),
+            .map(|(i, (body, start, contact_law))| match i % 10 {
+                0 => (*body, *start, ContactLaw::from(&viscous)),
+                _ => (*body, *start, contact_law.clone()),
             })
             .collect();
-        for (threads, full) in [(1, MOST), (2, 3000 / 8), (8, FEWEST)] {
-            let pieces: Vec<_> = pieces(&trials, threads).collect();
-            assert_eq!(pieces.concat(), trials);
-            let alone_in = |piece: &[Release<'_>]| {
-                let alone = piece
+        for (threads, full) in [(1, MAX_CHUNK), (2, 3000 / 8), (8, MIN_CHUNK)] {
+            let chunks: Vec<_> = chunks(&trials, threads).collect();
+            assert_eq!(chunks.concat(), trials);
+            let alone_in = |chunk: &[Release<'_>]| {
+                let alone = chunk
                     .iter()
-                    .filter(|(.., surface)| surface.friction == viscous);
+                    .filter(|(.., contact_law)| contact_law.friction == viscous);
                 alone.count()
             };
-            assert!(alone_in(pieces[0]) > 0 && alone_in(pieces[0]) < pieces[0].len());
+            assert!(alone_in(chunks[0]) > 0 && alone_in(chunks[0]) < chunks[0].len());
             // The last of a piece may be one that takes it beyond what is full.
-            for piece in pieces {
-                let size = piece.len() + (ALONE - 1) * alone_in(piece);
-                assert!(size < full + ALONE, "{size} on {threads}");
+            for chunk in chunks {
+                let size = chunk.len() + (SCALAR_COST - 1) * alone_in(chunk);
+                assert!(size < full + SCALAR_COST, "{size} on {threads}");
             }
         }
     }
@@ -253,12 +261,12 @@ mod tests {
         let can = can();
         let trials: Vec<_> = trials(&can, 100, FrictionLaw::Viscous { coefficient: 1.0 })
             .into_iter()
-            .map(|(body, start, surface)| (body, State { tilt: 0.3, ..start }, surface))
+            .map(|(body, start, contact_law)| (body, State { tilt: 0.3, ..start }, contact_law))
             .collect();
         let go_on = |_| ControlFlow::Continue(());
         let whole = ensemble(&trials, &Options::default(), go_on).expect("valid starts");
-        let begun = AtomicUsize::new(0);
-        let watch = |falls| match begun.fetch_add(usize::from(falls == 0), Relaxed) {
+        let result = AtomicUsize::new(0);
+        let watch = |falls| match result.fetch_add(usize::from(falls == 0), Relaxed) {
             0..6 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };

@@ -150,23 +150,23 @@ impl Impact {
             }
         }
         if now.slip[0] != 0.0 {
-            let pull = -self.friction * now.slip[0].signum();
-            let (to_stop, to_end) = self.slips_straight(&now, pull, until);
+            let friction_force = -self.friction * now.slip[0].signum();
+            let (to_stop, to_end) = self.slips_straight(&now, friction_force, until);
             if to_end <= to_stop {
-                return Some(self.pressed_on(&now, pull, to_end));
+                return Some(self.pressed_on(&now, friction_force, to_end));
             }
-            now = self.pressed_on(&now, pull, to_stop);
+            now = self.pressed_on(&now, friction_force, to_stop);
             now.slip[0] = 0.0;
         }
-        let pull = (-self.mobility.carry).clamp(-self.friction, self.friction);
-        let (_, to_end) = self.slips_straight(&now, pull, until);
-        Some(self.pressed_on(&now, pull, to_end))
+        let friction_force = (-self.mobility.carry).clamp(-self.friction, self.friction);
+        let (_, to_end) = self.slips_straight(&now, friction_force, until);
+        Some(self.pressed_on(&now, friction_force, to_end))
     }
 
     /// Follows a slip in two dimensions to the end of the part, or until it has stopped or keeps to e_x1
     /// and the part continues.
     fn slide(&self, mut now: Striking, until: Until) -> Option<ControlFlow<Striking, Striking>> {
-        const MOST_STEPS: usize = 10_000;
+        const MAX_STEPS: usize = 10_000;
         let Mobility {
             along,
             across,
@@ -183,7 +183,7 @@ impl Impact {
         let stopped = f64::EPSILON * (speed + self.approach.abs());
         let mut stepper = Stepper::new(&sliding, now.as_array(), 0.01 / sliding.rate, 1e-14);
         let level = |a: &[f64; 4]| self.level(until, &Striking::from_array(a));
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let [ux, uy] = now.slip;
             if libm::hypot(ux, uy) <= stopped {
                 now.slip = [0.0; 2];
@@ -204,10 +204,10 @@ impl Impact {
         None
     }
 
-    /// While dP_x = `pull` dP and u_y is none or not braked, all is linear in P: how much more of it stops
+    /// While dP_x = `friction_force` dP and u_y is none or not braked, all is linear in P: how much more of it stops
     /// u_x, and how much ends the part; infinite where it never does.
-    fn slips_straight(&self, now: &Striking, pull: f64, until: Until) -> (f64, f64) {
-        let (slipping, rising) = self.per_impulse(pull);
+    fn slips_straight(&self, now: &Striking, friction_force: f64, until: Until) -> (f64, f64) {
+        let (slipping, rising) = self.per_impulse(friction_force);
         let v = self.velocity(now);
         let to_stop = -now.slip[0] / slipping;
         let to_end = match until {
@@ -228,17 +228,17 @@ impl Impact {
         (positive(to_stop), positive(to_end))
     }
 
-    /// The growth of u_x and of v for a normal impulse of 1 while dP_x = `pull` dP.
-    fn per_impulse(&self, pull: f64) -> (f64, f64) {
+    /// The growth of u_x and of v for a normal impulse of 1 while dP_x = `friction_force` dP.
+    fn per_impulse(&self, friction_force: f64) -> (f64, f64) {
         let Mobility {
             along, held, carry, ..
         } = self.mobility;
-        let slipping = along * (carry + pull);
+        let slipping = along * (carry + friction_force);
         (slipping, held + carry * slipping)
     }
 
-    fn pressed_on(&self, now: &Striking, pull: f64, by: f64) -> Striking {
-        let (slipping, rising) = self.per_impulse(pull);
+    fn pressed_on(&self, now: &Striking, friction_force: f64, by: f64) -> Striking {
+        let (slipping, rising) = self.per_impulse(friction_force);
         let [ux, uy] = now.slip;
         Striking {
             slip: [ux + slipping * by, uy],

@@ -1,6 +1,6 @@
 //! The contact laws: how the rim meets the table.
 //!
-//! Each law is one file that fills the trait [`Law`]. It gives the rates of the [`Coordinates`] with
+//! Each law is one file that fills the trait [`Dynamics`]. It gives the rates of the [`Coordinates`] with
 //! respect to the solver's clock τ (dt = sin φ dτ) and the forces on the rim. Symbols and equation
 //! names are the paper's; ρ = R cos φ − H sin φ is the horizontal and z = R sin φ + H cos φ the
 //! vertical distance from the contact point to the centre of mass.
@@ -26,10 +26,10 @@ pub use flight::Flight;
 pub use frictionless::Frictionless;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
-pub use sliding::{DryFriction, Friction, Pull, Sliding};
-pub(crate) use sliding::{DryLaw, Pace, SlidingDry};
+pub(crate) use sliding::{DryDynamics, Pace, SlidingDry};
+pub use sliding::{DryFriction, Friction, FrictionForce, Sliding};
 pub use stribeck::Stribeck;
-pub use tabulated::{MOST_FRICTION, Tabulated};
+pub use tabulated::{MAX_FRICTION, Tabulated};
 pub use viscous::Viscous;
 
 use crate::body::Body;
@@ -167,18 +167,18 @@ impl<T: Real> Energy<T> {
 }
 
 /// How the rim meets the table.
-pub trait Law<T: Real> {
+pub trait Dynamics<T: Real> {
     /// The body and gravity.
     fn parameters(&self) -> &Parameters<T>;
 
     /// Rates of the coordinates by the solver's clock τ.
     #[inline(always)]
     fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        u.with_place(self.rates_but_place(u), self.center_velocity(u))
+        u.with_place(self.reduced_rates(u), self.center_velocity(u))
     }
 
     /// The same without spin and place, which nothing else depends on.
-    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T>;
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T>;
 
     /// The table's force on the rim, times sin φ.
     fn contact(&self, u: &Coordinates<T>) -> Contact<T>;
@@ -195,12 +195,12 @@ pub trait Law<T: Real> {
 
     /// The force along e_y1 by which the table holds the rim in place against moments (times sin φ)
     /// about e_x2 and e_z2; `None` where it does not hold it.
-    fn hold(&self, _moment: [T; 2]) -> Option<T> {
+    fn constraint_reaction(&self, _moment: [T; 2]) -> Option<T> {
         None
     }
 
     /// What resistance by itself adds to dw/dτ.
-    fn resisting(&self, _u: &Coordinates<T>) -> T {
+    fn resistance_rate(&self, _u: &Coordinates<T>) -> T {
         T::from(0.0)
     }
 
@@ -217,9 +217,9 @@ pub trait Law<T: Real> {
         T::from(1.0)
     }
 
-    /// Whether slip, gap and losses stay as they are: what [`MOVING`](crate::state::MOVING) counts
+    /// Whether slip, gap and losses stay as they are: what [`RIGID_COORDINATES`](crate::state::RIGID_COORDINATES) counts
     /// is then all that changes.
-    fn only_moves(&self) -> bool {
+    fn is_conservative(&self) -> bool {
         false
     }
 
@@ -280,7 +280,7 @@ impl IdealLaw {
     }
 
     /// The law for a body under gravity g (m/s²).
-    pub fn of(self, body: &Body, gravity: f64) -> Box<dyn Law<f64> + Send + Sync> {
+    pub fn of(self, body: &Body, gravity: f64) -> Box<dyn Dynamics<f64> + Send + Sync> {
         let parameters = Parameters::new(body, gravity);
         match self {
             IdealLaw::NoSlip => Box::new(NoSlip::new(parameters)),

@@ -32,7 +32,7 @@
 //! it, with exact phases of rolling, sliding and flight.
 //!
 //! # Reading order
-//! [`body`] and [`solids`]: what rolls. [`surface`]: what it rolls on. [`state`]: where it is and how it
+//! [`body`] and [`solids`]: what rolls. [`contact_law`]: what it rolls on. [`state`]: where it is and how it
 //! moves, and the coordinates that stay regular through the near-collision. [`law`]: the equations of
 //! motion, one file a law. [`solve`]: a solver that knows no mechanics. [`motion`]: [`simulate`], phases
 //! joined by events, [`motion::Sensitivity`], how a motion changes with what it was computed from, and
@@ -46,8 +46,10 @@
 //! says so.
 
 pub mod body;
+pub mod contact_law;
 pub mod ensemble;
 pub mod error;
+mod error_scale;
 mod impact;
 pub mod imperfection;
 pub mod law;
@@ -59,15 +61,13 @@ pub mod small_angle;
 pub mod solids;
 pub mod solve;
 pub mod state;
-pub mod surface;
 pub mod turn;
-mod yardstick;
 
 pub use body::Body;
+pub use contact_law::{ContactLaw, FrictionLaw};
 pub use ensemble::{Release, ensemble};
 pub use error::InvalidInput;
 pub use law::IdealLaw;
 pub use motion::{Motion, Options, Status, simulate};
 pub use solids::Solid;
 pub use state::State;
-pub use surface::{FrictionLaw, Surface};

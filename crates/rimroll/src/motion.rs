@@ -8,8 +8,6 @@
 mod contacts;
 mod events;
 mod fall;
-mod glance;
-mod leg;
 mod mechanics;
 mod message;
 mod moment;
@@ -17,14 +15,16 @@ mod onset;
 mod outcome;
 mod run;
 mod sensitivity;
+mod step_bounds;
+mod step_record;
 mod track;
 mod turns;
 
-pub(crate) use contacts::Next;
+pub(crate) use contacts::Transition;
 pub use contacts::{Contacts, Phase};
 pub use events::{Event, EventKind};
-pub(crate) use fall::Seen;
-pub use fall::{End, Fall, fall};
+pub(crate) use fall::FallRecord;
+pub use fall::{EndState, Fall, fall};
 pub use moment::{COLUMNS, Moment, Pose, moment, pose};
 pub use outcome::Outcome;
 pub(crate) use run::{pass_near_collision, stopped};
@@ -34,11 +34,11 @@ pub use turns::Turn;
 pub(crate) use turns::direction_at_release;
 
 use crate::body::Body;
+use crate::contact_law::ContactLaw;
 use crate::error::{InvalidInput, bounded, positive};
-use crate::law::Law;
+use crate::law::Dynamics;
 use crate::solve::Work;
 use crate::state::{Coordinates, State};
-use crate::surface::Surface;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use events::Goal;
@@ -270,8 +270,8 @@ pub struct Motion {
 
 impl Motion {
     /// The law that holds at an instant of the motion.
-    pub fn law(&self, at: &Instant) -> &dyn Law<f64> {
-        self.contacts.law(at.phase)
+    pub fn dynamics(&self, at: &Instant) -> &dyn Dynamics<f64> {
+        self.contacts.dynamics(at.phase)
     }
 
     /// The derivatives of the motion by its start, its body and gravity: some thirty times the work
@@ -292,7 +292,7 @@ impl Motion {
 
     /// All that is known at an instant of the motion.
     pub fn moment(&self, at: &Instant) -> Moment {
-        moment(self.law(at), at)
+        moment(self.dynamics(at), at)
     }
 }
 
@@ -307,14 +307,19 @@ impl Motion {
 pub fn simulate(
     body: &Body,
     start: &State,
-    surface: impl Into<Surface>,
+    contact_law: impl Into<ContactLaw>,
     options: &Options,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
-    let surface = surface.into();
-    surface.check()?;
+    let contact_law = contact_law.into();
+    contact_law.check()?;
     let options = options.checked(body, start)?;
-    let contacts = Contacts::new(body, &surface, options.gravity, options.step_tolerance());
+    let contacts = Contacts::new(
+        body,
+        &contact_law,
+        options.gravity,
+        options.step_tolerance(),
+    );
     let contacts = Arc::new(contacts);
     let start = Coordinates::from_state(start);
     let goal = Goal::Time(options.duration);

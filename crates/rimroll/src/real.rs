@@ -14,7 +14,7 @@ mod widest;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub(crate) use elementary::{Parted, asinh, rough_acosh, rough_asinh, sin_cos_below_eighth};
+pub(crate) use elementary::{FloatBits, approx_acosh, approx_asinh, asinh, sin_cos_below_eighth};
 
 pub(crate) use fieldwise::fieldwise;
 
@@ -23,7 +23,7 @@ pub(crate) use lanes::{Bits, Mask, Packed, Part, Vector};
 pub use lanes::{LANES, Lanes};
 #[cfg(test)]
 pub(crate) use widest::in_every_width;
-pub(crate) use widest::{Task, in_widest};
+pub(crate) use widest::{SimdKernel, run_widest};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -48,7 +48,7 @@ pub trait Real:
     /// ln x, for x > 0 that is neither tiny (below 1e-300) nor infinite.
     fn ln(self) -> Self;
     /// The same to 4e-4.
-    fn rough_ln(self) -> Self;
+    fn approx_ln(self) -> Self;
     /// The angle in (−π/2, π/2) whose tangent is x.
     fn atan(self) -> Self;
     /// |x|.
@@ -116,8 +116,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn rough_ln(self) -> Self {
-        elementary::rough_ln(self)
+    fn approx_ln(self) -> Self {
+        elementary::approx_ln(self)
     }
 
     #[inline(always)]

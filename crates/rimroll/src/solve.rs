@@ -17,7 +17,7 @@ pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense::Dense;
 pub use dop853::Step;
 pub use estimate::Estimate;
-pub use root::{bracketed, bracketed_in};
+pub use root::{bracketed_root, bracketed_root_in};
 pub use stiff::Implicit;
 
 use crate::real::Real;
@@ -27,7 +27,7 @@ use crate::real::Real;
 pub trait System<T: Real, const N: usize> {
     /// How many components, the first, no rate and no size depends on: inside a step they are as they
     /// were at its start, in what is given to `rates` and to `scale`.
-    const UNFELT: usize = 0;
+    const IGNORABLE: usize = 0;
 
     /// u′ = f(u).
     fn rates(&self, u: &[T; N]) -> [T; N];

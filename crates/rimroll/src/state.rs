@@ -68,11 +68,11 @@ impl State {
 pub const COORDINATES: usize = 17;
 
 /// How many of them, the first, say where the body is and how it turns.
-pub const MOVING: usize = 10;
+pub const RIGID_COORDINATES: usize = 10;
 
 /// How many of them, the first, no rate depends on: yaw and spin. (Nor does one on the time, which makes
 /// up the eight that fill two registers.)
-pub(crate) const UNFELT: usize = 2;
+pub(crate) const IGNORABLE: usize = 2;
 
 /// Index of the time among them.
 pub const TIME: usize = 7;
@@ -204,12 +204,12 @@ impl<T: Real> Coordinates<T> {
     /// forces: of yaw, tilt and time. All others are zero.
     #[inline(always)]
     pub fn kinematics(&self) -> Self {
-        self.kinematics_by(T::from(1.0))
+        self.kinematics_in(T::from(1.0))
     }
 
     /// The same by a clock that goes as fast as this part of τ.
     #[inline(always)]
-    pub(crate) fn kinematics_by(&self, clock: T) -> Self {
+    pub(crate) fn kinematics_in(&self, clock: T) -> Self {
         let passing = clock * self.sin;
         let falling = passing * self.p;
         Coordinates {

@@ -3,21 +3,24 @@
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
 use rimroll::motion::{EventKind, Phase};
-use rimroll::{Body, FrictionLaw, Motion, Options, State, Status, Surface, presets, simulate};
+use rimroll::{Body, ContactLaw, FrictionLaw, Motion, Options, State, Status, presets, simulate};
 
 fn body(mass: f64, radius: f64, height: f64, transverse: f64, axial: f64) -> Body {
     Body::new(mass, radius, height, transverse, axial).expect("a rigid body")
 }
 
-fn coulomb(friction: f64, restitution: f64) -> Surface {
-    Surface {
+fn coulomb(friction: f64, restitution: f64) -> ContactLaw {
+    ContactLaw {
         restitution,
         ..FrictionLaw::coulomb(friction).into()
     }
 }
 
-fn follow(body: &Body, start: &State, surface: Surface, options: &Options) -> Motion {
-    simulate(body, start, surface, options, |_| ControlFlow::Continue(())).expect("valid input")
+fn follow(body: &Body, start: &State, contact_law: ContactLaw, options: &Options) -> Motion {
+    simulate(body, start, contact_law, options, |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("valid input")
 }
 
 fn noted(motion: &Motion, kind: EventKind) -> Vec<f64> {
@@ -86,7 +89,7 @@ fn each_turn_begins_where_the_last_one_ended_also_in_bounces() {
         yaw_rate: -350.892623513998,
         ..State::default()
     };
-    let table = Surface {
+    let table = ContactLaw {
         restitution: 0.47093740623372704,
         ..FrictionLaw::Stribeck {
             friction: 0.13717910009398204,

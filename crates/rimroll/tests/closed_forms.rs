@@ -10,7 +10,7 @@ use bodies::{any_body, cases};
 use core::f64::consts::PI;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
-use rimroll::law::{Law, NoSlip, Parameters};
+use rimroll::law::{Dynamics, NoSlip, Parameters};
 use rimroll::motion::Turn;
 use rimroll::pasted::{Pasted, pasted};
 use rimroll::small_angle::lean_vector;
@@ -229,7 +229,7 @@ fn friction_in_the_near_collision_is_the_needed_one() {
         .collect();
     assert!(close.len() > 100);
     for u in close {
-        let contact = motion.law(&u).contact(&u);
+        let contact = motion.dynamics(&u).contact(&u);
         let ratio = libm::hypot(contact.along, contact.across) / contact.normal;
         assert!(
             (ratio / needed - 1.0).abs() < 1e-4,

@@ -13,7 +13,7 @@ use bodies::{any_body, cases, powers_of_ten};
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{
-    self, AirDrag, Contact, Law, Parameters, PivotingFriction, Resistance, Resisted,
+    self, AirDrag, Contact, Dynamics, Parameters, PivotingFriction, Resistance, Resisted,
     RollingResistance,
 };
 use rimroll::motion::Instant;
@@ -61,7 +61,7 @@ use Mode::{Coulomb, Flight, Frictionless, NoSlip, Stribeck, Viscous};
 
 const MODES: [Mode; 6] = [NoSlip, Frictionless, Coulomb, Viscous, Stribeck, Flight];
 
-fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Law<T>> {
+fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     let k = Parameters::new(body, PAPER_GRAVITY);
     // Below the friction from which the normal force is not determined.
     let friction = T::from(0.5 * painleve_friction(body).min(1.0));
@@ -87,7 +87,7 @@ fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Law<T>> {
 }
 
 /// The law with resistance of all kinds.
-fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Law<T>> {
+fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     let resistance = Resistance {
         rolling: RollingResistance {
             dry: 1e-2,
@@ -101,13 +101,13 @@ fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Law<T>> {
             exponent: 2.5,
         },
     };
-    struct Boxed<T>(Box<dyn Law<T>>);
-    impl<T: Real> Law<T> for Boxed<T> {
+    struct Boxed<T>(Box<dyn Dynamics<T>>);
+    impl<T: Real> Dynamics<T> for Boxed<T> {
         fn parameters(&self) -> &Parameters<T> {
             self.0.parameters()
         }
-        fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
-            self.0.rates_but_place(u)
+        fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+            self.0.reduced_rates(u)
         }
         fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
             self.0.contact(u)
@@ -115,8 +115,8 @@ fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Law<T>> {
         fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
             self.0.center_velocity(u)
         }
-        fn hold(&self, moment: [T; 2]) -> Option<T> {
-            self.0.hold(moment)
+        fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
+            self.0.constraint_reaction(moment)
         }
     }
     Box::new(Resisted::new(Boxed(law_of(mode, body)), resistance))
@@ -126,7 +126,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// The coordinates, each with its rate by the solver's clock τ as slope: whatever is computed from
 /// them has its own rate as slope.
-fn along_the_motion(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Coordinates<Dual> {
+fn along_the_motion(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Coordinates<Dual> {
     let (values, slopes) = (u.into_array(), law.rates(u).into_array());
     Coordinates::from_array(&core::array::from_fn(|i| Dual {
         value: values[i],
@@ -331,7 +331,7 @@ proptest! {
 
 /// The largest change of the energy along a motion, relative to the energy.
 fn drift(motion: &Motion) -> f64 {
-    let energy = |at: &Instant| motion.law(at).energy(at).total();
+    let energy = |at: &Instant| motion.dynamics(at).energy(at).total();
     let nodes: Vec<_> = motion.track.nodes().collect();
     let start = energy(&nodes[0]);
     nodes

@@ -8,7 +8,7 @@ use bodies::{any_body, cases};
 use core::ops::ControlFlow;
 use proptest::prelude::*;
 use rimroll::motion::{Fall, fall};
-use rimroll::{Body, FrictionLaw, Options, State, Status, Surface, ensemble};
+use rimroll::{Body, ContactLaw, FrictionLaw, Options, State, Status, ensemble};
 
 /// One way of following a fall.
 type Way = fn(&Case, f64) -> Fall;
@@ -24,7 +24,7 @@ struct Case {
 }
 
 impl Case {
-    fn surface(&self) -> Surface {
+    fn contact_law(&self) -> ContactLaw {
         FrictionLaw::coulomb(self.friction).into()
     }
 }
@@ -39,13 +39,13 @@ fn options(rtol: f64) -> Options {
 }
 
 fn in_ensemble(case: &Case, rtol: f64) -> Fall {
-    let trials = [(&case.body, case.start, case.surface())];
+    let trials = [(&case.body, case.start, case.contact_law())];
     let watch = |_| ControlFlow::Continue(());
     ensemble(&trials, &options(rtol), watch).expect("a valid start")[0]
 }
 
 fn alone(case: &Case, rtol: f64) -> Fall {
-    fall(&case.body, &case.start, &case.surface(), &options(rtol)).expect("a valid start")
+    fall(&case.body, &case.start, &case.contact_law(), &options(rtol)).expect("a valid start")
 }
 
 /// Falls from between upright and the balance point, gentle beside the rate of falling √(g/R), with

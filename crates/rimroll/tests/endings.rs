@@ -200,7 +200,7 @@ fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
     assert!(above.message.contains("lifted off at t = "));
     let end = above.track.end();
     assert!(end.tilt() < 1e-3 && end.p < 0.0);
-    let contact = above.law(&end).contact(&end);
+    let contact = above.dynamics(&end).contact(&end);
     assert!((contact.normal / end.sin).abs() < 1e-9 * can().mass() * PAPER_GRAVITY);
 }
 
@@ -372,7 +372,7 @@ fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
                 assert!((u.tilt() - tilt).abs() < 1e-9);
                 let [x, y] = u.center().map(|x| x / body.radius());
                 assert!(x.abs() < 1e-9 && y.abs() < 1e-9);
-                let contact = motion.law(&u).contact(&u);
+                let contact = motion.dynamics(&u).contact(&u);
                 assert!((contact.normal / u.sin / weight - 1.0).abs() < 1e-8);
                 assert!(libm::hypot(contact.along, contact.across) / u.sin < 1e-8 * weight);
             }

@@ -11,11 +11,11 @@ use core::ops::ControlFlow;
 use proptest::prelude::*;
 use rimroll::motion::{EventKind, Fall, Outcome, fall};
 use rimroll::{
-    Body, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, Release, State, Status, Surface,
+    Body, ContactLaw, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, Release, State, Status,
     ensemble, presets, simulate,
 };
 
-fn surfaces() -> impl Strategy<Value = Surface> {
+fn contact_laws() -> impl Strategy<Value = ContactLaw> {
     prop_oneof![
         Just(IdealLaw::NoSlip.into()),
         Just(IdealLaw::Frictionless.into()),
@@ -44,9 +44,9 @@ fn options() -> Options {
     }
 }
 
-fn whole(body: &Body, start: &State, surface: Surface) -> Motion {
+fn whole(body: &Body, start: &State, contact_law: ContactLaw) -> Motion {
     let watch = |_| ControlFlow::Continue(());
-    simulate(body, start, surface, &options(), watch).expect("a valid start")
+    simulate(body, start, contact_law, &options(), watch).expect("a valid start")
 }
 
 /// The time at which a motion has toppled, or reaches the first extreme of its tilt that ends a turn.
@@ -60,10 +60,10 @@ proptest! {
 
     #[test]
     fn a_fall_is_the_first_turn_of_its_motion(
-        body in any_body(), start in starts(), surface in surfaces(),
+        body in any_body(), start in starts(), contact_law in contact_laws(),
     ) {
-        let motion = whole(&body, &start, surface.clone());
-        let fall = fall(&body, &start, &surface, &options()).expect("a valid start");
+        let motion = whole(&body, &start, contact_law.clone());
+        let fall = fall(&body, &start, &contact_law, &options()).expect("a valid start");
         if let Some(turn) = motion.turns.first() {
             // The same steps, to the last bit.
             prop_assert_eq!(fall.turn, Some(*turn));
@@ -94,16 +94,16 @@ proptest! {
 
     #[test]
     fn a_fall_whose_time_is_up_before_its_turn_is_over_has_hovered(
-        body in any_body(), start in starts(), surface in surfaces(), part in 0.05..0.95,
+        body in any_body(), start in starts(), contact_law in contact_laws(), part in 0.05..0.95,
     ) {
-        let whole = whole(&body, &start, surface.clone());
+        let whole = whole(&body, &start, contact_law.clone());
         prop_assume!(!whole.turns.is_empty());
         let turn = whole.turns[0];
         // On its way up, and somewhere before.
         for duration in [turn.t + part * (turn.end - turn.t), part * turn.end] {
             let options = Options { duration, ..options() };
-            let alone = fall(&body, &start, &surface, &options).expect("a valid start");
-            let among_others = all(&body, &[(start, surface.clone())], &options)[0];
+            let alone = fall(&body, &start, &contact_law, &options).expect("a valid start");
+            let among_others = all(&body, &[(start, contact_law.clone())], &options)[0];
             for fall in [alone, among_others] {
                 prop_assert_eq!((fall.outcome, fall.status), (Outcome::Hovered, Status::Finished));
                 prop_assert_eq!((fall.turn, fall.end.t), (None, duration));
@@ -113,7 +113,7 @@ proptest! {
 
     #[test]
     fn a_fall_is_the_same_to_the_last_bit_alone_and_among_others_in_any_order(
-        body in any_body(), trials in prop::collection::vec((starts(), surfaces()), 1..40),
+        body in any_body(), trials in prop::collection::vec((starts(), contact_laws()), 1..40),
     ) {
         let together = all(&body, &trials, &options());
         let mut reversed = trials.clone();
@@ -128,7 +128,7 @@ proptest! {
 
     #[test]
     fn a_fall_among_those_of_other_bodies_is_that_of_its_body_alone_to_the_last_bit(
-        trials in prop::collection::vec((any_body(), starts(), surfaces()), 1..80),
+        trials in prop::collection::vec((any_body(), starts(), contact_laws()), 1..80),
     ) {
         // Every third is a disk, which topples at no tilt unless one is given.
         let disk = |body: &Body| {
@@ -143,7 +143,7 @@ proptest! {
         let releases: Vec<Release<'_>> = bodies
             .iter()
             .zip(&trials)
-            .map(|(body, (_, start, surface))| (body, *start, surface.clone()))
+            .map(|(body, (_, start, contact_law))| (body, *start, contact_law.clone()))
             .collect();
         for topple_tilt in [None, Some(1.5)] {
             let options = Options { topple_tilt, ..options() };
@@ -160,14 +160,14 @@ proptest! {
 
     #[test]
     fn a_fall_in_an_ensemble_is_that_fall(
-        body in any_body(), start in starts(), surface in surfaces(),
+        body in any_body(), start in starts(), contact_law in contact_laws(),
     ) {
-        let found = &all(&body, &[(start, surface.clone())], &options())[0];
-        let alone = fall(&body, &start, &surface, &options()).expect("a valid start");
+        let found = &all(&body, &[(start, contact_law.clone())], &options())[0];
+        let alone = fall(&body, &start, &contact_law, &options()).expect("a valid start");
         // What a hair's breadth of the start decides is not compared.
         let steady = [-1e-6, 1e-6].into_iter().all(|hair| {
             let beside = State { tilt: start.tilt + hair, ..start };
-            let beside = fall(&body, &beside, &surface, &options()).expect("a valid start");
+            let beside = fall(&body, &beside, &contact_law, &options()).expect("a valid start");
             same_kind(&beside, &alone) && near(&beside, &alone, 1e-3)
         });
         if steady {
@@ -177,8 +177,9 @@ proptest! {
     }
 }
 
-fn all(body: &Body, trials: &[(State, Surface)], options: &Options) -> Vec<Fall> {
-    let with_body = |(start, surface): &(State, Surface)| (body, *start, surface.clone());
+fn all(body: &Body, trials: &[(State, ContactLaw)], options: &Options) -> Vec<Fall> {
+    let with_body =
+        |(start, contact_law): &(State, ContactLaw)| (body, *start, contact_law.clone());
     let releases: Vec<_> = trials.iter().map(with_body).collect();
     of_many_bodies(&releases, options)
 }
@@ -227,7 +228,11 @@ fn the_number_of_threads_makes_no_difference() {
             };
             let friction = 0.05 + 1e-4 * f64::from(i);
             let body = if i % 7 == 0 { &coin } else { &can };
-            (body, start, Surface::from(FrictionLaw::coulomb(friction)))
+            (
+                body,
+                start,
+                ContactLaw::from(FrictionLaw::coulomb(friction)),
+            )
         })
         .collect();
     let by = |threads: usize| {
@@ -250,7 +255,7 @@ fn what_is_done_before_the_watch_ends_the_work_is_kept() {
         yaw_rate: 0.01,
         ..State::default()
     };
-    let trials = vec![(&can, start, Surface::from(IdealLaw::NoSlip)); 5000];
+    let trials = vec![(&can, start, ContactLaw::from(IdealLaw::NoSlip)); 5000];
     let whole = of_many_bodies(&trials, &options());
     let stop = |_| ControlFlow::Break(());
     let some = ensemble(&trials, &options(), stop).expect("valid starts");
@@ -268,8 +273,8 @@ fn what_slides_and_what_flies_is_said() {
         spin_rate: 0.01,
         ..State::default()
     };
-    let one = |start: &State, surface: Surface| {
-        fall(&can, start, &surface, &options()).expect("a valid start")
+    let one = |start: &State, contact_law: ContactLaw| {
+        fall(&can, start, &contact_law, &options()).expect("a valid start")
     };
     let rolls = one(&gentle, IdealLaw::NoSlip.into());
     assert!(!rolls.slid && !rolls.flew && rolls.energy_lost() == 0.0);
@@ -292,8 +297,8 @@ fn one_bad_start_is_refused_for_all() {
         ..State::default()
     };
     let bad = State { tilt: -0.4, ..good };
-    let surface = Surface::from(IdealLaw::NoSlip);
-    let trials = [(&can, good, surface.clone()), (&can, bad, surface)];
+    let contact_law = ContactLaw::from(IdealLaw::NoSlip);
+    let trials = [(&can, good, contact_law.clone()), (&can, bad, contact_law)];
     let watch = |_| ControlFlow::Continue(());
     let refused = ensemble(&trials, &options(), watch);
     assert!(matches!(
@@ -329,7 +334,7 @@ fn grip_scales_every_coefficient_of_friction() {
         friction: 0.2,
         static_friction: 0.3,
     };
-    let twice = Surface::from(dry).with_grip(2.0);
+    let twice = ContactLaw::from(dry).with_grip(2.0);
     assert_eq!(
         twice.friction,
         FrictionLaw::Coulomb {
@@ -337,7 +342,7 @@ fn grip_scales_every_coefficient_of_friction() {
             static_friction: 0.6
         }
     );
-    let ideal = Surface::from(IdealLaw::NoSlip);
+    let ideal = ContactLaw::from(IdealLaw::NoSlip);
     assert_eq!(ideal.clone().with_grip(2.0), ideal);
 }
 
@@ -345,7 +350,7 @@ fn grip_scales_every_coefficient_of_friction() {
 #[test]
 fn those_that_are_followed_alone_change_no_bit_of_others() {
     let can = presets::can_2007().expect("the paper's can");
-    let surface: Surface = FrictionLaw::coulomb(0.005).into();
+    let contact_law: ContactLaw = FrictionLaw::coulomb(0.005).into();
     let at_rest = State {
         tilt: 0.3,
         ..State::default()
@@ -356,8 +361,8 @@ fn those_that_are_followed_alone_change_no_bit_of_others() {
         yaw_rate: 0.02,
         ..State::default()
     };
-    let moving: Vec<_> = (0..20).map(|i| (moving(i), surface.clone())).collect();
-    let mut mixed = vec![(at_rest, surface); 40];
+    let moving: Vec<_> = (0..20).map(|i| (moving(i), contact_law.clone())).collect();
+    let mut mixed = vec![(at_rest, contact_law); 40];
     mixed.extend(moving.clone());
     let alone = all(&can, &moving, &options());
     assert_eq!(all(&can, &mixed, &options())[40..], alone);

@@ -23,10 +23,10 @@ fn options(rtol: f64) -> Options {
 }
 
 fn by_steps(body: &Body, law: IdealLaw, start: &State, rtol: f64) -> [Fall; 2] {
-    let (options, surface) = (options(rtol), law.into());
+    let (options, contact_law) = (options(rtol), law.into());
     let watch = |_| ControlFlow::Continue(());
-    let alone = fall(body, start, &surface, &options).expect("valid");
-    let among_others = ensemble(&[(body, *start, surface)], &options, watch).expect("valid");
+    let alone = fall(body, start, &contact_law, &options).expect("valid");
+    let among_others = ensemble(&[(body, *start, contact_law)], &options, watch).expect("valid");
     [alone, among_others[0]]
 }
 

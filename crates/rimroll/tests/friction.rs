@@ -58,8 +58,8 @@ fn the_limiting_turn_of_the_can_falls_from_frictionless_to_no_slip() {
 #[test]
 fn a_tipping_phase_that_slides_makes_the_turn_larger() {
     for (friction, at_rest, after_sliding) in LIMITS {
-        let surface = FrictionLaw::coulomb(friction).into();
-        let arrival = Arrival::of(&can(), &paper_start(0.0), &surface, PAPER_GRAVITY);
+        let contact_law = FrictionLaw::coulomb(friction).into();
+        let arrival = Arrival::of(&can(), &paper_start(0.0), &contact_law, PAPER_GRAVITY);
         let arrival = arrival.expect("a tipping phase that ends flat");
         let turn = limit(&can(), friction, &arrival).to_degrees();
         let expected = after_sliding.unwrap_or(at_rest);
@@ -139,9 +139,14 @@ fn near_collision_turn(motion: &Motion, min_tilt: f64) -> f64 {
 #[test]
 fn full_motions_near_the_limit_turn_as_the_near_collision_by_itself() {
     for friction in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.34, 0.4] {
-        let surface = FrictionLaw::coulomb(friction);
-        let motion = follow(&can(), &paper_start(1e-6), &surface, &options(0.3));
-        let arrival = Arrival::of(&can(), &paper_start(0.0), &surface.into(), PAPER_GRAVITY);
+        let contact_law = FrictionLaw::coulomb(friction);
+        let motion = follow(&can(), &paper_start(1e-6), &contact_law, &options(0.3));
+        let arrival = Arrival::of(
+            &can(),
+            &paper_start(0.0),
+            &contact_law.into(),
+            PAPER_GRAVITY,
+        );
         let expected = limit(&can(), friction, &arrival.expect("it comes down flat"));
         let low = motion.turns.first().map_or(1e-7, |turn| turn.min_tilt);
         let turn = near_collision_turn(&motion, low);

@@ -18,14 +18,14 @@ use rimroll::law::{
 };
 use rimroll::motion::{COLUMNS, EventKind, Instant, Phase};
 use rimroll::turn::painleve_friction;
-use rimroll::{Body, FrictionLaw, Motion, Options, State, Status, Surface, simulate};
+use rimroll::{Body, ContactLaw, FrictionLaw, Motion, Options, State, Status, simulate};
 use std::collections::BTreeMap;
 
 /// A start on a table.
 #[derive(Debug, Clone)]
 struct Case {
     body: Body,
-    surface: Surface,
+    contact_law: ContactLaw,
     start: State,
     options: Options,
 }
@@ -95,9 +95,9 @@ fn any_table() -> impl Strategy<Value = FrictionLaw> {
 }
 
 /// The numbers of a surface, with a unit, are given in those of a body of mass, radius and gravity 1.
-fn in_units_of(body: &Body, surface: Surface) -> Surface {
+fn in_units_of(body: &Body, contact_law: ContactLaw) -> ContactLaw {
     let (m, r, rate) = (body.mass(), body.radius(), falling_rate(body));
-    let friction = match surface.friction {
+    let friction = match contact_law.friction {
         FrictionLaw::Tabulated(table) => faster(&table, r * rate),
         FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
             coefficient: coefficient * m * rate,
@@ -119,8 +119,8 @@ fn in_units_of(body: &Body, surface: Surface) -> Surface {
         rolling,
         pivoting,
         air,
-    } = surface.resistance;
-    Surface {
+    } = contact_law.resistance;
+    ContactLaw {
         friction,
         resistance: Resistance {
             rolling: RollingResistance {
@@ -135,14 +135,14 @@ fn in_units_of(body: &Body, surface: Surface) -> Surface {
                 ..air
             },
         },
-        ..surface
+        ..contact_law
     }
 }
 
 fn any_resistance() -> impl Strategy<Value = Resistance> {
     let some = || prop_oneof![2 => Just(0.0), 1 => powers_of_ten(-5.0, -0.5)];
     let exponent = prop_oneof![Just(4.0), Just(2.5), 1.5..5.0];
-    let resisting = (some(), some(), some(), some(), exponent).prop_map(
+    let resistance_rate = (some(), some(), some(), some(), exponent).prop_map(
         |(dry, viscous, length, coefficient, exponent)| Resistance {
             rolling: RollingResistance { dry, viscous },
             pivoting: PivotingFriction { length },
@@ -152,7 +152,7 @@ fn any_resistance() -> impl Strategy<Value = Resistance> {
             },
         },
     );
-    prop_oneof![3 => Just(Resistance::default()), 2 => resisting]
+    prop_oneof![3 => Just(Resistance::default()), 2 => resistance_rate]
 }
 
 /// In units of √(g/R).
@@ -195,11 +195,11 @@ fn any_start() -> impl Strategy<Value = State> {
         })
 }
 
-fn any_surface() -> impl Strategy<Value = Surface> {
+fn any_surface() -> impl Strategy<Value = ContactLaw> {
     let restitution =
         prop_oneof![2 => Just(0.0), 1 => Just(1.0), 1 => powers_of_ten(-6.0, -1.0), 3 => 0.0..1.0];
     (any_friction(), restitution, any_resistance()).prop_map(
-        |(friction, restitution, resistance)| Surface {
+        |(friction, restitution, resistance)| ContactLaw {
             friction,
             restitution,
             resistance,
@@ -224,7 +224,7 @@ fn wild_case() -> impl Strategy<Value = Case> {
 fn any_case_of(body: impl Strategy<Value = Body>) -> impl Strategy<Value = Case> {
     let rtol = prop_oneof![1 => powers_of_ten(-13.0, -4.0), 1 => powers_of_ten(-13.0, -11.0)];
     (body, any_surface(), any_start(), 0.5..10.0, rtol).prop_map(
-        |(body, surface, start, duration, rtol)| {
+        |(body, contact_law, start, duration, rtol)| {
             let rate = falling_rate(&body);
             let mut start = State {
                 tilt_rate: start.tilt_rate * rate,
@@ -241,13 +241,13 @@ fn any_case_of(body: impl Strategy<Value = Body>) -> impl Strategy<Value = Case>
             }
             Case {
                 body,
-                surface: in_units_of(&body, surface),
+                contact_law: in_units_of(&body, contact_law),
                 start,
                 options: Options {
                     duration: duration / rate,
                     gravity: GRAVITY,
                     rtol,
-                    max_steps: MOST_STEPS,
+                    max_steps: MAX_STEPS,
                     ..Options::default()
                 },
             }
@@ -256,16 +256,16 @@ fn any_case_of(body: impl Strategy<Value = Body>) -> impl Strategy<Value = Case>
 }
 
 /// A motion may need this many, and is cut off there if it goes on wobbling.
-const MOST_STEPS: usize = 4_000;
+const MAX_STEPS: usize = 4_000;
 
 fn follow(case: &Case) -> Motion {
     let Case {
         body,
         start,
-        surface,
+        contact_law,
         options,
     } = case;
-    simulate(body, start, surface.clone(), options, |_| {
+    simulate(body, start, contact_law.clone(), options, |_| {
         ControlFlow::Continue(())
     })
     .expect("valid input")
@@ -335,7 +335,7 @@ fn numbers(motion: &Motion, found: &mut Found) {
     for at in motion.track.samples(3) {
         for (name, value) in COLUMNS.iter().zip(motion.moment(&at)) {
             // Where nothing presses, friction that does not follow the load needs an infinite coefficient.
-            let follows_load = motion.law(&at).friction_ratio(&at).is_some();
+            let follows_load = motion.dynamics(&at).friction_ratio(&at).is_some();
             let infinite = *name == "friction_ratio" && !value.is_nan() && !follows_load;
             if !(value.is_finite() || infinite) {
                 found.complain(name, value, &at);
@@ -353,7 +353,7 @@ fn numbers(motion: &Motion, found: &mut Found) {
 fn forces(case: &Case, motion: &Motion, found: &mut Found) {
     let Case {
         body,
-        surface,
+        contact_law,
         options,
         ..
     } = case;
@@ -375,7 +375,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
         if (at.gap, at.gap_rate) != (0.0, 0.0) {
             found.complain("touches and is off the table", at.gap, &at);
         }
-        let law = motion.law(&at);
+        let law = motion.dynamics(&at);
         let force = law.contact(&at);
         let friction = libm::hypot(force.along, force.across);
         let thrown = at.sin * at.p * at.p + at.w * at.w + (at.w * at.sin * at.s).abs();
@@ -398,7 +398,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
             }
         }
         let [slip_x, slip_y] = law.slip(&at);
-        let coefficients = match &surface.friction {
+        let coefficients = match &contact_law.friction {
             FrictionLaw::Coulomb {
                 friction,
                 static_friction,
@@ -427,7 +427,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
 
 /// No energy comes from nowhere, none goes without account, and no account is paid back.
 fn energies(case: &Case, motion: &Motion, found: &mut Found) {
-    let energy = |at: &Instant| motion.law(at).energy(at).total();
+    let energy = |at: &Instant| motion.dynamics(at).energy(at).total();
     let losses = |at: &Instant| [at.friction_loss, at.resistance_loss, at.impact_loss];
     let begin = motion.track.start();
     let start = energy(&begin);
@@ -481,7 +481,7 @@ fn joints(case: &Case, motion: &Motion, found: &mut Found) {
         [at.yaw, at.sin, at.cos, x / reach, y / reach]
     };
     let moving = |at: &Instant| {
-        let [vx, vy] = motion.law(at).center_velocity(at);
+        let [vx, vy] = motion.dynamics(at).center_velocity(at);
         [at.p, at.w, at.s, vx / reach, vy / reach]
     };
     let apart = |one: [f64; 5], other: [f64; 5]| {
@@ -569,25 +569,25 @@ fn turns(case: &Case, motion: &Motion, found: &mut Found) {
 fn ending(case: &Case, motion: &Motion, found: &mut Found) {
     let Case {
         body,
-        surface,
+        contact_law,
         options,
         ..
     } = case;
     let end = motion.track.end();
     let begin = motion.track.start();
     let above_rest = |at: &Instant| {
-        let energy = motion.law(at).energy(at);
+        let energy = motion.dynamics(at).energy(at);
         energy.kinetic + energy.potential.abs()
     };
     let paradoxical = |friction: f64| friction >= painleve_friction(body) * (1.0 - 1e-6);
     let fits = match motion.status {
         Status::Finished => end.t == options.duration,
         Status::Toppled => body.height() > 0.0 && (end.tilt() - FRAC_PI_2).abs() < 1e-7,
-        Status::LiftedOff => surface.friction.ideal().is_some(),
+        Status::LiftedOff => contact_law.friction.ideal().is_some(),
         Status::FaceDown => end.sin <= 1.001e-9,
         // What is left when it lies flat goes with it.
         Status::AtRest => end.sin <= 1.001e-9 || above_rest(&end) <= 1.001e-10 * above_rest(&begin),
-        Status::Painleve => match &surface.friction {
+        Status::Painleve => match &contact_law.friction {
             FrictionLaw::Tabulated(table) => {
                 let most = table.points().map(|(_, friction)| friction);
                 paradoxical(most.fold(table.static_friction(), f64::max))
@@ -683,8 +683,8 @@ proptest! {
         let slower = |rate: f64| rate / time;
         let larger = Case {
             body,
-            surface: Surface {
-                friction: match case.surface.friction.clone() {
+            contact_law: ContactLaw {
+                friction: match case.contact_law.friction.clone() {
                     FrictionLaw::Tabulated(table) => faster(&table, length / time),
                     FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
                         coefficient: coefficient * mass / time,
@@ -700,7 +700,7 @@ proptest! {
                     dry => dry,
                 },
                 resistance: Resistance::default(),
-                ..case.surface.clone()
+                ..case.contact_law.clone()
             },
             start: State {
                 tilt_rate: slower(case.start.tilt_rate),
@@ -710,8 +710,8 @@ proptest! {
             },
             options: Options { duration: time * case.options.duration, ..case.options },
         };
-        let surface = Surface { resistance: Resistance::default(), ..case.surface.clone() };
-        let (one, other) = (follow(&Case { surface, ..case.clone() }), follow(&larger));
+        let contact_law = ContactLaw { resistance: Resistance::default(), ..case.contact_law.clone() };
+        let (one, other) = (follow(&Case { contact_law, ..case.clone() }), follow(&larger));
         prop_assert_eq!(one.status, other.status);
         prop_assert_eq!(one.work, other.work);
         let (a, b) = (one.track.end(), other.track.end());
@@ -740,8 +740,8 @@ proptest! {
     #[test]
     fn no_dry_friction_is_frictionless(case in any_case()) {
         let on = |friction| {
-            let surface = Surface { friction, resistance: Resistance::default(), ..case.surface.clone() };
-            follow(&Case { surface, ..case.clone() })
+            let contact_law = ContactLaw { friction, resistance: Resistance::default(), ..case.contact_law.clone() };
+            follow(&Case { contact_law, ..case.clone() })
         };
         agree_while_they_last(&case, &on(FrictionLaw::Frictionless), &on(FrictionLaw::coulomb(0.0)))?;
     }
@@ -750,8 +750,8 @@ proptest! {
     #[test]
     fn much_dry_friction_is_no_slip(case in any_case()) {
         let on = |friction| {
-            let surface = Surface { friction, resistance: Resistance::default(), ..case.surface.clone() };
-            follow(&Case { surface, ..case.clone() })
+            let contact_law = ContactLaw { friction, resistance: Resistance::default(), ..case.contact_law.clone() };
+            follow(&Case { contact_law, ..case.clone() })
         };
         agree_while_they_last(&case, &on(FrictionLaw::NoSlip), &on(FrictionLaw::coulomb(1e5)))?;
     }
@@ -871,7 +871,7 @@ struct Census {
 impl Census {
     fn count(&mut self, i: u64, case: &Case, motion: &Motion, found: &Found) {
         let Motion { status, work, .. } = motion;
-        let kind = (format!("{status:?}"), case.surface.friction.name());
+        let kind = (format!("{status:?}"), case.contact_law.friction.name());
         *self.statuses.entry(kind).or_insert(0) += 1;
         self.steps.push(work.steps);
         for (worst, new) in [
@@ -898,7 +898,7 @@ impl Census {
                 way(motion),
                 case.options.rtol
             );
-            println!("    {:?} {:?}", found.complaints, case.surface);
+            println!("    {:?} {:?}", found.complaints, case.contact_law);
         }
     }
 

@@ -7,7 +7,7 @@ mod motions;
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use rimroll::motion::{PARAMETERS, Sensitivity, Slope};
-use rimroll::{Body, FrictionLaw, IdealLaw, Motion, Options, State, Surface, presets};
+use rimroll::{Body, ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets};
 
 /// What a motion is computed from, in the order of [`PARAMETERS`].
 type Numbers = [f64; PARAMETERS.len()];
@@ -191,7 +191,7 @@ fn derivatives_know_the_units_of_the_parameters() {
 
 #[test]
 fn a_motion_joined_from_phases_has_no_derivative() {
-    let dry = Surface::from(FrictionLaw::Coulomb {
+    let dry = ContactLaw::from(FrictionLaw::Coulomb {
         friction: 0.2,
         static_friction: 0.2,
     });
@@ -208,7 +208,7 @@ fn a_motion_joined_from_phases_has_no_derivative() {
 }
 
 /// A step with its derivatives takes some 15 µs, so this is a few milliseconds.
-const MOST_STEPS_BETWEEN_REPORTS: usize = 300;
+const MAX_STEPS_BETWEEN_REPORTS: usize = 300;
 
 #[test]
 fn a_caller_hears_of_the_derivatives_every_few_hundred_steps() {
@@ -219,8 +219,8 @@ fn a_caller_hears_of_the_derivatives_every_few_hundred_steps() {
         CONTINUE
     };
     motion.sensitivity(report).expect("a smooth motion");
-    assert!(motion.work.steps > 10 * MOST_STEPS_BETWEEN_REPORTS);
-    assert!(times.len() >= motion.work.steps / MOST_STEPS_BETWEEN_REPORTS);
+    assert!(motion.work.steps > 10 * MAX_STEPS_BETWEEN_REPORTS);
+    assert!(times.len() >= motion.work.steps / MAX_STEPS_BETWEEN_REPORTS);
     assert_eq!(times[0], 0.0);
     assert!(times.is_sorted());
     // After the last steps come the turns.

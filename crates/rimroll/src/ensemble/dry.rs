@@ -1,19 +1,19 @@
 //! Falls under dry friction: those that roll go together, and those that slide; a fall changes from the
 //! one to the other and back.
 
-use super::carried::{Carried, Rolling, Slipping};
-use super::onset::{Beginning, Begun, begin};
-use super::piece::{BodyNumbers, Piece};
+use super::chunk::{BodyNumbers, Chunk};
+use super::onset::{OnsetResult, OnsetStart, begin};
 use super::pool::{Exit, Pool};
+use super::reduced_system::{ReducedNoSlip, ReducedSliding, ReducedSystem};
 use super::trial::Trial;
-use crate::law::{Law, NoSlip};
-use crate::motion::{Contacts, Fall, Next, stopped};
+use crate::contact_law::FrictionLaw;
+use crate::law::{Dynamics, NoSlip};
+use crate::motion::{Contacts, Fall, Transition, stopped};
 use crate::real::LANES;
 use crate::state::Coordinates;
-use crate::surface::FrictionLaw;
 
-type RollingPool<'a> = Pool<'a, Rolling<f64, true>, 7>;
-type SlippingPool<'a> = Pool<'a, Slipping<f64>, 10>;
+type RollingPool<'a> = Pool<'a, ReducedNoSlip<f64, true>, 7>;
+type SlippingPool<'a> = Pool<'a, ReducedSliding<f64>, 10>;
 
 /// A fall between two phases: where it is, and how long a step to try.
 struct Waiting {
@@ -25,29 +25,29 @@ struct Waiting {
 /// A fall whose slip is to begin.
 struct ToSlip {
     trial: Trial,
-    beginning: Beginning,
-    begun: Option<Begun>,
+    beginning: OnsetStart,
+    result: Option<OnsetResult>,
 }
 
 /// How a phase is to begin.
 #[expect(clippy::large_enum_variant, reason = "it is taken apart at once")]
-enum Begins {
-    Rolling(Waiting),
-    Slipping(ToSlip),
+enum PhaseStart {
+    ReducedNoSlip(Waiting),
+    ReducedSliding(ToSlip),
 }
 
 pub(super) struct Dry<'a> {
-    piece: &'a Piece<'a>,
+    chunk: &'a Chunk<'a>,
     /// The length of a slip's first step, in first steps.
     onset: f64,
     done: &'a mut [Option<Fall>],
 }
 
 impl<'a> Dry<'a> {
-    pub(super) fn new(piece: &'a Piece<'a>, done: &'a mut [Option<Fall>]) -> Self {
+    pub(super) fn new(chunk: &'a Chunk<'a>, done: &'a mut [Option<Fall>]) -> Self {
         Dry {
-            piece,
-            onset: onset_length(piece.limits.tolerance),
+            chunk,
+            onset: onset_length(chunk.limits.tolerance),
             done,
         }
     }
@@ -56,7 +56,7 @@ impl<'a> Dry<'a> {
     pub(super) fn follow(&mut self, waiting: impl Iterator<Item = usize>) {
         let mut waiting = waiting.peekable();
         let Some(&first) = waiting.peek() else { return };
-        let (body, limits) = (self.piece.body(first), &self.piece.limits);
+        let (body, limits) = (self.chunk.body(first), &self.chunk.limits);
         let mut rolling = RollingPool::new(body, limits);
         let mut slipping = SlippingPool::new(body, limits);
         let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
@@ -95,8 +95,8 @@ impl<'a> Dry<'a> {
             let most_roll = rolling.len() == LANES || rolling.len() > slipping.len();
             let rolling_goes_on = slipping.len() < LANES && most_roll;
             let mut begin = |begins| match begins {
-                Begins::Rolling(waiting) => to_roll.push(waiting),
-                Begins::Slipping(waiting) => to_slip.push(waiting),
+                PhaseStart::ReducedNoSlip(waiting) => to_roll.push(waiting),
+                PhaseStart::ReducedSliding(waiting) => to_slip.push(waiting),
             };
             // So that few lanes are empty: those that slide wait until there are enough of them, or few that roll.
             if rolling_goes_on {
@@ -112,12 +112,12 @@ impl<'a> Dry<'a> {
     }
 
     fn body(&self, trial: &Trial) -> &'a BodyNumbers {
-        self.piece.body(trial.index)
+        self.chunk.body(trial.index)
     }
 
     /// Coefficients of friction: of slipping and static.
     fn frictions(&self, trial: &Trial) -> (f64, f64) {
-        match self.piece.trials[trial.index].2.friction {
+        match self.chunk.trials[trial.index].2.friction {
             FrictionLaw::Coulomb {
                 friction,
                 static_friction,
@@ -126,16 +126,16 @@ impl<'a> Dry<'a> {
         }
     }
 
-    fn slipping(&self, trial: &Trial) -> Slipping<f64> {
-        Slipping::new(self.body(trial).parameters, self.frictions(trial).0)
+    fn slipping(&self, trial: &Trial) -> ReducedSliding<f64> {
+        ReducedSliding::new(self.body(trial).parameters, self.frictions(trial).0)
     }
 
     fn contacts(&self, trial: &Trial) -> Contacts {
-        let (body, _, surface) = &self.piece.trials[trial.index];
-        let Piece {
+        let (body, _, contact_law) = &self.chunk.trials[trial.index];
+        let Chunk {
             options, limits, ..
-        } = self.piece;
-        Contacts::new(body, surface, options.gravity, limits.tolerance)
+        } = self.chunk;
+        Contacts::new(body, contact_law, options.gravity, limits.tolerance)
     }
 
     /// The next of the trials that begins by rolling; those that begin to slip wait elsewhere.
@@ -146,16 +146,16 @@ impl<'a> Dry<'a> {
     ) -> Option<Waiting> {
         while to_slip.len() < LANES {
             let index = waiting.next()?;
-            let at = Coordinates::from_state(&self.piece.trials[index].1);
-            let (body, limits) = (self.piece.body(index), &self.piece.limits);
+            let at = Coordinates::from_state(&self.chunk.trials[index].1);
+            let (body, limits) = (self.chunk.body(index), &self.chunk.limits);
             if !limits.are_far_from(&at, &body.topple) {
                 continue;
             }
             let trial = Trial::new(index, &at, false);
             let contacts = self.contacts(&trial);
             match self.going_on(trial, contacts.settle(&at), &at) {
-                Some(Begins::Rolling(waiting)) => return Some(waiting),
-                Some(Begins::Slipping(waiting)) => to_slip.push(waiting),
+                Some(PhaseStart::ReducedNoSlip(waiting)) => return Some(waiting),
+                Some(PhaseStart::ReducedSliding(waiting)) => to_slip.push(waiting),
                 None => {}
             }
         }
@@ -163,30 +163,35 @@ impl<'a> Dry<'a> {
     }
 
     /// How a fall goes on; none where that is rare.
-    fn going_on(&self, mut trial: Trial, next: Next, at: &Coordinates<f64>) -> Option<Begins> {
+    fn going_on(
+        &self,
+        mut trial: Trial,
+        next: Transition,
+        at: &Coordinates<f64>,
+    ) -> Option<PhaseStart> {
         match next {
-            Next::Roll => {
-                let h = self.body(&trial).yardstick.first_step(at);
+            Transition::Roll => {
+                let h = self.body(&trial).error_scale.first_step(at);
                 let at = *at;
-                Some(Begins::Rolling(Waiting { trial, at, h }))
+                Some(PhaseStart::ReducedNoSlip(Waiting { trial, at, h }))
             }
-            Next::BeginToSlip(direction) => {
+            Transition::BeginToSlip(direction) => {
                 let friction_loss = trial.friction_loss;
                 let at = Coordinates {
                     friction_loss,
                     ..*at
                 };
-                let h = self.onset * self.body(&trial).yardstick.first_step(&at);
+                let h = self.onset * self.body(&trial).error_scale.first_step(&at);
                 let slipping = self.slipping(&trial);
-                let beginning = Beginning::from_rest(&at, direction, slipping, h);
+                let beginning = OnsetStart::from_rest(&at, direction, slipping, h);
                 trial.slid = true;
-                Some(Begins::Slipping(ToSlip {
+                Some(PhaseStart::ReducedSliding(ToSlip {
                     trial,
                     beginning,
-                    begun: None,
+                    result: None,
                 }))
             }
-            Next::Slide | Next::Fly | Next::Paradox => None,
+            Transition::Slide | Transition::Fly | Transition::Paradox => None,
         }
     }
 
@@ -211,30 +216,38 @@ impl<'a> Dry<'a> {
         // A lane without a fall of its own repeats the last.
         let beginnings =
             core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
-        let limits = &self.piece.limits;
-        let begun = begin(&beginnings, limits.tolerance);
-        for (i, begun) in begun.take(to_slip.len() - first).enumerate() {
-            to_slip[first + i].begun = Some(begun);
+        let limits = &self.chunk.limits;
+        let result = begin(&beginnings, limits.tolerance);
+        for (i, result) in result.take(to_slip.len() - first).enumerate() {
+            to_slip[first + i].result = Some(result);
         }
         for i in (first..to_slip.len()).rev() {
-            match to_slip[i].begun.take() {
-                Some(Begun::Again(beginning)) => to_slip[i].beginning = beginning,
-                Some(Begun::Follow(at, h)) => {
+            match to_slip[i].result.take() {
+                Some(OnsetResult::Again(beginning)) => to_slip[i].beginning = beginning,
+                Some(OnsetResult::Follow(at, h)) => {
                     let ToSlip { trial, .. } = to_slip.swap_remove(i);
                     // What happens while it begins to slip is left to be found elsewhere.
-                    let lasts = self.slipping(&trial).holds(&Slipping::of(&at)) > 0.0;
+                    let lasts = self
+                        .slipping(&trial)
+                        .contact_margin(&ReducedSliding::project(&at))
+                        > 0.0;
                     let is_on_its_way = trial.direction * at.p > 0.0;
                     let topple = &self.body(&trial).topple;
                     if lasts && is_on_its_way && limits.are_far_from(&at, topple) {
                         slipped.push(Waiting { trial, at, h });
                     }
                 }
-                Some(Begun::Lost) | None => drop(to_slip.swap_remove(i)),
+                Some(OnsetResult::Lost) | None => drop(to_slip.swap_remove(i)),
             }
         }
     }
 
-    fn after_rolling(&mut self, trial: Trial, exit: Exit, at: &Coordinates<f64>) -> Option<Begins> {
+    fn after_rolling(
+        &mut self,
+        trial: Trial,
+        exit: Exit,
+        at: &Coordinates<f64>,
+    ) -> Option<PhaseStart> {
         match exit {
             Exit::Over(status) => {
                 let friction_loss = trial.friction_loss;
@@ -246,11 +259,11 @@ impl<'a> Dry<'a> {
                     Some(trial.fall(&self.body(&trial).parameters, status, &at));
                 None
             }
-            Exit::GivesWay => {
+            Exit::ContactEnds => {
                 let against = self.against_friction(&trial, at);
-                self.going_on(trial, Next::BeginToSlip(against), at)
+                self.going_on(trial, Transition::BeginToSlip(against), at)
             }
-            Exit::Stops | Exit::Rare => None,
+            Exit::SlipEnds | Exit::NeedsScalar => None,
         }
     }
 
@@ -259,16 +272,16 @@ impl<'a> Dry<'a> {
         mut trial: Trial,
         exit: Exit,
         at: &Coordinates<f64>,
-    ) -> Option<Begins> {
+    ) -> Option<PhaseStart> {
         match exit {
             Exit::Over(status) => {
                 self.done[trial.index] =
                     Some(trial.fall(&self.body(&trial).parameters, status, at));
                 None
             }
-            Exit::Stops => {
+            Exit::SlipEnds => {
                 let contacts = self.contacts(&trial);
-                let stopped = stopped(&contacts, at, self.piece.limits.tolerance);
+                let stopped = stopped(&contacts, at, self.chunk.limits.tolerance);
                 trial.friction_loss = stopped.friction_loss;
                 let rolling = Coordinates {
                     friction_loss: 0.0,
@@ -276,7 +289,7 @@ impl<'a> Dry<'a> {
                 };
                 self.going_on(trial, contacts.settle(&rolling), &rolling)
             }
-            Exit::GivesWay | Exit::Rare => None,
+            Exit::ContactEnds | Exit::NeedsScalar => None,
         }
     }
 }
@@ -289,12 +302,12 @@ fn onset_length(tolerance: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::piece::Piece;
+    use super::super::chunk::Chunk;
     use super::Dry;
+    use crate::contact_law::FrictionLaw;
     use crate::motion::Options;
     use crate::presets;
     use crate::state::State;
-    use crate::surface::FrictionLaw;
 
     #[test]
     fn a_can_on_a_table_is_never_rare() {
@@ -318,9 +331,9 @@ mod tests {
                 rtol,
                 ..Options::default()
             };
-            let piece = Piece::new(&trials, &options);
+            let chunk = Chunk::new(&trials, &options);
             let mut done = vec![None; trials.len()];
-            Dry::new(&piece, &mut done).follow(0..trials.len());
+            Dry::new(&chunk, &mut done).follow(0..trials.len());
             let left = done.iter().filter(|fall| fall.is_none()).count();
             assert_eq!(left, 0, "at {rtol}");
         }

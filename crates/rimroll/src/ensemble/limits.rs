@@ -1,9 +1,9 @@
 //! What a fall must not cross unseen.
 
+use crate::error_scale::ErrorScale;
 use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
-use crate::yardstick::Yardstick;
 
 /// The limits of all falls of an ensemble.
 pub(super) struct Limits {
@@ -16,7 +16,7 @@ pub(super) struct Limits {
     /// A tilt rate counts as having a sign when it is larger than this part of its size.
     significant: f64,
     /// A fall of more steps is followed by itself.
-    pub most_steps: f64,
+    pub max_steps: f64,
 }
 
 impl Limits {
@@ -27,18 +27,18 @@ impl Limits {
             flat: 10.0 * FACE_DOWN_TILT,
             tolerance: options.step_tolerance(),
             significant: 10.0 * options.rtol,
-            most_steps: (options.max_steps as f64).min(2000.0) - 1.0,
+            max_steps: (options.max_steps as f64).min(2000.0) - 1.0,
         }
     }
 
     /// Whether a fall that starts here has some way to go to a limit.
     pub(super) fn are_far_from(&self, u: &Coordinates<f64>, topple: &Topple<f64>) -> bool {
-        let in_time = u.t < self.duration && self.most_steps > 0.0;
+        let in_time = u.t < self.duration && self.max_steps > 0.0;
         u.sin > self.flat && u.cos > 0.0 && topple.below(u) > 0.0 && in_time
     }
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
-    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, by: &Yardstick<f64>) -> f64 {
+    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, by: &ErrorScale<f64>) -> f64 {
         by.sign_of_tilt_rate(u, self.significant)
     }
 }

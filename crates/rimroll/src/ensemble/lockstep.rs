@@ -1,9 +1,9 @@
 //! Sixteen motions, one in each lane, making one step at a time together: each of its own length, good or
 //! bad by itself.
 
-use super::carried::Carried;
 use super::limits::{Limits, Topple};
-use crate::real::{Bits, Lanes, Mask, Part, Task, Vector, in_widest};
+use super::reduced_system::ReducedSystem;
+use crate::real::{Bits, Lanes, Mask, Part, SimdKernel, Vector, run_widest};
 use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
@@ -13,11 +13,11 @@ pub(super) struct Lockstep<const N: usize> {
     /// Where each is.
     pub u: [Lanes; N],
     /// The sizes of the coordinates there.
-    sizes: [Lanes; N],
+    scales: [Lanes; N],
     /// How long a step to try.
     pub h: Lanes,
     /// A step no longer than this leads nowhere.
-    pub least_h: Lanes,
+    pub min_h: Lanes,
     /// By how much the next step may be longer.
     growth: Lanes,
     /// The sign of the tilt rate, 0 before it has one.
@@ -32,7 +32,7 @@ pub(super) struct Lockstep<const N: usize> {
     pub end: [Lanes; N],
     /// The rates there.
     pub end_rates: [Lanes; N],
-    end_sizes: [Lanes; N],
+    end_scales: [Lanes; N],
     /// How long the next step could be.
     pub next: Lanes,
     /// The least of what must not be negative inside the step.
@@ -43,7 +43,7 @@ pub(super) struct Lockstep<const N: usize> {
 
 /// What a step may run into.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Mark {
+pub(super) enum EventFunction {
     /// The tilt is extreme.
     Extreme,
     Topple,
@@ -54,37 +54,42 @@ pub(super) enum Mark {
 }
 
 /// All of them, in the order of their numbers.
-pub(super) const MARKS: [Mark; 4] = [Mark::Extreme, Mark::Topple, Mark::Time, Mark::Contact];
+pub(super) const EVENT_FUNCTIONS: [EventFunction; 4] = [
+    EventFunction::Extreme,
+    EventFunction::Topple,
+    EventFunction::Time,
+    EventFunction::Contact,
+];
 
 const _: () = {
     let mut i = 0;
-    while i < MARKS.len() {
-        assert!(MARKS[i] as usize == i);
+    while i < EVENT_FUNCTIONS.len() {
+        assert!(EVENT_FUNCTIONS[i] as usize == i);
         i += 1;
     }
 };
 
 /// What became of the steps that were tried: a bit for each lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Outcome {
+pub(super) struct StepOutcome {
     /// Good enough.
     good: Bits,
     /// Ends beyond each of the marks.
-    beyond: [Bits; MARKS.len()],
+    crossed: [Bits; EVENT_FUNCTIONS.len()],
     /// Nothing is to be decided: either the step was good, nothing happened on the way and the motion has
     /// gone on, or it was not good and a shorter one is to be tried.
     pub settled: Bits,
 }
 
-impl Outcome {
+impl StepOutcome {
     /// Whether the step of a lane was good.
     pub(super) fn is_good(&self, lane: usize) -> bool {
         self.good >> lane & 1 == 1
     }
 
     /// Whether it has led beyond a mark.
-    pub(super) fn is_beyond(&self, lane: usize, mark: Mark) -> bool {
-        self.beyond[mark as usize] >> lane & 1 == 1
+    pub(super) fn has_crossed(&self, lane: usize, event: EventFunction) -> bool {
+        self.crossed[event as usize] >> lane & 1 == 1
     }
 }
 
@@ -93,9 +98,9 @@ impl<const N: usize> Lockstep<N> {
         let zero = Lanes::from(0.0);
         Lockstep {
             u: [zero; N],
-            sizes: [Lanes::from(1.0); N],
+            scales: [Lanes::from(1.0); N],
             h: zero,
-            least_h: zero,
+            min_h: zero,
             growth: Lanes::from(8.0),
             direction: zero,
             free: zero,
@@ -103,7 +108,7 @@ impl<const N: usize> Lockstep<N> {
             topple: Topple::at(None).map(|&number| Lanes::from(number)),
             end: [zero; N],
             end_rates: [zero; N],
-            end_sizes: [zero; N],
+            end_scales: [zero; N],
             next: zero,
             inside: zero,
             stages: [[zero; N]; 16],
@@ -111,11 +116,11 @@ impl<const N: usize> Lockstep<N> {
     }
 
     /// Puts a motion into a lane.
-    pub(super) fn put(&mut self, lane: usize, u: [f64; N], rates: [f64; N], sizes: [f64; N]) {
+    pub(super) fn put(&mut self, lane: usize, u: [f64; N], rates: [f64; N], scales: [f64; N]) {
         for i in 0..N {
             self.u[i].0[lane] = u[i];
             self.stages[0][i].0[lane] = rates[i];
-            self.sizes[i].0[lane] = sizes[i];
+            self.scales[i].0[lane] = scales[i];
         }
         self.growth.0[lane] = 8.0;
     }
@@ -145,55 +150,63 @@ impl<const N: usize> Lockstep<N> {
         for i in 0..N {
             self.u[i].0[lane] = self.end[i].0[lane];
             self.stages[0][i].0[lane] = self.end_rates[i].0[lane];
-            self.sizes[i].0[lane] = self.end_sizes[i].0[lane];
+            self.scales[i].0[lane] = self.end_scales[i].0[lane];
         }
         self.steps.0[lane] += 1.0;
     }
 
     /// Tries a step of each motion, and takes it where it is good and quiet; `phase` has the body and friction of
     /// each.
-    pub(super) fn step<P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
-        in_widest(Step(self, phase, limits))
+    pub(super) fn step<P: ReducedSystem<Lanes, N>>(
+        &mut self,
+        phase: &P,
+        limits: &Limits,
+    ) -> StepOutcome {
+        run_widest(Step(self, phase, limits))
     }
 
     #[inline(always)]
-    fn step_in<V: Vector, P: Carried<Lanes, N>>(&mut self, phase: &P, limits: &Limits) -> Outcome {
+    fn step_in<V: Vector, P: ReducedSystem<Lanes, N>>(
+        &mut self,
+        phase: &P,
+        limits: &Limits,
+    ) -> StepOutcome {
         self.attempt::<V::Part, P>(phase);
-        let phase = phase.like(V::load);
+        let phase = phase.with_numbers(V::load);
         let (end, end_rates) = (V::load_all(&self.end), V::load_all(&self.end_rates));
-        let sizes = phase.sizes(&end);
-        let estimate = self.estimate(&sizes, limits.tolerance);
+        let scales = phase.scales(&end);
+        let estimate = self.estimate(&scales, limits.tolerance);
         let is_number = estimate.error_squared.at_most(V::from(f64::MAX));
         let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
-        let at = P::Like::<V>::all(&end);
-        // In the order of `MARKS`.
+        let at = P::With::<V>::expand(&end);
+        // In the order of `EVENT_FUNCTIONS`.
         let levels = [
             V::load(&self.direction) * at.p,
             self.topple.map(V::load).below(&at),
             V::from(limits.duration) - at.t,
-            phase.holds(&end),
+            phase.contact_margin(&end),
         ];
-        let slips_on = phase.slips_on(&end, &end_rates, limits.tolerance);
-        let safety = self.safety(&at, &levels, slips_on, limits);
-        let quiet = good.and(V::from(0.0).at_most(safety)).unseen();
+        let slip_persists = phase.slip_persists(&end, &end_rates, limits.tolerance);
+        let safety = self.safety(&at, &levels, slip_persists, limits);
+        let quiet = good.and(V::from(0.0).at_most(safety)).opaque();
         let shortened = self.choose_next(&estimate, is_number, good, quiet);
         for i in 0..N {
             self.u[i] = quiet.choose(end[i], V::load(&self.u[i])).store();
             self.stages[0][i] = quiet
                 .choose(end_rates[i], V::load(&self.stages[0][i]))
                 .store();
-            self.end_sizes[i] = sizes[i].store();
-            self.sizes[i] = quiet.choose(sizes[i], V::load(&self.sizes[i])).store();
+            self.end_scales[i] = scales[i].store();
+            self.scales[i] = quiet.choose(scales[i], V::load(&self.scales[i])).store();
         }
         let zero = V::from(0.0);
-        let mut beyond = [0; MARKS.len()];
-        for i in 0..MARKS.len() {
+        let mut crossed = [0; EVENT_FUNCTIONS.len()];
+        for i in 0..EVENT_FUNCTIONS.len() {
             // Written so that a NaN is beyond.
-            beyond[i] = (!zero.at_most(levels[i])).bits();
+            crossed[i] = (!zero.at_most(levels[i])).bits();
         }
-        Outcome {
+        StepOutcome {
             good: good.bits(),
-            beyond,
+            crossed,
             settled: quiet.or(shortened).bits(),
         }
     }
@@ -201,12 +214,12 @@ impl<const N: usize> Lockstep<N> {
     /// One step of the method of order 8, some of the lanes after the other in each stage: while some wait for
     /// the last of a formula, the others begin.
     #[inline(always)]
-    fn attempt<V: Part, P: Carried<Lanes, N>>(&mut self, phase: &P) {
+    fn attempt<V: Part, P: ReducedSystem<Lanes, N>>(&mut self, phase: &P) {
         const { assert!(V::PARTS <= 2) };
         self.inside = Lanes::from(f64::INFINITY);
         // Loaded once: the compiler cannot know that the stages leave the laws as they are.
-        let first = phase.like(|lanes| V::load_part(lanes, 0));
-        let last = phase.like(|lanes| V::load_part(lanes, V::PARTS - 1));
+        let first = phase.with_numbers(|lanes| V::load_part(lanes, 0));
+        let last = phase.with_numbers(|lanes| V::load_part(lanes, V::PARTS - 1));
         for i in 0..=STAGES.len() {
             self.stage(i, 0, &first);
             if V::PARTS > 1 {
@@ -217,7 +230,7 @@ impl<const N: usize> Lockstep<N> {
 
     /// A stage of the step of some lanes, where the last leads to its end.
     #[inline(always)]
-    fn stage<V: Part, P: Carried<V, N>>(&mut self, i: usize, part: usize, phase: &P) {
+    fn stage<V: Part, P: ReducedSystem<V, N>>(&mut self, i: usize, part: usize, phase: &P) {
         // Asked once rather than for every number.
         assert!(part < V::PARTS, "a part");
         let (u, h) = (V::load_parts(&self.u, part), V::load_part(&self.h, part));
@@ -227,13 +240,13 @@ impl<const N: usize> Lockstep<N> {
             V::store_parts(phase.rates(&end), &mut self.end_rates, part);
             return;
         }
-        let at = before_stage(i, &u, h, &self.stages, part, P::FELT);
+        let at = before_stage(i, &u, h, &self.stages, part, P::ESSENTIAL);
         V::store_parts(phase.rates(&at), &mut self.stages[i + 1], part);
         // At 1/3, 3/5 and 6/7 of the step.
         if matches!(i, 4 | 8 | 9) {
-            let tilting = V::load_part(&self.direction, part) * P::all(&at).p;
+            let tilting = V::load_part(&self.direction, part) * P::expand(&at).p;
             let inside = V::load_part(&self.inside, part);
-            let inside = inside.min(tilting).min(phase.holds(&at));
+            let inside = inside.min(tilting).min(phase.contact_margin(&at));
             inside.store_part(&mut self.inside, part);
         }
     }
@@ -243,10 +256,10 @@ impl<const N: usize> Lockstep<N> {
         reason = "an iterator's closures might not be inlined"
     )]
     #[inline(always)]
-    fn estimate<V: Vector>(&self, end_sizes: &[V; N], tolerance: f64) -> Estimate<V> {
+    fn estimate<V: Vector>(&self, end_scales: &[V; N], tolerance: f64) -> Estimate<V> {
         let (mut fifth, mut third) = (V::from(0.0), V::from(0.0));
         for i in 0..N {
-            let size = V::load(&self.sizes[i]).max(end_sizes[i]);
+            let size = V::load(&self.scales[i]).max(end_scales[i]);
             let per_size = V::from(1.0) / (V::from(tolerance) * size);
             let e5 = weigh::<V, N>(ERROR_5, &self.stages, 0, i) * per_size;
             let e3 = weigh::<V, N>(ERROR_3, &self.stages, 0, i) * per_size;
@@ -261,8 +274,8 @@ impl<const N: usize> Lockstep<N> {
     fn safety<V: Vector>(
         &self,
         end: &Coordinates<V>,
-        levels: &[V; MARKS.len()],
-        slips_on: V,
+        levels: &[V; EVENT_FUNCTIONS.len()],
+        slip_persists: V,
         limits: &Limits,
     ) -> V {
         let lifted = end.sin - V::from(limits.flat);
@@ -277,8 +290,8 @@ impl<const N: usize> Lockstep<N> {
             .min(time)
             .min(lifted)
             .min(end.cos)
-            .min(V::from(limits.most_steps) - V::load(&self.steps))
-            .min(slips_on)
+            .min(V::from(limits.max_steps) - V::load(&self.steps))
+            .min(slip_persists)
             .min(on_its_way)
     }
 
@@ -305,7 +318,7 @@ impl<const N: usize> Lockstep<N> {
         self.growth = good.choose(V::from(8.0), one).store();
         self.steps = quiet.choose(steps + one, steps).store();
         let is_finite = next.at_most(V::from(f64::MAX));
-        let is_long_enough = !next.at_most(V::load(&self.least_h));
+        let is_long_enough = !next.at_most(V::load(&self.min_h));
         shortened.and(is_finite.and(is_long_enough))
     }
 }
@@ -313,11 +326,11 @@ impl<const N: usize> Lockstep<N> {
 /// A step to be tried: the motions, their phase and their limits.
 struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Limits);
 
-impl<P: Carried<Lanes, N>, const N: usize> Task for Step<'_, P, N> {
-    type Done = Outcome;
+impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for Step<'_, P, N> {
+    type Done = StepOutcome;
 
     #[inline(always)]
-    fn run<V: Vector>(self) -> Outcome {
+    fn run<V: Vector>(self) -> StepOutcome {
         let Step(lockstep, phase, limits) = self;
         lockstep.step_in::<V, P>(phase, limits)
     }
@@ -360,7 +373,7 @@ const _: () = {
 /// compiled: hence the terms are written out.
 #[inline(always)]
 fn weigh<V: Part, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], part: usize, i: usize) -> V {
-    let i = V::unseen(i);
+    let i = V::opaque(i);
     // Asked once rather than for every term.
     assert!(i < N, "a coordinate");
     let (first, weight) = row[0];
@@ -404,17 +417,19 @@ pub(super) fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::carried::{Carried, Gliding, Rolling, Slipping};
     use super::super::limits::Limits;
-    use super::{Lockstep, Outcome};
+    use super::super::reduced_system::{
+        ReducedFrictionless, ReducedNoSlip, ReducedSliding, ReducedSystem,
+    };
+    use super::{Lockstep, StepOutcome};
     use crate::law::Parameters;
     use crate::motion::Options;
     use crate::presets;
-    use crate::real::{LANES, Lanes, Task, Vector, in_every_width};
+    use crate::real::{LANES, Lanes, SimdKernel, Vector, in_every_width};
     use crate::state::{Coordinates, State};
 
     /// Sixteen cans, each a little otherwise.
-    fn cans<P: Carried<f64, N>, const N: usize>(phase: &P) -> Lockstep<N> {
+    fn cans<P: ReducedSystem<f64, N>, const N: usize>(phase: &P) -> Lockstep<N> {
         let mut lockstep = Lockstep::new();
         for lane in 0..LANES {
             let part = lane as f64 / LANES as f64;
@@ -424,12 +439,12 @@ mod tests {
                 yaw_rate: 0.1,
                 ..State::default()
             };
-            let u = P::of(&Coordinates {
+            let u = P::project(&Coordinates {
                 slip_x: -0.1 * part,
                 slip_y: 0.01,
                 ..Coordinates::from_state(&start)
             });
-            lockstep.put(lane, u, phase.rates(&u), phase.sizes(&u));
+            lockstep.put(lane, u, phase.rates(&u), phase.scales(&u));
             lockstep.h.0[lane] = 1e-3;
             lockstep.direction.0[lane] = -1.0;
             lockstep.free.0[lane] = 1.0;
@@ -440,8 +455,8 @@ mod tests {
     /// Twenty steps.
     struct Steps<'a, P>(&'a P, &'a Limits);
 
-    impl<P: Carried<Lanes, N>, const N: usize> Task for (Steps<'_, P>, Lockstep<N>) {
-        type Done = (Vec<Outcome>, Lockstep<N>);
+    impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for (Steps<'_, P>, Lockstep<N>) {
+        type Done = (Vec<StepOutcome>, Lockstep<N>);
 
         fn run<V: Vector>(self) -> Self::Done {
             let (Steps(phase, limits), mut lockstep) = self;
@@ -450,10 +465,10 @@ mod tests {
         }
     }
 
-    fn assert_steps_alike<P: Carried<f64, N>, const N: usize>(friction: f64) {
+    fn assert_steps_alike<P: ReducedSystem<f64, N>, const N: usize>(friction: f64) {
         let can = presets::can_2007().expect("the paper's can");
         let phase = P::new(Parameters::new(&can, 9.8), friction);
-        let in_lanes = phase.like(|&number| Lanes::from(number));
+        let in_lanes = phase.with_numbers(|&number| Lanes::from(number));
         let limits = Limits::of(&Options::default());
         let steps = || (Steps(&in_lanes, &limits), cans(&phase));
         let done = in_every_width(steps);
@@ -467,10 +482,10 @@ mod tests {
 
     #[test]
     fn the_width_of_the_registers_changes_no_bit() {
-        assert_steps_alike::<Rolling<f64, false>, 7>(0.0);
+        assert_steps_alike::<ReducedNoSlip<f64, false>, 7>(0.0);
         // So much that it holds.
-        assert_steps_alike::<Rolling<f64, true>, 7>(20.0);
-        assert_steps_alike::<Gliding<f64>, 7>(0.0);
-        assert_steps_alike::<Slipping<f64>, 10>(0.2);
+        assert_steps_alike::<ReducedNoSlip<f64, true>, 7>(20.0);
+        assert_steps_alike::<ReducedFrictionless<f64>, 7>(0.0);
+        assert_steps_alike::<ReducedSliding<f64>, 10>(0.2);
     }
 }

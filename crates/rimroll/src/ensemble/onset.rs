@@ -12,17 +12,17 @@
 //! where the second is stiff, and is solved by Newton's method; everything else by simple iteration, a
 //! fixed number of times, so that no fall depends on those beside it.
 
-use super::carried::{Carried, Slipping};
-use crate::real::{LANES, Lanes, Mask, Packed, Task, Vector, in_widest};
+use super::reduced_system::{ReducedSliding, ReducedSystem};
+use crate::error_scale::{NEVER_ZERO, direction_scale};
+use crate::real::{LANES, Lanes, Mask, Packed, SimdKernel, Vector, run_widest};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
-use crate::yardstick::{NEVER_ZERO, turn_size};
 
 /// The coordinates that are carried; the slip's are σ and q here.
 const N: usize = 10;
 
 /// Those of them that the rates depend on.
-const FELT: usize = <Slipping<f64> as Carried<f64, N>>::FELT;
+const ESSENTIAL: usize = <ReducedSliding<f64> as ReducedSystem<f64, N>>::ESSENTIAL;
 
 /// Where σ and q stand.
 const ALONG: usize = 0;
@@ -42,32 +42,32 @@ const FRESH_TURNS: usize = 3;
 const FOLLOWED: f64 = 40.0;
 
 /// So many steps are made at most, and tried in vain.
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 
 /// A step that failed is tried again by no less than this factor shorter.
-const LEAST_FACTOR: f64 = 0.1;
+const MIN_FACTOR: f64 = 0.1;
 
 /// A slip that begins, or goes on slowly.
 #[derive(Clone, Copy)]
-pub(super) struct Beginning {
+pub(super) struct OnsetStart {
     at: Coordinates<f64>,
     /// Of the slip, a unit vector along e_x1 and e_y1.
     direction: [f64; 2],
     /// m/s.
     speed: f64,
     /// The body under its friction.
-    slipping: Slipping<f64>,
+    slipping: ReducedSliding<f64>,
     /// How long a step to make, by the clock that does not slow down.
     h: f64,
     steps: usize,
 }
 
-impl Beginning {
+impl OnsetStart {
     /// Out of rest in about this direction, a unit vector; `h` is a first guess for the length of a step.
     pub(super) fn from_rest(
         at: &Coordinates<f64>,
         direction: [f64; 2],
-        slipping: Slipping<f64>,
+        slipping: ReducedSliding<f64>,
         h: f64,
     ) -> Self {
         let at = Coordinates {
@@ -75,7 +75,7 @@ impl Beginning {
             slip_y: 0.0,
             ..*at
         };
-        Beginning {
+        OnsetStart {
             at,
             direction,
             speed: 0.0,
@@ -87,29 +87,31 @@ impl Beginning {
 }
 
 /// What has become of it.
-pub(super) enum Begun {
+pub(super) enum OnsetResult {
     /// Here explicit steps can follow, the first of this length.
     Follow(Coordinates<f64>, f64),
     /// Another step of collocation is to be made.
-    Again(Beginning),
+    Again(OnsetStart),
     /// It cannot be followed in this way.
     Lost,
 }
 
 /// Makes a step in each of sixteen slips.
 pub(super) fn begin(
-    beginnings: &[Beginning; LANES],
+    beginnings: &[OnsetStart; LANES],
     tolerance: f64,
-) -> impl Iterator<Item = Begun> + use<> {
-    let mut slipping = beginnings[0].slipping.like(|&number| Lanes::from(number));
+) -> impl Iterator<Item = OnsetResult> + use<> {
+    let mut slipping = beginnings[0]
+        .slipping
+        .with_numbers(|&number| Lanes::from(number));
     for (lane, beginning) in beginnings.iter().enumerate().skip(1) {
         let write = |number: &f64, lanes: &mut Lanes| lanes.0[lane] = *number;
         beginning.slipping.write_to(&mut slipping, write);
     }
-    let lanes = |f: fn(&Beginning) -> f64| Packed(beginnings.each_ref().map(f));
-    let starts: [[f64; N]; LANES] =
-        beginnings.map(|beginning| <Slipping<f64> as Carried<f64, N>>::of(&beginning.at));
-    let found = in_widest(Beginnings {
+    let lanes = |f: fn(&OnsetStart) -> f64| Packed(beginnings.each_ref().map(f));
+    let starts: [[f64; N]; LANES] = beginnings
+        .map(|beginning| <ReducedSliding<f64> as ReducedSystem<f64, N>>::project(&beginning.at));
+    let step_found = run_widest(OnsetKernel {
         slipping: &slipping,
         direction: [lanes(|b| b.direction[0]), lanes(|b| b.direction[1])],
         start: core::array::from_fn(|i| Packed(starts.map(|start| start[i]))),
@@ -118,13 +120,13 @@ pub(super) fn begin(
         tolerance,
     });
     let beginnings = *beginnings;
-    (0..LANES).map(move |lane| found.begun(lane, &beginnings[lane]))
+    (0..LANES).map(move |lane| step_found.result(lane, &beginnings[lane]))
 }
 
 /// What sixteen slips begin with.
 #[derive(Clone, Copy)]
-struct Beginnings<'a> {
-    slipping: &'a Slipping<Lanes>,
+struct OnsetKernel<'a> {
+    slipping: &'a ReducedSliding<Lanes>,
     direction: [Lanes; 2],
     start: [Lanes; N],
     speed: Lanes,
@@ -132,13 +134,13 @@ struct Beginnings<'a> {
     tolerance: f64,
 }
 
-impl Task for Beginnings<'_> {
-    type Done = Found;
+impl SimdKernel for OnsetKernel<'_> {
+    type Done = OnsetStep;
 
     #[inline(always)]
-    fn run<V: Vector>(self) -> Found {
-        let mut together = Together {
-            slipping: self.slipping.like(V::load),
+    fn run<V: Vector>(self) -> OnsetStep {
+        let mut batch = BatchOnset {
+            slipping: self.slipping.with_numbers(V::load),
             direction: V::load_all(&self.direction),
             start: V::load_all(&self.start),
             speed: V::load(&self.speed),
@@ -146,12 +148,12 @@ impl Task for Beginnings<'_> {
             push: V::from(0.0),
             tolerance: self.tolerance,
         };
-        together.step()
+        batch.step()
     }
 }
 
-impl Found {
-    fn begun(&self, lane: usize, beginning: &Beginning) -> Begun {
+impl OnsetStep {
+    fn result(&self, lane: usize, beginning: &OnsetStart) -> OnsetResult {
         let [error, change, relaxation, possible, factor] = [
             self.error,
             self.change,
@@ -163,32 +165,34 @@ impl Found {
         // Written so that a NaN is not possible.
         let possible = possible >= 0.0;
         if !possible {
-            return Begun::Lost;
+            return OnsetResult::Lost;
         }
         let h = beginning.h;
         let steps = beginning.steps + 1;
         // Written so that a NaN is not good.
         let good = error <= 1.0 && change <= 1.0;
         if !good {
-            let h = h * factor.clamp(LEAST_FACTOR, 0.5);
-            let again = Beginning {
+            let h = h * factor.clamp(MIN_FACTOR, 0.5);
+            let again = OnsetStart {
                 h,
                 steps,
                 ..*beginning
             };
-            return if steps < MOST_STEPS && h > 0.0 {
-                Begun::Again(again)
+            return if steps < MAX_STEPS && h > 0.0 {
+                OnsetResult::Again(again)
             } else {
-                Begun::Lost
+                OnsetResult::Lost
             };
         }
-        let at = <Slipping<f64> as Carried<f64, N>>::all(&self.end.map(|of_all| of_all.0[lane]));
+        let at = <ReducedSliding<f64> as ReducedSystem<f64, N>>::expand(
+            &self.end.map(|of_all| of_all.0[lane]),
+        );
         let factor = factor.clamp(0.3, 4.0);
-        if relaxation * factor < FOLLOWED || steps >= MOST_STEPS {
-            return Begun::Follow(at, h / relaxation.max(1.0) / self.clock.0[lane]);
+        if relaxation * factor < FOLLOWED || steps >= MAX_STEPS {
+            return OnsetResult::Follow(at, h / relaxation.max(1.0) / self.clock.0[lane]);
         }
         let speed = at.slip_speed();
-        Begun::Again(Beginning {
+        OnsetResult::Again(OnsetStart {
             at,
             direction: [at.slip_x / speed, at.slip_y / speed],
             speed,
@@ -200,8 +204,8 @@ impl Found {
     }
 }
 
-struct Together<V> {
-    slipping: Slipping<V>,
+struct BatchOnset<V> {
+    slipping: ReducedSliding<V>,
     direction: [V; 2],
     start: [V; N],
     speed: V,
@@ -212,7 +216,7 @@ struct Together<V> {
 }
 
 #[derive(Debug, PartialEq)]
-struct Found {
+struct OnsetStep {
     end: [Lanes; N],
     clock: Lanes,
     /// In what time the slip would stop at the rate at its end.
@@ -232,9 +236,9 @@ struct Found {
 /// Rates at the points: of σ in the place of `ALONG`; σ q′ in the place of `ACROSS`.
 type Points<V> = [[V; N]; POINTS];
 
-impl<V: Vector> Together<V> {
+impl<V: Vector> BatchOnset<V> {
     #[inline(always)]
-    fn step(&mut self) -> Found {
+    fn step(&mut self) -> OnsetStep {
         let method = Collocation::get();
         let zero = V::from(0.0);
         let mut start = self.start;
@@ -268,13 +272,13 @@ impl<V: Vector> Together<V> {
             }
             let before = points;
             let last = round + 1 == ROUNDS;
-            let count = if last { N } else { FELT };
+            let count = if last { N } else { ESSENTIAL };
             self.integrate(method, &start, &rates, &mut points, count);
             if last {
                 change = self.change(&before, &points);
             }
         }
-        self.found(method, &points, &rates, &slopes, change, possible)
+        self.step_found(method, &points, &rates, &slopes, change, possible)
     }
 
     /// Turns the direction of a slip out of rest to the one that it keeps: any other is left at once.
@@ -316,8 +320,8 @@ impl<V: Vector> Together<V> {
         count: usize,
     ) {
         // Compilers are kept from taking several at once: else they lose the order of the lanes.
-        for k in (0..count).map(V::unseen) {
-            for i in (0..POINTS).map(V::unseen) {
+        for k in (0..count).map(V::opaque) {
+            for i in (0..POINTS).map(V::opaque) {
                 let mut sum = V::from(0.0);
                 for j in 0..POINTS {
                     sum = sum + V::from(method.integral[i][j]) * rates[j][k];
@@ -330,14 +334,14 @@ impl<V: Vector> Together<V> {
     /// The largest change of what the rates depend on.
     #[inline(always)]
     fn change(&self, before: &Points<V>, after: &Points<V>) -> V {
-        let sizes = self.sizes(&after[POINTS - 1]);
+        let scales = self.scales(&after[POINTS - 1]);
         let mut largest = V::from(0.0);
-        for k in 0..FELT {
+        for k in 0..ESSENTIAL {
             let mut change = V::from(0.0);
             for i in 0..POINTS {
                 change = change.max((after[i][k] - before[i][k]).abs());
             }
-            largest = largest.max(change / sizes[k]);
+            largest = largest.max(change / scales[k]);
         }
         largest
     }
@@ -445,11 +449,11 @@ impl<V: Vector> Together<V> {
 
     /// What errors are compared with.
     #[inline(always)]
-    fn sizes(&self, end: &[V; N]) -> [V; N] {
-        let mut sizes = self.slipping.sizes_as_it_begins(&self.whole(end));
-        let slip = Slipping::<V>::all(&sizes);
-        sizes[ACROSS] = turn_size(&slip, self.direction, end[ALONG]);
-        sizes
+    fn scales(&self, end: &[V; N]) -> [V; N] {
+        let mut scales = self.slipping.scales_at_onset(&self.whole(end));
+        let slip = ReducedSliding::<V>::expand(&scales);
+        scales[ACROSS] = direction_scale(&slip, self.direction, end[ALONG]);
+        scales
     }
 
     #[expect(
@@ -457,7 +461,7 @@ impl<V: Vector> Together<V> {
         reason = "the indices are those of the formulas"
     )]
     #[inline(always)]
-    fn found(
+    fn step_found(
         &self,
         method: &Collocation,
         points: &Points<V>,
@@ -465,9 +469,9 @@ impl<V: Vector> Together<V> {
         slopes: &[V; POINTS],
         change: V,
         possible: V,
-    ) -> Found {
+    ) -> OnsetStep {
         let end = points[POINTS - 1];
-        let sizes = self.sizes(&end);
+        let scales = self.scales(&end);
         // What the highest power contributes bounds what those left out do.
         let mut error = V::from(0.0);
         for k in 0..N {
@@ -475,7 +479,7 @@ impl<V: Vector> Together<V> {
             for j in 0..POINTS {
                 highest = highest + V::from(method.last[j]) * rates[j][k];
             }
-            error = error.max((V::from(0.05) * self.h * highest / sizes[k]).abs());
+            error = error.max((V::from(0.05) * self.h * highest / scales[k]).abs());
         }
         // A slip that does not last is none.
         let mut least = end[ALONG];
@@ -487,14 +491,17 @@ impl<V: Vector> Together<V> {
         let whole = self.whole(&end);
         // The error grows with the seventh power: by an eighth root, 6 % rough, the next step is good enough where
         // this one was not ten thousand times too far off.
-        let factor = V::from(0.8) * V::rough_16th_root_of(V::from(1.0), error * error);
+        let factor = V::from(0.8) * V::approx_16th_root_of(V::from(1.0), error * error);
         let is_number = error.at_most(V::from(f64::MAX));
-        Found {
+        OnsetStep {
             end: V::store_all(whole),
             until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
-            clock: self.slipping.clock(&Slipping::<V>::all(&whole)).store(),
+            clock: self
+                .slipping
+                .sundman_factor(&ReducedSliding::<V>::expand(&whole))
+                .store(),
             error: error.store(),
-            factor: is_number.choose(factor, V::from(LEAST_FACTOR)).store(),
+            factor: is_number.choose(factor, V::from(MIN_FACTOR)).store(),
             // A fifth of the tolerance: the next round would change far less.
             change: (change * V::from(5.0 / self.tolerance)).store(),
             relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),
@@ -505,18 +512,18 @@ impl<V: Vector> Together<V> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Beginnings, Carried, LANES, N, Packed, Slipping};
+    use super::{LANES, N, OnsetKernel, Packed, ReducedSliding, ReducedSystem};
     use crate::law::Parameters;
     use crate::presets;
-    use crate::real::{Lanes, in_every_width, in_widest};
+    use crate::real::{Lanes, in_every_width, run_widest};
     use crate::state::{Coordinates, State};
     use core::array::from_fn;
 
     #[test]
     fn the_width_of_the_registers_changes_no_bit() {
         let can = presets::can_2007().expect("the paper's can");
-        let slipping = Slipping::new(Parameters::new(&can, 9.8), 0.1);
-        let slipping = &slipping.like(|&number| Lanes::from(number));
+        let slipping = ReducedSliding::new(Parameters::new(&can, 9.8), 0.1);
+        let slipping = &slipping.with_numbers(|&number| Lanes::from(number));
         // Every other one slips already.
         let speed: Lanes = Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64));
         let starts: [[f64; N]; LANES] = from_fn(|lane| {
@@ -526,12 +533,12 @@ mod tests {
                 yaw_rate: 20.0,
                 ..State::default()
             };
-            Slipping::of(&Coordinates {
+            ReducedSliding::project(&Coordinates {
                 slip_x: speed.0[lane],
                 ..Coordinates::from_state(&start)
             })
         });
-        let done = in_every_width(|| Beginnings {
+        let done = in_every_width(|| OnsetKernel {
             slipping,
             direction: [Lanes::from(1.0), Lanes::from(0.0)],
             start: from_fn(|i| Packed(starts.map(|start| start[i]))),
@@ -540,16 +547,16 @@ mod tests {
             tolerance: 1e-9,
         });
         assert!(done[0].end[0].0.iter().all(|slip| slip.is_finite()));
-        for found in &done {
-            assert_eq!(found, &done[0]);
+        for step_found in &done {
+            assert_eq!(step_found, &done[0]);
         }
     }
 
     #[test]
     fn a_slip_under_way_does_not_feel_those_beside_it() {
         let can = presets::can_2007().expect("the paper's can");
-        let slipping = Slipping::new(Parameters::new(&can, 9.8), 0.1);
-        let slipping = &slipping.like(|&number| Lanes::from(number));
+        let slipping = ReducedSliding::new(Parameters::new(&can, 9.8), 0.1);
+        let slipping = &slipping.with_numbers(|&number| Lanes::from(number));
         let start = State {
             tilt: 0.03,
             tilt_rate: -1.0,
@@ -558,12 +565,12 @@ mod tests {
         };
         // An angle whose sine and cosine are no round numbers.
         let (sin, cos) = libm::sincos(0.7);
-        let found = |speed: Lanes| {
-            let start = Slipping::of(&Coordinates::from_state(&start));
+        let step_found = |speed: Lanes| {
+            let start = ReducedSliding::project(&Coordinates::from_state(&start));
             let mut start = start.map(Lanes::from);
             start[0] = Packed(speed.0.map(|speed| speed * cos));
             start[1] = Packed(speed.0.map(|speed| speed * sin));
-            in_widest(Beginnings {
+            run_widest(OnsetKernel {
                 slipping,
                 direction: [Lanes::from(cos), Lanes::from(sin)],
                 start,
@@ -572,11 +579,12 @@ mod tests {
                 tolerance: 1e-9,
             })
         };
-        let alone = found(Lanes::from(1e-4));
+        let alone = step_found(Lanes::from(1e-4));
         // Every other one begins from rest.
-        let mixed = found(Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64)));
+        let mixed = step_found(Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64)));
         for lane in (1..LANES).step_by(2) {
-            let [one, other] = [&alone, &mixed].map(|found| found.end.map(|of_all| of_all.0[lane]));
+            let [one, other] =
+                [&alone, &mixed].map(|step_found| step_found.end.map(|of_all| of_all.0[lane]));
             assert_eq!(one, other, "lane {lane}");
         }
         assert_ne!(alone.end[0].0[0], mixed.end[0].0[0]);

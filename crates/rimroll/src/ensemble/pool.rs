@@ -1,16 +1,16 @@
 //! Falls whose rims meet the table in the same way, sixteen at a time: each until something happens to it,
 //! when its place is free for the next.
 
-use super::carried::Carried;
+use super::chunk::BodyNumbers;
 use super::limits::{Limits, Topple};
-use super::lockstep::{Lockstep, MARKS, Mark, Outcome, lanes_of};
-use super::piece::BodyNumbers;
+use super::lockstep::{EVENT_FUNCTIONS, EventFunction, Lockstep, StepOutcome, lanes_of};
+use super::reduced_system::ReducedSystem;
 use super::trial::Trial;
+use crate::error_scale::ErrorScale;
 use crate::motion::Status;
 use crate::real::{LANES, Lanes};
-use crate::solve::bracketed_in;
+use crate::solve::bracketed_root_in;
 use crate::state::Coordinates;
-use crate::yardstick::Yardstick;
 
 /// Why a fall leaves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,16 +18,16 @@ pub(super) enum Exit {
     /// It is over.
     Over(Status),
     /// The contact gives way: here it cannot last any longer.
-    GivesWay,
+    ContactEnds,
     /// The slip has all but stopped.
-    Stops,
+    SlipEnds,
     /// It meets with what is rare, and is better followed by itself.
-    Rare,
+    NeedsScalar,
 }
 
 /// A mark that a step has run over, and how long a step would end at it.
-struct Landing {
-    mark: Mark,
+struct Bracket {
+    event: EventFunction,
     /// A step too short, and one too long.
     between: (f64, f64),
     /// How long the next step may be afterwards.
@@ -36,39 +36,39 @@ struct Landing {
 }
 
 /// So often a landing is tried before the fall counts as rare.
-const MOST_ROUNDS: usize = 40;
+const MAX_ROUNDS: usize = 40;
 
 /// Sixteen places, and the laws there.
-pub(super) struct Pool<'a, A: Carried<f64, N>, const N: usize> {
+pub(super) struct Pool<'a, A: ReducedSystem<f64, N>, const N: usize> {
     limits: &'a Limits,
     lockstep: Lockstep<N>,
     /// The laws in all lanes.
-    contact: A::Like<Lanes>,
-    places: [Place<A>; LANES],
+    contact: A::With<Lanes>,
+    lane_models: [LaneModel<A>; LANES],
     trials: [Option<Trial>; LANES],
-    landings: [Option<Landing>; LANES],
+    brackets: [Option<Bracket>; LANES],
     count: usize,
 }
 
 /// A body under a friction in one of the lanes.
 #[derive(Clone)]
-struct Place<A> {
+struct LaneModel<A> {
     /// The place of the body in the piece of work, and the coefficient of friction.
     of: (usize, f64),
     alone: A,
-    yardstick: Yardstick<f64>,
+    error_scale: ErrorScale<f64>,
     topple: Topple<f64>,
 }
 
-impl<A> Place<A> {
+impl<A> LaneModel<A> {
     fn new<const N: usize>(body: &BodyNumbers, friction: f64) -> Self
     where
-        A: Carried<f64, N>,
+        A: ReducedSystem<f64, N>,
     {
-        Place {
+        LaneModel {
             of: (body.place, friction),
             alone: A::new(body.parameters, friction),
-            yardstick: body.yardstick,
+            error_scale: body.error_scale,
             topple: body.topple,
         }
     }
@@ -76,20 +76,20 @@ impl<A> Place<A> {
 
 impl<'a, A, const N: usize> Pool<'a, A, N>
 where
-    A: Carried<f64, N>,
+    A: ReducedSystem<f64, N>,
 {
     /// No falls yet; the laws of the lanes are at first those of a body without friction.
     pub(super) fn new(body: &BodyNumbers, limits: &'a Limits) -> Self {
-        let place: Place<A> = Place::new(body, 0.0);
+        let place: LaneModel<A> = LaneModel::new(body, 0.0);
         let mut lockstep = Lockstep::new();
         lockstep.topple = body.topple.map(|&number| Lanes::from(number));
         Pool {
             limits,
             lockstep,
-            contact: place.alone.like(|&number| Lanes::from(number)),
-            places: core::array::from_fn(|_| Place::new(body, 0.0)),
+            contact: place.alone.with_numbers(|&number| Lanes::from(number)),
+            lane_models: core::array::from_fn(|_| LaneModel::new(body, 0.0)),
             trials: core::array::from_fn(|_| None),
-            landings: core::array::from_fn(|_| None),
+            brackets: core::array::from_fn(|_| None),
             count: 0,
         }
     }
@@ -111,27 +111,28 @@ where
         let Some(lane) = self.trials.iter().position(Option::is_none) else {
             unreachable!("a fall is put where there is a place");
         };
-        if self.places[lane].of != (body.place, friction) {
-            self.prepare(lane, Place::new(body, friction));
+        if self.lane_models[lane].of != (body.place, friction) {
+            self.prepare(lane, LaneModel::new(body, friction));
         }
         self.count += 1;
-        let (u, alone) = (A::of(at), &self.places[lane].alone);
-        self.lockstep.put(lane, u, alone.rates(&u), alone.sizes(&u));
+        let (u, alone) = (A::project(at), &self.lane_models[lane].alone);
+        self.lockstep
+            .put(lane, u, alone.rates(&u), alone.scales(&u));
         self.lockstep.h.0[lane] = h;
-        self.lockstep.least_h.0[lane] = 1e-16 * h;
+        self.lockstep.min_h.0[lane] = 1e-16 * h;
         self.lockstep.direction.0[lane] = trial.direction;
         self.lockstep.free.0[lane] = 1.0;
         self.lockstep.steps.0[lane] = trial.steps;
         self.trials[lane] = Some(trial);
-        self.landings[lane] = None;
+        self.brackets[lane] = None;
     }
 
     /// Makes a lane that of another body or friction.
-    fn prepare(&mut self, lane: usize, place: Place<A>) {
+    fn prepare(&mut self, lane: usize, place: LaneModel<A>) {
         let write = |number: &f64, lanes: &mut Lanes| lanes.0[lane] = *number;
         place.alone.write_to(&mut self.contact, write);
         place.topple.write(&mut self.lockstep.topple, write);
-        self.places[lane] = place;
+        self.lane_models[lane] = place;
     }
 
     /// Makes a step of each fall; those that leave are handed to `leave` with where they then are.
@@ -142,7 +143,7 @@ where
                 continue;
             }
             let exit = if outcome.is_good(lane) {
-                self.attend(lane, &outcome)
+                self.inspect_step(lane, &outcome)
             } else {
                 self.shorten(lane)
             };
@@ -161,7 +162,7 @@ where
 
     /// After a step that was not good enough, on the way to a mark or already too short.
     fn shorten(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
-        if self.landings[lane].take().is_some() {
+        if self.brackets[lane].take().is_some() {
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] *= 0.5;
         }
@@ -170,83 +171,92 @@ where
 
     fn long_enough(&self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         // Written so that a NaN is too short.
-        let long_enough = self.lockstep.h.0[lane] > self.lockstep.least_h.0[lane];
-        (!long_enough).then(|| (Exit::Rare, A::all(&self.lockstep.at(lane))))
+        let long_enough = self.lockstep.h.0[lane] > self.lockstep.min_h.0[lane];
+        (!long_enough).then(|| (Exit::NeedsScalar, A::expand(&self.lockstep.at(lane))))
     }
 
     /// After a good step on which something may have happened.
-    fn attend(&mut self, lane: usize, outcome: &Outcome) -> Option<(Exit, Coordinates<f64>)> {
-        let u = A::all(&self.lockstep.end_at(lane));
+    fn inspect_step(
+        &mut self,
+        lane: usize,
+        outcome: &StepOutcome,
+    ) -> Option<(Exit, Coordinates<f64>)> {
+        let u = A::expand(&self.lockstep.end_at(lane));
         let steps = self.lockstep.steps.0[lane];
         // A disk may stand on its edge; what topples at π/2 has its base upright, too.
-        let toppled =
-            outcome.is_beyond(lane, Mark::Topple) && self.places[lane].topple.is_at_most_upright();
+        let toppled = outcome.has_crossed(lane, EventFunction::Topple)
+            && self.lane_models[lane].topple.is_at_most_upright();
         let on_edge = u.cos <= 0.0 && !toppled;
-        if u.sin <= self.limits.flat || on_edge || steps >= self.limits.most_steps {
-            return Some((Exit::Rare, u));
+        if u.sin <= self.limits.flat || on_edge || steps >= self.limits.max_steps {
+            return Some((Exit::NeedsScalar, u));
         }
         if self.lockstep.direction.0[lane] == 0.0 {
             self.lockstep.direction.0[lane] = self
                 .limits
-                .sign_of_tilt_rate(&u, &self.places[lane].yardstick);
+                .sign_of_tilt_rate(&u, &self.lane_models[lane].error_scale);
         }
-        let target = self.landings[lane].as_ref().map(|landing| landing.mark);
-        match (self.run_over(lane, target, outcome), target) {
-            (Some((mark, h)), _) => self.aim(lane, mark, h),
-            (None, Some(mark)) => self.land(lane, mark),
-            (None, None) => self.go_on(lane),
+        let target = self.brackets[lane].as_ref().map(|bracket| bracket.event);
+        match (self.first_crossing(lane, target, outcome), target) {
+            (Some((event, h)), _) => self.begin_locating(lane, event, h),
+            (None, Some(event)) => self.locate(lane, event),
+            (None, None) => self.accept_quiet_step(lane),
         }
     }
 
     /// The first mark that the step has run over, other than the target that it is to land at, and how long a
     /// step would end there.
-    fn run_over(
+    fn first_crossing(
         &self,
         lane: usize,
-        target: Option<Mark>,
-        outcome: &Outcome,
-    ) -> Option<(Mark, f64)> {
-        MARKS
+        target: Option<EventFunction>,
+        outcome: &StepOutcome,
+    ) -> Option<(EventFunction, f64)> {
+        EVENT_FUNCTIONS
             .into_iter()
-            .filter(|&mark| Some(mark) != target && outcome.is_beyond(lane, mark))
-            .map(|mark| (mark, self.crossing(lane, mark)))
+            .filter(|&event| Some(event) != target && outcome.has_crossed(lane, event))
+            .map(|event| (event, self.crossing_length(lane, event)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// How long a step would about end at a mark that one has run over.
-    fn crossing(&self, lane: usize, mark: Mark) -> f64 {
+    fn crossing_length(&self, lane: usize, event: EventFunction) -> f64 {
         let (start, end) = (self.lockstep.at(lane), self.lockstep.end_at(lane));
         let (rates, end_rates) = (
             self.lockstep.rates_at(lane),
             self.lockstep.end_rates_at(lane),
         );
         let h = self.lockstep.h.0[lane];
-        let level = |u| self.level(lane, mark, u);
-        let slope = |u, rates| h * self.slope(lane, mark, u, rates);
-        let first = (level(&start), slope(&start, &rates));
-        let last = (level(&end), slope(&end, &end_rates));
+        let event_value = |u| self.event_value(lane, event, u);
+        let slope = |u, rates| h * self.slope(lane, event, u, rates);
+        let first = (event_value(&start), slope(&start, &rates));
+        let last = (event_value(&end), slope(&end, &end_rates));
         h * fraction_crossed(first, last)
     }
 
     /// Sets out for a mark, from where the step began.
-    fn aim(&mut self, lane: usize, mark: Mark, h: f64) -> Option<(Exit, Coordinates<f64>)> {
-        let u = A::all(&self.lockstep.end_at(lane));
-        let (rounds, next) = match &self.landings[lane] {
-            Some(landing) => (landing.rounds, landing.next),
+    fn begin_locating(
+        &mut self,
+        lane: usize,
+        event: EventFunction,
+        h: f64,
+    ) -> Option<(Exit, Coordinates<f64>)> {
+        let u = A::expand(&self.lockstep.end_at(lane));
+        let (rounds, next) = match &self.brackets[lane] {
+            Some(bracket) => (bracket.rounds, bracket.next),
             None => (0, self.lockstep.next.0[lane]),
         };
         // A tilt rate without a clear sign may be that of a steady wobble.
-        let unclear = mark == Mark::Extreme
+        let unclear = event == EventFunction::Extreme
             && self
                 .limits
-                .sign_of_tilt_rate(&u, &self.places[lane].yardstick)
+                .sign_of_tilt_rate(&u, &self.lane_models[lane].error_scale)
                 == 0.0
-            && self.landings[lane].is_none();
-        if unclear || rounds > MOST_ROUNDS {
-            return Some((Exit::Rare, u));
+            && self.brackets[lane].is_none();
+        if unclear || rounds > MAX_ROUNDS {
+            return Some((Exit::NeedsScalar, u));
         }
-        self.landings[lane] = Some(Landing {
-            mark,
+        self.brackets[lane] = Some(Bracket {
+            event,
             between: (0.0, self.lockstep.h.0[lane]),
             next,
             rounds: rounds + 1,
@@ -257,29 +267,29 @@ where
     }
 
     /// After a step that was to end at a mark.
-    fn land(&mut self, lane: usize, mark: Mark) -> Option<(Exit, Coordinates<f64>)> {
+    fn locate(&mut self, lane: usize, event: EventFunction) -> Option<(Exit, Coordinates<f64>)> {
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
         let h = self.lockstep.h.0[lane];
-        let level = self.level(lane, mark, &end);
-        let missing = -level / self.slope(lane, mark, &end, &rates);
-        let landing = self.landings[lane].as_mut()?;
-        landing.rounds += 1;
-        if landing.rounds > MOST_ROUNDS {
-            return Some((Exit::Rare, A::all(&end)));
+        let event_value = self.event_value(lane, event, &end);
+        let missing = -event_value / self.slope(lane, event, &end, &rates);
+        let bracket = self.brackets[lane].as_mut()?;
+        bracket.rounds += 1;
+        if bracket.rounds > MAX_ROUNDS {
+            return Some((Exit::NeedsScalar, A::expand(&end)));
         }
         // Either what is missing can go straight, or the mark was passed by next to nothing.
-        let is_beside = level < 0.0 && h <= CLOSE * landing.between.1;
+        let is_beside = event_value < 0.0 && h <= CLOSE * bracket.between.1;
         let close = missing.abs() <= CLOSE * h || is_beside;
         if !close {
-            if level < 0.0 {
-                landing.between.1 = h;
+            if event_value < 0.0 {
+                bracket.between.1 = h;
             } else {
-                landing.between.0 = h;
+                bracket.between.0 = h;
             }
-            let (short, long) = landing.between;
-            let aim = h + missing;
-            self.lockstep.h.0[lane] = if short < aim && aim < long {
-                aim
+            let (short, long) = bracket.between;
+            let begin_locating = h + missing;
+            self.lockstep.h.0[lane] = if short < begin_locating && begin_locating < long {
+                begin_locating
             } else {
                 0.5 * (short + long)
             };
@@ -287,7 +297,7 @@ where
         }
         if self.lockstep.inside.0[lane] < 0.0 {
             // Something else may have happened before.
-            self.landings[lane] = None;
+            self.brackets[lane] = None;
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] = 0.5 * h;
             return self.long_enough(lane);
@@ -297,28 +307,28 @@ where
         } else {
             0.0
         };
-        let at = A::all(&core::array::from_fn(|i| end[i] + missing * rates[i]));
-        self.arrive(lane, mark, at)
+        let at = A::expand(&core::array::from_fn(|i| end[i] + missing * rates[i]));
+        self.at_event(lane, event, at)
     }
 
     /// What happens at a mark.
-    fn arrive(
+    fn at_event(
         &mut self,
         lane: usize,
-        mark: Mark,
+        event: EventFunction,
         at: Coordinates<f64>,
     ) -> Option<(Exit, Coordinates<f64>)> {
-        match mark {
-            Mark::Topple => return Some((Exit::Over(Status::Toppled), at)),
-            Mark::Contact => return Some((Exit::GivesWay, at)),
-            Mark::Time => {
+        match event {
+            EventFunction::Topple => return Some((Exit::Over(Status::Toppled), at)),
+            EventFunction::Contact => return Some((Exit::ContactEnds, at)),
+            EventFunction::Time => {
                 let t = self.limits.duration;
                 return Some((Exit::Over(Status::Finished), Coordinates { t, ..at }));
             }
-            Mark::Extreme => {}
+            EventFunction::Extreme => {}
         }
         if at.sin <= self.limits.flat {
-            return Some((Exit::Rare, at));
+            return Some((Exit::NeedsScalar, at));
         }
         let trial = self.trials[lane].as_mut()?;
         if self.lockstep.direction.0[lane] < 0.0 {
@@ -332,14 +342,14 @@ where
         self.lockstep.direction.0[lane] = -self.lockstep.direction.0[lane];
         self.lockstep.accept(lane);
         self.lockstep.free.0[lane] = 1.0;
-        if let Some(landing) = self.landings[lane].take() {
-            self.lockstep.h.0[lane] = landing.next;
+        if let Some(bracket) = self.brackets[lane].take() {
+            self.lockstep.h.0[lane] = bracket.next;
         }
         None
     }
 
     /// After a step that has run over nothing.
-    fn go_on(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
+    fn accept_quiet_step(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         if self.lockstep.inside.0[lane] < 0.0 {
             // There may have been something on the way.
             self.lockstep.h.0[lane] *= 0.5;
@@ -348,31 +358,31 @@ where
         self.lockstep.accept(lane);
         self.lockstep.h.0[lane] = self.lockstep.next.0[lane];
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
-        let alone = &self.places[lane].alone;
-        let stops = alone.slips_on(&end, &rates, self.limits.tolerance) < 0.0;
-        stops.then(|| (Exit::Stops, A::all(&end)))
+        let alone = &self.lane_models[lane].alone;
+        let stops = alone.slip_persists(&end, &rates, self.limits.tolerance) < 0.0;
+        stops.then(|| (Exit::SlipEnds, A::expand(&end)))
     }
 
-    fn level(&self, lane: usize, mark: Mark, u: &[f64; N]) -> f64 {
-        match mark {
-            Mark::Extreme => self.lockstep.direction.0[lane] * A::all(u).p,
-            Mark::Topple => self.places[lane].topple.below(&A::all(u)),
-            Mark::Time => self.limits.duration - A::all(u).t,
-            Mark::Contact => self.places[lane].alone.holds(u),
+    fn event_value(&self, lane: usize, event: EventFunction, u: &[f64; N]) -> f64 {
+        match event {
+            EventFunction::Extreme => self.lockstep.direction.0[lane] * A::expand(u).p,
+            EventFunction::Topple => self.lane_models[lane].topple.below(&A::expand(u)),
+            EventFunction::Time => self.limits.duration - A::expand(u).t,
+            EventFunction::Contact => self.lane_models[lane].alone.contact_margin(u),
         }
     }
 
     /// How the level changes along the motion.
-    fn slope(&self, lane: usize, mark: Mark, u: &[f64; N], rates: &[f64; N]) -> f64 {
-        match mark {
+    fn slope(&self, lane: usize, event: EventFunction, u: &[f64; N], rates: &[f64; N]) -> f64 {
+        match event {
             // These are linear.
-            Mark::Extreme | Mark::Topple => self.level(lane, mark, rates),
-            Mark::Time => -A::all(rates).t,
-            Mark::Contact => {
+            EventFunction::Extreme | EventFunction::Topple => self.event_value(lane, event, rates),
+            EventFunction::Time => -A::expand(rates).t,
+            EventFunction::Contact => {
                 let nudge = 1e-4 * self.lockstep.h.0[lane];
                 let beside = |nudge: f64| {
                     let u = core::array::from_fn(|i| u[i] + nudge * rates[i]);
-                    self.level(lane, mark, &u)
+                    self.event_value(lane, event, &u)
                 };
                 (beside(nudge) - beside(-nudge)) / (2.0 * nudge)
             }
@@ -394,19 +404,19 @@ fn fraction_crossed(first: (f64, f64), last: (f64, f64)) -> f64 {
         let beside = (first.1 - rise) * (1.0 - x) + (rise - last.1) * x;
         first.0 + x * (rise + (1.0 - x) * beside)
     };
-    bracketed_in(ROUNDS, 0.0, 1.0, cubic)
+    bracketed_root_in(ROUNDS, 0.0, 1.0, cubic)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::carried::{Carried, Slipping};
-    use super::super::piece::Piece;
+    use super::super::chunk::Chunk;
+    use super::super::reduced_system::{ReducedSliding, ReducedSystem};
     use super::super::trial::Trial;
     use super::{Exit, Pool};
+    use crate::contact_law::FrictionLaw;
     use crate::motion::Options;
     use crate::presets;
     use crate::state::{Coordinates, State};
-    use crate::surface::FrictionLaw;
 
     #[test]
     fn a_fall_whose_contact_does_not_last_leaves() {
@@ -418,9 +428,9 @@ mod tests {
             FrictionLaw::coulomb(friction).into(),
         )];
         let options = Options::default();
-        let piece = Piece::new(&releases, &options);
-        let (body, limits) = (piece.body(0), &piece.limits);
-        let phase = Slipping::new(body.parameters, friction);
+        let chunk = Chunk::new(&releases, &options);
+        let (body, limits) = (chunk.body(0), &chunk.limits);
+        let phase = ReducedSliding::new(body.parameters, friction);
         // So fast that the rim is pulled off the table, harder and harder or ever less.
         for tilt_rate in [-30.0, 30.0] {
             let start = State {
@@ -433,15 +443,15 @@ mod tests {
                 slip_x: 0.1,
                 ..Coordinates::from_state(&start)
             };
-            assert!(phase.holds(&Slipping::of(&at)) < 0.0);
-            let mut pool: Pool<'_, Slipping<f64>, 10> = Pool::new(body, limits);
+            assert!(phase.contact_margin(&ReducedSliding::project(&at)) < 0.0);
+            let mut pool: Pool<'_, ReducedSliding<f64>, 10> = Pool::new(body, limits);
             let trial = Trial::new(0, &at, true);
             pool.put(trial, &at, (body, friction), 1e-4);
             let mut left = None;
             for _ in 0..200 {
                 pool.step(|_, exit, _| left = Some(exit));
             }
-            assert_eq!((left, pool.len()), (Some(Exit::Rare), 0));
+            assert_eq!((left, pool.len()), (Some(Exit::NeedsScalar), 0));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A fall in the making.
 
 use crate::law::Parameters;
-use crate::motion::{Fall, Seen, Status, Turn, direction_at_release};
+use crate::motion::{Fall, FallRecord, Status, Turn, direction_at_release};
 use crate::state::Coordinates;
 
 /// What is to be remembered of a fall on its way.
@@ -43,7 +43,7 @@ impl Trial {
     /// What has become of it, a body with these parameters.
     pub(super) fn fall(&self, k: &Parameters<f64>, status: Status, end: &Coordinates<f64>) -> Fall {
         let turn = |lowest| Turn::between(&self.from, lowest, end);
-        let seen = Seen {
+        let seen = FallRecord {
             turn: self.lowest.as_ref().map(turn),
             turned: self.turned,
             slid: self.slid,

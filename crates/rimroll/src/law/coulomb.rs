@@ -4,7 +4,7 @@
 //! as long as |T| ≤ μ_s N; the halves are joined by events, without regularisation (see
 //! [`motion`](crate::motion)).
 
-use super::{DryFriction, Friction, Pull};
+use super::{DryFriction, Friction, FrictionForce};
 use crate::real::{Real, fieldwise};
 
 /// The friction of a rim that slips.
@@ -19,15 +19,15 @@ fieldwise!(Coulomb { friction; });
 impl<T: Real> Coulomb<T> {
     /// The friction on a slip in the direction of a unit vector, however small.
     #[inline(always)]
-    pub fn against(&self, direction: [T; 2]) -> Pull<T> {
-        Pull::per_normal(direction, self.friction)
+    pub fn against(&self, direction: [T; 2]) -> FrictionForce<T> {
+        FrictionForce::per_normal(direction, self.friction)
     }
 }
 
 impl<T: Real> Friction<T> for Coulomb<T> {
     #[inline(always)]
-    fn pull(&self, slip: [T; 2]) -> Pull<T> {
-        self.dry_pull(slip)
+    fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
+        self.dry_friction_force(slip)
     }
 }
 

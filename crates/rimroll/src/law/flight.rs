@@ -7,7 +7,7 @@
 //! gap̈ = −(g + ρ φ̈ − z φ̇²)       since the rim's lowest point is z under the centre of mass
 //! ```
 
-use super::{Contact, Law, Parameters};
+use super::{Contact, Dynamics, Parameters};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -24,12 +24,12 @@ impl<T: Real> Flight<T> {
     }
 }
 
-impl<T: Real> Law<T> for Flight<T> {
+impl<T: Real> Dynamics<T> for Flight<T> {
     fn parameters(&self) -> &Parameters<T> {
         &self.k
     }
 
-    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let k = &self.k;
         let [vx, vy] = self.center_velocity(u);
         let c_over_a = k.c / k.a;

@@ -15,7 +15,7 @@
 //!
 //! The centre of mass keeps its horizontal velocity; it is zero in the frame chosen here.
 
-use super::{Contact, Law, Parameters};
+use super::{Contact, Dynamics, Parameters};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
@@ -50,13 +50,13 @@ impl<T: Real> Frictionless<T> {
     }
 }
 
-impl<T: Real> Law<T> for Frictionless<T> {
+impl<T: Real> Dynamics<T> for Frictionless<T> {
     fn parameters(&self) -> &Parameters<T> {
         &self.k
     }
 
     #[inline(always)]
-    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
             p: self.tilt_acceleration(u),
             w: u.p * (u.sin * self.c_over_a * u.s - u.w * u.cos),
@@ -70,11 +70,11 @@ impl<T: Real> Law<T> for Frictionless<T> {
         let k = &self.k;
         let rho = k.rho(u);
         let falling = k.a * u.sin * (k.g - k.z(u) * u.p * u.p);
-        let turning = rho * u.w * (k.a * u.w * u.cos - k.c * u.sin * u.s);
+        let gyroscopic_term = rho * u.w * (k.a * u.w * u.cos - k.c * u.sin * u.s);
         Contact {
             along: T::from(0.0),
             across: T::from(0.0),
-            normal: k.m * (falling + turning) / (k.a + k.m * rho * rho),
+            normal: k.m * (falling + gyroscopic_term) / (k.a + k.m * rho * rho),
         }
     }
 
@@ -83,7 +83,7 @@ impl<T: Real> Law<T> for Frictionless<T> {
         [T::from(0.0), T::from(0.0)]
     }
 
-    fn only_moves(&self) -> bool {
+    fn is_conservative(&self) -> bool {
         true
     }
 }

@@ -15,7 +15,7 @@
 //! J φ̈ = K w ψ̇ cosφ − mHR s ψ̇ cosφ − (C + mR²) w s + mHR w² − mgρ
 //! ```
 
-use super::{Contact, Law, Parameters};
+use super::{Contact, Dynamics, Parameters};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
@@ -84,13 +84,13 @@ impl<T: Real> NoSlip<T> {
     }
 }
 
-impl<T: Real> Law<T> for NoSlip<T> {
+impl<T: Real> Dynamics<T> for NoSlip<T> {
     fn parameters(&self) -> &Parameters<T> {
         &self.k
     }
 
     #[inline(always)]
-    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let [p, w, s] = self.accelerations(u);
         Coordinates {
             p,
@@ -123,13 +123,13 @@ impl<T: Real> Law<T> for NoSlip<T> {
     }
 
     /// Moments alone would make the rim slip along e_y1 by H L_x/A − R L_z/C in a second.
-    fn hold(&self, moment: [T; 2]) -> Option<T> {
+    fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
         let k = &self.k;
         let slip = k.h * moment[0] / k.a - k.r * moment[1] / k.c;
         Some(-slip / k.sideways_mobility())
     }
 
-    fn only_moves(&self) -> bool {
+    fn is_conservative(&self) -> bool {
         true
     }
 }

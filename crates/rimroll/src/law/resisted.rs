@@ -16,7 +16,7 @@
 //! about the vertical or, for rolling, about the horizontal through the contact point and the centre of
 //! the base, θ̇ sin φ; x₀ = √(g/R)/1000.
 
-use super::{Contact, Law, Parameters};
+use super::{Contact, Dynamics, Parameters};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -112,15 +112,15 @@ impl RollingResistance {
         let sign = running / (running * running + smooth * smooth).sqrt();
         let dry = T::from(self.dry) * k.r * normal * sign;
         let viscous = touching * T::from(self.viscous) * k.r * k.r * running;
-        let resisting = dry + viscous;
-        [resisting * u.cos / u.sin, -resisting]
+        let resistance_rate = dry + viscous;
+        [resistance_rate * u.cos / u.sin, -resistance_rate]
     }
 }
 
 impl PivotingFriction {
     fn moment<T: Real>(&self, u: &Coordinates<T>, normal: T, smooth: T) -> [T; 2] {
-        let turning = u.w * u.sin + u.s * u.cos;
-        let sign = turning / (turning * turning + smooth * smooth).sqrt();
+        let gyroscopic_term = u.w * u.sin + u.s * u.cos;
+        let sign = gyroscopic_term / (gyroscopic_term * gyroscopic_term + smooth * smooth).sqrt();
         let vertical = T::from(self.length) * normal * sign;
         [-vertical * u.sin, -vertical * u.cos]
     }
@@ -161,7 +161,7 @@ impl<L> Resisted<L> {
     }
 
     /// The law without it.
-    pub(crate) fn law(&self) -> &L {
+    pub(crate) fn dynamics(&self) -> &L {
         &self.law
     }
 
@@ -174,14 +174,14 @@ impl<L> Resisted<L> {
         normal: T,
     ) -> Coordinates<T>
     where
-        L: Law<T>,
+        L: Dynamics<T>,
     {
         if !self.resists {
             return rates;
         }
         let k = self.law.parameters();
         let [about_x, about_z] = self.resistance.moment(k, u, normal);
-        let held = self.law.hold([about_x, about_z]);
+        let held = self.law.constraint_reaction([about_x, about_z]);
         let across = held.unwrap_or(T::from(0.0));
         let dw = (about_x + k.h * across) / k.a;
         let ds = (about_z - k.r * across) / k.c;
@@ -195,14 +195,14 @@ impl<L> Resisted<L> {
     }
 }
 
-impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
+impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
     fn parameters(&self) -> &Parameters<T> {
         self.law.parameters()
     }
 
     #[inline(always)]
-    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        let rates = self.law.rates_but_place(u);
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        let rates = self.law.reduced_rates(u);
         if !self.resists {
             return rates;
         }
@@ -215,7 +215,7 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
             let moment = self
                 .resistance
                 .moment(self.law.parameters(), u, contact.normal);
-            let held = self.law.hold(moment).unwrap_or(T::from(0.0));
+            let held = self.law.constraint_reaction(moment).unwrap_or(T::from(0.0));
             contact.across = contact.across + held;
         }
         contact
@@ -229,11 +229,11 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
         self.law.slip(u)
     }
 
-    fn hold(&self, moment: [T; 2]) -> Option<T> {
-        self.law.hold(moment)
+    fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
+        self.law.constraint_reaction(moment)
     }
 
-    fn resisting(&self, u: &Coordinates<T>) -> T {
+    fn resistance_rate(&self, u: &Coordinates<T>) -> T {
         let normal = self.law.contact(u).normal;
         self.resist(u, Coordinates::zero(), normal).w
     }
@@ -246,7 +246,7 @@ impl<T: Real, L: Law<T>> Law<T> for Resisted<L> {
         self.law.consistency(u)
     }
 
-    fn only_moves(&self) -> bool {
-        !self.resists && self.law.only_moves()
+    fn is_conservative(&self) -> bool {
+        !self.resists && self.law.is_conservative()
     }
 }

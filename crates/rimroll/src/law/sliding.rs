@@ -21,13 +21,13 @@
 //! inertia are here taken over m, which saves multiplications.
 //! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
 
-use super::{Contact, Coulomb, Law, Parameters, Resisted};
+use super::{Contact, Coulomb, Dynamics, Parameters, Resisted};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
 /// The force T = N a + b of a table on a rim that slips.
 #[derive(Debug, Clone, Copy)]
-pub struct Pull<T> {
+pub struct FrictionForce<T> {
     /// a times `of`: the friction along e_x1 and e_y1 that so many newtons of normal force bring. Dry
     /// friction is −μu for each |u|, which takes no division.
     pub per_normal: [T; 2],
@@ -37,18 +37,18 @@ pub struct Pull<T> {
     pub own: Option<[T; 2]>,
 }
 
-impl<T: Real> Pull<T> {
+impl<T: Real> FrictionForce<T> {
     /// Friction −factor · slip for each newton of normal force.
     #[inline(always)]
     pub fn per_normal(slip: [T; 2], factor: T) -> Self {
-        Pull::per_normals(slip, factor, T::from(1.0))
+        FrictionForce::per_scaled_normal(slip, factor, T::from(1.0))
     }
 
     /// Friction −factor · slip for so many newtons of normal force.
     #[inline(always)]
-    pub fn per_normals(slip: [T; 2], factor: T, of: T) -> Self {
+    pub fn per_scaled_normal(slip: [T; 2], factor: T, of: T) -> Self {
         let against = -factor;
-        Pull {
+        FrictionForce {
             per_normal: [against * slip[0], against * slip[1]],
             of,
             own: None,
@@ -59,7 +59,7 @@ impl<T: Real> Pull<T> {
 /// How friction answers slip.
 pub trait Friction<T: Real> {
     /// The friction at a slip (m/s, along e_x1 and e_y1).
-    fn pull(&self, slip: [T; 2]) -> Pull<T>;
+    fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T>;
 }
 
 /// Dry friction: against the slip however slow it is, T = −μ(|u|) N u/|u|. A rim that does not slip is held,
@@ -68,16 +68,16 @@ pub trait DryFriction<T: Real>: Friction<T> {
     /// μ of a slip of this speed (m/s), which may be 0.
     fn coefficient(&self, speed: T) -> T;
 
-    /// The friction at a slip: [`Friction::pull`] of dry friction.
+    /// The friction at a slip: [`Friction::friction_force`] of dry friction.
     #[inline(always)]
-    fn dry_pull(&self, slip: [T; 2]) -> Pull<T> {
+    fn dry_friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        Pull::per_normals(slip, self.coefficient(speed), speed)
+        FrictionForce::per_scaled_normal(slip, self.coefficient(speed), speed)
     }
 }
 
 /// Sliding under dry friction, whatever its coefficient: what is asked of it where the slip begins.
-pub(crate) trait DryLaw: Law<f64> {
+pub(crate) trait DryDynamics: Dynamics<f64> {
     /// The table's force (times sin φ) and the rates at a slip in the direction of a unit vector,
     /// however slow.
     fn slipping(
@@ -87,24 +87,24 @@ pub(crate) trait DryLaw: Law<f64> {
         speed: f64,
     ) -> (Contact<f64>, Coordinates<f64>);
 
-    /// [`Law::consistency`] where a slip begins in the direction of a unit vector.
+    /// [`Dynamics::consistency`] where a slip begins in the direction of a unit vector.
     fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64;
 }
 
-impl<F: DryFriction<f64>> DryLaw for Resisted<Sliding<f64, F>> {
+impl<F: DryFriction<f64>> DryDynamics for Resisted<Sliding<f64, F>> {
     fn slipping(
         &self,
         u: &Coordinates<f64>,
         direction: [f64; 2],
         speed: f64,
     ) -> (Contact<f64>, Coordinates<f64>) {
-        let sliding = self.law();
+        let sliding = self.dynamics();
         let (contact, rates) = sliding.under(u, &sliding.against(direction, speed));
         (contact, self.resist(u, rates, contact.normal))
     }
 
     fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64 {
-        let sliding = self.law();
+        let sliding = self.dynamics();
         sliding.consistency_under(u, &sliding.against(direction, 0.0))
     }
 }
@@ -177,38 +177,44 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 
     /// η times what the pull is of.
     #[inline(always)]
-    fn eta(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
-        pull.of * self.k.rho(u) - pull.per_normal[0] * self.k.z(u)
+    fn eta(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> T {
+        friction_force.of * self.k.rho(u) - friction_force.per_normal[0] * self.k.z(u)
     }
 
     /// What a push on the rim has to move, A/m + ρη, times what the pull is of.
     #[inline(always)]
-    pub(crate) fn inertia(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
-        self.a * pull.of + self.k.rho(u) * self.eta(u, pull)
+    pub(crate) fn inertia(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> T {
+        self.a * friction_force.of + self.k.rho(u) * self.eta(u, friction_force)
     }
 
     /// By τ itself.
     #[inline(always)]
-    fn pace(&self, u: &Coordinates<T>, pull: &Pull<T>) -> Pace<T> {
+    fn pace(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> Pace<T> {
         let one = T::from(1.0);
         Pace {
             clock: one,
-            per_inertia: one / self.inertia(u, pull),
+            per_inertia: one / self.inertia(u, friction_force),
         }
     }
 
     /// The table's force over m, and φ̈, by a clock.
     #[inline(always)]
-    fn forces(&self, u: &Coordinates<T>, pull: &Pull<T>, pace: Pace<T>) -> (Contact<T>, T) {
+    fn forces(
+        &self,
+        u: &Coordinates<T>,
+        friction_force: &FrictionForce<T>,
+        pace: Pace<T>,
+    ) -> (Contact<T>, T) {
         let (rho, z) = (self.k.rho(u), self.k.z(u));
-        let Pull {
+        let FrictionForce {
             per_normal,
             of,
             own,
-        } = *pull;
-        let (mut turning, pressing) = (self.turning(u), self.weighing(u));
+        } = *friction_force;
+        let (mut gyroscopic_term, scaled_normal_force) =
+            (self.gyroscopic_term(u), self.gravity_term(u));
         // N, too, over what the pull is of.
-        let unaided = (self.a * pressing + rho * turning) * pace.per_inertia;
+        let unaided = (self.a * scaled_normal_force + rho * gyroscopic_term) * pace.per_inertia;
         let mut contact = Contact {
             along: unaided * per_normal[0],
             across: unaided * per_normal[1],
@@ -216,38 +222,38 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         };
         if let Some([x, y]) = own {
             let lifting = -(rho * u.sin * self.per_mass * x * z) * pace.per_inertia;
-            let kept = kept(unaided, lifting);
-            let normal = unaided - kept * lifting;
-            let share = kept * u.sin * self.per_mass;
+            let normal_factor = normal_factor(unaided, lifting);
+            let normal = unaided - normal_factor * lifting;
+            let share = normal_factor * u.sin * self.per_mass;
             let own = [share * x, share * y];
-            turning = turning + own[0] * z;
+            gyroscopic_term = gyroscopic_term + own[0] * z;
             contact = Contact {
                 along: normal * per_normal[0] + pace.clock * own[0],
                 across: normal * per_normal[1] + pace.clock * own[1],
                 normal: normal * of,
             };
         }
-        let falling = of * turning - pressing * self.eta(u, pull);
+        let falling = of * gyroscopic_term - scaled_normal_force * self.eta(u, friction_force);
         (contact, falling * pace.per_inertia)
     }
 
     /// What the body's own motion does to turn it further, over m and times sin φ.
     #[inline(always)]
-    fn turning(&self, u: &Coordinates<T>) -> T {
+    fn gyroscopic_term(&self, u: &Coordinates<T>) -> T {
         u.w * (self.a * u.w * u.cos - u.sin * self.c * u.s)
     }
 
     /// (g − z φ̇²) sin φ.
     #[inline(always)]
-    fn weighing(&self, u: &Coordinates<T>) -> T {
+    fn gravity_term(&self, u: &Coordinates<T>) -> T {
         u.sin * (self.k.g - self.k.z(u) * u.p * u.p)
     }
 
     /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over (m times what the pull is of),
     /// which is no division.
     #[inline(always)]
-    pub(crate) fn pressing(&self, u: &Coordinates<T>) -> T {
-        self.a * self.weighing(u) + self.k.rho(u) * self.turning(u)
+    pub(crate) fn scaled_normal_force(&self, u: &Coordinates<T>) -> T {
+        self.a * self.gravity_term(u) + self.k.rho(u) * self.gyroscopic_term(u)
     }
 
     #[inline(always)]
@@ -279,30 +285,34 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     /// The table's force (times sin φ) and the rates, under a friction that is given rather than found
     /// from the slip.
     #[inline]
-    pub(crate) fn under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> (Contact<T>, Coordinates<T>) {
-        let (contact, rates) = self.under_but_place(u, pull);
+    pub(crate) fn under(
+        &self,
+        u: &Coordinates<T>,
+        friction_force: &FrictionForce<T>,
+    ) -> (Contact<T>, Coordinates<T>) {
+        let (contact, rates) = self.reduced_rates_under(u, friction_force);
         (contact, u.with_place(rates, self.center_velocity(u)))
     }
 
     /// The same but for spin and place.
     #[inline(always)]
-    pub(crate) fn under_but_place(
+    pub(crate) fn reduced_rates_under(
         &self,
         u: &Coordinates<T>,
-        pull: &Pull<T>,
+        friction_force: &FrictionForce<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        self.moving(u, pull, self.pace(u, pull))
+        self.rates_under(u, friction_force, self.pace(u, friction_force))
     }
 
     /// The same by another clock.
     #[inline(always)]
-    pub(crate) fn moving(
+    pub(crate) fn rates_under(
         &self,
         u: &Coordinates<T>,
-        pull: &Pull<T>,
+        friction_force: &FrictionForce<T>,
         pace: Pace<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        let (contact, dp) = self.forces(u, pull, pace);
+        let (contact, dp) = self.forces(u, friction_force, pace);
         let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp, pace.clock);
         let rates = Coordinates {
             p,
@@ -311,58 +321,62 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
             slip_x: slip[0],
             slip_y: slip[1],
             friction_loss: -self.k.m * (contact.along * u.slip_x + contact.across * u.slip_y),
-            ..u.kinematics_by(pace.clock)
+            ..u.kinematics_in(pace.clock)
         };
         (contact.times(self.k.m), rates)
     }
 
-    /// [`Law::consistency`] under a friction that is given.
+    /// [`Dynamics::consistency`] under a friction that is given.
     #[inline(always)]
-    pub(crate) fn consistency_under(&self, u: &Coordinates<T>, pull: &Pull<T>) -> T {
+    pub(crate) fn consistency_under(
+        &self,
+        u: &Coordinates<T>,
+        friction_force: &FrictionForce<T>,
+    ) -> T {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let along = pull.per_normal[0] / pull.of;
+        let along = friction_force.per_normal[0] / friction_force.of;
         T::from(1.0) - k.m * rho * z * along / (k.a + k.m * rho * rho)
     }
 
-    /// [`Law::consistency`] less `margin`, times A/m + ρ² and what the pull is of, which is no division.
+    /// [`Dynamics::consistency`] less `margin`, times A/m + ρ² and what the pull is of, which is no division.
     #[inline(always)]
     pub(crate) fn clearance(&self, u: &Coordinates<T>, margin: T) -> T {
         let (rho, z) = (self.k.rho(u), self.k.z(u));
-        let pull = self.pull(u);
-        let kept = (T::from(1.0) - margin) * (self.a + rho * rho);
-        kept * pull.of - rho * z * pull.per_normal[0]
+        let friction_force = self.friction_force(u);
+        let normal_factor = (T::from(1.0) - margin) * (self.a + rho * rho);
+        normal_factor * friction_force.of - rho * z * friction_force.per_normal[0]
     }
 
     /// The friction at the slip that there is.
     #[inline(always)]
-    pub(crate) fn pull(&self, u: &Coordinates<T>) -> Pull<T> {
-        self.friction.pull([u.slip_x, u.slip_y])
+    pub(crate) fn friction_force(&self, u: &Coordinates<T>) -> FrictionForce<T> {
+        self.friction.friction_force([u.slip_x, u.slip_y])
     }
 }
 
 impl<T: Real, F: DryFriction<T>> Sliding<T, F> {
     /// The friction on a slip in the direction of a unit vector, however slow.
     #[inline(always)]
-    fn against(&self, direction: [T; 2], speed: T) -> Pull<T> {
-        Pull::per_normal(direction, self.friction.coefficient(speed))
+    fn against(&self, direction: [T; 2], speed: T) -> FrictionForce<T> {
+        FrictionForce::per_normal(direction, self.friction.coefficient(speed))
     }
 }
 
-impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
+impl<T: Real, F: Friction<T>> Dynamics<T> for Sliding<T, F> {
     fn parameters(&self) -> &Parameters<T> {
         &self.k
     }
 
     #[inline(always)]
-    fn rates_but_place(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        self.under_but_place(u, &self.pull(u)).1
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        self.reduced_rates_under(u, &self.friction_force(u)).1
     }
 
     #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
-        let pull = self.pull(u);
-        let (contact, _) = self.forces(u, &pull, self.pace(u, &pull));
+        let friction_force = self.friction_force(u);
+        let (contact, _) = self.forces(u, &friction_force, self.pace(u, &friction_force));
         contact.times(self.k.m)
     }
 
@@ -377,23 +391,23 @@ impl<T: Real, F: Friction<T>> Law<T> for Sliding<T, F> {
     }
 
     fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
-        let Pull {
+        let FrictionForce {
             per_normal: [x, y],
             of,
             own,
-        } = self.pull(u);
+        } = self.friction_force(u);
         own.is_none().then(|| (x * x + y * y).sqrt() / of)
     }
 
     #[inline(always)]
     fn consistency(&self, u: &Coordinates<T>) -> T {
-        self.consistency_under(u, &self.pull(u))
+        self.consistency_under(u, &self.friction_force(u))
     }
 }
 
 /// How much is kept of a pull of its own that would lift the rim it needs to touch: it gives way until
 /// nothing presses, and altogether where nothing would without it.
-fn kept<T: Real>(unaided: T, lifting: T) -> T {
+fn normal_factor<T: Real>(unaided: T, lifting: T) -> T {
     let (none, all) = (T::from(0.0), T::from(1.0));
     let part = unaided.where_negative(none, unaided / lifting);
     lifting.where_negative(all, (unaided - lifting).where_negative(part, all))

@@ -8,7 +8,7 @@
 //! rim creeps where it should stick, by some v₀ |T|/(μN). Source of the falling curve:
 //! Armstrong-Hélouvry, Dupont & Canudas de Wit, Automatica 30 (1994), Eq. (3).
 
-use super::{Friction, Pull};
+use super::{Friction, FrictionForce};
 use crate::real::Real;
 
 /// The friction of a rim on a table that holds it by creeping.
@@ -25,11 +25,11 @@ pub struct Stribeck<T> {
 }
 
 impl<T: Real> Friction<T> for Stribeck<T> {
-    fn pull(&self, slip: [T; 2]) -> Pull<T> {
+    fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         let square = slip[0] * slip[0] + slip[1] * slip[1];
         let fading = (-square / (self.stribeck_speed * self.stribeck_speed)).exp();
         let friction = self.friction + (self.static_friction - self.friction) * fading;
         let smoothed = (square + self.creep_speed * self.creep_speed).sqrt();
-        Pull::per_normal(slip, friction / smoothed)
+        FrictionForce::per_normal(slip, friction / smoothed)
     }
 }

@@ -7,12 +7,12 @@
 //! constant. Source of the slopes: F. N. Fritsch & J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984), with
 //! the three-point formula at the ends of C. Moler, *Numerical Computing with MATLAB* (2004), section 3.6.
 
-use super::{DryFriction, Friction, Pull};
+use super::{DryFriction, Friction, FrictionForce};
 use crate::error::{InvalidInput, bounded, entry};
 use std::sync::Arc;
 
 /// Coefficients of friction above this are refused.
-pub const MOST_FRICTION: f64 = 1e6;
+pub const MAX_FRICTION: f64 = 1e6;
 
 /// Friction whose coefficient is a function of the slip speed, given by points.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ impl Tabulated {
         bounded(
             "static",
             static_friction,
-            |f| (slowest..=MOST_FRICTION).contains(&f),
+            |f| (slowest..=MAX_FRICTION).contains(&f),
             &format!("between frictions[0] = {slowest} and 1e6"),
             "",
         )?;
@@ -58,7 +58,7 @@ impl Tabulated {
     /// # Errors
     /// Refuses a curve whose largest value is not from 0 to 1e6, and such a static coefficient.
     pub(crate) fn check(&self) -> Result<(), InvalidInput> {
-        let sensible = |f: f64| (0.0..=MOST_FRICTION).contains(&f);
+        let sensible = |f: f64| (0.0..=MAX_FRICTION).contains(&f);
         let largest = self.factor * self.curve.largest;
         bounded("frictions", largest, sensible, "between 0 and 1e6", "")?;
         bounded(
@@ -97,8 +97,8 @@ impl Tabulated {
 
 impl Friction<f64> for Tabulated {
     #[inline]
-    fn pull(&self, slip: [f64; 2]) -> Pull<f64> {
-        self.dry_pull(slip)
+    fn friction_force(&self, slip: [f64; 2]) -> FrictionForce<f64> {
+        self.dry_friction_force(slip)
     }
 }
 
@@ -110,8 +110,8 @@ impl DryFriction<f64> for Tabulated {
 }
 
 fn check_points(speeds: &[f64], frictions: &[f64]) -> Result<(), InvalidInput> {
-    const LEAST_STEP: f64 = 1e-12;
-    const MOST_SPEED: f64 = 1e9;
+    const MIN_STEP: f64 = 1e-12;
+    const MAX_SPEED: f64 = 1e9;
     if speeds.len() < 2 {
         return Err(InvalidInput::WrongLength {
             field: "speeds",
@@ -128,17 +128,17 @@ fn check_points(speeds: &[f64], frictions: &[f64]) -> Result<(), InvalidInput> {
     }
     let unit = "m/s";
     for (i, &speed) in speeds.iter().enumerate() {
-        let sensible = |v: f64| (0.0..=MOST_SPEED).contains(&v);
+        let sensible = |v: f64| (0.0..=MAX_SPEED).contains(&v);
         entry("speeds", i, speed, sensible, "between 0 and 1e9 m/s", unit)?;
         if i > 0 {
             let before = speeds[i - 1];
             let bound = format!("at least 1e-12 m/s above speeds[{}] = {before}", i - 1);
-            let above = |v: f64| v - before >= LEAST_STEP;
+            let above = |v: f64| v - before >= MIN_STEP;
             entry("speeds", i, speed, above, &bound, unit)?;
         }
     }
     for (i, &friction) in frictions.iter().enumerate() {
-        let sensible = |f: f64| (0.0..=MOST_FRICTION).contains(&f);
+        let sensible = |f: f64| (0.0..=MAX_FRICTION).contains(&f);
         entry("frictions", i, friction, sensible, "between 0 and 1e6", "")?;
     }
     Ok(())

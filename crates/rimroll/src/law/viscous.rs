@@ -3,7 +3,7 @@
 //! Where so much of it would lift the rim off the film it gives way, T = −λ c u with the λ < 1 at which
 //! nothing presses.
 
-use super::{Friction, Pull};
+use super::{Friction, FrictionForce};
 use crate::real::Real;
 
 /// The friction of a film.
@@ -14,9 +14,9 @@ pub struct Viscous<T> {
 }
 
 impl<T: Real> Friction<T> for Viscous<T> {
-    fn pull(&self, slip: [T; 2]) -> Pull<T> {
+    fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         let zero = T::from(0.0);
-        Pull {
+        FrictionForce {
             per_normal: [zero, zero],
             of: T::from(1.0),
             own: Some([-self.coefficient * slip[0], -self.coefficient * slip[1]]),

@@ -4,15 +4,15 @@
 use super::mechanics::Mechanics;
 use super::track::Instant;
 use crate::body::Body;
+use crate::contact_law::{ContactLaw, FrictionLaw};
+use crate::error_scale::ErrorScale;
 use crate::impact;
 use crate::law::{
-    Coulomb, DryLaw, Flight, Frictionless, Law, NoSlip, Parameters, Resisted, Sliding, Stribeck,
-    Tabulated, Viscous,
+    Coulomb, DryDynamics, Dynamics, Flight, Frictionless, NoSlip, Parameters, Resisted, Sliding,
+    Stribeck, Tabulated, Viscous,
 };
 use crate::solve::System;
-use crate::state::{COORDINATES, Coordinates, MOVING};
-use crate::surface::{FrictionLaw, Surface};
-use crate::yardstick::Yardstick;
+use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// How the rim meets the table at a moment.
@@ -45,7 +45,7 @@ type Slides<F> = Resisted<Sliding<f64, F>>;
 
 /// The law of a rim that slides.
 #[derive(Clone)]
-enum SlidingLaw {
+enum SlidingDynamics {
     Never,
     Free(Resisted<Frictionless<f64>>),
     Coulomb(Slides<Coulomb<f64>>),
@@ -54,26 +54,26 @@ enum SlidingLaw {
     Stribeck(Slides<Stribeck<f64>>),
 }
 
-impl SlidingLaw {
+impl SlidingDynamics {
     /// That of a friction, with resistance.
-    fn new(surface: &Surface, parameters: Parameters<f64>) -> SlidingLaw {
-        let resistance = surface.resistance;
-        match surface.friction.clone() {
-            FrictionLaw::NoSlip => SlidingLaw::Never,
+    fn new(contact_law: &ContactLaw, parameters: Parameters<f64>) -> SlidingDynamics {
+        let resistance = contact_law.resistance;
+        match contact_law.friction.clone() {
+            FrictionLaw::NoSlip => SlidingDynamics::Never,
             FrictionLaw::Frictionless => {
-                SlidingLaw::Free(Resisted::new(Frictionless::new(parameters), resistance))
+                SlidingDynamics::Free(Resisted::new(Frictionless::new(parameters), resistance))
             }
             FrictionLaw::Coulomb { friction, .. } => {
                 let law = Sliding::new(parameters, Coulomb { friction });
-                SlidingLaw::Coulomb(Resisted::new(law, resistance))
+                SlidingDynamics::Coulomb(Resisted::new(law, resistance))
             }
             FrictionLaw::Tabulated(table) => {
                 let law = Sliding::new(parameters, table);
-                SlidingLaw::Tabulated(Resisted::new(law, resistance))
+                SlidingDynamics::Tabulated(Resisted::new(law, resistance))
             }
             FrictionLaw::Viscous { coefficient } => {
                 let law = Sliding::new(parameters, Viscous { coefficient });
-                SlidingLaw::Viscous(Resisted::new(law, resistance))
+                SlidingDynamics::Viscous(Resisted::new(law, resistance))
             }
             FrictionLaw::Stribeck {
                 friction,
@@ -88,28 +88,28 @@ impl SlidingLaw {
                     creep_speed,
                 };
                 let law = Sliding::new(parameters, friction);
-                SlidingLaw::Stribeck(Resisted::new(law, resistance))
+                SlidingDynamics::Stribeck(Resisted::new(law, resistance))
             }
         }
     }
 
     /// The law, where the rim can slide.
-    fn law(&self) -> Option<&dyn Law<f64>> {
+    fn dynamics(&self) -> Option<&dyn Dynamics<f64>> {
         match self {
-            SlidingLaw::Never => None,
-            SlidingLaw::Free(law) => Some(law),
-            SlidingLaw::Coulomb(law) => Some(law),
-            SlidingLaw::Tabulated(law) => Some(law),
-            SlidingLaw::Viscous(law) => Some(law),
-            SlidingLaw::Stribeck(law) => Some(law),
+            SlidingDynamics::Never => None,
+            SlidingDynamics::Free(law) => Some(law),
+            SlidingDynamics::Coulomb(law) => Some(law),
+            SlidingDynamics::Tabulated(law) => Some(law),
+            SlidingDynamics::Viscous(law) => Some(law),
+            SlidingDynamics::Stribeck(law) => Some(law),
         }
     }
 
     /// The law, where the friction is dry.
-    fn dry(&self) -> Option<&dyn DryLaw> {
+    fn dry(&self) -> Option<&dyn DryDynamics> {
         match self {
-            SlidingLaw::Coulomb(law) => Some(law),
-            SlidingLaw::Tabulated(law) => Some(law),
+            SlidingDynamics::Coulomb(law) => Some(law),
+            SlidingDynamics::Tabulated(law) => Some(law),
             _ => None,
         }
     }
@@ -117,7 +117,7 @@ impl SlidingLaw {
 
 /// Something to do with the system of equations that holds in a phase. It is compiled anew for each of
 /// the laws that most motions follow.
-pub(super) trait Task {
+pub(super) trait SystemVisitor {
     /// What comes of it.
     type Output;
 
@@ -127,7 +127,7 @@ pub(super) trait Task {
 
 /// What becomes of a rim on the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Next {
+pub(crate) enum Transition {
     /// It rolls.
     Roll,
     /// It slides on with the slip that it has.
@@ -144,34 +144,34 @@ pub(crate) enum Next {
 #[derive(Clone)]
 pub struct Contacts {
     parameters: Parameters<f64>,
-    surface: Surface,
+    contact_law: ContactLaw,
     /// Below this part of the velocities at hand a slip counts as none.
     stopped: f64,
     rolling: Resisted<NoSlip<f64>>,
-    sliding: SlidingLaw,
+    sliding: SlidingDynamics,
     flying: Flight<f64>,
 }
 
 impl Contacts {
     /// The laws of a body on a surface under gravity g (m/s²), for steps that may err by `tolerance`:
     /// slower than a tenth of that, relative to the velocities at hand, no slip is followed.
-    pub(crate) fn new(body: &Body, surface: &Surface, gravity: f64, tolerance: f64) -> Self {
+    pub(crate) fn new(body: &Body, contact_law: &ContactLaw, gravity: f64, tolerance: f64) -> Self {
         let parameters = Parameters::new(body, gravity);
         Contacts {
             parameters,
-            surface: surface.clone(),
+            contact_law: contact_law.clone(),
             stopped: 0.1 * tolerance,
-            rolling: Resisted::new(NoSlip::new(parameters), surface.resistance),
-            sliding: SlidingLaw::new(surface, parameters),
+            rolling: Resisted::new(NoSlip::new(parameters), contact_law.resistance),
+            sliding: SlidingDynamics::new(contact_law, parameters),
             flying: Flight::new(parameters),
         }
     }
 
     /// The law that holds in a phase.
-    pub fn law(&self, phase: Phase) -> &dyn Law<f64> {
+    pub fn dynamics(&self, phase: Phase) -> &dyn Dynamics<f64> {
         match phase {
             Phase::Rolling => &self.rolling,
-            Phase::Sliding => self.sliding.law().unwrap_or(&self.rolling),
+            Phase::Sliding => self.sliding.dynamics().unwrap_or(&self.rolling),
             // Of a body that lies nothing is asked but its energy.
             Phase::Flying | Phase::Lying => &self.flying,
         }
@@ -179,7 +179,7 @@ impl Contacts {
 
     /// The law that holds in a phase, as the solver sees it.
     pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_> {
-        let law = self.law(phase);
+        let law = self.dynamics(phase);
         if phase == Phase::Sliding && self.dry().is_some() {
             Mechanics::slipping(law)
         } else {
@@ -188,17 +188,17 @@ impl Contacts {
     }
 
     /// Does something with the system of equations that holds in a phase.
-    pub(super) fn solve<K: Task>(&self, phase: Phase, task: K) -> K::Output {
+    pub(super) fn solve<K: SystemVisitor>(&self, phase: Phase, task: K) -> K::Output {
         match (phase, &self.sliding) {
-            (Phase::Rolling, _) | (Phase::Sliding, SlidingLaw::Never)
-                if self.rolling.only_moves() =>
+            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
+                if self.rolling.is_conservative() =>
             {
-                task.with::<_, MOVING>(&Mechanics::new(self.rolling.law()))
+                task.with::<_, RIGID_COORDINATES>(&Mechanics::new(self.rolling.dynamics()))
             }
-            (Phase::Sliding, SlidingLaw::Free(law)) if law.only_moves() => {
-                task.with::<_, MOVING>(&Mechanics::new(law.law()))
+            (Phase::Sliding, SlidingDynamics::Free(law)) if law.is_conservative() => {
+                task.with::<_, RIGID_COORDINATES>(&Mechanics::new(law.dynamics()))
             }
-            (Phase::Sliding, SlidingLaw::Coulomb(law)) => {
+            (Phase::Sliding, SlidingDynamics::Coulomb(law)) => {
                 task.with::<_, COORDINATES>(&Mechanics::slipping(law))
             }
             _ => task.with::<_, COORDINATES>(&self.mechanics(phase)),
@@ -211,23 +211,23 @@ impl Contacts {
     }
 
     /// The surface.
-    pub fn surface(&self) -> &Surface {
-        &self.surface
+    pub fn contact_law(&self) -> &ContactLaw {
+        &self.contact_law
     }
 
     /// The law of sliding under dry friction, where there is dry friction.
-    pub(super) fn dry(&self) -> Option<&dyn DryLaw> {
+    pub(super) fn dry(&self) -> Option<&dyn DryDynamics> {
         self.sliding.dry()
     }
 
     /// Whether the contact may be lost and found again: the two ideal laws end there instead.
     pub(super) fn can_fly(&self) -> bool {
-        self.surface.friction.ideal().is_none()
+        self.contact_law.friction.ideal().is_none()
     }
 
     /// By how much dry friction could hold the rolling rim yet, N sin φ: μ_s N − |T|.
-    pub(super) fn grip(&self, u: &Coordinates<f64>) -> f64 {
-        let Some(static_friction) = self.surface.friction.static_friction() else {
+    pub(super) fn friction_cone_margin(&self, u: &Coordinates<f64>) -> f64 {
+        let Some(static_friction) = self.contact_law.friction.static_friction() else {
             return 1.0;
         };
         let contact = self.rolling.contact(u);
@@ -237,38 +237,38 @@ impl Contacts {
     /// A speed (m/s) below which a slip or a rebound counts as none.
     pub(super) fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        self.stopped * k.r * Yardstick::new(k).rate(u)
+        self.stopped * k.r * ErrorScale::new(k).rate(u)
     }
 
     /// How a rim on the table goes on.
-    pub(crate) fn settle(&self, u: &Coordinates<f64>) -> Next {
-        match self.surface.friction {
-            FrictionLaw::NoSlip => Next::Roll,
-            FrictionLaw::Frictionless => Next::Slide,
+    pub(crate) fn settle(&self, u: &Coordinates<f64>) -> Transition {
+        match self.contact_law.friction {
+            FrictionLaw::NoSlip => Transition::Roll,
+            FrictionLaw::Frictionless => Transition::Slide,
             _ if self.dry().is_some() && u.slip_speed() <= self.stopped_speed(u) => {
                 let pressed = self.rolling.contact(u).normal > 0.0;
-                if pressed && self.grip(u) >= 0.0 {
-                    Next::Roll
+                if pressed && self.friction_cone_margin(u) >= 0.0 {
+                    Transition::Roll
                 } else {
                     self.begin_to_slip(u)
                 }
             }
             _ => {
-                let law = self.law(Phase::Sliding);
+                let law = self.dynamics(Phase::Sliding);
                 if law.consistency(u) <= 0.0 {
-                    Next::Paradox
-                } else if self.pressing(u) >= -1e-14 * self.throwing(u) {
+                    Transition::Paradox
+                } else if self.scaled_normal_force(u) >= -1e-14 * self.force_scale(u) {
                     // A flight that rises by a rounding error ends where it begins.
-                    Next::Slide
+                    Transition::Slide
                 } else {
-                    Next::Fly
+                    Transition::Fly
                 }
             }
         }
     }
 
-    /// A force times sin φ, of what throws the rim about, to compare [`Self::pressing`] with.
-    fn throwing(&self, u: &Coordinates<f64>) -> f64 {
+    /// A force times sin φ, of what throws the rim about, to compare [`Self::scaled_normal_force`] with.
+    fn force_scale(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
         let rates = u.p * u.p + u.w * u.w + u.s * u.s;
         k.m * (u.sin * k.g + (k.r + k.h) * rates)
@@ -286,23 +286,23 @@ impl Contacts {
         if u.p >= 0.0 || u.w.abs() > 0.5 * u.p.abs() {
             return false;
         }
-        let law = self.law(phase);
-        let taken_from = |w: f64| -w.signum() * law.resisting(&Coordinates { w, ..*u });
+        let law = self.dynamics(phase);
+        let taken_from = |w: f64| -w.signum() * law.resistance_rate(&Coordinates { w, ..*u });
         taken_from(u.p).max(taken_from(-u.p)) > FOR_GOOD * u.p * u.p
     }
 
     /// Positive where a rim that slides is pressed to the table, N sin φ: where it is by its friction, or
     /// where, without the table, it would go through it.
-    pub(super) fn pressing(&self, u: &Coordinates<f64>) -> f64 {
+    pub(super) fn scaled_normal_force(&self, u: &Coordinates<f64>) -> f64 {
         let falling = -self.parameters.m * self.flying.rates(u).gap_rate;
-        self.law(Phase::Sliding).contact(u).normal.max(falling)
+        self.dynamics(Phase::Sliding).contact(u).normal.max(falling)
     }
 
     /// How a rim at rest that friction cannot hold begins to slip: in the direction in which it then
     /// accelerates, which is against the friction that would be needed where that is just too much.
-    pub(crate) fn begin_to_slip(&self, u: &Coordinates<f64>) -> Next {
+    pub(crate) fn begin_to_slip(&self, u: &Coordinates<f64>) -> Transition {
         let Some(dry) = self.dry() else {
-            return Next::Slide;
+            return Transition::Slide;
         };
         let needed = self.rolling.contact(u);
         let size = libm::hypot(needed.along, needed.across);
@@ -312,23 +312,23 @@ impl Contacts {
             [1.0, 0.0]
         };
         if let Some(angle) = kept_angle(dry, u, against) {
-            return Next::BeginToSlip(turned(against, angle));
+            return Transition::BeginToSlip(turned(against, angle));
         }
-        const LOOKS: u32 = 64;
-        let angle = |i: u32| TAU * (f64::from(i) / f64::from(LOOKS) - 0.5);
+        const SAMPLES: u32 = 64;
+        let angle = |i: u32| TAU * (f64::from(i) / f64::from(SAMPLES) - 0.5);
         let sideways = |angle: f64| onset(dry, u, against, angle).sideways;
-        let kept = (0..LOOKS).filter_map(|i| {
+        let kept = (0..SAMPLES).filter_map(|i| {
             // A direction attracts when the slip is turned toward it from both sides.
             let (from, to) = (angle(i), angle(i + 1));
             let attracts = sideways(from) >= 0.0 && sideways(to) < 0.0;
-            let root = attracts.then(|| crate::solve::bracketed(from, to, sideways))?;
+            let root = attracts.then(|| crate::solve::bracketed_root(from, to, sideways))?;
             let e = turned(against, root);
             kept_angle(dry, u, e).map(|more| (root.abs(), turned(e, more)))
         });
         match kept.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((_, e)) => Next::BeginToSlip(e),
-            None if self.pressing(u) < 0.0 => Next::Fly,
-            None => Next::Paradox,
+            Some((_, e)) => Transition::BeginToSlip(e),
+            None if self.scaled_normal_force(u) < 0.0 => Transition::Fly,
+            None => Transition::Paradox,
         }
     }
 
@@ -346,7 +346,7 @@ impl Contacts {
     /// the centre of mass down and the tilting, ½ (A + mρ²) φ̇².
     pub(super) fn fallen_on_its_side(&self, at: &Instant) -> Instant {
         let k = &self.parameters;
-        let [slip_x, slip_y] = self.law(at.phase).slip(at);
+        let [slip_x, slip_y] = self.dynamics(at.phase).slip(at);
         let rho = k.rho(at);
         let u = Coordinates {
             p: 0.0,
@@ -362,21 +362,21 @@ impl Contacts {
     /// The rates at the start of a motion, by the law that then holds.
     pub(crate) fn first_rates(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         match (self.settle(u), self.dry()) {
-            (Next::Roll, _) => self.rolling.rates(u),
-            (Next::BeginToSlip(e), Some(dry)) => dry.slipping(u, e, u.slip_speed()).1,
-            _ => self.law(Phase::Sliding).rates(u),
+            (Transition::Roll, _) => self.rolling.rates(u),
+            (Transition::BeginToSlip(e), Some(dry)) => dry.slipping(u, e, u.slip_speed()).1,
+            _ => self.dynamics(Phase::Sliding).rates(u),
         }
     }
 
     /// The coordinates after a landing, and how the rim goes on; none where the impact cannot be followed.
-    pub(super) fn land(&self, u: &Coordinates<f64>) -> Option<(Coordinates<f64>, Next)> {
-        let friction = self.surface.friction.friction_in_impact(u.slip_speed());
-        let restitution = self.surface.restitution;
+    pub(super) fn land(&self, u: &Coordinates<f64>) -> Option<(Coordinates<f64>, Transition)> {
+        let friction = self.contact_law.friction.friction_in_impact(u.slip_speed());
+        let restitution = self.contact_law.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
         let rest = self.stopped_speed(u);
         let after = impact::land(&self.parameters, u, friction, restitution, rest)?;
         let next = if after.gap_rate > 0.0 {
-            Next::Fly
+            Transition::Fly
         } else {
             self.settle(&after)
         };
@@ -406,7 +406,7 @@ impl Onset {
 
 /// The direction close by, as an angle from `base`, that a slip which begins in it keeps: to the
 /// last digit, since any other is left at once. By Newton's method.
-fn kept_angle(dry: &dyn DryLaw, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
+fn kept_angle(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
     const NUDGE: f64 = 1e-5;
     const CLOSE_BY: f64 = 0.3;
     let sideways = |angle: f64| onset(dry, u, base, angle).sideways;
@@ -425,7 +425,7 @@ fn kept_angle(dry: &dyn DryLaw, u: &Coordinates<f64>, base: [f64; 2]) -> Option<
     onset(dry, u, base, angle).is_possible().then_some(angle)
 }
 
-fn onset(dry: &dyn DryLaw, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {
+fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {
     let e = turned(base, angle);
     let at_rest = Coordinates {
         slip_x: 0.0,

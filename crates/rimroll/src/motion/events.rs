@@ -1,14 +1,14 @@
 //! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
 
 use super::contacts::{Contacts, Phase};
-use super::glance::{Glance, are_clear};
-use super::leg::{Leg, Polynomial};
+use super::step_bounds::{StepBounds, are_clear};
+use super::step_record::{Polynomial, StepRecord};
 use super::track::Instant;
 use super::{FACE_DOWN_TILT, Options, STOPPED_TILT, Track, turns};
-use crate::law::Law;
+use crate::error_scale::ErrorScale;
+use crate::law::Dynamics;
 use crate::solve::Step;
-use crate::state::{COORDINATES, Coordinates, MOVING, TIME};
-use crate::yardstick::Yardstick;
+use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES, TIME};
 
 /// What happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,7 +68,7 @@ pub struct Event {
 
 /// Looked at inside each step, and where the tilt is extreme: a topple tilt is not stepped over, and
 /// the normal force can dip below zero unseen only within a quarter of a step.
-const LOOKS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+const SAMPLES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// The part of the energy at the start at which a motion counts as over.
 const REST_ENERGY: f64 = 1e-10;
@@ -121,7 +121,7 @@ impl Goal {
 enum Crossing {
     /// Between two looks into a step.
     Within {
-        leg: Box<Leg>,
+        record: Box<StepRecord>,
         dense: Box<Polynomial>,
         from: f64,
         to: f64,
@@ -132,43 +132,43 @@ enum Crossing {
 
 /// A finished step, and the polynomial that it is.
 #[derive(Clone, Copy)]
-struct Piece<'p> {
-    leg: &'p Leg,
+struct StepPart<'p> {
+    record: &'p StepRecord,
     dense: &'p Polynomial,
 }
 
 /// A fraction of a step, and the coordinates there.
 #[derive(Clone, Copy)]
-struct Look {
+struct Sample {
     x: f64,
     u: Coordinates<f64>,
 }
 
-impl Look {
-    fn at(dense: &Polynomial, x: f64) -> Look {
+impl Sample {
+    fn at(dense: &Polynomial, x: f64) -> Sample {
         let u = Coordinates::from_array(&dense.at(x));
-        Look { x, u }
+        Sample { x, u }
     }
 }
 
 /// Where the tilt rate changes sign between two looks.
-fn extreme(dense: &Polynomial, from: &Look, to: &Look) -> Option<f64> {
+fn extreme(dense: &Polynomial, from: &Sample, to: &Sample) -> Option<f64> {
     let reverses = (from.u.p < 0.0) != (to.u.p < 0.0);
     reverses.then(|| dense.root(from.x, to.x, |u| Coordinates::from_array(u).p))
 }
 
 /// The looks, and one more wherever the tilt is extreme between two of them: what is reached there may be
 /// left again before the next look.
-fn with_extremes(dense: &Polynomial, looks: &[Look]) -> Vec<Look> {
-    let mut all = Vec::with_capacity(looks.len() + 1);
-    for (i, look) in looks.iter().enumerate() {
-        let before = i.checked_sub(1).map(|before| &looks[before]);
+fn with_extremes(dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
+    let mut all = Vec::with_capacity(samples.len() + 1);
+    for (i, sample) in samples.iter().enumerate() {
+        let before = i.checked_sub(1).map(|before| &samples[before]);
         // A release from rest has its extreme where it begins: nothing has happened yet.
         let between = before
-            .and_then(|before| extreme(dense, before, look))
+            .and_then(|before| extreme(dense, before, sample))
             .filter(|&x| x > 0.0);
-        all.extend(between.map(|x| Look::at(dense, x)));
-        all.push(*look);
+        all.extend(between.map(|x| Sample::at(dense, x)));
+        all.push(*sample);
     }
     all
 }
@@ -190,7 +190,7 @@ fn in_the_air(dense: &Polynomial, from: f64, to: f64) -> f64 {
 /// Watches the steps go by.
 pub(super) struct Watch<'a> {
     contacts: &'a Contacts,
-    yardstick: Yardstick<f64>,
+    error_scale: ErrorScale<f64>,
     goal: Goal,
     topple: Option<(f64, f64)>,
     start_energy: f64,
@@ -211,10 +211,10 @@ impl<'a> Watch<'a> {
         goal: Goal,
         start: &Instant,
     ) -> Self {
-        let energy = energy_above_rest(contacts.law(start.phase), start);
+        let energy = energy_above_rest(contacts.dynamics(start.phase), start);
         Watch {
             contacts,
-            yardstick: Yardstick::new(contacts.parameters()),
+            error_scale: ErrorScale::new(contacts.parameters()),
             goal,
             topple: options.topple_tilt.map(libm::sincos),
             start_energy: energy,
@@ -249,7 +249,7 @@ impl<'a> Watch<'a> {
     /// Whether a body whose base has come down flat has no energy to speak of any more, since resistance
     /// has taken it.
     pub(super) fn rests(&self, at: &Instant) -> bool {
-        let energy = energy_above_rest(self.contacts.law(at.phase), at);
+        let energy = energy_above_rest(self.contacts.dynamics(at.phase), at);
         was_stopped(at) && energy < REST_ENERGY_FLAT * self.start_energy
     }
 
@@ -257,7 +257,7 @@ impl<'a> Watch<'a> {
     fn switches(&self, phase: Phase) -> impl Iterator<Item = (Switch, f64)> + use<> {
         let dry = self.contacts.dry().is_some();
         let ideal = !self.contacts.can_fly();
-        let loses = !ideal || self.contacts.surface().resists();
+        let loses = !ideal || self.contacts.contact_law().resists();
         let on_table = phase != Phase::Flying;
         let in_time = !matches!(self.goal, Goal::Passed(_));
         [
@@ -290,31 +290,33 @@ impl<'a> Watch<'a> {
         if self.direction == 0.0 {
             return false;
         }
-        let glance = Glance::new(step);
-        let side = glance.end().cos.signum();
-        glance.stays_above(0.0, |u| self.direction * u.p)
-            && glance.stays_above(0.0, |u| side * u.cos)
+        let bounds = StepBounds::new(step);
+        let side = bounds.end().cos.signum();
+        bounds.stays_above(0.0, |u| self.direction * u.p)
+            && bounds.stays_above(0.0, |u| side * u.cos)
             && match self.goal {
-                Goal::Time(end) | Goal::Turn(end) if N == MOVING && !self.contacts.can_fly() => {
-                    self.stays_on_an_ideal_table(&glance, end)
+                Goal::Time(end) | Goal::Turn(end)
+                    if N == RIGID_COORDINATES && !self.contacts.can_fly() =>
+                {
+                    self.stays_on_an_ideal_table(&bounds, end)
                 }
-                _ => self.ends_by_nothing(phase, &glance),
+                _ => self.ends_by_nothing(phase, &bounds),
             }
     }
 
     /// Whether it does not come near any of the few endings under an ideal law.
     #[inline(always)]
-    fn stays_on_an_ideal_table(&self, glance: &Glance, end: f64) -> bool {
-        let upright = |(sin, cos)| glance.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
-        glance.end().t < end
-            && glance.stays_above(FACE_DOWN_TILT, |u| u.sin)
+    fn stays_on_an_ideal_table(&self, bounds: &StepBounds, end: f64) -> bool {
+        let upright = |(sin, cos)| bounds.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
+        bounds.end().t < end
+            && bounds.stays_above(FACE_DOWN_TILT, |u| u.sin)
             && self.topple.is_none_or(upright)
-            && glance.stays_pressed(self.contacts.parameters())
+            && bounds.stays_pressed(self.contacts.parameters())
     }
 
     /// Whether it does not come near any ending.
-    fn ends_by_nothing(&self, phase: Phase, glance: &Glance) -> bool {
-        let three = glance.three();
+    fn ends_by_nothing(&self, phase: Phase, bounds: &StepBounds) -> bool {
+        let three = bounds.three();
         self.switches(phase).all(|(switch, before)| {
             are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three[i])))
         })
@@ -324,32 +326,35 @@ impl<'a> Watch<'a> {
     /// phase ends.
     pub(super) fn pass(
         &mut self,
-        leg: Leg,
+        record: StepRecord,
         dense: &Polynomial,
         track: &mut Track,
     ) -> Option<Switch> {
-        let phase = leg.phase;
-        let piece = Piece { leg: &leg, dense };
-        let looks = LOOKS.map(|x| Look::at(dense, x)).to_vec();
-        let closer = with_extremes(dense, &looks);
+        let phase = record.phase;
+        let part = StepPart {
+            record: &record,
+            dense,
+        };
+        let samples = SAMPLES.map(|x| Sample::at(dense, x)).to_vec();
+        let closer = with_extremes(dense, &samples);
         let Some((switch, x)) = self.first_ending(phase, dense, &closer) else {
-            self.note_extremes(piece, &looks);
-            self.note_on_edge(piece, &closer);
-            track.push(leg);
+            self.note_extremes(part, &samples);
+            self.note_on_edge(part, &closer);
+            track.push(record);
             return self.has_turned().then_some(Switch::Done);
         };
-        let up_to_the_end = |mut looks: Vec<Look>| {
-            looks.retain(|look| look.x < x);
-            looks.push(Look::at(dense, x));
-            looks
+        let up_to_the_end = |mut samples: Vec<Sample>| {
+            samples.retain(|sample| sample.x < x);
+            samples.push(Sample::at(dense, x));
+            samples
         };
-        let mut last = self.refine(piece, x, |u| self.level(switch, phase, u));
+        let mut last = self.refine(part, x, |u| self.level(switch, phase, u));
         if let (Switch::Done, Goal::Time(duration) | Goal::Turn(duration)) = (switch, self.goal) {
             // Neither a rounding error short of what was asked for nor one beyond it.
             last.end[TIME] = duration;
         }
-        self.note_extremes(piece, &up_to_the_end(looks));
-        self.note_on_edge(piece, &up_to_the_end(closer));
+        self.note_extremes(part, &up_to_the_end(samples));
+        self.note_on_edge(part, &up_to_the_end(closer));
         // Each time is right but for rounding, and nothing happens after the end.
         for event in &mut self.events {
             if event.at.t > last.end[TIME] {
@@ -368,7 +373,7 @@ impl<'a> Watch<'a> {
 
     /// A function of the coordinates that changes sign where the phase ends.
     fn level(&self, switch: Switch, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        let law = self.contacts.law(phase);
+        let law = self.contacts.dynamics(phase);
         match switch {
             Switch::Done => match self.goal {
                 Goal::Time(duration) | Goal::Turn(duration) => u.t - duration,
@@ -379,10 +384,10 @@ impl<'a> Watch<'a> {
             Switch::Topple => self
                 .topple
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
-            Switch::LiftOff if phase == Phase::Sliding => self.contacts.pressing(u),
+            Switch::LiftOff if phase == Phase::Sliding => self.contacts.scaled_normal_force(u),
             Switch::LiftOff => law.contact(u).normal,
             Switch::Flat => self.over_flat(phase, u),
-            Switch::Break => self.contacts.grip(u),
+            Switch::Break => self.contacts.friction_cone_margin(u),
             Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
             Switch::Land => u.gap,
@@ -392,7 +397,7 @@ impl<'a> Watch<'a> {
 
     /// Positive until the base counts as flat: the sine of the tilt over that at which it does.
     fn over_flat(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        let resists = self.contacts.surface().resists();
+        let resists = self.contacts.contact_law().resists();
         if resists && (u.sin > STOPPED_TILT || self.contacts.has_stopped_running(phase, u)) {
             u.sin - STOPPED_TILT
         } else {
@@ -405,18 +410,18 @@ impl<'a> Watch<'a> {
         &self,
         phase: Phase,
         dense: &Polynomial,
-        looks: &[Look],
+        samples: &[Sample],
     ) -> Option<(Switch, f64)> {
-        let ends = |look: &[Look]| self.ending_between(phase, dense, &look[0], &look[1]);
-        looks.windows(2).find_map(ends)
+        let ends = |sample: &[Sample]| self.ending_between(phase, dense, &sample[0], &sample[1]);
+        samples.windows(2).find_map(ends)
     }
 
     fn ending_between(
         &self,
         phase: Phase,
         dense: &Polynomial,
-        from: &Look,
-        to: &Look,
+        from: &Sample,
+        to: &Sample,
     ) -> Option<(Switch, f64)> {
         self.switches(phase)
             .filter(|&(switch, before)| before * self.level(switch, phase, &to.u) <= 0.0)
@@ -438,16 +443,16 @@ impl<'a> Watch<'a> {
 
     /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
     fn sign_of_tilt_rate(&self, u: &Coordinates<f64>) -> f64 {
-        self.yardstick.sign_of_tilt_rate(u, self.significant)
+        self.error_scale.sign_of_tilt_rate(u, self.significant)
     }
 
-    fn note_extremes(&mut self, piece: Piece<'_>, looks: &[Look]) {
-        for look in looks.windows(2) {
-            let (before, after) = (&look[0], &look[1]);
+    fn note_extremes(&mut self, part: StepPart<'_>, samples: &[Sample]) {
+        for sample in samples.windows(2) {
+            let (before, after) = (&sample[0], &sample[1]);
             if (before.u.p < 0.0) != (after.u.p < 0.0) {
                 self.crossing = Some(Crossing::Within {
-                    leg: Box::new(piece.leg.clone()),
-                    dense: Box::new(piece.dense.clone()),
+                    record: Box::new(part.record.clone()),
+                    dense: Box::new(part.dense.clone()),
                     from: before.x,
                     to: after.x,
                 });
@@ -474,29 +479,29 @@ impl<'a> Watch<'a> {
         match crossing {
             Crossing::Jump(at) => *at,
             Crossing::Within {
-                leg,
+                record,
                 dense,
                 from,
                 to,
             } => {
                 let p = |u: &[f64; COORDINATES]| Coordinates::from_array(u).p;
                 let x = dense.root(*from, *to, p);
-                self.instant(Piece { leg, dense }, x, |u| u.p)
+                self.instant(StepPart { record, dense }, x, |u| u.p)
             }
         }
     }
 
-    fn note_on_edge(&mut self, piece: Piece<'_>, looks: &[Look]) {
+    fn note_on_edge(&mut self, part: StepPart<'_>, samples: &[Sample]) {
         // What topples there does not go past it.
         if self.topple.is_some_and(|(_, cos)| cos.abs() < 1e-15) {
             return;
         }
-        for look in looks.windows(2) {
-            let (before, after) = (&look[0], &look[1]);
+        for sample in samples.windows(2) {
+            let (before, after) = (&sample[0], &sample[1]);
             if (before.u.cos > 0.0) != (after.u.cos > 0.0) {
                 let cos = |u: &[f64; COORDINATES]| Coordinates::from_array(u).cos;
-                let x = piece.dense.root(before.x, after.x, cos);
-                let at = self.instant(piece, x, |u| u.cos);
+                let x = part.dense.root(before.x, after.x, cos);
+                let at = self.instant(part, x, |u| u.cos);
                 self.note(EventKind::OnEdge, at);
             }
         }
@@ -504,31 +509,36 @@ impl<'a> Watch<'a> {
 
     fn instant(
         &self,
-        piece: Piece<'_>,
+        part: StepPart<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> Instant {
         Instant {
-            phase: piece.leg.phase,
-            u: Coordinates::from_array(&self.refine(piece, x, level).end),
+            phase: part.record.phase,
+            u: Coordinates::from_array(&self.refine(part, x, level).end),
         }
     }
 
     /// The step cut where `level` is zero, to the accuracy of the steps and not only of the dense
     /// output, which is one order less: x is corrected by the level that a real step finds there.
-    fn refine(&self, piece: Piece<'_>, x: f64, level: impl Fn(&Coordinates<f64>) -> f64) -> Leg {
+    fn refine(
+        &self,
+        part: StepPart<'_>,
+        x: f64,
+        level: impl Fn(&Coordinates<f64>) -> f64,
+    ) -> StepRecord {
         const NUDGE: f64 = 1e-3;
-        let Piece { leg, dense } = piece;
+        let StepPart { record, dense } = part;
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
-        let first = leg.cut(self.contacts, x);
-        if leg.is_polynomial() {
+        let first = record.cut(self.contacts, x);
+        if record.is_polynomial() {
             return first;
         }
         let slope = (level(&dense.at(x + NUDGE)) - level(&dense.at(x - NUDGE))) / (2.0 * NUDGE);
         let correction = level(&first.end) / slope;
         // A level that only grazes zero has no slope to go by; then x stays.
         if correction.abs() < 0.01 {
-            leg.cut(self.contacts, x - correction)
+            record.cut(self.contacts, x - correction)
         } else {
             first
         }
@@ -537,7 +547,7 @@ impl<'a> Watch<'a> {
 
 /// Energy that a body lying flat has lost. One that leans far may have its centre of mass lower yet,
 /// and is not at rest for that.
-fn energy_above_rest(law: &dyn Law<f64>, u: &Coordinates<f64>) -> f64 {
+fn energy_above_rest(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> f64 {
     let energy = law.energy(u);
     energy.kinetic + energy.potential.abs()
 }

@@ -7,10 +7,10 @@ use super::run::Run;
 use super::turns::{Turn, first_over, first_turn};
 use super::{Options, Status};
 use crate::body::Body;
+use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
 use crate::law::Parameters;
 use crate::state::{Coordinates, State};
-use crate::surface::Surface;
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub struct Fall {
     pub turn: Option<Turn>,
     /// How it was when that was over, or at the end: before the side of a body that topples
     /// meets the table.
-    pub end: End,
+    pub end: EndState,
     /// Whether the rim slid on the way.
     pub slid: bool,
     /// Whether it left the table on the way.
@@ -38,7 +38,7 @@ pub struct Fall {
 
 /// How a body is at the end of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct End {
+pub struct EndState {
     /// Time, s.
     pub t: f64,
     /// φ, rad.
@@ -55,10 +55,10 @@ pub struct End {
     pub impact_loss: f64,
 }
 
-impl End {
+impl EndState {
     /// What of the coordinates is kept.
-    pub(crate) fn of(u: &Coordinates<f64>) -> End {
-        End {
+    pub(crate) fn of(u: &Coordinates<f64>) -> EndState {
+        EndState {
             t: u.t,
             tilt: u.tilt(),
             yaw: u.yaw,
@@ -71,7 +71,7 @@ impl End {
 }
 
 /// What was seen of a body on its way through the first turn.
-pub(crate) struct Seen {
+pub(crate) struct FallRecord {
     /// The first turn, as far as it went.
     pub turn: Option<Turn>,
     /// Whether it is over: the tilt was largest again.
@@ -89,10 +89,10 @@ impl Fall {
     pub(crate) fn of(
         k: &Parameters<f64>,
         status: Status,
-        seen: Seen,
+        seen: FallRecord,
         end: &Coordinates<f64>,
     ) -> Fall {
-        let end = End::of(end);
+        let end = EndState::of(end);
         let tilting = Tilting {
             came_down: seen.turn.is_some(),
             turned: seen.turned,
@@ -123,12 +123,12 @@ impl Fall {
 pub fn fall(
     body: &Body,
     start: &State,
-    surface: &Surface,
+    contact_law: &ContactLaw,
     options: &Options,
 ) -> Result<Fall, InvalidInput> {
-    surface.check()?;
+    contact_law.check()?;
     let options = options.checked(body, start)?;
-    let contacts = Contacts::new(body, surface, options.gravity, options.step_tolerance());
+    let contacts = Contacts::new(body, contact_law, options.gravity, options.step_tolerance());
     let contacts = Arc::new(contacts);
     let start = Coordinates::from_state(start);
     let mut run = Run::new(&contacts, &options, Goal::Turn(options.duration), start);
@@ -142,7 +142,7 @@ pub fn fall(
     let turned = first_over(start.cos > 0.0, &events);
     let over = turned.or_else(|| topple.map(|event| event.at.u));
     let end = over.unwrap_or_else(|| track.end().u);
-    let seen = Seen {
+    let seen = FallRecord {
         turn: first_turn(&start, &events, &end),
         turned: turned.is_some(),
         slid: was(Phase::Sliding, EventKind::Slip),

@@ -1,24 +1,24 @@
 //! The mechanics of one phase as the solver sees it.
 
-use crate::law::Law;
+use crate::error_scale::ErrorScale;
+use crate::law::Dynamics;
 use crate::real::Real;
 use crate::solve::System;
-use crate::state::{COORDINATES, Coordinates, MOVING, UNFELT};
-use crate::yardstick::Yardstick;
+use crate::state::{COORDINATES, Coordinates, IGNORABLE, RIGID_COORDINATES};
 
 /// A law, and the sizes that errors are compared with.
-pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Law<T> + 'a> {
+pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
     pub law: &'a L,
-    pub yardstick: Yardstick<T>,
+    pub error_scale: ErrorScale<T>,
     /// Whether it is the law of slip under dry friction.
     dry: bool,
 }
 
-impl<'a, T: Real, L: Law<T> + ?Sized> Mechanics<'a, T, L> {
+impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
     pub(super) fn new(law: &'a L) -> Self {
         Mechanics {
             law,
-            yardstick: Yardstick::new(law.parameters()),
+            error_scale: ErrorScale::new(law.parameters()),
             dry: false,
         }
     }
@@ -33,27 +33,27 @@ impl<'a, T: Real, L: Law<T> + ?Sized> Mechanics<'a, T, L> {
 
     /// How fast the solver's clock goes, as a part of τ.
     #[inline(always)]
-    pub(super) fn clock(&self, u: &Coordinates<T>) -> T {
+    pub(super) fn sundman_factor(&self, u: &Coordinates<T>) -> T {
         if self.dry {
-            self.yardstick.clock(u)
+            self.error_scale.sundman_factor(u)
         } else {
             T::from(1.0)
         }
     }
 
     #[inline(always)]
-    fn sizes(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    fn scales(&self, u: &Coordinates<T>) -> Coordinates<T> {
         if self.dry {
-            self.yardstick.sizes_in_dry_slip(u)
+            self.error_scale.scales_in_dry_slip(u)
         } else {
-            self.yardstick.sizes(u)
+            self.error_scale.scales(u)
         }
     }
 }
 
 /// Every coordinate.
-impl<T: Real, L: Law<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
-    const UNFELT: usize = UNFELT;
+impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
+    const IGNORABLE: usize = IGNORABLE;
 
     #[inline(always)]
     fn rates(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
@@ -62,29 +62,29 @@ impl<T: Real, L: Law<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L>
         if !self.dry {
             return rates;
         }
-        let clock = self.clock(&u);
+        let clock = self.sundman_factor(&u);
         rates.map(|rate| clock * rate)
     }
 
     #[inline(always)]
     fn scale(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
-        self.sizes(&Coordinates::from_array(u)).into_array()
+        self.scales(&Coordinates::from_array(u)).into_array()
     }
 }
 
 /// Those that say where the body is and how it turns, under a law by which
-/// [only they change](Law::only_moves).
-impl<T: Real, L: Law<T> + ?Sized> System<T, MOVING> for Mechanics<'_, T, L> {
-    const UNFELT: usize = UNFELT;
+/// [only they change](Dynamics::is_conservative).
+impl<T: Real, L: Dynamics<T> + ?Sized> System<T, RIGID_COORDINATES> for Mechanics<'_, T, L> {
+    const IGNORABLE: usize = IGNORABLE;
 
     #[inline(always)]
-    fn rates(&self, u: &[T; MOVING]) -> [T; MOVING] {
+    fn rates(&self, u: &[T; RIGID_COORDINATES]) -> [T; RIGID_COORDINATES] {
         first(&self.law.rates(&Coordinates::from_first(u)).into_array())
     }
 
     #[inline(always)]
-    fn scale(&self, u: &[T; MOVING]) -> [T; MOVING] {
-        first(&self.sizes(&Coordinates::from_first(u)).into_array())
+    fn scale(&self, u: &[T; RIGID_COORDINATES]) -> [T; RIGID_COORDINATES] {
+        first(&self.scales(&Coordinates::from_first(u)).into_array())
     }
 }
 

@@ -85,7 +85,7 @@ pub(super) fn message(
 /// What a body does whose side has just met the table.
 fn on_its_side(contacts: &Contacts, end: &Instant) -> String {
     let k = contacts.parameters();
-    let [along, across] = contacts.law(end.phase).slip(end);
+    let [along, across] = contacts.dynamics(end.phase).slip(end);
     let sliding = libm::hypot(along, across);
     let turning = k.r * (end.s.abs() + end.w.abs());
     if sliding + turning < 1e-3 * (k.g * k.r).sqrt() {
@@ -100,6 +100,6 @@ fn on_its_side(contacts: &Contacts, end: &Instant) -> String {
 
 /// The part of the energy that a motion ends with.
 fn energy_left(contacts: &Contacts, track: &Track) -> f64 {
-    let energy = |at: &Instant| contacts.law(at.phase).energy(at).total();
+    let energy = |at: &Instant| contacts.dynamics(at.phase).energy(at).total();
     energy(&track.end()) / energy(&track.start())
 }

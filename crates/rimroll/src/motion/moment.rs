@@ -1,6 +1,6 @@
 //! A moment of a motion in full: what a user reads off the coordinates.
 
-use crate::law::Law;
+use crate::law::Dynamics;
 use crate::state::Coordinates;
 
 /// What is known at one moment, in SI units and radians. `x`, `y`, `z` are the centre of mass; contact
@@ -57,7 +57,7 @@ pub fn pose(u: &Coordinates<f64>) -> Pose {
 }
 
 /// All that is known when a motion under `law` is at `u`.
-pub fn moment(law: &dyn Law<f64>, u: &Coordinates<f64>) -> Moment {
+pub fn moment(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
     let k = law.parameters();
     let [t, tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate, s] = pose(u);
     let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);

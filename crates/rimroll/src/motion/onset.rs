@@ -14,16 +14,16 @@
 
 use super::contacts::turned;
 use super::mechanics::Mechanics;
-use crate::law::DryLaw;
+use crate::error_scale::direction_scale;
+use crate::law::DryDynamics;
 use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
-use crate::yardstick::turn_size;
 
 /// Explicit steps take over where the direction relaxes no oftener than this in a step of collocation:
 /// they are several times shorter, and several times cheaper.
 const FOLLOWED: f64 = 10.0;
 
-const MOST_STEPS: usize = 400;
+const MAX_STEPS: usize = 400;
 
 /// A step in which the rates grow by such a factor is none.
 const FARTHEST: f64 = 10.0;
@@ -58,7 +58,7 @@ struct Rates {
 }
 
 struct Beginning<'a> {
-    dry: &'a dyn DryLaw,
+    dry: &'a dyn DryDynamics,
     mechanics: &'a Mechanics<'a>,
     direction: [f64; 2],
     method: &'static Collocation,
@@ -80,7 +80,7 @@ struct Found {
 /// Follows a slip in a direction (unit vector), from rest or from the slip that there is, until
 /// explicit steps can; `h` is a first guess for the length of a step.
 pub(super) fn begin(
-    dry: &dyn DryLaw,
+    dry: &dyn DryDynamics,
     mechanics: &Mechanics<'_>,
     start: &Coordinates<f64>,
     direction: [f64; 2],
@@ -114,7 +114,7 @@ pub(super) fn begin(
     }
     let least = 1e-12 * h;
     let mut h = h;
-    while onset.steps.len() < MOST_STEPS && h > least {
+    while onset.steps.len() < MAX_STEPS && h > least {
         match beginning.step(&at, h) {
             Some(found) if found.error <= 1.0 => {
                 onset.steps.push(found.step);
@@ -185,14 +185,14 @@ impl Beginning<'_> {
 
     /// A step of length h; none where the iteration does not settle or the slip does not last.
     fn step(&self, start: &Polar, h: f64) -> Option<Found> {
-        const MOST_ROUNDS: usize = 60;
+        const MAX_ROUNDS: usize = 60;
         // After so many rounds the slopes are as good as those of the solution.
         const FRESH_SLOPES: usize = 2;
         let first = self.rates(start);
         let mut points = crate::solve::RADAU.map(|c| self.moved(start, &first, c * h));
         let mut rates = points.map(|point| self.rates(&point));
         let mut last_change = f64::INFINITY;
-        for round in 0..MOST_ROUNDS {
+        for round in 0..MAX_ROUNDS {
             let turns = self.turn_rates(start, &points, &rates, h);
             let next = self.integrated(start, &rates, &turns, h);
             let change = self.change(&points, &next);
@@ -279,32 +279,32 @@ impl Beginning<'_> {
 
     /// The largest change of the points, each coordinate by its own size.
     fn change(&self, before: &[Polar; POINTS], after: &[Polar; POINTS]) -> f64 {
-        let sizes = self.sizes(after);
+        let scales = self.scales(after);
         let mut change: f64 = 0.0;
         for (a, b) in before.iter().zip(after) {
             let (x, y) = (a.at.into_array(), b.at.into_array());
             for i in 0..COORDINATES {
-                change = change.max((x[i] - y[i]).abs() / sizes.at[i]);
+                change = change.max((x[i] - y[i]).abs() / scales.at[i]);
             }
-            change = change.max((a.speed - b.speed).abs() / sizes.speed);
-            change = change.max((a.turn - b.turn).abs() / sizes.turn);
+            change = change.max((a.speed - b.speed).abs() / scales.speed);
+            change = change.max((a.turn - b.turn).abs() / scales.turn);
         }
         change
     }
 
-    fn sizes(&self, points: &[Polar; POINTS]) -> Sizes {
+    fn scales(&self, points: &[Polar; POINTS]) -> Scales {
         let end = self.whole(&points[POINTS - 1]);
-        let sizes = self.mechanics.yardstick.sizes_as_dry_slip_begins(&end);
-        Sizes {
-            speed: sizes.slip_x,
-            turn: turn_size(&sizes, self.direction, points[POINTS - 1].speed),
-            at: sizes.into_array(),
+        let scales = self.mechanics.error_scale.scales_at_slip_onset(&end);
+        Scales {
+            speed: scales.slip_x,
+            turn: direction_scale(&scales, self.direction, points[POINTS - 1].speed),
+            at: scales.into_array(),
         }
     }
 
     /// All the rates together, rad/s.
-    fn stir(&self, u: &Coordinates<f64>) -> f64 {
-        self.mechanics.yardstick.tilt_rate(u) + u.s.abs()
+    fn rate_scale(&self, u: &Coordinates<f64>) -> f64 {
+        self.mechanics.error_scale.tilt_rate(u) + u.s.abs()
     }
 
     fn found(
@@ -315,7 +315,7 @@ impl Beginning<'_> {
         turns: &[f64; POINTS],
         h: f64,
     ) -> Found {
-        let sizes = self.sizes(points);
+        let scales = self.scales(points);
         let states = points.map(|point| self.whole(&point).into_array());
         let step = self
             .method
@@ -325,13 +325,16 @@ impl Beginning<'_> {
             let coefficient: f64 = (0..POINTS).map(|j| self.method.last[j] * value(j)).sum();
             (0.05 * h * coefficient / size).abs()
         };
-        let mut error: f64 =
-            of_highest(&|j| rates[j].speed, sizes.speed).max(of_highest(&|j| turns[j], sizes.turn));
+        let mut error: f64 = of_highest(&|j| rates[j].speed, scales.speed)
+            .max(of_highest(&|j| turns[j], scales.turn));
         for i in 0..COORDINATES {
-            error = error.max(of_highest(&|j| rates[j].at[i], sizes.at[i]));
+            error = error.max(of_highest(&|j| rates[j].at[i], scales.at[i]));
         }
         let end = points[POINTS - 1];
-        let (before, after) = (self.stir(&start.at), self.stir(&points[POINTS - 1].at));
+        let (before, after) = (
+            self.rate_scale(&start.at),
+            self.rate_scale(&points[POINTS - 1].at),
+        );
         // So far from the start the equations may have another solution. Written so that a NaN is far.
         let near = after < FARTHEST * before;
         if !near {
@@ -348,7 +351,7 @@ impl Beginning<'_> {
 }
 
 /// What to compare changes with.
-struct Sizes {
+struct Scales {
     at: [f64; COORDINATES],
     speed: f64,
     turn: f64,

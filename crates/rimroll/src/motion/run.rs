@@ -1,21 +1,21 @@
 //! The phases of a motion, one after another.
 
-use super::contacts::{Contacts, Next, Phase, Task};
+use super::contacts::{Contacts, Phase, SystemVisitor, Transition};
 use super::events::{Event, EventKind, Goal, Switch, Watch};
-use super::leg::Leg;
 use super::mechanics::{Mechanics, first};
+use super::step_record::StepRecord;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
+use crate::error_scale::{ErrorScale, max_brief_change};
 use crate::law::Parameters;
 use crate::solve::{Implicit, Stepper, System, Work};
 use crate::state::{COORDINATES, Coordinates};
-use crate::yardstick::{Yardstick, brief_change};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
 /// So many phases of no length one after another are no motion.
-const MOST_EMPTY_PHASES: usize = 30;
+const MAX_EMPTY_PHASES: usize = 30;
 
 /// A body in flight, level, and no farther from the table than this part of its radius lands flat.
 const TOUCHING: f64 = 1e-12;
@@ -24,19 +24,19 @@ const TOUCHING: f64 = 1e-12;
 const STIFF_AFTER: usize = 64;
 
 /// What follows a phase.
-enum Then {
-    Phase(Phase, Begin),
-    End(Status),
+enum AfterEvent {
+    Phase(Phase, PhaseStart),
+    EndState(Status),
 }
 
 /// How a phase begins: where, and a slip from rest in which direction.
-struct Begin {
+struct PhaseStart {
     u: Coordinates<f64>,
     direction: Option<[f64; 2]>,
 }
 
 /// What ends a phase.
-enum Over {
+enum PhaseEnd {
     By(Switch),
     For(Status),
 }
@@ -48,7 +48,7 @@ pub(super) struct Run<'a> {
     watch: Watch<'a>,
     track: Track,
     work: Work,
-    next: Then,
+    next: AfterEvent,
     empty_phases: usize,
     /// Time and yaw at which the last phase ended.
     last_end: (f64, f64),
@@ -63,9 +63,9 @@ impl<'a> Run<'a> {
     ) -> Self {
         let next = contacts.settle(&start);
         let phase = match next {
-            Next::Roll => Phase::Rolling,
-            Next::Fly => Phase::Flying,
-            Next::Slide | Next::BeginToSlip(_) | Next::Paradox => Phase::Sliding,
+            Transition::Roll => Phase::Rolling,
+            Transition::Fly => Phase::Flying,
+            Transition::Slide | Transition::BeginToSlip(_) | Transition::Paradox => Phase::Sliding,
         };
         let start = departing(next, start);
         let first = Instant { phase, u: start };
@@ -75,7 +75,7 @@ impl<'a> Run<'a> {
             watch: Watch::new(contacts, options, goal, &first),
             track: Track::new(contacts, first, goal.wants_the_way()),
             work: Work::default(),
-            next: Then::End(Status::Failed),
+            next: AfterEvent::EndState(Status::Failed),
             empty_phases: 0,
             last_end: (f64::NAN, f64::NAN),
         };
@@ -92,17 +92,17 @@ impl<'a> Run<'a> {
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
-            if let Some(Over::For(status)) = self.out_of_steps(report)
-                && !matches!(self.next, Then::End(_))
+            if let Some(PhaseEnd::For(status)) = self.out_of_steps(report)
+                && !matches!(self.next, AfterEvent::EndState(_))
             {
                 return status;
             }
-            match core::mem::replace(&mut self.next, Then::End(Status::Failed)) {
-                Then::End(status) => return status,
-                Then::Phase(phase, begin) => {
+            match core::mem::replace(&mut self.next, AfterEvent::EndState(Status::Failed)) {
+                AfterEvent::EndState(status) => return status,
+                AfterEvent::Phase(phase, begin) => {
                     self.next = match self.follow(phase, &begin, report) {
-                        Over::By(switch) => self.after(switch, &self.track.end()),
-                        Over::For(status) => Then::End(status),
+                        PhaseEnd::By(switch) => self.after(switch, &self.track.end()),
+                        PhaseEnd::For(status) => AfterEvent::EndState(status),
                     }
                 }
             }
@@ -117,9 +117,9 @@ impl<'a> Run<'a> {
     fn follow(
         &mut self,
         phase: Phase,
-        begin: &Begin,
+        begin: &PhaseStart,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Over {
+    ) -> PhaseEnd {
         if let Some(over) = self.out_of_steps(report) {
             return over;
         }
@@ -129,7 +129,7 @@ impl<'a> Run<'a> {
             ControlFlow::Continue(begun) => begun,
             ControlFlow::Break(over) => return over,
         };
-        let h = h / mechanics.clock(&start);
+        let h = h / mechanics.sundman_factor(&start);
         let steps = Steps {
             run: self,
             mechanics: &mechanics,
@@ -141,12 +141,12 @@ impl<'a> Run<'a> {
         contacts.solve(phase, steps)
     }
 
-    fn out_of_steps(&self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<Over> {
+    fn out_of_steps(&self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<PhaseEnd> {
         if self.work.steps >= self.options.max_steps {
-            return Some(Over::For(Status::Failed));
+            return Some(PhaseEnd::For(Status::Failed));
         }
         if self.work.steps % 4096 == 4095 && report(self.track.end().t).is_break() {
-            return Some(Over::For(Status::Interrupted));
+            return Some(PhaseEnd::For(Status::Interrupted));
         }
         None
     }
@@ -159,7 +159,7 @@ impl<'a> Run<'a> {
         phase: Phase,
         h: f64,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> ControlFlow<Over, Option<f64>> {
+    ) -> ControlFlow<PhaseEnd, Option<f64>> {
         // Explicit steps are stable up to some 6 relaxations, and accurate rarely beyond 3.
         const STIFF: f64 = 4.0;
         const WORTH_IT: f64 = 20.0;
@@ -181,8 +181,8 @@ impl<'a> Run<'a> {
                 self.work.steps += 1;
                 u = found.dense.end;
                 let dense = found.dense;
-                let leg = Leg::polynomial(phase, dense.clone());
-                if let Some(switch) = self.watch.pass(leg, &dense, &mut self.track) {
+                let record = StepRecord::polynomial(phase, dense.clone());
+                if let Some(switch) = self.watch.pass(record, &dense, &mut self.track) {
                     return ControlFlow::Break(self.over_by(switch, h));
                 }
                 next = Some(h);
@@ -205,7 +205,7 @@ impl<'a> Run<'a> {
     }
 
     /// Refuses to turn on the spot for ever.
-    fn over_by(&mut self, switch: Switch, step: f64) -> Over {
+    fn over_by(&mut self, switch: Switch, step: f64) -> PhaseEnd {
         // In the near-collision by itself time stands still, and only the yaw tells.
         let at = self.track.end();
         let somewhere = (at.t, at.yaw) != self.last_end;
@@ -215,10 +215,10 @@ impl<'a> Run<'a> {
         } else {
             self.empty_phases += 1;
         }
-        if self.empty_phases > MOST_EMPTY_PHASES {
-            return Over::For(Status::Failed);
+        if self.empty_phases > MAX_EMPTY_PHASES {
+            return PhaseEnd::For(Status::Failed);
         }
-        Over::By(switch)
+        PhaseEnd::By(switch)
     }
 
     /// The part of a phase in which dry slip is too slow for explicit steps: from where they can go on,
@@ -227,8 +227,8 @@ impl<'a> Run<'a> {
         &mut self,
         mechanics: &Mechanics<'_>,
         phase: Phase,
-        begin: &Begin,
-    ) -> ControlFlow<Over, (Coordinates<f64>, f64)> {
+        begin: &PhaseStart,
+    ) -> ControlFlow<PhaseEnd, (Coordinates<f64>, f64)> {
         let h = first_step(mechanics, &begin.u);
         let Some(dry) = self.contacts.dry().filter(|_| phase == Phase::Sliding) else {
             return ControlFlow::Continue((begin.u, h));
@@ -259,8 +259,8 @@ impl<'a> Run<'a> {
         for dense in slow.steps {
             self.work.steps += 1;
             let h = dense.h;
-            let leg = Leg::polynomial(Phase::Sliding, dense.clone());
-            if let Some(switch) = self.watch.pass(leg, &dense, &mut self.track) {
+            let record = StepRecord::polynomial(Phase::Sliding, dense.clone());
+            if let Some(switch) = self.watch.pass(record, &dense, &mut self.track) {
                 return ControlFlow::Break(self.over_by(switch, h));
             }
             if self.is_stopping(Phase::Sliding) {
@@ -276,25 +276,25 @@ impl<'a> Run<'a> {
             && self.contacts.dry().is_some_and(|law| {
                 let at = self.track.end().u;
                 let tolerance = self.options.step_tolerance();
-                let yardstick = Yardstick::new(self.contacts.parameters());
-                yardstick.slips_on(&at, &law.rates(&at), 1.0, tolerance) < 0.0
+                let error_scale = ErrorScale::new(self.contacts.parameters());
+                error_scale.slip_persists(&at, &law.rates(&at), 1.0, tolerance) < 0.0
             })
     }
 
     /// What follows the switch at which a phase has ended.
-    fn after(&mut self, switch: Switch, at: &Instant) -> Then {
+    fn after(&mut self, switch: Switch, at: &Instant) -> AfterEvent {
         let end = |run: &mut Self, kind, status| {
             run.watch.note(kind, *at);
-            Then::End(status)
+            AfterEvent::EndState(status)
         };
         match switch {
-            Switch::Done => Then::End(Status::Finished),
+            Switch::Done => AfterEvent::EndState(Status::Finished),
             Switch::Topple => {
                 self.watch.note(EventKind::Topple, *at);
                 if self.contacts.falls_on_its_side(at) {
                     self.track.push_jump(self.contacts.fallen_on_its_side(at));
                 }
-                Then::End(Status::Toppled)
+                AfterEvent::EndState(Status::Toppled)
             }
             Switch::Rest => end(self, EventKind::Rest, Status::AtRest),
             Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
@@ -308,18 +308,20 @@ impl<'a> Run<'a> {
                 let phase = Phase::Flying;
                 self.watch.note_jump(at, Instant { phase, u });
                 let direction = None;
-                Then::Phase(phase, Begin { u, direction })
+                AfterEvent::Phase(phase, PhaseStart { u, direction })
             }
             Switch::Flat if self.watch.rests(at) => end(self, EventKind::Rest, Status::AtRest),
             Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
             Switch::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)
             }
-            Switch::LiftOff => self.going_on(Next::Fly, at.u),
+            Switch::LiftOff => self.going_on(Transition::Fly, at.u),
             Switch::Break => {
                 let next = match self.contacts.begin_to_slip(at) {
                     // It was only just about to.
-                    Next::Paradox if self.contacts.grip(at) > 0.0 => Next::Roll,
+                    Transition::Paradox if self.contacts.friction_cone_margin(at) > 0.0 => {
+                        Transition::Roll
+                    }
                     next => next,
                 };
                 self.going_on(next, at.u)
@@ -331,11 +333,11 @@ impl<'a> Run<'a> {
             }
             Switch::Land => {
                 let Some((landed, next)) = self.contacts.land(at) else {
-                    return Then::End(Status::Failed);
+                    return AfterEvent::EndState(Status::Failed);
                 };
                 let phase = match next {
-                    Next::Fly => Phase::Flying,
-                    Next::Roll => Phase::Rolling,
+                    Transition::Fly => Phase::Flying,
+                    Transition::Roll => Phase::Rolling,
                     _ => Phase::Sliding,
                 };
                 let after = Instant { phase, u: landed };
@@ -347,36 +349,36 @@ impl<'a> Run<'a> {
     }
 
     /// Begins the phase that is next, at `u`, and notes that the contact changes.
-    fn going_on(&mut self, next: Next, u: Coordinates<f64>) -> Then {
+    fn going_on(&mut self, next: Transition, u: Coordinates<f64>) -> AfterEvent {
         let before = self.track.end().phase;
         let u = departing(next, u);
         let (phase, kind) = match next {
-            Next::Roll => (Phase::Rolling, EventKind::Stick),
-            Next::Slide | Next::BeginToSlip(_) => (Phase::Sliding, EventKind::Slip),
-            Next::Fly => (Phase::Flying, EventKind::LiftOff),
-            Next::Paradox => {
+            Transition::Roll => (Phase::Rolling, EventKind::Stick),
+            Transition::Slide | Transition::BeginToSlip(_) => (Phase::Sliding, EventKind::Slip),
+            Transition::Fly => (Phase::Flying, EventKind::LiftOff),
+            Transition::Paradox => {
                 let phase = Phase::Sliding;
                 self.watch.note(EventKind::Painleve, Instant { phase, u });
-                return Then::End(Status::Painleve);
+                return AfterEvent::EndState(Status::Painleve);
             }
         };
         if phase != before {
             self.watch.note(kind, Instant { phase, u });
         }
         let direction = match next {
-            Next::BeginToSlip(direction) => Some(direction),
+            Transition::BeginToSlip(direction) => Some(direction),
             _ => None,
         };
-        Then::Phase(phase, Begin { u, direction })
+        AfterEvent::Phase(phase, PhaseStart { u, direction })
     }
 }
 
 /// The coordinates where a slip begins tell its direction, and with it the forces there: they get a
 /// slip that is too small to move anything.
-fn departing(next: Next, u: Coordinates<f64>) -> Coordinates<f64> {
+fn departing(next: Transition, u: Coordinates<f64>) -> Coordinates<f64> {
     const NO_SPEED: f64 = 1e-150;
     match next {
-        Next::BeginToSlip([slip_x, slip_y]) => Coordinates {
+        Transition::BeginToSlip([slip_x, slip_y]) => Coordinates {
             slip_x: NO_SPEED * slip_x,
             slip_y: NO_SPEED * slip_y,
             ..u
@@ -395,10 +397,10 @@ struct Steps<'r, 'a> {
     report: &'r mut dyn FnMut(f64) -> ControlFlow<()>,
 }
 
-impl Task for Steps<'_, '_> {
-    type Output = Over;
+impl SystemVisitor for Steps<'_, '_> {
+    type Output = PhaseEnd;
 
-    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Over {
+    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> PhaseEnd {
         let Steps {
             run,
             mechanics,
@@ -415,16 +417,16 @@ impl Task for Steps<'_, '_> {
                 return over;
             }
             let Ok(step) = stepper.advance() else {
-                return Over::For(Status::Failed);
+                return PhaseEnd::For(Status::Failed);
             };
             let h = step.h;
             let switch = if run.watch.is_uneventful(phase, step) {
-                run.track.push(Leg::explicit(phase, step, &start));
+                run.track.push(StepRecord::explicit(phase, step, &start));
                 None
             } else {
-                let leg = Leg::explicit(phase, step, &start);
+                let record = StepRecord::explicit(phase, step, &start);
                 let dense = step.dense(system).widened(&start);
-                run.watch.pass(leg, &dense, &mut run.track)
+                run.watch.pass(record, &dense, &mut run.track)
             };
             run.work = before + stepper.work;
             if let Some(switch) = switch {
@@ -432,7 +434,7 @@ impl Task for Steps<'_, '_> {
             }
             run.empty_phases = 0;
             if run.is_stopping(phase) {
-                return Over::By(Switch::Stop);
+                return PhaseEnd::By(Switch::Stop);
             }
             if N == COORDINATES && stepper.work.steps.is_multiple_of(STIFF_AFTER) {
                 match run.relax(mechanics, phase, h, report) {
@@ -451,7 +453,7 @@ impl Task for Steps<'_, '_> {
 
 /// A first guess for the length of a step.
 fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
-    let h = mechanics.yardstick.first_step(u);
+    let h = mechanics.error_scale.first_step(u);
     if u.gap_rate > 0.0 {
         // A bounce lasts 2v/g or so.
         let g = mechanics.law.parameters().g;
@@ -466,12 +468,12 @@ pub(crate) fn stopped(
     at: &Coordinates<f64>,
     tolerance: f64,
 ) -> Coordinates<f64> {
-    let rates = contacts.law(Phase::Sliding).rates(at);
+    let rates = contacts.dynamics(Phase::Sliding).rates(at);
     let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y);
     let time = (at.slip_x * at.slip_x + at.slip_y * at.slip_y) / stopping;
     // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
-    let rate = Yardstick::new(contacts.parameters()).rate(at);
-    let is_brief = stopping > 0.0 && time * rate <= brief_change(tolerance);
+    let rate = ErrorScale::new(contacts.parameters()).rate(at);
+    let is_brief = stopping > 0.0 && time * rate <= max_brief_change(tolerance);
     Coordinates {
         slip_x: 0.0,
         slip_y: 0.0,

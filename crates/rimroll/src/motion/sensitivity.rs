@@ -14,11 +14,11 @@ use super::mechanics::{Mechanics, first};
 use super::track::Track;
 use super::{Motion, Turn};
 use crate::error::InvalidInput;
-use crate::law::{Frictionless, Law, NoSlip, Parameters};
+use crate::law::{Dynamics, Frictionless, NoSlip, Parameters};
 use crate::motion::Phase;
 use crate::real::{Dual, Slopes};
 use crate::solve::Step;
-use crate::state::{Coordinates, MOVING, TIME};
+use crate::state::{Coordinates, RIGID_COORDINATES, TIME};
 use core::ops::ControlFlow;
 
 /// How many steps lie between two questions to the caller whether to stop: on any machine, they take some
@@ -53,7 +53,7 @@ type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
 pub struct Sensitivity {
     law: Smooth,
     /// The coordinates at the start of each step, and at the end of the last.
-    starts: Vec<[Number; MOVING]>,
+    starts: Vec<[Number; RIGID_COORDINATES]>,
     turns: Vec<Slope>,
 }
 
@@ -65,7 +65,7 @@ enum Smooth {
 }
 
 impl Smooth {
-    fn step(&self, start: &[Number; MOVING], h: f64) -> [Number; MOVING] {
+    fn step(&self, start: &[Number; RIGID_COORDINATES], h: f64) -> [Number; RIGID_COORDINATES] {
         let h = h.into();
         match self {
             Smooth::Rolling(law) => Step::take(&Mechanics::new(law), start, h).end,
@@ -107,10 +107,10 @@ impl Sensitivity {
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        for legs in motion.track.legs().chunks(STEPS_BETWEEN_REPORTS) {
-            watch(legs[0].start[TIME])?;
-            for (leg, i) in legs.iter().zip(self.starts.len() - 1..) {
-                self.starts.push(self.law.step(&self.starts[i], leg.h));
+        for records in motion.track.records().chunks(STEPS_BETWEEN_REPORTS) {
+            watch(records[0].start[TIME])?;
+            for (record, i) in records.iter().zip(self.starts.len() - 1..) {
+                self.starts.push(self.law.step(&self.starts[i], record.h));
             }
         }
         for turns in motion.turns.chunks(TURNS_BETWEEN_REPORTS) {
@@ -124,7 +124,7 @@ impl Sensitivity {
 
     /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion.
     pub fn at(&self, track: &Track, t: f64) -> [Slope; 6] {
-        let at = self.moving(track, t);
+        let at = self.rates_under(track, t);
         let u = at.fixed(&(at.u.t, at.rates.t));
         let tilt = u.sin.slope * u.cos.value - u.cos.slope * u.sin.value;
         let [yaw_rate, spin_rate] = [u.yaw_rate(), u.spin_rate()].map(|rate| rate.slope);
@@ -144,10 +144,10 @@ impl Sensitivity {
         &self.turns
     }
 
-    fn moving(&self, track: &Track, t: f64) -> Moving {
+    fn rates_under(&self, track: &Track, t: f64) -> Moving {
         let (index, x) = track.locate(t);
-        let at = match track.legs().get(index) {
-            Some(leg) => self.law.step(&self.starts[index], x * leg.h),
+        let at = match track.records().get(index) {
+            Some(record) => self.law.step(&self.starts[index], x * record.h),
             None => self.starts[0],
         };
         let u = Coordinates::from_first(&at);
@@ -158,7 +158,7 @@ impl Sensitivity {
     /// How far the yaw runs from one extreme of the tilt (or the release) to the next.
     fn of_turn(&self, motion: &Motion, turn: &Turn) -> Slope {
         let yaw = |t: f64| {
-            let at = self.moving(&motion.track, t);
+            let at = self.rates_under(&motion.track, t);
             let earlier = motion.events.partition_point(|event| event.at.t < t);
             let here = motion.events[earlier..]
                 .iter()
@@ -218,7 +218,7 @@ fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
             "the contact changes on the way, which joins laws that are not the same",
         ));
     }
-    if !motion.contacts.law(phase).only_moves() {
+    if !motion.contacts.dynamics(phase).is_conservative() {
         return Err(refused(
             "only rolling without slip and frictionless sliding are, without resistance",
         ));

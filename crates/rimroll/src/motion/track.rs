@@ -1,7 +1,7 @@
 //! The path through the coordinates: accepted steps, to be evaluated at any time.
 
 use super::contacts::{Contacts, Phase};
-use super::leg::{Leg, Polynomial};
+use super::step_record::{Polynomial, StepRecord};
 use crate::solve::Dense;
 use crate::state::{COORDINATES, Coordinates, TIME};
 use core::ops::Deref;
@@ -28,7 +28,7 @@ impl Deref for Instant {
 pub struct Track {
     contacts: Arc<Contacts>,
     start: Instant,
-    legs: Vec<Leg>,
+    records: Vec<StepRecord>,
     /// Whether all of them are wanted, or only the last.
     whole: bool,
 }
@@ -38,23 +38,23 @@ impl Track {
         Track {
             contacts: Arc::clone(contacts),
             start,
-            legs: Vec::with_capacity(if whole { 256 } else { 1 }),
+            records: Vec::with_capacity(if whole { 256 } else { 1 }),
             whole,
         }
     }
 
     #[inline(always)]
-    pub(super) fn push(&mut self, leg: Leg) {
+    pub(super) fn push(&mut self, record: StepRecord) {
         if !self.whole {
-            self.legs.clear();
+            self.records.clear();
         }
-        self.legs.push(leg);
+        self.records.push(record);
     }
 
     /// Ends the motion with a sudden change.
     pub(super) fn push_jump(&mut self, to: Instant) {
         let still = Dense::still(to.u.into_array());
-        self.push(Leg::polynomial(to.phase, still));
+        self.push(StepRecord::polynomial(to.phase, still));
     }
 
     /// Where the motion began.
@@ -64,22 +64,22 @@ impl Track {
 
     /// Where the motion has come to so far.
     pub fn end(&self) -> Instant {
-        self.legs.last().map_or(self.start, end_of)
+        self.records.last().map_or(self.start, end_of)
     }
 
     /// Where each phase begins.
     pub fn phases(&self) -> impl Iterator<Item = Instant> + '_ {
         let mut before = None;
-        let begins = move |leg: &Leg| {
-            let changed = before.replace(leg.phase) != Some(leg.phase);
-            changed.then(|| instant(leg.phase, &leg.start))
+        let begins = move |record: &StepRecord| {
+            let changed = before.replace(record.phase) != Some(record.phase);
+            changed.then(|| instant(record.phase, &record.start))
         };
-        self.legs.iter().filter_map(begins)
+        self.records.iter().filter_map(begins)
     }
 
     /// Length of the last step on the solver's clock.
     pub(super) fn last_step(&self) -> f64 {
-        self.legs.last().map_or(0.0, |leg| leg.h)
+        self.records.last().map_or(0.0, |record| record.h)
     }
 
     /// The start and the ends of all steps, and a second time, as they are after it, the moments at
@@ -93,8 +93,8 @@ impl Track {
         self.look_up().at(t)
     }
 
-    pub(super) fn legs(&self) -> &[Leg] {
-        &self.legs
+    pub(super) fn records(&self) -> &[StepRecord] {
+        &self.records
     }
 
     /// The step and the fraction of it at a time, s; outside the motion those of its ends.
@@ -104,7 +104,7 @@ impl Track {
 
     /// How many steps the motion has.
     pub fn steps(&self) -> usize {
-        self.legs.len()
+        self.records.len()
     }
 
     /// To evaluate the motion at many times, the sooner the closer together they are.
@@ -122,9 +122,9 @@ impl Track {
     }
 
     fn sampled(&self, per_step: usize) -> impl Iterator<Item = Instant> + '_ {
-        let inside = move |leg: &Leg| {
-            let (phase, end) = (leg.phase, instant(leg.phase, &leg.end));
-            let dense = (per_step > 1).then(|| leg.dense(&self.contacts));
+        let inside = move |record: &StepRecord| {
+            let (phase, end) = (record.phase, instant(record.phase, &record.end));
+            let dense = (per_step > 1).then(|| record.dense(&self.contacts));
             let at = move |i| {
                 let dense = dense.as_ref()?;
                 Some(instant(phase, &dense.at(i as f64 / per_step as f64)))
@@ -132,14 +132,14 @@ impl Track {
             (1..per_step).filter_map(at).chain([end])
         };
         let mut before = (self.start.phase, self.start.u.into_array());
-        let with_changes = move |leg: &Leg| {
+        let with_changes = move |record: &StepRecord| {
             let (phase_before, end_before) = before;
-            before = (leg.phase, leg.end);
-            let changed = phase_before != leg.phase || end_before != leg.start;
-            let begun = changed.then(|| instant(leg.phase, &leg.start));
-            begun.into_iter().chain(inside(leg))
+            before = (record.phase, record.end);
+            let changed = phase_before != record.phase || end_before != record.start;
+            let begun = changed.then(|| instant(record.phase, &record.start));
+            begun.into_iter().chain(inside(record))
         };
-        core::iter::once(self.start).chain(self.legs.iter().flat_map(with_changes))
+        core::iter::once(self.start).chain(self.records.iter().flat_map(with_changes))
     }
 }
 
@@ -152,14 +152,14 @@ pub struct LookUp<'a> {
 impl LookUp<'_> {
     /// As [`Track::at`].
     pub fn at(&mut self, t: f64) -> Instant {
-        let Track { start, legs, .. } = self.track;
+        let Track { start, records, .. } = self.track;
         if t <= start.t {
             return *start;
         }
         match self.opened(t) {
             Some((index, dense)) => {
                 let x = dense.where_component(TIME, t);
-                instant(legs[index].phase, &dense.at(x))
+                instant(records[index].phase, &dense.at(x))
             }
             None => self.track.end(),
         }
@@ -168,15 +168,15 @@ impl LookUp<'_> {
     /// The motion inside a step: at a fraction of it on the solver's clock, from 0 to 1. There is no such
     /// instant where there is no such step.
     pub fn inside(&mut self, step: usize, fraction: f64) -> Option<Instant> {
-        let leg = self.track.legs.get(step)?;
+        let record = self.track.records.get(step)?;
         if fraction <= 0.0 {
-            return Some(instant(leg.phase, &leg.start));
+            return Some(instant(record.phase, &record.start));
         }
         if fraction >= 1.0 {
-            return Some(end_of(leg));
+            return Some(end_of(record));
         }
         let dense = self.open(step)?;
-        Some(instant(leg.phase, &dense.at(fraction)))
+        Some(instant(record.phase, &dense.at(fraction)))
     }
 
     fn locate(&mut self, t: f64) -> (usize, f64) {
@@ -185,23 +185,25 @@ impl LookUp<'_> {
         }
         match self.opened(t) {
             Some((index, dense)) => (index, dense.where_component(TIME, t)),
-            None => (self.track.legs.len().saturating_sub(1), 1.0),
+            None => (self.track.records.len().saturating_sub(1), 1.0),
         }
     }
 
     /// The step in which a time lies; none after the end.
     fn opened(&mut self, t: f64) -> Option<(usize, &Polynomial)> {
-        let legs = &self.track.legs;
-        let index = legs.partition_point(|leg| leg.end[TIME] <= t);
+        let records = &self.track.records;
+        let index = records.partition_point(|record| record.end[TIME] <= t);
         Some((index, self.open(index)?))
     }
 
     /// A step as a polynomial.
     fn open(&mut self, index: usize) -> Option<&Polynomial> {
-        let Track { contacts, legs, .. } = self.track;
-        let leg = legs.get(index)?;
+        let Track {
+            contacts, records, ..
+        } = self.track;
+        let record = records.get(index)?;
         if self.opened.as_ref().is_none_or(|opened| opened.0 != index) {
-            self.opened = Some((index, leg.dense(contacts)));
+            self.opened = Some((index, record.dense(contacts)));
         }
         self.opened.as_ref().map(|opened| &opened.1)
     }
@@ -214,6 +216,6 @@ fn instant(phase: Phase, u: &[f64; COORDINATES]) -> Instant {
     }
 }
 
-fn end_of(leg: &Leg) -> Instant {
-    instant(leg.phase, &leg.end)
+fn end_of(record: &StepRecord) -> Instant {
+    instant(record.phase, &record.end)
 }

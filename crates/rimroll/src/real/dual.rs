@@ -145,7 +145,7 @@ impl<S: Slope> Real for Dual<S> {
         self.chain(Real::ln(self.value), 1.0 / self.value)
     }
 
-    fn rough_ln(self) -> Self {
+    fn approx_ln(self) -> Self {
         self.ln()
     }
 

@@ -19,43 +19,43 @@ pub(super) const FRACTION: u32 = 52;
 pub(super) const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
 
 /// Numbers whose exponent and fraction can be taken apart.
-pub trait Parted: Real {
+pub trait FloatBits: Real {
     /// 2ᵏ, of k + [`ROUNDER`] with |k| < 1023.
-    fn power_of_two(shifted: Self) -> Self;
+    fn ldexp_one(shifted: Self) -> Self;
 
     /// [k, m] of normal x > 0 that are 2ᵏ m, with m between √½ and √2.
-    fn parts(self) -> [Self; 2];
+    fn frexp(self) -> [Self; 2];
 
     /// About the 16th root of a/b for positive numbers, up to 6 % more: the bits of a positive number are, but for
     /// an offset and a scale, its logarithm to a tenth of an octave.
-    fn rough_16th_root_of(a: Self, b: Self) -> Self;
+    fn approx_16th_root_of(a: Self, b: Self) -> Self;
 }
 
-impl Parted for f64 {
+impl FloatBits for f64 {
     #[inline(always)]
-    fn power_of_two(shifted: f64) -> f64 {
-        Register::power_of_two(shifted)
+    fn ldexp_one(shifted: f64) -> f64 {
+        Register::ldexp_one(shifted)
     }
 
     #[inline(always)]
-    fn parts(self) -> [f64; 2] {
-        Register::parts(self)
+    fn frexp(self) -> [f64; 2] {
+        Register::frexp(self)
     }
 
     #[inline(always)]
-    fn rough_16th_root_of(a: f64, b: f64) -> f64 {
-        Register::rough_16th_root_of(a, b)
+    fn approx_16th_root_of(a: f64, b: f64) -> f64 {
+        Register::approx_16th_root_of(a, b)
     }
 }
 
 /// eˣ − 1 for |x| ≤ 700, to 2 units in the last place.
 #[inline(always)]
-pub(super) fn exp_m1<T: Parted>(x: T) -> T {
+pub(super) fn exp_m1<T: FloatBits>(x: T) -> T {
     // x = k ln 2 + r with |r| ≤ ln 2 / 2; eˣ − 1 = 2ᵏ (eʳ − 1) + (2ᵏ − 1).
     let shifted = x * T::from(1.0 / LN_2) + T::from(ROUNDER);
     let k = shifted - T::from(ROUNDER);
     let r = (x - k * T::from(LN_2_HIGH)) - k * T::from(LN_2_LOW);
-    let power = T::power_of_two(shifted);
+    let power = T::ldexp_one(shifted);
     // The series of eʳ to r¹³, even and odd terms by themselves: what is left out is less than 1e-17 of r.
     let rr = r * r;
     let (mut even, mut odd) = (T::from(0.0), T::from(0.0));
@@ -78,8 +78,8 @@ const INVERSE_FACTORIALS: [[f64; 2]; 6] = [
 
 /// ln x for normal x > 0, to 4e-4.
 #[inline(always)]
-pub(super) fn rough_ln<T: Parted>(x: T) -> T {
-    let [k, m] = x.parts();
+pub(super) fn approx_ln<T: FloatBits>(x: T) -> T {
+    let [k, m] = x.frexp();
     let f = m - T::from(1.0);
     let mut sum = T::from(0.0);
     for over in [-1.0 / 6.0, 0.2, -0.25, 1.0 / 3.0, -0.5, 1.0] {
@@ -90,9 +90,9 @@ pub(super) fn rough_ln<T: Parted>(x: T) -> T {
 
 /// ln x for normal x > 0, to 2 units in the last place of the larger of ln x and its parts.
 #[inline(always)]
-pub(super) fn ln<T: Parted>(x: T) -> T {
+pub(super) fn ln<T: FloatBits>(x: T) -> T {
     // ln m = 2 artanh f, f = (m − 1)/(m + 1).
-    let [k, m] = x.parts();
+    let [k, m] = x.frexp();
     let (one, two) = (T::from(1.0), T::from(2.0));
     let f = (m - one) / (m + one);
     let ff = f * f;
@@ -154,19 +154,19 @@ pub(crate) fn asinh<T: Real>(x: T) -> T {
 
 /// The same for x ≥ 0, to 4e-4.
 #[inline(always)]
-pub(crate) fn rough_asinh<T: Real>(x: T) -> T {
-    (x + (x * x + T::from(1.0)).sqrt()).rough_ln()
+pub(crate) fn approx_asinh<T: Real>(x: T) -> T {
+    (x + (x * x + T::from(1.0)).sqrt()).approx_ln()
 }
 
 /// The inverse of the hyperbolic cosine for x ≥ 1, to 4e-4.
 #[inline(always)]
-pub(crate) fn rough_acosh<T: Real>(x: T) -> T {
-    (x + (x * x - T::from(1.0)).sqrt()).rough_ln()
+pub(crate) fn approx_acosh<T: Real>(x: T) -> T {
+    (x + (x * x - T::from(1.0)).sqrt()).approx_ln()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{atan, exp_m1, ln, rough_ln, sin_cos_below_eighth};
+    use super::{approx_ln, atan, exp_m1, ln, sin_cos_below_eighth};
     use core::f64::consts::FRAC_PI_4;
     use proptest::prelude::*;
 
@@ -178,7 +178,7 @@ mod tests {
             prop_assert!((exp_m1(x) - wanted).abs() <= 4.0 * f64::EPSILON * wanted.abs());
             let y = libm::exp(x);
             prop_assert!((ln(y) - libm::log(y)).abs() <= 3.0 * f64::EPSILON * libm::log(y).abs());
-            prop_assert!((rough_ln(y) - libm::log(y)).abs() <= 4e-4);
+            prop_assert!((approx_ln(y) - libm::log(y)).abs() <= 4e-4);
         }
 
         #[test]

@@ -37,8 +37,8 @@ pub struct Flagged<R: Register, const COUNT: usize>([R::Flags; COUNT]);
 
 /// A part of the lanes, or all of them, in some registers.
 ///
-/// What takes them has to be inlined: [`in_widest`](super::in_widest).
-pub trait Part: elementary::Parted {
+/// What takes them has to be inlined: [`run_widest`](super::run_widest).
+pub trait Part: elementary::FloatBits {
     /// How many there are of the lanes.
     const PARTS: usize;
 
@@ -50,7 +50,7 @@ pub trait Part: elementary::Parted {
 
     /// A number that compilers are not to see through where they put lanes into registers themselves: among
     /// several sums at once they lose the order of the lanes.
-    fn unseen(index: usize) -> usize;
+    fn opaque(index: usize) -> usize;
 
     /// Several from memory.
     #[inline(always)]
@@ -122,7 +122,7 @@ pub trait Mask<L>: Copy + core::fmt::Debug + Not<Output = Self> {
     /// The same mask, to choose what replaces numbers in memory: compilers that see a comparison write only
     /// where it holds, for which processors of AMD with AVX2 take ten times as long as for writing all.
     #[must_use]
-    fn unseen(self) -> Self;
+    fn opaque(self) -> Self;
 
     /// The lanes where it holds, as bits.
     fn bits(self) -> Bits;
@@ -190,7 +190,7 @@ impl<R: Register, const COUNT: usize> Part for Packed<R, COUNT> {
     }
 
     #[inline(always)]
-    fn unseen(index: usize) -> usize {
+    fn opaque(index: usize) -> usize {
         if R::WIDTH > 1 {
             index
         } else {
@@ -238,10 +238,10 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
     }
 
     #[inline(always)]
-    fn unseen(self) -> Self {
+    fn opaque(self) -> Self {
         let mut result = self;
         for i in 0..COUNT {
-            result.0[i] = R::unseen(self.0[i]);
+            result.0[i] = R::opaque(self.0[i]);
         }
         result
     }
@@ -355,8 +355,8 @@ impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
     }
 
     #[inline(always)]
-    fn rough_ln(self) -> Self {
-        elementary::rough_ln(self)
+    fn approx_ln(self) -> Self {
+        elementary::approx_ln(self)
     }
 
     #[inline(always)]
@@ -395,32 +395,32 @@ impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
     }
 }
 
-impl<R: Register, const COUNT: usize> elementary::Parted for Packed<R, COUNT> {
+impl<R: Register, const COUNT: usize> elementary::FloatBits for Packed<R, COUNT> {
     #[inline(always)]
-    fn power_of_two(shifted: Self) -> Self {
-        shifted.each(R::power_of_two)
+    fn ldexp_one(shifted: Self) -> Self {
+        shifted.each(R::ldexp_one)
     }
 
     #[inline(always)]
-    fn parts(self) -> [Self; 2] {
+    fn frexp(self) -> [Self; 2] {
         let [mut k, mut m] = [self; 2];
         for i in 0..COUNT {
-            [k.0[i], m.0[i]] = R::parts(self.0[i]);
+            [k.0[i], m.0[i]] = R::frexp(self.0[i]);
         }
         [k, m]
     }
 
     #[inline(always)]
-    fn rough_16th_root_of(a: Self, b: Self) -> Self {
-        a.each_with(b, R::rough_16th_root_of)
+    fn approx_16th_root_of(a: Self, b: Self) -> Self {
+        a.each_with(b, R::approx_16th_root_of)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{LANES, Lanes, Mask, Packed, Vector};
-    use crate::real::elementary::Parted;
-    use crate::real::{Real, Task, in_every_width};
+    use crate::real::elementary::FloatBits;
+    use crate::real::{Real, SimdKernel, in_every_width};
     use core::array::from_fn;
     use proptest::prelude::*;
 
@@ -428,13 +428,13 @@ mod tests {
     fn formula<T: Real>(a: T, b: T) -> T {
         let (sin, cos) = (a * b).sin_cos();
         let sum = (sin / b - cos * a).abs().sqrt() + (-(a * a)).exp().max(b);
-        let logarithms = (sum.ln() + sum.rough_ln()).atan() * a.exp_m1();
+        let logarithms = (sum.ln() + sum.approx_ln()).atan() * a.exp_m1();
         sum.where_negative(a, b.odd_power(1.5) + sum) + logarithms.min(b)
     }
 
     struct Formula([Lanes; 2]);
 
-    impl Task for Formula {
+    impl SimdKernel for Formula {
         type Done = Lanes;
         fn run<V: Vector>(self) -> Lanes {
             let [a, b] = V::load_all(&self.0);
@@ -453,8 +453,8 @@ mod tests {
     }
 
     /// What needs no more than one instruction or a few, of numbers that may be anything.
-    fn instructions<T: Parted>(a: T, b: T) -> [T; 12] {
-        let [k, m] = a.parts();
+    fn instructions<T: FloatBits>(a: T, b: T) -> [T; 12] {
+        let [k, m] = a.frexp();
         [
             a + b,
             a - b,
@@ -466,14 +466,14 @@ mod tests {
             a.min(b),
             a.where_negative(b, k),
             m,
-            T::power_of_two(a),
-            T::rough_16th_root_of(a, b),
+            T::ldexp_one(a),
+            T::approx_16th_root_of(a, b),
         ]
     }
 
     struct Instructions([Lanes; 2]);
 
-    impl Task for Instructions {
+    impl SimdKernel for Instructions {
         type Done = [Lanes; 12];
         fn run<V: Vector>(self) -> [Lanes; 12] {
             let [a, b] = V::load_all(&self.0);
@@ -510,7 +510,7 @@ mod tests {
 
     struct Masks;
 
-    impl Task for Masks {
+    impl SimdKernel for Masks {
         type Done = ();
         fn run<V: Vector>(self) {
             let (one, two) = (V::from(1.0), V::from(2.0));
@@ -521,9 +521,9 @@ mod tests {
             assert_eq!(small.bits(), !0b10_1000);
             assert_eq!((!small).bits(), 0b10_1000);
             assert_eq!(small.choose(two, one).store().0[3..6], [1.0, 2.0, 1.0]);
-            assert_eq!(small.unseen().bits(), small.bits());
+            assert_eq!(small.opaque().bits(), small.bits());
             let chosen = small
-                .unseen()
+                .opaque()
                 .choose(V::from(-0.0), V::load(&mixed))
                 .store();
             assert_eq!(chosen.0[4].to_bits(), (-0.0_f64).to_bits());

@@ -48,18 +48,18 @@ pub trait Register: Copy + core::fmt::Debug {
     /// Set where it is not.
     fn not(a: Self::Flags) -> Self::Flags;
     /// The same, where compilers must not see what they come from.
-    fn unseen(a: Self::Flags) -> Self::Flags {
+    fn opaque(a: Self::Flags) -> Self::Flags {
         a
     }
     /// The flags as the lowest bits.
     fn bits(a: Self::Flags) -> u8;
 
     /// 2ᵏ, of k + [`ROUNDER`] with |k| < 1023.
-    fn power_of_two(shifted: Self) -> Self;
+    fn ldexp_one(shifted: Self) -> Self;
     /// [k, m] of normal x > 0 that are 2ᵏ m, with m between √½ and √2.
-    fn parts(x: Self) -> [Self; 2];
+    fn frexp(x: Self) -> [Self; 2];
     /// About the 16th root of a/b for positive numbers.
-    fn rough_16th_root_of(a: Self, b: Self) -> Self;
+    fn approx_16th_root_of(a: Self, b: Self) -> Self;
 }
 
 pub(super) const ONE_BITS: i64 = 1.0_f64.to_bits().cast_signed();
@@ -102,18 +102,18 @@ impl Register for f64 {
         or(a: u64, b: u64) -> u64 = a | b;
         not(a: u64) -> u64 = !a;
         bits(a: u64) -> u8 = (a & 1) as u8;
-        power_of_two(shifted: f64) -> f64 =
+        ldexp_one(shifted: f64) -> f64 =
             f64::from_bits((shifted.to_bits() << FRACTION).wrapping_add(1.0_f64.to_bits()));
     }
 
     #[inline(always)]
-    fn rough_16th_root_of(a: f64, b: f64) -> f64 {
+    fn approx_16th_root_of(a: f64, b: f64) -> f64 {
         let logarithm = a.to_bits().wrapping_sub(b.to_bits()).cast_signed();
         f64::from_bits((logarithm >> 4).wrapping_add(ONE_BITS).cast_unsigned())
     }
 
     #[inline(always)]
-    fn parts(x: f64) -> [f64; 2] {
+    fn frexp(x: f64) -> [f64; 2] {
         let bits = x.to_bits().wrapping_sub(SQRT_HALF_BITS);
         let exponent = (bits as i64) >> FRACTION;
         let m = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << FRACTION));

@@ -7,7 +7,7 @@ use super::x86;
 use std::arch::is_x86_feature_detected;
 
 /// Something to do with lanes in some registers.
-pub(crate) trait Task {
+pub(crate) trait SimdKernel {
     /// What comes of it.
     type Done;
 
@@ -16,7 +16,7 @@ pub(crate) trait Task {
 }
 
 /// Does it in the widest registers.
-pub(crate) fn in_widest<T: Task>(task: T) -> T::Done {
+pub(crate) fn run_widest<T: SimdKernel>(task: T) -> T::Done {
     #[cfg(target_arch = "x86_64")]
     if is_x86_feature_detected!("avx512f") {
         // SAFETY: the processor has been asked.
@@ -32,7 +32,7 @@ pub(crate) fn in_widest<T: Task>(task: T) -> T::Done {
 
 /// What comes of it in registers of every width that the processor has.
 #[cfg(test)]
-pub(crate) fn in_every_width<T: Task>(task: impl Fn() -> T) -> Vec<T::Done> {
+pub(crate) fn in_every_width<T: SimdKernel>(task: impl Fn() -> T) -> Vec<T::Done> {
     let mut done = vec![task().run::<Lanes>()];
     #[cfg(target_arch = "x86_64")]
     {

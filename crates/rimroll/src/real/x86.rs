@@ -10,7 +10,7 @@
 use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
 use super::lanes::{Grouped, LANES, Packed};
 use super::register::{ONE_BITS, Register, inlined};
-use super::widest::Task;
+use super::widest::SimdKernel;
 use core::arch::x86_64::*;
 use core::hint::black_box;
 
@@ -34,7 +34,7 @@ impl Grouped for __m256d {
 /// # Safety
 /// The processor must have AVX-512F.
 #[target_feature(enable = "avx512f")]
-pub(super) unsafe fn in_avx512<T: Task>(task: T) -> T::Done {
+pub(super) unsafe fn in_avx512<T: SimdKernel>(task: T) -> T::Done {
     task.run::<Avx512>()
 }
 
@@ -43,7 +43,7 @@ pub(super) unsafe fn in_avx512<T: Task>(task: T) -> T::Done {
 /// # Safety
 /// The processor must have AVX2.
 #[target_feature(enable = "avx2")]
-pub(super) unsafe fn in_avx2<T: Task>(task: T) -> T::Done {
+pub(super) unsafe fn in_avx2<T: SimdKernel>(task: T) -> T::Done {
     task.run::<Avx2>()
 }
 
@@ -90,16 +90,16 @@ impl Register for __m512d {
         or(a: u8, b: u8) -> u8 = a | b;
         not(a: u8) -> u8 = !a;
         bits(a: u8) -> u8 = a;
-        power_of_two(shifted: __m512d) -> __m512d = instruction!({
+        ldexp_one(shifted: __m512d) -> __m512d = instruction!({
             let k = _mm512_slli_epi64::<FRACTION>(_mm512_castpd_si512(shifted));
             _mm512_castsi512_pd(_mm512_add_epi64(k, _mm512_set1_epi64(ONE_BITS)))
         });
-        rough_16th_root_of(a: __m512d, b: __m512d) -> __m512d = instruction!({
+        approx_16th_root_of(a: __m512d, b: __m512d) -> __m512d = instruction!({
             let logarithm = _mm512_sub_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(b));
             let root = _mm512_srai_epi64::<4>(logarithm);
             _mm512_castsi512_pd(_mm512_add_epi64(root, _mm512_set1_epi64(ONE_BITS)))
         });
-        parts(x: __m512d) -> [__m512d; 2] = instruction!({
+        frexp(x: __m512d) -> [__m512d; 2] = instruction!({
             let bits = _mm512_castpd_si512(x);
             let from_half = _mm512_sub_epi64(bits, _mm512_set1_epi64(SQRT_HALF));
             let exponent = _mm512_srai_epi64::<FRACTION>(from_half);
@@ -143,7 +143,7 @@ impl Register for __m256d {
         less(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b));
         at_most(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b));
         // Flags are all bits or none. The instruction for this is made a comparison by compilers, and so undoes
-        // what `unseen` is for; where they may see through this, they choose it themselves.
+        // what `opaque` is for; where they may see through this, they choose it themselves.
         choose(flags: __m256d, yes: __m256d, no: __m256d) -> __m256d =
             instruction!(_mm256_or_pd(_mm256_and_pd(flags, yes), _mm256_andnot_pd(flags, no)));
         and(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_and_pd(a, b));
@@ -151,18 +151,18 @@ impl Register for __m256d {
         not(a: __m256d) -> __m256d = instruction!(
             _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))
         );
-        unseen(a: __m256d) -> __m256d = black_box(a);
+        opaque(a: __m256d) -> __m256d = black_box(a);
         bits(a: __m256d) -> u8 = instruction!(_mm256_movemask_pd(a)) as u8;
-        power_of_two(shifted: __m256d) -> __m256d = instruction!({
+        ldexp_one(shifted: __m256d) -> __m256d = instruction!({
             let k = _mm256_slli_epi64::<{ FRACTION as i32 }>(_mm256_castpd_si256(shifted));
             _mm256_castsi256_pd(_mm256_add_epi64(k, _mm256_set1_epi64x(ONE_BITS)))
         });
-        rough_16th_root_of(a: __m256d, b: __m256d) -> __m256d = instruction!({
+        approx_16th_root_of(a: __m256d, b: __m256d) -> __m256d = instruction!({
             let logarithm = _mm256_sub_epi64(_mm256_castpd_si256(a), _mm256_castpd_si256(b));
             let root = shift_right!(logarithm, 4);
             _mm256_castsi256_pd(_mm256_add_epi64(root, _mm256_set1_epi64x(ONE_BITS)))
         });
-        parts(x: __m256d) -> [__m256d; 2] = instruction!({
+        frexp(x: __m256d) -> [__m256d; 2] = instruction!({
             let bits = _mm256_castpd_si256(x);
             let from_half = _mm256_sub_epi64(bits, _mm256_set1_epi64x(SQRT_HALF));
             let exponent = shift_right!(from_half, FRACTION as i32);

@@ -63,11 +63,11 @@ impl<T: Real, const N: usize> Dense<T, N> {
 impl<const N: usize> Dense<f64, N> {
     /// The fraction between `from` and `to` where `function` of the state changes sign.
     pub fn root(&self, from: f64, to: f64, function: impl Fn(&[f64; N]) -> f64) -> f64 {
-        root::bracketed(from, to, |x| function(&self.at(x)))
+        root::bracketed_root(from, to, |x| function(&self.at(x)))
     }
 
     /// The fraction at which a component that grows over the step has the given value.
     pub fn where_component(&self, i: usize, value: f64) -> f64 {
-        root::bracketed(0.0, 1.0, |x| self.component(i, x) - value)
+        root::bracketed_root(0.0, 1.0, |x| self.component(i, x) - value)
     }
 }

@@ -32,7 +32,7 @@ fn weigh<T: Real, const N: usize>(
     let mut sum = [T::from(0.0); N];
     for &(stage, weight) in row {
         with.add(&mut sum, T::from(weight), &stages[stage]);
-        with.add_unfelt(&mut sum, T::from(weight), &stages[stage]);
+        with.add_ignorable(&mut sum, T::from(weight), &stages[stage]);
     }
     sum
 }
@@ -88,7 +88,13 @@ impl<T: Real, const N: usize> Step<T, N> {
     #[inline(always)]
     fn take_anywhere<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
         let mut step = Step::still(start, &system.rates(start));
-        step.go(OneByOne { unfelt: S::UNFELT }, system, h);
+        step.go(
+            OneByOne {
+                ignorable: S::IGNORABLE,
+            },
+            system,
+            h,
+        );
         step
     }
 
@@ -130,7 +136,7 @@ impl<T: Real, const N: usize> Step<T, N> {
         let sum = weigh(with, SOLUTION, stages);
         self.end = *start;
         with.add(&mut self.end, h, &sum);
-        with.add_unfelt(&mut self.end, h, &sum);
+        with.add_ignorable(&mut self.end, h, &sum);
         with.keep(&mut stages[12], &system.rates(&self.end));
         at
     }
@@ -208,20 +214,20 @@ trait Job<const N: usize> {
 
 /// Does it in wide registers, where the processor has them: the results are the same.
 #[inline(always)]
-fn in_registers<const N: usize, J: Job<N>>(unfelt: usize, job: J) -> J::Output {
+fn in_registers<const N: usize, J: Job<N>>(ignorable: usize, job: J) -> J::Output {
     #[cfg(target_arch = "x86_64")]
     {
         #[target_feature(enable = "avx2")]
-        unsafe fn wide<const N: usize, J: Job<N>>(unfelt: usize, job: J) -> J::Output {
+        unsafe fn wide<const N: usize, J: Job<N>>(ignorable: usize, job: J) -> J::Output {
             // SAFETY: AVX2 comes with AVX.
-            job.with(unsafe { super::registers::Wide::new(unfelt) })
+            job.with(unsafe { super::registers::Wide::new(ignorable) })
         }
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has what is asked for.
-            return unsafe { wide(unfelt, job) };
+            return unsafe { wide(ignorable, job) };
         }
     }
-    job.with(OneByOne { unfelt })
+    job.with(OneByOne { ignorable })
 }
 
 impl<const N: usize> Step<f64, N> {
@@ -237,7 +243,7 @@ impl<const N: usize> Step<f64, N> {
             }
         }
         let mut step = Step::still(start, &system.rates(start));
-        in_registers(S::UNFELT, Go(&mut step, system, h));
+        in_registers(S::IGNORABLE, Go(&mut step, system, h));
         step
     }
 
@@ -259,7 +265,7 @@ impl<const N: usize> Step<f64, N> {
                 step.estimate(registers, system, &before_end, tolerance)
             }
         }
-        in_registers(S::UNFELT, Attempt(self, system, h, tolerance))
+        in_registers(S::IGNORABLE, Attempt(self, system, h, tolerance))
     }
 
     /// The step as a polynomial of its fraction; three more evaluations of the right-hand side.
@@ -273,7 +279,7 @@ impl<const N: usize> Step<f64, N> {
                 self.0.polynomial(registers, self.1)
             }
         }
-        in_registers(S::UNFELT, Open(self, system))
+        in_registers(S::IGNORABLE, Open(self, system))
     }
 }
 
@@ -285,7 +291,7 @@ mod tests {
     struct Chain<const N: usize>;
 
     impl<const N: usize> System<f64, N> for Chain<N> {
-        const UNFELT: usize = 2;
+        const IGNORABLE: usize = 2;
 
         fn rates(&self, u: &[f64; N]) -> [f64; N] {
             let (felt, m) = (&u[2..], N - 2);
@@ -316,20 +322,20 @@ mod tests {
         let chain = Chain::<N>;
         let start: [f64; N] =
             core::array::from_fn(|i| 0.3 + 0.1 * i as f64 - 0.02 * (i * i) as f64);
-        let unfelt = OneByOne {
-            unfelt: Chain::<N>::UNFELT,
+        let ignorable = OneByOne {
+            ignorable: Chain::<N>::IGNORABLE,
         };
         for h in [1e-3, 0.07, 0.3] {
             let mut wide = Step::again(&chain, &start, h);
             let mut plain = Step::still(&start, &chain.rates(&start));
-            let before_end = plain.go(unfelt, &chain, h);
+            let before_end = plain.go(ignorable, &chain, h);
             assert_eq!(wide.stages, plain.stages);
             assert_eq!(wide.end, plain.end);
             let wide_error = wide.attempt(&chain, h, 1e-9);
-            let plain_error = plain.estimate(unfelt, &chain, &before_end, 1e-9);
+            let plain_error = plain.estimate(ignorable, &chain, &before_end, 1e-9);
             assert_eq!(wide_error.allowed, plain_error.allowed);
             assert_eq!(wide_error.error_squared, plain_error.error_squared);
-            let (wide, plain) = (wide.dense(&chain), plain.polynomial(unfelt, &chain));
+            let (wide, plain) = (wide.dense(&chain), plain.polynomial(ignorable, &chain));
             assert_eq!(wide.at(0.3), plain.at(0.3));
         }
     }

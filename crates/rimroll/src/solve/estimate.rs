@@ -1,6 +1,6 @@
 //! How far a step may be off, and how long the next one can be.
 
-use crate::real::{Parted, Real};
+use crate::real::{FloatBits, Real};
 
 /// The estimated error of a step: the step is good when `error_squared` ≤ `allowed`.
 #[derive(Debug, Clone, Copy)]
@@ -43,7 +43,7 @@ impl Estimate<f64> {
     }
 }
 
-impl<T: Parted> Estimate<T> {
+impl<T: FloatBits> Estimate<T> {
     /// By what factor the next step may be longer than one with this error e (over what is tolerated), to
     /// be good but for a margin: 0.9 e^(−1/8) (section II.4).
     ///
@@ -52,6 +52,6 @@ impl<T: Parted> Estimate<T> {
     #[inline(always)]
     pub fn next_factor(&self) -> T {
         const MARGIN: f64 = 0.86;
-        T::from(MARGIN) * T::rough_16th_root_of(self.allowed, self.error_squared)
+        T::from(MARGIN) * T::approx_16th_root_of(self.allowed, self.error_squared)
     }
 }

@@ -11,7 +11,7 @@ pub(super) trait Registers<T, const N: usize>: Copy {
     fn add(self, sum: &mut [T; N], weight: T, stage: &[T; N]);
 
     /// The same for the others.
-    fn add_unfelt(self, sum: &mut [T; N], weight: T, stage: &[T; N]);
+    fn add_ignorable(self, sum: &mut [T; N], weight: T, stage: &[T; N]);
 
     /// Puts freshly computed rates where they can be taken up again at once.
     fn keep(self, place: &mut [T; N], rates: &[T; N]);
@@ -21,20 +21,20 @@ pub(super) trait Registers<T, const N: usize>: Copy {
 #[derive(Clone, Copy)]
 pub(super) struct OneByOne {
     /// How many components, the first, are not felt.
-    pub unfelt: usize,
+    pub ignorable: usize,
 }
 
 impl<T: Real, const N: usize> Registers<T, N> for OneByOne {
     #[inline(always)]
     fn add(self, sum: &mut [T; N], weight: T, stage: &[T; N]) {
-        for i in self.unfelt..N {
+        for i in self.ignorable..N {
             sum[i] = sum[i] + weight * stage[i];
         }
     }
 
     #[inline(always)]
-    fn add_unfelt(self, sum: &mut [T; N], weight: T, stage: &[T; N]) {
-        for i in 0..self.unfelt {
+    fn add_ignorable(self, sum: &mut [T; N], weight: T, stage: &[T; N]) {
+        for i in 0..self.ignorable {
             sum[i] = sum[i] + weight * stage[i];
         }
     }
@@ -64,16 +64,16 @@ mod wide {
     /// have all arrived in memory.
     #[derive(Clone, Copy)]
     pub struct Wide {
-        unfelt: usize,
+        ignorable: usize,
     }
 
     impl Wide {
-        /// With the first `unfelt` components not felt.
+        /// With the first `ignorable` components not felt.
         ///
         /// # Safety
         /// The processor must have AVX.
-        pub unsafe fn new(unfelt: usize) -> Self {
-            Wide { unfelt }
+        pub unsafe fn new(ignorable: usize) -> Self {
+            Wide { ignorable }
         }
     }
 
@@ -83,7 +83,7 @@ mod wide {
     impl<const N: usize> Registers<f64, N> for Wide {
         #[inline(always)]
         fn add(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
-            let (sum, stage) = (&mut sum[self.unfelt..], &stage[self.unfelt..]);
+            let (sum, stage) = (&mut sum[self.ignorable..], &stage[self.ignorable..]);
             let (sum_pairs, sum) = sum.split_at_mut(IN_PAIRS.min(sum.len()));
             let (stage_pairs, stage) = stage.split_at(sum_pairs.len());
             let (sum_pairs, sum_odd) = sum_pairs.as_chunks_mut::<2>();
@@ -117,16 +117,16 @@ mod wide {
         }
 
         #[inline(always)]
-        fn add_unfelt(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
-            let unfelt = self.unfelt;
-            OneByOne { unfelt }.add_unfelt(sum, weight, stage);
+        fn add_ignorable(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
+            let ignorable = self.ignorable;
+            OneByOne { ignorable }.add_ignorable(sum, weight, stage);
         }
 
         #[inline(always)]
         fn keep(self, place: &mut [f64; N], rates: &[f64; N]) {
-            let (unfelt, place) = place.split_at_mut(self.unfelt);
-            let (rates_unfelt, rates) = rates.split_at(self.unfelt);
-            unfelt.copy_from_slice(rates_unfelt);
+            let (ignorable, place) = place.split_at_mut(self.ignorable);
+            let (rates_unfelt, rates) = rates.split_at(self.ignorable);
+            ignorable.copy_from_slice(rates_unfelt);
             let (pairs, place) = place.split_at_mut(IN_PAIRS.min(place.len()));
             let (rates_pairs, rates) = rates.split_at(pairs.len());
             let (pairs, odd) = pairs.as_chunks_mut::<2>();

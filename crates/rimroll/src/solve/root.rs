@@ -5,12 +5,12 @@
 /// Regula falsi with the Illinois weights (Dowell & Jarratt, BIT 11, 1971) and a bisection in every
 /// third round, so that the work is bounded. An end at which f is zero is the root; without a change
 /// of sign the end nearer to zero is returned.
-pub fn bracketed(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
-    bracketed_in(200, a, b, f)
+pub fn bracketed_root(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
+    bracketed_root_in(200, a, b, f)
 }
 
 /// A guess at the same: the last point tried when so many rounds have not sufficed.
-pub fn bracketed_in(rounds: usize, mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub fn bracketed_root_in(rounds: usize, mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
         return a;
@@ -51,16 +51,16 @@ pub fn bracketed_in(rounds: usize, mut a: f64, mut b: f64, f: impl Fn(f64) -> f6
 
 #[cfg(test)]
 mod tests {
-    use super::bracketed;
+    use super::bracketed_root;
 
     #[test]
     fn finds_roots_to_the_last_bits() {
-        let root = bracketed(0.0, 2.0, |x| x * x - 2.0);
+        let root = bracketed_root(0.0, 2.0, |x| x * x - 2.0);
         assert!((root - core::f64::consts::SQRT_2).abs() <= 4e-16);
         // A function so flat at its root that the secant alone would crawl.
-        let root = bracketed(-1.0, 1.5, |x| x * x * x * x * x);
+        let root = bracketed_root(-1.0, 1.5, |x| x * x * x * x * x);
         assert!(root.abs() < 1e-15);
-        assert_eq!(bracketed(0.0, 1.0, |x| x), 0.0);
-        assert_eq!(bracketed(0.0, 1.0, |x| x - 1.0), 1.0);
+        assert_eq!(bracketed_root(0.0, 1.0, |x| x), 0.0);
+        assert_eq!(bracketed_root(0.0, 1.0, |x| x - 1.0), 1.0);
     }
 }

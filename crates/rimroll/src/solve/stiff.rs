@@ -28,7 +28,7 @@ pub struct Found<const N: usize> {
 struct Slopes<const N: usize> {
     /// Which components matter.
     active: Vec<usize>,
-    sizes: [f64; N],
+    scales: [f64; N],
     /// `of[a][b]`: of the rate of active component a by active component b.
     of: Vec<Vec<f64>>,
 }
@@ -64,14 +64,14 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
 
     /// A step of length h; none where Newton's method does not settle.
     pub fn step(&self, start: &[f64; N], h: f64) -> Option<Found<N>> {
-        const MOST_ROUNDS: usize = 30;
+        const MAX_ROUNDS: usize = 30;
         // So far from the start the equations may have another solution.
         const FARTHEST: f64 = 10.0;
         let slopes = self.slopes(start);
         let newton = Newton::new(self.method, &slopes, h)?;
         let mut states = [*start; POINTS];
         let mut last_change = f64::INFINITY;
-        for round in 0..MOST_ROUNDS {
+        for round in 0..MAX_ROUNDS {
             let rates = states.map(|state| self.system.rates(&state));
             let wanted = self.integrated(start, &rates, h);
             let change = newton.correct(&slopes, &wanted, &mut states);
@@ -97,19 +97,19 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
         // What is held close to zero by something that is not smooth there, as drag with an exponent
         // below 2 holds the yaw rate, changes on the scale of its own value, not of its size.
         const SMALLEST: f64 = 1e-9;
-        let sizes = self.system.scale(u);
+        let scales = self.system.scale(u);
         let rates = self.system.rates(u);
         let columns: Vec<[f64; N]> = (0..N)
             .map(|j| {
                 let mut beside = *u;
-                beside[j] += NUDGE * u[j].abs().clamp(SMALLEST * sizes[j], sizes[j]);
-                let nudge = (beside[j] - u[j]) / sizes[j];
+                beside[j] += NUDGE * u[j].abs().clamp(SMALLEST * scales[j], scales[j]);
+                let nudge = (beside[j] - u[j]) / scales[j];
                 let there = self.system.rates(&beside);
                 core::array::from_fn(|i| {
                     if nudge == 0.0 {
                         0.0
                     } else {
-                        (there[i] - rates[i]) / (nudge * sizes[i])
+                        (there[i] - rates[i]) / (nudge * scales[i])
                     }
                 })
             })
@@ -119,7 +119,7 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
         let row = |&i: &usize| active.iter().map(|&j| columns[j][i]).collect();
         Slopes {
             of: active.iter().map(row).collect(),
-            sizes,
+            scales,
             active,
         }
     }
@@ -243,11 +243,11 @@ impl Newton {
         wanted: &States<N>,
         states: &mut States<N>,
     ) -> f64 {
-        let Slopes { active, sizes, .. } = slopes;
+        let Slopes { active, scales, .. } = slopes;
         let n = active.len();
         let lacking = |row: usize| {
             let i = active[row % n];
-            (wanted[row / n][i] - states[row / n][i]) / sizes[i]
+            (wanted[row / n][i] - states[row / n][i]) / scales[i]
         };
         let right: Vec<f64> = (0..n * POINTS).map(lacking).collect();
         let corrections = self.solved(&right);
@@ -256,9 +256,9 @@ impl Newton {
             for i in 0..N {
                 let by = match active.iter().position(|&a| a == i) {
                     Some(a) => corrections[j * n + a],
-                    None => (wanted[j][i] - state[i]) / sizes[i],
+                    None => (wanted[j][i] - state[i]) / scales[i],
                 };
-                state[i] += by * sizes[i];
+                state[i] += by * scales[i];
                 change = change.max(if by.is_nan() { f64::INFINITY } else { by.abs() });
             }
         }

@@ -9,30 +9,30 @@
 //! * the tilt's logarithm as clock ([`tilting`]), in which the collision and the rest of the motion are of
 //!   like length,
 //! * for rolling, a table of the body's fundamental solutions ([`fundamental`]),
-//! * the part of the yaw that the collision alone makes in closed form ([`pieces`]).
+//! * the part of the yaw that the collision alone makes in closed form ([`segments`]).
 //!
-//! [`alone`] treats one start with all that can become of it; [`together`] sixteen at a time that rock,
-//! [`passing`] sixteen that topple. [`bodies`] sorts many starts by their bodies.
+//! [`scalar`] treats one start with all that can become of it; [`rocking`] sixteen at a time that rock,
+//! [`toppling`] sixteen that topple. [`bodies`] sorts many starts by their bodies.
 
-mod alone;
 mod antiderivative;
+mod batch;
 mod bodies;
 mod dispatch;
 mod extremes;
 mod fundamental;
-mod looks;
-mod many;
-mod passing;
-mod pieces;
 mod ridge;
+mod rocking;
 mod rolling;
 mod rule;
+mod scalar;
+mod segments;
 mod sensitivity;
+mod sign_search;
 mod sliding;
 mod start;
 mod tilting;
-mod together;
 mod top;
+mod toppling;
 mod waiting;
 mod wobble;
 
@@ -41,13 +41,13 @@ use crate::error::{InvalidInput, positive};
 use crate::law::{IdealLaw, Parameters};
 use crate::motion::{Fall, Options, Outcome, Status, fall};
 use crate::state::State;
-use alone::{Alone, Quadrature, Scalar};
 pub use bodies::ExactRows;
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use fundamental::Fundamental;
 use ridge::Balance;
 use rolling::Rolling;
+use scalar::{Quadrature, Scalar, ScalarQuadrature};
 use sliding::Sliding;
 use start::Start;
 use tilting::Tilting;
@@ -63,10 +63,10 @@ const SHORT: f64 = 3e-6;
 const LINGERING: f64 = 0.03;
 
 /// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
-const MOST_OUTER: f64 = 2.6;
+const MAX_OUTER: f64 = 2.6;
 
 /// Points at which the sign of a function is looked at in search of a first root.
-const LOOKS: usize = 24;
+const SAMPLES: usize = 24;
 
 /// The first turn of a motion, and what became of it. What does not exist is NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -200,7 +200,7 @@ impl Exact {
         } else {
             self.quadrature(start)
         };
-        let Some(turn) = quadrature.map(|quadrature| told(&quadrature)) else {
+        let Some(turn) = quadrature.map(|quadrature| turn_of_quadrature(&quadrature)) else {
             return self.stepped(start);
         };
         match turn.ending {
@@ -215,8 +215,8 @@ impl Exact {
     fn quadrature(&self, start: &State) -> Option<Quadrature<f64>> {
         let start = Start::of(start);
         match &self.table {
-            Some(table) => self.alone(&Rolling::new(table, &start), &self.parameters, start),
-            None => self.alone(
+            Some(table) => self.scalar(&Rolling::new(table, &start), &self.parameters, start),
+            None => self.scalar(
                 &Sliding::new(self.parameters, &start),
                 &self.parameters,
                 start,
@@ -224,7 +224,7 @@ impl Exact {
         }
     }
 
-    fn alone<T: Scalar>(
+    fn scalar<T: Scalar>(
         &self,
         motion: &impl Tilting<T>,
         k: &Parameters<T>,
@@ -233,9 +233,9 @@ impl Exact {
         let (end, balance) = (self.end(), self.balance);
         if lingers(motion, &start, &balance) {
             let motion = OnTop::new(motion, k, start, [balance.eta, libm::log(end.0)]);
-            return Alone::new(&motion, start, end, balance).quadrature();
+            return ScalarQuadrature::new(&motion, start, end, balance).quadrature();
         }
-        Alone::new(motion, start, end, balance).quadrature()
+        ScalarQuadrature::new(motion, start, end, balance).quadrature()
     }
 
     /// The same by steps, where quadrature does not reach.
@@ -248,7 +248,7 @@ impl Exact {
         };
         let fall = fall(&self.body, start, &self.law.into(), &self.options)
             .expect("start and options were checked");
-        told_of_fall(&fall, start)
+        turn_of_fall(&fall, start)
     }
 }
 
@@ -273,14 +273,15 @@ fn half_tangent(tilt: f64) -> f64 {
     sin / (1.0 + cos)
 }
 
-fn told(outcome: &Quadrature<f64>) -> ExactTurn {
+fn turn_of_quadrature(outcome: &Quadrature<f64>) -> ExactTurn {
     let tilt = |y: Option<f64>| y.map_or(f64::NAN, |y| 2.0 * libm::atan(y));
-    let of = |piece: &Option<pieces::Piece<f64>>, number: fn(&pieces::Piece<f64>) -> f64| {
-        piece.as_ref().map_or(f64::NAN, number)
+    let of = |segment: &Option<segments::Segment<f64>>,
+              number: fn(&segments::Segment<f64>) -> f64| {
+        segment.as_ref().map_or(f64::NAN, number)
     };
-    let before = outcome.before.unwrap_or(pieces::Piece::nothing());
-    let turn = of(&outcome.down, |piece| piece.yaw) + of(&outcome.up, |piece| piece.yaw);
-    let min_time = before.time + of(&outcome.down, |piece| piece.time);
+    let before = outcome.before.unwrap_or(segments::Segment::nothing());
+    let turn = of(&outcome.down, |segment| segment.yaw) + of(&outcome.up, |segment| segment.yaw);
+    let min_time = before.time + of(&outcome.down, |segment| segment.time);
     ExactTurn {
         ending: outcome.ending,
         outcome: outcome.ending,
@@ -288,12 +289,12 @@ fn told(outcome: &Quadrature<f64>) -> ExactTurn {
         min_tilt: tilt(outcome.low),
         max_tilt: tilt(outcome.high),
         min_time,
-        time: min_time + of(&outcome.up, |piece| piece.time),
+        time: min_time + of(&outcome.up, |segment| segment.time),
         yaw: before.yaw + turn,
     }
 }
 
-fn told_of_fall(fall: &Fall, start: &State) -> ExactTurn {
+fn turn_of_fall(fall: &Fall, start: &State) -> ExactTurn {
     let of_turn =
         |number: fn(&crate::motion::Turn) -> f64| fall.turn.as_ref().map_or(f64::NAN, number);
     let ending = match fall.status {

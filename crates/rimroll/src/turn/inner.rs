@@ -14,11 +14,11 @@
 
 use super::{needed_friction, turn_limit, turn_limit_with_spin};
 use crate::body::Body;
+use crate::contact_law::{ContactLaw, FrictionLaw};
 use crate::error::{InvalidInput, finite, positive};
 use crate::law::IdealLaw;
 use crate::motion::{Contacts, Options, Phase, Status, pass_near_collision, simulate};
 use crate::state::{Coordinates, State};
-use crate::surface::{FrictionLaw, Surface};
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -55,7 +55,7 @@ impl Arrival {
     pub fn of(
         body: &Body,
         start: &State,
-        surface: &Surface,
+        contact_law: &ContactLaw,
         gravity: f64,
     ) -> Result<Arrival, InvalidInput> {
         let start = State {
@@ -69,7 +69,7 @@ impl Arrival {
             rtol: 1e-12,
             ..Options::default()
         };
-        let fall = simulate(body, &start, surface.clone(), &options, |_| {
+        let fall = simulate(body, &start, contact_law.clone(), &options, |_| {
             ControlFlow::Continue(())
         })?;
         if fall.status != Status::FaceDown {
@@ -89,10 +89,10 @@ impl Arrival {
         let ratios = fall
             .track
             .nodes()
-            .map(|at| ratio(fall.law(&at).contact(&at)));
+            .map(|at| ratio(fall.dynamics(&at).contact(&at)));
         Ok(Arrival {
             tipping_rate: -end.p,
-            slip: fall.law(&end).slip(&end)[0],
+            slip: fall.dynamics(&end).slip(&end)[0],
             spin: 0.0,
             friction_ratio: ratios.fold(0.0, f64::max),
         })
@@ -207,13 +207,13 @@ fn computed_passage(
     const RTOL: f64 = 1e-11;
     const NO_GRAVITY: f64 = 1e-100;
     arrival.check()?;
-    let surface = Surface::from(friction.clone());
-    surface.check()?;
+    let contact_law = ContactLaw::from(friction.clone());
+    contact_law.check()?;
     let options = Options {
         rtol: RTOL,
         ..Options::default()
     };
-    let contacts = Contacts::new(body, &surface, NO_GRAVITY, options.step_tolerance());
+    let contacts = Contacts::new(body, &contact_law, NO_GRAVITY, options.step_tolerance());
     let contacts = Arc::new(contacts);
     let rate = arrival.tipping_rate;
     let flat = Coordinates {
@@ -240,9 +240,9 @@ fn computed_passage(
             why: why.to_owned(),
         });
     }
-    let kinetic = |u: &crate::motion::Instant| contacts.law(u.phase).energy(u).kinetic;
+    let kinetic = |u: &crate::motion::Instant| contacts.dynamics(u.phase).energy(u).kinetic;
     let (before, after) = (kinetic(&track.start()), kinetic(&end));
-    let law = contacts.law(end.phase);
+    let law = contacts.dynamics(end.phase);
     let [slip_x, slip_y] = law.slip(&end);
     let end = Coordinates {
         slip_x,

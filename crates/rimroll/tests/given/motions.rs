@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
-use rimroll::{Body, Motion, Options, State, Surface, simulate};
+use rimroll::{Body, ContactLaw, Motion, Options, State, simulate};
 
 /// The gravity of Srinivasan & Ruina (2007), m/s².
 pub const PAPER_GRAVITY: f64 = 9.8;
@@ -32,8 +32,11 @@ pub fn tight(duration: f64) -> Options {
 pub fn follow(
     body: &Body,
     start: &State,
-    surface: impl Into<Surface>,
+    contact_law: impl Into<ContactLaw>,
     options: &Options,
 ) -> Motion {
-    simulate(body, start, surface, options, |_| ControlFlow::Continue(())).expect("valid input")
+    simulate(body, start, contact_law, options, |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("valid input")
 }

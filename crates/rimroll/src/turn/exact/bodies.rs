@@ -167,13 +167,13 @@ mod tests {
             let exact = ExactRows::new(law, 9.8, None, &rows);
             let turns = exact.turns_while(|| true).expect("valid rows");
             let slopes = exact.turn_slopes_while(|| true).expect("valid rows");
-            let together: Vec<_> = turns
+            let rocking: Vec<_> = turns
                 .expect("nothing has ended the work")
                 .into_iter()
                 .zip(slopes.expect("nothing has ended the work"))
                 .map(|(turn, slope)| [format!("{:?}", [turn]), format!("{:?}", [slope])])
                 .collect();
-            assert_eq!(together, one_by_one(law, &rows));
+            assert_eq!(rocking, one_by_one(law, &rows));
             assert!(exact.turns_while(|| false).expect("valid rows").is_none());
         }
     }

@@ -1,19 +1,19 @@
 //! Sixteen starts at a time under one of the laws, compiled three times: for processors with registers of eight or of
 //! four numbers, and for any. The numbers are the same to the last bit.
 
+use super::batch::Lane;
 use super::fundamental::Fundamental;
-use super::many::Lane;
-use super::passing::{Passing, Stretch, Way, falling_back, passing, stretch};
-use super::pieces::Told;
 use super::ridge::Balance;
+use super::rocking::{Extremes, TurnPart, extremes, part};
 use super::rolling::Rolling;
 use super::rule::{Choice, Rule};
+use super::segments::Integral;
 use super::sliding::Sliding;
 use super::start::Start;
 use super::tilting::{Conserved, Tilting};
-use super::together::{Extremes, Part, extremes, part};
+use super::toppling::{Stretch, ToppleLimits, Toppling, falling_back, stretch, toppling};
 use crate::law::Parameters;
-use crate::real::{Bits, LANES, Lanes, Mask, Packed, Real, Task, Vector, in_widest};
+use crate::real::{Bits, LANES, Lanes, Mask, Packed, Real, SimdKernel, Vector, run_widest};
 
 /// A body under one of the laws.
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +71,7 @@ impl Group {
 }
 
 /// A body under one of the laws, as the compiler knows it.
-trait Moved {
+trait ReducedBody {
     /// The motion from a start.
     fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T>;
     /// A motion that has been looked at before.
@@ -80,7 +80,7 @@ trait Moved {
     fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T;
 }
 
-impl Moved for Fundamental<f64> {
+impl ReducedBody for Fundamental<f64> {
     #[inline(always)]
     fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
         Rolling::new(self, start)
@@ -97,7 +97,7 @@ impl Moved for Fundamental<f64> {
     }
 }
 
-impl Moved for Parameters<f64> {
+impl ReducedBody for Parameters<f64> {
     #[inline(always)]
     fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
         Sliding::new(*self, start)
@@ -115,20 +115,20 @@ impl Moved for Parameters<f64> {
 }
 
 /// What is asked of sixteen starts.
-trait Asked {
-    type Told;
-    fn of<V: Vector>(&self, body: &impl Moved) -> Self::Told;
+trait Query {
+    type Answer;
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> Self::Answer;
 }
 
 /// [tilt, tilt rate, yaw rate, spin rate], and the balance point.
-struct AskStart([Lanes; 4], Balance);
+struct StartQuery([Lanes; 4], Balance);
 
-impl Asked for AskStart {
-    type Told = (Start<Lanes>, Bits);
+impl Query for StartQuery {
+    type Answer = (Start<Lanes>, Bits);
 
     #[inline(always)]
-    fn of<V: Vector>(&self, body: &impl Moved) -> (Start<Lanes>, Bits) {
-        let AskStart(given, balance) = self;
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> (Start<Lanes>, Bits) {
+        let StartQuery(given, balance) = self;
         let start = Start::<V>::new(V::load_all(given));
         let short = body.tilting_energy(&start).at_most(V::from(balance.energy));
         let over = !short.and(start.y.at_most(V::from(balance.y)));
@@ -136,34 +136,34 @@ impl Asked for AskStart {
     }
 }
 
-struct AskExtremes<'a> {
+struct ExtremesQuery<'a> {
     group: &'a Group,
     most: f64,
     least_slope: f64,
 }
 
-impl Asked for AskExtremes<'_> {
-    type Told = Extremes;
+impl Query for ExtremesQuery<'_> {
+    type Answer = Extremes;
 
     #[inline(always)]
-    fn of<V: Vector>(&self, body: &impl Moved) -> Extremes {
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> Extremes {
         let start = &Start::<V>::load(&self.group.start);
         let motion = body.from(start);
         extremes(&motion, start, self.most, self.least_slope)
     }
 }
 
-struct AskPart<'a> {
+struct PieceQuery<'a> {
     group: &'a Group,
-    part: Part,
+    part: TurnPart,
     rule: &'static Rule,
 }
 
-impl Asked for AskPart<'_> {
-    type Told = Told;
+impl Query for PieceQuery<'_> {
+    type Answer = Integral;
 
     #[inline(always)]
-    fn of<V: Vector>(&self, body: &impl Moved) -> Told {
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> Integral {
         let Group {
             start,
             conserved,
@@ -173,52 +173,52 @@ impl Asked for AskPart<'_> {
         } = self.group;
         let motion = body.again::<V>(V::load_all(conserved));
         let (start, low, high) = (Start::load(start), V::load_all(low), V::load_all(high));
-        part(self.part, &motion, &start, low, high, self.rule).told(self.rule.nodes.len())
+        part(self.part, &motion, &start, low, high, self.rule).integral(self.rule.nodes.len())
     }
 }
 
-struct AskPassing<'a> {
+struct TopplingQuery<'a> {
     group: &'a Group,
-    way: &'a Way,
+    way: &'a ToppleLimits,
 }
 
-impl Asked for AskPassing<'_> {
-    type Told = Passing;
+impl Query for TopplingQuery<'_> {
+    type Answer = Toppling;
 
     #[inline(always)]
-    fn of<V: Vector>(&self, body: &impl Moved) -> Passing {
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> Toppling {
         let start = &Start::<V>::load(&self.group.start);
-        passing(&body.from(start), start, self.way)
+        toppling(&body.from(start), start, self.way)
     }
 }
 
-struct AskFallingBack<'a> {
+struct FallingBackQuery<'a> {
     group: &'a Group,
-    way: &'a Way,
+    way: &'a ToppleLimits,
 }
 
-impl Asked for AskFallingBack<'_> {
-    type Told = Bits;
+impl Query for FallingBackQuery<'_> {
+    type Answer = Bits;
 
     #[inline(always)]
-    fn of<V: Vector>(&self, body: &impl Moved) -> Bits {
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> Bits {
         let start = &Start::<V>::load(&self.group.start);
         falling_back(&body.from(start), start, self.way)
     }
 }
 
-struct AskStretch<'a> {
+struct StretchQuery<'a> {
     group: &'a Group,
     stretch: Stretch,
-    way: &'a Way,
+    way: &'a ToppleLimits,
     rule: &'static Rule,
 }
 
-impl Asked for AskStretch<'_> {
-    type Told = Told;
+impl Query for StretchQuery<'_> {
+    type Answer = Integral;
 
     #[inline(always)]
-    fn of<V: Vector>(&self, body: &impl Moved) -> Told {
+    fn of<V: Vector>(&self, body: &impl ReducedBody) -> Integral {
         let Group {
             start,
             conserved,
@@ -236,7 +236,7 @@ impl Asked for AskStretch<'_> {
             self.way,
             self.rule,
         )
-        .surely_told(self.rule.nodes.len())
+        .integral_if_sure(self.rule.nodes.len())
     }
 }
 
@@ -244,39 +244,39 @@ impl Engine<'_> {
     /// Starts in the terms of the quadrature, and which of them, as bits, are past the balance point or, but for
     /// yaw and spin, go there; of [tilt, tilt rate, yaw rate, spin rate].
     pub(super) fn start(&self, given: [Lanes; 4], balance: &Balance) -> (Start<Lanes>, Bits) {
-        self.ask(&AskStart(given, *balance))
+        self.answer(&StartQuery(given, *balance))
     }
 
     pub(super) fn extremes(&self, group: &Group, most: f64, least_slope: f64) -> Extremes {
-        self.ask(&AskExtremes {
+        self.answer(&ExtremesQuery {
             group,
             most,
             least_slope,
         })
     }
 
-    pub(super) fn part(&self, part: Part, group: &Group, choice: Choice) -> Told {
+    pub(super) fn part(&self, part: TurnPart, group: &Group, choice: Choice) -> Integral {
         let rule = choice.rule();
-        self.ask(&AskPart { group, part, rule })
+        self.answer(&PieceQuery { group, part, rule })
     }
 
-    pub(super) fn passing(&self, group: &Group, way: &Way) -> Passing {
-        self.ask(&AskPassing { group, way })
+    pub(super) fn toppling(&self, group: &Group, way: &ToppleLimits) -> Toppling {
+        self.answer(&TopplingQuery { group, way })
     }
 
-    pub(super) fn falling_back(&self, group: &Group, way: &Way) -> Bits {
-        self.ask(&AskFallingBack { group, way })
+    pub(super) fn falling_back(&self, group: &Group, way: &ToppleLimits) -> Bits {
+        self.answer(&FallingBackQuery { group, way })
     }
 
     pub(super) fn stretch(
         &self,
         stretch: Stretch,
         group: &Group,
-        way: &Way,
+        way: &ToppleLimits,
         choice: Choice,
-    ) -> Told {
+    ) -> Integral {
         let rule = choice.rule();
-        self.ask(&AskStretch {
+        self.answer(&StretchQuery {
             group,
             stretch,
             way,
@@ -284,23 +284,23 @@ impl Engine<'_> {
         })
     }
 
-    fn ask<A: Asked>(&self, asked: &A) -> A::Told {
-        in_widest(Asking(self, asked))
+    fn answer<A: Query>(&self, query: &A) -> A::Answer {
+        run_widest(QueryKernel(self, query))
     }
 }
 
 /// Something that is asked of a body.
-struct Asking<'a, A>(&'a Engine<'a>, &'a A);
+struct QueryKernel<'a, A>(&'a Engine<'a>, &'a A);
 
-impl<A: Asked> Task for Asking<'_, A> {
-    type Done = A::Told;
+impl<A: Query> SimdKernel for QueryKernel<'_, A> {
+    type Done = A::Answer;
 
     #[inline(always)]
-    fn run<V: Vector>(self) -> A::Told {
-        let Asking(engine, asked) = self;
+    fn run<V: Vector>(self) -> A::Answer {
+        let QueryKernel(engine, query) = self;
         match engine {
-            Engine::Rolling(table) => asked.of::<V>(*table),
-            Engine::Sliding(k) => asked.of::<V>(*k),
+            Engine::Rolling(table) => query.of::<V>(*table),
+            Engine::Sliding(k) => query.of::<V>(*k),
         }
     }
 }
@@ -308,24 +308,27 @@ impl<A: Asked> Task for Asking<'_, A> {
 #[cfg(test)]
 mod tests {
     use super::{
-        AskExtremes, AskFallingBack, AskPart, AskPassing, AskStart, AskStretch, Asked, Asking,
-        Engine, Group,
+        Engine, ExtremesQuery, FallingBackQuery, Group, PieceQuery, Query, QueryKernel, StartQuery,
+        StretchQuery, TopplingQuery,
     };
     use crate::law::IdealLaw;
     use crate::presets;
     use crate::real::{Bits, LANES, in_every_width};
     use crate::state::State;
     use crate::turn::exact::Exact;
-    use crate::turn::exact::many::{Lane, columns};
-    use crate::turn::exact::passing::Stretch;
+    use crate::turn::exact::batch::{Lane, columns};
+    use crate::turn::exact::rocking::TurnPart;
     use crate::turn::exact::rule::Choice;
-    use crate::turn::exact::together::Part;
+    use crate::turn::exact::toppling::Stretch;
     use core::fmt::Debug;
 
     /// What is told by registers of each width that the processor has; digits enough for every bit.
-    fn told<A: Asked<Told: Debug>>(engine: &Engine<'_>, asked: &A) -> Vec<String> {
-        let told = in_every_width(|| Asking(engine, asked));
-        told.iter().map(|told| format!("{told:?}")).collect()
+    fn integral<A: Query<Answer: Debug>>(engine: &Engine<'_>, query: &A) -> Vec<String> {
+        let integral = in_every_width(|| QueryKernel(engine, query));
+        integral
+            .iter()
+            .map(|integral| format!("{integral:?}"))
+            .collect()
     }
 
     fn group(tilt_rate: f64) -> [State; LANES] {
@@ -341,7 +344,12 @@ mod tests {
     #[test]
     fn registers_of_every_width_tell_the_same_bits() {
         let can = presets::can_2007().unwrap();
-        let same = |told: Vec<String>| assert!(told.iter().all(|one| *one == told[0]), "{told:?}");
+        let same = |integral: Vec<String>| {
+            assert!(
+                integral.iter().all(|one| *one == integral[0]),
+                "{integral:?}"
+            )
+        };
         for law in [IdealLaw::NoSlip, IdealLaw::Frictionless] {
             let exact = Exact::new(&can, law, 9.8, None).unwrap();
             let way = &exact.way();
@@ -351,19 +359,19 @@ mod tests {
 
             let engine = exact.rocking_engine();
             let given = columns(&group(-1.0));
-            same(told(&engine, &AskStart(given, exact.balance)));
+            same(integral(&engine, &StartQuery(given, exact.balance)));
             let mut rocking = Group::of(&lanes(-1.0), &all);
             let most = exact.highest();
             let least_slope = exact.least_slope();
             let found = engine.extremes(&rocking, most, least_slope);
             assert_eq!(found.sound, Bits::MAX);
             let group = &rocking;
-            let asked = AskExtremes {
+            let query = ExtremesQuery {
                 group,
                 most,
                 least_slope,
             };
-            same(told(&engine, &asked));
+            same(integral(&engine, &query));
             rocking = Group {
                 conserved: found.conserved,
                 low: found.low,
@@ -371,36 +379,41 @@ mod tests {
                 ..rocking
             };
             let group = &rocking;
-            for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
-                same(told(&engine, &AskPart { group, part, rule }));
+            for part in [
+                TurnPart::Foot,
+                TurnPart::Head,
+                TurnPart::Leg,
+                TurnPart::ShortLeg,
+            ] {
+                same(integral(&engine, &PieceQuery { group, part, rule }));
             }
 
             let engine = exact.passing_engine();
-            let mut passing = Group::of(&lanes(-5.0), &all);
-            let found = engine.passing(&passing, way);
+            let mut toppling = Group::of(&lanes(-5.0), &all);
+            let found = engine.toppling(&toppling, way);
             assert_eq!(found.sound, Bits::MAX);
-            let group = &passing;
-            same(told(&engine, &AskPassing { group, way }));
-            passing = Group {
+            let group = &toppling;
+            same(integral(&engine, &TopplingQuery { group, way }));
+            toppling = Group {
                 conserved: found.conserved,
                 low: found.low,
                 width: found.width,
-                ..passing
+                ..toppling
             };
-            let group = &passing;
+            let group = &toppling;
             for stretch in [Stretch::Foot, Stretch::Approach, Stretch::Rest] {
-                let asked = AskStretch {
+                let query = StretchQuery {
                     group,
                     stretch,
                     way,
                     rule,
                 };
-                same(told(&engine, &asked));
+                same(integral(&engine, &query));
             }
 
             let group = &Group::of(&lanes(4.0), &all);
             assert_eq!(engine.falling_back(group, way), Bits::MAX);
-            same(told(&engine, &AskFallingBack { group, way }));
+            same(integral(&engine, &FallingBackQuery { group, way }));
         }
     }
 }

@@ -27,7 +27,7 @@ impl<T: Copy> Extreme<T> {
 impl<T: Real> Extreme<T> {
     /// Of a smallest tilt at y_c, what ∫ y_c dη / √(y² − y_c²) is to be taken times to be the yaw nearby.
     #[inline(always)]
-    pub(super) fn grazing(&self) -> T {
+    pub(super) fn singular_coefficient(&self) -> T {
         self.point.w * (T::from(2.0) * self.point.inertia / self.point.slope).sqrt()
     }
 }

@@ -3,8 +3,8 @@
 //! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
 //! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
 
-use super::MOST_OUTER;
-use crate::real::{Real, rough_acosh, rough_asinh};
+use super::MAX_OUTER;
+use crate::real::{Real, approx_acosh, approx_asinh};
 use std::sync::OnceLock;
 
 /// How many nodes each rule of the ladder has.
@@ -120,14 +120,14 @@ const ELSEWHERE: f64 = 2.0;
 /// is singular after another `rest`: in the plane of τ at √(1 + rest/length).
 #[inline(always)]
 pub(super) fn nodes_from_lowest<T: Real>(length: T, rest: T) -> T {
-    T::from(LOW_DIGITS) / rough_asinh((rest / length).sqrt())
+    T::from(LOW_DIGITS) / approx_asinh((rest / length).sqrt())
 }
 
 /// The same for a piece on to the balance point, that far, to whose sides the integrand is singular.
 #[inline(always)]
 pub(super) fn nodes_towards<T: Real>(length: T, rest: T, aside: T) -> T {
     let distance = (rest * rest + aside * aside).sqrt();
-    let decrement = rough_asinh(((distance + rest) / (length + length)).sqrt());
+    let decrement = approx_asinh(((distance + rest) / (length + length)).sqrt());
     T::from(SURE_DIGITS) / decrement
 }
 
@@ -135,7 +135,7 @@ pub(super) fn nodes_towards<T: Real>(length: T, rest: T, aside: T) -> T {
 /// singular at ± i π/2.
 #[inline(always)]
 pub(super) fn nodes_across<T: Real>(half: T) -> T {
-    let decrement = rough_asinh(T::from(core::f64::consts::FRAC_PI_2) / half);
+    let decrement = approx_asinh(T::from(core::f64::consts::FRAC_PI_2) / half);
     T::from(ELSEWHERE) + T::from(SURE_DIGITS) / decrement
 }
 
@@ -145,12 +145,12 @@ pub(super) fn nodes_across<T: Real>(half: T) -> T {
 pub(super) fn nodes_to_highest<T: Real>(square: T, far: T) -> T {
     let one = T::from(1.0);
     let (near, far) = (square.sqrt(), far.sqrt());
-    let plain = rough_asinh(near).min(rough_acosh(far));
+    let plain = approx_asinh(near).min(approx_acosh(far));
     // Of a stretch between the distance and half of it.
     let epsilon = (T::from(0.7) * near).min(one);
-    let length = rough_asinh(one / epsilon);
-    let aside = rough_asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
-    let stretched = aside.min(rough_acosh(rough_asinh(far / epsilon) / length));
+    let length = approx_asinh(one / epsilon);
+    let aside = approx_asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
+    let stretched = aside.min(approx_acosh(approx_asinh(far / epsilon) / length));
     let is_stretched = square - T::from(UNSTRETCHED);
     T::from(HIGH_DIGITS) / is_stretched.where_negative(stretched, plain)
 }
@@ -171,7 +171,7 @@ pub(super) struct Rule {
 pub(super) struct Node {
     /// τ.
     pub(super) at: f64,
-    /// exp(−Λτ²) − 1 for a Λ of [`MOST_OUTER`].
+    /// exp(−Λτ²) − 1 for a Λ of [`MAX_OUTER`].
     pub(super) less: f64,
     pub(super) weight: f64,
     /// Weight, times P_{2n−2} at the node and its norm: what sums to the coefficient of the last
@@ -206,7 +206,7 @@ impl Node {
         let at = epsilon * libm::sinh(length * self.at);
         Node {
             at,
-            less: Real::exp_m1(below(MOST_OUTER, at)),
+            less: Real::exp_m1(below(MAX_OUTER, at)),
             weight: factor * self.weight,
             last: factor * self.last,
             before: factor * self.before,
@@ -231,7 +231,7 @@ fn node(degree: usize, i: usize) -> Node {
     let of_degree = |m: usize| weight * (2 * m + 1) as f64 * legendre(m, x).0;
     Node {
         at: x,
-        less: Real::exp_m1(below(MOST_OUTER, x)),
+        less: Real::exp_m1(below(MAX_OUTER, x)),
         weight,
         last: of_degree(degree - 2),
         before: of_degree(degree - 6),

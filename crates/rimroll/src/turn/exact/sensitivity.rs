@@ -68,8 +68,8 @@ impl Exact {
         ];
         let start = Start::new(varied.map(|(value, name)| along(value, name)));
         let outcome = match table {
-            Some(table) => self.alone(&Rolling::new(table, &start), &k, start),
-            None => self.alone(&Sliding::new(k, &start), &k, start),
+            Some(table) => self.scalar(&Rolling::new(table, &start), &k, start),
+            None => self.scalar(&Sliding::new(k, &start), &k, start),
         }?;
         let known = matches!(outcome.ending, Outcome::Rocked | Outcome::Toppled);
         let turn = (outcome.down? + outcome.up?).yaw;

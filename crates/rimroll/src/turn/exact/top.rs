@@ -9,9 +9,9 @@
 //!
 //! So G keeps its digits however long the body lingers there.
 
-use super::alone::Scalar;
 use super::antiderivative::Antiderivative;
 use super::ridge::Balance;
+use super::scalar::Scalar;
 use super::start::Start;
 use super::tilting::{Conserved, Point, ROUNDING, Tilting, sin_and_versine};
 use crate::law::Parameters;

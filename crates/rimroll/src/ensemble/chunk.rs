@@ -2,12 +2,12 @@
 
 use super::Release;
 use super::limits::{Limits, Topple};
+use crate::error_scale::ErrorScale;
 use crate::law::Parameters;
 use crate::motion::Options;
-use crate::yardstick::Yardstick;
 
 /// Some of the trials of an ensemble.
-pub(super) struct Piece<'a> {
+pub(super) struct Chunk<'a> {
     pub trials: &'a [Release<'a>],
     pub options: &'a Options,
     pub limits: Limits,
@@ -22,11 +22,11 @@ pub(super) struct BodyNumbers {
     /// The place of the body among those of the piece: two bodies of one place are the same.
     pub place: usize,
     pub parameters: Parameters<f64>,
-    pub yardstick: Yardstick<f64>,
+    pub error_scale: ErrorScale<f64>,
     pub topple: Topple<f64>,
 }
 
-impl<'a> Piece<'a> {
+impl<'a> Chunk<'a> {
     /// Trials that have been checked, with the options of the ensemble. Bodies that follow one another and are
     /// equal count as one.
     pub(super) fn new(trials: &'a [Release<'a>], options: &'a Options) -> Self {
@@ -38,13 +38,13 @@ impl<'a> Piece<'a> {
                 bodies.push(BodyNumbers {
                     place: bodies.len(),
                     parameters,
-                    yardstick: Yardstick::new(&parameters),
+                    error_scale: ErrorScale::new(&parameters),
                     topple: Topple::at(options.topple_tilt_of(body)),
                 });
             }
             body_of.push(bodies.len() - 1);
         }
-        Piece {
+        Chunk {
             trials,
             options,
             limits: Limits::of(options),

@@ -1,14 +1,14 @@
 //! One start by itself, whatever becomes of it.
 
 use super::extremes::{Extreme, highest, lowest};
-use super::looks::{Energy, Unclear, first_sign_change, first_turn_back, is_clear};
-use super::pieces::{Piece, across, from_lowest, short, to_highest};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
+use super::segments::{Segment, across, from_lowest, short, to_highest};
+use super::sign_search::{Energy, Unclear, first_sign_change, first_turn_back, is_clear};
 use super::start::Start;
 use super::tilting::Tilting;
 use super::wobble::{LONGEST, Wobble};
-use super::{FLAT, MOST_OUTER, Outcome, SHORT};
+use super::{FLAT, MAX_OUTER, Outcome, SHORT};
 use crate::real::{Dual, Real, Slope};
 
 /// A number that stands for one motion, so that it can decide.
@@ -29,8 +29,8 @@ impl<S: Slope> Scalar for Dual<S> {
     }
 }
 
-impl<T: Scalar> Piece<T> {
-    fn values(&self) -> Piece<f64> {
+impl<T: Scalar> Segment<T> {
+    fn values(&self) -> Segment<f64> {
         self.map(T::value)
     }
 }
@@ -42,11 +42,11 @@ pub(super) struct Quadrature<T> {
     pub(super) low: Option<T>,
     pub(super) high: Option<T>,
     /// Yaw and time from the release to the first largest tilt, if it rises at first.
-    pub(super) before: Option<Piece<T>>,
+    pub(super) before: Option<Segment<T>>,
     /// From there, or the release, down to the smallest tilt.
-    pub(super) down: Option<Piece<T>>,
+    pub(super) down: Option<Segment<T>>,
     /// From there up to the end.
-    pub(super) up: Option<Piece<T>>,
+    pub(super) up: Option<Segment<T>>,
 }
 
 impl<T> Quadrature<T> {
@@ -67,11 +67,11 @@ enum Top<T> {
     /// At a largest tilt.
     Rest(Extreme<T>),
     /// On the move, at tan(φ/2).
-    Passing(T, Outcome),
+    Toppling(T, Outcome),
 }
 
 /// One motion and what is looked up on the way.
-pub(super) struct Alone<'a, M, T> {
+pub(super) struct ScalarQuadrature<'a, M, T> {
     motion: &'a M,
     start: Start<T>,
     /// Where it ends if nothing turns it back: tan(φ/2), and what that is called.
@@ -91,14 +91,14 @@ const ROUNDS: usize = 4;
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
 const SHORTEST: f64 = 1e-4;
 
-impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
+impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
     pub(super) fn new(
         motion: &'a M,
         start: Start<T>,
         end: (f64, Outcome),
         balance: Balance,
     ) -> Self {
-        Alone {
+        ScalarQuadrature {
             motion,
             start,
             end,
@@ -130,7 +130,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         };
         let top = match high {
             Some(high) => Top::Rest(high),
-            None => Top::Passing(T::from(self.end.0), self.end.1),
+            None => Top::Toppling(T::from(self.end.0), self.end.1),
         };
         match top {
             Top::Rest(high) if (high.eta - low.eta).value() < LONGEST => {
@@ -157,14 +157,14 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         };
         let absolute = match top {
             Top::Rest(high) => Top::Rest(moved(&high)),
-            Top::Passing(y, outcome) => Top::Passing(y, outcome),
+            Top::Toppling(y, outcome) => Top::Toppling(y, outcome),
         };
         let low_there = moved(low);
         match self.lifting(&low_there, &absolute, rising) {
             None => self.along(motion, start, low, &top, rising),
             Some(None) => Some(Quadrature::without_turn(Outcome::LiftedOff, None)),
             Some(Some(y)) => {
-                let top = Top::Passing(y, Outcome::LiftedOff);
+                let top = Top::Toppling(y, Outcome::LiftedOff);
                 self.along(self.motion, &self.start, &low_there, &top, rising)
             }
         }
@@ -226,11 +226,11 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     ) -> Option<Quadrature<T>> {
         let eta_top = match top {
             Top::Rest(high) => high.eta,
-            Top::Passing(y, _) => y.ln(),
+            Top::Toppling(y, _) => y.ln(),
         };
         let length = eta_top - low.eta;
-        let outer = if length.value() > 2.0 * MOST_OUTER {
-            T::from(MOST_OUTER)
+        let outer = if length.value() > 2.0 * MAX_OUTER {
+            T::from(MAX_OUTER)
         } else {
             T::from(0.5) * length
         };
@@ -239,7 +239,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let bottom = foot(motion, low, inner)?;
         let upper = match top {
             Top::Rest(high) => head(motion, high, outer, self.gap(motion, high), 0.0)?,
-            Top::Passing(..) => self.passage([split, eta_top])?,
+            Top::Toppling(..) => self.passage([split, eta_top])?,
         };
         let up = bottom + upper;
         let from_start = eta_top - start.eta;
@@ -260,7 +260,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
                         rising,
                     )?
                 }
-                Top::Passing(..) => bottom + self.passage([split, start.eta])?,
+                Top::Toppling(..) => bottom + self.passage([split, start.eta])?,
             }
         };
         let (before, down) = if rising {
@@ -271,12 +271,12 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         Some(Quadrature {
             ending: match top {
                 Top::Rest(_) => Outcome::Rocked,
-                Top::Passing(_, ending) => *ending,
+                Top::Toppling(_, ending) => *ending,
             },
             low: Some(low.y),
             high: Some(match top {
                 Top::Rest(high) => high.y,
-                Top::Passing(y, _) => *y,
+                Top::Toppling(y, _) => *y,
             }),
             before,
             down: Some(down),
@@ -292,7 +292,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         low: &Extreme<T>,
         [to_start, length]: [T; 2],
         rising: bool,
-    ) -> Option<Piece<T>> {
+    ) -> Option<Segment<T>> {
         if is_short(to_start, length.value()) {
             Some(short(motion, low.place(), to_start, self.speed(rising)))
         } else if to_start.value() < CLOSE {
@@ -313,7 +313,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         [from_start, length]: [T; 2],
         time: f64,
         rising: bool,
-    ) -> Option<Piece<T>> {
+    ) -> Option<Segment<T>> {
         let gap = self.gap(motion, high);
         if is_short(from_start, length.value().min(gap)) {
             Some(short(motion, high.place(), -from_start, self.speed(rising)))
@@ -348,7 +348,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
     }
 
     /// From one η to another on the move.
-    fn passage(&self, [from, to]: [T; 2]) -> Option<Piece<T>> {
+    fn passage(&self, [from, to]: [T; 2]) -> Option<Segment<T>> {
         let Balance { y, eta, .. } = self.balance;
         let drive = self.motion.at(T::from(y), T::from(eta)).drive;
         let ridge = Ridge::new(self.balance, drive);
@@ -418,7 +418,7 @@ impl<'a, T: Scalar, M: Tilting<T>> Alone<'a, M, T> {
         let (bottom, start) = (low.eta.value(), self.start.eta.value());
         let end = match top {
             Top::Rest(high) => high.eta.value(),
-            Top::Passing(y, _) => libm::log(y.value()),
+            Top::Toppling(y, _) => libm::log(y.value()),
         };
         let turned = if rising { end } else { start };
         if !self.is_sure(low, turned) && self.lifts_coming_down(turned, bottom) {
@@ -468,38 +468,43 @@ fn agreed<T: Scalar>(
     choice: Choice,
     whole: f64,
     gap: f64,
-    piece: impl Fn(&Rule) -> Piece<T>,
-) -> Option<Piece<T>> {
+    segment: impl Fn(&Rule) -> Segment<T>,
+) -> Option<Segment<T>> {
     /// Where G is a small difference, rounding lets rules agree no better than to so many tolerances.
     const ROUNDING: f64 = 20.0;
     /// The same where that is as small as it can be: less than the start's own rounding decides.
-    const MOST_ROUNDING: f64 = 1e4;
-    let rounding = (1e-4 / (gap * gap)).clamp(ROUNDING, MOST_ROUNDING);
-    let mut before = piece(choice.rule());
-    let mut best: Option<(f64, Piece<T>)> = None;
+    const MAX_ROUNDING: f64 = 1e4;
+    let rounding = (1e-4 / (gap * gap)).clamp(ROUNDING, MAX_ROUNDING);
+    let mut before = segment(choice.rule());
+    let mut best: Option<(f64, Segment<T>)> = None;
     let mut next = choice.larger().and_then(Choice::larger);
     while let Some(choice) = next {
-        let piece = piece(choice.rule());
-        let off = piece.values().difference(&before.values(), whole);
+        let segment = segment(choice.rule());
+        let off = segment.values().difference(&before.values(), whole);
         if off <= 1.0 {
             return Some(before);
         }
         if best.is_none_or(|(least, _)| off < least) {
             best = Some((off, before));
         }
-        before = piece;
+        before = segment;
         next = choice.larger().and_then(Choice::larger);
     }
     best.filter(|&(off, _)| off <= rounding)
-        .map(|(_, piece)| piece)
+        .map(|(_, segment)| segment)
 }
 
 /// From the smallest tilt up by `length` in η.
-fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Piece<T>> {
+fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Segment<T>> {
     // With each unit of η the time grows e-fold over it.
     let choice = Choice::plain(9.0 + 0.8 * length.value());
     agreed(choice, 0.0, 1.0, |rule| {
-        from_lowest(motion, [low.y, low.eta, low.grazing()], length, rule)
+        from_lowest(
+            motion,
+            [low.y, low.eta, low.singular_coefficient()],
+            length,
+            rule,
+        )
     })
 }
 
@@ -511,7 +516,7 @@ fn head<T: Scalar>(
     length: T,
     gap: f64,
     whole: f64,
-) -> Option<Piece<T>> {
+) -> Option<Segment<T>> {
     // The smallest tilt, in the plane of τ².
     const FAR: f64 = 100.0;
     let square = gap / length.value();
@@ -529,8 +534,8 @@ fn met<T: Scalar>(extreme: Extreme<T>) -> Result<Extreme<T>, Unclear> {
 
 /// Whether a piece next to an extreme is so short that G has no digits left in it, but not for being part
 /// of a motion that is no longer, `whole` in η, or for being next to where G is smaller still.
-fn is_short<T: Scalar>(piece: T, whole: f64) -> bool {
-    piece.value() < SHORT.min(1e-5 * whole)
+fn is_short<T: Scalar>(segment: T, whole: f64) -> bool {
+    segment.value() < SHORT.min(1e-5 * whole)
 }
 
 /// From the start to `away` in η and a little beyond.

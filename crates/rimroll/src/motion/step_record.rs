@@ -1,7 +1,7 @@
 //! An accepted step as it is kept: where it began and ended and how long it was. Everything between is
 //! computed again when it is asked for, to the same bits.
 
-use super::contacts::{Contacts, Phase, Task};
+use super::contacts::{Contacts, Phase, SystemVisitor};
 use super::mechanics::first;
 use crate::solve::{Collocation, Dense, Step, System};
 use crate::state::COORDINATES;
@@ -10,7 +10,7 @@ pub(super) type Polynomial = Dense<f64, COORDINATES>;
 
 /// A step of a phase.
 #[derive(Clone)]
-pub(super) struct Leg {
+pub(super) struct StepRecord {
     pub phase: Phase,
     /// Its length on the solver's clock.
     pub h: f64,
@@ -20,20 +20,20 @@ pub(super) struct Leg {
     polynomial: Option<Box<Polynomial>>,
 }
 
-impl Leg {
+impl StepRecord {
     /// An explicit step, by which only the first coordinates change from what they are in `rest`.
     #[inline(always)]
     pub fn explicit<const N: usize>(
         phase: Phase,
         step: &Step<f64, N>,
         rest: &[f64; COORDINATES],
-    ) -> Leg {
+    ) -> StepRecord {
         let with_rest = |changed: &[f64; N]| {
             let mut all = *rest;
             all[..N].copy_from_slice(changed);
             all
         };
-        Leg {
+        StepRecord {
             phase,
             h: step.h,
             start: with_rest(&step.start),
@@ -43,8 +43,8 @@ impl Leg {
     }
 
     /// A step known as a polynomial.
-    pub fn polynomial(phase: Phase, dense: Polynomial) -> Leg {
-        Leg {
+    pub fn polynomial(phase: Phase, dense: Polynomial) -> StepRecord {
+        StepRecord {
             phase,
             h: dense.h,
             start: dense.start,
@@ -67,9 +67,9 @@ impl Leg {
 
     /// The step cut at the fraction x: made again with another length, so of the full order, not an
     /// interpolation.
-    pub fn cut(&self, contacts: &Contacts, x: f64) -> Leg {
+    pub fn cut(&self, contacts: &Contacts, x: f64) -> StepRecord {
         match &self.polynomial {
-            Some(dense) => Leg::polynomial(self.phase, Collocation::get().cut(dense, x)),
+            Some(dense) => StepRecord::polynomial(self.phase, Collocation::get().cut(dense, x)),
             None => contacts.solve(self.phase, Cut(self, x)),
         }
     }
@@ -80,24 +80,31 @@ impl Leg {
     }
 }
 
-struct Open<'a>(&'a Leg);
+struct Open<'a>(&'a StepRecord);
 
-impl Task for Open<'_> {
+impl SystemVisitor for Open<'_> {
     type Output = Polynomial;
 
     fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Polynomial {
-        let Open(leg) = self;
-        leg.again(system, leg.h).dense(system).widened(&leg.start)
+        let Open(record) = self;
+        record
+            .again(system, record.h)
+            .dense(system)
+            .widened(&record.start)
     }
 }
 
-struct Cut<'a>(&'a Leg, f64);
+struct Cut<'a>(&'a StepRecord, f64);
 
-impl Task for Cut<'_> {
-    type Output = Leg;
+impl SystemVisitor for Cut<'_> {
+    type Output = StepRecord;
 
-    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Leg {
-        let Cut(leg, x) = self;
-        Leg::explicit(leg.phase, &leg.again(system, x * leg.h), &leg.start)
+    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> StepRecord {
+        let Cut(record, x) = self;
+        StepRecord::explicit(
+            record.phase,
+            &record.again(system, x * record.h),
+            &record.start,
+        )
     }
 }

@@ -3,17 +3,17 @@
 //! A block of starts goes through the parts of its turns one after another; in each, starts that need
 //! rules of the same size share lanes. What is rare is treated alone.
 
-use super::alone::Quadrature;
 use super::dispatch::Group;
-use super::passing::{Stretch, Way};
-use super::pieces::Told;
+use super::rocking::TurnPart;
 use super::rule::{Choice, RULES};
+use super::scalar::Quadrature;
+use super::segments::Integral;
 use super::start::Start;
 use super::tilting::Conserved;
-use super::together::Part;
 use super::top::is_on_top;
+use super::toppling::{Stretch, ToppleLimits};
 use super::waiting::Waiting;
-use super::{Exact, ExactTurn, Outcome, SHORT, told};
+use super::{Exact, ExactTurn, Outcome, SHORT, turn_of_quadrature};
 use crate::error::InvalidInput;
 use crate::real::{LANES, Lanes, Real};
 use crate::state::State;
@@ -50,7 +50,7 @@ pub(super) struct Lane {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Course {
     /// Nothing: it is treated alone.
-    Alone,
+    ScalarQuadrature,
     /// It is past the balance point or, but for yaw and spin, goes there.
     GoesOver,
     /// It is not, and does not.
@@ -85,7 +85,10 @@ impl Exact {
         goes_on: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
         let refused = |block: &[State]| block.iter().find_map(|start| self.check(start).err());
-        let mut turns = vec![told(&Quadrature::without_turn(Outcome::Failed, None)); starts.len()];
+        let mut turns = vec![
+            turn_of_quadrature(&Quadrature::without_turn(Outcome::Failed, None));
+            starts.len()
+        ];
         #[cfg(feature = "threads")]
         let (first, (of_turns, of_starts)) = (
             starts.par_chunks(BLOCK).find_map_first(refused),
@@ -125,7 +128,9 @@ impl Exact {
             *turn = match lane.course {
                 Course::Rocks => lane.rocked(),
                 Course::Passes => lane.passed(end),
-                Course::FallsBack => told(&Quadrature::without_turn(Outcome::FellBack, None)),
+                Course::FallsBack => {
+                    turn_of_quadrature(&Quadrature::without_turn(Outcome::FellBack, None))
+                }
                 // One that has to be stepped may take long.
                 _ if goes_on() => self.turn_of(start),
                 _ => return None,
@@ -166,7 +171,7 @@ impl Exact {
         let (falling, rising): (Vec<_>, Vec<_>) =
             over.into_iter().partition(|&i| lanes[i].start.p < 0.0);
         for group in falling.chunks(LANES) {
-            let found = engine.passing(&Group::of(lanes, group), &way);
+            let found = engine.toppling(&Group::of(lanes, group), &way);
             let sound = found.sound;
             for (place, &i) in group.iter().enumerate() {
                 if sound & (1 << place) == 0 {
@@ -197,15 +202,20 @@ impl Exact {
     /// Yaw and time of those that rock.
     fn rock(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
-        for part in [Part::Foot, Part::Head, Part::Leg, Part::ShortLeg] {
+        for part in [
+            TurnPart::Foot,
+            TurnPart::Head,
+            TurnPart::Leg,
+            TurnPart::ShortLeg,
+        ] {
             add(
                 lanes,
                 |lane| self.choice(part, lane),
                 |group, choice| engine.part(part, group, choice),
-                |lane, piece| match part {
-                    Part::Foot => lane.half = piece,
-                    Part::Head => lane.half = sum(lane.half, piece),
-                    Part::Leg | Part::ShortLeg => lane.leg = piece,
+                |lane, segment| match part {
+                    TurnPart::Foot => lane.half = segment,
+                    TurnPart::Head => lane.half = sum(lane.half, segment),
+                    TurnPart::Leg | TurnPart::ShortLeg => lane.leg = segment,
                 },
             );
         }
@@ -226,18 +236,18 @@ impl Exact {
                     passes.then(|| Choice::plain(lane.nodes[stretch as usize]))
                 },
                 |group, choice| engine.stretch(stretch, group, &way, choice),
-                |lane, piece| match stretch {
-                    Stretch::Foot => lane.half = piece,
-                    Stretch::Approach => lane.half = sum(lane.half, piece),
-                    Stretch::Rest => lane.leg = piece,
+                |lane, segment| match stretch {
+                    Stretch::Foot => lane.half = segment,
+                    Stretch::Approach => lane.half = sum(lane.half, segment),
+                    Stretch::Rest => lane.leg = segment,
                 },
             );
         }
     }
 
-    pub(super) fn way(&self) -> Way {
+    pub(super) fn way(&self) -> ToppleLimits {
         let (end, ending) = self.end();
-        Way {
+        ToppleLimits {
             balance: self.balance,
             end: [end, Real::ln(end)],
             ending,
@@ -249,7 +259,7 @@ impl Exact {
     }
 
     /// The rule to begin with, where a lane that rocks has that part.
-    fn choice(&self, part: Part, lane: &Lane) -> Option<Choice> {
+    fn choice(&self, part: TurnPart, lane: &Lane) -> Option<Choice> {
         if lane.course != Course::Rocks {
             return None;
         }
@@ -257,13 +267,13 @@ impl Exact {
         let has_leg = lane.start.p != 0.0;
         let [foot, head, along_leg] = lane.nodes;
         match part {
-            Part::Foot => Some(Choice::plain(foot)),
-            Part::Head => Some(Choice::to_highest(head, lane.square[0])),
-            Part::Leg if has_leg && leg >= SHORT => {
+            TurnPart::Foot => Some(Choice::plain(foot)),
+            TurnPart::Head => Some(Choice::to_highest(head, lane.square[0])),
+            TurnPart::Leg if has_leg && leg >= SHORT => {
                 Some(Choice::to_highest(along_leg, lane.square[1]))
             }
-            Part::ShortLeg if has_leg && leg < SHORT => Some(Choice::plain(0.0)),
-            Part::Leg | Part::ShortLeg => None,
+            TurnPart::ShortLeg if has_leg && leg < SHORT => Some(Choice::plain(0.0)),
+            TurnPart::Leg | TurnPart::ShortLeg => None,
         }
     }
 }
@@ -280,7 +290,7 @@ impl Lane {
                 // One that lingers next to the balance point takes more care.
                 let lingers = is_on_top(&start, exact.parameters.a, &exact.balance);
                 let course = match over & (1 << place) {
-                    _ if lingers || exact.is_beyond(given) => Course::Alone,
+                    _ if lingers || exact.is_beyond(given) => Course::ScalarQuadrature,
                     0 => Course::StaysUnder,
                     _ => Course::GoesOver,
                 };
@@ -369,7 +379,7 @@ fn sum([yaw, time]: [f64; 2], [more_yaw, more_time]: [f64; 2]) -> [f64; 2] {
 fn add(
     lanes: &mut [Lane],
     choice: impl Fn(&Lane) -> Option<Choice>,
-    ask: impl Fn(&Group, Choice) -> Told,
+    answer: impl Fn(&Group, Choice) -> Integral,
     done: impl Fn(&mut Lane, [f64; 2]),
 ) {
     let mut waiting = Waiting::new(lanes.len());
@@ -381,17 +391,19 @@ fn add(
     let mut group = Vec::with_capacity(LANES);
     for choice in (0..RULES).map(Choice::at) {
         while waiting.take(choice, &mut group) {
-            let told = ask(&Group::of(lanes, &group), choice);
-            let (resolved, pushed) = (told.resolved, told.pushed);
+            let integral = answer(&Group::of(lanes, &group), choice);
+            let (resolved, pushed) = (integral.resolved, integral.pushed);
             for (place, &i) in group.iter().enumerate() {
-                let piece = [told.yaw.0[place], told.time.0[place]];
+                let segment = [integral.yaw.0[place], integral.time.0[place]];
                 // Where G has been negative at a node, what was taken for the motion's extremes are not.
-                let is_real = piece.iter().all(|number| number.is_finite());
+                let is_real = segment.iter().all(|number| number.is_finite());
                 match choice.larger() {
-                    _ if !is_real || pushed & (1 << place) == 0 => lanes[i].course = Course::Alone,
-                    _ if resolved & (1 << place) != 0 => done(&mut lanes[i], piece),
+                    _ if !is_real || pushed & (1 << place) == 0 => {
+                        lanes[i].course = Course::ScalarQuadrature
+                    }
+                    _ if resolved & (1 << place) != 0 => done(&mut lanes[i], segment),
                     Some(larger) => waiting.push(larger, i),
-                    None => lanes[i].course = Course::Alone,
+                    None => lanes[i].course = Course::ScalarQuadrature,
                 }
             }
         }
@@ -446,15 +458,15 @@ mod tests {
         {
             let exact = Exact::new(body, law, 9.8, None).unwrap();
             let starts = throws(body, 600);
-            let together = exact.turns(&starts).unwrap();
-            for (start, many) in starts.iter().zip(&together) {
+            let rocking = exact.turns(&starts).unwrap();
+            for (start, batch) in starts.iter().zip(&rocking) {
                 let by_itself = &exact.turns(&[*start]).unwrap()[0];
-                assert_eq!(format!("{by_itself:?}"), format!("{many:?}"), "{start:?}");
+                assert_eq!(format!("{by_itself:?}"), format!("{batch:?}"), "{start:?}");
                 let one = exact.turn(start).unwrap();
-                assert_eq!(one.ending, many.ending, "{start:?}");
-                assert_eq!(one.turn.is_nan(), many.turn.is_nan(), "{start:?}");
+                assert_eq!(one.ending, batch.ending, "{start:?}");
+                assert_eq!(one.turn.is_nan(), batch.turn.is_nan(), "{start:?}");
                 // Next to the balance point the last digits of a start decide more.
-                for (a, b) in [(one.turn, many.turn), (one.time, many.time)] {
+                for (a, b) in [(one.turn, batch.turn), (one.time, batch.time)] {
                     assert!(
                         a.is_nan() || (a - b).abs() < 1e-11 * (1.0 + a.abs()),
                         "{start:?}"

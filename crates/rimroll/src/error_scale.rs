@@ -14,7 +14,7 @@ const SLOW: f64 = 1e-2;
 
 /// For one body under one gravity.
 #[derive(Clone, Copy)]
-pub(crate) struct Yardstick<T> {
+pub(crate) struct ErrorScale<T> {
     mass: T,
     radius: T,
     /// √(g/R): the rate of falling, a yardstick for rates.
@@ -24,14 +24,14 @@ pub(crate) struct Yardstick<T> {
     slow: T,
 }
 
-fieldwise!(Yardstick { mass, radius, falling_rate, per_falling_rate, slow; });
+fieldwise!(ErrorScale { mass, radius, falling_rate, per_falling_rate, slow; });
 
-impl<T: Real> Yardstick<T> {
+impl<T: Real> ErrorScale<T> {
     pub(crate) fn new(k: &Parameters<T>) -> Self {
         // Beside the speed of falling.
         const ENDING: f64 = 0.03;
         let falling_rate = (k.g / k.r).sqrt();
-        Yardstick {
+        ErrorScale {
             mass: k.m,
             radius: k.r,
             falling_rate,
@@ -73,7 +73,7 @@ impl<T: Real> Yardstick<T> {
     /// and never stop. A slow slip is about to begin or to end, and its direction matters less the slower
     /// it is: then it follows the forces at once.
     #[inline(always)]
-    pub(crate) fn sizes(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    pub(crate) fn scales(&self, u: &Coordinates<T>) -> Coordinates<T> {
         const SMALL_GAP: f64 = 1e-6;
         let (one, never_zero) = (T::from(1.0), T::from(NEVER_ZERO));
         let small_gap = T::from(SMALL_GAP) * self.radius;
@@ -109,17 +109,17 @@ impl<T: Real> Yardstick<T> {
     /// The same while a slip begins under dry friction, which makes w and s of what is lost in sideways slip:
     /// errors of the three count alike.
     #[inline(always)]
-    pub(crate) fn sizes_as_dry_slip_begins(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    pub(crate) fn scales_at_slip_onset(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
             s: u.s.abs() + u.w.abs() + T::from(NEVER_ZERO),
-            ..self.sizes(u)
+            ..self.scales(u)
         }
     }
 
-    /// The same for a slip that is to stop, for which it has to go [straight](Self::slips_on): were errors good
+    /// The same for a slip that is to stop, for which it has to go [straight](Self::slip_persists): were errors good
     /// that turn the last of it, it would be turned to and fro and never stop.
     #[inline(always)]
-    pub(crate) fn sizes_in_dry_slip(&self, u: &Coordinates<T>) -> Coordinates<T> {
+    pub(crate) fn scales_in_dry_slip(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let never_zero = T::from(NEVER_ZERO);
         let sideways = self.sideways_speed(u);
         let slow = sideways.min(self.radius * self.tilt_rate(u));
@@ -127,7 +127,7 @@ impl<T: Real> Yardstick<T> {
         Coordinates {
             slip_x: slip,
             slip_y: u.slip_y.abs() + slip.min(sideways) + never_zero,
-            ..self.sizes_as_dry_slip_begins(u)
+            ..self.scales_at_slip_onset(u)
         }
     }
 
@@ -135,18 +135,18 @@ impl<T: Real> Yardstick<T> {
     /// clock that slows down with the slip makes the end as smooth as the rest: it goes as fast as τ times
     /// the speed of the slip over this, m/s. What counts as slow matters little, since steps adapt.
     #[inline(always)]
-    pub(crate) fn slowed(&self, u: &Coordinates<T>) -> T {
+    pub(crate) fn sundman_denominator(&self, u: &Coordinates<T>) -> T {
         slip_speed(u) + self.slow
     }
 
     /// How fast that clock goes, as a part of τ.
     #[inline(always)]
-    pub(crate) fn clock(&self, u: &Coordinates<T>) -> T {
-        slip_speed(u) / self.slowed(u)
+    pub(crate) fn sundman_factor(&self, u: &Coordinates<T>) -> T {
+        slip_speed(u) / self.sundman_denominator(u)
     }
 }
 
-impl Yardstick<f64> {
+impl ErrorScale<f64> {
     /// −1 or 1 where the tilt clearly falls or rises, by more than a part `significant` of its scale; 0 where
     /// it cannot be told.
     pub(crate) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, significant: f64) -> f64 {
@@ -158,23 +158,23 @@ impl Yardstick<f64> {
     }
 }
 
-impl<T: Real> Yardstick<T> {
+impl<T: Real> ErrorScale<T> {
     /// Negative where a dry slip stops so soon that the last of it can go at the rate at which it stops,
     /// to within the tolerance: neither its direction nor anything else changes much until then. The rates
     /// are by a clock that goes as fast as this part of τ.
     #[inline(always)]
-    pub(crate) fn slips_on(
+    pub(crate) fn slip_persists(
         &self,
         u: &Coordinates<T>,
         rates: &Coordinates<T>,
-        clock: T,
+        sundman_factor: T,
         tolerance: f64,
     ) -> T {
         let speed = slip_speed(u);
         let stopping = -(rates.slip_x * u.slip_x + rates.slip_y * u.slip_y);
         let turning = (rates.slip_x * u.slip_y - rates.slip_y * u.slip_x).abs();
-        let change = speed * speed * clock * self.rate(u);
-        let brief = T::from(brief_change(tolerance)) * stopping - change;
+        let change = speed * speed * sundman_factor * self.rate(u);
+        let brief = T::from(max_brief_change(tolerance)) * stopping - change;
         // In a plane nothing moves sideways, and nothing turns.
         let sideways = self.sideways_speed(u) + T::from(NEVER_ZERO);
         let straight = T::from(0.1 * tolerance) * sideways * stopping - speed * turning;
@@ -184,7 +184,7 @@ impl<T: Real> Yardstick<T> {
 
 /// By what part of themselves velocities may change meanwhile: what that does to the rates is of the
 /// second order.
-pub(crate) fn brief_change(tolerance: f64) -> f64 {
+pub(crate) fn max_brief_change(tolerance: f64) -> f64 {
     (0.1 * tolerance).sqrt()
 }
 
@@ -197,8 +197,8 @@ pub(crate) fn slip_speed<T: Real>(u: &Coordinates<T>) -> T {
 /// The size of the angle by which a slip of some speed turns from a direction (unit vector), by the sizes
 /// of its components: it need be as good as the slip across.
 #[inline(always)]
-pub(crate) fn turn_size<T: Real>(sizes: &Coordinates<T>, direction: [T; 2], speed: T) -> T {
+pub(crate) fn direction_scale<T: Real>(scales: &Coordinates<T>, direction: [T; 2], speed: T) -> T {
     let [x, y] = direction;
-    let across = x.abs() * sizes.slip_y + y.abs() * sizes.slip_x;
+    let across = x.abs() * scales.slip_y + y.abs() * scales.slip_x;
     across / speed.max(T::from(NEVER_ZERO))
 }

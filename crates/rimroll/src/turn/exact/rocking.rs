@@ -5,12 +5,12 @@
 //! out for a start depends on nothing but that start.
 
 use super::extremes::{Extreme, lowest_and_highest};
-use super::pieces::{Piece, from_lowest, outer_to_highest, short, to_highest};
 use super::rule::{Rule, nodes_from_lowest, nodes_to_highest};
+use super::segments::{Segment, from_lowest, outer_to_highest, short, to_highest};
 use super::start::Start;
 use super::tilting::{Conserved, Tilting};
 use super::wobble::LONGEST;
-use super::{MOST_OUTER, SHORT};
+use super::{MAX_OUTER, SHORT};
 use crate::real::{Bits, Lanes, Mask, Vector};
 
 /// Newton's iterations for the extremes.
@@ -22,7 +22,7 @@ const MET: f64 = 1e-8;
 /// Where sixteen motions turn back.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extremes {
-    /// y, η and [`Extreme::grazing`] at the smallest tilt.
+    /// y, η and [`Extreme::singular_coefficient`] at the smallest tilt.
     pub(super) low: [Lanes; 3],
     /// y and η at the largest.
     pub(super) high: [Lanes; 2],
@@ -68,7 +68,7 @@ pub(super) fn extremes<V: Vector>(
     let gap = motion.gap_beyond(high.y);
     let square = [gap / outer, gap / leg];
     Extremes {
-        low: V::store_all([low.y, low.eta, low.grazing()]),
+        low: V::store_all([low.y, low.eta, low.singular_coefficient()]),
         high: V::store_all(high.place()),
         tilts: V::store_all([two * low.y.atan(), two * high.y.atan()]),
         conserved: V::store_all(motion.conserved()),
@@ -92,12 +92,12 @@ pub(super) fn is_lowest<V: Vector>(low: &Extreme<V>) -> V::Mask {
 /// How much of a way, in η, belongs to the largest tilt.
 #[inline(always)]
 fn outer<V: Vector>(span: V) -> V {
-    (span * V::from(0.5)).min(V::from(MOST_OUTER))
+    (span * V::from(0.5)).min(V::from(MAX_OUTER))
 }
 
 /// The pieces of which a turn is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum TurnPart {
     /// From the smallest tilt up.
     Foot,
     /// On to the largest tilt.
@@ -111,22 +111,22 @@ pub(super) enum Part {
 /// Yaw and time of a part, as [`Extremes`] tells of the smallest and the largest tilt.
 #[inline(always)]
 pub(super) fn part<V: Vector>(
-    part: Part,
+    part: TurnPart,
     motion: &impl Tilting<V>,
     start: &Start<V>,
     low: [V; 3],
     high: [V; 2],
     rule: &Rule,
-) -> Piece<V> {
+) -> Segment<V> {
     let ([_, eta_low, _], [_, eta_high]) = (low, high);
     let span = eta_high - eta_low;
     let leg = eta_high - start.eta;
     match part {
-        Part::Foot => from_lowest(motion, low, span - outer(span), rule),
-        Part::Head if is_longest(outer(span)) => outer_to_highest(motion, high, rule),
-        Part::Head => to_highest(motion, high, outer(span), rule),
-        Part::Leg => to_highest(motion, high, leg, rule),
-        Part::ShortLeg => {
+        TurnPart::Foot => from_lowest(motion, low, span - outer(span), rule),
+        TurnPart::Head if is_longest(outer(span)) => outer_to_highest(motion, high, rule),
+        TurnPart::Head => to_highest(motion, high, outer(span), rule),
+        TurnPart::Leg => to_highest(motion, high, leg, rule),
+        TurnPart::ShortLeg => {
             let speed = motion.at(start.y, start.eta).inertia.sqrt() * start.p.abs();
             short(motion, high, -leg, speed)
         }
@@ -136,5 +136,5 @@ pub(super) fn part<V: Vector>(
 /// Whether the outer part is as long as it gets, in all lanes.
 #[inline(always)]
 fn is_longest<V: Vector>(outer: V) -> bool {
-    V::from(MOST_OUTER).at_most(outer).in_all()
+    V::from(MAX_OUTER).at_most(outer).in_all()
 }

@@ -1,23 +1,23 @@
 //! Sixteen starts at a time that nothing turns back below the end: which come down and topple, and which fall over
 //! as they are.
 //!
-//! As [`together`](super::together): without a branch, and each lane says whether the formulas held for it. That
+//! As [`rocking`](super::rocking): without a branch, and each lane says whether the formulas held for it. That
 //! the tilt does not turn back on the way, and that the table pushes, is seen at the nodes of the rules.
 
 use super::extremes::lowest;
-use super::pieces::{LEAST_PUSH, Piece, across, from_lowest_passing};
 use super::ridge::{Balance, Ridge};
+use super::rocking::{ROUNDS, is_lowest};
 use super::rule::{Rule, nodes_across, nodes_towards};
+use super::segments::{MIN_PUSH, Segment, across, from_lowest_passing};
 use super::start::Start;
 use super::tilting::{Conserved, Point, Tilting};
-use super::together::{ROUNDS, is_lowest};
-use super::{FLAT, LOOKS, Outcome};
+use super::{FLAT, Outcome, SAMPLES};
 use crate::real::{Bits, Lanes, Mask, Vector};
 
 /// So much of the way up to the balance point, in η, belongs to its passage.
 const NEAR: f64 = 0.7;
 
-/// A piece from the smallest tilt that is shorter, in η, is left to [`alone`](super::alone).
+/// A piece from the smallest tilt that is shorter, in η, is left to [`scalar`](super::scalar).
 const LEAST: f64 = 1e-2;
 
 /// Below this width of the ridge, in η, G is rounding.
@@ -25,14 +25,14 @@ const NARROWEST: f64 = 1e-2;
 
 /// Nor may rounding be more than this part of G at the balance point over the narrowest ridge, as that of
 /// the energy of a fast spin can be.
-const MOST_ROUNDING: f64 = 1e-3;
+const MAX_ROUNDING: f64 = 1e-3;
 
 /// Looks at G farther apart, in η, may miss something.
 const FARTHEST: f64 = 0.25;
 
 /// Where a motion may pass.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Way {
+pub(super) struct ToppleLimits {
     pub(super) balance: Balance,
     /// Where it ends: tan(φ/2) and its logarithm.
     pub(super) end: [f64; 2],
@@ -41,8 +41,8 @@ pub(super) struct Way {
 
 /// How sixteen motions pass.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Passing {
-    /// y, η and [`Extreme::grazing`] at the smallest tilt.
+pub(super) struct Toppling {
+    /// y, η and [`Extreme::singular_coefficient`] at the smallest tilt.
     pub(super) low: [Lanes; 3],
     /// The smallest tilt, rad.
     pub(super) tilt: Lanes,
@@ -57,7 +57,11 @@ pub(super) struct Passing {
 
 /// What is on the way of starts that fall.
 #[inline(always)]
-pub(super) fn passing<V: Vector>(motion: &impl Tilting<V>, start: &Start<V>, way: &Way) -> Passing {
+pub(super) fn toppling<V: Vector>(
+    motion: &impl Tilting<V>,
+    start: &Start<V>,
+    way: &ToppleLimits,
+) -> Toppling {
     let guess = motion.lowest();
     let low = lowest(motion, [guess, guess.ln()], ROUNDS);
     let balance = motion.at(way.balance.y.into(), way.balance.eta.into());
@@ -65,7 +69,7 @@ pub(super) fn passing<V: Vector>(motion: &impl Tilting<V>, start: &Start<V>, way
     let first = motion.at(start.y, start.eta);
     let ridge = Ridge::new(way.balance, balance.drive);
     let rounding = motion.rounding(&balance, way.balance.eta.into());
-    let most_rounding = MOST_ROUNDING * NARROWEST * NARROWEST * way.balance.curvature;
+    let most_rounding = MAX_ROUNDING * NARROWEST * NARROWEST * way.balance.curvature;
     let foot = split(start.eta, way) - low.eta;
     let sound = is_lowest(&low)
         .and(V::from(FLAT).at_most(low.point.sin))
@@ -81,8 +85,8 @@ pub(super) fn passing<V: Vector>(motion: &impl Tilting<V>, start: &Start<V>, way
     let (to_split, to_start) = (ridge.clock(from_split), ridge.clock(start.eta));
     let to_end = ridge.clock(way.end[1].into());
     let rest = V::from(way.balance.eta) - from_split;
-    Passing {
-        low: V::store_all([low.y, low.eta, low.grazing()]),
+    Toppling {
+        low: V::store_all([low.y, low.eta, low.singular_coefficient()]),
         tilt: (V::from(2.0) * low.y.atan()).store(),
         conserved: V::store_all(motion.conserved()),
         width: ridge.width().store(),
@@ -100,10 +104,10 @@ pub(super) fn passing<V: Vector>(motion: &impl Tilting<V>, start: &Start<V>, way
 pub(super) fn falling_back<V: Vector>(
     motion: &impl Tilting<V>,
     start: &Start<V>,
-    way: &Way,
+    way: &ToppleLimits,
 ) -> Bits {
     let zero = V::from(0.0);
-    let step = (V::from(way.end[1]) - start.eta) * V::from(1.0 / LOOKS as f64);
+    let step = (V::from(way.end[1]) - start.eta) * V::from(1.0 / SAMPLES as f64);
     // Between two looks G may be smaller by a quarter of this, but where it grows.
     let margin = step * step * V::from(way.balance.curvature);
     let first = motion.at(start.y, start.eta);
@@ -112,7 +116,7 @@ pub(super) fn falling_back<V: Vector>(
         .or(margin.at_most(first.drive))
         .and(step.at_most(V::from(FARTHEST)))
         .and(surely_pushes(motion, &first));
-    for look in 1..=LOOKS {
+    for look in 1..=SAMPLES {
         let away = step * V::from(look as f64);
         let y = start.y + start.y * away.exp_m1();
         let point = motion.at(y, start.eta + away);
@@ -128,17 +132,17 @@ pub(super) fn falling_back<V: Vector>(
 /// Whether the table pushes so much that it need not pull next to there.
 #[inline(always)]
 fn surely_pushes<V: Vector>(motion: &impl Tilting<V>, point: &Point<V>) -> V::Mask {
-    (V::from(LEAST_PUSH) * motion.resting(point)).at_most(motion.pressing(point))
+    (V::from(MIN_PUSH) * motion.resting(point)).at_most(motion.pressing(point))
 }
 
 /// Where the piece from the smallest tilt ends: at the start or, where that is nearer to the balance point or past
 /// it, short of that.
 #[inline(always)]
-fn split<V: Vector>(start: V, way: &Way) -> V {
+fn split<V: Vector>(start: V, way: &ToppleLimits) -> V {
     start.min(V::from(way.balance.eta - NEAR))
 }
 
-impl Way {
+impl ToppleLimits {
     /// Whether a start is so far up that it has a stretch of its own.
     pub(super) fn has_approach(&self, eta: f64) -> bool {
         eta > self.balance.eta - NEAR
@@ -164,9 +168,9 @@ pub(super) fn stretch<V: Vector>(
     start: &Start<V>,
     low: [V; 3],
     width: V,
-    way: &Way,
+    way: &ToppleLimits,
     rule: &Rule,
-) -> Piece<V> {
+) -> Segment<V> {
     let split = split(start.eta, way);
     let end = V::from(way.end[1]);
     let ridge = Ridge::of_width(way.balance, width);

@@ -7,7 +7,7 @@
 //! At the smallest and the largest tilt G is zero; there η = η_end ± Λτ² makes the integrand an even
 //! analytic function of τ, for which a Gauss-Legendre rule gains digits with every node.
 
-use super::MOST_OUTER;
+use super::MAX_OUTER;
 use super::ridge::Ridge;
 use super::rule::{Node, Rule, below};
 use super::tilting::{Pace, Point, Tilting};
@@ -27,11 +27,11 @@ const YAW_TOLERANCE: f64 = 1e-13;
 const TIME_TOLERANCE: f64 = 2e-11;
 
 /// Where the table pushes less than this part of the weight at a node or a look, it may have to pull between two.
-pub(super) const LEAST_PUSH: f64 = 0.05;
+pub(super) const MIN_PUSH: f64 = 0.05;
 
 /// Yaw and time along a piece, and what tells how well the rule has resolved it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece<T> {
+pub(super) struct Segment<T> {
     /// rad.
     pub(super) yaw: T,
     /// s.
@@ -47,7 +47,7 @@ pub(super) struct Piece<T> {
 
 /// What sixteen lanes are told of a piece.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Told {
+pub(super) struct Integral {
     /// rad.
     pub(super) yaw: Lanes,
     /// s.
@@ -58,11 +58,11 @@ pub(super) struct Told {
     pub(super) pushed: Bits,
 }
 
-impl<T: Real> Piece<T> {
+impl<T: Real> Segment<T> {
     #[inline(always)]
     pub(super) fn nothing() -> Self {
         let zero = T::from(0.0);
-        Piece {
+        Segment {
             yaw: zero,
             time: zero,
             last: [[zero; 2]; 2],
@@ -72,10 +72,10 @@ impl<T: Real> Piece<T> {
     }
 }
 
-impl<T: Copy> Piece<T> {
+impl<T: Copy> Segment<T> {
     /// Number by number.
-    pub(super) fn map<U>(&self, f: impl Fn(T) -> U) -> Piece<U> {
-        Piece {
+    pub(super) fn map<U>(&self, f: impl Fn(T) -> U) -> Segment<U> {
+        Segment {
             yaw: f(self.yaw),
             time: f(self.time),
             last: self.last.map(|pair| pair.map(&f)),
@@ -85,27 +85,27 @@ impl<T: Copy> Piece<T> {
     }
 }
 
-impl Piece<f64> {
+impl Segment<f64> {
     /// How much another, by another rule, differs, in tolerances, of a motion that lasts `whole` (s) or as
     /// long as the piece itself.
-    pub(super) fn difference(&self, other: &Piece<f64>, whole: f64) -> f64 {
+    pub(super) fn difference(&self, other: &Segment<f64>, whole: f64) -> f64 {
         let yaw = (self.yaw - other.yaw).abs() / (YAW_DIFFERENCE * (1.0 + self.yaw.abs()));
         let time = (self.time - other.time).abs() / (TIME_DIFFERENCE * self.time.abs().max(whole));
         if yaw > time { yaw } else { time }
     }
 }
 
-impl<V: Vector> Piece<V> {
+impl<V: Vector> Segment<V> {
     /// As a rule of n nodes tells it.
     #[inline(always)]
-    pub(super) fn told(&self, nodes: usize) -> Told {
-        self.told_where(self.is_resolved(nodes))
+    pub(super) fn integral(&self, nodes: usize) -> Integral {
+        self.integral_where(self.is_resolved(nodes))
     }
 
     /// The same where the coefficients swing, so that their last ratio may deceive: as they have fallen off
     /// from the first to the last they also have to go on.
     #[inline(always)]
-    pub(super) fn surely_told(&self, nodes: usize) -> Told {
+    pub(super) fn integral_if_sure(&self, nodes: usize) -> Integral {
         let margin = V::from(30.0);
         let [yaw, time] = self.tolerances();
         let [of_yaw, of_time] = larger(self.last);
@@ -113,7 +113,7 @@ impl<V: Vector> Piece<V> {
             .is_resolved(nodes)
             .and((margin * of_yaw * of_yaw).at_most(yaw * self.yaw.abs()))
             .and((margin * of_time * of_time).at_most(time * self.time.abs()));
-        self.told_where(is_sure)
+        self.integral_where(is_sure)
     }
 
     /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
@@ -128,8 +128,8 @@ impl<V: Vector> Piece<V> {
     }
 
     #[inline(always)]
-    fn told_where(&self, is_resolved: V::Mask) -> Told {
-        Told {
+    fn integral_where(&self, is_resolved: V::Mask) -> Integral {
+        Integral {
             yaw: self.yaw.store(),
             time: self.time.store(),
             resolved: is_resolved.bits(),
@@ -178,11 +178,11 @@ fn power<T: Real>(x: T, n: usize) -> T {
     product
 }
 
-impl<T: Real> Add for Piece<T> {
-    type Output = Piece<T>;
+impl<T: Real> Add for Segment<T> {
+    type Output = Segment<T>;
     #[inline(always)]
-    fn add(self, other: Piece<T>) -> Piece<T> {
-        Piece {
+    fn add(self, other: Segment<T>) -> Segment<T> {
+        Segment {
             yaw: self.yaw + other.yaw,
             time: self.time + other.time,
             ..self
@@ -190,11 +190,11 @@ impl<T: Real> Add for Piece<T> {
     }
 }
 
-impl<T: Real> Sub for Piece<T> {
-    type Output = Piece<T>;
+impl<T: Real> Sub for Segment<T> {
+    type Output = Segment<T>;
     #[inline(always)]
-    fn sub(self, other: Piece<T>) -> Piece<T> {
-        Piece {
+    fn sub(self, other: Segment<T>) -> Segment<T> {
+        Segment {
             yaw: self.yaw - other.yaw,
             time: self.time - other.time,
             ..self
@@ -202,7 +202,7 @@ impl<T: Real> Sub for Piece<T> {
     }
 }
 
-/// From the smallest tilt, where y, η and [`Extreme::grazing`](super::extremes::Extreme::grazing) are `low`, up
+/// From the smallest tilt, where y, η and [`Extreme::singular_coefficient`](super::extremes::Extreme::singular_coefficient) are `low`, up
 /// by `length` in η.
 ///
 /// The closer to a face-down collision, the more of the yaw is ∫ y_c dη / √(y² − y_c²), times its
@@ -213,15 +213,15 @@ pub(super) fn from_lowest<T: Real>(
     low: [T; 3],
     length: T,
     rule: &Rule,
-) -> Piece<T> {
-    let mut piece = Piece::nothing();
+) -> Segment<T> {
+    let mut segment = Segment::nothing();
     for node in &rule.nodes {
         let above = Above::lowest(low, length, T::from(node.at));
         let pace = motion.pace(above.y, above.eta);
-        piece.add_node(above.integrands(&pace), node);
+        segment.add_node(above.integrands(&pace), node);
     }
-    piece.yaw = piece.yaw + grazed(low, length);
-    piece
+    segment.yaw = segment.yaw + singular_yaw(low, length);
+    segment
 }
 
 /// The same on to the balance point and over it, to both sides of which the integrand is singular, so that
@@ -232,24 +232,24 @@ pub(super) fn from_lowest_passing<T: Real>(
     low: [T; 3],
     length: T,
     rule: &Rule,
-) -> Piece<T> {
-    let mut piece = Piece::nothing();
+) -> Segment<T> {
+    let mut segment = Segment::nothing();
     for node in &rule.nodes {
         let above = Above::lowest(low, length, T::from(node.at));
         let point = motion.at(above.y, above.eta);
-        piece.watch(motion, &point);
+        segment.watch(motion, &point);
         let integrands = above.integrands(&Pace::of(&point));
-        piece.add_node(integrands, node);
-        piece.look_beside(integrands, node.beside);
+        segment.add_node(integrands, node);
+        segment.look_beside(integrands, node.beside);
     }
-    piece.yaw = piece.yaw + grazed(low, length);
-    piece
+    segment.yaw = segment.yaw + singular_yaw(low, length);
+    segment
 }
 
 /// What the part in closed form comes to.
 #[inline(always)]
-fn grazed<T: Real>([_, _, grazing]: [T; 3], length: T) -> T {
-    grazing * risen(length.exp_m1()).sqrt().atan()
+fn singular_yaw<T: Real>([_, _, singular_coefficient]: [T; 3], length: T) -> T {
+    singular_coefficient * risen(length.exp_m1()).sqrt().atan()
 }
 
 /// A node above the smallest tilt.
@@ -258,21 +258,21 @@ struct Above<T> {
     eta: T,
     /// y over the smallest, less 1.
     excess: T,
-    grazing: T,
+    singular_coefficient: T,
     /// dη/dτ.
     measure: T,
 }
 
 impl<T: Real> Above<T> {
     #[inline(always)]
-    fn lowest([y_low, eta_low, grazing]: [T; 3], length: T, at: T) -> Self {
+    fn lowest([y_low, eta_low, singular_coefficient]: [T; 3], length: T, at: T) -> Self {
         let above = length * (at * at);
         let excess = above.exp_m1();
         Above {
             y: y_low + y_low * excess,
             eta: eta_low + above,
             excess,
-            grazing,
+            singular_coefficient,
             measure: length * (at + at),
         }
     }
@@ -285,7 +285,7 @@ impl<T: Real> Above<T> {
         let both = self.measure / (root * rise);
         let rate = rise * both;
         [
-            pace.yaw * rate - self.grazing * root * both,
+            pace.yaw * rate - self.singular_coefficient * root * both,
             pace.time * rate,
         ]
     }
@@ -304,30 +304,30 @@ pub(super) fn to_highest<T: Real>(
     high: [T; 2],
     length: T,
     rule: &Rule,
-) -> Piece<T> {
-    let mut piece = Piece::nothing();
+) -> Segment<T> {
+    let mut segment = Segment::nothing();
     for node in &rule.nodes {
         let at = T::from(node.at);
         let integrands = below_highest(motion, high, length, at, below(length, at).exp_m1());
-        piece.add_node(integrands, node);
+        segment.add_node(integrands, node);
     }
-    piece
+    segment
 }
 
-/// The same where all lengths are [`MOST_OUTER`], for which the rule knows the exponentials.
+/// The same where all lengths are [`MAX_OUTER`], for which the rule knows the exponentials.
 #[inline(always)]
 pub(super) fn outer_to_highest<V: Vector>(
     motion: &impl Tilting<V>,
     high: [V; 2],
     rule: &Rule,
-) -> Piece<V> {
-    let mut piece = Piece::nothing();
-    let length = V::from(MOST_OUTER);
+) -> Segment<V> {
+    let mut segment = Segment::nothing();
+    let length = V::from(MAX_OUTER);
     for node in &rule.nodes {
         let integrands = below_highest(motion, high, length, V::from(node.at), V::from(node.less));
-        piece.add_node(integrands, node);
+        segment.add_node(integrands, node);
     }
-    piece
+    segment
 }
 
 /// Of yaw and time, at a node below the largest tilt, where y is `less` + 1 times as large as there.
@@ -351,24 +351,24 @@ pub(super) fn across<T: Real>(
     [from, to]: [T; 2],
     ridge: &Ridge<T>,
     rule: &Rule,
-) -> Piece<T> {
+) -> Segment<T> {
     let (first, last) = (ridge.clock(from), ridge.clock(to));
     let half = T::from(0.5) * (last - first);
     let middle = first + half;
-    let mut piece = Piece::nothing();
+    let mut segment = Segment::nothing();
     for node in &rule.nodes {
         let mut to_sides = [[T::from(0.0); 2]; 2];
         for (integrands, at) in to_sides.iter_mut().zip([node.at, -node.at]) {
             let (y, eta, rate) = ridge.at(middle + half * T::from(at));
             let point = motion.at(y, eta);
-            piece.watch(motion, &point);
+            segment.watch(motion, &point);
             *integrands = paced(&Pace::of(&point), half * rate);
         }
         let [up, down] = to_sides;
-        piece.add_node([up[0] + down[0], up[1] + down[1]], node);
-        piece.look_beside([up[0] - down[0], up[1] - down[1]], node.odd);
+        segment.add_node([up[0] + down[0], up[1] + down[1]], node);
+        segment.look_beside([up[0] - down[0], up[1] - down[1]], node.odd);
     }
-    piece
+    segment
 }
 
 /// Between the start, where √G is `speed`, and the extreme, at y and η, so close to it that G has no
@@ -379,17 +379,17 @@ pub(super) fn short<T: Real>(
     [y_extreme, eta_extreme]: [T; 2],
     length: T,
     speed: T,
-) -> Piece<T> {
-    let mut piece = Piece::nothing();
+) -> Segment<T> {
+    let mut segment = Segment::nothing();
     for (part, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
         let away = length * T::from(part * part);
         let y = y_extreme + y_extreme * away.exp_m1();
         let point = motion.at(y, eta_extreme + away);
         let slowness = T::from(weight / 3.0) * point.inertia.sqrt() * speed / point.slope.abs();
-        piece.yaw = piece.yaw + point.w * slowness;
-        piece.time = piece.time + point.sin * slowness;
+        segment.yaw = segment.yaw + point.w * slowness;
+        segment.time = segment.time + point.sin * slowness;
     }
-    piece
+    segment
 }
 
 /// dψ and dt for a bit dη = `measure`.
@@ -399,7 +399,7 @@ fn paced<T: Real>(pace: &Pace<T>, measure: T) -> [T; 2] {
     [pace.yaw * rate, pace.time * rate]
 }
 
-impl<T: Real> Piece<T> {
+impl<T: Real> Segment<T> {
     #[inline(always)]
     fn add_node(&mut self, integrands: [T; 2], node: &Node) {
         self.yaw = self.yaw + T::from(node.weight) * integrands[0];
@@ -426,7 +426,7 @@ impl<T: Real> Piece<T> {
 
     #[inline(always)]
     fn watch(&mut self, motion: &impl Tilting<T>, point: &Point<T>) {
-        let least = T::from(LEAST_PUSH) * motion.resting(point);
+        let least = T::from(MIN_PUSH) * motion.resting(point);
         self.pull = self.pull.max(least - motion.pressing(point));
     }
 }

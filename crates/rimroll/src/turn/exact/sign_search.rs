@@ -4,8 +4,8 @@
 //! roots of the slope, however narrow the stretch in which it is negative, and a minimum whose sign
 //! rounding decides is [`Unclear`].
 
-use super::LOOKS;
-use crate::solve::bracketed;
+use super::SAMPLES;
+use crate::solve::bracketed_root;
 
 /// Farther apart, in η, looks at G may miss a minimum: what makes one, gravity and the energies of yaw and
 /// spin, changes over about a unit of η.
@@ -44,11 +44,11 @@ pub(super) fn first_turn_back(
                 return Err(Unclear);
             }
             if least.drive < 0.0 {
-                return Ok(Some(bracketed(before.0, low, drive)));
+                return Ok(Some(bracketed_root(before.0, low, drive)));
             }
         }
         if after.1.drive < 0.0 {
-            return Ok(Some(bracketed(before.0, eta, drive)));
+            return Ok(Some(bracketed_root(before.0, eta, drive)));
         }
         before = after;
     }
@@ -90,17 +90,17 @@ fn minimum_between(
 ) -> Option<f64> {
     let way = (to - from).signum();
     let has_minimum = way * before.slope < 0.0 && way * after.slope > 0.0;
-    has_minimum.then(|| bracketed(from, to, |eta| energy(eta).slope))
+    has_minimum.then(|| bracketed_root(from, to, |eta| energy(eta).slope))
 }
 
 /// Where a function that is not negative at first changes its sign, be it for less than from one look to
 /// the next.
 pub(super) fn first_sign_change(from: f64, to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
-    let looks = (LOOKS as f64).max((to - from).abs() / 0.2) as usize;
-    let at = |i: usize| from + (to - from) * i as f64 / looks as f64;
-    let seen: Vec<f64> = (0..=looks).map(|i| f(at(i))).collect();
-    (0..=looks).find_map(|i| {
-        let (before, after) = (i.saturating_sub(1), (i + 1).min(looks));
+    let sign_search = (SAMPLES as f64).max((to - from).abs() / 0.2) as usize;
+    let at = |i: usize| from + (to - from) * i as f64 / sign_search as f64;
+    let seen: Vec<f64> = (0..=sign_search).map(|i| f(at(i))).collect();
+    (0..=sign_search).find_map(|i| {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(sign_search));
         let beyond = if i > 0 && seen[i] < 0.0 {
             Some(at(i))
         } else if may_dip(&seen, i) {
@@ -108,7 +108,7 @@ pub(super) fn first_sign_change(from: f64, to: f64, f: impl Fn(f64) -> f64) -> O
         } else {
             None
         };
-        beyond.map(|beyond| bracketed(at(before), beyond, &f))
+        beyond.map(|beyond| bracketed_root(at(before), beyond, &f))
     })
 }
 

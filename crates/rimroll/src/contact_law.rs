@@ -2,7 +2,7 @@
 
 use crate::error::{InvalidInput, bounded, not_negative, positive};
 use crate::law::{
-    AirDrag, DryFriction, IdealLaw, MOST_FRICTION, PivotingFriction, Resistance, RollingResistance,
+    AirDrag, DryFriction, IdealLaw, MAX_FRICTION, PivotingFriction, Resistance, RollingResistance,
     Tabulated,
 };
 
@@ -131,12 +131,12 @@ impl FrictionLaw {
 }
 
 fn check_coefficients(friction: f64, static_friction: f64) -> Result<(), InvalidInput> {
-    let sensible = |f: f64| (0.0..=MOST_FRICTION).contains(&f);
+    let sensible = |f: f64| (0.0..=MAX_FRICTION).contains(&f);
     bounded("friction", friction, sensible, "between 0 and 1e6", "")?;
     bounded(
         "static",
         static_friction,
-        |f| (friction..=MOST_FRICTION).contains(&f),
+        |f| (friction..=MAX_FRICTION).contains(&f),
         &format!("between friction = {friction} and 1e6"),
         "",
     )?;
@@ -160,7 +160,7 @@ impl From<&FrictionLaw> for FrictionLaw {
 
 /// All that a motion needs to know of the table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Surface {
+pub struct ContactLaw {
     /// Friction on the rim.
     pub friction: FrictionLaw,
     /// e of a landing after flight: the part e² of the work done in compressing the contact comes back
@@ -171,9 +171,9 @@ pub struct Surface {
     pub resistance: Resistance,
 }
 
-impl<F: Into<FrictionLaw>> From<F> for Surface {
+impl<F: Into<FrictionLaw>> From<F> for ContactLaw {
     fn from(friction: F) -> Self {
-        Surface {
+        ContactLaw {
             friction: friction.into(),
             restitution: 0.0,
             resistance: Resistance::default(),
@@ -181,7 +181,7 @@ impl<F: Into<FrictionLaw>> From<F> for Surface {
     }
 }
 
-impl Surface {
+impl ContactLaw {
     /// A surface from the name of its friction law and its numbers by name, as users write them:
     /// `friction`, `static` (the same as `friction` unless given), `coefficient`, `stribeck_speed`,
     /// `creep_speed`, `restitution`, `rolling_dry`, `rolling_viscous`, `pivoting_length`,
@@ -189,12 +189,12 @@ impl Surface {
     /// `speeds` and `frictions`.
     ///
     /// # Errors
-    /// Refuses an unknown name and what [`Surface::check`] and [`Tabulated::new`] refuse.
+    /// Refuses an unknown name and what [`ContactLaw::check`] and [`Tabulated::new`] refuse.
     pub fn named(
         law: &str,
         numbers: &[(String, f64)],
         tables: &[(String, Vec<f64>)],
-    ) -> Result<Surface, InvalidInput> {
+    ) -> Result<ContactLaw, InvalidInput> {
         let table = |name: &str| {
             let given = tables.iter().find(|(n, _)| n == name);
             given.map_or(&[][..], |(_, values)| values)
@@ -232,7 +232,7 @@ impl Surface {
                 });
             }
         };
-        let surface = Surface {
+        let contact_law = ContactLaw {
             friction,
             restitution: number("restitution"),
             resistance: Resistance {
@@ -249,8 +249,8 @@ impl Surface {
                 },
             },
         };
-        surface.check()?;
-        Ok(surface)
+        contact_law.check()?;
+        Ok(contact_law)
     }
 
     /// Checks every number.
@@ -285,7 +285,7 @@ impl Surface {
 
     /// The same surface with its friction a factor larger or smaller everywhere.
     #[must_use]
-    pub fn with_grip(mut self, factor: f64) -> Surface {
+    pub fn with_grip(mut self, factor: f64) -> ContactLaw {
         match &mut self.friction {
             FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
             FrictionLaw::Viscous { coefficient } => *coefficient *= factor,

@@ -10,7 +10,7 @@ use crate::state::Coordinates;
 const MARGIN: f64 = 0.25;
 
 /// A step of a rim on the table, seen from its ends.
-pub(super) struct Glance {
+pub(super) struct StepBounds {
     h: f64,
     from: Coordinates<f64>,
     to: Coordinates<f64>,
@@ -18,10 +18,10 @@ pub(super) struct Glance {
     to_rates: Coordinates<f64>,
 }
 
-impl Glance {
+impl StepBounds {
     #[inline(always)]
-    pub fn new<const N: usize>(step: &Step<f64, N>) -> Glance {
-        Glance {
+    pub fn new<const N: usize>(step: &Step<f64, N>) -> StepBounds {
+        StepBounds {
             h: step.h,
             from: Coordinates::from_first(&step.start),
             to: Coordinates::from_first(&step.end),
