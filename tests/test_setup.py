@@ -195,10 +195,8 @@ def test_every_package_that_is_imported_is_declared():
     needed = {distributions.get(package, package) for package in packages}
     declared = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
     assert needed == {re.split("[<>=]", requirement)[0] for requirement in declared}
-    line = re.search(
-        r"\nPython: `numpy`.*\nThe page:", (ROOT / "ARCHITECTURE.md").read_text(), re.S
-    )
-    assert line and all(f"`{name}`" in line[0] for name in needed)
+    table = re.search(r"\n\| Python \|.*\n\| page \|", (ROOT / "CONTRIBUTING.md").read_text(), re.S)
+    assert table and all(f"`{name}`" in table[0] for name in needed)
 
 
 def test_one_version_everywhere():
