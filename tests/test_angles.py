@@ -152,9 +152,16 @@ def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data)
         ("213\nabout 140\n", r'line 2: an angle must read as 213 or 213 deg, got "about 140"'),
         ("213\n\n# x\n14O\n", r'line 4: an angle must .*got "14O"'),
         ("213 kg\n", r'line 1: an angle must .*"kg" does not measure an angle'),
-        ("direction,hand\n213,left\n,left\n", "line 3: an angle is missing"),
+        (
+            "Direction,hand\n213,left\n,left\n210,left\n,right\n",
+            'lines 3, 5: an angle is missing in column 1 "Direction"; to leave a line out,'
+            " begin it with #",
+        ),
         ("NA,223\n", r'line 1: an angle must .*got "NA"'),
-        ("10,223\n350,\n", "line 2: an angle is missing"),
+        (
+            "10,223\n350,\n",
+            "line 2: an angle is missing in column 2; to leave a line out, begin it with #",
+        ),
         ("nan\n213\n", r"line 1: an angle must be a number between .*got nan"),
         ("213\ninf\n", r"line 2: an angle must be a number between .*got inf"),
         ("213\n-inf\n", r"line 2: an angle must be a number between .*got -inf"),
@@ -177,6 +184,26 @@ def test_what_is_no_table_of_angles_is_refused_by_file_and_line(written, content
         rr.read_angles(written(content))
     assert "falls.csv" in str(refused.value)
     assert len(str(refused.value)) < 400 + len(str(written("")))
+
+
+def test_a_line_without_an_angle_is_left_out_where_it_begins_with_a_hash(written):
+    assert same_directions(degrees(written("lean;fall\n10;223\n#350;\n20;160\n")), [213, 140])
+
+
+def test_a_column_is_found_by_its_name_with_or_without_its_unit(written):
+    file = written("Nr;Richtung [°];Kipprichtung (rad)\n1;213;3\n2;147;4\n")
+    for name in ("Richtung [°]", "Richtung", "richtung", " RICHTUNG ", 2):
+        assert same_directions(degrees(file, column=name), [213, 147])
+    assert same_directions(degrees(file, column="Kipprichtung"), np.degrees([3, 4]))
+    both = written("fall [deg];fall [rad]\n213;3\n147;4\n")
+    assert same_directions(degrees(both, column="fall [rad]"), np.degrees([3, 4]))
+    with pytest.raises(rr.RimrollError, match=r"or of fall \[deg\], fall \[rad\] in .*got 'fall'"):
+        rr.read_angles(both, column="fall")
+
+
+def test_columns_are_told_as_they_are_written(written):
+    with pytest.raises(rr.RimrollError, match="it has Nr, Hand, Tisch"):
+        rr.read_angles(written("Nr;Hand;Tisch\n1;2;3\n"))
 
 
 def test_a_file_that_cannot_be_read_is_refused(tmp_path, written):

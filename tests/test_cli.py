@@ -436,6 +436,41 @@ def test_compare_takes_a_files_body_and_start_and_resistances_but_not_its_fricti
     assert "law_static" not in answer
 
 
+def test_compare_takes_a_files_law_as_one_more_table(said, sticky):
+    of_file = rr.Coulomb(0.2, 0.3) + rr.RollingResistance(1e-6)
+    for options, names in (("", "ice wood rubber file"), ("--on file,0.5", "file 0.5")):
+        outcomes = json.loads(said(f"compare {sticky} {options} --json"))["outcomes"]
+        assert [one["table"] for one in outcomes] == names.split()
+        (parameters,) = [one["parameters"] for one in outcomes if one["table"] == "file"]
+        given = {name[4:]: value for name, value in parameters.items() if name.startswith("law_")}
+        assert given == of_file.numbers
+    last = json.loads(said(f"compare {sticky} --restitution 1 --json"))["outcomes"][-1]
+    assert last["table"] == "file" and last["parameters"]["law_restitution"] == 1.0
+
+
+def test_compare_of_a_file_on_wood_has_wood_once(said, tmp_path):
+    path = tmp_path / "wood.toml"
+    path.write_text('[body]\npreset = "can_2007"\n[law]\nsurface = "wood"\n')
+    outcomes = json.loads(said(f"compare {path} --json"))["outcomes"]
+    assert [one["table"] for one in outcomes] == ["ice", "wood", "rubber"]
+
+
+def test_compare_tells_where_a_table_of_friction_begins_to_slip(said, tmp_path):
+    """The can needs 0.2516 while it tips and 0.3558 in the near-collision."""
+    path = tmp_path / "table.toml"
+    slips = []
+    for static in (0.25, 0.3, 0.4):
+        path.write_text(
+            '[body]\npreset = "can_2007"\n[start]\ntilt = "30 deg"\ntilt_rate = -0.5\n'
+            'yaw_rate = 0.005\nspin_rate = 0.005\n[law]\nkind = "tabulated"\n'
+            f"speeds = [0, 1]\nfrictions = [0.2, 0.1]\nstatic = {static}\n"
+        )
+        (row,) = [line for line in said(f"compare {path} --on file").splitlines() if "%" in line]
+        assert row.startswith("file   0.1 to 0.2 ")
+        slips.append(row.split()[6])
+    assert slips == ["tipping", "collision", "nowhere"]
+
+
 def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(said):
     text = said("compare --tilt 50deg")
     assert text.count("toppled") == 3

@@ -87,6 +87,17 @@ def test_the_friction_that_a_command_proposes_is_one_that_it_takes(said, command
     assert "leaves the table" not in said(f"{command} {proposed[1]}")
 
 
+def test_a_wide_table_is_not_cut_where_it_is_not_shown_on_a_terminal(monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "80")
+    rows = screen.table("law", "limiting angle of turn", "beyond 180°")
+    rows.add_row("tabulated, speeds 0 to 0.5 m/s, frictions 0.14 to 0.28", "202.287°", "22.287°")
+    screen.say(rows)
+    head, _, row = capsys.readouterr().out.splitlines()
+    assert head.startswith("law  ") and head.endswith("limiting angle of turn   beyond 180°")
+    assert row.startswith("tabulated, speeds 0 to 0.5 m/s, frictions 0.14 to 0.28 ")
+    assert row.endswith("202.287°       22.287°")
+
+
 @pytest.mark.parametrize("width", [40, 60, 80, 120])
 def test_nothing_of_a_table_is_cut_off_on_a_narrow_terminal(monkeypatch, width):
     shown = io.StringIO()

@@ -9,4 +9,5 @@ VIRTUAL_ENV=$PWD/.venv
 PATH=$VIRTUAL_ENV/bin:$PATH
 UV_CONSTRAINT=constraints.txt
 export VIRTUAL_ENV PATH UV_CONSTRAINT
+echo "Compiling the Rust core, which takes some minutes the first time ..."
 maturin develop --quiet --release --uv

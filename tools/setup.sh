@@ -5,6 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 python=$(tools/toolchain.sh)
+echo "Installing Python packages into .venv, which takes about a minute ..."
 rm -rf .venv
 "$python" -m venv .venv
 # pip fetches uv, and uv, which is many times faster, fetches the rest.

@@ -34,6 +34,8 @@ class Asked(Scenario):
     """A scenario, with the name under which its body was asked for."""
 
     name: str
+    has_file: bool = False
+    """Whether it is over a scenario file."""
     nudged: bool = False
     """Whether nobody said where it starts, so that it is :func:`nudged`."""
 
@@ -72,6 +74,7 @@ def asked(
         start=_start(given, begin),
         law=with_resistances(contact, resistances, what, options.gravity),
         options=options,
+        has_file=scenario is not None,
         name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
         nudged=is_nudged and not given,
     )

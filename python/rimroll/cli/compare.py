@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rimroll._core import __version__
-from rimroll.cli.asked import asked
+from rimroll.cli.asked import Asked, asked
 from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.hints import hints
 from rimroll.cli.options import (
@@ -21,11 +21,11 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
-from rimroll.cli.outcomes import IDEALS, Outcome, outcome, tables
+from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
 from rimroll.cli.screen import angle, in_degrees, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, start_line
 from rimroll.errors import RimrollError
-from rimroll.laws import NoSlip
+from rimroll.laws import Law, NoSlip, numbers_of
 from rimroll.motion import Motion
 from rimroll.names import typed
 from rimroll.surfaces import SURFACES
@@ -36,10 +36,11 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 OnOption = Annotated[
-    str,
+    str | None,
     typer.Option(
-        help=f"The tables: {', '.join(SURFACES)}, {', '.join(IDEALS)}, or coefficients of friction"
-        " such as 0.05,0.2,0.5.",
+        help=f"The tables: {', '.join(SURFACES)}, {', '.join(IDEALS)}, {FILE} (the law of a"
+        f" scenario file), or coefficients of friction such as 0.05,0.2,0.5. \\[{USUAL}, and {FILE}"
+        " where there is one]",
         metavar="LIST",
         rich_help_panel="Table",
     ),
@@ -61,14 +62,14 @@ def compare(
     start: StartOptions,
     motion: MotionOptions,
     resistances: ResistanceOptions,
-    on: OnOption = "ice,wood,rubber",
+    on: OnOption = None,
     output: FigureOption = None,
     json: JsonOption = False,
 ) -> int:
     """How the same flick turns out on ice, on wood and on rubber.
 
     Without a start the body is let go at half its balance tilt, pushed aside a little.
-    The tables that are compared replace the friction of a scenario file.
+    The law of a scenario file is compared with them.
 
     Examples:
 
@@ -83,9 +84,9 @@ def compare(
     files = output or []
     check(files, FORMS)
     rebound = quantity(resistances.restitution or "0", "1", "--restitution")
-    laws = tables(on, rebound)
-    resistances = replace(resistances, restitution=None)
-    what = asked(body, start, motion, LawOptions(), resistances, needs_start=True)
+    others = replace(resistances, restitution=None)
+    what = asked(body, start, motion, LawOptions(), others, needs_start=True)
+    laws = tables(on, rebound, _of_file(what, resistances.restitution))
     outcomes = []
     with working(f"following {what.name}") as bar:
         for done, (name, law) in enumerate(laws.items()):
@@ -112,6 +113,15 @@ def compare(
     return int(any(one.motion.status == "failed" for one in outcomes))
 
 
+def _of_file(what: Asked, restitution: str | None) -> Law | None:
+    """The law of a scenario file without resistances, which every table gets; None without one."""
+    if not what.has_file:
+        return None
+    rebound = {} if restitution is None else {"restitution": quantity(restitution, "1")}
+    takes = "restitution" in numbers_of(type(what.law))
+    return replace(what.law, resistances=(), **(rebound if takes else {}))
+
+
 def _side_by_side(outcomes: list[Outcome]) -> Figure:
     from rimroll.cli.side_by_side import side_by_side
 
@@ -124,10 +134,10 @@ FORMS: Forms[list[Outcome]] = pictures(_side_by_side)
 def _show(outcomes: list[Outcome]) -> None:
     rows = table("on", "friction", "limit", "turn", "slips", "lost", "ended")
     for one in outcomes:
-        friction, turn, limit = one.friction, one.turn, one.limit.from_start
+        turn, limit = one.turn, one.limit.from_start
         rows.add_row(
             one.name,
-            "any" if friction is None else f"{friction:g}",
+            one.friction_in_words,
             "none" if limit is None else angle(limit),
             "none" if turn is None else angle(abs(turn.angle)),
             _slips(one),

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rimroll import laws, surfaces
 from rimroll.body import Body
 from rimroll.cli.options import LawOptions, ResistanceOptions
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, UnitError
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -77,10 +77,35 @@ def _asked_by(name: str) -> str:
 def _numbers(options: LawOptions, resistances: ResistanceOptions) -> dict[str, float]:
     given = {**vars(options), "restitution": resistances.restitution}
     return {
-        number: quantity(text, LAW_UNIT_OF[number], option(name))
+        number: _number(name, number, text)
         for name, number in NUMBER_OF.items()
         if (text := given[name]) is not None
     }
+
+
+def _number(name: str, number: str, text: str) -> float:
+    try:
+        return quantity(text, LAW_UNIT_OF[number], option(name))
+    except UnitError as error:
+        word = text.strip().lower()
+        if name not in ("friction", "static_friction") or not word[:1].isalpha() or _is_float(word):
+            raise
+        if word in surfaces.SURFACES:
+            hint = f"for this table write --surface {word}"
+        elif word.replace("-", "_") in laws.LAWS:
+            hint = f"for this law write --law {word}"
+        else:
+            hint = f"the tables that have a name are {', '.join(surfaces.SURFACES)} (--surface)"
+        raise RimrollError(f"{error}; {hint}") from None
+
+
+def _is_float(word: str) -> bool:
+    """Whether a word is a number, as ``nan`` and ``inf`` are."""
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
 
 
 def _surface(options: LawOptions, numbers: Mapping[str, float]) -> Law:

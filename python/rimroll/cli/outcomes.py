@@ -11,13 +11,19 @@ from rimroll import surfaces
 from rimroll.cli.asked import Asked
 from rimroll.cli.turn import Limit, limit_of
 from rimroll.errors import RimrollError
-from rimroll.laws import IDEAL, Coulomb, Frictionless, Law
+from rimroll.laws import IDEAL, Coulomb, Frictionless, Law, NoSlip, Tabulated, in_brief
 from rimroll.motion import Motion, Turn, simulate
 from rimroll.names import choose, typed
 from rimroll.units import quantity
 
 IDEALS: dict[str, Law] = {typed(law.name): law for law in IDEAL}
 """The laws that need no number: a table, too."""
+
+USUAL = "ice,wood,rubber"
+"""The tables that are compared unless others are asked for."""
+
+FILE = "file"
+"""The name of the table of a scenario file."""
 
 _NUMBER = re.compile(r"[+-]?(\.?\d|nan|inf)", re.IGNORECASE)
 
@@ -32,11 +38,21 @@ class Outcome:
 
     @property
     def friction(self) -> float | None:
-        """The coefficient of friction; None where nothing bounds it."""
+        """The coefficient of friction; None where no single number bounds it."""
         law = self.motion.law
         if isinstance(law, Coulomb):
             return law.friction
         return 0.0 if isinstance(law, Frictionless) else None
+
+    @property
+    def friction_in_words(self) -> str:
+        """The coefficient of friction, ``any`` where nothing bounds it."""
+        if self.friction is not None:
+            return f"{self.friction:g}"
+        law = self.motion.law
+        if isinstance(law, Tabulated):
+            return in_brief(tuple(law.frictions))
+        return "any" if isinstance(law, NoSlip) else typed(law.name)
 
     @property
     def turn(self) -> Turn | None:
@@ -49,10 +65,11 @@ class Outcome:
         arrival, law = self.limit.arrival, self.motion.law
         if arrival is None:
             return None
-        if not isinstance(law, Coulomb):
-            return isinstance(law, Frictionless)
-        holds = law.friction if law.static is None else law.static
-        return arrival.slip != 0.0 or arrival.friction_ratio > holds * (1.0 - 1e-9)
+        if isinstance(law, Frictionless):
+            return True
+        holds = _static_friction(law)
+        breaks = holds is not None and arrival.friction_ratio > holds * (1.0 - 1e-9)
+        return breaks or arrival.slip != 0.0
 
     @property
     def slips(self) -> bool:
@@ -104,15 +121,36 @@ class Outcome:
         }
 
 
-def tables(text: str, restitution: float) -> dict[str, Law]:
+def _static_friction(law: Law) -> float | None:
+    """The coefficient of friction of a rim that sticks; None where no coefficient bounds it."""
+    match law:
+        case Coulomb(friction=sliding, static=static):
+            return float(sliding if static is None else static)
+        case Tabulated(frictions=frictions, static=static):
+            return float(frictions[0] if static is None else static)
+        case _:
+            return None
+
+
+def tables(text: str | None, restitution: float, of_file: Law | None = None) -> dict[str, Law]:
     """The tables of a list such as ``ice,wood,0.5,no-slip``, by name.
+
+    ``of_file`` is the law of a scenario file, which the list calls ``file``. Without a list they
+    are :data:`USUAL` and that of the file.
 
     Raises ``RimrollError`` for what is neither a surface nor a coefficient of friction.
     """
+    if text is None:
+        usual = tables(USUAL, restitution)
+        if of_file is None or of_file in usual.values():
+            return usual
+        return {**usual, FILE: of_file}
     found: dict[str, Law] = {}
     for item in text.split(","):
         name = item.strip()
-        law = _table(name, restitution)
+        if name == FILE and of_file is None:
+            raise RimrollError(f"--on {FILE} is the law of a scenario file: name one (.toml)")
+        law = of_file if name == FILE and of_file else _table(name, restitution)
         if law in found.values():
             raise RimrollError(f"--on has {name!r} twice")
         found[name] = law

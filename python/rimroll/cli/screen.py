@@ -35,8 +35,8 @@ def say(*what: object) -> None:
             console.print(item)
         elif console.is_terminal:
             console.print(_list(item))
-        else:
-            console.print(item, width=width)
+        else:  # where nobody's screen is too narrow; a width given to print() cannot widen it
+            Console(width=width, highlight=False, markup=False).print(item)
 
 
 def _list(rows: Table) -> str:

@@ -25,8 +25,13 @@ DIRECTIONS = re.compile(r"direction|angle|richtung|winkel")
 LEANS = re.compile(r"lean|(direction of |angle of )?(the )?first|start direction")
 """Beginnings of the name of a column of directions of the first lean."""
 
+_UNIT_AT_END = re.compile(r"\s*(\[[^\]]*\]|\([^)]*\))$")
+
 ENOUGH = 8
 """Falls of a kind that are worth a fit."""
+
+MOST_LINES = 10
+"""Lines without an angle that a message lists."""
 
 FEWEST_LABELS = 4
 """Rows with small whole numbers in the first of two unnamed columns that look like labels."""
@@ -73,7 +78,8 @@ def read_angles(
         Which rows to take where there is a column ``outcome``; ``toppled`` if there are 8 of them,
         else ``rocked``, unless given.
     column, lean_column
-        The columns of the direction of fall and of the first lean, by name or by number from 1.
+        The columns of the direction of fall and of the first lean, by name, with or without the
+        unit in brackets at its end, or by number from 1.
         Given ``column`` alone, directions are counted from the first lean already.
 
     Returns
@@ -117,6 +123,7 @@ def read_falls(
         if column is None and lean_column is None
         else _asked(table, column, lean_column)
     )
+    _refuse_gaps(table, rows, columns)
     units = [_unit_of(table.names, one) for one in columns]
     plain = "rad" if radians else "deg"
     angles = np.array(
@@ -147,7 +154,7 @@ def read_falls(
 def _column_in_words(table: Table, column: int) -> str:
     if table.width == 1 and not table.names:
         return "the only column"
-    name = f' "{table.names[column]}"' if table.names and table.names[column] else ""
+    name = f' "{table.titles[column]}"' if table.titles and table.titles[column] else ""
     return f"column {column + 1}{name}"
 
 
@@ -172,8 +179,8 @@ def _columns(table: Table) -> list[int]:
     if width == 2 and (not any(names) or all(FALLS.match(name) for name in names)):
         return [0, 1]
     there = (
-        f"has {', '.join(name or '(no name)' for name in names)}"
-        if names
+        f"has {', '.join(title or '(no name)' for title in table.titles)}"
+        if table.titles
         else f"has {width} columns without names"
     )
     raise RimrollError(
@@ -199,11 +206,14 @@ def _place(table: Table, field: str, column: str | int) -> int:
     word = str(column).strip().lower()
     if word in table.names:
         return table.names.index(word)
+    without_units = [_UNIT_AT_END.sub("", name) for name in table.names]
+    if without_units.count(word) == 1:
+        return without_units.index(word)
     if word.isdecimal() and 1 <= int(word) <= table.width:
         return int(word) - 1
-    names = f", or of {', '.join(table.names)}" if table.names else ""
+    there = f", or of {', '.join(table.titles)}" if table.titles else ""
     raise RimrollError(
-        f"{field} must be a number from 1 to {table.width}{names} in {table.name}, got {column!r}"
+        f"{field} must be a number from 1 to {table.width}{there} in {table.name}, got {column!r}"
     )
 
 
@@ -225,6 +235,18 @@ def _counting(table: Table, counted: str | None) -> tuple[list[Row], str | None]
     return [row for row in table.rows if row.cells[at] == word], word
 
 
+def _refuse_gaps(table: Table, rows: list[Row], columns: list[int]) -> None:
+    for column in columns:
+        lines = [str(row.line) for row in rows if not row.cells[column]]
+        if lines:
+            more = f" and {len(lines) - MOST_LINES} more" if len(lines) > MOST_LINES else ""
+            where = f"line{'s' * (len(lines) > 1)} {', '.join(lines[:MOST_LINES])}{more}"
+            raise RimrollError(
+                f"{table.name}, {where}: an angle is missing in {_column_in_words(table, column)};"
+                " to leave a line out, begin it with #"
+            )
+
+
 def _angle(file: str, row: Row, column: int, unit: str) -> float:
     cell = row.cells[column]
     place = f"{file}, line {row.line}"
@@ -240,8 +262,6 @@ def _angle(file: str, row: Row, column: int, unit: str) -> float:
 
 
 def _with_unit(cell: str, place: str) -> float:
-    if not cell:
-        raise RimrollError(f"{place}: an angle is missing")
     try:
         return quantity(cell, "rad", place)
     except UnitError as error:

@@ -43,11 +43,16 @@ class Table:
     """The rows of a file, all of one width, and what messages call the file."""
 
     name: str
-    names: list[str]
-    """Names of the columns in small letters; none where the first line has a number."""
+    titles: list[str]
+    """Names of the columns as they are written; none where the first line has a number."""
     rows: list[Row]
     """The rows below the names."""
     width: int
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns in small letters."""
+        return [title.lower() for title in self.titles]
 
 
 def read_table(source: Source, *, has_columns: bool = False) -> Table:
@@ -82,8 +87,8 @@ def read_table(source: Source, *, has_columns: bool = False) -> Table:
                 f"{name}, line {row.line}: {len(row.cells)} columns where line {rows[0].line} has "
                 f"{width}"
             )
-    names = _names(rows[0].cells)
-    return Table(name, names, rows[1:] if names else rows, width)
+    titles = _titles(rows[0].cells)
+    return Table(name, titles, rows[1:] if titles else rows, width)
 
 
 def source_name(source: Source) -> str:
@@ -143,7 +148,7 @@ def _commas_are_decimal(name: str, lines: list[str], rows: list[list[str]]) -> b
     if len(parts) < len(lines):
         # A name or a whole number that stands alone shows that there is one column.
         alone = all(pair or len(row) == 1 for pair, row in zip(found, rows, strict=True))
-        named = len(rows[0]) == 1 and bool(_names(rows[0]))
+        named = len(rows[0]) == 1 and bool(_titles(rows[0]))
         return bool(parts) and alone and (named or short or certain)
     if short and not certain and not _are_far_apart(rows):
         raise RimrollError(
@@ -193,6 +198,6 @@ def _are_numbers(cells: list[str]) -> bool:
     return True
 
 
-def _names(first: list[str]) -> list[str]:
+def _titles(first: list[str]) -> list[str]:
     angles = any(re.match(r"[+\-−]?\.?\d", cell) or _are_numbers([cell]) for cell in first)
-    return [] if angles else [cell.lower() for cell in first]
+    return [] if angles else first
