@@ -4,6 +4,9 @@ Each command and ``python -c "import numpy"`` are run by turns, in processes of 
 the median of the ratios of the processor's times, user and system. Run, with the package installed:
 
     .venv/bin/python bench/commands.py
+
+With the word ``start`` only what is quick is measured, in units of importing what it needs, and
+nothing is written.
 """
 
 from __future__ import annotations
@@ -42,8 +45,27 @@ COMMANDS = {
 }
 """What is run, and how many times."""
 
+TYPER = [*CODE, "import typer"]
+STARTS = {
+    "import rimroll, of import numpy": ([*CODE, "import rimroll"], NUMPY),
+    "rr.simulate, rr.bodies, of import numpy": (
+        [*CODE, "import rimroll as rr; rr.simulate; rr.bodies.can_2007()"],
+        NUMPY,
+    ),
+    "rimroll --help, of import typer": ([*RIMROLL, "--help"], TYPER),
+    "rimroll --version, of import typer": ([*RIMROLL, "--version"], TYPER),
+    "rimroll turn can_2007, of import numpy, typer": (
+        [*RIMROLL, "turn", "can_2007"],
+        [*CODE, "import numpy, typer"],
+    ),
+}
+"""What is quick, and what it is compared with."""
+
 
 def main() -> None:
+    if sys.argv[1:] == ["start"]:
+        starts()
+        return
     lines = [["", "times importing NumPy: median, range"], ["---", "--:"]]
     with tempfile.TemporaryDirectory() as folder:
         run = Run(Path(folder))
@@ -56,6 +78,15 @@ def main() -> None:
             print(name, told, flush=True)
     table = "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
     put_between(ROOT / "docs/performance.md", "commands", table)
+
+
+def starts() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        run = Run(Path(folder))
+        for name, (command, unit) in STARTS.items():
+            run.seconds(command), run.seconds(unit)
+            found = [run.seconds(command) / run.seconds(unit) for _ in range(15)]
+            print(f"{name}: {statistics.median(found):.2f}, {min(found):.2f} to {max(found):.2f}")
 
 
 class Run:

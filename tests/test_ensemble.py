@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import rimroll as rr
 from ctrl_c import heard
-from rimroll.ensemble import OUTCOMES, VARIABLES, body_of, law_of
+from rimroll.many_falls import OUTCOMES, VARIABLES, body_of, law_of
 from strategies import bodies, rockings
 
 CAN = rr.bodies.can_2007()

@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 import rimroll as rr
-from rimroll.ensemble import body_of, law_of
+from rimroll.many_falls import body_of, law_of
 from rimroll.units import registry
 
 DEGREE = registry().deg

@@ -12,7 +12,7 @@ from scipy.interpolate import PchipInterpolator
 
 import rimroll as rr
 from rimroll import cli
-from rimroll.ensemble import law_of
+from rimroll.many_falls import law_of
 from strategies import composed_bodies
 
 CAN = rr.bodies.can_2007()

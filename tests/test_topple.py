@@ -17,9 +17,9 @@ from matplotlib.text import Text
 import rimroll as rr
 from rimroll import style
 from rimroll.cli import main
-from rimroll.ensemble import VARIABLES
 from rimroll.experiment.histogram import falls_figure
 from rimroll.experiment.toppling import counted, limits
+from rimroll.many_falls import VARIABLES
 from rimroll.paper.setting import MEASURED
 
 CAN = rr.bodies.can_2007()

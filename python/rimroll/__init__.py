@@ -15,129 +15,163 @@ M. Srinivasan and A. Ruina, *Rocking and rolling: a can that appears to rock mig
 (2007), called "the paper" below.
 """
 
-from rimroll import bodies, solids, surfaces
-from rimroll._core import STANDARD_GRAVITY, __version__
-from rimroll.approximations import NearCollision, Pasted, pasted
-from rimroll.body import Body
-from rimroll.ensemble import ensemble
-from rimroll.errors import RimrollError
-from rimroll.exact import ExactTurn, exact_turn
-from rimroll.experiment.fitting import (
-    Fit,
-    Predicted,
-    directions_of_summary,
-    fit,
-    predict_falls,
-    read_angles,
-)
-from rimroll.experiment.measurement import Measurement, measure
-from rimroll.experiment.release import Release
-from rimroll.experiment.toppling import topple
-from rimroll.falls import Interrupted
-from rimroll.grid import axis
-from rimroll.imperfection import Collision, ImperfectRim, imperfect_rim
-from rimroll.jacobian import Jacobian
-from rimroll.laws import (
-    AirDrag,
-    Coulomb,
-    Frictionless,
-    Law,
-    NoSlip,
-    PivotingFriction,
-    RollingResistance,
-    Stribeck,
-    Tabulated,
-    Viscous,
-)
-from rimroll.motion import Event, Moments, Motion, Phase, Stats, Turn, simulate
-from rimroll.sensitivity import turn_map, watershed, watershed_slope
-from rimroll.solids import Solid
-from rimroll.state import State
-from rimroll.theory import (
-    Arrival,
-    Passage,
-    arrival,
-    balance_tilt,
-    disk_turn_limit,
-    error_law_coefficient,
-    lift_off_rate,
-    needed_friction,
-    painleve_friction,
-    passage,
-    point_mass_turn_limit,
-    slip_rate,
-    steady_wobble_rate,
-    tall_turn_limit,
-    turn_limit,
-    turn_limit_with_spin,
-)
+import sys
+from importlib import import_module
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "STANDARD_GRAVITY",
-    "AirDrag",
-    "Arrival",
-    "Body",
-    "Collision",
-    "Coulomb",
-    "Event",
-    "ExactTurn",
-    "Fit",
-    "Frictionless",
-    "ImperfectRim",
-    "Interrupted",
-    "Jacobian",
-    "Law",
-    "Measurement",
-    "Moments",
-    "Motion",
-    "NearCollision",
-    "NoSlip",
-    "Passage",
-    "Pasted",
-    "Phase",
-    "PivotingFriction",
-    "Predicted",
-    "Release",
-    "RimrollError",
-    "RollingResistance",
-    "Solid",
-    "State",
-    "Stats",
-    "Stribeck",
-    "Tabulated",
-    "Turn",
-    "Viscous",
-    "__version__",
-    "arrival",
-    "axis",
-    "balance_tilt",
-    "bodies",
-    "directions_of_summary",
-    "disk_turn_limit",
-    "ensemble",
-    "error_law_coefficient",
-    "exact_turn",
-    "fit",
-    "imperfect_rim",
-    "lift_off_rate",
-    "measure",
-    "needed_friction",
-    "painleve_friction",
-    "passage",
-    "pasted",
-    "point_mass_turn_limit",
-    "predict_falls",
-    "read_angles",
-    "simulate",
-    "slip_rate",
-    "solids",
-    "steady_wobble_rate",
-    "surfaces",
-    "tall_turn_limit",
-    "topple",
-    "turn_limit",
-    "turn_limit_with_spin",
-    "turn_map",
-    "watershed",
-    "watershed_slope",
-]
+if TYPE_CHECKING:
+    from rimroll import bodies as bodies, solids as solids, surfaces as surfaces
+    from rimroll._core import STANDARD_GRAVITY as STANDARD_GRAVITY, __version__ as __version__
+    from rimroll.approximations import (
+        NearCollision as NearCollision,
+        Pasted as Pasted,
+        pasted as pasted,
+    )
+    from rimroll.body import Body as Body
+    from rimroll.errors import RimrollError as RimrollError
+    from rimroll.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
+    from rimroll.experiment.fitting.angles import read_angles as read_angles
+    from rimroll.experiment.fitting.fit import Fit as Fit, fit as fit
+    from rimroll.experiment.fitting.predicted import (
+        Predicted as Predicted,
+        predict_falls as predict_falls,
+    )
+    from rimroll.experiment.fitting.summary import (
+        directions_of_summary as directions_of_summary,
+    )
+    from rimroll.experiment.measurement import Measurement as Measurement, measure as measure
+    from rimroll.experiment.release import Release as Release
+    from rimroll.experiment.toppling import topple as topple
+    from rimroll.falls import Interrupted as Interrupted
+    from rimroll.grid import axis as axis
+    from rimroll.imperfection import (
+        Collision as Collision,
+        ImperfectRim as ImperfectRim,
+        imperfect_rim as imperfect_rim,
+    )
+    from rimroll.jacobian import Jacobian as Jacobian
+    from rimroll.laws import (
+        AirDrag as AirDrag,
+        Coulomb as Coulomb,
+        Frictionless as Frictionless,
+        Law as Law,
+        NoSlip as NoSlip,
+        PivotingFriction as PivotingFriction,
+        RollingResistance as RollingResistance,
+        Stribeck as Stribeck,
+        Tabulated as Tabulated,
+        Viscous as Viscous,
+    )
+    from rimroll.many_falls import ensemble as ensemble
+    from rimroll.motion import (
+        Event as Event,
+        Moments as Moments,
+        Motion as Motion,
+        Phase as Phase,
+        Stats as Stats,
+        Turn as Turn,
+        simulate as simulate,
+    )
+    from rimroll.sensitivity import (
+        turn_map as turn_map,
+        watershed as watershed,
+        watershed_slope as watershed_slope,
+    )
+    from rimroll.solids import Solid as Solid
+    from rimroll.state import State as State
+    from rimroll.theory import (
+        Arrival as Arrival,
+        Passage as Passage,
+        arrival as arrival,
+        balance_tilt as balance_tilt,
+        disk_turn_limit as disk_turn_limit,
+        error_law_coefficient as error_law_coefficient,
+        lift_off_rate as lift_off_rate,
+        needed_friction as needed_friction,
+        painleve_friction as painleve_friction,
+        passage as passage,
+        point_mass_turn_limit as point_mass_turn_limit,
+        slip_rate as slip_rate,
+        steady_wobble_rate as steady_wobble_rate,
+        tall_turn_limit as tall_turn_limit,
+        turn_limit as turn_limit,
+        turn_limit_with_spin as turn_limit_with_spin,
+    )
+
+_MODULES = ("bodies", "solids", "surfaces")
+_NAMES = {
+    "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
+    "rimroll.approximations": ("NearCollision", "Pasted", "pasted"),
+    "rimroll.body": ("Body",),
+    "rimroll.errors": ("RimrollError",),
+    "rimroll.exact": ("ExactTurn", "exact_turn"),
+    "rimroll.experiment.fitting.angles": ("read_angles",),
+    "rimroll.experiment.fitting.fit": ("Fit", "fit"),
+    "rimroll.experiment.fitting.predicted": ("Predicted", "predict_falls"),
+    "rimroll.experiment.fitting.summary": ("directions_of_summary",),
+    "rimroll.experiment.measurement": ("Measurement", "measure"),
+    "rimroll.experiment.release": ("Release",),
+    "rimroll.experiment.toppling": ("topple",),
+    "rimroll.falls": ("Interrupted",),
+    "rimroll.grid": ("axis",),
+    "rimroll.imperfection": ("Collision", "ImperfectRim", "imperfect_rim"),
+    "rimroll.jacobian": ("Jacobian",),
+    "rimroll.laws": (
+        "AirDrag",
+        "Coulomb",
+        "Frictionless",
+        "Law",
+        "NoSlip",
+        "PivotingFriction",
+        "RollingResistance",
+        "Stribeck",
+        "Tabulated",
+        "Viscous",
+    ),
+    "rimroll.many_falls": ("ensemble",),
+    "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
+    "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
+    "rimroll.solids": ("Solid",),
+    "rimroll.state": ("State",),
+    "rimroll.theory": (
+        "Arrival",
+        "Passage",
+        "arrival",
+        "balance_tilt",
+        "disk_turn_limit",
+        "error_law_coefficient",
+        "lift_off_rate",
+        "needed_friction",
+        "painleve_friction",
+        "passage",
+        "point_mass_turn_limit",
+        "slip_rate",
+        "steady_wobble_rate",
+        "tall_turn_limit",
+        "turn_limit",
+        "turn_limit_with_spin",
+    ),
+}
+"""What is public, by the module that holds it: a module is loaded when it is first asked for."""
+
+_HOME = {name: module for module, names in _NAMES.items() for name in names}
+
+__all__ = sorted([*_MODULES, *_HOME])
+
+if not TYPE_CHECKING:  # to type checkers the module has no names but those above
+
+    def __getattr__(name):
+        if name in _MODULES:
+            return import_module(f"rimroll.{name}")
+        if name not in _HOME:
+            raise AttributeError(
+                f"module {__name__!r} has no attribute {name!r}",
+                name=name,
+                obj=sys.modules[__name__],
+            )
+        value = globals()[name] = getattr(import_module(_HOME[name]), name)
+        return value
+
+
+def __dir__() -> list[str]:
+    return __all__

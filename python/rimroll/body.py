@@ -124,7 +124,7 @@ class Body:
 
         Raises ``RimrollError`` for a dataset of something else.
         """
-        from rimroll.ensemble import body_of
+        from rimroll.many_falls import body_of
         from rimroll.recorded import expect_dataset
 
         expect_dataset(dataset)

@@ -1,10 +1,13 @@
 """The errors rimroll raises on purpose."""
 
-from collections.abc import Iterable
-from typing import Any
+from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class RimrollError(ValueError):
@@ -31,6 +34,8 @@ def hold(
     The message names the first that is at fault, as in ``tilt[1] must be finite, got nan``.
     """
     if not holds.all():
+        import numpy as np  # not before: whoever only reports errors needs none
+
         index = tuple(np.argwhere(~holds)[0])
         got = f"{values[index]} {unit}".rstrip()
         raise RimrollError(f"{element(field, index)} must be {bound}, got {got}")

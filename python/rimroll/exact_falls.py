@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.body import Body
-from rimroll.ensemble import described, parameters
 from rimroll.exact import NUMBERS, OUTCOMES, turns_in_parts
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, number, optional
 from rimroll.laws import Law
+from rimroll.many_falls import described, parameters
 from rimroll.rows import Rows
 from rimroll.state import State
 

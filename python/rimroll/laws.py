@@ -262,7 +262,7 @@ class Law(_Numbered):
 
         Raises ``RimrollError`` for a dataset of something else.
         """
-        from rimroll.ensemble import law_of
+        from rimroll.many_falls import law_of
         from rimroll.recorded import expect_dataset
 
         expect_dataset(dataset)

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from rimroll import style
 from rimroll.directions import around, middle_of
-from rimroll.ensemble import FELL, fell, outcomes
 from rimroll.falls import Falls
+from rimroll.many_falls import FELL, fell, outcomes
 from rimroll.map_line import side_line
 from rimroll.ticks import powers_into_label
 

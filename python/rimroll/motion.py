@@ -546,7 +546,7 @@ class Motion(Moments):
         dataset holds. ``jacobian`` as for :func:`simulate`. Raises ``RimrollError`` for a dataset
         of something else.
         """
-        from rimroll.ensemble import body_of, law_of
+        from rimroll.many_falls import body_of, law_of
         from rimroll.recorded import expect_dataset, options_of, start_of
 
         expect_dataset(dataset)

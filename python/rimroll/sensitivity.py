@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body, one_body
-from rimroll.ensemble import OPTIONS, VARIABLES, follow
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.exact import conserves_energy
 from rimroll.exact_falls import exact_falls
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.given import Number, Values, number, numbers
 from rimroll.laws import IDEAL, Frictionless, Law, ideal
+from rimroll.many_falls import OPTIONS, VARIABLES, follow
 from rimroll.options import Options
 from rimroll.state import State, single
 

@@ -1,7 +1,7 @@
 """The command line: ``rimroll turn``, ``simulate``, ``topple``, ``fit`` and more.
 
-What is loaded when: nothing here; typer, rich and numpy for any command; pint, pydantic, xarray and
-matplotlib only by what needs them, so that short answers come at once.
+What is loaded when: nothing here; typer for help; numpy, rich and its own module for a command;
+pint, pydantic, xarray and matplotlib only by what needs them, so that short answers come at once.
 """
 
 from __future__ import annotations
@@ -10,13 +10,15 @@ import io
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from rimroll.errors import RimrollError
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
+def main(arguments: Sequence[str] | None = None, begin: Callable[[], object] = lambda: None) -> int:
     """Run a command with the given arguments, else the program's own; return its exit code.
+
+    ``begin`` is called before the command's own work, when what it needs at first is loaded.
 
     The code is 0 when all went well, also if the reader of stdout stops reading early, as ``head``
     does, and 1 when the solver gave up. It is 2 for what cannot be done and 130 when interrupted;
@@ -29,7 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         from rimroll.cli.commands import run
 
-        code = run(arguments)
+        code = run(arguments, begin)
         sys.stdout.flush()
     except KeyboardInterrupt:
         return _complain("interrupted", 130, in_json)

@@ -1,52 +1,56 @@
-"""The commands, gathered."""
+"""The commands, gathered: by name and in a line each, until one of them is asked for."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from importlib import import_module
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 from typer.main import get_command
 
 from rimroll._core import __version__
-from rimroll.cli.bodies import bodies
-from rimroll.cli.compare import compare
-from rimroll.cli.fit import fit
-from rimroll.cli.lab import lab
-from rimroll.cli.map import map
-from rimroll.cli.measure import measure
-from rimroll.cli.options import unfolded
-from rimroll.cli.protractor import protractor
-from rimroll.cli.reproduce import reproduce
-from rimroll.cli.simulate import simulate
-from rimroll.cli.topple import topple
-from rimroll.cli.turn import turn
+from rimroll.cli.command import SETTINGS, Sparing, made
 from rimroll.errors import RimrollError
 
+COMMANDS = {
+    "turn": "By what angle a body turns in a near-collision.",
+    "simulate": "Follow a body from a start: how it ends, its turns, its events; files on request.",
+    "topple": "Where a body falls, flicked again and again by an unsteady hand.",
+    "map": "Left or right: the direction of fall over a plane of yaw and spin rates.",
+    "compare": "How the same flick turns out on ice, on wood and on rubber.",
+    "measure": "Mass, H, A and C of your own can, from a ruler, scales and a stopwatch.",
+    "protractor": "A sheet to print and lay under a can, to read in which direction it falls.",
+    "fit": "The friction of a table from the directions in which a body fell on it.",
+    "lab": "Tip the can in a browser, on a page that computes with the mechanics used here.",
+    "reproduce": "Redo the paper's numbers, figures and film as one page to open in a browser.",
+    "bodies": "List the bodies that have a name, their numbers, and where those come from.",
+}
+"""Each command, the function of that name in the module of that name, and its first line of help.
+
+The line stands here, too, so that the list of commands is shown before any of them is loaded.
+"""
+
+
+class Commands(Sparing, TyperGroup):
+    """Commands of which the one that is asked for is loaded; of the others the names suffice."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command and loaded(command.name), rest
+
+
+def loaded(name: str | None) -> Any:
+    """The command of that name with its options, its module loaded."""
+    return made(getattr(import_module(f"rimroll.cli.{name}"), str(name)))
+
+
 app = typer.Typer(
-    rich_markup_mode="rich",
-    context_settings={"help_option_names": ["-h", "--help"]},
+    cls=Commands,
+    rich_markup_mode=None,
+    context_settings=SETTINGS,
 )
-
-COMMANDS = (
-    turn,
-    simulate,
-    topple,
-    map,
-    compare,
-    measure,
-    protractor,
-    fit,
-    lab,
-    reproduce,
-    bodies,
-)
-
-for command in COMMANDS:
-    app.command()(unfolded(command))
-
-# typer keeps the base class of the errors in what was typed to itself.
-_UsageError: Any = typer.BadParameter.__bases__[0]
 
 
 @app.callback(invoke_without_command=True)
@@ -74,10 +78,25 @@ def rimroll(
         print(context.get_help())
 
 
-def run(arguments: Sequence[str] | None) -> int:
-    """Run a command; return its exit code. What was typed wrongly is a ``RimrollError``."""
+def _named_only() -> None:
+    """Stands for a command that has not been asked for."""
+
+
+for _name, _first_line in COMMANDS.items():
+    app.command(_name, help=_first_line)(_named_only)
+
+# typer keeps the base class of the errors in what was typed to itself.
+_UsageError: Any = typer.BadParameter.__bases__[0]
+
+
+def run(arguments: Sequence[str] | None, begin: Callable[[], object]) -> int:
+    """Run a command, calling ``begin`` when all that it needs at first is loaded.
+
+    Returns its exit code. What was typed wrongly is a ``RimrollError``.
+    """
     try:
-        code = get_command(app).main(arguments, prog_name="rimroll", standalone_mode=False)
+        command = get_command(app)
+        code = command.main(arguments, prog_name="rimroll", standalone_mode=False, obj=begin)
     except _UsageError as error:
         raise RimrollError(_one_line(error)) from None
     except typer.Abort:

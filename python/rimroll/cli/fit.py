@@ -46,7 +46,7 @@ class BodyByOption(BodyOptions):
     body: Annotated[
         str | None,
         typer.Option(
-            help="A name from [bold]rimroll bodies[/], or a scenario file (.toml); the paper's can,"
+            help="A name from rimroll bodies, or a scenario file (.toml); the paper's can,"
             " can_2007, unless given.",
             metavar="BODY",
             rich_help_panel="Body",
@@ -68,20 +68,20 @@ RateErrorOption = Annotated[
     str | None,
     typer.Option(
         help="How well the mean tilt rate is known: the friction is told also for flicks that much"
-        " slower and faster. \\[a tenth of it]",
+        " slower and faster. [a tenth of it]",
         metavar="RATE",
     ),
 ]
 CountedOption = Annotated[
     str | None,
     typer.Option(
-        help="What counts as a fall: toppled or rocked. \\[what such a flick does]", metavar="WORD"
+        help="What counts as a fall: toppled or rocked. [what such a flick does]", metavar="WORD"
     ),
 ]
 ColumnOption = Annotated[
     str | None,
     typer.Option(
-        help="The column of the direction of fall, by name or by number from 1. \\[found by name]",
+        help="The column of the direction of fall, by name or by number from 1. [found by name]",
         metavar="COLUMN",
     ),
 ]
@@ -90,7 +90,7 @@ LeanColumnOption = Annotated[
     typer.Option(help="The column of the direction of the first lean.", metavar="COLUMN"),
 ]
 BiasOption = Annotated[
-    str | None, typer.Option(help="Take the bias as known. \\[fitted]", metavar="ANGLE")
+    str | None, typer.Option(help="Take the bias as known. [fitted]", metavar="ANGLE")
 ]
 ErrorOption = Annotated[
     str, typer.Option(help="Standard deviation of reading a direction.", metavar="ANGLE")

@@ -26,10 +26,10 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
-from rimroll.ensemble import FELL, fell, outcomes
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
+from rimroll.many_falls import FELL, fell, outcomes
 from rimroll.names import typed
 from rimroll.sensitivity import map_falls, watershed_slope
 from rimroll.state import State
@@ -53,7 +53,7 @@ class PlaneOptions:
     tilt: Annotated[
         str | None,
         typer.Option(
-            help="Tilt at the start. \\[that of a flick that topples the body]",
+            help="Tilt at the start. [that of a flick that topples the body]",
             metavar="ANGLE",
             rich_help_panel="Start",
         ),
@@ -61,7 +61,7 @@ class PlaneOptions:
     tilt_rate: Annotated[
         str | None,
         typer.Option(
-            help="Negative while falling toward upright. \\[that of the flick; with --tilt: 0]",
+            help="Negative while falling toward upright. [that of the flick; with --tilt: 0]",
             metavar="RATE",
             rich_help_panel="Start",
         ),

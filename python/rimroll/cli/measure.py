@@ -83,7 +83,7 @@ class MeasureOptions:
         ),
     ] = None
     pivot_radius: Annotated[
-        Text, _given("And from the symmetry axis. \\[that of the rim]", "LENGTH", SWUNG)
+        Text, _given("And from the symmetry axis. [that of the rim]", "LENGTH", SWUNG)
     ] = None
     rocking_tilt: Annotated[
         Text, _given("Let go at rest from this tilt of the base;", "ANGLE", ROCKED)
@@ -100,7 +100,7 @@ class MeasureOptions:
     across_pivot: Annotated[
         Text,
         _given(
-            "edge, or point: a hook or thread that lets it twist as it swings. \\[edge]",
+            "edge, or point: a hook or thread that lets it twist as it swings. [edge]",
             "PIVOT",
             ACROSS,
         ),
@@ -112,7 +112,7 @@ class MeasureOptions:
     slope_angle: Annotated[Text, _given("Or its angle.", "ANGLE", ROLLED)] = None
     slope_time: Annotated[Text, _given("How long it took.", "TIME", ROLLED)] = None
     side_radius: Annotated[
-        Text, _given("Radius of its widest part. \\[that of the rim]", "LENGTH", ROLLED)
+        Text, _given("Radius of its widest part. [that of the rim]", "LENGTH", ROLLED)
     ] = None
     gravity: Annotated[
         Text, _given("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", SIZE)

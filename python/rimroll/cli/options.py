@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import functools
-import inspect
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import Annotated, Any, get_type_hints
+from typing import Annotated, Any
 
 import typer
 
@@ -57,7 +55,7 @@ class BodyOptions:
     body: Annotated[
         str | None,
         typer.Argument(
-            help="A name from [bold]rimroll bodies[/], or a scenario file (.toml); the paper's can,"
+            help="A name from rimroll bodies, or a scenario file (.toml); the paper's can,"
             " can_2007, unless given.",
             metavar="BODY",
             show_default=False,
@@ -149,7 +147,7 @@ class LawOptions:
     law: Annotated[
         str | None,
         _option(
-            f"{', '.join(_LAWS)}. \\[no-slip; with --friction: coulomb]",
+            f"{', '.join(_LAWS)}. [no-slip; with --friction: coulomb]",
             "LAW",
             "Table",
             _LAWS,
@@ -170,7 +168,7 @@ class LawOptions:
     ] = None
     static_friction: Annotated[
         str | None,
-        _option("The most of it while the rim sticks. \\[the same]", "NUMBER", "Table"),
+        _option("The most of it while the rim sticks. [the same]", "NUMBER", "Table"),
     ] = None
     viscous_coefficient: Annotated[
         str | None,
@@ -209,7 +207,7 @@ class ResistanceOptions:
     air_drag: Annotated[
         str | None,
         _option(
-            "Power over (yaw rate)^exponent, in W (s/rad)^exponent, or [bold]film[/]: a film of"
+            "Power over (yaw rate)^exponent, in W (s/rad)^exponent, or film: a film of"
             " air under the base.",
             "NUMBER",
             "Table",
@@ -224,7 +222,7 @@ ThreadsOption = Annotated[
     int | None,
     typer.Option(
         parser=whole(),
-        help="Processors to use; the results do not depend on it. \\[all]",
+        help="Processors to use; the results do not depend on it. [all]",
         metavar="NUMBER",
     ),
 ]
@@ -233,32 +231,3 @@ JsonOption = Annotated[
     bool,
     typer.Option("--json", help="Answer in JSON, in SI units and radians; errors too, on stderr."),
 ]
-
-
-def unfolded(command: Callable[..., int]) -> Callable[..., int]:
-    """A command whose dataclass parameters are taken apart into an option for each field."""
-    hints = get_type_hints(command, include_extras=True)
-    groups: dict[str, Any] = {name: hint for name, hint in hints.items() if is_dataclass(hint)}
-    parameters = []
-    for name, parameter in inspect.signature(command).parameters.items():
-        single = [(name, hints[name], parameter.default)]
-        for option, hint, default in _options_of(groups[name]) if name in groups else single:
-            kind = inspect.Parameter.KEYWORD_ONLY
-            parameters.append(inspect.Parameter(option, kind, default=default, annotation=hint))
-
-    @functools.wraps(command)
-    def flat(**given: Any) -> int:
-        folded = {
-            name: group(**{field.name: given.pop(field.name) for field in fields(group)})
-            for name, group in groups.items()
-        }
-        return command(**folded, **given)
-
-    flat.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    flat.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
-    return flat
-
-
-def _options_of(group: Any) -> list[tuple[str, Any, Any]]:
-    hints = get_type_hints(group, include_extras=True)
-    return [(field.name, hints[field.name], field.default) for field in fields(group)]

@@ -25,7 +25,7 @@ def say(*what: object) -> None:
 
     A table that a terminal is too narrow for becomes a list, so that nothing is cut off.
     """
-    console = Console(highlight=False, markup=False, soft_wrap=True)
+    console = Console(highlight=False, markup=False, emoji=False, soft_wrap=True)
     for item in what or ("",):
         if not isinstance(item, Table):
             console.print(item)

@@ -74,7 +74,7 @@ NumberOption = Annotated[
 SeedOption = Annotated[
     int | None,
     typer.Option(
-        parser=whole(), help="Of the scatter: the same falls again. \\[by chance]", metavar="NUMBER"
+        parser=whole(), help="Of the scatter: the same falls again. [by chance]", metavar="NUMBER"
     ),
 ]
 FallsOption = Annotated[

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body, one_body
-from rimroll.ensemble import follow
 from rimroll.errors import RimrollError, callback
 from rimroll.experiment import normal
 from rimroll.experiment.fitting import sobol
@@ -23,6 +22,7 @@ from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import FALLING
 from rimroll.given import Number, number, whole_number
 from rimroll.laws import Coulomb, NoSlip
+from rimroll.many_falls import follow
 from rimroll.state import State
 from rimroll.theory import arrival, needed_friction
 

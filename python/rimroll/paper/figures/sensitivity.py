@@ -10,9 +10,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rimroll import style
-from rimroll.ensemble import OPTIONS, follow
 from rimroll.falls import Column, Falls
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip
+from rimroll.many_falls import OPTIONS, follow
 from rimroll.map_plot import SPIN, YAW, directions, draw_map, scale_of_directions
 from rimroll.motion import Array
 from rimroll.paper import setting

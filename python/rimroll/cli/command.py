@@ -1,0 +1,113 @@
+"""A function as a command: an option for each of its parameters, and their help by panels."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import re
+from collections.abc import Callable, Container
+from dataclasses import fields, is_dataclass
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
+
+import typer
+from typer.core import TyperCommand
+from typer.main import get_command
+
+SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+def made(function: Callable[..., int]) -> Any:
+    """The command that calls the function with what was typed.
+
+    It first calls the ``obj`` of the context that it is run in.
+    """
+    # Without markup, since typer would load half of rich to show help.
+    app = typer.Typer(add_completion=False, rich_markup_mode=None, context_settings=SETTINGS)
+    flat = unfolded(function)
+    help = re.sub(r"^\$ ", "\b\n$ ", inspect.getdoc(function) or "", flags=re.MULTILINE)
+    app.command(function.__name__, cls=Command, help=help)(flat)  # lines after \b are not wrapped
+    command: Any = get_command(app)
+    command.texts = {name for name, hint in flat.__annotations__.items() if _is_text(hint)}
+    return command
+
+
+class Sparing:
+    """A command that converts parameters only if they are given and are to be no texts.
+
+    typer converts by pydantic, which takes as long to load as NumPy; most options are texts.
+    """
+
+    texts: Container[str] = ()
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        parameters: list[Any] = super().get_params(ctx)  # type: ignore[misc]
+        for parameter in parameters:
+            if "process_value" not in vars(parameter):
+                parameter.process_value = _converting(parameter, parameter.name in self.texts)
+        return parameters
+
+
+def _converting(parameter: Any, is_text: bool) -> Callable[[Any, Any], Any]:
+    convert = parameter.process_value
+
+    def process_value(context: Any, value: Any) -> Any:
+        if parameter.required or not (value is None or (is_text and isinstance(value, str))):
+            return convert(context, value)
+        if value is None and (parameter.multiple or parameter.nargs == -1):
+            value = ()
+        return parameter.callback(context, parameter, value) if parameter.callback else value
+
+    return process_value
+
+
+class Command(Sparing, TyperCommand):
+    """A command that says when it begins, and whose help has a section for each panel."""
+
+    def invoke(self, ctx: Any) -> Any:
+        ctx.find_root().obj()
+        return super().invoke(ctx)
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        sections: dict[str, list[tuple[str, str]]] = {}
+        for parameter in self.get_params(ctx):
+            if (lines := parameter.get_help_record(ctx)) is not None:
+                usual = "Arguments" if parameter.param_type_name == "argument" else "Options"
+                panel = getattr(parameter, "rich_help_panel", None) or usual
+                sections.setdefault(panel, []).append(lines)
+        for panel, records in sections.items():
+            with formatter.section(panel):
+                formatter.write_dl(records)
+
+
+def _is_text(hint: Any) -> bool:
+    kind = get_args(hint)[0] if get_origin(hint) is Annotated else hint
+    return kind in (str, str | None)
+
+
+def unfolded(command: Callable[..., int]) -> Callable[..., int]:
+    """A command whose dataclass parameters are taken apart into an option for each field."""
+    hints = get_type_hints(command, include_extras=True)
+    groups: dict[str, Any] = {name: hint for name, hint in hints.items() if is_dataclass(hint)}
+    parameters = []
+    for name, parameter in inspect.signature(command).parameters.items():
+        single = [(name, hints[name], parameter.default)]
+        for option, hint, default in _options_of(groups[name]) if name in groups else single:
+            kind = inspect.Parameter.KEYWORD_ONLY
+            parameters.append(inspect.Parameter(option, kind, default=default, annotation=hint))
+
+    @functools.wraps(command)
+    def flat(**given: Any) -> int:
+        folded = {
+            name: group(**{field.name: given.pop(field.name) for field in fields(group)})
+            for name, group in groups.items()
+        }
+        return command(**folded, **given)
+
+    flat.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    flat.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    return flat
+
+
+def _options_of(group: Any) -> list[tuple[str, Any, Any]]:
+    hints = get_type_hints(group, include_extras=True)
+    return [(field.name, hints[field.name], field.default) for field in fields(group)]
