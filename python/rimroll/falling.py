@@ -12,48 +12,12 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from rimroll import scene
-from rimroll.errors import RimrollError
+from rimroll import artists, scene
 from rimroll.scene import Array, Camera, Motion, Pose, RoundBody
+from rimroll.spans import Span, turn_span
 
 NAMES = ("a", "b", "b′", "c", "d", "e")
 HEAD, FOOT = 0.46, 0.34  # inches kept for the captions above and the legend below
-
-
-@dataclass(frozen=True)
-class Span:
-    """A turn: tilt maximum or release, near collision, next maximum or end, s; yaw's change, rad.
-
-    Unlike the turns that a motion counts, the last may be cut short, as by toppling.
-    """
-
-    start: float
-    near: float
-    end: float
-    angle: float
-
-
-def turn_spans(motion: Motion) -> list[Span]:
-    """All turns of a motion, in order of time, told by its events."""
-    highest = ("tilt_max", "on_edge")
-    near = [float(event.t) for event in motion.events if event.kind == "tilt_min"]
-    high = np.array([float(event.t) for event in motion.events if event.kind in highest])
-    first, last = float(motion.t[0]), float(motion.t[-1])
-    spans = []
-    for t in near:
-        start, end = max(high[high < t], default=first), min(high[high > t], default=last)
-        yaw = motion.evaluate(np.array([start, end])).yaw
-        spans.append(Span(float(start), t, float(end), float(yaw[1] - yaw[0])))
-    return spans
-
-
-def turn_span(motion: Motion, turn: int = 0) -> Span:
-    """The turn numbered ``turn``; ``RimrollError`` if the motion has no such turn."""
-    spans = turn_spans(motion)
-    if not -len(spans) <= turn < len(spans):
-        count = f"{len(spans)} near collision{'' if len(spans) == 1 else 's'}"
-        raise RimrollError(f"turn is {turn}, but the motion has {count} (counted from 0)")
-    return spans[turn]
 
 
 def falling_times(motion: Motion, span: Span) -> Array:
@@ -164,35 +128,35 @@ def _draw_side(
     ax: Axes, body: RoundBody, pose: Pose, camera: Camera, marks: _Marks, *, after: bool
 ) -> None:
     x, y = (float(c) for c in marks.center)
-    scene.draw_table(ax, camera, center=(x, y), radius=2.1 * body.radius)
-    scene.draw_body(ax, body, pose, camera)
+    artists.draw_table(ax, camera, center=(x, y), radius=2.1 * body.radius)
+    artists.draw_body(ax, body, pose, camera)
     color = scene.VERMILLION if after else scene.BLUE
-    scene.draw_contact(ax, body, pose, camera, color=color)
+    artists.draw_contact(ax, body, pose, camera, color=color)
 
 
 def _draw_top(
     ax: Axes, body: RoundBody, pose: Pose, camera: Camera, marks: _Marks, *, after: bool
 ) -> None:
     radius, last = body.radius, marks.first + marks.turn
-    scene.draw_body(ax, body, pose, camera, fade=0.72, shadow=False)
+    artists.draw_body(ax, body, pose, camera, fade=0.72, shadow=False)
     around = marks.first + np.linspace(0.0, 2.0 * np.pi, 90)
     footprint = np.array([marks.spot(a, radius) for a in around])
     _line(ax, camera, footprint, color=scene.INK, lw=0.6, ls=(0, (3, 2)))
     first = marks.spot(marks.first, radius)
     _line(ax, camera, np.array([first, marks.center]), color=scene.INK, lw=0.9)
-    scene.draw_point(ax, camera, first, color=scene.BLUE, size=5.0)
+    artists.draw_point(ax, camera, first, color=scene.BLUE, size=5.0)
     _letter(ax, camera, "A", first, marks.first, scene.BLUE)
     if after:
         wedge = (marks.center, 0.55 * radius, marks.first, marks.turn)
-        scene.draw_wedge(ax, camera, *wedge, label_at=1.0 / 0.55, fontsize=7.0, zorder=4.0)
+        artists.draw_wedge(ax, camera, *wedge, label_at=1.0 / 0.55, fontsize=7.0, zorder=4.0)
         second, opposite = marks.spot(last, radius), marks.spot(marks.first + np.pi, radius)
         _line(ax, camera, np.array([marks.center, second]), color=scene.INK, lw=0.9)
         _line(ax, camera, np.array([marks.center, opposite]), color=scene.INK, lw=0.6, ls=":")
         _ring(ax, camera, opposite)
-        scene.draw_point(ax, camera, second, color=scene.VERMILLION, size=5.0)
+        artists.draw_point(ax, camera, second, color=scene.VERMILLION, size=5.0)
         _letter(ax, camera, "B", second, last, scene.VERMILLION)
-    scene.draw_point(ax, camera, pose.contact(body)[:2], color=scene.INK, size=2.2, zorder=5.5)
-    scene.draw_point(ax, camera, marks.center, color=scene.INK, size=3.0, zorder=4.6)
+    artists.draw_point(ax, camera, pose.contact(body)[:2], color=scene.INK, size=2.2, zorder=5.5)
+    artists.draw_point(ax, camera, marks.center, color=scene.INK, size=3.0, zorder=4.6)
     _letter(ax, camera, "O", marks.center, marks.first - np.copysign(1.75, marks.turn), scene.INK)
 
 
@@ -208,7 +172,7 @@ def _ring(ax: Axes, camera: Camera, spot: Array) -> None:
 
 def _letter(ax: Axes, camera: Camera, letter: str, spot: Array, azimuth: float, color: str) -> None:
     style = {"color": color, "size": 7, "weight": "bold"}
-    scene.write_beside(ax, camera, letter, spot, azimuth, far=(7.0, 7.0), **style)
+    artists.write_beside(ax, camera, letter, spot, azimuth, far=(7.0, 7.0), **style)
 
 
 def _legend(figure: Figure, marks: _Marks) -> None:

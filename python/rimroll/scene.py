@@ -1,9 +1,10 @@
-"""Pictures of a body of revolution on the rim of its base, in vectors, on matplotlib axes.
+"""What is to be seen of a body of revolution on the rim of its base: shapes, places, colours.
 
-The axes hold lengths in metres as the camera sees them. The body is a mesh of flat facets, painted
-from far to near, those that face away left out, each as bright as Lambert's law makes it. What
-lies on the table (shade, shadow, trail, wedge) is drawn before the body, which always hides it.
-Every ``draw_...`` function returns the artists it added, in drawing order.
+Shapes are given as a camera sees them, in metres in the picture. The body is a mesh of flat facets,
+to be painted from far to near, those that face away left out, each as bright as Lambert's law makes
+it. What lies on the table (shadow, trail, wedge) comes before the body, which always hides it.
+:mod:`rimroll.artists` draws all this in vectors on matplotlib axes, :mod:`rimroll.animation` paints
+it in pixels.
 """
 
 from __future__ import annotations
@@ -12,15 +13,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
-from matplotlib.artist import Artist
-from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import to_rgb
-from matplotlib.patheffects import withStroke
+from PIL import ImageColor
 
 Array = npt.NDArray[np.float64]
 Point = tuple[float, float, float]
@@ -29,6 +26,17 @@ Point = tuple[float, float, float]
 BLUE, VERMILLION, ORANGE, GREEN, SKY = "#0072B2", "#D55E00", "#E69F00", "#009E73", "#56B4E9"
 MARK = -0.5 * np.pi  # rad: where the mark is on the body; it faces who looks from there
 INK, METAL, TABLE, SHADOW = "#2b2f33", "#d4d9de", "#e6e8ea", "#1d2733"
+
+# Opacities of a layer of shadow, a wedge, the rim (seen and hidden) and a hidden contact point.
+SHADE, WEDGE, RIM, HIDDEN_RIM, HIDDEN_CONTACT = 0.05, 0.28, 0.85, 0.16, 0.65
+
+# Widths of lines and the size of the contact point, points.
+RIM_WIDTH, ARC_WIDTH, CONTACT_SIZE, CONTACT_EDGE = 0.9, 1.4, 6.0, 0.8
+
+
+def rgb(color: str) -> Array:
+    """Red, green and blue (3,) of a named colour, from 0 to 1."""
+    return np.array(ImageColor.getrgb(color)[:3]) / 255.0
 
 
 class RoundBody(Protocol):
@@ -283,49 +291,16 @@ def _colors(profile: Profile, r: Array, z: Array, angle: Array) -> Array:
     low, high = profile.label
     tolerance = 1e-9 * r.max()
     worn = (z[:-1] >= low - tolerance) & (z[1:] <= high + tolerance)
-    colors = np.where(worn[:, None, None], to_rgb(GREEN), to_rgb(METAL)) * np.ones((angle.size, 1))
+    colors = np.where(worn[:, None, None], rgb(GREEN), rgb(METAL)) * np.ones((angle.size, 1))
     away = np.abs((angle - MARK + np.pi) % (2.0 * np.pi) - np.pi)
     wall = worn & (np.diff(z) > 0.0)
-    colors[np.ix_(wall, away < np.radians(14.0))] = to_rgb("white")
+    colors[np.ix_(wall, away < np.radians(14.0))] = rgb("white")
     lid = np.diff(z) == 0.0
     lid[0] = False
-    colors[np.ix_(lid & (r[1:] == 0.0), away < np.radians(14.0))] = to_rgb(GREEN)
+    colors[np.ix_(lid & (r[1:] == 0.0), away < np.radians(14.0))] = rgb(GREEN)
     if not wall.any():
-        colors[np.ix_(lid, away < np.radians(14.0))] = to_rgb("white")
+        colors[np.ix_(lid, away < np.radians(14.0))] = rgb("white")
     return colors
-
-
-def draw_body(
-    ax: Axes,
-    body: RoundBody,
-    pose: Pose,
-    camera: Camera,
-    *,
-    profile: Profile | None = None,
-    fade: float = 0.0,
-    shadow: bool = True,
-    rim: bool = True,
-    zorder: float = 3.0,
-) -> list[Artist]:
-    """Draw the body, with its shadow on the table and the rim of its base.
-
-    ``profile`` stands in for the body's own; ``fade`` from 0 to 1 pales the body toward white, so
-    that what is drawn over it can be read.
-    """
-    profile = profile or Profile.of(body)
-    artists = draw_shadow(ax, body, pose, camera, profile=profile, fade=fade) if shadow else []
-    polygons, colors = visible_facets(body, pose, camera, profile)
-    paint = PolyCollection(
-        polygons,  # type: ignore[arg-type]  # as one array, which is quicker than many
-        facecolors=colors + fade * (1.0 - colors),
-        edgecolors="face",
-        linewidths=0.75,
-        zorder=zorder,
-    )
-    artists.append(ax.add_collection(paint, autolim=False))
-    if rim:
-        artists += draw_rim(ax, body, pose, camera, zorder=zorder + 0.1)
-    return artists
 
 
 def visible_facets(
@@ -354,34 +329,23 @@ def _lit(colors: Array, normals: Array, sight: Array, lamp: Array, window: Array
     return np.asarray(np.clip(colors * (sky + 0.5 * lambert)[:, None] + gleam[:, None], 0.0, 1.0))
 
 
-def draw_shadow(
-    ax: Axes,
-    body: RoundBody,
-    pose: Pose,
-    camera: Camera,
-    *,
-    profile: Profile | None = None,
-    fade: float = 0.0,
-    zorder: float = 1.0,
-) -> list[Artist]:
-    """Draw the body's shadow on the table, softer the higher the part that casts it."""
-    points = pose.place((profile or Profile.of(body)).points(), body)
+def shadow_layers(body: RoundBody, pose: Pose, camera: Camera, profile: Profile) -> Array:
+    """Outlines (8, n, 2) of the shadow on the table, one inside the other.
+
+    Painted over one another they make a shadow that is softer the higher the part that casts it.
+    """
+    points = pose.place(profile.points(), body)
     angle = np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
     ways = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     z = np.clip(points[:, 2:], 0.0, None)
+    # The hull by its support function; a part at height z casts a half-shade of width z.
+    cast = cast_shadow(points, camera)
+    support = cast @ ways.T
     layers = []
     for blur in np.linspace(0.14, -0.1, 8):
-        # The hull by its support function; a part at height z casts a half-shade of width z.
-        cast = cast_shadow(points, camera)
-        last = np.argmax(cast @ ways.T + blur * z, axis=0)
-        layers.append(camera.project(_on_table(cast[last] + blur * z[last] * ways)))
-    shade = PolyCollection(
-        np.array(layers),  # type: ignore[arg-type]
-        facecolors=(*to_rgb(SHADOW), 0.05 * (1.0 - 0.6 * fade)),
-        linewidths=0,
-        zorder=zorder,
-    )
-    return [ax.add_collection(shade, autolim=False)]
+        last = np.argmax(support + blur * z, axis=0)
+        layers.append(cast[last] + blur * z[last] * ways)
+    return camera.project(on_table(np.array(layers)))
 
 
 def cast_shadow(points: Array, camera: Camera) -> Array:
@@ -390,10 +354,8 @@ def cast_shadow(points: Array, camera: Camera) -> Array:
     return np.asarray(points[:, :2] - np.clip(points[:, 2:], 0.0, None) * light[:2] / light[2])
 
 
-def draw_rim(
-    ax: Axes, body: RoundBody, pose: Pose, camera: Camera, *, zorder: float = 3.1
-) -> list[Artist]:
-    """Draw the rim of the base: a firm line where it is seen, a faint one where it is hidden."""
+def rim_stretches(body: RoundBody, pose: Pose, camera: Camera) -> list[tuple[Array, bool]]:
+    """The rim of the base as lines (n, 2), and whether each is seen or behind the body."""
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
     way = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
     ring = pose.place(body.radius * way, body)
@@ -402,10 +364,7 @@ def draw_rim(
     firm = seen[1:] & seen[:-1]
     # Each stretch is one line, so that a faint one has no dark joints.
     ends = [0, *(np.flatnonzero(firm[1:] != firm[:-1]) + 1).tolist(), len(firm)]
-    lines = [flat[start : end + 1] for start, end in pairwise(ends)]
-    colors = [(*to_rgb(INK), 0.85 if firm[start] else 0.16) for start in ends[:-1]]
-    rim = LineCollection(lines, colors=colors, linewidths=0.9, zorder=zorder)
-    return [ax.add_collection(rim, autolim=False)]
+    return [(flat[start : end + 1], bool(firm[start])) for start, end in pairwise(ends)]
 
 
 def rim_seen(
@@ -420,78 +379,44 @@ def rim_seen(
     return np.asarray((wall > -1e-9 - limb) | (sight @ -pose.axes()[2] > 0.0))
 
 
-def draw_contact(
-    ax: Axes, body: RoundBody, pose: Pose, camera: Camera, *, color: str = VERMILLION
-) -> list[Artist]:
-    """Mark the contact point, dimmed when the body hides it."""
-    spot = pose.contact(body)
-    seen = rim_seen(-pose.axes()[:1], spot[None], pose, camera, limb=0.25)[0]
-    return draw_point(ax, camera, spot, color=color, alpha=1.0 if seen else 0.65)
+def contact_seen(body: RoundBody, pose: Pose, camera: Camera) -> bool:
+    """Whether the eye sees the contact point, or the body hides it."""
+    spot = pose.contact(body)[None]
+    return bool(rim_seen(-pose.axes()[:1], spot, pose, camera, limb=0.25)[0])
 
 
-def draw_table(
-    ax: Axes,
-    camera: Camera,
-    *,
-    center: tuple[float, float] = (0.0, 0.0),
-    radius: float,
-    zorder: float = 0.0,
-) -> list[Artist]:
-    """Draw the table as a round patch of ``radius`` (m) that fades out toward its edge."""
+def table_rings(camera: Camera, center: tuple[float, float], radius: float) -> tuple[Array, Array]:
+    """The table, a round patch of ``radius`` (m) that fades out toward its edge.
+
+    Given as outlines (n, c, 2) and colours (n, 3), the largest first, each over the one before.
+    """
     share = np.linspace(1.0, 0.35, 14)
-    rings = [camera.project(_on_table(_circle(center, radius * k))) for k in share]
+    rings = np.array([_circle(center, radius * k) for k in share])
     tone = np.linspace(0.06, 1.0, share.size)[:, None] ** 0.8
-    colors = 1.0 - tone * (1.0 - np.array(to_rgb(TABLE)))
-    table = PolyCollection(rings, facecolors=colors, linewidths=0, zorder=zorder)
-    return [ax.add_collection(table, autolim=False)]
+    return camera.project(on_table(rings)), 1.0 - tone * (1.0 - rgb(TABLE))
 
 
-def draw_trail(
-    ax: Axes,
-    camera: Camera,
-    path: npt.ArrayLike,
-    *,
-    color: str = VERMILLION,
-    alpha: float = 1.0,
-    zorder: float = 2.0,
-) -> list[Artist]:
-    """Draw the way of the contact point, ``path`` (n, 2) in m on the table."""
-    x, y = camera.project(_on_table(np.asarray(path, float))).T
-    return list(
-        ax.plot(x, y, color=color, alpha=alpha, lw=1.5, solid_capstyle="round", zorder=zorder)
-    )
+@dataclass(frozen=True, eq=False)
+class Wedge:
+    """An angle on the table: its area (n, 2), its arc (n, 2), and what to write where."""
+
+    sector: Array
+    arc: Array
+    text: str
+    spot: Array
+    """Where the text belongs, (2,), m on the table; it is written beside it, toward ``azimuth``."""
+    azimuth: float
 
 
-def draw_point(
-    ax: Axes,
-    camera: Camera,
-    spot: Sequence[float] | Array,
-    *,
-    color: str = VERMILLION,
-    size: float = 6.0,
-    alpha: float = 1.0,
-    zorder: float = 5.0,
-) -> list[Artist]:
-    """Mark a point (x, y) or (x, y, z), m: the contact point, as a rule."""
-    x, y = camera.project(np.array([*spot, 0.0][:3]))
-    style: dict[str, Any] = {"marker": "o", "mec": "white", "mew": 0.8, "ms": size, "ls": "none"}
-    return list(ax.plot(x, y, color=color, alpha=alpha, zorder=zorder, **style))
-
-
-def draw_wedge(
-    ax: Axes,
+def wedge(
     camera: Camera,
     center: Sequence[float] | Array,
     radius: float,
     start: float,
     turn: float,
-    *,
-    color: str = ORANGE,
-    fontsize: float = 9.0,
     label_at: float = 1.0,
-    zorder: float = 1.5,
-) -> list[Artist]:
-    """Draw an angle on the table: a wedge from azimuth ``start`` through ``turn`` (rad, signed).
+) -> Wedge:
+    """An angle from azimuth ``start`` through ``turn`` (rad, signed).
 
     ``center`` is (x, y), ``radius`` in m. The angle in degrees is written outside the circle of
     ``label_at`` radii. More than a full turn goes on in a spiral.
@@ -501,49 +426,25 @@ def draw_wedge(
     arc = _around(center, spiral, start + swept)
     sector = start + np.clip(swept, -2.0 * np.pi, 2.0 * np.pi)
     inside = np.vstack([np.asarray(center)[None, :2], _around(center, np.array(radius), sector)])
-    fill = PolyCollection(
-        [camera.project(_on_table(inside))],
-        facecolors=(*to_rgb(color), 0.28),
-        linewidths=0,
-        zorder=zorder,
+    middle = float(start + np.sign(turn) * min(0.5 * abs(turn), 0.5 * np.pi))
+    return Wedge(
+        camera.project(on_table(inside)),
+        camera.project(on_table(arc)),
+        f"{abs(np.degrees(turn)):.1f}°",
+        _around(center, np.array(label_at * radius), middle),
+        middle,
     )
-    artists: list[Artist] = [ax.add_collection(fill, autolim=False)]
-    edge = camera.project(_on_table(arc))
-    artists += ax.plot(*edge.T, color=color, lw=1.4, zorder=zorder + 0.01)
-    middle = start + np.sign(turn) * min(0.5 * abs(turn), 0.5 * np.pi)
-    spot = _around(center, np.array(label_at * radius), middle)
-    text = f"{abs(np.degrees(turn)):.1f}°"
-    far = (1.9 * fontsize, 0.9 * fontsize)
-    artists += write_beside(ax, camera, text, spot, middle, far=far, color=INK, size=fontsize)
-    return artists
 
 
-def write_beside(
-    ax: Axes,
-    camera: Camera,
-    text: str,
-    spot: Array,
-    azimuth: float,
-    *,
-    far: tuple[float, float],
-    **style: Any,
-) -> list[Artist]:
-    """Write beside a spot (x, y) of the table, toward ``azimuth``; ``far`` (x, y) in points."""
-    x, y = camera.project(_on_table(spot))
+def way_in_picture(camera: Camera, azimuth: float) -> Array:
+    """The direction (2,), of length 1, that an azimuth on the table has in the picture."""
     way = camera.axes()[:2] @ np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-    right, up = way / max(float(np.hypot(*way)), 1e-9)
-    words = ax.annotate(
-        text,
-        (float(x), float(y)),
-        (far[0] * right, far[1] * up),
-        textcoords="offset points",
-        ha="center",
-        va="center_baseline",
-        zorder=6.0,
-        path_effects=[withStroke(linewidth=2.0, foreground="white", alpha=0.85)],
-        **style,
-    )
-    return [words]
+    return np.asarray(way / max(float(np.hypot(*way)), 1e-9))
+
+
+def label_offset(fontsize: float) -> tuple[float, float]:
+    """How far (right, up) of its spot the middle of a wedge's text lies at most, points."""
+    return 1.9 * fontsize, 0.9 * fontsize
 
 
 def _around(center: Sequence[float] | Array, radius: Array, azimuth: Array | float) -> Array:
@@ -556,6 +457,6 @@ def _circle(center: tuple[float, float], radius: float) -> Array:
     return np.asarray(center) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
-def _on_table(points: Array) -> Array:
+def on_table(points: Array) -> Array:
     """Points (..., 2) of the table as points (..., 3) of space."""
     return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)

@@ -1,0 +1,130 @@
+"""Films as files: GIF, a page with controls, or MP4."""
+
+from __future__ import annotations
+
+import base64
+import io
+import shutil
+import subprocess
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageChops
+
+from rimroll import scene
+from rimroll.animation.stage import Stage
+from rimroll.errors import RimrollError
+
+HOLD = 1.2  # s for which the last picture of a film stays
+TINTS = 14
+"""Colours that each of the thin bright lines is given from it to white."""
+
+UNCHANGED = 255
+"""The colour of a GIF that leaves a pixel as it is in the picture before."""
+
+Writer = Callable[[Path, Iterable[Image.Image], Stage, float], None]
+
+
+def writer_for(path: Path) -> Writer:
+    """What writes pictures to a file of this suffix; ``RimrollError`` if nothing does."""
+    writers: dict[str, Writer] = {".gif": _write_gif, ".html": _write_page, ".mp4": _write_mp4}
+    suffix = path.suffix.lower()
+    if suffix not in writers:
+        known = ", ".join(writers)
+        raise RimrollError(f'a film can be {known}, not "{suffix}" (asked for: {path.name})')
+    if suffix == ".mp4" and shutil.which("ffmpeg") is None:
+        raise RimrollError("an .mp4 film needs ffmpeg, which was not found; write .gif or .html")
+    return writers[suffix]
+
+
+def _palette(stage: Stage) -> Image.Image:
+    """One palette of 255 colours for all pictures, so that colours do not flicker."""
+    bright = np.array([scene.rgb(c) for c in (scene.VERMILLION, scene.ORANGE, scene.INK)])
+    most = UNCHANGED - TINTS * len(bright)
+    some = [
+        np.asarray(stage.shoot(k))[::2, ::2]  # which is enough
+        for k in np.linspace(0, stage.count - 1, 6).astype(int)
+    ]
+    palette = Image.fromarray(np.vstack(some)).quantize(most)
+    # The thin bright lines are too few pixels to win colours of their own: they are given some.
+    tints = 1.0 - np.linspace(1.0, 0.2, TINTS)[:, None, None] * (1.0 - bright)
+    found = (palette.getpalette() or [])[: 3 * most]
+    found += [0] * (3 * most - len(found))
+    tinted = np.rint(255.0 * tints).astype(int).ravel().tolist()
+    palette.putpalette([*found, *tinted])
+    return palette
+
+
+def _reduced(shots: Iterable[Image.Image], palette: Image.Image) -> Iterator[Image.Image]:
+    for shot in shots:
+        yield shot.quantize(palette=palette, dither=Image.Dither.NONE)
+
+
+def _changes(pictures: Iterable[Image.Image]) -> Iterator[Image.Image]:
+    """Pictures without what is the same in the one before, which makes them small."""
+    before = None
+    for picture in pictures:
+        changes = picture.copy()
+        if before is not None:
+            same = ImageChops.difference(picture, before).point([255] + 255 * [0], "1")
+            changes.paste(UNCHANGED, mask=same)
+        before = picture
+        yield changes
+
+
+def _write_gif(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:
+    pictures = _changes(_reduced(shots, _palette(stage)))
+    pause = [round(100.0 / fps) * 10] * (stage.count - 1) + [round(1000.0 * HOLD)]
+    first = next(pictures)
+    with path.open("wb") as file:
+        first.save(
+            file,
+            "GIF",
+            save_all=True,
+            append_images=pictures,
+            duration=pause,
+            loop=0,
+            transparency=UNCHANGED,
+            disposal=1,  # leave each picture for the next to change
+            optimize=False,  # which would seek new palettes and what has changed, at greater cost
+        )
+
+
+def _write_mp4(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:
+    width, height = stage.size
+    source = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{fps:g}"]
+    # Four pixels share a colour in H.264: the sides must be even.
+    even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]
+    command = ["ffmpeg", "-loglevel", "error", "-y", *source, "-i", "-", *even, str(path)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as ffmpeg:
+        assert ffmpeg.stdin is not None
+        assert ffmpeg.stderr is not None
+        try:
+            for shot in shots:
+                ffmpeg.stdin.write(shot.tobytes())
+            ffmpeg.stdin.close()
+        except BrokenPipeError:
+            # It gave up early; closing may say so again, but the reason is on its error stream.
+            with suppress(BrokenPipeError):
+                ffmpeg.stdin.close()
+        except BaseException:
+            ffmpeg.kill()
+            raise
+        said = ffmpeg.stderr.read().decode(errors="replace").strip()
+    if ffmpeg.returncode:
+        raise RimrollError(f"ffmpeg could not write the film: {said or 'it gave no reason'}")
+
+
+def _write_page(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:
+    player = files("rimroll.animation").joinpath("player.html").read_text(encoding="utf-8")
+    head, tail = player.replace("FPS", f"{fps:g}").split("PICTURES")
+    with path.open("w", encoding="utf-8") as page:
+        page.write(head)
+        for shot in _reduced(shots, _palette(stage)):
+            png = io.BytesIO()
+            shot.save(png, "PNG")
+            page.write(f'"{base64.b64encode(png.getvalue()).decode()}",\n')
+        page.write(tail)

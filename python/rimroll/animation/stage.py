@@ -1,0 +1,179 @@
+"""The set of a film: what stands still is painted once, the rest anew for each picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from PIL import Image
+
+from rimroll import scene
+from rimroll.animation.clock import FilmClock, slowed
+from rimroll.animation.painter import Painter, Trail
+from rimroll.errors import RimrollError
+from rimroll.scene import Array, Camera, Motion, Pose, RoundBody
+from rimroll.spans import Span, turn_spans
+
+POINT = 100.0 / 72.0  # pixels
+CAPTION, LABEL = 10.0, 9.0  # sizes of type, points
+HALO = 1.0  # points of white round what is written on the scene
+TRAIL_WIDTH = 1.5  # points
+UNDER_THE_BODY = 0.22  # opacity of the trail where the body hides it
+WORTH_A_WEDGE = 0.1  # rad: less is not yet a turn
+
+
+class Stage:
+    """All that a film shows; its pictures are ``size`` pixels wide and high."""
+
+    def __init__(
+        self,
+        motion: Motion,
+        body: RoundBody,
+        clock: FilmClock,
+        fps: float,
+        view: str | Camera,
+        size: tuple[int, int],
+    ) -> None:
+        self.body = body
+        self.size = size
+        self.count = max(2, round(clock.seconds * fps) + 1)
+        film = np.linspace(0.0, clock.seconds, self.count)
+        self.t = clock.times(film)
+        self.slowdown = clock.slowdown(film)
+        self.states = motion.evaluate(self.t)
+        self.turns = _turns(motion, body)
+        self.camera = _camera(view, body, self.states.center)
+        (self._left, right), (low, self._high) = self._limits(size[0] / size[1])
+        self._per_meter = np.array([size[0] / (right - self._left), size[1] / (self._high - low)])
+        # The trail has six points to a picture, so that it bends round the rim without corners.
+        fine = clock.times(np.linspace(0.0, clock.seconds, 6 * (self.count - 1) + 1))
+        path = scene.contact_path(motion.evaluate(fine), body)
+        self.trail = Trail(self._on_table(path), POINT * TRAIL_WIDTH, size)
+        x, y = self.camera.focus[:2]
+        rings, colors = scene.table_rings(self.camera, (x, y), 0.62 * (right - self._left))
+        self.still = Image.new("RGB", size, "white")
+        Painter(self.still).facets(self._pixels(rings), colors)
+
+    def _limits(self, aspect: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Limits of the picture that hold the body all the time, with room for the captions."""
+        shape = scene.Profile.of(self.body).points(16)
+        poses = [scene.pose_at(self.states, k) for k in range(self.count)]
+        placed = [pose.place(shape, self.body) for pose in poses]
+        angle = np.linspace(0.0, 2.0 * np.pi, 24)
+        around = 1.8 * self.body.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], -1)
+        placed += [around + np.append(turn.center, 0.0) for turn in self.turns]
+        seen = self.camera.project(np.concatenate(placed))
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        tall = max(1.25 * half[1], 1.08 * half[0] / aspect)
+        wide = aspect * tall
+        x, y = float(middle[0]), float(middle[1] + 0.08 * tall)
+        return (x - wide, x + wide), (y - tall, y + tall)
+
+    def _pixels(self, seen: Array) -> Array:
+        """Places in pixels of points (..., 2) as the camera sees them, m."""
+        return np.asarray((seen - (self._left, self._high)) * self._per_meter * (1.0, -1.0))
+
+    def _on_table(self, points: Array) -> Array:
+        """Places in pixels of points (..., 2) of the table, m."""
+        return self._pixels(self.camera.project(scene.on_table(points)))
+
+    def shots(self, progress: Callable[[int, int], object] | None = None) -> Iterator[Image.Image]:
+        """All pictures, in order."""
+        for k in range(self.count):
+            yield self.shoot(k)
+            if progress is not None:
+                progress(k + 1, self.count)
+
+    def shoot(self, k: int) -> Image.Image:
+        """The ``k``-th picture, RGB."""
+        painter = Painter(self.still.copy())
+        pose = scene.pose_at(self.states, k)
+        profile = scene.Profile.of(self.body)
+        shadow = scene.shadow_layers(self.body, pose, self.camera, profile)
+        painter.layers(self._pixels(shadow), scene.SHADOW, scene.SHADE)
+        wedge = self._wedge(k)
+        if wedge is not None:
+            painter.layers(self._pixels(wedge.sector)[None], scene.ORANGE, scene.WEDGE)
+            painter.line(self._pixels(wedge.arc), POINT * scene.ARC_WIDTH, scene.ORANGE)
+        self.trail.go_to(6 * k)
+        painter.trail(self.trail, scene.VERMILLION)
+        facets, colors = scene.visible_facets(self.body, pose, self.camera, profile)
+        painter.facets(self._pixels(facets), colors)
+        for line, seen in scene.rim_stretches(self.body, pose, self.camera):
+            opacity = scene.RIM if seen else scene.HIDDEN_RIM
+            painter.line(self._pixels(line), POINT * scene.RIM_WIDTH, scene.INK, opacity)
+        painter.trail(self.trail, scene.VERMILLION, UNDER_THE_BODY)
+        self._mark_contact(painter, pose)
+        if wedge is not None:
+            self._write_angle(painter, wedge)
+        self._write_captions(painter, k)
+        return painter.picture
+
+    def _wedge(self, k: int) -> scene.Wedge | None:
+        """The angle turned so far, which stays until the next turn is under way."""
+        for turn in reversed(self.turns):
+            angle = float(self.states.yaw[k]) - turn.yaw
+            if self.t[k] > turn.span.end:
+                angle = turn.span.angle
+            if self.t[k] > turn.span.start and abs(angle) > WORTH_A_WEDGE:
+                size, start = 1.55 * self.body.radius, turn.yaw + np.pi
+                return scene.wedge(self.camera, turn.center, size, start, angle)
+        return None
+
+    def _mark_contact(self, painter: Painter, pose: Pose) -> None:
+        seen = scene.contact_seen(self.body, pose, self.camera)
+        place = self._pixels(self.camera.project(pose.contact(self.body)))
+        size, edge = POINT * scene.CONTACT_SIZE, POINT * scene.CONTACT_EDGE
+        opacity = 1.0 if seen else scene.HIDDEN_CONTACT
+        painter.spot(place, size, edge, scene.VERMILLION, opacity)
+
+    def _write_angle(self, painter: Painter, wedge: scene.Wedge) -> None:
+        way = scene.way_in_picture(self.camera, wedge.azimuth) * scene.label_offset(LABEL)
+        place = self._on_table(wedge.spot) + POINT * way * (1.0, -1.0)
+        painter.words(place.tolist(), wedge.text, POINT * LABEL, scene.INK, "mm", POINT * HALO)
+
+    def _write_captions(self, painter: Painter, k: int) -> None:
+        width, height = self.size
+        tick = max(1e-12, 1.0 / self.slowdown[k])
+        digits = int(np.clip(np.ceil(-np.log10(tick)) + 1, 3, 12))
+        left = f"t = {self.t[k]:.{digits}f} s\ntilt {np.degrees(self.states.tilt[k]):.3g}°"
+        right = slowed(self.slowdown[k])
+        for share, text, anchor in ((0.035, left, "la"), (0.965, right, "ra")):
+            place = (share * width, 0.045 * height)
+            painter.words(place, text, POINT * CAPTION, scene.INK, anchor, 0.0)
+
+
+@dataclass(frozen=True)
+class _Turn:
+    """A turn as it is drawn: when, about which point of the table, from which yaw."""
+
+    span: Span
+    center: Array
+    yaw: float
+
+
+def _turns(motion: Motion, body: RoundBody) -> list[_Turn]:
+    turns = []
+    for span in turn_spans(motion):
+        states = motion.evaluate(np.array([span.start, span.near]))
+        center = scene.pose_at(states, 1).base_center(body)[:2]
+        turns.append(_Turn(span, center, float(states.yaw[0])))
+    return turns
+
+
+def _camera(view: str | Camera, body: RoundBody, center: Array) -> Camera:
+    if isinstance(view, Camera):
+        return view
+    middle = 0.5 * (center[:, :2].min(axis=0) + center[:, :2].max(axis=0))
+    focus = (float(middle[0]), float(middle[1]), 0.0)
+    reach = float(np.ptp(center[:, :2], axis=0).max()) + body.radius + body.height
+    cameras = {
+        "perspective": replace(Camera.perspective(), distance=7.0 * reach, focus=focus),
+        "side": Camera.side(focus=focus),
+        "top": Camera.top(focus=focus),
+    }
+    if view not in cameras:
+        raise RimrollError(f'view is "{view}"; it must be one of {", ".join(cameras)}, or a Camera')
+    return cameras[view]
