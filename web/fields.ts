@@ -3,7 +3,7 @@
 
 import type { Plugin } from "vite";
 import { FIELDS, type NumberField, type ChoiceField } from "./src/setup/fields";
-import { SPEEDS } from "./src/setup/pace";
+import { SPEEDS } from "./src/setup/playback";
 
 /** What a quantity may be: one of some words, or a number. */
 type Allowed =

@@ -4,10 +4,10 @@
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
 import type { Moments, Motion } from "./core/motion";
-import { INITIAL_PACE, type Pace } from "./setup/pace";
+import { INITIAL_PLAYBACK, type Playback } from "./setup/playback";
 
 /** With the stretching on, the contact point runs no faster than this, rad per second of the visitor. */
-export const UNHURRIED = 2.5;
+export const MAX_CONTACT_RATE = 2.5;
 
 /** How the visitor's time goes through a motion's: both rise along the knots. */
 class Schedule {
@@ -23,7 +23,7 @@ class Schedule {
     const shown = new Float64Array(t.length);
     for (let k = 1; k < t.length; k++) {
       const [dt, turned] = [at(t, k) - at(t, k - 1), Math.abs(at(yaw, k) - at(yaw, k - 1))];
-      shown[k] = at(shown, k - 1) + (stretched ? Math.max(dt, turned / UNHURRIED) : dt);
+      shown[k] = at(shown, k - 1) + (stretched ? Math.max(dt, turned / MAX_CONTACT_RATE) : dt);
     }
     return new Schedule(t, shown);
   }
@@ -41,7 +41,7 @@ class Schedule {
   }
 
   /** Seconds of the visitor in one of the motion, between the knots about a time. */
-  slownessAt(time: number): number {
+  slowdownAt(time: number): number {
     const { length } = this.times;
     let low = knotBefore(this.times, time);
     // Two sides of an impact are at one time; look past them, and back from the end.
@@ -82,9 +82,9 @@ function refined(steps: Moments, parts: number): [times: Float64Array, yaws: Flo
 export class Clock {
   readonly playing: Signal<boolean> = signal(false);
   /** Seconds of the motion in a second of the visitor's, but for the stretching. */
-  readonly speed: Signal<number> = signal(INITIAL_PACE.speed);
+  readonly speed: Signal<number> = signal(INITIAL_PLAYBACK.speed);
   /** Whether time stretches by itself while the contact point races. */
-  readonly stretched: Signal<boolean> = signal(INITIAL_PACE.stretched);
+  readonly stretched: Signal<boolean> = signal(INITIAL_PLAYBACK.stretched);
   /** s of the motion */
   readonly time: Signal<number> = signal(0);
   /** When playing stops, s of the motion. */
@@ -95,11 +95,11 @@ export class Clock {
     this.schedule = computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
   }
 
-  get pace(): Pace {
+  get playback(): Playback {
     return { speed: this.speed.value, stretched: this.stretched.value };
   }
 
-  setPace({ speed, stretched }: Readonly<Pace>): void {
+  setPlayback({ speed, stretched }: Readonly<Playback>): void {
     this.speed.value = speed;
     this.stretched.value = stretched;
   }
@@ -126,8 +126,8 @@ export class Clock {
   }
 
   /** How many times slower than life the motion is shown just now. */
-  get slowness(): number {
-    return (this.schedule.value?.slownessAt(this.time.value) ?? 1) / this.speed.value;
+  get slowdown(): number {
+    return (this.schedule.value?.slowdownAt(this.time.value) ?? 1) / this.speed.value;
   }
 
   /** Plays on from the time shown, up to a time (s) or to the end. */

@@ -16,7 +16,7 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
 }
 
 /** The same for SVG. */
-export function drawn(
+export function svgElement(
   tag: keyof SVGElementTagNameMap,
   attributes: Attributes = {},
   ...children: Child[]

@@ -12,32 +12,33 @@ import {
 import { Clock } from "./clock";
 import type { Core, Theory } from "./core/core";
 import { type Moment, type Motion, type Turn, headingOf } from "./core/motion";
-import { reasonFrom } from "./core/reason";
-import { type Flicked, flicked } from "./falls/flicked";
-import { type Foreseen, foreseen } from "./falls/foreseen";
-import { type Posed, posed } from "./setup/posed";
+import { reasonOrRethrow } from "./core/reason";
+import { type Flick, simulateFlicks } from "./falls/flicks";
+import { type Preview, previewOf } from "./falls/preview";
+import { type SimulationInput, simulationInput } from "./setup/simulation_input";
 import { FLICK_FIELDS } from "./setup/fields";
-import type { Held } from "./setup/released";
-import { INITIAL, type Refusal, type Setup } from "./setup/setup";
+import type { Held } from "./setup/release";
+import type { Refusal } from "./setup/refusal";
+import { INITIAL, type Setup } from "./setup/setup";
 
 /** What came of a set-up: a motion, or the reason why there is none. */
-export type Outcome = Moves | { refused: string };
+export type Outcome = Simulated | { refused: string };
 
-export interface Moves {
-  posed: Posed;
+export interface Simulated {
+  input: SimulationInput;
   motion: Motion;
   theory: Theory;
   /** Whether the motion is only the beginning of what was asked for; see {@link Lab.complete}. */
-  begun: boolean;
+  partial: boolean;
 }
 
 /** A slider waits for so many steps of a motion, some ms. */
-const AT_ONCE = 2000;
+const FIRST_STEPS = 2000;
 /** The rest of a longer one is computed when nothing has changed for so long, ms. */
-const REST = 250;
+const COMPLETION_DELAY = 250;
 
 /** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
-export interface Turning {
+export interface TurnProgress {
   angle: number;
   /** How far the body itself has turned about its axis meanwhile, rad; see {@link headingOf}. */
   own: number;
@@ -49,7 +50,7 @@ export interface Turning {
 }
 
 /** How far the body itself has turned, rad: positive the way that the contact point runs. */
-export const ownBeside = ({ angle, own, whole }: Turning): number =>
+export const bodyAngleAlongContact = ({ angle, own, whole }: TurnProgress): number =>
   own * (Math.sign(whole?.angle ?? angle) || 1);
 
 export class Lab {
@@ -59,27 +60,27 @@ export class Lab {
   /** The body in a visitor's hand; while it is held nothing moves. */
   readonly held: Signal<Held | undefined> = signal(undefined);
   /** What would become of it there, if the hand let go. */
-  readonly foreseen: ReadonlySignal<Foreseen | undefined>;
+  readonly preview: ReadonlySignal<Preview | undefined>;
   /** How many of the repeated flicks are shown; undefined while none were asked for. */
-  readonly flicksMade: Signal<number | undefined> = signal(undefined);
+  readonly flicksShown: Signal<number | undefined> = signal(undefined);
   /** Whether more of them are on their way. */
-  readonly making: Signal<boolean> = signal(false);
+  readonly flicking: Signal<boolean> = signal(false);
   /** What becomes of all of them, those not made yet included. */
-  readonly flicks: ReadonlySignal<readonly Flicked[]>;
+  readonly flicks: ReadonlySignal<readonly Flick[]>;
   readonly outcome: ReadonlySignal<Outcome>;
   /** Whether all of the motion is wanted now, however long that takes. */
-  private readonly whole: Signal<boolean> = signal(false);
+  private readonly completeWanted: Signal<boolean> = signal(false);
   readonly motion: ReadonlySignal<Motion | undefined>;
   readonly theory: ReadonlySignal<Theory | undefined>;
   readonly clock: Clock;
   /** The motion at the time shown. */
   readonly moment: ReadonlySignal<Moment | undefined>;
-  readonly turning: ReadonlySignal<Turning | undefined>;
+  readonly turnProgress: ReadonlySignal<TurnProgress | undefined>;
 
   constructor(readonly core: Core) {
     const release = computed(() => withoutFlicks(this.setup.value));
     this.outcome = computed(() => {
-      const most = this.whole.value ? Infinity : AT_ONCE;
+      const most = this.completeWanted.value ? Infinity : FIRST_STEPS;
       return outcomeOf(core, JSON.parse(release.value) as Setup, most);
     });
     this.motion = computed(() =>
@@ -88,19 +89,19 @@ export class Lab {
     this.theory = computed(() =>
       "theory" in this.outcome.value ? this.outcome.value.theory : undefined,
     );
-    this.foreseen = computed(() => {
+    this.preview = computed(() => {
       const held = this.held.value;
-      return held && foreseen(core, this.setup.value, held);
+      return held && previewOf(core, this.setup.value, held);
     });
     this.clock = new Clock(this.motion);
     this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
-    this.turning = computed(() => this.turningAt(this.clock.time.value));
+    this.turnProgress = computed(() => this.turnProgressAt(this.clock.time.value));
     // Computed once, not anew for each that is shown.
-    const asked = computed(() => this.flicksMade.value !== undefined);
-    this.flicks = computed(() => (asked.value ? flicked(core, this.setup.value) : []));
+    const asked = computed(() => this.flicksShown.value !== undefined);
+    this.flicks = computed(() => (asked.value ? simulateFlicks(core, this.setup.value) : []));
     effect(() => {
-      if (!hasOnlyBegun(this.outcome.value)) return undefined;
-      const resting = setTimeout(() => this.complete(), REST);
+      if (!isPartial(this.outcome.value)) return undefined;
+      const resting = setTimeout(() => this.complete(), COMPLETION_DELAY);
       return () => clearTimeout(resting);
     });
     let before: Motion | undefined;
@@ -119,20 +120,20 @@ export class Lab {
       if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
         this.clock.pause();
         this.clock.rewind();
-        this.whole.value = false;
+        this.completeWanted.value = false;
       }
       // Of fewer flicks no more can have been made.
-      if ((this.flicksMade.value ?? 0) > setup.flicks) this.flicksMade.value = setup.flicks;
+      if ((this.flicksShown.value ?? 0) > setup.flicks) this.flicksShown.value = setup.flicks;
       this.setup.value = setup;
     });
   }
 
   /** Computes the rest of a motion of which there is only the beginning. */
   complete(): void {
-    if (hasOnlyBegun(this.outcome.peek())) this.whole.value = true;
+    if (isPartial(this.outcome.peek())) this.completeWanted.value = true;
   }
 
-  private turningAt(time: number): Turning | undefined {
+  private turnProgressAt(time: number): TurnProgress | undefined {
     const motion = this.motion.value;
     const moment = this.moment.value;
     if (!motion || !moment) return undefined;
@@ -153,24 +154,24 @@ function withoutFlicks(setup: Readonly<Setup>): string {
   );
 }
 
-const hasOnlyBegun = (outcome: Outcome) => "motion" in outcome && outcome.begun;
+const isPartial = (outcome: Outcome) => "motion" in outcome && outcome.partial;
 
 /** Of the motion no more than so many steps. */
 function outcomeOf(core: Core, setup: Readonly<Setup>, most: number): Outcome {
   try {
-    const all = posed(core, setup);
-    const { body, start, surface, options } = all;
+    const input = simulationInput(core, setup);
+    const { body, start, contactLaw, options } = input;
     const maxSteps = Math.min(most, options.maxSteps);
-    const motion = core.simulate(body, start, surface, { ...options, maxSteps });
+    const motion = core.simulate(body, start, contactLaw, { ...options, maxSteps });
     try {
-      const theory = core.theory(body, start, surface, options.gravity);
-      const begun = maxSteps < options.maxSteps && motion.isStopped;
-      return { posed: all, motion, theory, begun };
+      const theory = core.theory(body, start, contactLaw, options.gravity);
+      const partial = maxSteps < options.maxSteps && motion.ranOutOfSteps;
+      return { input, motion, theory, partial };
     } catch (error) {
       motion.forget();
       throw error;
     }
   } catch (error) {
-    return { refused: reasonFrom(error) };
+    return { refused: reasonOrRethrow(error) };
   }
 }

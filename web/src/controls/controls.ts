@@ -3,7 +3,7 @@
 import { effect } from "@preact/signals-core";
 import { choiceButtons, choiceList } from "../inputs/choice";
 import { button, element } from "../elements";
-import { Hand } from "../inputs/hand";
+import { SetupForm } from "../inputs/setup_form";
 import { type NumberName, numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
 import { BODY_FIELDS } from "../setup/fields";
@@ -14,35 +14,35 @@ const RELEASE: NumberName[] = ["tilt", "tilt_rate", "sideways"];
 const MORE: NumberName[] = ["twist", "yaw", "rolling", "restitution", "gravity", "duration"];
 
 export function mountControls(lab: Lab, place: HTMLElement): void {
-  const hand = new Hand(lab);
-  const rows = (names: readonly NumberName[]) => names.map((name) => numberRow(hand, name).row);
+  const form = new SetupForm(lab);
+  const rows = (names: readonly NumberName[]) => names.map((name) => numberRow(form, name).row);
   place.append(
     element("h2", { class: "unseen" }, "Set-up"),
-    choiceList(hand, "body"),
-    ...bodyRows(hand),
+    choiceList(form, "body"),
+    ...bodyRows(form),
     ...rows(RELEASE),
-    choiceButtons(hand, "law"),
-    frictionRow(hand),
-    more(hand),
+    choiceButtons(form, "law"),
+    frictionRow(form),
+    more(form),
     otherRefusals(lab),
     element(
       "div",
       { class: "foot" },
       hintFor(place),
-      button("Let go", () => hand.letGo(), { class: "primary", id: "let-go" }),
-      button("Reset", () => hand.reset(), { id: "reset" }),
+      button("Let go", () => form.letGo(), { class: "primary", id: "let-go" }),
+      button("Reset", () => form.reset(), { id: "reset" }),
     ),
   );
 }
 
 /** Each body's own numbers, there only with it. */
-function bodyRows(hand: Hand): HTMLElement[] {
+function bodyRows(form: SetupForm): HTMLElement[] {
   const names = [...new Set(Object.values(BODY_FIELDS).flat())] as NumberName[];
   return names.map((name) => {
-    const { row } = numberRow(hand, name);
+    const { row } = numberRow(form, name);
     row.classList.add("own");
     effect(() => {
-      row.hidden = !BODY_FIELDS[hand.lab.setup.value.body]?.includes(name);
+      row.hidden = !BODY_FIELDS[form.lab.setup.value.body]?.includes(name);
     });
     return row;
   });
@@ -52,16 +52,16 @@ function bodyRows(hand: Hand): HTMLElement[] {
 const ROOMY = "(min-width: 60em) and (min-height: 64em)";
 
 /** What few will want to set; it opens by itself for what was refused in it, and on large screens. */
-function more(hand: Hand): HTMLElement {
+function more(form: SetupForm): HTMLElement {
   const open = matchMedia(ROOMY).matches;
   const details = element("details", { class: "more", open }, element("summary", {}, "More"));
   for (const name of MORE) {
-    const idle = name === "restitution" ? idleUnderIdealLaws(hand) : undefined;
-    details.append(numberRow(hand, name, idle).row);
+    const idle = name === "restitution" ? idleUnderIdealLaws(form) : undefined;
+    details.append(numberRow(form, name, idle).row);
   }
   effect(() => {
     const inside: readonly string[] = MORE;
-    if (hand.lab.refusals.value.some(({ field }) => inside.includes(field))) details.open = true;
+    if (form.lab.refusals.value.some(({ field }) => inside.includes(field))) details.open = true;
   });
   return details;
 }

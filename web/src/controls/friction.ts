@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { button, element } from "../elements";
-import type { Hand } from "../inputs/hand";
+import type { SetupForm } from "../inputs/setup_form";
 import { numberRow } from "../inputs/number";
 import { scaleOf } from "../inputs/scale";
 import { FIELDS } from "../setup/fields";
@@ -19,15 +19,15 @@ const IDLE: Record<string, string> = {
 };
 
 /** Why dry friction's numbers do not matter, if they do not. */
-export const idleUnderIdealLaws = (hand: Hand) => () => IDLE[hand.lab.setup.value.law];
+export const idleUnderIdealLaws = (form: SetupForm) => () => IDLE[form.lab.setup.value.law];
 
-export function frictionRow(hand: Hand): HTMLElement {
-  const { row, slider } = numberRow(hand, "friction", idleUnderIdealLaws(hand));
+export function frictionRow(form: SetupForm): HTMLElement {
+  const { row, slider } = numberRow(form, "friction", idleUnderIdealLaws(form));
   const marks = element("div", { class: "marks" });
   for (const [table, friction] of Object.entries(TABLES))
     marks.append(
       placed(
-        button(table, () => hand.set("friction", friction), {
+        button(table, () => form.set("friction", friction), {
           "aria-label": `Friction of ${table}, ${friction}`,
         }),
         friction,
@@ -35,13 +35,13 @@ export function frictionRow(hand: Hand): HTMLElement {
     );
   const needed = element("div", { class: "marks needed" });
   // Rounded up, so that it does roll.
-  const mark = button("", () => hand.set("friction", Math.ceil(1e4 * neededFriction(hand)) / 1e4));
+  const mark = button("", () => form.set("friction", Math.ceil(1e4 * neededFriction(form)) / 1e4));
   needed.append(mark);
   slider.before(needed);
   slider.after(marks);
   row.classList.add("friction");
   effect(() => {
-    const friction = neededFriction(hand);
+    const friction = neededFriction(form);
     needed.hidden = !(friction >= 0);
     const words = `μ* ${friction.toFixed(3)}`;
     mark.textContent = words;
@@ -51,13 +51,13 @@ export function frictionRow(hand: Hand): HTMLElement {
     placed(mark, friction);
   });
   effect(() => {
-    const idle = idleUnderIdealLaws(hand)() !== undefined;
+    const idle = idleUnderIdealLaws(form)() !== undefined;
     for (const one of row.querySelectorAll("button")) one.disabled = idle;
   });
   return row;
 }
 
-const neededFriction = (hand: Hand) => hand.lab.theory.value?.neededFriction ?? NaN;
+const neededFriction = (form: SetupForm) => form.lab.theory.value?.neededFriction ?? NaN;
 
 /** Puts a mark at its place along the slider; at the end if it is beyond. */
 function placed(mark: HTMLElement, friction: number): HTMLElement {

@@ -34,7 +34,7 @@ export interface State {
 export type LawName = "no_slip" | "frictionless" | "coulomb";
 
 /** What the table is like; what is left out is zero. */
-export interface Surface {
+export interface ContactLaw {
   law: LawName;
   /** μ of dry friction */
   friction?: number;
@@ -82,7 +82,7 @@ export interface Fall {
 export interface Theory {
   noSlip: number;
   frictionless: number;
-  /** The limit on this surface, for a body that comes down as from this start; NaN if it does not. */
+  /** The limit on this contactLaw, for a body that comes down as from this start; NaN if it does not. */
   here: number;
   /** μ*: the friction with which the body rolls through its near-collision. */
   neededFriction: number;
@@ -115,7 +115,7 @@ export class Core {
   /** A ready-made body; `argument` is the part filled, or the radius of a ring (m). */
   preset(name: Preset, argument = NaN): Body {
     this.exchange.put([argument]);
-    this.exchange.granted(this.exchange.core.preset(this.names.presets.indexOf(name)));
+    this.exchange.checked(this.exchange.core.preset(this.names.presets.indexOf(name)));
     return this.body();
   }
 
@@ -129,35 +129,35 @@ export class Core {
       s.base,
     ]);
     this.exchange.put([radius, ...numbers]);
-    this.exchange.granted(this.exchange.core.composed());
+    this.exchange.checked(this.exchange.core.composed());
     return this.body();
   }
 
   /** Computes a motion. Throws {@link Refused} for what no motion can be computed from. */
-  simulate(body: Body, start: State, surface: Surface, options: Options): Motion {
+  simulate(body: Body, start: State, contactLaw: ContactLaw, options: Options): Motion {
     this.exchange.put([
       ...bodyNumbers(body),
       ...startNumbers(start),
-      ...this.surfaceNumbers(surface),
+      ...this.contactLawNumbers(contactLaw),
       ...optionNumbers(options),
     ]);
-    return new Motion(this.exchange, this.exchange.granted(this.exchange.core.simulate()));
+    return new Motion(this.exchange, this.exchange.checked(this.exchange.core.simulate()));
   }
 
   /** Follows a body through its first turn from each start; `grip` is a factor of the friction. */
   falls(
     body: Body,
-    surface: Surface,
+    contactLaw: ContactLaw,
     options: Options,
     trials: readonly { start: State; grip: number }[],
   ): Fall[] {
     this.exchange.put([
       ...bodyNumbers(body),
-      ...this.surfaceNumbers(surface),
+      ...this.contactLawNumbers(contactLaw),
       ...optionNumbers(options),
       ...trials.flatMap(({ start, grip }) => [...startNumbers(start), grip]),
     ]);
-    this.exchange.granted(this.exchange.core.falls());
+    this.exchange.checked(this.exchange.core.falls());
     const numbers = this.exchange.numbers();
     return trials.map((_, k) => {
       const [outcome, turn, minTilt, time, endTilt, endYaw] = numbers.subarray(
@@ -175,21 +175,21 @@ export class Core {
     });
   }
 
-  theory(body: Body, start: State, surface: Surface, gravity: number): Theory {
+  theory(body: Body, start: State, contactLaw: ContactLaw, gravity: number): Theory {
     this.exchange.put([
       ...bodyNumbers(body),
       ...startNumbers(start),
-      ...this.surfaceNumbers(surface),
+      ...this.contactLawNumbers(contactLaw),
       gravity,
     ]);
-    this.exchange.granted(this.exchange.core.theory());
+    this.exchange.checked(this.exchange.core.theory());
     const [noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt] =
       this.exchange.numbers() as unknown as Row<6>;
     return { noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt };
   }
 
   /** NaN is what is not given. */
-  private surfaceNumbers({ law, friction, restitution, rollingDry }: Surface): number[] {
+  private contactLawNumbers({ law, friction, restitution, rollingDry }: ContactLaw): number[] {
     const place = this.names.laws.indexOf(law);
     return [place, friction ?? NaN, restitution ?? NaN, rollingDry ?? NaN];
   }

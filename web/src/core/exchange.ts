@@ -48,7 +48,7 @@ export class Exchange {
   static async with(core: Response | BufferSource): Promise<Exchange> {
     if (core instanceof Response && !core.ok)
       throw new Error(`the mechanics could not be loaded (the server says ${core.status})`);
-    const { instance } = await instantiated(core);
+    const { instance } = await instantiate(core);
     return new Exchange(instance.exports as unknown as Exports);
   }
 
@@ -77,14 +77,14 @@ export class Exchange {
   }
 
   /** What a call returned, unless it was a refusal. */
-  granted(returned: number): number {
+  checked(returned: number): number {
     if (!returned) throw new Refused(this.text());
     return returned;
   }
 }
 
 /** Compiled while it still comes, where the server says what it is. */
-async function instantiated(core: Response | BufferSource) {
+async function instantiate(core: Response | BufferSource) {
   if (!(core instanceof Response)) return WebAssembly.instantiate(core);
   const type = core.headers.get("Content-Type");
   return type === "application/wasm"

@@ -101,7 +101,7 @@ export class Motion {
   private readonly names: readonly Column[];
   /** The samples asked for last: several parts of the page look at the same ones. */
   private sampled: { perStep: number; moments: Moments } | undefined;
-  private lines: Moments | undefined;
+  private curvePoints: Moments | undefined;
 
   constructor(
     private readonly exchange: Exchange,
@@ -119,11 +119,11 @@ export class Motion {
     const moments = this.table();
     this.events = exchange.names().map((kind, k) => ({ kind, moment: moments.moment(k) }));
     core.phases(address);
-    const begins = exchange.numbers();
+    const starts = exchange.numbers();
     this.phases = exchange.names().map((kind, k) => ({
       kind,
-      start: begins[k] as number,
-      end: begins[k + 1] ?? this.end,
+      start: starts[k] as number,
+      end: starts[k + 1] ?? this.end,
     }));
     core.turns(address);
     this.turns = rows(exchange.numbers(), 7).map((row) => {
@@ -135,7 +135,7 @@ export class Motion {
   /** The motion at any times, s; times outside it give its ends. */
   at(times: ArrayLike<number>): Moments {
     this.exchange.put(times);
-    this.exchange.core.at(this.kept());
+    this.exchange.core.at(this.validAddress());
     return this.table();
   }
 
@@ -147,16 +147,16 @@ export class Motion {
   }
 
   private sample(perStep: number): Moments {
-    this.exchange.core.samples(this.kept(), perStep);
+    this.exchange.core.samples(this.validAddress(), perStep);
     return this.table();
   }
 
   /** Moments to draw lines through: at the solver's steps, and where these are few, between them. */
-  drawn(): Moments {
-    return (this.lines ??= this.drawnAnew());
+  curve(): Moments {
+    return (this.curvePoints ??= this.sampleCurve());
   }
 
-  private drawnAnew(): Moments {
+  private sampleCurve(): Moments {
     const steps = this.samples(1);
     const parts = Math.min(Math.floor(MANY / steps.length), PARTS);
     return parts < 2 ? steps : this.sample(parts);
@@ -164,17 +164,17 @@ export class Motion {
 
   /** Gives the core's memory back; the motion cannot be looked up afterwards. */
   forget(): void {
-    this.exchange.core.forget(this.kept());
+    this.exchange.core.forget(this.validAddress());
     this.address = 0;
-    this.sampled = this.lines = undefined;
+    this.sampled = this.curvePoints = undefined;
   }
 
   /** Whether it ends where it does because no more steps were allowed. */
-  get isStopped(): boolean {
+  get ranOutOfSteps(): boolean {
     return this.status === "failed" && this.message.includes("max_steps");
   }
 
-  private kept(): number {
+  private validAddress(): number {
     if (this.address === 0) throw new Error("this motion was forgotten");
     return this.address;
   }

@@ -3,7 +3,7 @@
 import { Refused } from "./exchange";
 
 /** The reason behind an error of the core; one that is not the core's is thrown on. */
-export function reasonFrom(error: unknown): string {
+export function reasonOrRethrow(error: unknown): string {
   if (error instanceof Refused) return error.message;
   // It stopped in the midst of computing, as when there is no more memory.
   if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)

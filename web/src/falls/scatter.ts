@@ -1,14 +1,14 @@
 // How a hand that repeats a release scatters, as rimroll.Release does it.
 
 import type { Body, State } from "../core/core";
-import { startOf } from "../setup/posed";
+import { startOf } from "../setup/simulation_input";
 import type { Setup } from "../setup/setup";
 
 /** Starts scattered about the set-up's: normally distributed, the tilt within (0, 90°).
  *
  * The spreads are those of rimroll's presets, for a steady hand that lets go and for one that flicks:
  * tilt by a tenth, rate by 7 %, sideways and twist by 5 % of the rate, and at least 0.002 √(g/R). */
-export function scattered(setup: Readonly<Setup>, body: Body): State[] {
+export function scatteredStarts(setup: Readonly<Setup>, body: Body): State[] {
   const chance = normal(setup.seed);
   const unsteady = setup.unsteady / 100;
   const slowest = 0.002 * Math.sqrt(setup.gravity / body.radius);

@@ -1,6 +1,6 @@
 // What many flicks came to: how many fell left and right, and how far round.
 
-import type { Flicked } from "./flicked";
+import type { Flick } from "./flicks";
 
 /** The falls of one side; how far round they came, in degrees, whichever way round. */
 export interface Side {
@@ -24,7 +24,7 @@ export interface Tally {
 const DEGREES = 180 / Math.PI;
 
 /** Counts as rimroll.experiment does: falls if they are the more, else tilt maxima. */
-export function tallied(flicks: readonly Flicked[]): Tally {
+export function tallyOf(flicks: readonly Flick[]): Tally {
   const of = (outcome: string) => flicks.filter((flick) => flick.outcome === outcome);
   const word = of("toppled").length >= of("rocked").length ? "toppled" : "rocked";
   const counted = of(word);

@@ -1,10 +1,10 @@
 // The panel of the flicks: one button repeats the release, falls appear one after the other.
 
 import { effect } from "@preact/signals-core";
-import { clearThem, makeThem } from "../falls/making";
-import { tallied } from "../falls/tally";
-import { told } from "../falls/told";
-import { Hand } from "../inputs/hand";
+import { clearFlicks, startFlicks } from "../falls/animation";
+import { tallyOf } from "../falls/tally";
+import { flickSummary } from "../falls/summary";
+import { SetupForm } from "../inputs/setup_form";
 import { numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
 import { FLICK_FIELDS } from "../setup/fields";
@@ -42,18 +42,18 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   const said = part<HTMLElement>("#flicks-said");
 
   make.addEventListener("click", () => {
-    // Another evening, another hand: chance begins anew each time, from a seed that the link keeps.
-    if (lab.flicksMade.value !== undefined) lab.change({ seed: nextSeed(lab) });
-    makeThem(lab);
+    // Another evening, another form: chance begins anew each time, from a seed that the link keeps.
+    if (lab.flicksShown.value !== undefined) lab.change({ seed: nextSeed(lab) });
+    startFlicks(lab);
   });
   clear.addEventListener("click", () => {
-    clearThem(lab);
+    clearFlicks(lab);
     // This button goes, and the focus would go with it.
     make.focus();
   });
-  const hand = new Hand(lab);
+  const form = new SetupForm(lab);
   const details = part<HTMLDetailsElement>("details");
-  details.append(...FLICK_FIELDS.map((name) => numberRow(hand, name).row));
+  details.append(...FLICK_FIELDS.map((name) => numberRow(form, name).row));
   effect(() => {
     const refused = lab.refusals.value.some(({ field }) =>
       (FLICK_FIELDS as readonly string[]).includes(field),
@@ -63,19 +63,19 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
 
   effect(() => {
     const { flicks } = lab.setup.value;
-    const again = lab.flicksMade.value !== undefined;
+    const again = lab.flicksShown.value !== undefined;
     make.textContent =
       flicks === 1 ? "Flick it once" : `Flick it ${flicks} times${again ? " again" : ""}`;
     clear.hidden = !again;
   });
   effect(() => {
-    const text = told(lab);
+    const text = flickSummary(lab);
     // The same words again are not read out again.
     if (said.textContent !== text) said.textContent = text;
   });
   effect(() => {
     const { body, twist } = lab.setup.value;
-    const tally = tallied(lab.flicks.value.slice(0, lab.flicksMade.value ?? 0));
+    const tally = tallyOf(lab.flicks.value.slice(0, lab.flicksShown.value ?? 0));
     const theory = lab.theory.value;
     const measured = body === "can_2007";
     picture.innerHTML = histogram({ tally, theory, measured });

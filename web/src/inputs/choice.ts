@@ -3,11 +3,11 @@
 import { effect } from "@preact/signals-core";
 import { type ChoiceField, FIELDS } from "../setup/fields";
 import { element } from "../elements";
-import type { Hand } from "./hand";
+import type { SetupForm } from "./setup_form";
 
 type ChoiceName = "body" | "law";
 
-export function choiceList(hand: Hand, name: ChoiceName): HTMLElement {
+export function choiceList(form: SetupForm, name: ChoiceName): HTMLElement {
   const field: ChoiceField = FIELDS[name];
   const id = (part: string) => `${name}-${part}`;
   const label = element("label", { id: id("label"), for: id("field") }, field.label);
@@ -17,16 +17,16 @@ export function choiceList(hand: Hand, name: ChoiceName): HTMLElement {
   });
   for (const [value, text] of Object.entries(field.choices))
     list.append(element("option", { value }, text));
-  list.addEventListener("change", () => hand.set(name, list.value));
+  list.addEventListener("change", () => form.set(name, list.value));
   effect(() => {
-    list.value = hand.lab.setup.value[name];
+    list.value = form.lab.setup.value[name];
   });
   const row = element("div", { class: "quantity choice", "data-help": field.help });
-  row.append(label, list, ...words(hand, name, field));
+  row.append(label, list, ...words(form, name, field));
   return row;
 }
 
-export function choiceButtons(hand: Hand, name: ChoiceName): HTMLElement {
+export function choiceButtons(form: SetupForm, name: ChoiceName): HTMLElement {
   const field: ChoiceField = FIELDS[name];
   const group = element("fieldset", {
     class: "choices",
@@ -36,22 +36,22 @@ export function choiceButtons(hand: Hand, name: ChoiceName): HTMLElement {
   group.append(element("legend", {}, field.label));
   for (const [value, text] of Object.entries(field.choices)) {
     const one = element("input", { type: "radio", name, value, id: `${name}-${value}` });
-    one.addEventListener("change", () => hand.set(name, value));
+    one.addEventListener("change", () => form.set(name, value));
     effect(() => {
-      one.checked = hand.lab.setup.value[name] === value;
+      one.checked = form.lab.setup.value[name] === value;
     });
     group.append(element("label", { for: one.id, class: value }, one, element("span", {}, text)));
   }
-  group.append(...words(hand, name, field));
+  group.append(...words(form, name, field));
   return group;
 }
 
 /** What the choice means, and why one in a link was refused. */
-function words(hand: Hand, name: ChoiceName, field: ChoiceField): HTMLElement[] {
+function words(form: SetupForm, name: ChoiceName, field: ChoiceField): HTMLElement[] {
   const help = element("p", { id: `${name}-help`, class: "help" }, field.help);
   const refusal = element("p", { id: `${name}-refusal`, class: "refusal", role: "alert" });
   effect(() => {
-    const refused = hand.lab.refusals.value.find((one) => one.field === name);
+    const refused = form.lab.refusals.value.find((one) => one.field === name);
     refusal.textContent = refused?.message ?? "";
   });
   return [help, refusal];

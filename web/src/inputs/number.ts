@@ -4,9 +4,9 @@
 import { effect } from "@preact/signals-core";
 import { FIELDS, type FieldName, type NumberField } from "../setup/fields";
 import { element } from "../elements";
-import type { Hand } from "./hand";
+import type { SetupForm } from "./setup_form";
 import { scaleOf } from "./scale";
-import { shown, withUnit, written } from "./shown";
+import { formatExact, formatNumber, withUnit } from "../format/numbers";
 
 /** Names of the fields that hold numbers. */
 export type NumberName = {
@@ -20,7 +20,7 @@ export interface Row {
 
 /** `idle` says why the number does not matter just now, if it does not. */
 export function numberRow(
-  hand: Hand,
+  form: SetupForm,
   name: NumberName,
   idle: () => string | undefined = () => undefined,
 ): Row {
@@ -56,25 +56,25 @@ export function numberRow(
   const row = element("div", { class: "quantity", "data-help": field.help });
   row.append(label, slider, typed, unit, help, refusal);
 
-  slider.addEventListener("input", () => hand.set(name, scale.value(Number(slider.value))));
+  slider.addEventListener("input", () => form.set(name, scale.value(Number(slider.value))));
   // What is being typed is not written over when something else changes meanwhile.
   let typing = false;
   typed.addEventListener("input", () => (typing = true));
   typed.addEventListener("change", () => {
     typing = false;
-    hand.type(name, typed.value);
+    form.type(name, typed.value);
   });
   typed.addEventListener("blur", () => (typing = false));
 
   effect(() => {
-    const value = hand.lab.setup.value[name];
-    const refused = hand.lab.refusals.value.find((one) => one.field === name);
+    const value = form.lab.setup.value[name];
+    const refused = form.lab.refusals.value.find((one) => one.field === name);
     refusal.textContent = refused?.message ?? "";
     typed.setAttribute("aria-invalid", String(refused !== undefined));
     slider.value = String(scale.position(value));
-    slider.setAttribute("aria-valuetext", withUnit(shown(value), field.unit));
+    slider.setAttribute("aria-valuetext", withUnit(formatNumber(value), field.unit));
     // What was refused stays as it was written, to be mended; what was not has all its digits.
-    if (!typing) typed.value = refused?.text ?? written(value);
+    if (!typing) typed.value = refused?.text ?? formatExact(value);
   });
   effect(() => {
     const reason = idle();

@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import type { Moment, Moments } from "../core/motion";
 import { element } from "../elements";
-import { significant } from "../time/words";
+import { significant } from "../format/numbers";
 import type { Figure, Line, Subject } from "./figures";
 import { type Mark, drawEvents, drawStrip, shadePhases } from "./marks";
 import type { Palette } from "./palette";
@@ -70,7 +70,7 @@ export class Chart {
     const { name } = this.unit;
     this.title.textContent = this.figure.title + (name === "" ? "" : `, ${name}`);
     this.outputs.forEach(({ entry }, k) => {
-      entry.hidden = this.isNothing(k, curves);
+      entry.hidden = this.isEmpty(k, curves);
     });
     this.plot.batch(() => {
       this.plot.setData(data as uPlot.AlignedData, false);
@@ -85,7 +85,7 @@ export class Chart {
   }
 
   /** Puts the line at a place, 0 to 1, and reads the values out. */
-  tell(place: number, moment: Moment): void {
+  showMoment(place: number, moment: Moment): void {
     const inside = place >= 0 && place <= 1;
     this.line.hidden = !inside;
     if (inside) this.line.style.transform = `translateX(${place * this.across}px)`;
@@ -142,7 +142,7 @@ export class Chart {
   }
 
   /** Whether there is nothing of a line or, but for the lowest, of an area. */
-  private isNothing(index: number, curves: readonly Values[]): boolean {
+  private isEmpty(index: number, curves: readonly Values[]): boolean {
     const [lower, values] = [curves[index - 1], curves[index] as Values];
     const floor = this.figure.stacked && lower ? lower : undefined;
     for (let k = 0; k < values.length; k++)

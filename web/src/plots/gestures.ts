@@ -16,7 +16,7 @@ export interface Handlers {
 }
 
 /** How far (CSS px) a hand may tremble in a click, and miss the line. */
-const TREMBLE = 4;
+const JITTER = 4;
 const REACH = 7;
 
 export function attachGestures(pad: HTMLElement, focused: HTMLElement, handlers: Handlers): void {
@@ -46,14 +46,14 @@ export function attachGestures(pad: HTMLElement, focused: HTMLElement, handlers:
     if (before === undefined) return;
     if (fingers.size === 2) pinch(event.pointerId, place);
     else if (begun?.scrubs) handlers.scrub(place);
-    else if (begun && wide(place - begun.place) > TREMBLE) handlers.select([begun.place, place]);
+    else if (begun && wide(place - begun.place) > JITTER) handlers.select([begun.place, place]);
     fingers.set(event.pointerId, place);
   });
 
   pad.addEventListener("pointerup", (event) => {
     const place = placeOf(event);
     handlers.select(undefined);
-    if (begun && !begun.scrubs && wide(place - begun.place) > TREMBLE)
+    if (begun && !begun.scrubs && wide(place - begun.place) > JITTER)
       handlers.zoomTo([Math.min(begun.place, place), Math.max(begun.place, place)]);
     else if (begun) handlers.scrub(place);
     lift(event);

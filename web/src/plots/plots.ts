@@ -12,7 +12,7 @@ import "./plots.css";
 import { sampled } from "./sampled";
 import { chooser, phaseKey, toolbar } from "./toolbar";
 import { View } from "./view";
-import { inSight, oncePerPicture, onceQuiet } from "./when";
+import { inSight, oncePerFrame, onceIdle } from "./redraw";
 
 /** Below this width (CSS px) of the page one plot is shown at a time. */
 const NARROW = "(max-width: 47.99rem)";
@@ -49,7 +49,7 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   );
   section.append(absent, present);
 
-  const samples = computed(() => lab.motion.value?.drawn());
+  const samples = computed(() => lab.motion.value?.curve());
   const subject = computed((): Subject | undefined => {
     const motion = lab.motion.value;
     const all = samples.value;
@@ -76,12 +76,12 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
       chart.resize(width.value, Math.round(HEIGHT * large));
       chart.show(now, moments, shown);
     }
-    tell(these);
+    showMoment(these);
   };
-  const tell = (these: readonly Chart[]) => {
+  const showMoment = (these: readonly Chart[]) => {
     const moment = lab.moment.value;
     const place = view.placeOf(lab.clock.time.value);
-    if (moment) for (const chart of these) chart.tell(place, moment);
+    if (moment) for (const chart of these) chart.showMoment(place, moment);
   };
 
   effect(() => {
@@ -91,20 +91,20 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     for (const chart of charts) chart.root.hidden = !chosenCharts.value.includes(chart);
   });
   const drawn = () => [subject.value, view.shown.value, chosenCharts.value, width.value];
-  oncePerPicture(
+  oncePerFrame(
     () => [drawn(), visible.value],
     () => draw(visible.value),
   );
-  onceQuiet(drawn, () => draw(chosenCharts.value));
-  oncePerPicture(
+  onceIdle(drawn, () => draw(chosenCharts.value));
+  oncePerFrame(
     () => lab.clock.time.value,
-    () => tell(visible.value),
+    () => showMoment(visible.value),
   );
-  onceQuiet(
+  onceIdle(
     () => lab.clock.time.value,
-    () => tell(chosenCharts.value),
+    () => showMoment(chosenCharts.value),
   );
-  oncePerPicture(
+  oncePerFrame(
     () => palette.value,
     () => charts.forEach((chart) => chart.recolour()),
   );

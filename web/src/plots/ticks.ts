@@ -1,6 +1,7 @@
 // How axes are labelled.
 
-import { duration, signed, significant, unitFor, type TimeUnit } from "../time/words";
+import { SUPERSCRIPTS, significant, withMinus } from "../format/numbers";
+import { type TimeUnit, formatDuration, unitFor } from "../format/times";
 import type { Stretch } from "./view";
 
 /** The unit in which the times of a stretch are written. */
@@ -27,14 +28,14 @@ export function tickTexts(places: readonly number[], unit: number): string[] {
     digits++;
   return places.map((place) => {
     const text = (place / unit).toFixed(digits);
-    return Number(text) === 0 ? "0" : signed(text);
+    return Number(text) === 0 ? "0" : withMinus(text);
   });
 }
 
 /** What a stretch is, in words. */
 export function stretchText(shown: Stretch): string {
   const { since, from, to } = shown;
-  const stretch = `from ${duration(from)} to ${duration(to)}`;
+  const stretch = `from ${formatDuration(from)} to ${formatDuration(to)}`;
   return since === "start" ? stretch : `${stretch} about ${originText(shown)}`;
 }
 
@@ -54,7 +55,7 @@ export function powersOfTen(low: number, high: number, length: number): number[]
 
 /** A power of ten, as such where it has many zeros. */
 export function powerText(value: number): string {
-  if (Math.abs(value) < 1e4) return signed(String(value));
+  if (Math.abs(value) < 1e4) return withMinus(String(value));
   const size = [...String(Math.round(Math.log10(Math.abs(value))))];
-  return `${value < 0 ? "−" : ""}10${size.map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")}`;
+  return `${value < 0 ? "−" : ""}10${size.map((digit) => SUPERSCRIPTS[Number(digit)]).join("")}`;
 }

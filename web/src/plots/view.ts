@@ -77,7 +77,7 @@ export class View {
   /** Shows the collision nearest to a time (s from the start) so close that its turn is seen. */
   close(time: number): void {
     const collision = nearest(this.collisions.value, time);
-    const half = ((this.collisions.value[collision]?.lasts ?? 0) * CLOSE_VIEW) / 2;
+    const half = ((this.collisions.value[collision]?.duration ?? 0) * CLOSE_VIEW) / 2;
     this.zoomed.value = half > 0 ? { collision, from: -half, to: half } : undefined;
   }
 }

@@ -2,7 +2,7 @@
 // fell to the left of the hand, hollow for the right, small for what did something else.
 
 import { CircleGeometry, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
-import type { Flicked } from "../falls/flicked";
+import type { Flick } from "../falls/flicks";
 import type { Palette } from "./palette";
 import { Ribbon } from "./ribbon";
 import { type Limit, limitStrokes } from "./wedge";
@@ -26,7 +26,7 @@ export class Dots {
   }
 
   /** Lays out a dot for each flick; `start` is the azimuth (rad) of the first lean. */
-  lay(flicks: readonly Flicked[], start: number, limits: readonly Limit[], palette: Palette): void {
+  lay(flicks: readonly Flick[], start: number, limits: readonly Limit[], palette: Palette): void {
     for (const mesh of this.meshes) {
       this.group.remove(mesh);
       mesh.geometry.dispose();
@@ -91,7 +91,7 @@ function discs(size: number, count: number, order: number): InstancedMesh {
 }
 
 /** How many dots lie under each: in each small sector the next lies on those before. */
-function piles(flicks: readonly Flicked[]): number[] {
+function piles(flicks: readonly Flick[]): number[] {
   const sector = (2.1 * DOT) / RING;
   const piled = new Map<number, number>();
   return flicks.map(({ direction }) => {

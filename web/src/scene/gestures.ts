@@ -7,7 +7,7 @@ import type { View } from "./view";
 /** rad per pixel */
 const TURN = 0.006;
 
-export interface Touched {
+export interface Grasped {
   /** How a movement on the screen, px, leans the body, rad. */
   lean(dx: number, dy: number): { x: number; y: number };
 }
@@ -17,11 +17,11 @@ export function listen(
   view: View,
   hands: Hands,
   /** What is under a place of the canvas, if it is the body. */
-  bodyAt: (x: number, y: number) => Touched | undefined,
+  bodyAt: (x: number, y: number) => Grasped | undefined,
   changed: () => void,
 ): void {
   const fingers = new Map<number, { x: number; y: number }>();
-  let touched: Touched | undefined;
+  let grasped: Grasped | undefined;
   let holder: number | undefined;
 
   const spread = () => {
@@ -33,13 +33,13 @@ export function listen(
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     canvas.setPointerCapture(event.pointerId);
     if (fingers.size === 1 && event.button === 0) {
-      touched = bodyAt(event.offsetX, event.offsetY);
-      if (touched) {
+      grasped = bodyAt(event.offsetX, event.offsetY);
+      if (grasped) {
         holder = event.pointerId;
         hands.take();
       }
     }
-    canvas.classList.toggle("holding", touched !== undefined);
+    canvas.classList.toggle("holding", grasped !== undefined);
   });
 
   canvas.addEventListener("pointermove", (event) => {
@@ -51,10 +51,10 @@ export function listen(
     const [dx, dy] = [event.clientX - finger.x, event.clientY - finger.y];
     const before = spread();
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (touched && event.pointerId === holder) {
-      const { x, y } = touched.lean(dx, dy);
+    if (grasped && event.pointerId === holder) {
+      const { x, y } = grasped.lean(dx, dy);
       hands.push(x, y);
-    } else if (!touched) {
+    } else if (!grasped) {
       const many = fingers.size > 1;
       view.turn((many ? -0.5 : -1) * dx * TURN, (many ? 0.5 : 1) * dy * TURN);
       if (many && before > 0) view.zoom(before / Math.max(spread(), 1));
@@ -64,10 +64,10 @@ export function listen(
 
   const lift = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
-    if (touched && event.pointerId === holder) {
-      touched = holder = undefined;
+    if (grasped && event.pointerId === holder) {
+      grasped = holder = undefined;
       if (event.type === "pointerup") hands.release();
-      else hands.giveUp();
+      else hands.cancel();
       canvas.classList.remove("holding");
     }
     changed();

@@ -1,18 +1,18 @@
 // A hand on the body: tipping it, letting it go at rest, or flicking it by letting go in motion.
 
 import type { Lab } from "../lab";
-import { type Lean, STILL, leaning, released } from "../setup/released";
+import { type Lean, ZERO_RATE, leanFields, releasedSetup } from "../setup/release";
 import type { Setup } from "../setup/setup";
 
 const DEGREES = 180 / Math.PI;
 /** What a hand can hold, rad. */
 const [LEAST, MOST] = [0.5 / DEGREES, 89 / DEGREES];
 /** The motion of the hand is that of its last moments, ms. */
-const LATELY = 80;
+const RECENT = 80;
 
 export class Hands {
   private lean: Lean = { x: 0, y: 0 };
-  private readonly lately: { x: number; y: number; when: number }[] = [];
+  private readonly recent: { x: number; y: number; when: number }[] = [];
 
   constructor(private readonly lab: Lab) {}
 
@@ -24,7 +24,7 @@ export class Hands {
   take(): void {
     const { tilt, yaw } = this.lab.moment.peek() ?? start(this.lab.setup.peek());
     this.lab.clock.pause();
-    this.lately.length = 0;
+    this.recent.length = 0;
     // It leans toward the point at which it touches the table, opposite to its yaw.
     this.hold({ x: -tilt * Math.cos(yaw), y: -tilt * Math.sin(yaw) });
   }
@@ -49,7 +49,7 @@ export class Hands {
   }
 
   /** Puts it back as it was. */
-  giveUp(): void {
+  cancel(): void {
     this.lab.held.value = undefined;
   }
 
@@ -57,14 +57,14 @@ export class Hands {
   release(moving = true): void {
     const held = this.lab.held.peek();
     if (!held) return;
-    const rate = moving ? this.rate() : STILL;
-    this.letGo(released(held, rate, this.lab.setup.peek()));
+    const rate = moving ? this.rate() : ZERO_RATE;
+    this.letGo(releasedSetup(held, rate, this.lab.setup.peek()));
   }
 
   /** Lets go with the rates that are set, as keys do not move like a hand. */
   flick(): void {
     const held = this.lab.held.peek();
-    if (held) this.letGo(leaning(held));
+    if (held) this.letGo(leanFields(held));
   }
 
   private letGo(part: Partial<Setup>): void {
@@ -84,19 +84,19 @@ export class Hands {
     this.lean = { x: kept * Math.cos(way), y: kept * Math.sin(way) };
     this.lab.held.value = { tilt: kept, yaw: way + Math.PI };
     const when = performance.now();
-    this.lately.push({ ...lean, when });
-    while (this.lately.length > 2 && when - (this.lately[0]?.when ?? when) > LATELY)
-      this.lately.shift();
+    this.recent.push({ ...lean, when });
+    while (this.recent.length > 2 && when - (this.recent[0]?.when ?? when) > RECENT)
+      this.recent.shift();
   }
 
-  /** How fast the hand has led the lean lately, rad/s. */
+  /** How fast the hand has led the lean recent, rad/s. */
   private rate(): Lean {
     const now = performance.now();
-    const recent = this.lately.filter(({ when }) => now - when <= LATELY);
+    const recent = this.recent.filter(({ when }) => now - when <= RECENT);
     const [first, last] = [recent[0], recent[recent.length - 1]];
     // Up to now, not to its last move: a hand that has stopped is at rest.
     const passed = first ? (now - first.when) / 1000 : 0;
-    if (!first || !last || passed < 0.008) return STILL;
+    if (!first || !last || passed < 0.008) return ZERO_RATE;
     return { x: (last.x - first.x) / passed, y: (last.y - first.y) / passed };
   }
 }

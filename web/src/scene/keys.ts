@@ -42,7 +42,7 @@ export function listenToKeys(
     "-": () => hold(() => hands.tip(-DEGREE)),
     "−": () => hold(() => hands.tip(-DEGREE)),
     Enter: (shift) => (shift ? hands.flick() : hands.release(false)),
-    Escape: () => hands.giveUp(),
+    Escape: () => hands.cancel(),
   };
   canvas.addEventListener("keydown", (event) => {
     const action = actions[event.key];
@@ -52,5 +52,5 @@ export function listenToKeys(
     changed();
   });
   // Who goes on to another control has let the body stand as it was.
-  canvas.addEventListener("blur", () => hands.giveUp());
+  canvas.addEventListener("blur", () => hands.cancel());
 }

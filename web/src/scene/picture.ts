@@ -2,12 +2,11 @@
 // has changed, and not otherwise.
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
-import { type Lab, type Turning, ownBeside } from "../lab";
+import { type Lab, type Outcome, type TurnProgress, bodyAngleAlongContact } from "../lab";
 import type { Moment, Motion } from "../core/motion";
-import { degrees } from "../inputs/shown";
+import { formatDegrees } from "../format/numbers";
 import { BODY_NOUNS } from "../setup/fields";
-import { bodyOf } from "../setup/posed";
-import type { Held } from "../setup/released";
+import type { Held } from "../setup/release";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "./bodies/bodies";
 import { MARK_FACES, markPlace } from "./bodies/mark";
@@ -15,9 +14,9 @@ import { type Size, reachOf, sizeOf } from "./bodies/shapes";
 import { Contact } from "./contact";
 import { Dots } from "./dots";
 import type { Frame } from "./frame";
-import type { Touched } from "./gestures";
+import type { Grasped } from "./gestures";
 import { spoken, tenth } from "./lengths";
-import { Pace } from "./pace";
+import { FrameRate } from "./frame_rate";
 import { Outline } from "./outline";
 import { readPalette } from "./palette";
 import {
@@ -41,12 +40,12 @@ import { Table } from "./table";
 import { Trail } from "./trail";
 import { View } from "./view";
 import { type Limit, Wedge } from "./wedge";
-import { Words } from "./words";
+import { Labels } from "./labels";
 
 const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 
 /** Where the body is just now, m. */
-interface Stood {
+interface Placement {
   pose: Pose;
   contact: Spot;
   /** Of its motion, unless it is held. */
@@ -65,7 +64,7 @@ export class Picture {
   private readonly slip = new Slip();
   private readonly dots = new Dots();
   private readonly shade = new Shade();
-  private readonly words: Words;
+  private readonly words: Labels;
   private readonly outline = new Outline();
   private readonly said: { turned: number; theory: number; other: number; itself: number };
   private palette = readPalette();
@@ -76,7 +75,7 @@ export class Picture {
   private rim: Rim = { radius: 1, height: 0 };
   /** Radius of the circle of degrees, m. */
   private reach = 1;
-  private readonly pace = new Pace();
+  private readonly frameRate = new FrameRate();
   /** A speed that suits the body, √(gR), m/s. */
   private speed = 1;
   private footing = UPRIGHT;
@@ -87,7 +86,7 @@ export class Picture {
   private width = 0;
   private height = 0;
   /** What was drawn last, to see what has changed. */
-  private looked = "";
+  private bodyKey = "";
   private followed: Motion | undefined;
   private flicksLaid: unknown;
   private waiting = false;
@@ -103,9 +102,9 @@ export class Picture {
     private readonly frame: Frame,
   ) {
     this.stage = new Stage(frame.canvas);
-    this.table.stand(this.stage.scene.environment);
+    this.table.setEnvironment(this.stage.scene.environment);
     this.view = new View(this.stage.camera);
-    this.words = new Words(frame.words);
+    this.words = new Labels(frame.words);
     this.said = {
       turned: this.words.add("turned", true),
       theory: this.words.add("theory"),
@@ -144,8 +143,8 @@ export class Picture {
 
   /** The graphics card had lost everything, and is back. */
   readonly restore = (): void => {
-    this.stage.furnish();
-    this.table.stand(this.stage.scene.environment);
+    this.stage.buildEnvironment();
+    this.table.setEnvironment(this.stage.scene.environment);
     this.repaint();
   };
 
@@ -162,7 +161,7 @@ export class Picture {
   };
 
   /** The body, if it is at a place of the picture (px). */
-  readonly bodyAt = (x: number, y: number): Touched | undefined => {
+  readonly bodyAt = (x: number, y: number): Grasped | undefined => {
     this.pointed.set((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
     this.caster.setFromCamera(this.pointed, this.stage.camera);
     const [hit] = this.caster.intersectObject(this.hull, false);
@@ -185,33 +184,34 @@ export class Picture {
     if (this.width < 2 || this.height < 2) return;
     const { lab } = this;
     const setup = lab.setup.peek();
-    this.look(setup);
-    this.follow(lab.motion.peek());
+    this.updateBody(setup);
+    this.follow(lab.outcome.peek());
     this.layFlicks(setup);
     const { camera } = this.stage;
     // On large screens lines are a little wider too.
     const wider = Math.min(Math.max(Math.min(this.width, this.height) / 600, 1), 2);
     this.pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
     PIXEL.value = wider * this.pixel;
-    const stood = this.stand(lab.held.peek(), setup);
-    this.goAfter(stood);
+    const placement = this.place(lab.held.peek(), setup);
+    this.followBody(placement);
     const gliding = this.view.update(now);
     camera.updateMatrixWorld();
-    this.mark(stood);
-    this.turn(lab.held.peek() ? undefined : lab.turning.peek());
+    this.mark(placement);
+    this.turn(lab.held.peek() ? undefined : lab.turnProgress.peek());
     this.stage.render();
     this.outline.see(this.hull.matrixWorld, camera, this.width, this.height);
     this.words.arrange(camera, this.width, this.height, this.outline);
     if (gliding) this.changed();
-    if (lab.clock.playing.peek() && this.pace.slow(now) && this.stage.coarsen()) this.resize();
+    if (lab.clock.playing.peek() && this.frameRate.isSlow(now) && this.stage.coarsen())
+      this.resize();
   }
 
   /** Makes another picture of the body if it has become another body. */
-  private look(setup: Readonly<Setup>): void {
+  private updateBody(setup: Readonly<Setup>): void {
     const { body, fill, radius, length, wall, base } = setup;
-    const look = [body, ...(body === "own" ? [radius, length, wall, base] : [fill])].join(" ");
-    if (look === this.looked) return;
-    this.looked = look;
+    const key = [body, ...(body === "own" ? [radius, length, wall, base] : [fill])].join(" ");
+    if (key === this.bodyKey) return;
+    this.bodyKey = key;
     dispose(this.body);
     this.stage.scene.remove(this.body);
     this.body = pictureOf(setup);
@@ -219,7 +219,6 @@ export class Picture {
     this.stage.scene.add(this.body);
     this.size = sizeOf(setup);
     this.reach = reachOf(this.size);
-    this.rim = { radius: this.size.rim, height: bodyOf(this.lab.core, setup).height };
     this.view.frame(this.size.length / this.reach);
     const cell = tenth(this.reach / 2.5);
     this.table.measure(cell / this.reach);
@@ -227,15 +226,24 @@ export class Picture {
     this.followed = undefined;
   }
 
-  private follow(motion: Motion | undefined): void {
+  private follow(outcome: Outcome): void {
     this.ruler.measure(this.reach, this.palette);
-    if (motion === this.followed && motion) return;
-    this.followed = motion;
-    this.trail.mesh.visible = motion !== undefined;
+    const simulated = "motion" in outcome ? outcome : undefined;
+    if (simulated && simulated.motion === this.followed) return;
+    this.followed = simulated?.motion;
+    this.trail.mesh.visible = simulated !== undefined;
     this.centre.of = NaN;
-    if (!motion) return;
+    if (!simulated) {
+      // Without a motion the body is drawn tipped about its rim, for which its height does not matter.
+      this.rim = { radius: this.size.rim, height: 0 };
+      this.footing = UPRIGHT;
+      return;
+    }
+    const { motion } = simulated;
+    const { body, options } = simulated.input;
+    this.rim = body;
     this.footing = footingOf(motion, this.rim);
-    this.speed = Math.sqrt(this.lab.setup.peek().gravity * this.rim.radius);
+    this.speed = Math.sqrt(options.gravity * this.rim.radius);
     const { shift } = this.footing;
     this.trail.follow(motion, shift, this.reach / 2500, 1 / this.reach, this.palette);
     this.limits = this.limitsHere();
@@ -268,26 +276,26 @@ export class Picture {
         : [];
       this.dots.lay(flicks, (yaw * Math.PI) / 180 + Math.PI, limits, this.palette);
     }
-    this.dots.show(this.lab.flicksMade.peek() ?? 0);
+    this.dots.show(this.lab.flicksShown.peek() ?? 0);
   }
 
   /** Puts the body where it is, in the hand or in its motion. */
-  private stand(held: Held | undefined, setup: Readonly<Setup>): Stood {
-    const stood = this.stoodAt(held, held ? undefined : this.lab.moment.peek(), setup);
-    const { pose } = stood;
+  private place(held: Held | undefined, setup: Readonly<Setup>): Placement {
+    const placement = this.placementAt(held, held ? undefined : this.lab.moment.peek(), setup);
+    const { pose } = placement;
     const { rim, reach } = this;
     this.body.matrix.copy(placed(this.matrix, pose)).premultiply(scaling(1 / reach));
     this.body.matrixWorldNeedsUpdate = true;
     this.placeHull();
     this.shade.show(pose.x / reach, pose.y / reach, rim.radius / reach, pose.tilt);
-    return stood;
+    return placement;
   }
 
-  private stoodAt(
+  private placementAt(
     held: Held | undefined,
     moment: Moment | undefined,
     setup: Readonly<Setup>,
-  ): Stood {
+  ): Placement {
     const { rim, footing } = this;
     if (moment) {
       const { x, y } = footing.shift;
@@ -307,7 +315,7 @@ export class Picture {
   }
 
   /** Lamp, table and eye go after a body that rolls away. */
-  private goAfter({ pose, contact }: Stood): void {
+  private followBody({ pose, contact }: Placement): void {
     const { reach } = this;
     this.view.follow(pose.x / reach, pose.y / reach);
     this.view.aim(contact.x / reach, contact.y / reach);
@@ -316,7 +324,7 @@ export class Picture {
   }
 
   /** Shows the contact point, and how it slips. */
-  private mark({ pose, contact, moment }: Stood): void {
+  private mark({ pose, contact, moment }: Placement): void {
     const { palette, reach, stage } = this;
     const { position, quaternion } = stage.camera;
     this.spot.set(contact.x / reach, contact.y / reach, 0);
@@ -343,7 +351,7 @@ export class Picture {
   }
 
   /** The wedge of the angle of turn, the circle of degrees round it, and their words. */
-  private turn(turning: Turning | undefined): void {
+  private turn(turning: TurnProgress | undefined): void {
     const { lab, said, words, palette } = this;
     const motion = lab.motion.peek();
     const shown = turning !== undefined && motion !== undefined;
@@ -368,26 +376,37 @@ export class Picture {
     };
     say(
       said.turned,
-      `contact ran round ${degrees(Math.abs(turning.angle), 1)}`,
+      `contact ran round ${formatDegrees(Math.abs(turning.angle), 1)}`,
       turning.angle / 2,
       1.13,
     );
     this.sayItself(turning);
     // Beyond the dots where many flicks have fallen, if there are any.
-    const far = lab.flicksMade.peek() === undefined ? 1.2 : 1.6;
+    const far = lab.flicksShown.peek() === undefined ? 1.2 : 1.6;
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
-      say(index, one ? `${one.name} ${degrees(one.angle, 1)}` : "", sense * (one?.angle ?? 0), far);
+      say(
+        index,
+        one ? `${one.name} ${formatDegrees(one.angle, 1)}` : "",
+        sense * (one?.angle ?? 0),
+        far,
+      );
     limit(said.theory, first);
     limit(said.other, second);
   }
 
   /** How far the body itself has turned, at the mark on it. */
-  private sayItself(turning: Turning): void {
+  private sayItself(turning: TurnProgress): void {
     const { lab, said, words, spot } = this;
     const noun = BODY_NOUNS[lab.setup.peek().body];
     const { x, y, z } = spot.copy(markPlace(this.size)).applyMatrix4(this.body.matrix);
-    words.say(said.itself, `the ${noun} itself turned ${degrees(ownBeside(turning), 1)}`, x, y, z);
+    words.say(
+      said.itself,
+      `the ${noun} itself turned ${formatDegrees(bodyAngleAlongContact(turning), 1)}`,
+      x,
+      y,
+      z,
+    );
     const away = spot.sub(this.stage.camera.position);
     const faces = this.faces.copy(MARK_FACES).transformDirection(this.body.matrix);
     words.dim(said.itself, faces.dot(away) > 0);
@@ -403,7 +422,7 @@ export class Picture {
   }
 
   /** Where the base lies when it is flattest in this turn: round there the body turns. */
-  private centreOf(motion: Motion, { start, whole }: Turning): Spot {
+  private centreOf(motion: Motion, { start, whole }: TurnProgress): Spot {
     const { centre, rim, reach, footing } = this;
     if (centre.of === start) return centre;
     const lowest =

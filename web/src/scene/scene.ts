@@ -49,7 +49,7 @@ function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Pict
   effect(() => {
     // Whatever of these changes, it is to be drawn.
     void [lab.setup.value, lab.outcome.value, lab.clock.time.value];
-    void [lab.held.value, lab.flicks.value, lab.flicksMade.value];
+    void [lab.held.value, lab.flicks.value, lab.flicksShown.value];
     changed();
   });
   onTheme(picture.repaint);

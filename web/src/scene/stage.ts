@@ -36,7 +36,7 @@ export class Stage {
     this.renderer.toneMapping = NeutralToneMapping;
     this.camera.up.set(0, 0, 1);
     this.light();
-    this.furnish();
+    this.buildEnvironment();
   }
 
   /** Fits the picture to its place; whether there is room at all. */
@@ -90,7 +90,7 @@ export class Stage {
 
   /** What shiny bodies mirror: a room with a window, lamps and a dim floor. The graphics card keeps
    * it, so it is to be made anew when the card has lost it. */
-  furnish(): void {
+  buildEnvironment(): void {
     const room = new Scene();
     const add = (color: string, strength: number, size: number[], at: number[], inside = false) => {
       const material = new MeshBasicMaterial({

@@ -38,7 +38,7 @@ export class Table {
   }
 
   /** The room's light on it is dim: it is under the body. */
-  stand(room: Texture | null): void {
+  setEnvironment(room: Texture | null): void {
     this.material.envMap = room;
     this.material.envMapIntensity = 0.3;
   }

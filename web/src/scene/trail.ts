@@ -23,7 +23,7 @@ export class Trail {
 
   /** Lays the whole way of a motion; `fine` is the shortest piece worth drawing, m. */
   follow(motion: Motion, shift: Spot, fine: number, scale: number, palette: Palette): void {
-    const samples = motion.drawn();
+    const samples = motion.curve();
     const [t, x, y] = [
       samples.column("t"),
       samples.column("contact_x"),

@@ -1,6 +1,7 @@
 // Where the picture is taken from: round the body at an azimuth, an elevation and a distance.
 
 import type { PerspectiveCamera } from "three";
+import { prefersReducedMotion } from "../reduced_motion";
 
 /** rad; the eye never goes under the table nor quite over the top. */
 const [LOWEST, HIGHEST] = [0.06, Math.PI / 2 - 0.001];
@@ -15,8 +16,6 @@ const NEAR = 0.5;
 /** As far as a body goes without the eye going after it, in radii of the circle of degrees. */
 const ROAM = 0.9;
 
-const stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
-
 /** From 0 to 1 with neither a start nor an end that jerks. */
 const smooth = (part: number) => part * part * (3 - 2 * part);
 
@@ -24,11 +23,11 @@ interface Eye {
   azimuth: number;
   elevation: number;
   /** Distance over that from which all is seen. */
-  farness: number;
+  distance: number;
 }
 
 export class View {
-  private eye: Eye = { ...USUAL, farness: 1 };
+  private eye: Eye = { ...USUAL, distance: 1 };
   private way: { from: Eye; to: Eye; begun: number } | undefined;
   /** Height of what is looked at and the radius of what is to be seen round it. */
   private height = 0.3;
@@ -59,7 +58,7 @@ export class View {
   /** Goes after what has gone far from the middle, but not for who would rather not see things move. */
   follow(x: number, y: number): void {
     const far = Math.hypot(x, y);
-    const part = far > ROAM && !stillness() ? 1 - ROAM / far : 0;
+    const part = far > ROAM && !prefersReducedMotion() ? 1 - ROAM / far : 0;
     this.focus.x = part * x;
     this.focus.y = part * y;
   }
@@ -67,7 +66,7 @@ export class View {
   /** Takes note of the spot where the body touches the table: it is what there is to see from near by. */
   aim(x: number, y: number): void {
     this.contact = { x, y };
-    if (!stillness()) this.aimed = this.contact;
+    if (!prefersReducedMotion()) this.aimed = this.contact;
   }
 
   turn(azimuth: number, elevation: number): void {
@@ -80,18 +79,18 @@ export class View {
 
   zoom(factor: number): void {
     this.aimed = this.contact;
-    this.go({ ...this.eye, farness: this.eye.farness * factor });
+    this.go({ ...this.eye, distance: this.eye.distance * factor });
   }
 
   reset(): void {
-    this.glide({ ...USUAL, farness: 1 });
+    this.glide({ ...USUAL, distance: 1 });
   }
 
   fromAbove(): void {
-    this.glide({ azimuth: -Math.PI / 2, elevation: HIGHEST, farness: 1 });
+    this.glide({ azimuth: -Math.PI / 2, elevation: HIGHEST, distance: 1 });
   }
 
-  /** Moves the camera; whether it is still on its way. */
+  /** Simulated the camera; whether it is still on its way. */
   update(now: number): boolean {
     if (this.way) {
       const part = Math.min((now - this.way.begun) / 1000 / GLIDE, 1);
@@ -101,7 +100,7 @@ export class View {
       this.eye = {
         azimuth: between("azimuth"),
         elevation: between("elevation"),
-        farness: between("farness"),
+        distance: between("distance"),
       };
       if (part === 1) this.way = undefined;
     }
@@ -113,10 +112,10 @@ export class View {
     const { camera, eye, height } = this;
     const half = (camera.fov * Math.PI) / 360;
     const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
-    const distance = (this.radius / Math.sin(narrow)) * eye.farness;
+    const distance = (this.radius / Math.sin(narrow)) * eye.distance;
     const flat = distance * Math.cos(eye.elevation);
     // From afar it looks at the middle of the body, from near by at the contact point.
-    const part = smooth(Math.min(Math.max((1 - eye.farness) / (1 - NEAR), 0), 1));
+    const part = smooth(Math.min(Math.max((1 - eye.distance) / (1 - NEAR), 0), 1));
     const x = this.focus.x + part * (this.aimed.x - this.focus.x);
     const y = this.focus.y + part * (this.aimed.y - this.focus.y);
     const z = (1 - part) * height * Math.cos(eye.elevation);
@@ -133,13 +132,13 @@ export class View {
     this.eye = {
       azimuth: eye.azimuth,
       elevation: Math.min(Math.max(eye.elevation, LOWEST), HIGHEST),
-      farness: Math.min(Math.max(eye.farness, 0.12), 3),
+      distance: Math.min(Math.max(eye.distance, 0.12), 3),
     };
   }
 
   /** Goes there smoothly, or at once for who would rather not see things move. */
   private glide(to: Eye): void {
-    if (stillness()) return this.go(to);
+    if (prefersReducedMotion()) return this.go(to);
     // The short way round.
     const round = 2 * Math.PI * Math.round((this.eye.azimuth - to.azimuth) / (2 * Math.PI));
     this.way = {

@@ -8,11 +8,11 @@ import { fromHash, holdsSetup, toHash } from "./url";
 export function keepInAddress(lab: Lab): void {
   const take = (link: string) => {
     if (!holdsSetup(link)) return;
-    const { setup, pace, refusals } = fromHash(link);
+    const { setup, playback, refusals } = fromHash(link);
     batch(() => {
       lab.refusals.value = refusals;
       lab.change(setup);
-      lab.clock.setPace(pace);
+      lab.clock.setPlayback(playback);
     });
   };
   take(location.hash);
@@ -20,7 +20,7 @@ export function keepInAddress(lab: Lab): void {
   addEventListener("hashchange", ({ newURL }) => take(new URL(newURL).hash));
   let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    const hash = toHash(lab.setup.value, lab.clock.pace);
+    const hash = toHash(lab.setup.value, lab.clock.playback);
     clearTimeout(waiting);
     waiting = setTimeout(() => write(hash), QUIET);
   });

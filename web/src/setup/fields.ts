@@ -276,6 +276,9 @@ export const FIELDS = {
 export type FieldName = keyof typeof FIELDS;
 export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
 
+/** Names of the playback settings in the URL; see playback.ts. */
+export type PlaybackName = "speed" | "slow";
+
 /** Which fields are those of a hand that repeats the release; one motion does not depend on them. */
 export const FLICK_FIELDS = ["flicks", "unsteady", "seed"] as const satisfies readonly FieldName[];
 

@@ -1,16 +1,16 @@
 // The set-up as Python code that computes the very same motion, to the last bit.
 
-import type { Body, State, Surface } from "../core/core";
+import type { Body, State, ContactLaw } from "../core/core";
 import { digits } from "./digits";
-import type { Posed } from "./posed";
+import type { SimulationInput } from "./simulation_input";
 
-export function toPython({ body, start, surface, options }: Posed): string {
+export function toPython({ body, start, contactLaw, options }: SimulationInput): string {
   return `import math
 import rimroll as rr
 
 body = ${bodyCode(body)}
 start = ${startCode(start)}
-law = ${lawCode(surface)}
+law = ${lawCode(contactLaw)}
 motion = rr.simulate(body, start, law, duration=${options.duration}, gravity=${options.gravity},
                      rtol=${options.rtol}, max_steps=${options.maxSteps})
 
@@ -44,8 +44,8 @@ const startCode = (s: State) =>
     spin_rate: s.spinRate,
   });
 
-function lawCode(surface: Surface): string {
-  const { law, friction = 0, restitution = 0, rollingDry = 0 } = surface;
+function lawCode(contactLaw: ContactLaw): string {
+  const { law, friction = 0, restitution = 0, rollingDry = 0 } = contactLaw;
   const names = { no_slip: "rr.NoSlip", frictionless: "rr.Frictionless", coulomb: "rr.Coulomb" };
   const numbers = law === "coulomb" ? { friction, ...(restitution > 0 && { restitution }) } : {};
   const resistance = rollingDry > 0 ? ` + rr.RollingResistance(dry=${rollingDry})` : "";

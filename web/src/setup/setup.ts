@@ -1,10 +1,9 @@
 // A set-up: what is tipped, how, on what table. Numbers in the units of their fields.
 
-import { withUnit } from "../inputs/shown";
+import { withUnit } from "../format/numbers";
 import type { LawName, Preset } from "../core/core";
-import { noSuchChoice } from "./choices";
 import { FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
-import type { PaceName } from "./pace";
+import { type Refusal, noSuchChoice } from "./refusal";
 
 type Values = {
   [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "number" ? number : string;
@@ -18,14 +17,6 @@ export interface Setup extends Values {
 export const INITIAL = Object.freeze(
   Object.fromEntries(FIELD_NAMES.map((name) => [name, FIELDS[name].initial])),
 ) as Readonly<Setup>;
-
-/** Why a value is refused, for whoever typed it. */
-export interface Refusal {
-  field: FieldName | PaceName;
-  /** As it was written. */
-  text: string;
-  message: string;
-}
 
 /** The value that a text stands for, or why it stands for none. */
 export function read(name: FieldName, text: string): { value: string | number } | Refusal {

@@ -1,21 +1,25 @@
 // The whole set-up in the part of the address after #, so that a link holds it and no server sees it.
 
 import { FIELD_NAMES } from "./fields";
-import { INITIAL_PACE, type Pace, paceInLink, paceOf } from "./pace";
-import { INITIAL, type Refusal, type Setup, read } from "./setup";
+import { INITIAL_PLAYBACK, type Playback, playbackInLink, playbackFrom } from "./playback";
+import type { Refusal } from "./refusal";
+import { INITIAL, type Setup, read } from "./setup";
 
 /** What a link holds. */
 export interface Linked {
   setup: Setup;
-  pace: Pace;
+  playback: Playback;
   refusals: Refusal[];
 }
 
-/** What differs from the initial set-up and pace, as `name=value&…`. */
-export function toHash(setup: Readonly<Setup>, pace: Readonly<Pace> = INITIAL_PACE): string {
+/** What differs from the initial set-up and playback, as `name=value&…`. */
+export function toHash(
+  setup: Readonly<Setup>,
+  playback: Readonly<Playback> = INITIAL_PLAYBACK,
+): string {
   const changed = FIELD_NAMES.filter((name) => setup[name] !== INITIAL[name]);
   const pairs = changed.map((name) => [name, String(setup[name])]);
-  return new URLSearchParams([...pairs, ...paceInLink(pace)]).toString();
+  return new URLSearchParams([...pairs, ...playbackInLink(playback)]).toString();
 }
 
 /** Whether an address is about a set-up, and not about a part of the page. */
@@ -26,7 +30,7 @@ export const holdsSetup = (hash: string): boolean => hash.length <= 1 || hash.in
 export function fromHash(hash: string): Linked {
   const link = new Map(new URLSearchParams(hash.replace(/^#/, "")));
   const setup: Record<string, string | number> = { ...INITIAL };
-  const { pace, refusals } = paceOf(link);
+  const { playback, refusals } = playbackFrom(link);
   for (const name of FIELD_NAMES) {
     const text = link.get(name);
     if (text === undefined) continue;
@@ -34,5 +38,5 @@ export function fromHash(hash: string): Linked {
     if ("value" in result) setup[name] = result.value;
     else refusals.push(result);
   }
-  return { setup: setup as unknown as Setup, pace, refusals };
+  return { setup: setup as unknown as Setup, playback, refusals };
 }

@@ -1,6 +1,6 @@
 // Text to the clipboard, or where there is none to be had, selected for the visitor to copy.
 
-export async function copied(text: string, shownIn: HTMLElement): Promise<boolean> {
+export async function copyText(text: string, shownIn: HTMLElement): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
     return true;

@@ -6,17 +6,17 @@ import type { Lab, Outcome } from "../lab";
 import { toCsv } from "../setup/csv";
 import { toPython } from "../setup/python";
 import { toHash } from "../setup/url";
-import { copied } from "./copy";
+import { copyText } from "./copy";
 import { download } from "./download";
-import { sent } from "./sent";
+import { shareLink } from "./share_link";
 
 export function mountShare(lab: Lab, place: HTMLElement): void {
   const said = element("p", { class: "done", role: "status" });
-  const { help, label, name } = WORDS[sentBy(lab).kind];
+  const { help, label, name } = WORDS[linkFor(lab).kind];
   const link = element("input", { type: "text", id: "share-link", readonly: true });
   const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": "Python code" });
   const copy = async (text: string, shownIn: HTMLElement, what: string) => {
-    const done = await copied(text, shownIn);
+    const done = await copyText(text, shownIn);
     say(said, done ? `${what} copied.` : "Selected: copy it with Ctrl+C or ⌘C.");
   };
   const copyLink = button(`Copy ${name.toLowerCase()}`, () => void copy(link.value, link, name));
@@ -44,7 +44,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     element("details", {}, element("summary", {}, "The same motion in Python"), code),
   );
   effect(() => {
-    link.value = sentBy(lab).text;
+    link.value = linkFor(lab).text;
   });
   effect(() => {
     const outcome = lab.outcome.value;
@@ -66,10 +66,10 @@ const WORDS = {
   },
 } as const;
 
-const sentBy = (lab: Lab) => sent(toHash(lab.setup.value, lab.clock.pace), location.href);
+const linkFor = (lab: Lab) => shareLink(toHash(lab.setup.value, lab.clock.playback), location.href);
 
 const pythonOf = (outcome: Outcome) =>
-  "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.posed);
+  "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.input);
 
 /** Also the same words a second time are to be read out. */
 function say(place: HTMLElement, text: string): void {

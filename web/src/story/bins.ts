@@ -19,7 +19,7 @@ export interface Counts {
 /** Beyond the limits, degrees, and what the ends are multiples of. */
 const [ROOM, ROUND] = [7, 5];
 /** No more bins than this can be told apart. */
-const MOST = 60;
+const MAX_BINS = 60;
 /** So many falls of a hundred may lie beyond the axis at either end. */
 const STRAY = 5;
 
@@ -31,10 +31,10 @@ export function binsFor(theory: Theory | undefined, turns: readonly number[]): B
   const usual = sorted.slice(stray, sorted.length - stray);
   const held = [...limits.map((limit) => limit - ROOM), ...limits.map((limit) => limit + ROOM)];
   const ends = [...held, ...usual.slice(0, 1), ...usual.slice(-1)];
-  if (ends.length === 0) return { from: 180, to: 180 + MOST, width: 1 };
+  if (ends.length === 0) return { from: 180, to: 180 + MAX_BINS, width: 1 };
   const from = ROUND * Math.floor(Math.min(...ends) / ROUND);
   const to = ROUND * Math.ceil((Math.max(...ends) + 1e-9) / ROUND);
-  const width = [1, 2, 5, 10].find((width) => to - from <= MOST * width) ?? 20;
+  const width = [1, 2, 5, 10].find((width) => to - from <= MAX_BINS * width) ?? 20;
   // Whole bins.
   return { from, to: from + width * Math.ceil((to - from) / width), width };
 }
@@ -48,7 +48,7 @@ export const limitsOf = (theory: Theory | undefined): number[] =>
     : [];
 
 /** The bins are closed below and open above. */
-export function counted(turns: readonly number[], { from, to, width }: Bins): Counts {
+export function binned(turns: readonly number[], { from, to, width }: Bins): Counts {
   const bins = new Array<number>(Math.round((to - from) / width)).fill(0);
   let [below, above] = [0, 0];
   for (const turn of turns) {

@@ -2,8 +2,8 @@
 
 import { effect, computed } from "@preact/signals-core";
 import { element } from "../elements";
-import { tallied } from "../falls/tally";
-import { told } from "../falls/told";
+import { tallyOf } from "../falls/tally";
+import { flickSummary } from "../falls/summary";
 import type { Lab } from "../lab";
 import { binsFor } from "./bins";
 import { HEIGHT, WIDTH, humps } from "./humps";
@@ -16,7 +16,7 @@ export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
   const caption = figure.querySelector("figcaption") as HTMLElement;
   // The range of all falls under way, so that the axis stays while they fall.
   const bins = computed(() => {
-    const { left, right } = tallied(lab.flicks.value);
+    const { left, right } = tallyOf(lab.flicks.value);
     return binsFor(lab.theory.value, [...left.turns, ...right.turns]);
   });
   effect(() => {
@@ -24,12 +24,12 @@ export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
     if (figure.hidden) return;
     const theory = lab.theory.value;
     const measured = lab.setup.value.body === "can_2007";
-    const tally = tallied(lab.flicks.value.slice(0, lab.flicksMade.value ?? 0));
+    const tally = tallyOf(lab.flicks.value.slice(0, lab.flicksShown.value ?? 0));
     picture.innerHTML = humps({ tally, theory, bins: bins.value, measured });
     const { from, to, width } = bins.value;
     picture.setAttribute(
       "aria-label",
-      `How far round it fell, from ${from}° to ${to}° by ${width}°. ${told(lab)}`,
+      `How far round it fell, from ${from}° to ${to}° by ${width}°. ${flickSummary(lab)}`,
     );
     const beside = measured ? " Lines with a dot: the paper’s falls." : "";
     caption.textContent = `How far round it fell: left above, right below, ${width}° a bar.${beside}`;

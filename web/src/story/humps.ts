@@ -4,7 +4,7 @@
 import type { Theory } from "../core/core";
 import { MEASURED } from "../falls/paper";
 import type { Tally } from "../falls/tally";
-import { type Bins, type Counts, counted } from "./bins";
+import { type Bins, type Counts, binned } from "./bins";
 
 /** Of the picture, with room for words above, for degrees in the middle, and for the counts. */
 export const [WIDTH, HEIGHT] = [360, 154];
@@ -24,7 +24,7 @@ export interface Shown {
 /** The picture as the inside of an SVG of that size. */
 export function humps({ tally, theory, bins, measured }: Shown): string {
   const place = (angle: number) => (WIDTH * (angle - bins.from)) / (bins.to - bins.from);
-  const [left, right] = [counted(tally.left.turns, bins), counted(tally.right.turns, bins)];
+  const [left, right] = [binned(tally.left.turns, bins), binned(tally.right.turns, bins)];
   const highest = Math.max(4, ...left.bins, ...right.bins);
   return [
     limits(theory, place),
@@ -46,7 +46,7 @@ function bars({ below, bins, above }: Counts, side: string, unit: number, foot: 
       ? ""
       : `<rect class="bar ${side}" x="${fixed(k * width + 0.6)}" y="${fixed(top)}" width="${fixed(width - 1.2)}" height="${fixed(height)}"/>`;
   };
-  // What lies beyond the ends is counted there.
+  // What lies beyond the ends is binned there.
   const beyond = (count: number, x: number, anchor: string, words: string) =>
     count === 0
       ? ""

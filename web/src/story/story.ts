@@ -2,9 +2,9 @@
 
 import { effect, signal } from "@preact/signals-core";
 import type { Lab } from "../lab";
-import { wantsStillness } from "../stillness";
+import { prefersReducedMotion } from "../reduced_motion";
 import { fallsOf } from "./falls";
-import { show } from "./show";
+import { showStep } from "./show_step";
 import { STEPS, type Step } from "./steps";
 import "./story.css";
 
@@ -24,11 +24,11 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     if (STEPS[at.value + by] === undefined) return;
     at.value += by;
     // Who wants no motion did not ask for any yet.
-    show(lab, step(), !wantsStillness());
+    showStep(lab, step(), !prefersReducedMotion());
   };
   part(".row").before(fallsOf(lab, () => step().shows === "flicks"));
   part(".back").addEventListener("click", () => go(-1));
-  part(".show").addEventListener("click", () => show(lab, step(), true));
+  part(".show").addEventListener("click", () => showStep(lab, step(), true));
   part(".next").addEventListener("click", () => go(1));
   effect(() => {
     const { title, text } = step();

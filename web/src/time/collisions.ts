@@ -6,7 +6,7 @@ export interface Collision {
   /** s */
   t: number;
   /** About how long it lasts, s: as long as half a turn at the rate of its middle. */
-  lasts: number;
+  duration: number;
 }
 
 // The base comes near the table, or meets it.
@@ -18,7 +18,7 @@ export function collisionsOf(motion: Motion): Collision[] {
     .filter((event) => COLLISIONS.has(event.kind))
     .map(({ moment: { t, yaw_rate } }) => ({
       t,
-      lasts: Math.min(Math.PI / Math.abs(yaw_rate), motion.end / 10),
+      duration: Math.min(Math.PI / Math.abs(yaw_rate), motion.end / 10),
     }));
 }
 

@@ -1,6 +1,6 @@
 // Pictures on the buttons.
 
-import { drawn } from "../elements";
+import { svgElement } from "../elements";
 
 const SHAPES = {
   rewind: "M3 5h2.2v14H3zM13 5v14L5.4 12zM21.5 5v14l-8-7z",
@@ -15,9 +15,9 @@ const SHAPES = {
 export type Icon = keyof typeof SHAPES;
 
 export function icon(name: Icon): SVGElement {
-  return drawn(
+  return svgElement(
     "svg",
     { viewBox: "0 0 24 24", "aria-hidden": "true", focusable: "false" },
-    drawn("path", { d: SHAPES[name], fill: "currentColor" }),
+    svgElement("path", { d: SHAPES[name], fill: "currentColor" }),
   );
 }

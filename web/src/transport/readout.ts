@@ -1,6 +1,7 @@
 // The time shown, in words.
 
-import { duration, significant } from "../time/words";
+import { significant } from "../format/numbers";
+import { formatDuration } from "../format/times";
 
 /** Where in a motion: 0.3214 s of 3 s. */
 export function timeText(time: number, end: number): string {
@@ -12,11 +13,11 @@ export function collisionText(time: number, collision: number | undefined): stri
   if (collision === undefined) return "";
   const since = time - collision;
   if (since === 0) return "at the collision";
-  return `${duration(Math.abs(since))} ${since < 0 ? "before" : "after"} the collision`;
+  return `${formatDuration(Math.abs(since))} ${since < 0 ? "before" : "after"} the collision`;
 }
 
 /** How the speed compares with life's. */
-export function slownessText(slowness: number): string {
-  if (slowness < 1.005) return "in real time";
-  return `${significant(slowness, 2)} times slower than real time`;
+export function slowdownText(slowdown: number): string {
+  if (slowdown < 1.005) return "in real time";
+  return `${significant(slowdown, 2)} times slower than real time`;
 }

@@ -3,11 +3,11 @@
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
 import type { Lab } from "../lab";
-import { SPEEDS, speedName } from "../setup/pace";
+import { SPEEDS, speedName } from "../setup/playback";
 import { collisionsOf, nearest } from "../time/collisions";
 import { type Icon, icon } from "./icons";
 import { keysOn, onKeys } from "./keys";
-import { collisionText, slownessText } from "./readout";
+import { collisionText, slowdownText } from "./readout";
 import { scrubber } from "./scrubber";
 import "./transport.css";
 
@@ -100,7 +100,7 @@ function readout(lab: Lab): HTMLElement {
       clock.time.value,
       collisions[nearest(collisions, clock.time.value)]?.t,
     );
-    pace.textContent = motion ? slownessText(clock.slowness) : "";
+    pace.textContent = motion ? slowdownText(clock.slowdown) : "";
   });
   return element("p", { class: "readout" }, time, since, pace);
 }

@@ -16,7 +16,7 @@ export interface Passage {
   /** rad/s, at the smallest tilt */
   yawRate: number;
   /** From a tenth to nine tenths of the angle, s. */
-  swiftness: number;
+  fastTime: number;
   /** What the rim does on the way: it only rolls, or slips at times, or even leaves the table. */
   rim: "rolled" | "slipped" | "jumped";
 }
@@ -48,7 +48,7 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
     end,
     minTilt: lowest.minTilt,
     yawRate: lowest.yawRate,
-    swiftness: done - begun,
+    fastTime: done - begun,
     rim: met("flying") ? "jumped" : met("sliding") ? "slipped" : "rolled",
   };
 }

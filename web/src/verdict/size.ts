@@ -1,7 +1,7 @@
 // How small and how fast the near-collision is for a body of this size, for whoever compares it with one
 // at hand.
 
-import { significant } from "../time/words";
+import { significant } from "../format/numbers";
 import type { Passage } from "./passage";
 
 const LENGTHS = [

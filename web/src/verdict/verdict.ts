@@ -2,71 +2,71 @@
 
 import { computed, effect } from "@preact/signals-core";
 import { element } from "../elements";
-import { degrees } from "../inputs/shown";
-import { type Lab, ownBeside } from "../lab";
-import { ofHand } from "./held";
-import { ofMotion } from "./moving";
+import { formatDegrees } from "../format/numbers";
+import { type Lab, bodyAngleAlongContact } from "../lab";
+import { contentInHand } from "./in_hand";
+import { contentInMotion } from "./in_motion";
 import { passageFrom } from "./passage";
 
 /** s without a change after which the words are read out; not while it moves. */
 const SETTLED = 0.8;
 
 /** Tiles whose numbers change with every picture. */
-const TICKING = ["turned", "itself"] as const;
+const LIVE = ["turned", "itself"] as const;
 
 export function mountVerdict(lab: Lab, place: HTMLElement): void {
-  const start = computed(() => lab.turning.value?.start);
+  const start = computed(() => lab.turnProgress.value?.start);
   const passage = computed(() => {
     const motion = lab.motion.value;
     return motion && start.value !== undefined ? passageFrom(motion, start.value) : undefined;
   });
 
-  const told = computed(() => {
-    const seen = lab.foreseen.value;
-    return seen ? ofHand(seen, lab.setup.value) : ofMotion(lab, passage.value);
+  const content = computed(() => {
+    const seen = lab.preview.value;
+    return seen ? contentInHand(seen, lab.setup.value) : contentInMotion(lab, passage.value);
   });
-  const words = computed(() => `${told.value.said} ${told.value.ended}`.trim());
+  const words = computed(() => `${content.value.said} ${content.value.ended}`.trim());
 
   const tiles = { turned: tile(), itself: tile(), theory: tile(), lowest: tile(), then: tile() };
   const said = element("p", { class: "said" });
   const ended = element("p", { class: "ended" });
-  const heard = element("p", { class: "unseen", role: "status" });
+  const announcement = element("p", { class: "unseen", role: "status" });
   const numbers = element("dl");
   for (const [kind, { all }] of entries(tiles)) {
     all.className = kind;
     numbers.append(all);
   }
-  place.append(numbers, element("div", { class: "words" }, said, ended), heard);
+  place.append(numbers, element("div", { class: "words" }, said, ended), announcement);
 
   // These tick, so they are not read out; the whole of them, in words, is.
-  for (const kind of TICKING) tiles[kind].number.setAttribute("aria-hidden", "true");
+  for (const kind of LIVE) tiles[kind].number.setAttribute("aria-hidden", "true");
   effect(() => {
-    const turning = lab.turning.value;
-    const ticking = {
-      turned: turning ? degrees(Math.abs(turning.angle), 1) : "–",
-      itself: turning ? degrees(ownBeside(turning), 1) : "–",
+    const turning = lab.turnProgress.value;
+    const live = {
+      turned: turning ? formatDegrees(Math.abs(turning.angle), 1) : "–",
+      itself: turning ? formatDegrees(bodyAngleAlongContact(turning), 1) : "–",
     };
-    for (const kind of TICKING)
-      tiles[kind].number.textContent = lab.foreseen.value ? told.value[kind].number : ticking[kind];
+    for (const kind of LIVE)
+      tiles[kind].number.textContent = lab.preview.value ? content.value[kind].number : live[kind];
   });
   effect(() => {
-    numbers.hidden = lab.motion.value === undefined && !lab.foreseen.value;
+    numbers.hidden = lab.motion.value === undefined && !lab.preview.value;
     // What is not yet so looks otherwise than what is.
-    place.classList.toggle("foreseen", lab.foreseen.value !== undefined);
+    place.classList.toggle("preview", lab.preview.value !== undefined);
     for (const [kind, { name, number, note }] of entries(tiles)) {
-      const now = told.value[kind];
+      const now = content.value[kind];
       name.textContent = now.name;
-      if (!(TICKING as readonly string[]).includes(kind)) number.textContent = now.number;
+      if (!(LIVE as readonly string[]).includes(kind)) number.textContent = now.number;
       note.textContent = now.note;
     }
-    said.textContent = told.value.said;
-    ended.textContent = told.value.ended;
-    ended.classList.toggle("amiss", told.value.amiss);
+    said.textContent = content.value.said;
+    ended.textContent = content.value.ended;
+    ended.classList.toggle("abnormal", content.value.abnormal);
   });
   effect(() => {
     const text = words.value;
     if (lab.clock.playing.value) return undefined;
-    const settled = setTimeout(() => hear(heard, text), 1000 * SETTLED);
+    const settled = setTimeout(() => announce(announcement, text), 1000 * SETTLED);
     return () => clearTimeout(settled);
   });
 }
@@ -74,7 +74,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
 const entries = <K extends string, V>(of: Record<K, V>) => Object.entries(of) as [K, V][];
 
 /** The same words again are not read out again. */
-function hear(place: HTMLElement, text: string): void {
+function announce(place: HTMLElement, text: string): void {
   if (place.textContent !== text) place.textContent = text;
 }
 

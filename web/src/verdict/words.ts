@@ -3,7 +3,8 @@
 import type { Outcome } from "../lab";
 import type { Theory } from "../core/core";
 import type { Motion } from "../core/motion";
-import { degrees, shown, shownTime } from "../inputs/shown";
+import { formatDegrees, formatNumber } from "../format/numbers";
+import { formatDuration } from "../format/times";
 import { BODY_NOUNS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "./passage";
@@ -16,9 +17,9 @@ export function story(
   setup: Readonly<Setup>,
 ): string {
   if (!passage) return "";
-  const { angle, own, swiftness, rim } = passage;
-  const round = `the contact point runs round by ${degrees(Math.abs(angle), 1)}`;
-  const swift = `, most of it in ${shownTime(swiftness)}`;
+  const { angle, own, fastTime, rim } = passage;
+  const round = `the contact point runs round by ${formatDegrees(Math.abs(angle), 1)}`;
+  const swift = `, most of it in ${formatDuration(fastTime)}`;
   const itself = `the ${BODY_NOUNS[setup.body]} itself turns ${ownWay(own, angle)}`;
   const law = setup.law === "coulomb" ? ` ${RIM[rim]}` : "";
   return `${counted(passage, motion)} ${round}${swift}; ${itself}.${beside(angle)}${law}`;
@@ -26,16 +27,16 @@ export function story(
 
 /** How far the body itself turned, and which way beside the contact point. */
 function ownWay(own: number, angle: number): string {
-  const size = degrees(Math.abs(own), 1);
-  if (size === degrees(0, 1)) return size;
+  const size = formatDegrees(Math.abs(own), 1);
+  if (size === formatDegrees(0, 1)) return size;
   return `${size} ${own > 0 === angle > 0 ? "the same way" : "the other way"}`;
 }
 
 /** Between which moments the angle is counted. */
 function counted({ start, end, whole }: Passage, motion: Motion | undefined): string {
-  const from = start === 0 ? "the release" : `the largest tilt at ${shownTime(start)}`;
+  const from = start === 0 ? "the release" : `the largest tilt at ${formatDuration(start)}`;
   const fell = motion?.status === "toppled" ? "its fall" : "the end";
-  return `From ${from}, down and up to ${whole ? "the next largest tilt" : fell} at ${shownTime(end)},`;
+  return `From ${from}, down and up to ${whole ? "the next largest tilt" : fell} at ${formatDuration(end)},`;
 }
 
 const RIM: Record<Passage["rim"], string> = {
@@ -49,16 +50,16 @@ export function beside(angle: number): string {
   const size = Math.abs(angle);
   const veer = size - Math.PI;
   if (size > 2 * Math.PI)
-    return ` That is ${degrees(size - 2 * Math.PI, 1)} more than once around.`;
+    return ` That is ${formatDegrees(size - 2 * Math.PI, 1)} more than once around.`;
   if (Math.abs(veer) > Math.PI / 2) return "";
   const left = veer > 0 === angle > 0;
-  return ` It veers ${degrees(Math.abs(veer), 1)} to the ${left ? "left" : "right"} of straight across.`;
+  return ` It veers ${formatDegrees(Math.abs(veer), 1)} to the ${left ? "left" : "right"} of straight across.`;
 }
 
 /** How far round in the whole of the turn that is shown; or why there is no telling. */
 export function inThisTurn(passage: Passage | undefined, motion: Motion | undefined): string {
   if (passage)
-    return `of ${degrees(Math.abs(passage.angle), 2)} ${passage.whole ? "in this turn" : until(motion)}`;
+    return `of ${formatDegrees(Math.abs(passage.angle), 2)} ${passage.whole ? "in this turn" : until(motion)}`;
   if (motion?.status === "face_down") return "it comes down flat";
   return motion?.turns.length ? "the next is not complete" : "it does not come down";
 }
@@ -97,12 +98,12 @@ function difference(theory: number, happens: number): string {
 /** How it ends, or why there is nothing. */
 export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
   if ("refused" in outcome) return `There is no motion to show: ${outcome.refused}.`;
-  const { motion, theory, begun } = outcome;
-  const after = shownTime(motion.end);
-  if (begun) return `What comes after ${after} is being computed.`;
+  const { motion, theory, partial } = outcome;
+  const after = formatDuration(motion.end);
+  if (partial) return `What comes after ${after} is being computed.`;
   switch (motion.status) {
     case "finished":
-      return `It still moves after ${shown(motion.end, 3)} s, when the computation ends.`;
+      return `It still moves after ${formatNumber(motion.end, 3)} s, when the computation ends.`;
     case "toppled":
       return came(motion)
         ? `It falls over after ${after}.`
@@ -114,9 +115,9 @@ export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
     case "at_rest":
       return `It comes to rest after ${after}: its base lies flat and its energy is spent.`;
     case "painleve":
-      return `Painlevé’s paradox, after ${after}: the sliding rim would be pressed down by its own friction, and the mechanics of rigid bodies has no one answer. For this body lying nearly flat that begins at a friction of ${shown(theory.painleveFriction, 3)}; set less to follow it.`;
+      return `Painlevé’s paradox, after ${after}: the sliding rim would be pressed down by its own friction, and the mechanics of rigid bodies has no one answer. For this body lying nearly flat that begins at a friction of ${formatNumber(theory.painleveFriction, 3)}; set less to follow it.`;
     default:
-      return motion.isStopped
+      return motion.ranOutOfSteps
         ? `The computation stops after ${after}, as it takes too many steps. Follow it for a shorter time.`
         : `The computation cannot go on after ${after}: ${motion.message}.`;
   }

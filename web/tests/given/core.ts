@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { Core } from "../../src/core/core";
 import type { Motion } from "../../src/core/motion";
-import { posed } from "../../src/setup/posed";
+import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 
 /** The core as the page loads it, here from its file. */
@@ -10,6 +10,6 @@ export const loadCore = async (): Promise<Core> =>
 
 /** The whole motion of the initial set-up with some changes. */
 export function motionOf(core: Core, changes: Partial<Setup> = {}): Motion {
-  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
-  return core.simulate(body, start, surface, options);
+  const { body, start, contactLaw, options } = simulationInput(core, { ...INITIAL, ...changes });
+  return core.simulate(body, start, contactLaw, options);
 }

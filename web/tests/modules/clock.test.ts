@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals-core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { Clock, UNHURRIED } from "../../src/clock";
+import { Clock, MAX_CONTACT_RATE } from "../../src/clock";
 import type { Core } from "../../src/core/core";
 import type { Motion } from "../../src/core/motion";
 import type { Setup } from "../../src/setup/setup";
@@ -23,7 +23,7 @@ describe("at the speed of life, unstretched", () => {
     clock.stretched.value = false;
     clock.advance(1);
     expect(clock.time.value).toBeCloseTo(1, 12);
-    expect(clock.slowness).toBeCloseTo(1, 9);
+    expect(clock.slowdown).toBeCloseTo(1, 9);
     expect(clock.progress).toBeCloseTo(1 / 3, 12);
   });
 
@@ -33,7 +33,7 @@ describe("at the speed of life, unstretched", () => {
     clock.speed.value = 1e-4;
     clock.advance(2);
     expect(clock.time.value).toBeCloseTo(2e-4, 15);
-    expect(clock.slowness).toBeCloseTo(1e4, 5);
+    expect(clock.slowdown).toBeCloseTo(1e4, 5);
   });
 });
 
@@ -75,8 +75,8 @@ describe("stretched", () => {
       yaw = now;
     }
     // Between the knots of the schedule the yaw bends a little.
-    expect(most).toBeLessThan(UNHURRIED * picture * 1.05);
-    expect(most).toBeGreaterThan(UNHURRIED * picture * 0.95);
+    expect(most).toBeLessThan(MAX_CONTACT_RATE * picture * 1.05);
+    expect(most).toBeGreaterThan(MAX_CONTACT_RATE * picture * 0.95);
   });
 
   test("in the middle of a collision it is slower by the yaw rate over the unhurried one", () => {
@@ -84,21 +84,21 @@ describe("stretched", () => {
     const clock = clockOf(motion);
     const turn = motion.turns[0]!;
     clock.time.value = turn.t;
-    const slowness = Math.abs(turn.yawRate) / UNHURRIED;
-    expect(clock.slowness / slowness).toBeGreaterThan(0.9);
-    expect(clock.slowness / slowness).toBeLessThan(1.01);
+    const slowdown = Math.abs(turn.yawRate) / MAX_CONTACT_RATE;
+    expect(clock.slowdown / slowdown).toBeGreaterThan(0.9);
+    expect(clock.slowdown / slowdown).toBeLessThan(1.01);
     // Half as fast is twice as slow.
-    const before = clock.slowness;
+    const before = clock.slowdown;
     clock.speed.value = 0.5;
-    expect(clock.slowness).toBeCloseTo(2 * before, 3);
+    expect(clock.slowdown).toBeCloseTo(2 * before, 3);
   });
 
   test("it is as in life at the release and at the end", () => {
     const motion = motionOf({ duration: 0.3528 });
     const clock = clockOf(motion);
-    expect(clock.slowness).toBeCloseTo(1, 9);
+    expect(clock.slowdown).toBeCloseTo(1, 9);
     clock.time.value = motion.end;
-    expect(clock.slowness).toBeCloseTo(1, 9);
+    expect(clock.slowdown).toBeCloseTo(1, 9);
   });
 
   test("it is a number that is not below life's even where impacts pile up", () => {
@@ -106,8 +106,8 @@ describe("stretched", () => {
     const clock = clockOf(motion);
     for (const event of motion.events) {
       clock.time.value = event.moment.t;
-      expect(clock.slowness).toBeGreaterThan(0.999999);
-      expect(clock.slowness).toBeLessThan(1e9);
+      expect(clock.slowdown).toBeGreaterThan(0.999999);
+      expect(clock.slowdown).toBeLessThan(1e9);
     }
   });
 });
@@ -157,11 +157,11 @@ describe("the ends", () => {
     const clock = new Clock(signal<Motion | undefined>(undefined));
     clock.advance(1);
     clock.progress = 0.5;
-    expect([clock.time.value, clock.end, clock.progress, clock.slowness]).toEqual([0, 0, 0, 1]);
+    expect([clock.time.value, clock.end, clock.progress, clock.slowdown]).toEqual([0, 0, 0, 1]);
   });
 });
 
-test("however many steps a motion has, its pace is even", () => {
+test("however many steps a motion has, its playback is even", () => {
   const motion = motionOf({ body: "coin" });
   const clock = clockOf(motion);
   const picture = 1 / 60;
@@ -171,9 +171,9 @@ test("however many steps a motion has, its pace is even", () => {
     clock.advance(picture);
     const now = motion.at([clock.time.value]).moment(0);
     const [turned, passed] = [Math.abs(now.yaw - before.yaw), now.t - before.t];
-    expect(turned).toBeLessThan(UNHURRIED * picture * 1.05);
+    expect(turned).toBeLessThan(MAX_CONTACT_RATE * picture * 1.05);
     // Where it is slow enough time goes by as in life, in a picture or in a part of one.
-    expect(turned + UNHURRIED * passed).toBeGreaterThan(UNHURRIED * picture * 0.95);
+    expect(turned + MAX_CONTACT_RATE * passed).toBeGreaterThan(MAX_CONTACT_RATE * picture * 0.95);
     before = now;
   }
 });

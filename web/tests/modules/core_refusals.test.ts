@@ -2,15 +2,15 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import { type Core, type LawName, type Preset, Refused, type Solid } from "../../src/core/core";
-import { type Posed, posed } from "../../src/setup/posed";
+import { type SimulationInput, simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 
 let core: Core;
-let usual: Posed;
+let usual: SimulationInput;
 beforeAll(async () => {
   core = await loadCore();
-  usual = posed(core, INITIAL);
+  usual = simulationInput(core, INITIAL);
 });
 
 function refusal(asked: () => unknown): string {
@@ -23,8 +23,8 @@ function refusal(asked: () => unknown): string {
   return "not refused";
 }
 
-const simulate = ({ body, start, surface, options }: Posed) =>
-  core.simulate(body, start, surface, options);
+const simulate = ({ body, start, contactLaw, options }: SimulationInput) =>
+  core.simulate(body, start, contactLaw, options);
 
 const PLATE: Solid = { shape: "disc", mass: 0.01, radius: 0.03, length: 0, base: 0 };
 
@@ -45,11 +45,11 @@ describe("names that the core does not know", () => {
 
   test.each(["simulate", "theory", "falls"] as const)("a law, for %s", (asked) => {
     const { body, start, options } = usual;
-    const surface = { law: "ice" as LawName };
+    const contactLaw = { law: "ice" as LawName };
     const ask = {
-      simulate: () => core.simulate(body, start, surface, options),
-      theory: () => core.theory(body, start, surface, options.gravity),
-      falls: () => core.falls(body, surface, options, [{ start, grip: 1 }]),
+      simulate: () => core.simulate(body, start, contactLaw, options),
+      theory: () => core.theory(body, start, contactLaw, options.gravity),
+      falls: () => core.falls(body, contactLaw, options, [{ start, grip: 1 }]),
     }[asked];
     expect(refusal(ask)).toMatch(/^unknown law .*: choose from no_slip, frictionless, coulomb/);
   });
@@ -79,7 +79,7 @@ describe("numbers that no motion can be computed from", () => {
     ],
     [
       "a table that pushes",
-      () => ({ ...usual, surface: { ...usual.surface, friction: -1 } }),
+      () => ({ ...usual, contactLaw: { ...usual.contactLaw, friction: -1 } }),
       /^friction must be/,
     ],
     ["no step", () => ({ ...usual, options: { ...usual.options, maxSteps: NaN } }), /^max_steps/],

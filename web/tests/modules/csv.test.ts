@@ -1,14 +1,14 @@
 import { expect, test } from "vitest";
 import { Moments, type Motion } from "../../src/core/motion";
-import { posed } from "../../src/setup/posed";
+import { simulationInput } from "../../src/setup/simulation_input";
 import { toCsv } from "../../src/setup/csv";
 import { INITIAL } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 
 test("a motion is a table of numbers with all their digits", async () => {
   const core = await loadCore();
-  const { body, start, surface, options } = posed(core, INITIAL);
-  const motion = core.simulate(body, start, surface, options);
+  const { body, start, contactLaw, options } = simulationInput(core, INITIAL);
+  const motion = core.simulate(body, start, contactLaw, options);
   const [head, ...rows] = toCsv(motion).trimEnd().split("\n");
   const moments = motion.samples(1);
 

@@ -2,12 +2,12 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core, Theory } from "../../src/core/core";
-import { flicked } from "../../src/falls/flicked";
-import { tallied } from "../../src/falls/tally";
+import { simulateFlicks } from "../../src/falls/flicks";
+import { tallyOf } from "../../src/falls/tally";
 import { FIELDS } from "../../src/setup/fields";
-import { posed } from "../../src/setup/posed";
+import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
-import { binsFor, counted, limitsOf } from "../../src/story/bins";
+import { binsFor, binned, limitsOf } from "../../src/story/bins";
 import { humps } from "../../src/story/humps";
 import { STEPS } from "../../src/story/steps";
 import { loadCore } from "../given/core";
@@ -18,14 +18,14 @@ beforeAll(async () => {
 });
 
 function theoryOf(setup: Setup): Theory {
-  const { body, start, surface, options } = posed(core, setup);
-  return core.theory(body, start, surface, options.gravity);
+  const { body, start, contactLaw, options } = simulationInput(core, setup);
+  return core.theory(body, start, contactLaw, options.gravity);
 }
 
 function shownFor(changed: Partial<Setup>) {
   const setup = { ...INITIAL, ...changed };
   const theory = theoryOf(setup);
-  const tally = tallied(flicked(core, setup));
+  const tally = tallyOf(simulateFlicks(core, setup));
   const turns = [...tally.left.turns, ...tally.right.turns];
   const bins = binsFor(theory, turns);
   return { theory, tally, turns, bins };
@@ -48,7 +48,7 @@ test.each(BODIES)("%s has its limits and nearly all of its falls on the axis", (
         expect(limit).toBeGreaterThan(bins.from);
         expect(limit).toBeLessThan(bins.to);
       }
-      const { below, bins: all, above } = counted(turns, bins);
+      const { below, bins: all, above } = binned(turns, bins);
       expect(all.length).toBe((bins.to - bins.from) / bins.width);
       expect(all.length).toBeLessThanOrEqual(60);
       expect(below + above).toBeLessThanOrEqual(0.1 * turns.length);
@@ -56,10 +56,10 @@ test.each(BODIES)("%s has its limits and nearly all of its falls on the axis", (
     }
 });
 
-test("what lies beyond the ends is counted there, and hides nothing else", () => {
+test("what lies beyond the ends is binned there, and hides nothing else", () => {
   const bins = binsFor(theoryOf(INITIAL), [...new Array<number>(40).fill(210), 3, 900]);
   expect(bins).toEqual({ from: 195, to: 230, width: 1 });
-  expect(counted([3, 194.999, 195, 229.999, 230, 900], bins)).toMatchObject({ below: 2, above: 2 });
+  expect(binned([3, 194.999, 195, 229.999, 230, 900], bins)).toMatchObject({ below: 2, above: 2 });
 });
 
 describe("the picture", () => {

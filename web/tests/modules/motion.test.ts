@@ -2,7 +2,7 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import { type Core, Refused } from "../../src/core/core";
-import { posed } from "../../src/setup/posed";
+import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { Chance } from "../given/chance";
 import { loadCore } from "../given/core";
@@ -14,8 +14,8 @@ beforeAll(async () => {
 });
 
 function simulate(changed: Partial<Setup>) {
-  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changed });
-  return core.simulate(body, start, surface, options);
+  const { body, start, contactLaw, options } = simulationInput(core, { ...INITIAL, ...changed });
+  return core.simulate(body, start, contactLaw, options);
 }
 
 test("time never runs back in it, and it can be looked up anywhere", () => {
@@ -86,7 +86,7 @@ test("what cannot be computed is refused in a sentence", () => {
 test("lines are drawn through no fewer moments than steps, and close together", () => {
   for (const changed of [{}, { body: "coin" }] as const) {
     const motion = simulate(changed);
-    const moments = motion.drawn();
+    const moments = motion.curve();
     const yaw = moments.column("yaw");
     expect(moments.length).toBeGreaterThanOrEqual(motion.samples(1).length);
     for (let k = 1; k < yaw.length; k++) {

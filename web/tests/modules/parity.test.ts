@@ -1,7 +1,7 @@
 // The code that the page gives computes in Python what the page computed, to the last bit.
 
 import { expect, test } from "vitest";
-import { posed } from "../../src/setup/posed";
+import { simulationInput } from "../../src/setup/simulation_input";
 import { toCsv } from "../../src/setup/csv";
 import { toPython } from "../../src/setup/python";
 import { INITIAL, type Setup } from "../../src/setup/setup";
@@ -28,8 +28,8 @@ test("in Python a set-up's code computes the same bits", async () => {
   while (setups.length < 80) setups.push(likelySetup(chance));
 
   const ours = setups.map((setup) => {
-    const what = posed(core, setup);
-    const motion = core.simulate(what.body, what.start, what.surface, what.options);
+    const what = simulationInput(core, setup);
+    const motion = core.simulate(what.body, what.start, what.contactLaw, what.options);
     const { status } = motion;
     const csv = toCsv(motion);
     motion.forget();

@@ -9,7 +9,8 @@ import { thinned } from "../../src/plots/thinned";
 import { powerText, powersOfTen, stretchText, tickTexts, timeLabel } from "../../src/plots/ticks";
 import { View } from "../../src/plots/view";
 import type { Setup } from "../../src/setup/setup";
-import { duration, significant } from "../../src/time/words";
+import { significant } from "../../src/format/numbers";
+import { formatDuration } from "../../src/format/times";
 import { loadCore, motionOf as motionFrom } from "../given/core";
 
 let core: Core;
@@ -71,7 +72,7 @@ describe("the moments of a curve", () => {
     const motion = motionOf();
     const { t } = motion.turns[0]!;
     const shown = { since: "collision", origin: t, from: -1e-6, to: 1e-6 } as const;
-    const moments = sampled(motion, motion.drawn(), shown, 300);
+    const moments = sampled(motion, motion.curve(), shown, 300);
     const times = moments.column("t");
     expect(times.length).toBeGreaterThanOrEqual(300);
     expect([times[0], times.at(-1)]).toEqual([t - 1e-6, t + 1e-6]);
@@ -82,7 +83,7 @@ describe("the moments of a curve", () => {
   test("of the whole motion are those of the solver", () => {
     const motion = motionOf();
     const shown = { since: "start", origin: 0, from: 0, to: motion.end } as const;
-    expect(sampled(motion, motion.drawn(), shown, 300)).toBe(motion.drawn());
+    expect(sampled(motion, motion.curve(), shown, 300)).toBe(motion.curve());
   });
 
   test("are counted below a bound", () => {
@@ -104,7 +105,7 @@ test("a thinned curve keeps its ends and every extreme, in order", () => {
 
 describe("in words", () => {
   test("times have the unit that suits them", () => {
-    expect([3, 0.0123, 95.2e-6, 4.2e-8, 0].map(duration)).toEqual([
+    expect([3, 0.0123, 95.2e-6, 4.2e-8, 0].map(formatDuration)).toEqual([
       "3.00\u00a0s",
       "12.3\u00a0ms",
       "95.2\u00a0µs",

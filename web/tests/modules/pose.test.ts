@@ -3,8 +3,10 @@
 import { Matrix4, Vector3 } from "three";
 import { beforeAll, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
+import { sizeOf } from "../../src/scene/bodies/shapes";
 import { footingOf, heldPose, placed, poseOf } from "../../src/scene/pose";
-import { posed } from "../../src/setup/posed";
+import { FIELDS } from "../../src/setup/fields";
+import { bodyOf, simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 
@@ -14,14 +16,14 @@ beforeAll(async () => {
 });
 
 function moved(changes: Partial<Setup>) {
-  const { body, start, surface, options } = posed(core, { ...INITIAL, ...changes });
-  const motion = core.simulate(body, start, surface, options);
+  const { body, start, contactLaw, options } = simulationInput(core, { ...INITIAL, ...changes });
+  const motion = core.simulate(body, start, contactLaw, options);
   return { body, motion, footing: footingOf(motion, body) };
 }
 
 const SETUPS: [string, Partial<Setup>][] = [
   ["a can that rolls", {}],
-  ["a can on ice, leaning elsewhere", { law: "frictionless", yaw: 70 }],
+  ["a can on ice, leanFields elsewhere", { law: "frictionless", yaw: 70 }],
   ["a can that slips", { friction: 0.1, yaw: -140 }],
   ["a coin set spinning", { body: "coin", tilt: 80, twist: 6 }],
 ];
@@ -54,3 +56,11 @@ test("what rolls is tipped about its rim at rest, what is on ice about its centr
   expect(moved({}).footing.slide).toBeLessThan(0.01);
   expect(moved({ law: "frictionless" }).footing.slide).toBeGreaterThan(0.99);
 });
+
+test.each(Object.keys(FIELDS.body.choices) as Setup["body"][])(
+  "the rim of %s is drawn with the radius that the mechanics computes with",
+  (body) => {
+    const setup = { ...INITIAL, body };
+    expect(sizeOf(setup).rim).toBeCloseTo(bodyOf(core, setup).radius, 12);
+  },
+);

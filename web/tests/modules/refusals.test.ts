@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { allowed } from "../../fields";
-import { written } from "../../src/inputs/shown";
+import { formatExact } from "../../src/format/numbers";
 import { FIELDS, FIELD_NAMES } from "../../src/setup/fields";
 import { read } from "../../src/setup/setup";
 import { Chance } from "../given/chance";
@@ -36,10 +36,10 @@ test("a number is read as it is written in its field, to the last digit", () => 
   const chance = new Chance(3);
   for (let k = 0; k < 500; k++) {
     const value = chance.between(-1, 1) * 10 ** Math.round(chance.between(-20, 2));
-    expect(read("tilt_rate", written(value))).toEqual({ value });
+    expect(read("tilt_rate", formatExact(value))).toEqual({ value });
   }
-  expect(written(9.80665001)).toBe("9.80665001");
-  expect(written(-1e-7)).toBe("−1e−7");
+  expect(formatExact(9.80665001)).toBe("9.80665001");
+  expect(formatExact(-1e-7)).toBe("−1e−7");
 });
 
 test.each([

@@ -1,8 +1,8 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core, State } from "../../src/core/core";
-import { flicked } from "../../src/falls/flicked";
-import { scattered } from "../../src/falls/scatter";
-import { bodyOf, startOf } from "../../src/setup/posed";
+import { simulateFlicks } from "../../src/falls/flicks";
+import { scatteredStarts } from "../../src/falls/scatter";
+import { bodyOf, startOf } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 
@@ -14,7 +14,7 @@ beforeAll(async () => {
 const flick: Setup = { ...INITIAL, tilt: 20, tilt_rate: -4, sideways: 0, flicks: 1000 };
 const starts = (changed: Partial<Setup> = {}): State[] => {
   const setup = { ...flick, ...changed };
-  return scattered(setup, bodyOf(core, setup));
+  return scatteredStarts(setup, bodyOf(core, setup));
 };
 
 const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
@@ -76,7 +76,7 @@ test("no flick begins upright or on the side", () => {
 
 describe("forty-two flicks that topple the can", () => {
   test("fall in two humps about the opposite side, none between them", () => {
-    const falls = flicked(core, { ...flick, flicks: 42, tilt_rate: -5.5, law: "no_slip" });
+    const falls = simulateFlicks(core, { ...flick, flicks: 42, tilt_rate: -5.5, law: "no_slip" });
     const fell = falls.filter(({ outcome }) => outcome === "toppled");
     expect(fell.length).toBeGreaterThan(30);
     const degrees = fell.map(({ direction }) => (direction * 180) / Math.PI - 180);
@@ -85,6 +85,6 @@ describe("forty-two flicks that topple the can", () => {
   });
 
   test("fall nowhere when the set-up is refused", () => {
-    expect(flicked(core, { ...flick, tilt: 1e-300, tilt_rate: 0 })).toEqual([]);
+    expect(simulateFlicks(core, { ...flick, tilt: 1e-300, tilt_rate: 0 })).toEqual([]);
   });
 });

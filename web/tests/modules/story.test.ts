@@ -1,13 +1,13 @@
 // The story: what its steps say, and that it shows what they say.
 
 import { beforeAll, describe, expect, test } from "vitest";
-import { SPEEDS } from "../../src/setup/pace";
+import { SPEEDS } from "../../src/setup/playback";
 import type { Core } from "../../src/core/core";
-import { flicked } from "../../src/falls/flicked";
-import { tallied } from "../../src/falls/tally";
+import { simulateFlicks } from "../../src/falls/flicks";
+import { tallyOf } from "../../src/falls/tally";
 import { FIELD_NAMES } from "../../src/setup/fields";
 import { INITIAL, read } from "../../src/setup/setup";
-import { show } from "../../src/story/show";
+import { showStep } from "../../src/story/show_step";
 import { STEPS, type Step } from "../../src/story/steps";
 import { passageFrom } from "../../src/verdict/passage";
 import { loadCore } from "../given/core";
@@ -31,24 +31,24 @@ describe.each(STEPS)("$title", ({ setup, speed, shows }) => {
   test("has something to show", () => {
     const lab = labWith(core, setup);
     expect(lab.motion.value?.status).toMatch(/^(finished|toppled)$/);
-    const falls = flicked(core, lab.setup.value);
-    if (shows === "flicks") expect(tallied(falls).others).toBeLessThan(5);
+    const falls = simulateFlicks(core, lab.setup.value);
+    if (shows === "flicks") expect(tallyOf(falls).others).toBeLessThan(5);
   });
 });
 
 test("it rolls round in less than a ten-thousandth of a second", () => {
   const lab = labWith(core, step("It is rolling").setup);
   const passage = passageFrom(lab.motion.value!, 0)!;
-  expect(passage.swiftness).toBeLessThan(1e-4);
+  expect(passage.fastTime).toBeLessThan(1e-4);
   expect(passage.angle).toBeGreaterThan(Math.PI);
 });
 
 test("the angle is close to 202° every time", () => {
   const { setup } = step("The angle is the same every time");
-  const falls = flicked(core, { ...INITIAL, ...setup });
+  const falls = simulateFlicks(core, { ...INITIAL, ...setup });
   const sizes = falls.map(({ turn }) => (Math.abs(turn) * 180) / Math.PI);
   for (const size of sizes) expect(Math.abs(size - 202.3)).toBeLessThan(1);
-  const { left, right, others } = tallied(falls);
+  const { left, right, others } = tallyOf(falls);
   expect(others).toBe(0);
   for (const side of [left, right]) {
     expect(side.count).toBeGreaterThan(10);
@@ -60,7 +60,7 @@ describe("a step that is shown", () => {
   test("stops where the body has come up for the first time, and says so", () => {
     const lab = labWith(core);
     const first = STEPS[0] as Step;
-    show(lab, first, true);
+    showStep(lab, first, true);
     const [turn] = lab.motion.value!.turns;
     for (let k = 0; k < 100_000 && lab.clock.playing.value; k++) lab.clock.advance(1 / 60);
     expect(lab.clock.playing.value).toBe(false);
@@ -68,7 +68,7 @@ describe("a step that is shown", () => {
     const DEGREES = 180 / Math.PI;
     expect(lab.moment.value!.tilt * DEGREES).toBeGreaterThan(19);
     // What stands beside it is of that fall, as is the text.
-    const angle = lab.turning.value!.angle * DEGREES;
+    const angle = lab.turnProgress.value!.angle * DEGREES;
     expect(angle).toBeCloseTo(turn!.angle * DEGREES, 9);
     expect(first.text).toContain(`${(angle - 180).toFixed(0)}° to the side`);
     // Whoever presses play sees the rest.
@@ -79,25 +79,25 @@ describe("a step that is shown", () => {
 
   test("plays from the release, also when it is set up already", () => {
     const lab = labWith(core);
-    show(lab, STEPS[0] as Step, true);
+    showStep(lab, STEPS[0] as Step, true);
     lab.clock.time.value = 1;
-    show(lab, STEPS[0] as Step, true);
+    showStep(lab, STEPS[0] as Step, true);
     expect([lab.clock.time.value, lab.clock.playing.value]).toEqual([0, true]);
   });
 
   test("rests at the end of its turn for who wants no motion", () => {
     const lab = labWith(core, {}, true);
-    show(lab, STEPS[1] as Step, true);
-    show(lab, STEPS[0] as Step, false);
+    showStep(lab, STEPS[1] as Step, true);
+    showStep(lab, STEPS[0] as Step, false);
     expect(lab.clock.playing.value).toBe(false);
-    expect(((lab.turning.value?.angle ?? 0) * 180) / Math.PI).toBeCloseTo(202.4, 1);
+    expect(((lab.turnProgress.value?.angle ?? 0) * 180) / Math.PI).toBeCloseTo(202.4, 1);
   });
 
   test("takes away the flicks of another", () => {
     const lab = labWith(core, {}, true);
-    show(lab, STEPS[3] as Step, false);
-    expect(lab.flicksMade.value).toBe(42);
-    show(lab, STEPS[2] as Step, false);
-    expect(lab.flicksMade.value).toBe(undefined);
+    showStep(lab, STEPS[3] as Step, false);
+    expect(lab.flicksShown.value).toBe(42);
+    showStep(lab, STEPS[2] as Step, false);
+    expect(lab.flicksShown.value).toBe(undefined);
   });
 });

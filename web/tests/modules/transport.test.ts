@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals-core";
 import { expect, test, vi } from "vitest";
-import type { Held } from "../../src/setup/released";
+import type { Held } from "../../src/setup/release";
 import { apart } from "../../src/transport/marks";
 import { unlessHeld } from "../../src/transport/transport";
 

@@ -1,17 +1,21 @@
 import { describe, expect, test } from "vitest";
-import { INITIAL_PACE, SPEEDS } from "../../src/setup/pace";
+import { INITIAL_PLAYBACK, SPEEDS } from "../../src/setup/playback";
 import { INITIAL } from "../../src/setup/setup";
 import { fromHash, holdsSetup, toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";
 import { anySetup } from "../given/setups";
 
-const NOTHING = { setup: INITIAL, pace: INITIAL_PACE, refusals: [] };
+const NOTHING = { setup: INITIAL, playback: INITIAL_PLAYBACK, refusals: [] };
 
 test("a link restores every set-up, to the last digit", () => {
   const chance = new Chance(1);
   for (let k = 0; k < 500; k++) {
     const setup = anySetup(chance);
-    expect(fromHash(`#${toHash(setup)}`)).toEqual({ setup, pace: INITIAL_PACE, refusals: [] });
+    expect(fromHash(`#${toHash(setup)}`)).toEqual({
+      setup,
+      playback: INITIAL_PLAYBACK,
+      refusals: [],
+    });
   }
 });
 
@@ -54,8 +58,8 @@ test.each(["", "#", "#tilt=12", "#slow=0"])("“%s” is about the set-up", (has
 describe("the pace", () => {
   test.each(SPEEDS)("%d is in the link, but that of life", (speed) => {
     for (const stretched of [true, false]) {
-      const pace = { speed, stretched };
-      expect(fromHash(toHash(INITIAL, pace))).toEqual({ ...NOTHING, pace });
+      const playback = { speed, stretched };
+      expect(fromHash(toHash(INITIAL, playback))).toEqual({ ...NOTHING, playback });
     }
   });
 
@@ -65,8 +69,8 @@ describe("the pace", () => {
   });
 
   test("is refused in words", () => {
-    const { pace, refusals } = fromHash("#speed=0&slow=maybe");
-    expect(pace).toEqual(INITIAL_PACE);
+    const { playback, refusals } = fromHash("#speed=0&slow=maybe");
+    expect(playback).toEqual(INITIAL_PLAYBACK);
     expect(refusals.map(({ message }) => message)).toEqual([
       "Speed: there is no “0”; choose real time, 1/2, 1/5, 1/10, 1/50, 1/100, 1/1000 or 1/10000.",
       "Slow at the collision: there is no “maybe”; choose on or off.",

@@ -4,14 +4,14 @@ import { Matrix4, Quaternion, Vector3 } from "three";
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import type { Moment } from "../../src/core/motion";
-import { shownTime } from "../../src/inputs/shown";
-import { ownBeside } from "../../src/lab";
+import { formatDuration } from "../../src/format/times";
+import { bodyAngleAlongContact } from "../../src/lab";
 import { Hands } from "../../src/scene/hands";
 import { placed as place } from "../../src/scene/pose";
-import { posed } from "../../src/setup/posed";
+import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
-import { ofHand } from "../../src/verdict/held";
-import { ofMotion } from "../../src/verdict/moving";
+import { contentInHand } from "../../src/verdict/in_hand";
+import { contentInMotion } from "../../src/verdict/in_motion";
 import { passageFrom } from "../../src/verdict/passage";
 import { comparison, ending, story } from "../../src/verdict/words";
 import { Chance } from "../given/chance";
@@ -92,7 +92,7 @@ describe("the body itself", () => {
       if (!motion || motion.end === 0) continue;
       for (const part of [0.2, 0.55, 0.9]) {
         lab.clock.time.value = part * motion.end;
-        const { own, start } = lab.turning.value!;
+        const { own, start } = lab.turnProgress.value!;
         const turned = markOf(lab.moment.value!) - markOf(motion.at([start]).moment(0));
         expect(Math.cos(own - turned)).toBeCloseTo(1, 9);
       }
@@ -115,11 +115,11 @@ describe("the body itself", () => {
 
   test("is counted positive the way that the contact point runs", () => {
     const lab = labWith(core, { twist: -0.5, sideways: -0.01 });
-    const turning = lab.turning.value!;
+    const turning = lab.turnProgress.value!;
     expect(turning.whole!.angle).toBeLessThan(0);
     lab.clock.time.value = turning.whole!.end;
-    expect(lab.turning.value!.own).toBeLessThan(0);
-    expect(ownBeside(lab.turning.value!)).toBe(-lab.turning.value!.own);
+    expect(lab.turnProgress.value!.own).toBeLessThan(0);
+    expect(bodyAngleAlongContact(lab.turnProgress.value!)).toBe(-lab.turnProgress.value!.own);
   });
 });
 
@@ -127,7 +127,7 @@ test("it says from where to where the angle is counted", () => {
   const { motion } = saidOf({});
   const [first, second] = motion.turns;
   expect(saidOf({}).story).toMatch(
-    `From the release, down and up to the next largest tilt at ${shownTime(first!.end)}, the contact`,
+    `From the release, down and up to the next largest tilt at ${formatDuration(first!.end)}, the contact`,
   );
   const later = story(passageFrom(motion, second!.start), motion, INITIAL);
   expect(later).toMatch(/^From the largest tilt at \S+\sm?s, down and up to the next largest tilt/);
@@ -141,7 +141,7 @@ describe("in the hand", () => {
   function foretold(held: { tilt: number; yaw: number }, changed: Partial<Setup> = {}) {
     const lab = labWith(core, changed);
     lab.held.value = { tilt: held.tilt * DEGREE, yaw: held.yaw * DEGREE };
-    const { said, turned } = ofHand(lab.foreseen.value!, lab.setup.value);
+    const { said, turned } = contentInHand(lab.preview.value!, lab.setup.value);
     return { lab, said, turned };
   }
 
@@ -153,11 +153,11 @@ describe("in the hand", () => {
     expect(turned.number).toBe(`${Math.abs(angle).toFixed(1)}°`);
     expect(said).toMatch(/^In your hand it leans by 12\.3° toward 40°/);
     expect(said).toContain(`its contact point would run round by ${turned.number}`);
-    expect(lab.foreseen.value).toBe(undefined);
+    expect(lab.preview.value).toBe(undefined);
   });
 
   test.each([
-    ["leaning past its balance", 60, {}, /would fall over the way it leans, after/],
+    ["leanFields past its balance", 60, {}, /would fall over the way it leans, after/],
     ["without any sideways motion", 20, { sideways: 0 }, /would come down flat, after/],
     ["followed for too short a time", 20, { duration: 0.1 }, /not have come down and up again/],
   ] as const)("%s", (_how, tilt, changed, words) => {
@@ -188,12 +188,12 @@ describe("how small and how fast it is", () => {
   ] as const)("%s", (_what, changed, gap, speed) => {
     const lab = labWith(core, changed);
     const passage = passageFrom(lab.motion.value!, 0);
-    const { lowest, then } = ofMotion(lab, passage);
+    const { lowest, then } = contentInMotion(lab, passage);
     expect(lowest.note).toBe(gap);
     expect(then.note).toMatch(speed);
     if (!passage) return;
     // Against what the mechanics has at that moment: how far the highest point of the rim is up.
-    const { radius } = posed(core, lab.setup.value).body;
+    const { radius } = simulationInput(core, lab.setup.value).body;
     const moment = lab.motion.value!.at([lab.motion.value!.turns[0]!.t]).moment(0);
     const up = 2 * radius * Math.sin(moment.tilt) * 1e6;
     expect(Number.parseFloat(gap.replace("a gap of ", ""))).toBeCloseTo(

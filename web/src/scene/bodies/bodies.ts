@@ -46,7 +46,7 @@ const material = (parameters: MeshStandardMaterialParameters) =>
   new MeshStandardMaterial(parameters);
 const steel = () => material({ color: "#c9ced3", metalness: 1, roughness: 0.28 });
 const aluminium = () => material({ color: "#d9dde0", metalness: 1, roughness: 0.36 });
-const turned = (outline: Outline, look: Material) => new Mesh(revolved(outline), look);
+const lathe = (outline: Outline, look: Material) => new Mesh(revolved(outline), look);
 
 /** A picture seen from above (or below), z up. */
 function face(radius: number, z: number, look: Material, below = false): Mesh {
@@ -90,10 +90,10 @@ function tin(radius: number, length: number): Group {
       [wall, z(seam)],
     ];
   };
-  const body = turned([...end(-1), ...end(1).reverse()], steel());
+  const body = lathe([...end(-1), ...end(1).reverse()], steel());
   const paper = material({ map: tinLabel(), roughness: 0.62 });
   const margin = seam + 0.0035;
-  const label = turned(
+  const label = lathe(
     [
       [wall + 0.0003, margin],
       [wall + 0.0003, length - margin],
@@ -131,7 +131,7 @@ function sodaCan(): Group {
     [0, 0.1092],
   ];
   const print = material({ map: sodaPrint(), metalness: 0.55, roughness: 0.34 });
-  const wallOnly = turned(
+  const wallOnly = lathe(
     [
       [wall, 0.0135],
       [wall, shoulder],
@@ -143,7 +143,7 @@ function sodaCan(): Group {
   tab.position.set(0.004, 0, 0.1103);
   const mouth = face(0.0068, 0.1094, material({ color: "#8f979c", metalness: 1, roughness: 0.5 }));
   mouth.position.x = 0.0135;
-  return new Group().add(turned(base, aluminium()), turned(top, aluminium()), wallOnly, tab, mouth);
+  return new Group().add(lathe(base, aluminium()), lathe(top, aluminium()), wallOnly, tab, mouth);
 }
 
 function bottle(setup: Readonly<Setup>): Group {
@@ -179,7 +179,7 @@ function bottle(setup: Readonly<Setup>): Group {
     [0.0126, 0.2268],
     [0, 0.2268],
   ];
-  const cap = turned(
+  const cap = lathe(
     [
       [0.0133, 0.2225],
       [0.0162, 0.2222],
@@ -190,17 +190,17 @@ function bottle(setup: Readonly<Setup>): Group {
     ],
     material({ color: "#d6a431", metalness: 0.9, roughness: 0.35 }),
   );
-  const label = turned(
+  const label = lathe(
     [
       [wall + 0.0002, 0.03],
       [wall + 0.0002, 0.103],
     ],
     material({ map: beerLabel(), roughness: 0.6 }),
   );
-  const body = new Group().add(turned(outline, glass), cap, label);
+  const body = new Group().add(lathe(outline, glass), cap, label);
   const level = 0.006 + 0.124 * (setup.fill / 100);
   if (setup.fill > 0) {
-    const drink = turned(
+    const drink = lathe(
       [
         [0, 0.006],
         [wall - 0.0024, 0.006],
@@ -217,7 +217,7 @@ function bottle(setup: Readonly<Setup>): Group {
 function coin(): Group {
   const [radius, thick] = [0.5 * 23.25e-3, 2.33e-3];
   const gold = material({ color: "#d9b45a", metalness: 0.9, roughness: 0.32 });
-  const edge = turned(
+  const edge = lathe(
     [
       [radius - 1.3e-3, 0.2e-3],
       [radius - 1.1e-3, 0],
@@ -243,7 +243,7 @@ function ring(): Group {
   const inner = HOLLOW * outer;
   const look = material({ map: ringPrint(), metalness: 0.7, roughness: 0.35 });
   return new Group().add(
-    turned(
+    lathe(
       [
         [inner, height],
         [inner, 0],
@@ -259,7 +259,7 @@ function ring(): Group {
 function battery(): Group {
   const [radius, length] = [7.25e-3, 50.5e-3];
   const top = length - 1.2e-3;
-  const body = turned(
+  const body = lathe(
     [
       [0, 0.15e-3],
       [radius - 1.2e-3, 0.15e-3],
@@ -270,7 +270,7 @@ function battery(): Group {
     ],
     steel(),
   );
-  const print = turned(
+  const print = lathe(
     [
       [radius, 1.2e-3],
       [radius, top - 0.8e-3],
@@ -278,7 +278,7 @@ function battery(): Group {
     ],
     material({ map: batteryPrint(), metalness: 0.25, roughness: 0.42 }),
   );
-  const pole = turned(
+  const pole = lathe(
     [
       [radius - 0.6e-3, top],
       [radius - 1.2e-3, top - 0.3e-3],
@@ -294,7 +294,7 @@ function battery(): Group {
 
 function eulersDisk(): Group {
   const [radius, thick, bevel] = [0.0375, 12.7e-3, 1.6e-3];
-  const body = turned(
+  const body = lathe(
     [
       [0, 0],
       [radius - 0.3e-3, 0],

@@ -1,7 +1,7 @@
 // How wide and high each body is, as it is drawn: what people have at hand, to their nominal sizes.
 
 import type { Setup } from "../../setup/setup";
-import { RING_RADIUS } from "../../setup/posed";
+import { RING_RADIUS } from "../../setup/simulation_input";
 
 /** m */
 export interface Size {

@@ -3,7 +3,7 @@
 import { type ReadonlySignal, effect, signal } from "@preact/signals-core";
 
 /** Does something before the next picture is painted whenever signals have changed. */
-export function oncePerPicture(read: () => unknown, act: () => void): void {
+export function oncePerFrame(read: () => unknown, act: () => void): void {
   let waiting = false;
   effect(() => {
     read();
@@ -20,7 +20,7 @@ export function oncePerPicture(read: () => unknown, act: () => void): void {
 const QUIET = 400;
 
 /** Does something when signals have not changed for a while. */
-export function onceQuiet(read: () => unknown, act: () => void): void {
+export function onceIdle(read: () => unknown, act: () => void): void {
   let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     read();

@@ -7,7 +7,7 @@ export interface Tile {
   note: string;
 }
 
-export interface Told {
+export interface Content {
   /** How far round the contact point ran. */
   turned: Tile;
   /** How far the body itself turned about its axis. */
@@ -19,5 +19,5 @@ export interface Told {
   said: string;
   ended: string;
   /** Whether the end is none that one would wait for. */
-  amiss: boolean;
+  abnormal: boolean;
 }

@@ -1,6 +1,6 @@
 // From the visitor's units to the core's: what is to be computed.
 
-import type { Body, Core, Options, Solid, State, Surface } from "../core/core";
+import type { Body, Core, Options, Solid, State, ContactLaw } from "../core/core";
 import type { Setup } from "./setup";
 
 export const RING_RADIUS = 0.05;
@@ -8,19 +8,19 @@ export const RING_RADIUS = 0.05;
 const RADIANS = Math.PI / 180;
 
 /** Everything that a motion is computed from, SI units and radians. */
-export interface Posed {
+export interface SimulationInput {
   body: Body;
   start: State;
-  surface: Surface;
+  contactLaw: ContactLaw;
   options: Options;
 }
 
 /** Throws `Refused` for a body that cannot be. */
-export function posed(core: Core, setup: Readonly<Setup>): Posed {
+export function simulationInput(core: Core, setup: Readonly<Setup>): SimulationInput {
   return {
     body: bodyOf(core, setup),
     start: startOf(setup),
-    surface: surfaceOf(setup),
+    contactLaw: contactLawOf(setup),
     options: { duration: setup.duration, gravity: setup.gravity, rtol: 1e-10, maxSteps: 50_000 },
   };
 }
@@ -66,7 +66,7 @@ export function startOf(setup: Readonly<Setup>): State {
   };
 }
 
-export function surfaceOf(setup: Readonly<Setup>): Surface {
+export function contactLawOf(setup: Readonly<Setup>): ContactLaw {
   const resisted = setup.rolling > 0 ? { rollingDry: setup.rolling } : {};
   if (setup.law !== "coulomb") return { law: setup.law, ...resisted };
   const { friction, restitution } = setup;

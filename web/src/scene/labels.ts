@@ -1,4 +1,4 @@
-// Words at places of the scene: elements of the page laid over the picture, so that they are crisp.
+// Labels at places of the scene: elements of the page laid over the picture, so that they are crisp.
 
 import { type Camera, Vector3 } from "three";
 import type { Outline } from "./outline";
@@ -10,7 +10,7 @@ const BAND = 12;
 /** Farther from the middle than this, its edge being 1, a spot is far outside the picture. */
 const OUTSIDE = 1.4;
 
-interface Word {
+interface Label {
   element: HTMLElement;
   spot: Vector3;
   /** Where it goes on the screen, px from the left and the top; negative infinity when unseen. */
@@ -23,8 +23,8 @@ interface Word {
   stays: boolean;
 }
 
-export class Words {
-  private readonly words: Word[] = [];
+export class Labels {
+  private readonly words: Label[] = [];
   private readonly seen = new Vector3();
 
   /** The picture says in other ways too what these words say, so they are not read out. */
@@ -53,7 +53,7 @@ export class Words {
 
   /** Says a text at a spot of the stage; nothing for an empty one. */
   say(index: number, text: string, x: number, y: number, z = 0): void {
-    const word = this.words[index] as Word;
+    const word = this.words[index] as Label;
     word.spot.set(x, y, z);
     word.shown = text !== "";
     word.element.hidden = !word.shown;
@@ -90,8 +90,8 @@ export class Words {
     }
   }
 
-  /** Moves a word up or down, past the words before it. */
-  private makeRoom(word: Word): void {
+  /** Simulated a word up or down, past the words before it. */
+  private makeRoom(word: Label): void {
     for (const other of this.words) {
       if (other === word) return;
       if (!other.shown) continue;
@@ -105,8 +105,8 @@ export class Words {
   }
 }
 
-/** Moves a word aside that would lie on the body, the shorter way, as far as there is room. */
-function keepBeside(word: Word, body: Outline, width: number): void {
+/** Simulated a word aside that would lie on the body, the shorter way, as far as there is room. */
+function keepBeside(word: Label, body: Outline, width: number): void {
   const span = body.between(word.y - BAND, word.y + word.height + BAND);
   if (!span || word.x > span[1] + MARGIN || word.x + word.width < span[0] - MARGIN) return;
   const [left, right] = [span[0] - MARGIN - word.width, span[1] + MARGIN];

@@ -1,17 +1,17 @@
 // What is said of the flicks.
 
 import type { Lab } from "../lab";
-import { type Side, type Tally, tallied } from "./tally";
+import { type Side, type Tally, tallyOf } from "./tally";
 
 /** What is said of the flicks that are shown; while they are being made, only that they are. */
-export function told(lab: Lab): string {
-  const made = lab.flicksMade.value;
+export function flickSummary(lab: Lab): string {
+  const made = lab.flicksShown.value;
   if (made === undefined) return "";
-  if (lab.making.value) return "Flicking it …";
+  if (lab.flicking.value) return "Flicking it …";
   const shown = lab.flicks.value.slice(0, made);
   return shown.length === 0
     ? "This set-up cannot be flicked."
-    : inWords(tallied(shown), shown.length);
+    : inWords(tallyOf(shown), shown.length);
 }
 
 /** The tally of so many flicks in a sentence. */

@@ -1,24 +1,24 @@
 // What is said of a motion: the whole of the turn that is shown, in the present tense, as it is true
 // at any time in it.
 
-import { degrees, shownWide } from "../inputs/shown";
+import { formatDegrees, formatWide } from "../format/numbers";
 import { BODY_NOUNS } from "../setup/fields";
 import type { Lab } from "../lab";
 import type { Passage } from "./passage";
 import { gapOf, speedOf } from "./size";
-import type { Told } from "./told";
+import type { Content } from "./content";
 import { comparison, ending, inThisTurn, story } from "./words";
 
 /** Endings that want explaining. */
-const AMISS: readonly string[] = ["face_down", "painleve", "failed", "lifted_off"];
+const ABNORMAL: readonly string[] = ["face_down", "painleve", "failed", "lifted_off"];
 
 /** There is no motion. */
-const NONE = { motion: undefined, theory: undefined, begun: false };
+const NONE = { motion: undefined, theory: undefined, partial: false };
 
-export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
+export function contentInMotion(lab: Lab, passage: Passage | undefined): Content {
   const [setup, outcome] = [lab.setup.value, lab.outcome.value];
-  const { motion, theory, begun } = "motion" in outcome ? outcome : NONE;
-  const radius = "motion" in outcome ? outcome.posed.body.radius : undefined;
+  const { motion, theory, partial } = "motion" in outcome ? outcome : NONE;
+  const radius = "motion" in outcome ? outcome.input.body.radius : undefined;
   const rounds = passage && Math.abs(passage.yawRate) / (2 * Math.PI);
   return {
     // The numbers of these two tick; see verdict.ts.
@@ -30,22 +30,22 @@ export function ofMotion(lab: Lab, passage: Passage | undefined): Told {
     },
     theory: {
       name: "In theory",
-      number: degrees(theory?.here ?? NaN, 2),
+      number: formatDegrees(theory?.here ?? NaN, 2),
       note: comparison(passage && Math.abs(passage.angle), passage?.minTilt, theory, setup),
     },
     lowest: {
       name: "Smallest tilt",
-      number: passage ? `${shownWide((passage.minTilt * 180) / Math.PI, 2)}°` : "–",
+      number: passage ? `${formatWide((passage.minTilt * 180) / Math.PI, 2)}°` : "–",
       note: passage && radius ? `a gap of ${gapOf(passage, radius)}` : "",
     },
     then: {
       name: "Contact point then",
-      number: rounds === undefined ? "–" : shownWide(rounds, 3),
+      number: rounds === undefined ? "–" : formatWide(rounds, 3),
       note:
         passage && radius ? `rounds per second: ${speedOf(passage, radius)}` : "rounds per second",
     },
     said: story(passage, motion, setup),
     ended: ending(outcome, setup),
-    amiss: !begun && (motion === undefined || AMISS.includes(motion.status)),
+    abnormal: !partial && (motion === undefined || ABNORMAL.includes(motion.status)),
   };
 }

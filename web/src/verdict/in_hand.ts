@@ -1,21 +1,22 @@
 // What is said of a body in the hand: what would become of it, if the hand let go now.
 
 import type { Fall } from "../core/core";
-import type { Foreseen } from "../falls/foreseen";
-import { degrees, shownTime, shownWide, written } from "../inputs/shown";
+import type { Preview } from "../falls/preview";
+import { formatDegrees, formatExact, formatWide } from "../format/numbers";
+import { formatDuration } from "../format/times";
 import { BODY_NOUNS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
-import type { Told } from "./told";
+import type { Content } from "./content";
 import { beside, comparison } from "./words";
 
-export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>): Told {
+export function contentInHand({ lean, fall, theory }: Preview, setup: Readonly<Setup>): Content {
   const turn = fall && !Number.isNaN(fall.turn) ? Math.abs(fall.turn) : undefined;
-  const [tilt, way] = [`${written(lean.tilt)}°`, `${written(lean.yaw)}°`];
+  const [tilt, way] = [`${formatExact(lean.tilt)}°`, `${formatExact(lean.yaw)}°`];
   const became = fall ? becoming(fall) : "there would be no motion";
   return {
     turned: {
       name: "Angle of turn",
-      number: turn === undefined ? "–" : degrees(turn, 1),
+      number: turn === undefined ? "–" : formatDegrees(turn, 1),
       note: "if you let go now",
     },
     itself: {
@@ -25,25 +26,26 @@ export function ofHand({ lean, fall, theory }: Foreseen, setup: Readonly<Setup>)
     },
     theory: {
       name: "In theory",
-      number: degrees(theory?.here ?? NaN, 2),
+      number: formatDegrees(theory?.here ?? NaN, 2),
       note: comparison(undefined, fall?.minTilt, theory, { ...setup, twist: 0 }),
     },
     lowest: {
       name: "Smallest tilt",
-      number: turn === undefined ? "–" : `${shownWide(((fall?.minTilt ?? 0) * 180) / Math.PI, 2)}°`,
+      number:
+        turn === undefined ? "–" : `${formatWide(((fall?.minTilt ?? 0) * 180) / Math.PI, 2)}°`,
       note: "if you let go now",
     },
     then: { name: "In your hand", number: tilt, note: `leans toward ${way}` },
     said: `In your hand it leans by ${tilt} toward ${way}. Let go at rest now, ${became}.${fall && turn !== undefined ? beside(fall.turn) : ""}`,
     ended: "Let go while your hand moves, and you flick it.",
-    amiss: false,
+    abnormal: false,
   };
 }
 
 /** What would become of it, as the end of a sentence. */
 function becoming({ outcome, turn, time }: Readonly<Fall>): string {
-  const after = `after ${shownTime(time)}`;
-  const round = `its contact point would run round by ${degrees(Math.abs(turn), 1)}`;
+  const after = `after ${formatDuration(time)}`;
+  const round = `its contact point would run round by ${formatDegrees(Math.abs(turn), 1)}`;
   switch (outcome) {
     case "rocked":
       return `${round} on its way down and up to the next largest tilt, ${after}`;

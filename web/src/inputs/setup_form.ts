@@ -1,23 +1,23 @@
-// What a visitor sets, on its way to the lab: moves of a slider are gathered so that at most one
+// What a visitor sets, on its way to the lab: moves of a slider are pending so that at most one
 // motion is computed a picture, and what cannot be is refused at its field.
 
 import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import type { FieldName } from "../setup/fields";
-import { INITIAL_PACE } from "../setup/pace";
+import { INITIAL_PLAYBACK } from "../setup/playback";
 import { INITIAL, type Setup, read } from "../setup/setup";
 
-export class Hand {
-  private gathered: Partial<Record<FieldName, string | number>> = {};
-  private picture = 0;
+export class SetupForm {
+  private pending: Partial<Record<FieldName, string | number>> = {};
+  private frame = 0;
 
   constructor(readonly lab: Lab) {}
 
   /** Sets a value that is known to be good, with the next picture. */
   set(name: FieldName, value: string | number): void {
-    this.gathered[name] = value;
-    this.accept(name);
-    this.picture ||= requestAnimationFrame(() => this.give());
+    this.pending[name] = value;
+    this.clearRefusal(name);
+    this.frame ||= requestAnimationFrame(() => this.flush());
   }
 
   /** Sets what was typed, or says at the field why not. */
@@ -33,34 +33,34 @@ export class Hand {
 
   /** Everything as it was at the first visit. */
   reset(): void {
-    this.gathered = { ...INITIAL };
+    this.pending = { ...INITIAL };
     batch(() => {
       this.lab.refusals.value = [];
-      this.lab.clock.setPace(INITIAL_PACE);
-      this.give();
+      this.lab.clock.setPlayback(INITIAL_PLAYBACK);
+      this.flush();
     });
   }
 
   /** From the beginning, with all that has been set. */
   letGo(): void {
-    this.give();
+    this.flush();
     // Not while it is watched.
     this.lab.complete();
     this.lab.clock.rewind();
     this.lab.clock.play();
   }
 
-  private accept(name: FieldName): void {
+  private clearRefusal(name: FieldName): void {
     const { refusals } = this.lab;
     if (refusals.value.some(({ field }) => field === name))
       refusals.value = refusals.value.filter(({ field }) => field !== name);
   }
 
-  private give(): void {
-    cancelAnimationFrame(this.picture);
-    this.picture = 0;
-    const part = this.gathered as Partial<Setup>;
-    this.gathered = {};
+  private flush(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    const part = this.pending as Partial<Setup>;
+    this.pending = {};
     if (Object.keys(part).length === 0) return;
     const playing = this.lab.clock.playing.value;
     this.lab.change(part);

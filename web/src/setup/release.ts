@@ -25,10 +25,10 @@ export interface Lean {
 }
 
 /** The rate of a hand at rest. */
-export const STILL: Readonly<Lean> = { x: 0, y: 0 };
+export const ZERO_RATE: Readonly<Lean> = { x: 0, y: 0 };
 
 /** How a body that is held leans, in the units of the fields. */
-export function leaning(held: Held): Pick<Setup, "tilt" | "yaw"> {
+export function leanFields(held: Held): Pick<Setup, "tilt" | "yaw"> {
   return {
     tilt: rounded(held.tilt * DEGREES, 10),
     yaw: rounded(within(held.yaw * DEGREES), 10),
@@ -36,8 +36,8 @@ export function leaning(held: Held): Pick<Setup, "tilt" | "yaw"> {
 }
 
 /** What of the set-up is new when the hand lets go, moving at a rate (rad/s). */
-export function released(held: Held, rate: Lean, setup: Readonly<Setup>): Partial<Setup> {
-  const { tilt, yaw } = leaning(held);
+export function releasedSetup(held: Held, rate: Lean, setup: Readonly<Setup>): Partial<Setup> {
+  const { tilt, yaw } = leanFields(held);
   const human = Math.abs(setup.sideways) <= STEADY ? setup.sideways : FIELDS.sideways.initial;
   if (Math.hypot(rate.x, rate.y) < AT_REST)
     return { tilt, yaw, tilt_rate: 0, twist: 0, sideways: human };

@@ -2,22 +2,23 @@
 
 import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
-import { wantsStillness } from "../stillness";
+import { prefersReducedMotion } from "../reduced_motion";
 
 const A_FLICK = 140; // ms from one fall to the next, of forty-two
 
 /** Lets the falls happen one after the other; all at once for who wants no motion. */
-export function makeThem(lab: Lab): void {
+export function startFlicks(lab: Lab): void {
   making = undefined;
   batch(() => {
     show(lab, 0, true);
     // Of a set-up that is refused there is nothing to watch; once it is mended, they are there.
-    if (wantsStillness() || lab.flicks.value.length === 0) show(lab, lab.setup.value.flicks, false);
+    if (prefersReducedMotion() || lab.flicks.value.length === 0)
+      show(lab, lab.setup.value.flicks, false);
   });
-  if (!lab.making.value) return;
+  if (!lab.flicking.value) return;
   const begun = performance.now();
   const go = () => {
-    if (making !== go || !lab.making.value) return;
+    if (making !== go || !lab.flicking.value) return;
     // It may be changed on the way.
     const all = lab.setup.value.flicks;
     const quicker = Math.max(1, all / 42);
@@ -30,7 +31,7 @@ export function makeThem(lab: Lab): void {
 }
 
 /** Takes them away. */
-export function clearThem(lab: Lab): void {
+export function clearFlicks(lab: Lab): void {
   making = undefined;
   show(lab, undefined, false);
 }
@@ -40,7 +41,7 @@ let making: (() => void) | undefined;
 
 function show(lab: Lab, made: number | undefined, making: boolean): void {
   batch(() => {
-    lab.flicksMade.value = made;
-    lab.making.value = making;
+    lab.flicksShown.value = made;
+    lab.flicking.value = making;
   });
 }

@@ -7,13 +7,13 @@ const SLOW = 28;
 /** ms: longer than this nothing was to be drawn in between. */
 const REST = 400;
 
-export class Pace {
+export class FrameRate {
   private before = 0;
   private count = 0;
   private sum = 0;
 
   /** Takes note of a picture drawn at a time, ms; true each time that many in a row were slow. */
-  slow(now: number): boolean {
+  isSlow(now: number): boolean {
     const passed = now - this.before;
     this.before = now;
     if (passed > REST) {

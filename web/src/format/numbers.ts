@@ -1,0 +1,59 @@
+// Numbers as the page writes them: a real minus sign, few digits or all of them, units, powers of ten.
+
+/** A number with at most `digits` significant digits, without trailing zeros. */
+export function formatNumber(value: number, digits = 6): string {
+  if (Number.isNaN(value)) return "–";
+  return withMinus(String(Number(value.toPrecision(digits))));
+}
+
+/** A number with all its digits: reading the text gives the same number. */
+export const formatExact = (value: number): string => withMinus(String(value));
+
+/** A number with `digits` significant digits, trailing zeros included; in powers of ten only below 1e-5. */
+export function significant(exact: number, digits: number): string {
+  if (exact === 0) return "0";
+  const value = Number(exact.toPrecision(digits));
+  const size = Math.floor(Math.log10(Math.abs(value)));
+  if (size < -5) return withMinus(value.toExponential(digits - 1));
+  return withMinus(grouped(value.toFixed(Math.min(Math.max(digits - 1 - size, 0), 12))));
+}
+
+/** A number as `formatNumber` writes it, or as a power of ten if it is very large or very small. */
+export function formatWide(value: number, digits: number): string {
+  const size = Math.abs(value);
+  if (!Number.isFinite(value) || value === 0 || (size >= 1e-5 && size < 1e6)) {
+    const text = formatNumber(value, digits);
+    if (text.includes("e")) return value.toFixed(6);
+    return size >= 1e4 ? text.replace(/(\d)(?=(\d{3})+$)/g, "$1\u202f") : text;
+  }
+  const [mantissa = "", exponent = ""] = value.toExponential(digits - 1).split("e");
+  const raised = [...exponent.replace("+", "")]
+    .map((digit) => (digit === "-" ? "⁻" : SUPERSCRIPTS[Number(digit)]))
+    .join("");
+  return `${withMinus(mantissa)} × 10${raised}`;
+}
+
+export const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** An angle in rad, written in degrees with a number of decimals; zero has no sign. */
+export function formatDegrees(angle: number, decimals: number): string {
+  if (Number.isNaN(angle)) return "–";
+  const text = ((angle * 180) / Math.PI).toFixed(decimals);
+  return `${Number(text) === 0 ? text.replace("-", "") : withMinus(text)}°`;
+}
+
+/** A number with its unit, separated by a space unless the unit is a sign. */
+export function withUnit(value: string, unit: string): string {
+  return unit === "" || unit === "°" || unit === "%" ? value + unit : `${value} ${unit}`;
+}
+
+/** Replaces hyphens by minus signs, which are as wide as a plus. */
+export const withMinus = (text: string) => text.replaceAll("-", "−");
+
+/** Separates thousands by narrow no-break spaces, from 10 000 on. */
+function grouped(text: string): string {
+  const [whole = "", ...part] = text.split(".");
+  const spaced =
+    whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
+  return [spaced, ...part].join(".");
+}

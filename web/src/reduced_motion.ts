@@ -1,0 +1,4 @@
+// Whether a visitor asks for pictures that do not move.
+
+export const prefersReducedMotion = (): boolean =>
+  matchMedia("(prefers-reduced-motion: reduce)").matches;

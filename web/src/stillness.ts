@@ -1,3 +1,0 @@
-// Whether a visitor asks for pictures that do not move.
-
-export const wantsStillness = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
