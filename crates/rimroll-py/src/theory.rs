@@ -7,7 +7,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::law::DryFriction;
 use rimroll::turn::{Arrival, NearCollision};
-use rimroll::{FrictionLaw, pasted, small_angle, turn};
+use rimroll::{FrictionLaw, composite, small_angle, turn};
 
 /// (tipping_rate, slip, spin, friction_ratio)
 type ArrivalNumbers = (f64, f64, f64, f64);
@@ -242,7 +242,7 @@ impl CoreNearCollision {
 /// The pendulum pasted to the near-collision; times from the release, s.
 #[pyclass(frozen)]
 pub struct CorePasted {
-    pasted: pasted::Pasted,
+    composite: composite::Composite,
 }
 
 #[pymethods]
@@ -254,9 +254,10 @@ impl CorePasted {
         law_name: &str,
         gravity: f64,
     ) -> PyResult<Self> {
-        let pasted = pasted::pasted(&body.body()?, &start.into(), ideal_law(law_name)?, gravity);
+        let composite =
+            composite::composite(&body.body()?, &start.into(), ideal_law(law_name)?, gravity);
         Ok(CorePasted {
-            pasted: pasted.map_err(refusal)?,
+            composite: composite.map_err(refusal)?,
         })
     }
 
@@ -265,7 +266,7 @@ impl CorePasted {
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
     ) -> Bound<'py, PyArray1<f64>> {
-        map(py, t, |t| self.pasted.tilt(t))
+        map(py, t, |t| self.composite.tilt(t))
     }
 
     fn yaw<'py>(
@@ -273,16 +274,16 @@ impl CorePasted {
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
     ) -> Bound<'py, PyArray1<f64>> {
-        map(py, t, |t| self.pasted.yaw(t))
+        map(py, t, |t| self.composite.yaw(t))
     }
 
     /// (time, half_width, min_tilt, tipping_rate, stretch)
     #[getter]
     fn numbers(&self) -> (f64, f64, f64, f64, f64) {
-        let near = &self.pasted.near_collision;
+        let near = &self.composite.near_collision;
         (
-            self.pasted.time,
-            self.pasted.half_width,
+            self.composite.time,
+            self.composite.half_width,
             near.min_tilt,
             near.tipping_rate,
             near.stretch,

@@ -1,4 +1,4 @@
-//! What rolls: an axisymmetric rigid body on the circular rim of its base.
+//! The rolling body: an axisymmetric rigid body on the circular rim of its base.
 
 use crate::error::{InvalidInput, at_most_twice, moderate, not_negative, within};
 use crate::solids::Solid;
@@ -22,9 +22,8 @@ impl Body {
     /// perpendicular to the symmetry axis and C about that axis (kg m²).
     ///
     /// # Errors
-    /// Refuses numbers that are not finite, m, R, A, C ≤ 0, H < 0, numbers outside 1e-60 to 1e60 (SI; H may
-    /// be smaller),
-    /// and C > 2A, which no rigid body has: A = C/2 + ∫z² dm about the centre of mass.
+    /// Refuses numbers that are not finite; m, R, A or C outside 1e-60 to 1e60 (SI); H outside 0 to 1e60;
+    /// and C > 2A, which no rigid body has, because A = C/2 + ∫z² dm about the centre of mass.
     pub fn new(
         mass: f64,
         radius: f64,
@@ -49,11 +48,11 @@ impl Body {
         Ok(body)
     }
 
-    /// A body put together from coaxial solids, standing on a rim of the given radius (m).
+    /// A body composed of coaxial solids, standing on a rim of the given radius (m).
     ///
     /// # Errors
-    /// Refuses an empty list and whatever [`Body::new`] refuses; in particular solids whose common
-    /// centre of mass lies below the base (height < 0).
+    /// Refuses an empty list and whatever [`Solid::check`] and [`Body::new`] refuse, in particular solids
+    /// whose common centre of mass lies below the base (height < 0).
     pub fn from_solids(radius: f64, solids: &[Solid]) -> Result<Body, InvalidInput> {
         if solids.is_empty() {
             return Err(InvalidInput::NoSolids);
@@ -109,8 +108,8 @@ impl Body {
         self.base_inertia() + self.mass * self.radius * self.radius
     }
 
-    /// tan φ* = R/H: the tilt at which the centre of mass stands over the rim (unstable
-    /// equilibrium), rad; π/2 for a disk.
+    /// φ* with tan φ* = R/H, rad: the tilt at which the centre of mass is directly above the contact point
+    /// (an unstable equilibrium); π/2 for a disk.
     pub fn balance_tilt(&self) -> f64 {
         libm::atan2(self.radius, self.height)
     }

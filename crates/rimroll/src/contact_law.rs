@@ -1,4 +1,4 @@
-//! What the table is like: its friction, how bodies rebound from it, and what resists their rolling.
+//! The contact law that a user chooses: friction, restitution and resistance.
 
 use crate::error::{InvalidInput, bounded, not_negative, positive};
 use crate::law::{
@@ -6,26 +6,26 @@ use crate::law::{
     Tabulated,
 };
 
-/// Friction between rim and table, with its numbers.
+/// A friction law between rim and table, with its parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FrictionLaw {
     /// The rim never slips.
     NoSlip,
-    /// The table only pushes upward.
+    /// The table exerts only a normal force.
     Frictionless,
-    /// Dry friction: the rim sticks while |T| ≤ μ_s N, and slips under |T| = μN against the slip.
+    /// Dry friction: the rim sticks while |T| ≤ μ_s N; when it slips, |T| = μN, opposite to the slip.
     Coulomb {
         /// μ.
         friction: f64,
         /// μ_s ≥ μ.
         static_friction: f64,
     },
-    /// T = −c u.
+    /// Viscous friction: T = −c u.
     Viscous {
         /// c, N s/m.
         coefficient: f64,
     },
-    /// Dry friction made smooth, falling from static to kinetic (see [`Stribeck`](crate::law::Stribeck)).
+    /// Regularised dry friction that falls from static to kinetic (see [`Stribeck`](crate::law::Stribeck)).
     Stribeck {
         /// μ_k.
         friction: f64,
@@ -36,12 +36,12 @@ pub enum FrictionLaw {
         /// v₀, m/s.
         creep_speed: f64,
     },
-    /// Dry friction like Coulomb's, whose coefficient of slipping is a curve over the slip speed.
+    /// Dry friction whose kinetic coefficient is a function of the slip speed.
     Tabulated(Tabulated),
 }
 
 impl FrictionLaw {
-    /// The names that a user types, in the order in which they are listed.
+    /// The names that users type, in the order in which they are listed.
     pub const NAMES: [&str; 6] = [
         "no_slip",
         "frictionless",
@@ -51,7 +51,7 @@ impl FrictionLaw {
         "tabulated",
     ];
 
-    /// Dry friction with one coefficient for sticking and slipping.
+    /// Dry friction whose static and kinetic coefficients are equal.
     pub fn coulomb(friction: f64) -> Self {
         FrictionLaw::Coulomb {
             friction,
@@ -59,7 +59,7 @@ impl FrictionLaw {
         }
     }
 
-    /// The name that a user types.
+    /// The name that users type.
     pub fn name(&self) -> &'static str {
         match self {
             FrictionLaw::NoSlip => "no_slip",
@@ -71,7 +71,7 @@ impl FrictionLaw {
         }
     }
 
-    /// The ideal law that this is, if it is one.
+    /// The corresponding ideal law, if this is one.
     pub fn ideal(&self) -> Option<IdealLaw> {
         match self {
             FrictionLaw::NoSlip => Some(IdealLaw::NoSlip),
@@ -80,8 +80,7 @@ impl FrictionLaw {
         }
     }
 
-    /// μ_s of dry friction, by which the rim is held while it does not slip; `None` under laws that do not
-    /// hold it so.
+    /// μ_s of dry friction, which lets the rim stick; `None` under all other laws.
     pub(crate) fn static_friction(&self) -> Option<f64> {
         match self {
             FrictionLaw::Coulomb {
@@ -92,8 +91,8 @@ impl FrictionLaw {
         }
     }
 
-    /// The coefficient of friction in a landing with this slip (m/s): none where friction does not grow
-    /// with the normal force.
+    /// The coefficient of friction in an impact with this slip speed (m/s). It is 0 where friction does not
+    /// depend on the normal force, since the impulse of such a force vanishes in an instant.
     pub(crate) fn friction_in_impact(&self, slip_speed: f64) -> f64 {
         match self {
             FrictionLaw::Coulomb { friction, .. } | FrictionLaw::Stribeck { friction, .. } => {
@@ -158,16 +157,16 @@ impl From<&FrictionLaw> for FrictionLaw {
     }
 }
 
-/// All that a motion needs to know of the table.
+/// Everything about the table that a motion depends on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactLaw {
     /// Friction on the rim.
     pub friction: FrictionLaw,
-    /// e of a landing after flight: the part e² of the work done in compressing the contact comes back
-    /// (W. J. Stronge's energetic coefficient). The two ideal laws know no flight: their
-    /// motions end where the rim would lift off.
+    /// W. J. Stronge's energetic coefficient of restitution e of an impact after flight: the fraction e² of
+    /// the work of compression is returned. Motions under the two ideal laws have no flight; they end
+    /// where the rim would lift off.
     pub restitution: f64,
-    /// What wears the motion down besides.
+    /// Dissipation other than friction.
     pub resistance: Resistance,
 }
 
@@ -182,11 +181,11 @@ impl<F: Into<FrictionLaw>> From<F> for ContactLaw {
 }
 
 impl ContactLaw {
-    /// A surface from the name of its friction law and its numbers by name, as users write them:
-    /// `friction`, `static` (the same as `friction` unless given), `coefficient`, `stribeck_speed`,
-    /// `creep_speed`, `restitution`, `rolling_dry`, `rolling_viscous`, `pivoting_length`,
-    /// `air_coefficient`, `air_exponent`. What is not given is 0. Lists of numbers are `tables`:
-    /// `speeds` and `frictions`.
+    /// A contact law from the name of its friction law and its parameters by name, as users write them:
+    /// `friction`, `static` (default: `friction`), `coefficient`, `stribeck_speed`, `creep_speed`,
+    /// `restitution`, `rolling_dry`, `rolling_viscous`, `pivoting_length`, `air_coefficient`,
+    /// `air_exponent`. Other missing numbers are 0, except the air exponent, which has the default of
+    /// [`AirDrag`]. `tables` are lists of numbers: `speeds` and `frictions`.
     ///
     /// # Errors
     /// Refuses an unknown name and what [`ContactLaw::check`] and [`Tabulated::new`] refuse.
@@ -253,12 +252,12 @@ impl ContactLaw {
         Ok(contact_law)
     }
 
-    /// Checks every number.
+    /// Checks every parameter.
     ///
     /// # Errors
-    /// Names the first that is out of bounds: coefficients of friction from 0 to 1e6 and the static
-    /// one not below the other, restitution from 0 to 1, everything else not negative, exponents of
-    /// air drag from 1.5 to 8.
+    /// Names the first parameter that is out of bounds: coefficients of friction from 0 to 1e6, with the
+    /// static one not below the kinetic one; restitution from 0 to 1; the exponent of air drag from 1.5
+    /// to 8; all others not negative.
     pub fn check(&self) -> Result<(), InvalidInput> {
         self.friction.check()?;
         let unit = |e: f64| (0.0..=1.0).contains(&e);
@@ -283,7 +282,7 @@ impl ContactLaw {
         Ok(())
     }
 
-    /// The same surface with its friction a factor larger or smaller everywhere.
+    /// This contact law with all coefficients of friction multiplied by `factor`.
     #[must_use]
     pub fn with_grip(mut self, factor: f64) -> ContactLaw {
         match &mut self.friction {
@@ -306,7 +305,7 @@ impl ContactLaw {
         self
     }
 
-    /// Whether a motion on this table loses energy to a resistance.
+    /// Whether a motion loses energy to rolling resistance, pivoting friction or air drag.
     pub(crate) fn resists(&self) -> bool {
         !self.resistance.is_none()
     }

@@ -1,10 +1,10 @@
-//! What is refused, and how it is said: the field, the value, the bound and the unit.
+//! Invalid input and its messages, which name the field, the value, the bound and the unit.
 
 use thiserror::Error;
 
-/// An input that no motion can be computed from.
+/// An input from which no motion can be computed.
 ///
-/// `unit` is empty for a pure number. The texts are written for the person who typed the value.
+/// `unit` is empty for a pure number. The messages address the person who typed the value.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum InvalidInput {
     /// A number that is not finite.
@@ -41,21 +41,21 @@ pub enum InvalidInput {
         /// Its unit.
         unit: &'static str,
     },
-    /// A table with too few entries, or another number of them than the table beside it.
+    /// A table with too few entries, or with a different number of entries than its companion.
     #[error("{field} must have {bound}, got {count}")]
     WrongLength {
         /// The table's name in the API.
         field: &'static str,
-        /// How many it must have, in words.
+        /// The required number of entries, in words.
         bound: String,
-        /// How many were given.
+        /// The number of entries given.
         count: usize,
     },
-    /// Two numbers that no rigid body can have together.
+    /// Two moments of inertia that no rigid body can have together.
     #[error(
-        "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
-        shown(2.0 * transverse_inertia),
-        shown(*value)
+        "axial_inertia must be at max 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
+        formatted(2.0 * transverse_inertia),
+        formatted(*value)
     )]
     AxialInertiaTooLarge {
         /// C, kg m².
@@ -63,23 +63,23 @@ pub enum InvalidInput {
         /// A, kg m².
         transverse_inertia: f64,
     },
-    /// A name that stands for nothing.
+    /// An unknown name.
     #[error("unknown {what} {name:?}: choose from {choices}")]
     UnknownName {
-        /// What kind of thing was named.
+        /// The kind of thing that was named.
         what: &'static str,
         /// The name given.
         name: String,
-        /// The names there are.
+        /// The names to choose from.
         choices: String,
     },
-    /// A start whose motion has no near-collision to describe.
+    /// An initial state whose motion has no near-collision.
     #[error("this start has no near-collision: {why}")]
     NoNearCollision {
         /// Why not.
         why: String,
     },
-    /// A motion that is not smooth in what it was computed from.
+    /// A motion that is not a smooth function of its parameters.
     #[error("no derivative of this motion is offered: {why}")]
     NoSensitivity {
         /// Why not.
@@ -91,16 +91,16 @@ pub enum InvalidInput {
 }
 
 fn with_unit(value: f64, unit: &str) -> String {
-    let shown = shown(value);
+    let formatted = formatted(value);
     if unit.is_empty() {
-        shown
+        formatted
     } else {
-        format!("{shown} {unit}")
+        format!("{formatted} {unit}")
     }
 }
 
-/// A number as a person would type it: with an exponent when it is very small or large.
-pub(crate) fn shown(value: f64) -> String {
+/// A number as a person would type it: with an exponent if it is very small or very large.
+pub(crate) fn formatted(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-4..1e7).contains(&size) {
         format!("{value}")
@@ -118,7 +118,7 @@ pub(crate) fn finite(field: &'static str, value: f64) -> Result<f64, InvalidInpu
     }
 }
 
-/// Accepts a finite number for which `holds`; `bound` says in words what that asks.
+/// Accepts a finite number for which `holds` is true; `bound` states that condition in words.
 pub(crate) fn bounded(
     field: &'static str,
     value: f64,
@@ -138,7 +138,7 @@ pub(crate) fn bounded(
     }
 }
 
-/// Accepts an entry of a table for which `holds`; `bound` says in words what that asks.
+/// Accepts an entry of a table for which `holds` is true; `bound` states that condition in words.
 pub(crate) fn entry(
     field: &'static str,
     index: usize,
@@ -159,7 +159,7 @@ pub(crate) fn entry(
     })
 }
 
-/// Accepts moments of inertia with C ≤ 2A, but for the rounding of a flat body's, where C = 2A.
+/// Accepts moments of inertia with C ≤ 2A. Flat bodies have C = 2A, so a rounding error is allowed.
 pub(crate) fn at_most_twice(axial: f64, transverse: f64) -> Result<(), InvalidInput> {
     if axial > 2.0 * transverse * (1.0 + 4.0 * f64::EPSILON) {
         return Err(InvalidInput::AxialInertiaTooLarge {
@@ -170,18 +170,18 @@ pub(crate) fn at_most_twice(axial: f64, transverse: f64) -> Result<(), InvalidIn
     Ok(())
 }
 
-/// Accepts a finite number no farther from zero than `most`.
+/// Accepts a finite number of magnitude at max `max`.
 pub(crate) fn within(
     field: &'static str,
     value: f64,
-    most: f64,
+    max: f64,
     bound: &str,
     unit: &'static str,
 ) -> Result<f64, InvalidInput> {
-    bounded(field, value, |v| v.abs() <= most, bound, unit)
+    bounded(field, value, |v| v.abs() <= max, bound, unit)
 }
 
-/// Accepts a number above zero of a size that calculations do not overflow with.
+/// Accepts a positive number of a size with which calculations neither overflow nor underflow.
 pub(crate) fn moderate(
     field: &'static str,
     value: f64,

@@ -1,26 +1,26 @@
-//! What a motion is measured by: for each coordinate the size that an error is compared with, and the
-//! clock that dry friction is followed by. Steps of one motion and of sixteen in lanes are held to the same.
+//! Error scales (the sc_i of Hairer, Nørsett & Wanner), one for each coordinate, and the Sundman time
+//! transformation used in dry slip. Both steppers, for one motion and for sixteen in lanes, use them.
 
 use crate::law::Parameters;
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
-/// Added to what may be 0 and is divided by.
+/// Added to divisors that may be 0.
 pub(crate) const NEVER_ZERO: f64 = 1e-200;
 
-/// Slip this slow, beside the other velocities, need not be known better than if it were as fast: well
-/// below what counts as stopped, a tenth of the tolerance.
+/// The floor of the slip's error scale, as a fraction of the other velocities. An error of `tolerance` times
+/// this floor is well below the slip that counts as stopped, a tenth of the tolerance.
 const SLOW: f64 = 1e-2;
 
-/// For one body under one gravity.
+/// The error scales for one body under one gravity.
 #[derive(Clone, Copy)]
 pub(crate) struct ErrorScale<T> {
     mass: T,
     radius: T,
-    /// √(g/R): the rate of falling, a yardstick for rates.
+    /// √(g/R), the natural unit of rates.
     falling_rate: T,
     per_falling_rate: T,
-    /// A slip this slow is about to end, m/s.
+    /// The slip speed below which the Sundman transformation of dry slip takes effect, m/s.
     slow: T,
 }
 
@@ -28,7 +28,7 @@ fieldwise!(ErrorScale { mass, radius, falling_rate, per_falling_rate, slow; });
 
 impl<T: Real> ErrorScale<T> {
     pub(crate) fn new(k: &Parameters<T>) -> Self {
-        // Beside the speed of falling.
+        // Relative to R √(g/R).
         const ENDING: f64 = 0.03;
         let falling_rate = (k.g / k.r).sqrt();
         ErrorScale {
@@ -40,38 +40,40 @@ impl<T: Real> ErrorScale<T> {
         }
     }
 
-    /// A rate (rad/s) to compare the tilt rate with.
+    /// The error scale of the tilt rate, rad/s.
     #[inline(always)]
     pub(crate) fn tilt_rate(&self, u: &Coordinates<T>) -> T {
         u.p.abs() + u.w.abs() + u.sin * self.falling_rate
     }
 
-    /// All rates together, rad/s.
+    /// The sum of all rates, rad/s.
     #[inline(always)]
     pub(crate) fn rate(&self, u: &Coordinates<T>) -> T {
         u.p.abs() + u.w.abs() + u.s.abs() + self.falling_rate
     }
 
-    /// A first guess for the length of a step by τ.
+    /// A first guess for the step size in τ.
     #[inline(always)]
     pub(crate) fn first_step(&self, u: &Coordinates<T>) -> T {
         T::from(0.01) / self.rate(u)
     }
 
-    /// A speed (m/s) to compare sideways slip with: what w and s, which are held to their own sizes,
-    /// make of it.
+    /// The scale of the sideways slip, m/s: its contributions from w and s, whose errors are relative to
+    /// their own sizes.
     #[inline(always)]
     pub(crate) fn sideways_speed(&self, u: &Coordinates<T>) -> T {
         self.radius * (u.w.abs() + u.sin * u.s.abs())
     }
 
-    /// w and s obey linear equations and pass through the tipping phase as small as the start made
-    /// them, to become large in the collision; so each is held to its own size, with a floor of what
-    /// the other one feeds into it. sin φ is held to its own size for the same reason. The slip
-    /// across e_x1 feeds w and is fed by it: an error of the one is as good as one of the other, but never
-    /// worse than one of the slip along e_x1, or slip would stay where errors as large as itself are good
-    /// and never stop. A slow slip is about to begin or to end, and its direction matters less the slower
-    /// it is: then it follows the forces at once.
+    /// The error scales of all coordinates.
+    ///
+    /// w and s obey linear equations. They pass through the tipping phase as small as the initial state made
+    /// them and become large in the near-collision. So the error of each is relative to its own size, with
+    /// a floor given by what the other one contributes to it. sin φ is relative to its own size for the same
+    /// reason. The slip across e_x1 and w drive each other, so their errors are comparable; but the scale of
+    /// the slip across never exceeds that of the slip along e_x1, because a slip with errors as large as
+    /// itself would never stop. A slow slip is about to begin or to end. The slower it is, the less its
+    /// direction matters, because the forces then change that direction at once.
     #[inline(always)]
     pub(crate) fn scales(&self, u: &Coordinates<T>) -> Coordinates<T> {
         const SMALL_GAP: f64 = 1e-6;
@@ -106,8 +108,8 @@ impl<T: Real> ErrorScale<T> {
         }
     }
 
-    /// The same while a slip begins under dry friction, which makes w and s of what is lost in sideways slip:
-    /// errors of the three count alike.
+    /// The error scales while a slip begins under dry friction. Friction converts sideways slip into w and s,
+    /// so errors of the three get the same weight.
     #[inline(always)]
     pub(crate) fn scales_at_slip_onset(&self, u: &Coordinates<T>) -> Coordinates<T> {
         Coordinates {
@@ -116,8 +118,8 @@ impl<T: Real> ErrorScale<T> {
         }
     }
 
-    /// The same for a slip that is to stop, for which it has to go [straight](Self::slip_persists): were errors good
-    /// that turn the last of it, it would be turned to and fro and never stop.
+    /// The error scales in dry slip that can stop. The slip can only stop while its direction is steady
+    /// (see [`Self::slip_persists`]); errors that rotated a slow slip would keep it from ever stopping.
     #[inline(always)]
     pub(crate) fn scales_in_dry_slip(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let never_zero = T::from(NEVER_ZERO);
@@ -131,15 +133,17 @@ impl<T: Real> ErrorScale<T> {
         }
     }
 
-    /// Under dry friction, whose direction changes at a rate that grows like 1/|u| as the slip ends, a
-    /// clock that slows down with the slip makes the end as smooth as the rest: it goes as fast as τ times
-    /// the speed of the slip over this, m/s. What counts as slow matters little, since steps adapt.
+    /// The denominator d (m/s) of the Sundman time transformation dτ = (|u|/d) dσ used in dry slip.
+    ///
+    /// As the slip u ends, the direction of dry friction changes at a rate that grows like 1/|u|. With
+    /// respect to σ the end of the slip is as smooth as the rest. The speed that counts as slow matters
+    /// little, because the step size adapts.
     #[inline(always)]
     pub(crate) fn sundman_denominator(&self, u: &Coordinates<T>) -> T {
         slip_speed(u) + self.slow
     }
 
-    /// How fast that clock goes, as a part of τ.
+    /// dτ/dσ of that transformation.
     #[inline(always)]
     pub(crate) fn sundman_factor(&self, u: &Coordinates<T>) -> T {
         slip_speed(u) / self.sundman_denominator(u)
@@ -147,8 +151,7 @@ impl<T: Real> ErrorScale<T> {
 }
 
 impl ErrorScale<f64> {
-    /// −1 or 1 where the tilt clearly falls or rises, by more than a part `significant` of its scale; 0 where
-    /// it cannot be told.
+    /// The sign of the tilt rate, or 0 where the rate is at most `significant` times its scale.
     pub(crate) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, significant: f64) -> f64 {
         if u.p.abs() > significant * self.tilt_rate(u) {
             u.p.signum()
@@ -159,9 +162,9 @@ impl ErrorScale<f64> {
 }
 
 impl<T: Real> ErrorScale<T> {
-    /// Negative where a dry slip stops so soon that the last of it can go at the rate at which it stops,
-    /// to within the tolerance: neither its direction nor anything else changes much until then. The rates
-    /// are by a clock that goes as fast as this part of τ.
+    /// An event function that is negative where a dry slip is about to stop so soon that, within the
+    /// tolerance, its deceleration and its direction stay constant until then. The rates are with respect
+    /// to σ with dτ = `sundman_factor` dσ.
     #[inline(always)]
     pub(crate) fn slip_persists(
         &self,
@@ -175,27 +178,27 @@ impl<T: Real> ErrorScale<T> {
         let turning = (rates.slip_x * u.slip_y - rates.slip_y * u.slip_x).abs();
         let change = speed * speed * sundman_factor * self.rate(u);
         let brief = T::from(max_brief_change(tolerance)) * stopping - change;
-        // In a plane nothing moves sideways, and nothing turns.
+        // In plane motion the sideways speed and the turning are both zero.
         let sideways = self.sideways_speed(u) + T::from(NEVER_ZERO);
         let straight = T::from(0.1 * tolerance) * sideways * stopping - speed * turning;
         (-brief).max(-straight)
     }
 }
 
-/// By what part of themselves velocities may change meanwhile: what that does to the rates is of the
-/// second order.
+/// The allowed relative change of velocities until the slip stops. Its effect on the rates is of second
+/// order.
 pub(crate) fn max_brief_change(tolerance: f64) -> f64 {
     (0.1 * tolerance).sqrt()
 }
 
-/// Of slip, m/s.
+/// |u|, m/s.
 #[inline(always)]
 pub(crate) fn slip_speed<T: Real>(u: &Coordinates<T>) -> T {
     (u.slip_x * u.slip_x + u.slip_y * u.slip_y).sqrt()
 }
 
-/// The size of the angle by which a slip of some speed turns from a direction (unit vector), by the sizes
-/// of its components: it need be as good as the slip across.
+/// The error scale (rad) of the angle by which a slip of the given speed deviates from a direction (unit
+/// vector). It follows from the scale of the slip component across that direction.
 #[inline(always)]
 pub(crate) fn direction_scale<T: Real>(scales: &Coordinates<T>, direction: [T; 2], speed: T) -> T {
     let [x, y] = direction;

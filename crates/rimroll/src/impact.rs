@@ -1,4 +1,4 @@
-//! Landing: the impulse of the table on a rim that strikes it.
+//! Impact after flight: the impulse of the table on a rim that strikes it.
 //!
 //! Routh's incremental method with Coulomb friction. As the normal impulse P grows from zero, the
 //! velocity (u_x, u_y, v) of the rim's lowest point changes by
@@ -9,71 +9,73 @@
 //! a = 1/m + z²/A,   b = 1/m + R²/C + H²/A,   κ = −mρz/(A + mz²),   d = 1/m + ρ²/(A + mz²),
 //! ```
 //!
-//! and while it slips the friction is (dP_x, dP_y) = −μ (u_x, u_y)/|u| dP. Where slip stops it stays
-//! stopped if |dP_x| ≤ μ dP holds it, else it goes on along e_x1. Compression ends at v = 0, and
-//! restitution when the part e² of the work of compression is given back, so that no landing can gain
+//! While the rim slips, the friction is (dP_x, dP_y) = −μ (u_x, u_y)/|u| dP. When the slip stops, the rim
+//! sticks if |dP_x| ≤ μ dP suffices to hold it; otherwise it slips along e_x1. Compression ends at v = 0.
+//! Restitution ends when the fraction e² of the work of compression has been returned, so no impact gains
 //! energy. Source: W. J. Stronge, *Impact Mechanics* (2000), chapters 3 to 5.
 //!
-//! The impulses of friction, the change of the body's motion and the energy lost all follow from P and
-//! from the change of (u_x, u_y): a slip cannot end without the impulse that ends it.
+//! The impulses of friction, the change of the body's motion and the energy loss all follow from P and from
+//! the change of (u_x, u_y). So they are consistent with each other: no slip ends without the impulse that
+//! ends it.
 //!
-//! The direction of slip turns infinitely fast as slip ends; on the clock ζ with dP = |u| dζ it does
-//! not, and the equations are smooth. There u_y decays as exp(−μbζ), whatever else happens, so explicit
-//! steps follow the slip until it has stopped or has turned into e_x1. That takes some 70/(μb) at most,
-//! which are a few hundred steps for every body: the rates are a few times μb, or the slip turns as much
-//! sooner. From there on everything is linear in P, however many times slower than u_y the slip u_x decays.
+//! As the slip ends, its direction changes infinitely fast with respect to P, but the equations are smooth
+//! with respect to ζ, where dP = |u| dζ. In any case u_y decays as exp(−μbζ), so explicit steps follow the
+//! slip until it has stopped or is directed along e_x1. That happens before about ζ = 70/(μb) and takes at
+//! most a few hundred steps for every body: either the rates are only a few times μb, or the slip turns into
+//! e_x1 correspondingly sooner. After that everything is linear in P, even where u_x decays far more slowly
+//! than u_y.
 
 use crate::law::Parameters;
 use crate::solve::{Stepper, System};
 use crate::state::Coordinates;
 use core::ops::ControlFlow;
 
-/// How the rim's lowest point answers impulses at it.
+/// The velocity changes of the rim's lowest point per unit of impulse at it.
 #[derive(Debug, Clone, Copy)]
 struct Mobility {
     /// a, 1/kg.
     along: f64,
     /// b, 1/kg.
     across: f64,
-    /// d, of v while u_x is held, 1/kg.
-    held: f64,
-    /// κ. An impulse −κ along e_x1 holds u_x against a normal impulse of 1.
-    carry: f64,
+    /// d, for v at constant u_x, 1/kg.
+    normal: f64,
+    /// κ. A normal impulse of 1 with an impulse of −κ along e_x1 leaves u_x unchanged.
+    coupling: f64,
 }
 
-/// What has happened so far.
+/// The state of an impact in progress.
 #[derive(Debug, Clone, Copy)]
-struct Striking {
+struct ImpactState {
     slip: [f64; 2],
     /// P, N s.
-    pressed: f64,
+    normal_impulse: f64,
     /// The work done by the normal impulse, J.
     work: f64,
 }
 
-/// What ends the present part of an impact.
+/// The condition that ends a phase of an impact.
 #[derive(Debug, Clone, Copy)]
-enum Until {
-    /// v = 0.
+enum PhaseEnd {
+    /// Compression ends: v = 0.
     Compressed,
-    /// The work has come back up to this, J.
+    /// Restitution ends: the work has risen to this value, J.
     Restored(f64),
 }
 
-/// A landing: where it began, and what governs it.
+/// An impact: its initial velocities and its parameters.
 struct Impact {
     mobility: Mobility,
     friction: f64,
-    /// The slip at its beginning, m/s.
+    /// The initial slip, m/s.
     slip: [f64; 2],
-    /// v at its beginning, negative.
+    /// The initial v, negative.
     approach: f64,
 }
 
-/// The coordinates after a body at `u` has struck the table, whose coefficients of friction and
-/// restitution are given. A rebound slower than `rest` (m/s) is none. The energy lost is put on its
-/// account. None where the slip cannot be followed to the end.
-pub(crate) fn land(
+/// The coordinates after a body at `u` has struck a table with the given coefficients of friction and
+/// restitution. A rebound slower than `rest` (m/s) counts as none. The energy loss is added to
+/// `impact_loss`. Returns `None` where the slip cannot be followed to its end.
+pub(crate) fn resolve(
     k: &Parameters<f64>,
     u: &Coordinates<f64>,
     friction: f64,
@@ -86,10 +88,10 @@ pub(crate) fn land(
         slip: [u.slip_x, u.slip_y],
         approach: u.gap_rate,
     };
-    let compressed = impact.press(impact.begun(), Until::Compressed)?;
+    let compressed = impact.follow_phase(impact.initial_state(), PhaseEnd::Compressed)?;
     if restitution > 0.0 {
         let back = compressed.work * (1.0 - restitution * restitution);
-        let restored = impact.press(compressed, Until::Restored(back))?;
+        let restored = impact.follow_phase(compressed, PhaseEnd::Restored(back))?;
         let rebound = impact.velocity(&restored);
         if rebound > rest {
             return Some(impact.after(k, u, &restored, rebound));
@@ -105,120 +107,132 @@ impl Mobility {
         Mobility {
             along: inertia / (k.m * k.a),
             across: k.sideways_mobility(),
-            held: 1.0 / k.m + rho * rho / inertia,
-            carry: -k.m * rho * z / inertia,
+            normal: 1.0 / k.m + rho * rho / inertia,
+            coupling: -k.m * rho * z / inertia,
         }
     }
 }
 
 impl Impact {
-    fn begun(&self) -> Striking {
-        Striking {
+    fn initial_state(&self) -> ImpactState {
+        ImpactState {
             slip: self.slip,
-            pressed: 0.0,
+            normal_impulse: 0.0,
             work: 0.0,
         }
     }
 
     /// v.
-    fn velocity(&self, now: &Striking) -> f64 {
-        let Mobility { held, carry, .. } = self.mobility;
-        self.approach + held * now.pressed + carry * (now.slip[0] - self.slip[0])
+    fn velocity(&self, state: &ImpactState) -> f64 {
+        let Mobility {
+            normal, coupling, ..
+        } = self.mobility;
+        self.approach + normal * state.normal_impulse + coupling * (state.slip[0] - self.slip[0])
     }
 
-    /// Negative before a part is over, zero at its end.
-    fn level(&self, until: Until, now: &Striking) -> f64 {
-        match until {
-            Until::Compressed => self.velocity(now),
-            Until::Restored(work) => now.work - work,
+    /// The event function of a phase: negative during the phase, zero at its end.
+    fn event(&self, phase_end: PhaseEnd, state: &ImpactState) -> f64 {
+        match phase_end {
+            PhaseEnd::Compressed => self.velocity(state),
+            PhaseEnd::Restored(work) => state.work - work,
         }
     }
 
-    /// One part of the impact; none where the slip cannot be followed.
-    fn press(&self, mut now: Striking, until: Until) -> Option<Striking> {
-        if self.level(until, &now) >= 0.0 {
-            return Some(now);
+    /// The state at the end of one phase; `None` where the slip cannot be followed.
+    fn follow_phase(&self, mut state: ImpactState, phase_end: PhaseEnd) -> Option<ImpactState> {
+        if self.event(phase_end, &state) >= 0.0 {
+            return Some(state);
         }
         if self.friction == 0.0 {
-            let (_, to_end) = self.slips_straight(&now, 0.0, until);
-            return Some(self.pressed_on(&now, 0.0, to_end));
+            let (_, to_end) = self.impulses_of_straight_slip(&state, 0.0, phase_end);
+            return Some(self.advanced(&state, 0.0, to_end));
         }
-        if now.slip[1] != 0.0 {
-            match self.slide(now, until)? {
+        if state.slip[1] != 0.0 {
+            match self.follow_slip(state, phase_end)? {
                 ControlFlow::Break(end) => return Some(end),
-                ControlFlow::Continue(straight) => now = straight,
+                ControlFlow::Continue(straight) => state = straight,
             }
         }
-        if now.slip[0] != 0.0 {
-            let friction_force = -self.friction * now.slip[0].signum();
-            let (to_stop, to_end) = self.slips_straight(&now, friction_force, until);
+        if state.slip[0] != 0.0 {
+            let friction_ratio = -self.friction * state.slip[0].signum();
+            let (to_stop, to_end) =
+                self.impulses_of_straight_slip(&state, friction_ratio, phase_end);
             if to_end <= to_stop {
-                return Some(self.pressed_on(&now, friction_force, to_end));
+                return Some(self.advanced(&state, friction_ratio, to_end));
             }
-            now = self.pressed_on(&now, friction_force, to_stop);
-            now.slip[0] = 0.0;
+            state = self.advanced(&state, friction_ratio, to_stop);
+            state.slip[0] = 0.0;
         }
-        let friction_force = (-self.mobility.carry).clamp(-self.friction, self.friction);
-        let (_, to_end) = self.slips_straight(&now, friction_force, until);
-        Some(self.pressed_on(&now, friction_force, to_end))
+        let friction_ratio = (-self.mobility.coupling).clamp(-self.friction, self.friction);
+        let (_, to_end) = self.impulses_of_straight_slip(&state, friction_ratio, phase_end);
+        Some(self.advanced(&state, friction_ratio, to_end))
     }
 
-    /// Follows a slip in two dimensions to the end of the part, or until it has stopped or keeps to e_x1
-    /// and the part continues.
-    fn slide(&self, mut now: Striking, until: Until) -> Option<ControlFlow<Striking, Striking>> {
+    /// Follows a slip in two dimensions. Breaks at the end of the phase; continues where the slip has
+    /// stopped or is directed along e_x1.
+    fn follow_slip(
+        &self,
+        mut state: ImpactState,
+        phase_end: PhaseEnd,
+    ) -> Option<ControlFlow<ImpactState, ImpactState>> {
         const MAX_STEPS: usize = 10_000;
         let Mobility {
             along,
             across,
-            held,
-            carry,
+            normal,
+            coupling,
         } = self.mobility;
-        let speed = libm::hypot(now.slip[0], now.slip[1]);
-        let turning = self.friction * (along + across) + carry.abs() * along;
-        let pressing = held * speed / self.approach.abs();
-        let sliding = Sliding {
+        let speed = libm::hypot(state.slip[0], state.slip[1]);
+        let turning = self.friction * (along + across) + coupling.abs() * along;
+        let pressing = normal * speed / self.approach.abs();
+        let sliding = SlipFlow {
             impact: self,
             rate: turning + pressing,
         };
         let stopped = f64::EPSILON * (speed + self.approach.abs());
-        let mut stepper = Stepper::new(&sliding, now.as_array(), 0.01 / sliding.rate, 1e-14);
-        let level = |a: &[f64; 4]| self.level(until, &Striking::from_array(a));
+        let mut stepper = Stepper::new(&sliding, state.as_array(), 0.01 / sliding.rate, 1e-14);
+        let event = |a: &[f64; 4]| self.event(phase_end, &ImpactState::from_array(a));
         for _ in 0..MAX_STEPS {
-            let [ux, uy] = now.slip;
+            let [ux, uy] = state.slip;
             if libm::hypot(ux, uy) <= stopped {
-                now.slip = [0.0; 2];
-                return Some(ControlFlow::Continue(now));
+                state.slip = [0.0; 2];
+                return Some(ControlFlow::Continue(state));
             }
             if uy.abs() <= 0.5 * f64::EPSILON * ux.abs() {
-                now.slip[1] = 0.0;
-                return Some(ControlFlow::Continue(now));
+                state.slip[1] = 0.0;
+                return Some(ControlFlow::Continue(state));
             }
             let step = stepper.advance().ok()?;
-            if level(&step.end) >= 0.0 {
+            if event(&step.end) >= 0.0 {
                 let dense = step.dense(&sliding);
-                let end = dense.at(dense.root(0.0, 1.0, level));
-                return Some(ControlFlow::Break(Striking::from_array(&end)));
+                let end = dense.at(dense.root(0.0, 1.0, event));
+                return Some(ControlFlow::Break(ImpactState::from_array(&end)));
             }
-            now = Striking::from_array(&step.end);
+            state = ImpactState::from_array(&step.end);
         }
         None
     }
 
-    /// While dP_x = `friction_force` dP and u_y is none or not braked, all is linear in P: how much more of it stops
-    /// u_x, and how much ends the part; infinite where it never does.
-    fn slips_straight(&self, now: &Striking, friction_force: f64, until: Until) -> (f64, f64) {
-        let (slipping, rising) = self.per_impulse(friction_force);
-        let v = self.velocity(now);
-        let to_stop = -now.slip[0] / slipping;
-        let to_end = match until {
-            Until::Compressed if rising > 0.0 => -v / rising,
-            Until::Compressed => f64::INFINITY,
-            Until::Restored(work) => {
+    /// The further normal impulses that stop u_x and that end the phase while dP_x = `friction_ratio` dP
+    /// (infinite where they never do). Requires u_y = 0 or no friction, so that everything is linear in P.
+    fn impulses_of_straight_slip(
+        &self,
+        state: &ImpactState,
+        friction_ratio: f64,
+        phase_end: PhaseEnd,
+    ) -> (f64, f64) {
+        let (slipping, rising) = self.per_impulse(friction_ratio);
+        let v = self.velocity(state);
+        let to_stop = -state.slip[0] / slipping;
+        let to_end = match phase_end {
+            PhaseEnd::Compressed if rising > 0.0 => -v / rising,
+            PhaseEnd::Compressed => f64::INFINITY,
+            PhaseEnd::Restored(work) => {
                 // v² grows by 2 · rising · work.
-                let lacking = work - now.work;
-                let end = (v * v + 2.0 * rising * lacking).sqrt();
+                let missing = work - state.work;
+                let end = (v * v + 2.0 * rising * missing).sqrt();
                 if v >= 0.0 {
-                    2.0 * lacking / (v + end)
+                    2.0 * missing / (v + end)
                 } else {
                     (end - v) / rising
                 }
@@ -228,22 +242,25 @@ impl Impact {
         (positive(to_stop), positive(to_end))
     }
 
-    /// The growth of u_x and of v for a normal impulse of 1 while dP_x = `friction_force` dP.
-    fn per_impulse(&self, friction_force: f64) -> (f64, f64) {
+    /// du_x/dP and dv/dP while dP_x = `friction_ratio` dP.
+    fn per_impulse(&self, friction_ratio: f64) -> (f64, f64) {
         let Mobility {
-            along, held, carry, ..
+            along,
+            normal,
+            coupling,
+            ..
         } = self.mobility;
-        let slipping = along * (carry + friction_force);
-        (slipping, held + carry * slipping)
+        let slipping = along * (coupling + friction_ratio);
+        (slipping, normal + coupling * slipping)
     }
 
-    fn pressed_on(&self, now: &Striking, friction_force: f64, by: f64) -> Striking {
-        let (slipping, rising) = self.per_impulse(friction_force);
-        let [ux, uy] = now.slip;
-        Striking {
+    fn advanced(&self, state: &ImpactState, friction_ratio: f64, by: f64) -> ImpactState {
+        let (slipping, rising) = self.per_impulse(friction_ratio);
+        let [ux, uy] = state.slip;
+        ImpactState {
             slip: [ux + slipping * by, uy],
-            pressed: now.pressed + by,
-            work: now.work + (self.velocity(now) + 0.5 * rising * by) * by,
+            normal_impulse: state.normal_impulse + by,
+            work: state.work + (self.velocity(state) + 0.5 * rising * by) * by,
         }
     }
 
@@ -252,23 +269,23 @@ impl Impact {
         &self,
         k: &Parameters<f64>,
         u: &Coordinates<f64>,
-        end: &Striking,
+        end: &ImpactState,
         v: f64,
     ) -> Coordinates<f64> {
         let (rho, z) = (k.rho(u), k.z(u));
         let Mobility {
             along,
             across,
-            carry,
+            coupling,
             ..
         } = self.mobility;
         let change: [f64; 2] = core::array::from_fn(|i| end.slip[i] - self.slip[i]);
         let impulse = [
-            change[0] / along - carry * end.pressed,
+            change[0] / along - coupling * end.normal_impulse,
             change[1] / across,
-            end.pressed,
+            end.normal_impulse,
         ];
-        // An impulse works by the mean of the velocity before and after.
+        // The work of an impulse is its product with the mean of the velocities before and after.
         let twice_mean = [
             self.slip[0] + end.slip[0],
             self.slip[1] + end.slip[1],
@@ -276,7 +293,7 @@ impl Impact {
         ];
         let work: f64 = (0..3).map(|i| 0.5 * twice_mean[i] * impulse[i]).sum();
         Coordinates {
-            p: u.p + (k.m * z * change[0] - rho * end.pressed) / (k.a + k.m * z * z),
+            p: u.p + (k.m * z * change[0] - rho * end.normal_impulse) / (k.a + k.m * z * z),
             w: u.w + k.h * impulse[1] / k.a,
             s: u.s - k.r * impulse[1] / k.c,
             slip_x: end.slip[0],
@@ -289,53 +306,53 @@ impl Impact {
     }
 }
 
-impl Striking {
+impl ImpactState {
     fn as_array(&self) -> [f64; 4] {
-        [self.slip[0], self.slip[1], self.pressed, self.work]
+        [self.slip[0], self.slip[1], self.normal_impulse, self.work]
     }
 
-    fn from_array(&[ux, uy, pressed, work]: &[f64; 4]) -> Self {
-        Striking {
+    fn from_array(&[ux, uy, normal_impulse, work]: &[f64; 4]) -> Self {
+        ImpactState {
             slip: [ux, uy],
-            pressed,
+            normal_impulse,
             work,
         }
     }
 }
 
-/// The slip, the normal impulse and its work on the clock ζ.
-struct Sliding<'a> {
+/// The differential equations of the slip, the normal impulse and its work, with respect to ζ.
+struct SlipFlow<'a> {
     impact: &'a Impact,
-    /// All the rates together, to compare with: per unit of ζ.
+    /// The sum of all rates with respect to ζ, for the error scales.
     rate: f64,
 }
 
-impl System<f64, 4> for Sliding<'_> {
+impl System<f64, 4> for SlipFlow<'_> {
     fn rates(&self, a: &[f64; 4]) -> [f64; 4] {
         let friction = self.impact.friction;
         let Mobility {
             along,
             across,
-            carry,
+            coupling,
             ..
         } = self.impact.mobility;
-        let now = Striking::from_array(a);
-        let [ux, uy] = now.slip;
+        let state = ImpactState::from_array(a);
+        let [ux, uy] = state.slip;
         let pressing = (ux * ux + uy * uy).sqrt();
         [
-            along * (carry * pressing - friction * ux),
+            along * (coupling * pressing - friction * ux),
             -across * friction * uy,
             pressing,
-            self.impact.velocity(&now) * pressing,
+            self.impact.velocity(&state) * pressing,
         ]
     }
 
     fn scale(&self, a: &[f64; 4]) -> [f64; 4] {
-        let [ux, uy, pressed, work] = *a;
+        let [ux, uy, normal_impulse, work] = *a;
         let slip = (ux * ux + uy * uy).sqrt();
-        let impulse = pressed + slip / self.rate;
-        let speed = self.impact.velocity(&Striking::from_array(a)).abs() + slip;
-        // u_y is held to its own size, or it would stop decaying where errors as large as itself are good.
+        let impulse = normal_impulse + slip / self.rate;
+        let speed = self.impact.velocity(&ImpactState::from_array(a)).abs() + slip;
+        // The error of u_y is relative to its own size; otherwise u_y would stop decaying at the tolerance.
         [slip, uy.abs(), impulse, work.abs() + speed * impulse]
     }
 }

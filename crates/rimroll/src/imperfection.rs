@@ -3,21 +3,21 @@
 //! Source: Srinivasan & Ruina (2007), section "Candidate theories for symmetry breaking": "Geometric
 //! perturbations to the circular rim can similarly lead to two-point collisions ... We could then
 //! compute the consequences of, say, a plastic collision at the new point of contact." The paper stops
-//! there; this is the computation. (All points slapping the table at once, the other theory that it
-//! rejects, no rigid-body law decides.)
+//! there; this module does that computation. (The other theory that it rejects, in which all points of the
+//! rim slap the table at once, is not determined by any rigid-body law.)
 //!
-//! # What is assumed
+//! # Assumptions
 //! The body tips about the point A of its rim, exactly toward face down, at the rate ω. One point B of
-//! the rim (or of the table under it), at the angle β round the rim from A, stands out by a height
+//! the rim (or of the table under it), at the angle β round the rim from A, protrudes by a height
 //! δ ≪ R; the rest of the rim is perfect. B meets the table before the base is flat. Every collision is
-//! plastic: the point that strikes comes to rest, at once and without rebound, and the table pushes but
-//! never pulls. The outcome is the limit δ → 0, in which neither δ nor gravity matters.
+//! plastic: the striking point comes to rest instantly and without rebound, and the table pushes but
+//! never pulls. The result is the limit δ → 0, in which neither δ nor gravity matters.
 //!
-//! # The mechanics
-//! So close to face down the lean is a vector q in the plane (length: the tilt; direction: the point
-//! that leans lowest), and the base's centre is at the height z. The spin about the axis stays zero, in
-//! collisions too; the centre of mass moves sideways with H q̇ without slip and not at all without
-//! friction. Either way
+//! # Mechanics
+//! Close to face down the lean is a vector q in the plane (length: the tilt; direction: toward the lowest
+//! point of the rim), and the base's centre is at the height z. The spin about the axis stays zero, also in
+//! collisions. The centre of mass moves sideways with H q̇ without slip, and not at all without friction.
+//! In both cases
 //!
 //! ```text
 //! 2T = K′ |q̇|² + m ż²        K′ = A + mH² without slip, A without friction
@@ -25,29 +25,31 @@
 //! z ≥ δ + R q·e_B             the imperfection: a plane that cuts off the cone's tip
 //! ```
 //!
-//! a particle in a convex valley. Rolling on the rim it runs along geodesics of the cone (unrolled, they
-//! are straight: hence the paper's π √(J′/K′) with J′ = K′ + mR²); an impulse N at the rim point e
-//! changes q̇ by −(R/K′) N e and ż by N/m. A plastic collision leaves the velocity nearest to the one
-//! before that does not enter the table (Moreau). Without slip the impulse asks for friction
-//! mHR/(A + mH²) times its upward part, just as rolling through the near-collision does.
+//! which is a particle in a convex valley. While the body rolls on its rim, the particle moves along
+//! geodesics of the cone. They are straight on the unrolled cone, which gives the paper's π √(J′/K′) with
+//! J′ = K′ + mR². An impulse N at the rim point e changes q̇ by −(R/K′) N e and ż by N/m. The velocity after
+//! a plastic collision is the admissible velocity (one that does not enter the table) nearest to the
+//! velocity before it, in the kinetic metric (Moreau). Without slip the impulse requires a horizontal
+//! component of mHR/(A + mH²) times its vertical one, the same ratio as rolling through the near-collision.
 //!
-//! 1. **B strikes.** If K′ + mR² cos β ≥ 0, A lifts off and ω e_A turns into
-//!    q̇ = −ω [e_A + (mR²/J′)(1 − cos β) e_B]; this loses the part mR² K′ (1 − cos β)²/J′² of the energy.
-//!    Else A and B hold, and the body turns about the chord between them.
+//! 1. **B strikes.** If K′ + mR² cos β ≥ 0, A lifts off and the velocity becomes
+//!    q̇ = −ω [e_A + (mR²/J′)(1 − cos β) e_B]; the fraction mR² K′ (1 − cos β)²/J′² of the energy is lost.
+//!    Otherwise A and B both stay in contact, and the body rotates about the chord between them.
 //! 2. **The rim strikes again.** The body rotates about B alone until a rim point C comes down, at the
 //!    angle χ from B with cot(χ/2) = (K′ − mR²)/J′ tan(β/2).
-//! 3. **It rolls off.** For K′ ≥ mR² (all but flat bodies) B lifts off, and the rim rolls on from C without
-//!    touching B again. With c, s = cos, sin of β/2, D = K′ − mR²:
+//! 3. **The body rolls off.** For K′ ≥ mR² (all but flat bodies) B lifts off, and the rim rolls on from C
+//!    without touching B again. With c, s = cos, sin of β/2 and D = K′ − mR²:
 //!
 //! ```text
 //! turn = β + 2 arccot(D s/(J′ c)) − √(J′/K′) arctan[4 mR² J′² s c³ / (√(J′/K′) D (J′² − 4 K′ mR² s⁴))]
 //! ```
 //!
-//! For K′ < mR² the body rocks over the chord between B and the running point C until B can hold no
-//! longer, at cos χ = −K′/(mR²); whence turn = β + a number of the body, for β < π.
+//! For K′ < mR² the body rolls on over the chord between B and the moving contact point C until the force at
+//! B vanishes, at cos χ = −K′/(mR²). For β < π the turn is therefore β plus a constant of the body.
 //!
-//! β = π is the rocking block's collision (Housner 1963): turn π, ω falls by the factor
-//! (K′ − mR²)/(K′ + mR²), and bodies with K′ ≤ mR² stop dead. For K′ ≥ mR², β → 0 ends like β = π.
+//! β = π is the collision of the rocking block (Housner 1963): the turn is π, ω is multiplied by
+//! (K′ − mR²)/(K′ + mR²), and bodies with K′ ≤ mR² stop completely. For K′ ≥ mR² the limit β → 0 has the
+//! same outcome as β = π.
 
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, moderate};
@@ -55,44 +57,44 @@ use crate::law::IdealLaw;
 use crate::turn::inertias;
 use core::f64::consts::{PI, TAU};
 
-/// What becomes of a body that falls on the imperfection of its rim.
+/// The outcome of a fall on the imperfection of the rim.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImperfectRim {
-    /// The angle between the leans before and after, rad, in the direction in which the imperfection's
-    /// angle is counted; `None` for a body that stops dead.
+    /// The angle between the leans before and after, rad, positive in the direction in which the
+    /// imperfection's angle is measured; `None` for a body that stops completely.
     pub turn: Option<f64>,
-    /// The rate of tipping with which it rises again, rad/s.
+    /// The tipping rate with which the body rises again, rad/s.
     pub tipping_rate: f64,
-    /// The part of the kinetic energy on arrival that is left.
+    /// The remaining fraction of the kinetic energy before the first collision.
     pub energy_kept: f64,
-    /// Its collisions, one or two.
+    /// The one or two collisions.
     pub collisions: Vec<Collision>,
 }
 
-/// A plastic collision of one more point of the rim, while another rests on the table.
+/// A plastic collision of a second point of the rim while another is in contact with the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
-    /// Where round the rim from A, rad between 0 and 2π.
+    /// The angle of the striking point round the rim from A, rad, between 0 and 2π.
     pub azimuth: f64,
-    /// The tilt at which it happens, in units of δ/R.
+    /// The tilt at the collision, in units of δ/R.
     pub scaled_tilt: f64,
-    /// The table's upward impulse at the point that strikes, N s.
+    /// The upward impulse at the striking point, N s.
     pub impulse: f64,
-    /// The same at the point that rested on the table, N s: 0 when it lifts off.
+    /// The upward impulse at the point already in contact, N s: 0 if that point lifts off.
     pub held_impulse: f64,
-    /// Where round the rim from A the lean moves to right after it, rad between 0 and 2π; `None` for a
-    /// body that stops dead.
+    /// The direction of the lean's velocity after the collision, as an angle round the rim from A, rad,
+    /// between 0 and 2π; `None` for a body that stops completely.
     pub lean_azimuth: Option<f64>,
-    /// How fast, rad/s.
+    /// The magnitude of the lean's velocity after the collision, rad/s.
     pub lean_rate: f64,
-    /// The upward velocity of the centre of mass right after, m/s.
+    /// The upward velocity of the centre of mass after the collision, m/s.
     pub rise_rate: f64,
-    /// The part of the kinetic energy on arrival that is left.
+    /// The remaining fraction of the kinetic energy before the first collision.
     pub energy_kept: f64,
 }
 
 /// The fall of a body that tips at `tipping_rate` (ω, rad/s) toward face down and whose rim has an
-/// imperfection at the angle `angle` (β, rad) from its point of contact.
+/// imperfection at `angle` (β, rad) from the contact point.
 ///
 /// # Errors
 /// Refuses an angle outside (0, 2π) and a tipping rate outside 1e-60 to 1e60.
@@ -110,40 +112,40 @@ pub fn imperfect_rim(
         k: k / j,
         m: body.mass() * body.radius() * body.radius() / j,
     };
-    // Mirrored to where B comes before half a turn.
+    // For β > π the mirror image is computed.
     let mirrored = angle > PI;
     let beta = if mirrored { TAU - angle } else { angle };
-    let seen = |azimuth: f64| if mirrored { TAU - azimuth } else { azimuth };
+    let unmirrored = |azimuth: f64| if mirrored { TAU - azimuth } else { azimuth };
     let (end, strikes) = valley.fall(beta);
 
     let collisions = strikes.iter().map(|strike| Collision {
-        azimuth: in_one_round(seen(beta + strike.chi)),
+        azimuth: wrapped_to_two_pi(unmirrored(beta + strike.chi)),
         scaled_tilt: strike.scaled_tilt,
         impulse: strike.impulse * j / body.radius() * tipping_rate,
         held_impulse: strike.held_impulse * j / body.radius() * tipping_rate,
         lean_azimuth: strike
             .after
             .direction()
-            .map(|chi| in_one_round(seen(beta + chi))),
+            .map(|chi| wrapped_to_two_pi(unmirrored(beta + chi))),
         lean_rate: strike.after.lean_rate() * tipping_rate,
         rise_rate: strike.after.up * body.radius() * tipping_rate,
         energy_kept: valley.energy(&strike.after),
     });
     Ok(ImperfectRim {
-        turn: end.chi.map(|chi| seen(beta + chi)),
+        turn: end.chi.map(|chi| unmirrored(beta + chi)),
         tipping_rate: end.energy.sqrt() * tipping_rate,
         energy_kept: end.energy,
         collisions: collisions.collect(),
     })
 }
 
-/// An angle brought between 0 and 2π.
-fn in_one_round(angle: f64) -> f64 {
+/// The equivalent angle between 0 and 2π.
+fn wrapped_to_two_pi(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).floor()
 }
 
-/// The cone with its tip cut off, in units of J′, ω and R: K′ and mR², whose sum is one. Plane
-/// vectors have their parts toward B and across, along e_z × e_B; angles χ count from B.
+/// The truncated cone, in units of J′, ω and R: K′ and mR², whose sum is one. Plane vectors have components
+/// toward B and along e_z × e_B; angles χ are measured from B.
 struct Valley {
     k: f64,
     m: f64,
@@ -166,8 +168,8 @@ impl Velocity {
         (self.lean_rate() > 0.0).then(|| libm::atan2(across, toward))
     }
 
-    /// The velocity with which a rim point comes up.
-    fn of_point(&self, e: [f64; 2]) -> f64 {
+    /// The upward velocity of a rim point.
+    fn of_rim_point(&self, e: [f64; 2]) -> f64 {
         self.up - dot(self.lean, e)
     }
 }
@@ -185,7 +187,7 @@ struct Strike {
     after: Velocity,
 }
 
-/// The lean's last direction, unless there is none, and what is left of the energy.
+/// The final direction of the lean (`None` if the body stops) and the remaining fraction of the energy.
 struct End {
     chi: Option<f64>,
     energy: f64,
@@ -197,7 +199,7 @@ impl Valley {
         self.k * dot(v.lean, v.lean) + self.m * v.up * v.up
     }
 
-    /// All that happens, for 0 < β ≤ π.
+    /// The final state and the collisions, for 0 < β ≤ π.
     fn fall(&self, beta: f64) -> (End, Vec<Strike>) {
         let opposite = PI - beta <= 4.0 * f64::EPSILON;
         let (sin_half, cos_half) = if opposite {
@@ -205,7 +207,7 @@ impl Valley {
         } else {
             libm::sincos(0.5 * beta)
         };
-        let (b, a) = ([1.0, 0.0], at_twice(cos_half, -sin_half));
+        let (b, a) = ([1.0, 0.0], at_double_angle(cos_half, -sin_half));
         let tipping = Velocity {
             lean: [-a[0], -a[1]],
             up: -1.0,
@@ -215,13 +217,13 @@ impl Valley {
             return (self.rock_over_chord(&first.after), vec![first]);
         }
         if opposite {
-            // It leans straight toward B, and no other point comes down.
+            // The lean is exactly toward B, and no other point comes down.
             return (self.roll_off(b, &first.after), vec![first]);
         }
 
         let y = (self.k - self.m) * sin_half / cos_half;
         let chi = 2.0 * libm::atan2(1.0, y);
-        let c = at_twice(y / (1.0 + y * y).sqrt(), 1.0 / (1.0 + y * y).sqrt());
+        let c = at_double_angle(y / (1.0 + y * y).sqrt(), 1.0 / (1.0 + y * y).sqrt());
         let second = self.strike(&first.after, c, b, chi, 0.5 * (1.0 + y * y));
         let end = if second.held_impulse > 0.0 {
             self.rock_over_chord(&second.after)
@@ -231,7 +233,7 @@ impl Valley {
         (end, vec![first, second])
     }
 
-    /// A plastic collision of one rim point while another is held, or lifts off.
+    /// A plastic collision of one rim point, while another one stays in contact or lifts off.
     fn strike(
         &self,
         v: &Velocity,
@@ -241,7 +243,7 @@ impl Valley {
         scaled_tilt: f64,
     ) -> Strike {
         let (after, impulse, held_impulse) = if self.k + self.m * dot(struck, held) >= 0.0 {
-            let stopped = -v.of_point(struck);
+            let stopped = -v.of_rim_point(struck);
             let [toward, across] = v.lean;
             let tilted = self.m * stopped;
             let after = Velocity {
@@ -261,8 +263,8 @@ impl Valley {
         }
     }
 
-    /// Both points come to rest: of the velocity that part is left which turns the body about the
-    /// chord between them. With the impulses at both.
+    /// A collision after which both points are at rest: only the rotation about the chord between them
+    /// remains. Returns the velocity and the impulses at the striking and at the held point.
     fn strike_holding(
         &self,
         v: &Velocity,
@@ -282,13 +284,13 @@ impl Valley {
         };
         let sum = self.m * (after.up - v.up);
         let difference = 2.0 * self.k * dot(v.lean, chord) / length;
-        // Where holding begins, rounding must not make the table pull.
+        // Near the threshold, rounding must not make this impulse negative.
         let held_impulse = (0.5 * (sum - difference)).max(0.0);
         (after, 0.5 * (sum + difference), held_impulse)
     }
 
-    /// Flat bodies: the chord from B to the running point C turns, without loss, past the point
-    /// opposite to B, until B would have to be pulled.
+    /// Flat bodies: C moves on, without loss of energy, past the point opposite to B, until the table would
+    /// have to pull at B.
     fn rock_over_chord(&self, v: &Velocity) -> End {
         let energy = self.energy(v);
         if energy == 0.0 {
@@ -301,11 +303,11 @@ impl Valley {
             lean: [rate * distance, rate * sine],
             up: rate * distance,
         };
-        self.roll_off(at_twice(distance, sine), &after)
+        self.roll_off(at_double_angle(distance, sine), &after)
     }
 
-    /// The rim rolls on from its point e as in the paper's near-collision: the tilt grows in the end,
-    /// and ψ = √(J′/K′) arctan(ω t/φ_c) has less than half the limiting angle to go.
+    /// The rim rolls on from its point e as in the paper's near-collision. In the end the tilt grows, and
+    /// the rest of ψ = √(J′/K′) arctan(ω t/φ_c) is less than half of the limiting angle.
     fn roll_off(&self, e: [f64; 2], v: &Velocity) -> End {
         let [tilting, turning] = [dot(v.lean, e), dot(v.lean, [-e[1], e[0]])];
         let energy = tilting * tilting + self.k * turning * turning;
@@ -319,7 +321,7 @@ impl Valley {
     }
 }
 
-/// The unit vector at twice the angle of another.
-fn at_twice(cos: f64, sin: f64) -> [f64; 2] {
+/// The unit vector at twice the angle of (cos, sin).
+fn at_double_angle(cos: f64, sin: f64) -> [f64; 2] {
     [(cos - sin) * (cos + sin), 2.0 * cos * sin]
 }

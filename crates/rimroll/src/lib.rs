@@ -1,19 +1,19 @@
 //! How round things fall, rock and roll on the rim of their base.
 //!
-//! Tip a can a little and let it fall upright. It seems to slap the table and rock up on the other side,
-//! yet never quite opposite. In truth the base does not slap: its contact point runs round the rim by
-//! a definite angle in almost no time, and the can rises again, veered (M. Srinivasan and A. Ruina,
-//! *Rocking and rolling: a can that appears to rock might actually roll*, 2007).
+//! Tip a can a little and let it fall back. It seems to slap the table and to rock up on the other side,
+//! but never exactly opposite. The base does not in fact slap the table: the contact point runs round the
+//! rim through a definite angle in almost no time, and the can rises in a new direction
+//! (M. Srinivasan and A. Ruina, *Rocking and rolling: a can that appears to rock might actually roll*, 2007).
 //!
-//! The closer the motion comes to a face-down collision, the faster the contact point runs, and the
-//! nearer the angle of turn comes to a limit that depends on the body alone:
+//! The closer the motion comes to a face-down collision, the faster the contact point runs and the
+//! closer the angle of turn comes to a limit that depends on the body alone:
 //!
 //! * rolling without slip: π √((A + mR² + mH²)/(A + mH²)), 202.29° for the paper's can;
 //! * sliding without friction: π √((A + mR²)/A), 220.97°.
 //!
-//! This crate computes the whole motion and these limits. It is pure: no files, no clock, no printing.
-//! SI units and radians throughout. Only operations that IEEE 754 defines to the bit, and `libm`, so that
-//! results are the same on every machine (`tests/same_bits.rs`).
+//! This crate computes the whole motion and these limits. It reads no file and no clock and prints nothing.
+//! All quantities are in SI units and radians. It uses only `libm` and operations that IEEE 754 defines to
+//! the last bit, so results are identical on every machine (`tests/same_bits.rs`).
 //!
 //! ```
 //! use rimroll::{IdealLaw, Options, State, presets, simulate, turn::turn_limit};
@@ -28,24 +28,29 @@
 //! # Ok::<(), rimroll::InvalidInput>(())
 //! ```
 //!
-//! Between these limits lies dry friction, for which there is no closed form: the same crate computes
-//! it, with exact phases of rolling, sliding and flight.
+//! Dry friction lies between these limits and has no closed form. The crate computes it by simulation,
+//! with separate phases of rolling, sliding and flight and without regularisation.
 //!
 //! # Reading order
-//! [`body`] and [`solids`]: what rolls. [`contact_law`]: what it rolls on. [`state`]: where it is and how it
-//! moves, and the coordinates that stay regular through the near-collision. [`law`]: the equations of
-//! motion, one file a law. [`solve`]: a solver that knows no mechanics. [`motion`]: [`simulate`], phases
-//! joined by events, [`motion::Sensitivity`], how a motion changes with what it was computed from, and
-//! [`motion::fall`], one turn alone; [`ensemble`](mod@ensemble): many falls at once. [`turn`]: closed
-//! forms, and the near-collision by itself under any friction. [`pasted`] and [`small_angle`]: the
-//! paper's two approximations. [`imperfection`]: the theory that it rejects.
+//! * [`body`], [`solids`], [`presets`]: the rolling body.
+//! * [`contact_law`]: friction, restitution and resistance of the table.
+//! * [`state`]: Euler angles, and the coordinates that stay regular through the near-collision.
+//! * [`law`]: the equations of motion, one file per law.
+//! * [`solve`]: an ODE solver that knows no mechanics.
+//! * [`motion`]: [`simulate`], which joins smooth phases at events; [`motion::Sensitivity`], the derivatives
+//!   of a motion with respect to its parameters; [`motion::fall`], one turn without a recorded motion.
+//! * [`ensemble`](mod@ensemble): many falls at once.
+//! * [`turn`]: closed forms, and the near-collision as a problem of its own under any friction.
+//! * [`composite`] and [`small_angle`]: the paper's two approximations.
+//! * [`imperfection`]: the theory that the paper rejects.
 //!
 //! # What it does not do
-//! A body is its mass, its moments of inertia and its rim: what else of it might touch the table, it
-//! does not know. A motion that leaves mechanics, or the law's domain, ends there with a [`Status`] that
-//! says so.
+//! A body is described by its mass, its moments of inertia and its rim. Contact of any other part of the
+//! body with the table is not detected. A motion ends with a [`Status`] that says why when it leaves the
+//! domain of rigid-body mechanics or of the chosen law.
 
 pub mod body;
+pub mod composite;
 pub mod contact_law;
 pub mod ensemble;
 pub mod error;
@@ -54,7 +59,6 @@ mod impact;
 pub mod imperfection;
 pub mod law;
 pub mod motion;
-pub mod pasted;
 pub mod presets;
 pub mod real;
 pub mod small_angle;

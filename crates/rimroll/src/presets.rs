@@ -1,7 +1,7 @@
-//! Bodies that people have at hand.
+//! Everyday bodies.
 //!
-//! Each says where its numbers come from: the paper, a maker's data, or the solids it is put
-//! together from. Those made from nominal sizes are typical of their kind, not of one specimen.
+//! Each states the source of its numbers: the paper, a manufacturer's data, or the solids that it is
+//! composed of. Bodies with nominal sizes are typical of their kind and describe no particular specimen.
 
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
@@ -19,21 +19,21 @@ const STEEL: f64 = 7850.0;
 /// The can of Srinivasan & Ruina (2007): m = 0.070 kg, R = 5.1 cm, H = 6.9 cm,
 /// A/m = 5.13e-3 m² (section "Quantitative comparisons").
 ///
-/// C/m = 2.0e-3 m², not the 8e-3 of the simulation figure's caption: no can inside its own rim
-/// can have C/m > R² = 2.6e-3 m², and a wall with two discs has 1.3e-3 to 2.2e-3. No limiting
-/// angle depends on C.
+/// C/m = 2.0e-3 m² replaces the 8e-3 m² of the simulation figure's caption: no can that lies inside its
+/// own rim can have C/m > R² = 2.6e-3 m², and a wall with two discs has 1.3e-3 to 2.2e-3 m². No
+/// limiting angle depends on C.
 pub fn can_2007() -> Result<Body, InvalidInput> {
     let mass = 0.070;
     Body::new(mass, 0.051, 0.069, 5.13e-3 * mass, 2.0e-3 * mass)
 }
 
-/// A 330 ml aluminium drinks can, filled to a part between 0 (empty) and 1.
+/// A 330 ml aluminium drinks can; `fill` is the filled fraction, between 0 (empty) and 1.
 ///
-/// Nominal sizes: body 66 mm across and 115 mm high with a wall of 0.10 mm, a base of 0.30 mm at 5 mm
-/// over a rim 48 mm across, a lid of 0.25 mm and 52 mm across; 10.6 g in all when empty. The filling is
-/// water, 97 mm deep when full, and moves as if frozen.
+/// Nominal sizes: a body of 66 mm diameter and 115 mm height with a wall of 0.10 mm; a base 0.30 mm thick,
+/// 5 mm above a rim of 48 mm diameter; a lid 0.25 mm thick of 52 mm diameter. The empty can weighs 10.6 g.
+/// The filling is water, 97 mm deep when full, and moves as if frozen.
 pub fn soda_can(fill: f64) -> Result<Body, InvalidInput> {
-    let fill = part("fill", fill)?;
+    let fill = fraction("fill", fill)?;
     let (radius, height) = (0.033, 0.115);
     let mut solids = vec![
         wall(ALUMINIUM, radius, 0.10e-3, height, 0.0)?,
@@ -46,13 +46,13 @@ pub fn soda_can(fill: f64) -> Result<Body, InvalidInput> {
     Body::from_solids(0.024, &solids)
 }
 
-/// A 330 ml long-neck glass bottle, filled to a part between 0 (empty) and 1 of its body.
+/// A 330 ml long-neck glass bottle; `fill` is the filled fraction of its body, between 0 (empty) and 1.
 ///
-/// Nominal sizes: body 61 mm across and 130 mm high with a wall of 2.2 mm, shoulder and neck 100 mm long
-/// as a wall 30 mm across outside and 2.8 mm thick, a base 6 mm thick standing on a rim 52 mm across;
-/// 0.23 kg when empty. The filling is water and moves as if frozen.
+/// Nominal sizes: a body of 61 mm diameter and 130 mm height with a wall of 2.2 mm; shoulder and neck as one
+/// wall 100 mm long, of 30 mm outer diameter and 2.8 mm thick; a base 6 mm thick on a rim of 52 mm
+/// diameter. The empty bottle weighs 0.23 kg. The filling is water and moves as if frozen.
 pub fn beer_bottle(fill: f64) -> Result<Body, InvalidInput> {
-    let fill = part("fill", fill)?;
+    let fill = fraction("fill", fill)?;
     let (radius, body, neck) = (0.0305, 0.130, 0.100);
     let mut solids = vec![
         wall(GLASS, radius - 0.0011, 2.2e-3, body, 0.0)?,
@@ -90,8 +90,8 @@ pub fn disk(radius: f64) -> Result<Body, InvalidInput> {
     Body::from_solids(radius, &[Solid::disc(1.0, radius, 0.0)?])
 }
 
-/// Euler's disk, the toy: a steel cylinder 75 mm across and 12.7 mm (½ inch) thick, 0.44 kg, which
-/// stands on the rim of one face, H = 6.35 mm.
+/// The toy called Euler's disk: a steel cylinder of 75 mm diameter and 12.7 mm (½ inch) thickness, 0.44 kg,
+/// on the rim of one face, so H = 6.35 mm.
 pub fn euler_disk() -> Result<Body, InvalidInput> {
     cylinder_of(STEEL, 0.0375, 12.7e-3)
 }
@@ -112,7 +112,7 @@ fn uniform_cylinder(mass: f64, radius: f64, length: f64) -> Result<Body, Invalid
     Body::from_solids(radius, &[Solid::cylinder(mass, radius, length, 0.0)?])
 }
 
-/// A thin wall by its thickness: radius is that of its middle.
+/// A thin wall of the given thickness; `radius` is that of its mid-surface.
 fn wall(
     density: f64,
     radius: f64,
@@ -124,13 +124,13 @@ fn wall(
     Solid::wall(density * area * length, radius, length, base)
 }
 
-/// A thin disc by its thickness, at the height of its middle.
+/// A thin disc of the given thickness; `height` is that of its mid-plane.
 fn plate(density: f64, radius: f64, thickness: f64, height: f64) -> Result<Solid, InvalidInput> {
     let area = core::f64::consts::PI * radius * radius;
     Solid::disc(density * area * thickness, radius, height)
 }
 
-fn part(field: &'static str, value: f64) -> Result<f64, InvalidInput> {
+fn fraction(field: &'static str, value: f64) -> Result<f64, InvalidInput> {
     bounded(
         field,
         value,

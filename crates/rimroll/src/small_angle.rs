@@ -1,25 +1,26 @@
 //! The paper's heuristic small-angle treatment: the lean as a vector in the plane.
 //!
 //! Source: Srinivasan & Ruina (2007), section "An alternate heuristic small angle treatment". The
-//! lean has length φ and direction ψ, like a position in polar coordinates; gravity and the spin about
-//! the vertical are left out. Angular momentum A q̈ = M_G has no moment across q, and along q it
-//! says, without slip as without friction, J′ φ̈ = K′ φ ψ̇². So
+//! lean vector q has length φ and direction ψ, like a position in polar coordinates. Gravity and the spin
+//! about the vertical are neglected. In the balance of angular momentum A q̈ = M_G, the moment across q is
+//! zero; the component along q gives J′ φ̈ = K′ φ ψ̇² under both ideal laws. So
 //!
 //! ```text
 //! q̈ = −(1 − K′/J′) h² q/|q|⁴        h = q × q̇
 //! ```
 //!
-//! a central force with the inverse cube of the distance: the lean runs along one of Cotes's spirals,
-//! φ = φ_c / cos(ψ √(K′/J′)), which turns by π √(J′/K′) where a straight line would by π.
-//! Errata: the printed M_G without slip lacks a factor m, and its parts along e_x1 and e_z have the
+//! which is a central force proportional to the inverse cube of the distance. The lean vector follows one
+//! of Cotes's spirals, φ = φ_c / cos(ψ √(K′/J′)), which turns by π √(J′/K′); a straight line turns by π.
+//!
+//! Errata: the printed M_G without slip lacks a factor m, and its components along e_x1 and e_z have the
 //! wrong sign; the printed `M` without friction is the mass m.
 
 use crate::error::{InvalidInput, positive};
 use crate::solve::{Stepper, System};
 use crate::turn::NearCollision;
 
-/// The lean in the plane: position, velocity and time.
-const PLANE: usize = 5;
+/// Position and velocity of the lean vector (two components each), and time.
+const DIMENSION: usize = 5;
 
 struct InverseCube {
     /// (1 − K′/J′) h².
@@ -28,26 +29,26 @@ struct InverseCube {
     time: f64,
 }
 
-impl System<f64, PLANE> for InverseCube {
-    fn rates(&self, u: &[f64; PLANE]) -> [f64; PLANE] {
+impl System<f64, DIMENSION> for InverseCube {
+    fn rates(&self, u: &[f64; DIMENSION]) -> [f64; DIMENSION] {
         let [x, y, vx, vy, _] = *u;
         let square = x * x + y * y;
         let pull = -self.strength / (square * square);
         [vx, vy, pull * x, pull * y, 1.0]
     }
 
-    fn scale(&self, u: &[f64; PLANE]) -> [f64; PLANE] {
+    fn scale(&self, u: &[f64; DIMENSION]) -> [f64; DIMENSION] {
         let [x, y, vx, vy, t] = *u;
         let (distance, speed) = ((x * x + y * y).sqrt(), (vx * vx + vy * vy).sqrt());
         [distance, distance, speed, speed, self.time + t]
     }
 }
 
-/// Integrates the plane vector from the smallest tilt on, until `until` (s): samples of
-/// (t, φ, ψ − ψ_c) at the solver's steps. The motion before is its mirror image.
+/// Integrates the lean vector from the smallest tilt to the time `until` (s) and returns samples of
+/// (t, φ, ψ − ψ_c), four per step of the solver. The motion before the smallest tilt is the mirror image.
 ///
 /// # Errors
-/// Refuses a time that is not finite or ≤ 0.
+/// Refuses a time that is not finite or not positive.
 pub fn lean_vector(near: &NearCollision, until: f64) -> Result<Vec<[f64; 3]>, InvalidInput> {
     positive("until", until, "s")?;
     let sideways = near.tipping_rate * near.stretch;
@@ -68,7 +69,7 @@ pub fn lean_vector(near: &NearCollision, until: f64) -> Result<Vec<[f64; 3]>, In
             if t > until {
                 return Ok(samples);
             }
-            // The angle between neighbours adds up beyond π, which that of one vector would not.
+            // The sum of the angles between neighbouring samples can exceed π; that of one vector cannot.
             yaw += libm::atan2(ax * by - ay * bx, ax * bx + ay * by);
             samples.push([t, (bx * bx + by * by).sqrt(), yaw]);
         }

@@ -1,13 +1,13 @@
-//! Solids of revolution from which a [`Body`](crate::Body) is put together.
+//! Solids of revolution from which a [`Body`](crate::Body) is composed.
 //!
-//! All share the symmetry axis; heights are measured from the table when the body stands upright.
-//! The moments of inertia are the textbook ones (e.g. Landau & Lifshitz, *Mechanics*, §32); the
-//! parallel-axis theorem joins them in [`Body::from_solids`](crate::Body::from_solids).
+//! All solids share the symmetry axis. Heights are measured from the table with the body upright.
+//! The moments of inertia are the textbook ones (e.g. Landau & Lifshitz, *Mechanics*, §32);
+//! [`Body::from_solids`](crate::Body::from_solids) combines them by the parallel-axis theorem.
 
 use crate::error::{InvalidInput, at_most_twice, finite, not_negative, positive};
 use core::f64::consts::PI;
 
-/// One part of a body: its mass and its moments about its own centre of mass (SI units).
+/// One part of a body: its mass and its moments of inertia about its own centre of mass (SI units).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solid {
     /// Mass, kg.
@@ -21,7 +21,7 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// Checks the numbers of a part that was not made by one of the functions below.
+    /// Checks the numbers of a solid that was not made by one of the functions below.
     ///
     /// # Errors
     /// Refuses mass ≤ 0, a moment of inertia < 0, C > 2A, and numbers that are not finite.
@@ -33,7 +33,8 @@ impl Solid {
         at_most_twice(self.axial_inertia, self.transverse_inertia)
     }
 
-    /// A solid cylinder of the given mass (kg), radius and length (m), its lower face at `base` (m).
+    /// A solid cylinder of the given mass (kg), radius and length (m), and height `base` (m) of its lower
+    /// face.
     ///
     /// # Errors
     /// Refuses mass or radius ≤ 0, length < 0, and numbers that are not finite.
@@ -42,8 +43,8 @@ impl Solid {
         Solid::hollow_cylinder(mass, 0.0, radius, length, base)
     }
 
-    /// A cylinder with a coaxial bore: mass (kg), inner and outer radius, length and height of the
-    /// lower face (m). C = m(a² + b²)/2, A = C/2 + m L²/12.
+    /// A cylinder with a coaxial bore: mass (kg), inner radius a, outer radius b, length L and height of
+    /// the lower face (m). C = m(a² + b²)/2, A = C/2 + m L²/12.
     ///
     /// # Errors
     /// Refuses mass or outer radius ≤ 0, an inner radius outside [0, outer radius], length < 0.
@@ -102,8 +103,8 @@ impl Solid {
         Solid::hollow_cylinder(mass, radius, radius, length, base)
     }
 
-    /// A filling of the given density (kg/m³), radius, depth and height of its lower face (m), moving
-    /// with the body as if frozen: a real liquid turns less with the can than this.
+    /// A filling of the given density (kg/m³), radius, depth and height of its lower face (m). It moves
+    /// with the body as if frozen; a real liquid follows the rotation of its container less.
     ///
     /// # Errors
     /// Refuses density, radius or depth ≤ 0.

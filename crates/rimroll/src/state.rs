@@ -1,10 +1,10 @@
-//! Where the body is and how it moves.
+//! Position and motion of the body: Euler angles for the user, regular coordinates for the solver.
 
 use crate::error::{InvalidInput, bounded, within};
 use crate::real::Real;
 use core::f64::consts::PI;
 
-/// Position and motion in the paper's Euler angles (rad, rad/s): what goes in and comes out.
+/// Position and motion in the paper's Euler angles (rad, rad/s), as users give and receive them.
 ///
 /// Yaw ψ about the vertical, tilt −φ about the horizontal axis in the base, spin θ about the
 /// symmetry axis, relative to the frame that yaws and tilts. The contact point is at azimuth ψ + π
@@ -15,7 +15,7 @@ pub struct State {
     pub tilt: f64,
     /// φ̇.
     pub tilt_rate: f64,
-    /// ψ: turns with the contact point.
+    /// ψ: follows the contact point round.
     pub yaw: f64,
     /// ψ̇.
     pub yaw_rate: f64,
@@ -26,7 +26,7 @@ pub struct State {
 }
 
 impl State {
-    /// Its six numbers, in the order in which they are listed.
+    /// The six numbers in the order of the fields.
     pub fn numbers(&self) -> [f64; 6] {
         [
             self.tilt,
@@ -38,10 +38,10 @@ impl State {
         ]
     }
 
-    /// Checks a start: the tilt inside (0, π), yaw and spin within 1e6 rad, rates within 1e30 rad/s.
+    /// Checks an initial state: tilt inside (0, π), |yaw| and |spin| up to 1e6 rad, rates up to 1e30 rad/s.
     ///
     /// # Errors
-    /// Names the first field that is not.
+    /// Names the first field that is out of bounds.
     pub fn check(&self) -> Result<(), InvalidInput> {
         bounded(
             "tilt",
@@ -50,7 +50,7 @@ impl State {
             "inside (0, pi)",
             "rad",
         )?;
-        // A larger angle has no digits left for the turn that is added to it.
+        // A larger angle would leave too few digits for the turn that is added to it.
         within("yaw", self.yaw, 1e6, "between -1e6 and 1e6", "rad")?;
         within("spin", self.spin, 1e6, "between -1e6 and 1e6", "rad")?;
         for (field, rate) in [
@@ -67,24 +67,25 @@ impl State {
 /// The number of [`Coordinates`].
 pub const COORDINATES: usize = 17;
 
-/// How many of them, the first, say where the body is and how it turns.
+/// The number of leading coordinates that describe the body's position and rotation. The others (slip, gap
+/// and losses) stay constant under the two ideal laws.
 pub const RIGID_COORDINATES: usize = 10;
 
-/// How many of them, the first, no rate depends on: yaw and spin. (Nor does one on the time, which makes
-/// up the eight that fill two registers.)
+/// The number of leading coordinates that are ignorable (cyclic): no rate depends on yaw and spin.
+/// No rate depends on the time either; it stays among the eight that fill two registers.
 pub(crate) const IGNORABLE: usize = 2;
 
-/// Index of the time among them.
+/// Index of the time among the coordinates.
 pub const TIME: usize = 7;
 
-/// The coordinates that are integrated: regular through the near-collision.
+/// The coordinates that are integrated. They are regular through the near-collision.
 ///
-/// As the base almost slaps the table ψ̇ and θ̇ grow without bound like 1/φ, but the body's angular
-/// velocity (w, −φ̇, s) in the frame e_x2, e_y2, e_z2 stays finite, and the step variable τ with
-/// dt = sin φ dτ stretches the moment so that every coordinate here changes at a bounded rate.
-/// sin φ and cos φ are carried instead of φ: then the right-hand sides are rational, and nothing
-/// cancels down to the smallest tilt. The slip is carried instead of the centre's velocity, because
-/// friction depends on its direction, however small it is.
+/// As the base almost slaps the table, ψ̇ and θ̇ grow without bound like 1/φ, but the body's angular
+/// velocity (w, −φ̇, s) in the frame e_x2, e_y2, e_z2 stays finite. The Sundman time transformation
+/// dt = sin φ dτ stretches the near-collision, so that every coordinate here has a bounded rate with
+/// respect to the independent variable τ. sin φ and cos φ replace φ, which makes the right-hand sides
+/// rational and avoids cancellation down to the smallest tilt. The slip velocity replaces the velocity of
+/// the centre of mass, because friction depends on the direction of the slip however small it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coordinates<T> {
     /// ψ, rad.
@@ -103,29 +104,29 @@ pub struct Coordinates<T> {
     pub w: T,
     /// s = θ̇ + ψ̇ cos φ, rad/s: the spin about the symmetry axis.
     pub s: T,
-    /// Where the centre of mass is from where it started: along e_x1, m. In the frame that yaws, its rate
-    /// is polynomial, too: nothing here asks for the sine of the yaw.
+    /// Horizontal displacement of the centre of mass since the start along e_x1, m. In the yawing frame
+    /// its rate is polynomial, too, and needs no sine of the yaw.
     pub x1: T,
-    /// The same along e_y1, m.
+    /// Horizontal displacement of the centre of mass since the start along e_y1, m.
     pub y1: T,
-    /// Horizontal velocity of the rim's lowest point along e_x1, m/s, where the law makes use of it.
+    /// Horizontal velocity of the rim's lowest point along e_x1, m/s, under laws that allow slip.
     pub slip_x: T,
-    /// The same along e_y1, m/s.
+    /// Horizontal velocity of the rim's lowest point along e_y1, m/s.
     pub slip_y: T,
-    /// Height of the rim's lowest point over the table, m: zero but in flight.
+    /// Height of the rim's lowest point above the table, m: zero except in flight.
     pub gap: T,
-    /// Its rate, m/s.
+    /// Rate of the gap, m/s.
     pub gap_rate: T,
-    /// Energy lost to friction so far, J.
+    /// Energy lost to friction since the start, J.
     pub friction_loss: T,
-    /// Energy lost to rolling resistance, pivoting friction and air, J.
+    /// Energy lost to rolling resistance, pivoting friction and air drag since the start, J.
     pub resistance_loss: T,
-    /// Energy lost in landings, J.
+    /// Energy lost in impacts since the start, J.
     pub impact_loss: T,
 }
 
 impl<T: Copy> Coordinates<T> {
-    /// From the order in which the solver keeps them.
+    /// Reads the solver's state vector.
     #[rustfmt::skip]
     #[inline(always)]
     pub fn from_array(array: &[T; COORDINATES]) -> Self {
@@ -139,7 +140,7 @@ impl<T: Copy> Coordinates<T> {
         }
     }
 
-    /// Into the order in which the solver keeps them.
+    /// The solver's state vector.
     #[rustfmt::skip]
     #[inline(always)]
     pub fn into_array(self) -> [T; COORDINATES] {
@@ -152,7 +153,7 @@ impl<T: Copy> Coordinates<T> {
 }
 
 impl Coordinates<f64> {
-    /// This and `factor` times another, coordinate by coordinate.
+    /// self + `factor` · `other`, coordinate by coordinate.
     pub(crate) fn plus(&self, factor: f64, other: &Self) -> Self {
         let (a, b) = (self.into_array(), other.into_array());
         Coordinates::from_array(&core::array::from_fn(|i| a[i] + factor * b[i]))
@@ -160,13 +161,13 @@ impl Coordinates<f64> {
 }
 
 impl<T: Real> Coordinates<T> {
-    /// All zero: rates of nothing.
+    /// All coordinates, or all rates, zero.
     #[inline(always)]
     pub fn zero() -> Self {
         Coordinates::from_array(&[T::from(0.0); COORDINATES])
     }
 
-    /// From the first of them in the order in which the solver keeps them, the others being zero.
+    /// Reads the first N entries of the solver's state vector; the others are zero.
     #[inline(always)]
     pub(crate) fn from_first<const N: usize>(first: &[T; N]) -> Self {
         let mut all = [T::from(0.0); COORDINATES];
@@ -174,8 +175,8 @@ impl<T: Real> Coordinates<T> {
         Coordinates::from_array(&all)
     }
 
-    /// The start of a motion: t = 0, the centre of mass over the origin, the rim at rest where it
-    /// touches the table. The numbers are those of a [`State`], in its order.
+    /// The start of a motion: t = 0, the centre of mass above the origin, no slip. The argument lists the
+    /// fields of a [`State`] in their order.
     pub fn starting([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [T; 6]) -> Self {
         let (sin, cos) = tilt.sin_cos();
         Coordinates {
@@ -200,31 +201,31 @@ impl<T: Real> Coordinates<T> {
         self.s - self.yaw_rate() * self.cos
     }
 
-    /// The rates by the solver's clock τ that follow from the velocities alone, whatever the
-    /// forces: of yaw, tilt and time. All others are zero.
+    /// The rates with respect to τ that follow from the velocities alone: those of yaw, tilt and time. All
+    /// other rates are zero.
     #[inline(always)]
     pub fn kinematics(&self) -> Self {
-        self.kinematics_in(T::from(1.0))
+        self.scaled_kinematics(T::from(1.0))
     }
 
-    /// The same by a clock that goes as fast as this part of τ.
+    /// [`Coordinates::kinematics`] with respect to σ, where dτ = `factor` dσ.
     #[inline(always)]
-    pub(crate) fn kinematics_in(&self, clock: T) -> Self {
-        let passing = clock * self.sin;
-        let falling = passing * self.p;
+    pub(crate) fn scaled_kinematics(&self, factor: T) -> Self {
+        let time_rate = factor * self.sin;
+        let tilt_rate = time_rate * self.p;
         Coordinates {
-            yaw: clock * self.w,
-            t: passing,
-            sin: falling * self.cos,
-            cos: -(falling * self.sin),
+            yaw: factor * self.w,
+            t: time_rate,
+            sin: tilt_rate * self.cos,
+            cos: -(tilt_rate * self.sin),
             ..Coordinates::zero()
         }
     }
 
-    /// These rates with those of the spin, and of the centre of mass, which moves with `velocity`
-    /// (m/s) along e_x1 and e_y1.
+    /// Adds to `rates` the rates of the spin and of the centre of mass, which moves with `velocity` (m/s)
+    /// along e_x1 and e_y1.
     #[inline(always)]
-    pub fn with_place(&self, rates: Self, velocity: [T; 2]) -> Self {
+    pub fn with_spin_and_center(&self, rates: Self, velocity: [T; 2]) -> Self {
         let [vx, vy] = velocity;
         Coordinates {
             spin: self.sin * self.s - self.w * self.cos,
@@ -234,7 +235,7 @@ impl<T: Real> Coordinates<T> {
         }
     }
 
-    /// The centre of mass over the table, m, from where it started.
+    /// Horizontal displacement of the centre of mass since the start, m, in axes fixed to the table.
     pub fn center(&self) -> [T; 2] {
         let (sin, cos) = self.yaw.sin_cos();
         [self.x1 * cos - self.y1 * sin, self.x1 * sin + self.y1 * cos]
@@ -242,12 +243,12 @@ impl<T: Real> Coordinates<T> {
 }
 
 impl Coordinates<f64> {
-    /// The start of a motion from the paper's Euler angles, as [`Coordinates::starting`].
+    /// The start of a motion in the paper's Euler angles (see [`Coordinates::starting`]).
     pub fn from_state(state: &State) -> Self {
         Coordinates::starting(state.numbers())
     }
 
-    /// φ, rad; of a disk that all but lies on its other face the last number below π.
+    /// φ, rad. It stays below π even where rounding puts a disk flat on its other face.
     pub fn tilt(&self) -> f64 {
         const LAST_BELOW_PI: f64 = f64::from_bits(PI.to_bits() - 1);
         libm::atan2(self.sin, self.cos).min(LAST_BELOW_PI)
@@ -258,7 +259,7 @@ impl Coordinates<f64> {
         libm::hypot(self.slip_x, self.slip_y)
     }
 
-    /// Back to the paper's Euler angles.
+    /// The paper's Euler angles and their rates.
     pub fn state(&self) -> State {
         State {
             tilt: self.tilt(),

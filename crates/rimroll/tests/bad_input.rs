@@ -470,9 +470,10 @@ fn no_steady_wobble_where_no_yaw_rate_balances_the_body() {
 }
 
 #[test]
-fn a_pasted_approximation_needs_a_near_collision() {
-    use rimroll::pasted::pasted;
-    let refused = |start: &State| refusal(pasted(&can(), start, IdealLaw::NoSlip, 9.8).map(|_| ()));
+fn a_composite_approximation_needs_a_near_collision() {
+    use rimroll::composite::composite;
+    let refused =
+        |start: &State| refusal(composite(&can(), start, IdealLaw::NoSlip, 9.8).map(|_| ()));
     let still = State {
         tilt: 0.5,
         ..State::default()

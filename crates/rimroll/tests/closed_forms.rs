@@ -10,9 +10,9 @@ use bodies::{any_body, cases};
 use core::f64::consts::PI;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
+use rimroll::composite::{Composite, composite};
 use rimroll::law::{Dynamics, NoSlip, Parameters};
 use rimroll::motion::Turn;
-use rimroll::pasted::{Pasted, pasted};
 use rimroll::small_angle::lean_vector;
 use rimroll::solve::{Stepper, System};
 use rimroll::state::{COORDINATES, Coordinates};
@@ -162,7 +162,7 @@ proptest! {
     #[test]
     fn at_the_lift_off_rate_the_table_carries_nothing(body in any_body()) {
         prop_assume!(body.height() > 0.0);
-        let law = IdealLaw::NoSlip.of(&body, PAPER_GRAVITY);
+        let law = IdealLaw::NoSlip.dynamics(&body, PAPER_GRAVITY);
         let rate = lift_off_rate(&body, PAPER_GRAVITY).expect("valid");
         let normal = |rate: f64| {
             let u = arriving(rate);
@@ -177,7 +177,7 @@ proptest! {
         body in any_body(),
     ) {
         prop_assume!(body.height() > 0.0);
-        let law = IdealLaw::NoSlip.of(&body, PAPER_GRAVITY);
+        let law = IdealLaw::NoSlip.dynamics(&body, PAPER_GRAVITY);
         let rate = slip_rate(&body, PAPER_GRAVITY).expect("valid");
         let ratio = |rate: f64| {
             let contact = law.contact(&arriving(rate));
@@ -204,7 +204,7 @@ proptest! {
             ..State::default()
         });
         for kind in IdealLaw::ALL {
-            let law = kind.of(&body, PAPER_GRAVITY);
+            let law = kind.dynamics(&body, PAPER_GRAVITY);
             let rates = law.rates(&u);
             let [vx, vy] = law.center_velocity(&u);
             let scale = u.w * u.w + PAPER_GRAVITY / body.radius();
@@ -455,33 +455,38 @@ fn the_near_collision_agrees_with_the_full_motion_to_the_order_of_the_tilt() {
     }
 }
 
-/// The pasted approximation and its largest errors over one rocking, rad; `None` when the body leaves
+/// The composite approximation and its largest errors over one rocking, rad; `None` when the body leaves
 /// the table or does not come down.
-fn pasting_errors(body: &Body, law: IdealLaw, start: &State) -> Option<(Pasted, [f64; 2])> {
-    let pasted = pasted(body, start, law, PAPER_GRAVITY).ok()?;
-    let motion = follow(body, start, law, &tight(pasted.time + pasted.half_width));
+fn composite_errors(body: &Body, law: IdealLaw, start: &State) -> Option<(Composite, [f64; 2])> {
+    let composite = composite(body, start, law, PAPER_GRAVITY).ok()?;
+    let motion = follow(
+        body,
+        start,
+        law,
+        &tight(composite.time + composite.half_width),
+    );
     if motion.status != Status::Finished {
         return None;
     }
     let [mut tilt, mut yaw] = [0.0_f64; 2];
     for u in motion.track.samples(4) {
-        if (u.t - pasted.time).abs() < pasted.half_width {
-            tilt = tilt.max((pasted.tilt(u.t) - u.tilt()).abs());
-            yaw = yaw.max((pasted.yaw(u.t) - u.yaw).abs());
+        if (u.t - composite.time).abs() < composite.half_width {
+            tilt = tilt.max((composite.tilt(u.t) - u.tilt()).abs());
+            yaw = yaw.max((composite.yaw(u.t) - u.yaw).abs());
         }
     }
-    Some((pasted, [tilt, yaw]))
+    Some((composite, [tilt, yaw]))
 }
 
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Tipping motion and near-collision pasted together, from one top to the next. The yaw errs by
+    /// Tipping motion and near-collision matched, from one top to the next. The yaw errs by
     /// φ_c (b′ ln φ_c + a): over φ_c ln φ_c, as the near-collision comes a hundred times closer, the
     /// error stays below half as much again, beside 2b for where the logarithm and a had cancelled.
     /// The tilt errs less than φ_c |ln φ_c|.
     #[test]
-    fn the_pasted_approximation_errs_by_the_order_of_phi_c_ln_phi_c(
+    fn the_composite_approximation_errs_by_the_order_of_phi_c_ln_phi_c(
         body in any_body(),
         part in 0.1..0.7,
         flick in -0.3..0.3,
@@ -497,9 +502,9 @@ proptest! {
             ..State::default()
         };
         for law in IdealLaw::ALL {
-            let errors = [1e-4, 1e-6].map(|x| pasting_errors(&body, law, &start(x)));
+            let errors = [1e-4, 1e-6].map(|x| composite_errors(&body, law, &start(x)));
             let [Some((far, far_errors)), Some((near, near_errors))] = errors else { continue };
-            let order = |p: &Pasted| {
+            let order = |p: &Composite| {
                 let min_tilt = p.near_collision.min_tilt;
                 min_tilt * libm::log(min_tilt).abs()
             };

@@ -2,7 +2,9 @@
 //! the outcome needs. First come those that the law feels; the rest is summed up on the way.
 
 use crate::error_scale::{ErrorScale, slip_speed};
-use crate::law::{Coulomb, Dynamics, Frictionless, NoSlip, Pace, Parameters, Sliding, SlidingDry};
+use crate::law::{
+    Coulomb, Dynamics, Frictionless, NoSlip, Parameters, Sliding, SlidingDry, SundmanScaling,
+};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -267,11 +269,11 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
             self.error_scale.sundman_denominator(&u),
         );
         let per_inertia = slip_speed(&u) / (inertia * sundman_denominator);
-        let pace = Pace {
-            clock: inertia * per_inertia,
+        let scaling = SundmanScaling {
+            factor: inertia * per_inertia,
             per_inertia,
         };
-        Self::project(&self.law.rates_under(&u, &friction_force, pace).1)
+        Self::project(&self.law.rates_under(&u, &friction_force, scaling).1)
     }
 
     #[inline(always)]
@@ -285,7 +287,7 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
         // What counts as Painlevé's paradox is less.
         const CLEAR: f64 = 1e-3;
         let u = Self::expand(u);
-        let clear = self.law.clearance(&u, T::from(CLEAR));
+        let clear = self.law.consistency_margin(&u, T::from(CLEAR));
         clear.where_negative(clear, self.law.scaled_normal_force(&u))
     }
 

@@ -1,13 +1,13 @@
 mod logarithms;
 
-use super::land;
+use super::resolve;
 use crate::law::Parameters;
 use crate::state::Coordinates;
 use logarithms::Logarithms;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// Cases are drawn alike every time, so that a test that passes keeps passing; no file is left behind.
+/// The seed is fixed, so a test that passes keeps passing; no file is written.
 fn cases(count: u32) -> ProptestConfig {
     ProptestConfig {
         cases: count,
@@ -17,7 +17,7 @@ fn cases(count: u32) -> ProptestConfig {
     }
 }
 
-/// J, from the velocities of the centre of mass and the angular velocity.
+/// The kinetic energy, J, from the velocity of the centre of mass and the angular velocity.
 fn kinetic(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
     let [rolling_x, rolling_y] = k.rolling_velocity(u);
     let (vx, vy) = (rolling_x + u.slip_x, rolling_y + u.slip_y);
@@ -26,8 +26,8 @@ fn kinetic(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
     0.5 * (translation + k.a * (u.p * u.p + u.w * u.w) + k.c * u.s * u.s)
 }
 
-/// m/s: the velocity of the centre of mass if no term of it took away from another. The coordinates carry it
-/// as such a sum, so a rounding error of this is an error of the velocity.
+/// The speed of the centre of mass if all its terms had the same sign, m/s. The coordinates carry the
+/// velocity as a sum of these terms, so its rounding error is relative to this speed.
 fn sum_of_speeds(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
     let vx = (k.z(u) * u.p).abs() + u.slip_x.abs();
     let vy = (k.r * u.s).abs() + (k.h * u.w).abs() + u.slip_y.abs();
@@ -41,7 +41,7 @@ fn mild_parameters() -> impl Strategy<Value = Parameters<f64>> {
     (height, 0.05..5.0, 0.05..2.0).prop_map(|(h, a, ratio)| parameters(h, a, ratio * a))
 }
 
-/// Parameters from needles to plates, with mass at the axis or far from it: across/along goes up to 10⁹.
+/// Parameters from needles to plates, with the mass at the axis or far from it: b/a is up to 10⁹.
 fn wild_parameters() -> impl Strategy<Value = Parameters<f64>> {
     let power = |low: f64, high: f64| (low..high).prop_map(|x| libm::pow(10.0, x));
     let height = prop_oneof![1 => Just(0.0), 4 => power(-3.0, 3.0)];
@@ -64,7 +64,7 @@ fn parameters(h: f64, a: f64, c: f64) -> Parameters<f64> {
     }
 }
 
-/// About to strike the table, at any tilt and in any motion, with slips of all sizes.
+/// A state just before impact, at any tilt and with any rates, with slips of all orders of magnitude.
 fn any_strike() -> impl Strategy<Value = Coordinates<f64>> {
     let size = (-12.0..2.0).prop_map(|x| libm::pow(10.0, x));
     let slip = prop_oneof![1 => Just(0.0), 6 => size];
@@ -105,16 +105,16 @@ fn any_restitution() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(0.0), 1 => Just(1.0), 3 => 0.0..1.0]
 }
 
-fn landed(
+fn resolved(
     k: &Parameters<f64>,
     u: &Coordinates<f64>,
     friction: f64,
     restitution: f64,
 ) -> Coordinates<f64> {
-    land(k, u, friction, restitution, 0.0).expect("the slip is followed to the end")
+    resolve(k, u, friction, restitution, 0.0).expect("the slip is followed to the end")
 }
 
-/// The impulses along e_x1, e_y1 and upward, from the momentum that the body has gained.
+/// The impulses along e_x1, e_y1 and upward, from the change of momentum.
 fn impulse(k: &Parameters<f64>, u: &Coordinates<f64>, after: &Coordinates<f64>) -> [f64; 3] {
     let velocity = |u: &Coordinates<f64>| {
         let [x, y] = k.rolling_velocity(u);
@@ -127,16 +127,16 @@ fn impulse(k: &Parameters<f64>, u: &Coordinates<f64>, after: &Coordinates<f64>) 
 proptest! {
     #![proptest_config(cases(2000))]
 
-    /// The accounts are exact, so all that may be missing is rounding: of the energy, and of the velocity of the
-    /// centre of mass, which the coordinates carry as a sum.
+    /// The energy balance is exact, so the tolerance allows only for the rounding of the energy and of the
+    /// velocity of the centre of mass, which the coordinates carry as a sum.
     #[test]
-    fn no_landing_gains_energy_pulls_or_leaves_the_friction_cone(
+    fn no_impact_gains_energy_pulls_or_leaves_the_friction_cone(
         k in any_parameters(),
         u in any_strike(),
         friction in any_friction(),
         restitution in any_restitution(),
     ) {
-        let after = landed(&k, &u, friction, restitution);
+        let after = resolved(&k, &u, friction, restitution);
         let energy = kinetic(&k, &u);
         let parts = sum_of_speeds(&k, &u) + sum_of_speeds(&k, &after);
         let allowed = 1e-12 * energy + 1e-14 * parts * (k.m * energy).sqrt();
@@ -160,17 +160,18 @@ proptest! {
         }
     }
 
-    /// The slip is followed to where it is by logarithms, in which no ratio of the mobilities is stiff.
+    /// The final slip equals that computed in logarithmic variables, which are not stiff at any ratio of
+    /// the mobilities.
     #[test]
-    fn landings_are_those_found_by_logarithms(
+    fn impacts_agree_with_those_in_logarithmic_variables(
         k in any_parameters(),
         u in any_strike(),
         friction in 1e-3..3.0,
         restitution in any_restitution(),
     ) {
         prop_assume!(u.slip_y != 0.0);
-        let after = landed(&k, &u, friction, restitution);
-        let by_logarithms = Logarithms::land(&k, &u, friction, restitution);
+        let after = resolved(&k, &u, friction, restitution);
+        let by_logarithms = Logarithms::resolve(&k, &u, friction, restitution);
         let found = [after.slip_x, after.slip_y, after.gap_rate];
         let speed = u.slip_speed() - u.gap_rate;
         for (found, expected) in found.into_iter().zip(by_logarithms) {
@@ -179,10 +180,10 @@ proptest! {
         }
     }
 
-    /// Routh's three cases of a plane landing without rebound: the slip lasts, stops and stays
-    /// stopped, or is reversed (W. J. Stronge, Impact Mechanics, 2000, section 3.4).
+    /// Routh's three cases of a plane impact without rebound: the slip persists, stops for good, or
+    /// reverses (W. J. Stronge, Impact Mechanics, 2000, section 3.4).
     #[test]
-    fn plane_landings_are_rouths(
+    fn plane_impacts_are_rouths(
         k in mild_parameters(),
         u in any_strike(),
         friction in 0.0..3.0_f64,
@@ -191,25 +192,29 @@ proptest! {
         let (rho, z) = (k.rho(&u), k.z(&u));
         let (along, normal, coupling) =
             (1.0 / k.m + z * z / k.a, 1.0 / k.m + rho * rho / k.a, -rho * z / k.a);
-        // While dP_x = pull dP, u_x changes by `slipping` P and v_n by `rising` P.
-        let slipping = |pull: f64| coupling + along * pull;
-        let rising = |pull: f64| normal + coupling * pull;
-        let pull = if u.slip_x == 0.0 { 0.0 } else { -friction * u.slip_x.signum() };
-        let to_stop = -u.slip_x / slipping(pull);
-        let to_press = -u.gap_rate / rising(pull);
-        // Where friction alone keeps pressing (Painlevé) the first slip has to stop.
+        // While dP_x = ratio dP, u_x changes by slip_change(ratio) P and v by v_change(ratio) P.
+        let slip_change = |ratio: f64| coupling + along * ratio;
+        let v_change = |ratio: f64| normal + coupling * ratio;
+        let ratio = if u.slip_x == 0.0 { 0.0 } else { -friction * u.slip_x.signum() };
+        let to_stop = -u.slip_x / slip_change(ratio);
+        let to_compress = -u.gap_rate / v_change(ratio);
+        // Where friction alone sustains the compression (Painlevé), compression ends only after the slip.
         let lasts = u.slip_x != 0.0
-            && rising(pull) > 0.0
-            && (to_stop <= 0.0 || to_stop >= to_press);
+            && v_change(ratio) > 0.0
+            && (to_stop <= 0.0 || to_stop >= to_compress);
         let (px, pn, slip) = if lasts {
-            (pull * to_press, to_press, u.slip_x + slipping(pull) * to_press)
+            (ratio * to_compress, to_compress, u.slip_x + slip_change(ratio) * to_compress)
         } else {
             let first = if u.slip_x == 0.0 { 0.0 } else { to_stop };
-            let then = (-coupling / along).clamp(-friction, friction);
-            let second = (-u.gap_rate - rising(pull) * first) / rising(then);
-            (pull * first + then * second, first + second, slipping(then) * second)
+            let later_ratio = (-coupling / along).clamp(-friction, friction);
+            let second = (-u.gap_rate - v_change(ratio) * first) / v_change(later_ratio);
+            (
+                ratio * first + later_ratio * second,
+                first + second,
+                slip_change(later_ratio) * second,
+            )
         };
-        let after = landed(&k, &u, friction, 0.0);
+        let after = resolved(&k, &u, friction, 0.0);
         let [got_x, _, got_n] = impulse(&k, &u, &after);
         let size = 1e-9 * (1.0 + pn + u.slip_x.abs());
         prop_assert!((got_x - px).abs() < size && (got_n - pn).abs() < size, "{got_x} {px}, {got_n} {pn}");
@@ -218,10 +223,10 @@ proptest! {
     }
 }
 
-/// A rim that comes down without slip on a table whose friction falls short of what would hold it by a
-/// ten-thousandth: the slip grows so slowly that it is as small as rounding for long.
+/// The rim strikes without slip, and the friction is smaller by a factor 1 − 10⁻⁴ than what would keep it
+/// from slipping. The slip grows so slowly that it stays comparable with rounding errors for a long time.
 #[test]
-fn a_slip_that_friction_all_but_holds_is_followed_to_the_end() {
+fn a_slip_that_friction_nearly_prevents_is_followed_to_the_end() {
     let k = Parameters {
         m: 1.0,
         r: 1.0,
@@ -243,7 +248,7 @@ fn a_slip_that_friction_all_but_holds_is_followed_to_the_end() {
         let (rho, z) = (k.rho(&u), k.z(&u));
         let holding = (rho * z / k.a).abs() / (1.0 / k.m + z * z / k.a);
         let friction = holding * (1.0 - 1e-4);
-        let after = landed(&k, &u, friction, 1.0);
+        let after = resolved(&k, &u, friction, 1.0);
         let [px, py, pn] = impulse(&k, &u, &after);
         assert!((libm::hypot(px, py) - friction * pn).abs() < 1e-3 * slip_y + 1e-16);
         assert!(after.slip_x > slip_x);

@@ -1,26 +1,26 @@
-//! Dry friction (Coulomb, Amontons): as long as the rim slips, T = −μN u/|u|.
+//! Dry friction (Coulomb, Amontons): while the rim slips, T = −μN u/|u|.
 //!
-//! This is one half of the law. A rim that does not slip rolls, which is [`NoSlip`](super::NoSlip),
-//! as long as |T| ≤ μ_s N; the halves are joined by events, without regularisation (see
+//! This is one half of the law. While |T| ≤ μ_s N suffices, the rim rolls, which is
+//! [`NoSlip`](super::NoSlip). Events join the two halves, without regularisation (see
 //! [`motion`](crate::motion)).
 
 use super::{DryFriction, Friction, FrictionForce};
 use crate::real::{Real, fieldwise};
 
-/// The friction of a rim that slips.
+/// Coulomb friction on a rim that slips.
 #[derive(Debug, Clone, Copy)]
 pub struct Coulomb<T> {
-    /// μ, of slipping.
+    /// μ, the kinetic coefficient.
     pub friction: T,
 }
 
 fieldwise!(Coulomb { friction; });
 
 impl<T: Real> Coulomb<T> {
-    /// The friction on a slip in the direction of a unit vector, however small.
+    /// The friction in the limit of vanishing slip in the direction of a unit vector.
     #[inline(always)]
     pub fn against(&self, direction: [T; 2]) -> FrictionForce<T> {
-        FrictionForce::per_normal(direction, self.friction)
+        FrictionForce::proportional_to_normal(direction, self.friction)
     }
 }
 

@@ -1,24 +1,24 @@
-//! Flight: the rim is off the table and nothing but gravity acts.
+//! Flight: the rim is off the table and only gravity acts.
 //!
-//! Euler's equations without moments in the frame that yaws and tilts, and a falling centre of mass:
+//! Euler's equations without moments, in the frame that yaws and tilts, and a falling centre of mass:
 //!
 //! ```text
 //! A (ẇ + ψ̇ φ̇ cosφ) = C φ̇ s,    A φ̈ = A w ψ̇ cosφ − C w s,    ṡ = 0
-//! gap̈ = −(g + ρ φ̈ − z φ̇²)       since the rim's lowest point is z under the centre of mass
+//! gap̈ = −(g + ρ φ̈ − z φ̇²)       since the rim's lowest point is z below the centre of mass
 //! ```
 
 use super::{Contact, Dynamics, Parameters};
 use crate::real::Real;
 use crate::state::Coordinates;
 
-/// The law of a body that touches nothing.
+/// The equations of motion in flight.
 #[derive(Debug, Clone, Copy)]
 pub struct Flight<T> {
     k: Parameters<T>,
 }
 
 impl<T: Real> Flight<T> {
-    /// The law for one body under one gravity.
+    /// The equations for one body under one gravity.
     pub fn new(k: Parameters<T>) -> Self {
         Flight { k }
     }

@@ -1,4 +1,4 @@
-//! Sliding without friction: the table only pushes upward.
+//! Sliding without friction: the table exerts only a normal force.
 //!
 //! Source: Srinivasan & Ruina (2007), Eqs. `generalcyl`, `nofric_eqs` and appendix A, printed
 //! correctly. Row 3 is ṡ = 0 (Eq. `slipangmom`); row 1 is, with l = ψ̇ sin² φ,
@@ -13,13 +13,13 @@
 //! (A + mρ²) φ̈ = A w ψ̇ cosφ − C w s + mρz φ̇² − mgρ
 //! ```
 //!
-//! The centre of mass keeps its horizontal velocity; it is zero in the frame chosen here.
+//! The horizontal velocity of the centre of mass is constant; it is zero in the frame chosen here.
 
 use super::{Contact, Dynamics, Parameters};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
-/// The law; made once for a body.
+/// The equations of motion without friction.
 #[derive(Debug, Clone, Copy)]
 pub struct Frictionless<T> {
     k: Parameters<T>,
@@ -30,7 +30,7 @@ pub struct Frictionless<T> {
 fieldwise!(Frictionless { c_over_a; k });
 
 impl<T: Real> Frictionless<T> {
-    /// The law for one body under one gravity.
+    /// The equations for one body under one gravity.
     pub fn new(k: Parameters<T>) -> Self {
         Frictionless {
             k,
@@ -43,10 +43,10 @@ impl<T: Real> Frictionless<T> {
     fn tilt_acceleration(&self, u: &Coordinates<T>) -> T {
         let k = &self.k;
         let rho = k.rho(u);
-        // Divided first, since it needs nothing else: the processor does the rest meanwhile.
+        // The division comes first, so that the processor can overlap it with the rest.
         let per_inertia = T::from(1.0) / (k.a + k.m * rho * rho);
-        let elsewhere = k.m * rho * (k.z(u) * u.p * u.p - k.g) - k.c * u.w * u.s;
-        (k.a * u.w * u.w * u.cos + u.sin * elsewhere) * per_inertia
+        let outside_collision = k.m * rho * (k.z(u) * u.p * u.p - k.g) - k.c * u.w * u.s;
+        (k.a * u.w * u.w * u.cos + u.sin * outside_collision) * per_inertia
     }
 }
 
@@ -64,7 +64,7 @@ impl<T: Real> Dynamics<T> for Frictionless<T> {
         }
     }
 
-    /// N = m (g + ρ φ̈ − z φ̇²) with row 2 put in for φ̈, so that nothing cancels when A ≪ mR².
+    /// N = m (g + ρ φ̈ − z φ̇²) with φ̈ from row 2 substituted, which avoids cancellation for A ≪ mR².
     #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let k = &self.k;

@@ -1,8 +1,8 @@
-//! Rolling without slip: the point of the rim that touches the table is at rest.
+//! Rolling without slip: the contact point of the rim is at rest.
 //!
 //! Source: Srinivasan & Ruina (2007), Eqs. `generalcyl`, `noslip_eqs` and appendix A, printed
 //! correctly, in an equivalent form. Rows 1 and 3 of Q q̈ = S, with l = ψ̇ sin² φ and
-//! s = θ̇ + ψ̇ cos φ, are linear in (l, s) with the tilt as clock:
+//! s = θ̇ + ψ̇ cos φ, are linear in (l, s) with the tilt as independent variable:
 //!
 //! ```text
 //! (A + mH²) l̇/sinφ − mHR ṡ = C s φ̇ − mHR w φ̇
@@ -19,17 +19,17 @@ use super::{Contact, Dynamics, Parameters};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
-/// The law; made once for a body, since its coefficients do not change on the way.
+/// The equations of motion without slip, with the coefficients that are constant for a body.
 #[derive(Debug, Clone, Copy)]
 pub struct NoSlip<T> {
     k: Parameters<T>,
-    /// K = A + mH², over J = K + mR² as all that follow.
+    /// K/J with K = A + mH² and J = K + mR².
     base_inertia: T,
-    /// mHR.
+    /// mHR/J.
     mhr: T,
-    /// C + mR².
+    /// (C + mR²)/J.
     c_rolling: T,
-    /// mgR and mgH: ρ = R cosφ − H sinφ.
+    /// mgR/J and mgH/J, the coefficients of cos φ and sin φ in mgρ/J.
     weight_of_cos: T,
     weight_of_sin: T,
     /// l̇/(φ̇ sin φ) = `l_of_s` s − `l_of_w` w.
@@ -47,7 +47,7 @@ fieldwise!(NoSlip {
 });
 
 impl<T: Real> NoSlip<T> {
-    /// The law for one body under one gravity.
+    /// The equations for one body under one gravity.
     pub fn new(k: Parameters<T>) -> Self {
         let mhr = k.m * k.h * k.r;
         let mrr = k.m * k.r * k.r;
@@ -122,7 +122,7 @@ impl<T: Real> Dynamics<T> for NoSlip<T> {
         [T::from(0.0), T::from(0.0)]
     }
 
-    /// Moments alone would make the rim slip along e_y1 by H L_x/A − R L_z/C in a second.
+    /// Without the reaction, the moments would accelerate the slip along e_y1 by H L_x/A − R L_z/C.
     fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
         let k = &self.k;
         let slip = k.h * moment[0] / k.a - k.r * moment[1] / k.c;

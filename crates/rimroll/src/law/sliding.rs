@@ -1,7 +1,7 @@
-//! Sliding under a friction that depends on the slip: what the paper's two laws have between them.
+//! Sliding under a friction that depends on the slip, between the paper's two ideal laws.
 //!
-//! Newton's and Euler's equations with the table's force (T_x, T_y, N) on the rim, in the frame
-//! e_x1, e_y1, e_z that yaws; w = ψ̇ sin φ, and (u_x, u_y) is the slip:
+//! Newton's and Euler's equations with the contact force (T_x, T_y, N) on the rim, in the yawing frame
+//! e_x1, e_y1, e_z; w = ψ̇ sin φ, and (u_x, u_y) is the slip:
 //!
 //! ```text
 //! A (ẇ + ψ̇ φ̇ cosφ) = C φ̇ s + H T_y
@@ -17,69 +17,69 @@
 //! (A + mρη) N = m (A (g − z φ̇²) + ρ (A w ψ̇ cosφ − C w s + b_x z))
 //! ```
 //!
-//! which fails to be one equation for one push N where A + mρη ≤ 0 (Painlevé's paradox). Forces and moments of
-//! inertia are here taken over m, which saves multiplications.
-//! The equations are derived by computer algebra in `tests/test_sliding_equations.py`.
+//! which does not determine N where A + mρη ≤ 0 (the Painlevé paradox). In the code, forces and moments of
+//! inertia are divided by m, which saves multiplications. The equations are derived by computer algebra in
+//! `tests/test_sliding_equations.py`.
 
 use super::{Contact, Coulomb, Dynamics, Parameters, Resisted};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
-/// The force T = N a + b of a table on a rim that slips.
+/// The friction force T = N a + b on a rim that slips, as components along e_x1 and e_y1.
+///
+/// The vector a is stored as `numerator`/`denominator`, which saves a division: dry friction is −μu/|u|.
 #[derive(Debug, Clone, Copy)]
 pub struct FrictionForce<T> {
-    /// a times `of`: the friction along e_x1 and e_y1 that so many newtons of normal force bring. Dry
-    /// friction is −μu for each |u|, which takes no division.
-    pub per_normal: [T; 2],
+    /// a times `denominator`.
+    pub numerator: [T; 2],
     /// Positive.
-    pub of: T,
-    /// b: whatever the normal force, N; `None` where there is no such part.
-    pub own: Option<[T; 2]>,
+    pub denominator: T,
+    /// b, in newtons; `None` where friction is proportional to the normal force.
+    pub load_independent: Option<[T; 2]>,
 }
 
 impl<T: Real> FrictionForce<T> {
-    /// Friction −factor · slip for each newton of normal force.
+    /// The friction −`factor` · `slip` · N.
     #[inline(always)]
-    pub fn per_normal(slip: [T; 2], factor: T) -> Self {
-        FrictionForce::per_scaled_normal(slip, factor, T::from(1.0))
+    pub fn proportional_to_normal(slip: [T; 2], factor: T) -> Self {
+        FrictionForce::with_denominator(slip, factor, T::from(1.0))
     }
 
-    /// Friction −factor · slip for so many newtons of normal force.
+    /// The friction −`factor` · `slip` · N / `denominator`.
     #[inline(always)]
-    pub fn per_scaled_normal(slip: [T; 2], factor: T, of: T) -> Self {
+    pub fn with_denominator(slip: [T; 2], factor: T, denominator: T) -> Self {
         let against = -factor;
         FrictionForce {
-            per_normal: [against * slip[0], against * slip[1]],
-            of,
-            own: None,
+            numerator: [against * slip[0], against * slip[1]],
+            denominator,
+            load_independent: None,
         }
     }
 }
 
-/// How friction answers slip.
+/// A friction force that is a function of the slip.
 pub trait Friction<T: Real> {
-    /// The friction at a slip (m/s, along e_x1 and e_y1).
+    /// The friction force at a slip (m/s, along e_x1 and e_y1).
     fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T>;
 }
 
-/// Dry friction: against the slip however slow it is, T = −μ(|u|) N u/|u|. A rim that does not slip is held,
-/// and rolls.
+/// Dry friction: T = −μ(|u|) N u/|u| at any slip u ≠ 0. A rim that does not slip sticks and rolls.
 pub trait DryFriction<T: Real>: Friction<T> {
-    /// μ of a slip of this speed (m/s), which may be 0.
+    /// μ at this slip speed (m/s), which may be 0.
     fn coefficient(&self, speed: T) -> T;
 
-    /// The friction at a slip: [`Friction::friction_force`] of dry friction.
+    /// The implementation of [`Friction::friction_force`] for dry friction.
     #[inline(always)]
     fn dry_friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        FrictionForce::per_scaled_normal(slip, self.coefficient(speed), speed)
+        FrictionForce::with_denominator(slip, self.coefficient(speed), speed)
     }
 }
 
-/// Sliding under dry friction, whatever its coefficient: what is asked of it where the slip begins.
+/// Sliding under any dry friction, with what the onset of slip needs.
 pub(crate) trait DryDynamics: Dynamics<f64> {
-    /// The table's force (times sin φ) and the rates at a slip in the direction of a unit vector,
-    /// however slow.
+    /// The contact force (times sin φ) and the rates at a slip of the given speed, which may be 0, in the
+    /// direction of a unit vector.
     fn slipping(
         &self,
         u: &Coordinates<f64>,
@@ -87,7 +87,7 @@ pub(crate) trait DryDynamics: Dynamics<f64> {
         speed: f64,
     ) -> (Contact<f64>, Coordinates<f64>);
 
-    /// [`Dynamics::consistency`] where a slip begins in the direction of a unit vector.
+    /// [`Dynamics::consistency`] at the onset of a slip in the direction of a unit vector.
     fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64;
 }
 
@@ -109,7 +109,7 @@ impl<F: DryFriction<f64>> DryDynamics for Resisted<Sliding<f64, F>> {
     }
 }
 
-/// The law of a rim that slides under the friction `F`.
+/// The equations of motion of a rim that slides under the friction `F`.
 #[derive(Debug, Clone, Copy)]
 pub struct Sliding<T, F> {
     k: Parameters<T>,
@@ -129,16 +129,16 @@ pub struct Sliding<T, F> {
     r_over_c: T,
 }
 
-/// The clock by which rates are wanted.
+/// The independent variable σ of the rates, with dτ = `factor` dσ.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Pace<T> {
-    /// How fast it goes, as a part of τ.
-    pub clock: T,
-    /// That over what a push on the rim has to [move](Sliding::inertia).
+pub(crate) struct SundmanScaling<T> {
+    /// dτ/dσ.
+    pub factor: T,
+    /// `factor` divided by the [inertia](Sliding::inertia).
     pub per_inertia: T,
 }
 
-/// The rates of the velocities by a clock.
+/// The rates of the velocities with respect to σ.
 struct Accelerations<T> {
     p: T,
     w: T,
@@ -154,7 +154,7 @@ fieldwise!(SlidingDry {
 });
 
 impl<T: Real, F: Friction<T>> Sliding<T, F> {
-    /// The law for one body under one gravity.
+    /// The equations for one body under one gravity.
     pub fn new(k: Parameters<T>, friction: F) -> Self {
         Sliding {
             k,
@@ -169,75 +169,74 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         }
     }
 
-    /// The friction at a slip.
+    /// The friction law.
     #[inline(always)]
     pub(crate) fn friction(&self) -> &F {
         &self.friction
     }
 
-    /// η times what the pull is of.
+    /// η times the denominator of the friction.
     #[inline(always)]
     fn eta(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> T {
-        friction_force.of * self.k.rho(u) - friction_force.per_normal[0] * self.k.z(u)
+        friction_force.denominator * self.k.rho(u) - friction_force.numerator[0] * self.k.z(u)
     }
 
-    /// What a push on the rim has to move, A/m + ρη, times what the pull is of.
+    /// A/m + ρη, times the denominator of the friction.
     #[inline(always)]
     pub(crate) fn inertia(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> T {
-        self.a * friction_force.of + self.k.rho(u) * self.eta(u, friction_force)
+        self.a * friction_force.denominator + self.k.rho(u) * self.eta(u, friction_force)
     }
 
-    /// By τ itself.
+    /// The scaling for rates with respect to τ itself.
     #[inline(always)]
-    fn pace(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> Pace<T> {
+    fn scaling(&self, u: &Coordinates<T>, friction_force: &FrictionForce<T>) -> SundmanScaling<T> {
         let one = T::from(1.0);
-        Pace {
-            clock: one,
+        SundmanScaling {
+            factor: one,
             per_inertia: one / self.inertia(u, friction_force),
         }
     }
 
-    /// The table's force over m, and φ̈, by a clock.
+    /// The contact force over m and φ̈, both times dt/dσ.
     #[inline(always)]
     fn forces(
         &self,
         u: &Coordinates<T>,
         friction_force: &FrictionForce<T>,
-        pace: Pace<T>,
+        scaling: SundmanScaling<T>,
     ) -> (Contact<T>, T) {
         let (rho, z) = (self.k.rho(u), self.k.z(u));
         let FrictionForce {
-            per_normal,
-            of,
-            own,
+            numerator,
+            denominator,
+            load_independent,
         } = *friction_force;
-        let (mut gyroscopic_term, scaled_normal_force) =
-            (self.gyroscopic_term(u), self.gravity_term(u));
-        // N, too, over what the pull is of.
-        let unaided = (self.a * scaled_normal_force + rho * gyroscopic_term) * pace.per_inertia;
+        let (mut gyroscopic_term, gravity_term) = (self.gyroscopic_term(u), self.gravity_term(u));
+        // N over the denominator of the friction.
+        let normal_alone = (self.a * gravity_term + rho * gyroscopic_term) * scaling.per_inertia;
         let mut contact = Contact {
-            along: unaided * per_normal[0],
-            across: unaided * per_normal[1],
-            normal: unaided * of,
+            along: normal_alone * numerator[0],
+            across: normal_alone * numerator[1],
+            normal: normal_alone * denominator,
         };
-        if let Some([x, y]) = own {
-            let lifting = -(rho * u.sin * self.per_mass * x * z) * pace.per_inertia;
-            let normal_factor = normal_factor(unaided, lifting);
-            let normal = unaided - normal_factor * lifting;
-            let share = normal_factor * u.sin * self.per_mass;
-            let own = [share * x, share * y];
-            gyroscopic_term = gyroscopic_term + own[0] * z;
+        if let Some([x, y]) = load_independent {
+            let lift = -(rho * u.sin * self.per_mass * x * z) * scaling.per_inertia;
+            let fraction = load_independent_fraction(normal_alone, lift);
+            let normal = normal_alone - fraction * lift;
+            let scale = fraction * u.sin * self.per_mass;
+            let load_independent = [scale * x, scale * y];
+            gyroscopic_term = gyroscopic_term + load_independent[0] * z;
             contact = Contact {
-                along: normal * per_normal[0] + pace.clock * own[0],
-                across: normal * per_normal[1] + pace.clock * own[1],
-                normal: normal * of,
+                along: normal * numerator[0] + scaling.factor * load_independent[0],
+                across: normal * numerator[1] + scaling.factor * load_independent[1],
+                normal: normal * denominator,
             };
         }
-        let falling = of * gyroscopic_term - scaled_normal_force * self.eta(u, friction_force);
-        (contact, falling * pace.per_inertia)
+        let falling = denominator * gyroscopic_term - gravity_term * self.eta(u, friction_force);
+        (contact, falling * scaling.per_inertia)
     }
 
-    /// What the body's own motion does to turn it further, over m and times sin φ.
+    /// The gyroscopic moment (A w ψ̇ cos φ − C w s) sin φ over m.
     #[inline(always)]
     fn gyroscopic_term(&self, u: &Coordinates<T>) -> T {
         u.w * (self.a * u.w * u.cos - u.sin * self.c * u.s)
@@ -249,8 +248,8 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         u.sin * (self.k.g - self.k.z(u) * u.p * u.p)
     }
 
-    /// N sin φ without a pull's own part, times the [inertia](Self::inertia) over (m times what the pull is of),
-    /// which is no division.
+    /// N sin φ without load-independent friction, times [`Self::inertia`] and divided by m and by the
+    /// denominator of the friction. It takes no division and has the sign of N where A + mρη > 0.
     #[inline(always)]
     pub(crate) fn scaled_normal_force(&self, u: &Coordinates<T>) -> T {
         self.a * self.gravity_term(u) + self.k.rho(u) * self.gyroscopic_term(u)
@@ -262,19 +261,19 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         u: &Coordinates<T>,
         contact: &Contact<T>,
         dp: T,
-        clock: T,
+        factor: T,
     ) -> Accelerations<T> {
         let k = &self.k;
         let Contact { along, across, .. } = *contact;
-        let (yawing, falling) = (clock * u.w, clock * u.sin * u.p);
+        let (yawing, falling) = (factor * u.w, factor * u.sin * u.p);
         let spun = falling * self.c_over_a * u.s;
-        let carried = u.slip_y + k.r * u.s - k.h * u.w;
+        let yawed = u.slip_y + k.r * u.s - k.h * u.w;
         Accelerations {
             p: dp,
             w: spun + self.h_over_a * across - yawing * (u.p * u.cos),
             s: -self.r_over_c * across,
             slip: [
-                yawing * carried + falling * u.p * k.rho(u) + k.z(u) * dp + along,
+                yawing * yawed + falling * u.p * k.rho(u) + k.z(u) * dp + along,
                 falling * k.r * u.w - yawing * u.slip_x
                     + k.h * spun
                     + across * self.sideways_mobility,
@@ -282,8 +281,7 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         }
     }
 
-    /// The table's force (times sin φ) and the rates, under a friction that is given rather than found
-    /// from the slip.
+    /// The contact force (times sin φ) and the rates under a given friction force.
     #[inline]
     pub(crate) fn under(
         &self,
@@ -291,29 +289,32 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
         friction_force: &FrictionForce<T>,
     ) -> (Contact<T>, Coordinates<T>) {
         let (contact, rates) = self.reduced_rates_under(u, friction_force);
-        (contact, u.with_place(rates, self.center_velocity(u)))
+        (
+            contact,
+            u.with_spin_and_center(rates, self.center_velocity(u)),
+        )
     }
 
-    /// The same but for spin and place.
+    /// The contact force (times sin φ) and the rates of the reduced state, without spin and position.
     #[inline(always)]
     pub(crate) fn reduced_rates_under(
         &self,
         u: &Coordinates<T>,
         friction_force: &FrictionForce<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        self.rates_under(u, friction_force, self.pace(u, friction_force))
+        self.rates_under(u, friction_force, self.scaling(u, friction_force))
     }
 
-    /// The same by another clock.
+    /// As [`Self::reduced_rates_under`], with respect to the σ of `scaling`.
     #[inline(always)]
     pub(crate) fn rates_under(
         &self,
         u: &Coordinates<T>,
         friction_force: &FrictionForce<T>,
-        pace: Pace<T>,
+        scaling: SundmanScaling<T>,
     ) -> (Contact<T>, Coordinates<T>) {
-        let (contact, dp) = self.forces(u, friction_force, pace);
-        let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp, pace.clock);
+        let (contact, dp) = self.forces(u, friction_force, scaling);
+        let Accelerations { p, w, s, slip } = self.accelerations(u, &contact, dp, scaling.factor);
         let rates = Coordinates {
             p,
             w,
@@ -321,12 +322,12 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
             slip_x: slip[0],
             slip_y: slip[1],
             friction_loss: -self.k.m * (contact.along * u.slip_x + contact.across * u.slip_y),
-            ..u.kinematics_in(pace.clock)
+            ..u.scaled_kinematics(scaling.factor)
         };
         (contact.times(self.k.m), rates)
     }
 
-    /// [`Dynamics::consistency`] under a friction that is given.
+    /// [`Dynamics::consistency`] under a given friction force.
     #[inline(always)]
     pub(crate) fn consistency_under(
         &self,
@@ -335,20 +336,21 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
     ) -> T {
         let k = &self.k;
         let (rho, z) = (k.rho(u), k.z(u));
-        let along = friction_force.per_normal[0] / friction_force.of;
+        let along = friction_force.numerator[0] / friction_force.denominator;
         T::from(1.0) - k.m * rho * z * along / (k.a + k.m * rho * rho)
     }
 
-    /// [`Dynamics::consistency`] less `margin`, times A/m + ρ² and what the pull is of, which is no division.
+    /// [`Dynamics::consistency`] less `margin`, times A/m + ρ² and the denominator of the friction, which
+    /// avoids a division.
     #[inline(always)]
-    pub(crate) fn clearance(&self, u: &Coordinates<T>, margin: T) -> T {
+    pub(crate) fn consistency_margin(&self, u: &Coordinates<T>, margin: T) -> T {
         let (rho, z) = (self.k.rho(u), self.k.z(u));
         let friction_force = self.friction_force(u);
-        let normal_factor = (T::from(1.0) - margin) * (self.a + rho * rho);
-        normal_factor * friction_force.of - rho * z * friction_force.per_normal[0]
+        let required = (T::from(1.0) - margin) * (self.a + rho * rho);
+        required * friction_force.denominator - rho * z * friction_force.numerator[0]
     }
 
-    /// The friction at the slip that there is.
+    /// The friction force at the present slip.
     #[inline(always)]
     pub(crate) fn friction_force(&self, u: &Coordinates<T>) -> FrictionForce<T> {
         self.friction.friction_force([u.slip_x, u.slip_y])
@@ -356,10 +358,10 @@ impl<T: Real, F: Friction<T>> Sliding<T, F> {
 }
 
 impl<T: Real, F: DryFriction<T>> Sliding<T, F> {
-    /// The friction on a slip in the direction of a unit vector, however slow.
+    /// The friction force at a slip of the given speed, which may be 0, in the direction of a unit vector.
     #[inline(always)]
     fn against(&self, direction: [T; 2], speed: T) -> FrictionForce<T> {
-        FrictionForce::per_normal(direction, self.friction.coefficient(speed))
+        FrictionForce::proportional_to_normal(direction, self.friction.coefficient(speed))
     }
 }
 
@@ -376,7 +378,7 @@ impl<T: Real, F: Friction<T>> Dynamics<T> for Sliding<T, F> {
     #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let friction_force = self.friction_force(u);
-        let (contact, _) = self.forces(u, &friction_force, self.pace(u, &friction_force));
+        let (contact, _) = self.forces(u, &friction_force, self.scaling(u, &friction_force));
         contact.times(self.k.m)
     }
 
@@ -392,11 +394,13 @@ impl<T: Real, F: Friction<T>> Dynamics<T> for Sliding<T, F> {
 
     fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
         let FrictionForce {
-            per_normal: [x, y],
-            of,
-            own,
+            numerator: [x, y],
+            denominator,
+            load_independent,
         } = self.friction_force(u);
-        own.is_none().then(|| (x * x + y * y).sqrt() / of)
+        load_independent
+            .is_none()
+            .then(|| (x * x + y * y).sqrt() / denominator)
     }
 
     #[inline(always)]
@@ -405,10 +409,11 @@ impl<T: Real, F: Friction<T>> Dynamics<T> for Sliding<T, F> {
     }
 }
 
-/// How much is kept of a pull of its own that would lift the rim it needs to touch: it gives way until
-/// nothing presses, and altogether where nothing would without it.
-fn normal_factor<T: Real>(unaided: T, lifting: T) -> T {
-    let (none, all) = (T::from(0.0), T::from(1.0));
-    let part = unaided.where_negative(none, unaided / lifting);
-    lifting.where_negative(all, (unaided - lifting).where_negative(part, all))
+/// The fraction λ of a load-independent friction that acts, so that it does not lift the rim off the film.
+/// It is 1 while the normal force is positive, else the value at which the normal force is zero, and 0
+/// where the normal force is negative without that friction.
+fn load_independent_fraction<T: Real>(normal_alone: T, lift: T) -> T {
+    let (zero, one) = (T::from(0.0), T::from(1.0));
+    let partial = normal_alone.where_negative(zero, normal_alone / lift);
+    lift.where_negative(one, (normal_alone - lift).where_negative(partial, one))
 }

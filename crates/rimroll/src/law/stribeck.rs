@@ -1,26 +1,26 @@
-//! Dry friction made smooth, with Stribeck's fall from static to kinetic friction:
+//! Regularised dry friction with Stribeck's decrease from static to kinetic friction:
 //!
 //! ```text
 //! T = −μ(|u|) N u/√(u² + v₀²),     μ(v) = μ_k + (μ_s − μ_k) exp(−(v/v_s)²)
 //! ```
 //!
-//! With μ_s = μ_k it is regularised Coulomb friction, which most physics engines use in some form: the
-//! rim creeps where it should stick, by some v₀ |T|/(μN). Source of the falling curve:
+//! With μ_s = μ_k it is regularised Coulomb friction, which most physics engines use in some form. Where the
+//! rim should stick it creeps at a speed of about v₀ |T|/(μN). Source of the curve μ(v):
 //! Armstrong-Hélouvry, Dupont & Canudas de Wit, Automatica 30 (1994), Eq. (3).
 
 use super::{Friction, FrictionForce};
 use crate::real::Real;
 
-/// The friction of a rim on a table that holds it by creeping.
+/// Stribeck friction on a rim that slips or creeps.
 #[derive(Debug, Clone, Copy)]
 pub struct Stribeck<T> {
-    /// μ_k, of fast slip.
+    /// μ_k, at high slip speed.
     pub friction: T,
-    /// μ_s, of slow slip.
+    /// μ_s, at low slip speed.
     pub static_friction: T,
-    /// v_s, over which the one gives way to the other, m/s.
+    /// v_s, the speed scale of the transition from μ_s to μ_k, m/s.
     pub stribeck_speed: T,
-    /// v₀, below which friction gives way to creep, m/s.
+    /// v₀, the speed below which the rim creeps, m/s.
     pub creep_speed: T,
 }
 
@@ -30,6 +30,6 @@ impl<T: Real> Friction<T> for Stribeck<T> {
         let fading = (-square / (self.stribeck_speed * self.stribeck_speed)).exp();
         let friction = self.friction + (self.static_friction - self.friction) * fading;
         let smoothed = (square + self.creep_speed * self.creep_speed).sqrt();
-        FrictionForce::per_normal(slip, friction / smoothed)
+        FrictionForce::proportional_to_normal(slip, friction / smoothed)
     }
 }

@@ -1,11 +1,11 @@
-//! Dry friction that depends on the speed of the slip by a table: T = −μ(|u|) N u/|u|.
+//! Dry friction with a tabulated dependence on the slip speed: T = −μ(|u|) N u/|u|.
 //!
-//! This is Coulomb's law with a coefficient that is a curve: a rim that does not slip rolls as long as
-//! |T| ≤ μ_s N, and nothing is regularised (see [`Coulomb`](super::Coulomb)). Between the points of the table
-//! the curve is a monotone piecewise cubic with a continuous slope: it goes through the points and
-//! overshoots none, so that it is nowhere negative. Below the first speed and beyond the last it is
-//! constant. Source of the slopes: F. N. Fritsch & J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984), with
-//! the three-point formula at the ends of C. Moler, *Numerical Computing with MATLAB* (2004), section 3.6.
+//! This is Coulomb's law with a variable coefficient. The rim rolls while |T| ≤ μ_s N suffices, and nothing
+//! is regularised (see [`Coulomb`](super::Coulomb)). Between the points of the table the curve is a monotone
+//! piecewise cubic with a continuous slope, which interpolates the points without overshoot and so is
+//! never negative. Below the first speed and above the last it is constant. Source of the slopes:
+//! F. N. Fritsch & J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984), with the three-point formula at the
+//! ends of C. Moler, *Numerical Computing with MATLAB* (2004), section 3.6.
 
 use super::{DryFriction, Friction, FrictionForce};
 use crate::error::{InvalidInput, bounded, entry};
@@ -14,23 +14,23 @@ use std::sync::Arc;
 /// Coefficients of friction above this are refused.
 pub const MAX_FRICTION: f64 = 1e6;
 
-/// Friction whose coefficient is a function of the slip speed, given by points.
+/// Friction whose coefficient is a function of the slip speed, interpolated between points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tabulated {
     curve: Arc<Curve>,
-    /// A factor of the curve.
+    /// Multiplies the curve.
     factor: f64,
     static_friction: f64,
 }
 
 impl Tabulated {
-    /// Friction through the points (`speeds`[i] in m/s, `frictions`[i]); `static_friction` is that of the
-    /// lowest speed unless given.
+    /// Friction through points with the given `speeds` (m/s) and `frictions`. The default of
+    /// `static_friction` is the friction at the lowest speed.
     ///
     /// # Errors
-    /// Names the first entry that is out of bounds: at least two points, speeds from 0 to 1e9 m/s, each
-    /// at least 1e-12 m/s above the one before, frictions from 0 to 1e6, and a static one from that of
-    /// the lowest speed to 1e6.
+    /// Names the first entry that is out of bounds. There must be at least two points; speeds must be from 0
+    /// to 1e9 m/s, each at least 1e-12 m/s above the one before; frictions must be from 0 to 1e6, and
+    /// the static one from that of the lowest speed to 1e6.
     pub fn new(
         speeds: &[f64],
         frictions: &[f64],
@@ -53,10 +53,10 @@ impl Tabulated {
         })
     }
 
-    /// Checks the coefficients, which [`Tabulated::times`] may have moved out of their bounds.
+    /// Checks the coefficients, since [`Tabulated::times`] can put them out of bounds.
     ///
     /// # Errors
-    /// Refuses a curve whose largest value is not from 0 to 1e6, and such a static coefficient.
+    /// Refuses a largest kinetic coefficient or a static coefficient outside 0 to 1e6.
     pub(crate) fn check(&self) -> Result<(), InvalidInput> {
         let sensible = |f: f64| (0.0..=MAX_FRICTION).contains(&f);
         let largest = self.factor * self.curve.largest;
@@ -71,12 +71,12 @@ impl Tabulated {
         Ok(())
     }
 
-    /// μ_s, of sticking.
+    /// μ_s, the coefficient of static friction.
     pub fn static_friction(&self) -> f64 {
         self.static_friction
     }
 
-    /// The points through which the curve goes: speeds (m/s) and coefficients of friction.
+    /// The points of the curve: speeds (m/s) and coefficients of friction.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
         let curve = &self.curve;
         let points = curve.pieces.iter().map(|piece| (piece.begin, piece.value));
@@ -147,7 +147,7 @@ fn check_points(speeds: &[f64], frictions: &[f64]) -> Result<(), InvalidInput> {
 /// A monotone piecewise cubic.
 #[derive(Debug, PartialEq)]
 struct Curve {
-    /// In order of their beginnings.
+    /// In increasing order of `begin`.
     pieces: Box<[Piece]>,
     end: f64,
     value_at_end: f64,
@@ -155,7 +155,7 @@ struct Curve {
     largest: f64,
 }
 
-/// value + x (slope + x (square + x cube)) at x beyond its beginning.
+/// value + x (slope + x (square + x cube)) at `begin` + x.
 #[derive(Debug, PartialEq)]
 struct Piece {
     begin: f64,
@@ -166,7 +166,7 @@ struct Piece {
 }
 
 impl Curve {
-    /// Through at least two points, ordered by x.
+    /// The curve through at least two points in increasing order of x.
     fn through(x: &[f64], y: &[f64]) -> Curve {
         let widths: Vec<f64> = x.windows(2).map(|x| x[1] - x[0]).collect();
         let secants: Vec<f64> = (y.windows(2).zip(&widths))
@@ -185,7 +185,7 @@ impl Curve {
             pieces: (0..last).map(piece).collect(),
             end: x[last],
             value_at_end: y[last],
-            largest: y.iter().fold(y[0], |most, &value| most.max(value)),
+            largest: y.iter().fold(y[0], |max, &value| max.max(value)),
         }
     }
 
@@ -211,7 +211,7 @@ fn slopes(widths: &[f64], secants: &[f64]) -> Vec<f64> {
     }
     let mut slopes = vec![end_slope([widths[0], widths[1]], [secants[0], secants[1]])];
     for (h, d) in widths.windows(2).zip(secants.windows(2)) {
-        // Zero at an extreme, else the weighted harmonic mean.
+        // Zero at an extremum, else the weighted harmonic mean.
         slopes.push(if d[0] * d[1] > 0.0 {
             let (before, after) = (2.0 * h[1] + h[0], h[1] + 2.0 * h[0]);
             (before + after) / (before / d[0] + after / d[1])
@@ -227,7 +227,7 @@ fn slopes(widths: &[f64], secants: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// The slope at an end point: that of the parabola through three points, limited so that the curve stays monotone.
+/// The slope at an end point: that of the parabola through three points, limited to keep the curve monotone.
 fn end_slope(h: [f64; 2], d: [f64; 2]) -> f64 {
     let slope = ((2.0 * h[0] + h[1]) * d[0] - h[0] * d[1]) / (h[0] + h[1]);
     if slope * d[0] <= 0.0 {
@@ -285,7 +285,7 @@ mod tests {
                 let h = 1e-4 * (speeds[i] - speeds[i - 1]).min(speeds[i + 1] - speeds[i]);
                 let at = |x: f64| law.coefficient(speeds[i] + x);
                 let (before, after) = ((at(0.0) - at(-h)) / h, (at(h) - at(0.0)) / h);
-                // The slope changes by some second derivative over h, which the secants bound.
+                // Over h the slope changes by about h times the second derivative, which the secants bound.
                 let secant = |i: usize| {
                     ((frictions[i] - frictions[i - 1]) / (speeds[i] - speeds[i - 1])).abs()
                 };
@@ -295,10 +295,10 @@ mod tests {
         }
     }
 
-    /// Two points make a straight line, and the points of a parabola, which is monotone where they are, keep
-    /// its slope at the end.
+    /// Two points give a straight line. Three points on a monotone part of a parabola give its slope at the
+    /// end.
     #[test]
-    fn few_points_make_the_curve_that_one_expects() {
+    fn few_points_give_a_line_and_the_end_slope_of_a_parabola() {
         let line = Tabulated::new(&[0.0, 2.0], &[0.4, 0.2], None).unwrap();
         assert!((line.coefficient(0.5) - 0.35).abs() < 1e-16);
         assert_eq!(line.static_friction(), 0.4);

@@ -1,12 +1,12 @@
-//! Viscous friction: T = −c u, as of a rim on a film of oil that is as thick under any load.
+//! Viscous friction, T = −c u: a rim on a film of oil whose thickness does not depend on the load.
 //!
-//! Where so much of it would lift the rim off the film it gives way, T = −λ c u with the λ < 1 at which
-//! nothing presses.
+//! Where a force this large would lift the rim off the film, it is reduced to T = −λ c u with the λ < 1 at
+//! which the normal force is zero.
 
 use super::{Friction, FrictionForce};
 use crate::real::Real;
 
-/// The friction of a film.
+/// Viscous friction on a rim that slips.
 #[derive(Debug, Clone, Copy)]
 pub struct Viscous<T> {
     /// c, N s/m.
@@ -17,9 +17,9 @@ impl<T: Real> Friction<T> for Viscous<T> {
     fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         let zero = T::from(0.0);
         FrictionForce {
-            per_normal: [zero, zero],
-            of: T::from(1.0),
-            own: Some([-self.coefficient * slip[0], -self.coefficient * slip[1]]),
+            numerator: [zero, zero],
+            denominator: T::from(1.0),
+            load_independent: Some([-self.coefficient * slip[0], -self.coefficient * slip[1]]),
         }
     }
 }

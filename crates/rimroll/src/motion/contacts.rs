@@ -374,7 +374,7 @@ impl Contacts {
         let restitution = self.contact_law.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
         let rest = self.stopped_speed(u);
-        let after = impact::land(&self.parameters, u, friction, restitution, rest)?;
+        let after = impact::resolve(&self.parameters, u, friction, restitution, rest)?;
         let next = if after.gap_rate > 0.0 {
             Transition::Fly
         } else {

@@ -4,7 +4,7 @@ use super::contacts::{Contacts, Phase};
 use super::events::was_stopped;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status};
-use crate::error::shown;
+use crate::error::formatted;
 use crate::solve::Work;
 use crate::turn::painleve_friction_at;
 
@@ -13,7 +13,7 @@ fn moment_of(t: f64) -> String {
     if t == 0.0 || t >= 1e-3 {
         format!("{t:.6}")
     } else {
-        shown(t)
+        formatted(t)
     }
 }
 
@@ -28,7 +28,7 @@ pub(super) fn message(
     let end = track.end();
     let t = moment_of(end.t);
     match status {
-        Status::Finished => format!("followed for the whole {} s", shown(end.t)),
+        Status::Finished => format!("followed for the whole {} s", formatted(end.t)),
         Status::Toppled if end.phase == Phase::Lying => format!(
             "toppled: the tilt reached pi/2 at t = {t} s, where its side meets the table; landing there \
              without rebound it {}",

@@ -1,19 +1,19 @@
-//! Routh's impact by other variables: the slip's speed as ln |u| and its direction as σ with
-//! u_x/|u_y| = sinh σ. With da/dζ for da/dP · |u|,
+//! Routh's impact in other variables: the slip's speed as ln |u| and its direction as σ with
+//! u_x/|u_y| = sinh σ. With ′ = d/dζ = |u| d/dP, c = κa and k = μ (b − a),
 //!
 //! ```text
-//! σ′ = c + k tanh σ,   (ln |u|)′ = c tanh σ − μ (a tanh² σ + b sech² σ),   k = μ (b − a).
+//! σ′ = c + k tanh σ,   (ln |u|)′ = c tanh σ − μ (a tanh² σ + b sech² σ).
 //! ```
 //!
-//! Neither relaxes, so explicit steps are as long as accuracy allows at every ratio of a and b, on the
-//! clock θ with dζ = (ζ + 1/rate) dθ that follows rates of all sizes. The impulses are integrated one by
-//! one, by the mobilities as Newton and Euler give them.
+//! These equations are not stiff at any ratio of a and b. The independent variable θ with
+//! dζ = (ζ + 1/rate) dθ resolves rates of all orders of magnitude. The velocity v and the work are integrated
+//! from the mobilities of Newton's and Euler's equations.
 
 use crate::law::Parameters;
 use crate::solve::{Stepper, System};
 use crate::state::Coordinates;
 
-/// Mobilities, μ and the fastest rate.
+/// Mobilities, μ and an upper estimate of the rates.
 pub struct Logarithms {
     along: f64,
     across: f64,
@@ -29,20 +29,21 @@ const DIRECTION: usize = 0;
 const LOG_SPEED: usize = 1;
 const VELOCITY: usize = 2;
 const WORK: usize = 3;
-const CLOCK: usize = 4;
+const ZETA: usize = 4;
 type Path = [f64; 5];
 
-/// What the rim's lowest point does when the slip has stopped or the impact is over.
+/// The motion of the rim's lowest point when the slip has stopped or the phase has ended.
 struct End {
     slip: [f64; 2],
     v: f64,
     work: f64,
+    /// Whether the phase has ended.
     over: bool,
 }
 
 impl Logarithms {
-    /// (u_x, u_y, v) after a landing.
-    pub fn land(
+    /// (u_x, u_y, v) after an impact.
+    pub fn resolve(
         k: &Parameters<f64>,
         u: &Coordinates<f64>,
         friction: f64,
@@ -68,30 +69,30 @@ impl Logarithms {
         let (mut path, mut end) = this.follow(start, side, |path| path[VELOCITY]);
         let slips = end.over;
         if !slips {
-            end = this.pressed_out_of_rest(end);
+            end = this.compressed_from_rest(end);
         }
         if restitution > 0.0 {
             let back = end.work * (1.0 - restitution * restitution);
             if slips {
-                path[CLOCK] = 0.0;
+                path[ZETA] = 0.0;
                 (_, end) = this.follow(path, side, |path| path[WORK] - back);
             }
             if !(slips && end.over) {
-                end = this.restored_out_of_rest(end, back);
+                end = this.restored_from_rest(end, back);
             }
         }
         [end.slip[0], end.slip[1], end.v]
     }
 
-    fn follow(&self, start: Path, side: f64, level: impl Fn(&Path) -> f64) -> (Path, End) {
+    fn follow(&self, start: Path, side: f64, event: impl Fn(&Path) -> f64) -> (Path, End) {
         let mut stepper = Stepper::new(self, start, 1e-3, 1e-13);
         for _ in 0..100_000 {
             let step = stepper.advance().expect("nothing is stiff");
             let mut path = step.end;
-            let over = level(&path) >= 0.0;
+            let over = event(&path) >= 0.0;
             if over {
                 let dense = step.dense(self);
-                path = dense.at(dense.root(0.0, 1.0, &level));
+                path = dense.at(dense.root(0.0, 1.0, &event));
             }
             let slip = libm::exp(path[LOG_SPEED]);
             if over || slip < 1e-17 * self.speed {
@@ -112,17 +113,17 @@ impl Logarithms {
         panic!("no end");
     }
 
-    /// Growth of u_x and of v per normal impulse out of rest.
-    fn out_of_rest(&self) -> (f64, f64) {
-        let pull = (-self.coupling / self.along).clamp(-self.friction, self.friction);
-        let held = pull.abs() < self.friction;
-        let slipping = self.coupling + self.along * pull;
-        let rising = self.normal + self.coupling * pull;
-        (if held { 0.0 } else { slipping }, rising)
+    /// du_x/dP and dv/dP once the slip has stopped.
+    fn changes_from_rest(&self) -> (f64, f64) {
+        let ratio = (-self.coupling / self.along).clamp(-self.friction, self.friction);
+        let sticks = ratio.abs() < self.friction;
+        let slipping = self.coupling + self.along * ratio;
+        let rising = self.normal + self.coupling * ratio;
+        (if sticks { 0.0 } else { slipping }, rising)
     }
 
-    fn pressed_out_of_rest(&self, end: End) -> End {
-        let (slipping, rising) = self.out_of_rest();
+    fn compressed_from_rest(&self, end: End) -> End {
+        let (slipping, rising) = self.changes_from_rest();
         End {
             slip: [end.slip[0] - slipping * end.v / rising, 0.0],
             v: 0.0,
@@ -131,8 +132,8 @@ impl Logarithms {
         }
     }
 
-    fn restored_out_of_rest(&self, end: End, back: f64) -> End {
-        let (slipping, rising) = self.out_of_rest();
+    fn restored_from_rest(&self, end: End, back: f64) -> End {
+        let (slipping, rising) = self.changes_from_rest();
         let v = (end.v * end.v + 2.0 * rising * (back - end.work)).sqrt();
         End {
             slip: [end.slip[0] + slipping * (v - end.v) / rising, 0.0],
@@ -149,16 +150,17 @@ impl System<f64, 5> for Logarithms {
             libm::tanh(path[DIRECTION]),
             1.0 / libm::cosh(path[DIRECTION]),
         );
-        let (braked, slip) = (self.friction, libm::exp(path[LOG_SPEED]));
-        let clock = path[CLOCK] + 1.0 / self.rate;
+        let (friction, slip) = (self.friction, libm::exp(path[LOG_SPEED]));
+        let zeta_rate = path[ZETA] + 1.0 / self.rate;
         [
-            self.coupling + braked * (self.across - self.along) * tanh,
-            self.coupling * tanh - braked * (self.along * tanh * tanh + self.across * sech * sech),
-            slip * (self.normal - braked * self.coupling * tanh),
+            self.coupling + friction * (self.across - self.along) * tanh,
+            self.coupling * tanh
+                - friction * (self.along * tanh * tanh + self.across * sech * sech),
+            slip * (self.normal - friction * self.coupling * tanh),
             slip * path[VELOCITY],
             1.0,
         ]
-        .map(|rate| clock * rate)
+        .map(|rate| zeta_rate * rate)
     }
 
     fn scale(&self, path: &Path) -> Path {
@@ -169,7 +171,7 @@ impl System<f64, 5> for Logarithms {
             1.0,
             self.speed,
             work,
-            path[CLOCK] + 1.0 / self.rate,
+            path[ZETA] + 1.0 / self.rate,
         ]
     }
 }

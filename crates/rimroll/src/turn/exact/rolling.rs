@@ -49,7 +49,7 @@ impl<'a, C: Copy + Into<T>, T: Real> Rolling<'a, C, T> {
     /// Twice the energy over the body at rest upright, but for yaw and spin.
     #[inline(always)]
     pub(super) fn tilting_energy(body: &Fundamental<C>, start: &Start<T>) -> T {
-        let [m, r, h, _, _, g] = body.parameters.letters::<T>();
+        let [m, r, h, _, _, g] = body.parameters.as_array::<T>();
         let (sin, versine) = sin_and_versine(start.y);
         let rim_inertia: T = body.rim_inertia.into();
         rim_inertia * start.p * start.p + T::from(2.0) * m * g * (r * sin - h * versine)
@@ -90,7 +90,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
 
     #[inline(always)]
     fn at(&self, y: T, eta: T) -> Point<T> {
-        let [m, r, h, _, _, g] = self.body.parameters.letters::<T>();
+        let [m, r, h, _, _, g] = self.body.parameters.as_array::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
         let [l_of_s, l_of_l, s_of_l] = self.body.rates;
@@ -120,7 +120,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     /// w √(I/G) = l J c²/√(J c · that).
     #[inline(always)]
     fn pace(&self, y: T, eta: T) -> Pace<T> {
-        let [m, r, h, _, _, g] = self.body.parameters.letters::<T>();
+        let [m, r, h, _, _, g] = self.body.parameters.as_array::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
         let inertia: T = self.body.rim_inertia.into();
@@ -143,7 +143,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
 
     #[inline(always)]
     fn terms(&self, at: &Point<T>) -> [T; 2] {
-        let [m, r, h, _, _, g] = self.body.parameters.letters::<T>();
+        let [m, r, h, _, _, g] = self.body.parameters.as_array::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
         let two = T::from(2.0);
@@ -175,7 +175,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
 
     #[inline(always)]
     fn highest(&self) -> T {
-        let [m, r, h, .., g] = self.body.parameters.letters::<T>();
+        let [m, r, h, .., g] = self.body.parameters.as_array::<T>();
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
     }
 
@@ -188,7 +188,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     /// 2 N J sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²) and dG/dη = 2 J φ̈ sin φ.
     #[inline(always)]
     fn pressing(&self, at: &Point<T>) -> T {
-        let [_, r, h, .., g] = self.body.parameters.letters::<T>();
+        let [_, r, h, .., g] = self.body.parameters.as_array::<T>();
         let rim_inertia: T = self.body.rim_inertia.into();
         let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
         T::from(2.0) * at.sin * (g * rim_inertia - z * at.drive) + rho * at.slope
@@ -204,7 +204,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Rolling<'_, C, T> {
     /// f w² − e s w ≥ −e² s² / 4f ≥ −s² ((mHR)² / (2K sin φ) + (C + mR²)² sin φ / (2K cos φ)).
     #[inline(always)]
     fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T {
-        let [_, r, h, .., g] = self.body.parameters.letters::<T>();
+        let [_, r, h, .., g] = self.body.parameters.as_array::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
         // Between the two s may be a little larger than at both: hence no half of its square.

@@ -33,7 +33,7 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
     #[inline(always)]
     pub(super) fn new(k: Parameters<C>, start: &Start<T>) -> Self {
         let Start { y, w, s, .. } = *start;
-        let [_, _, _, a, c, _] = k.letters::<T>();
+        let [_, _, _, a, c, _] = k.as_array::<T>();
         let (sin, versine) = sin_and_versine(y);
         let l_of_versine = c * s / a;
         let tilting_energy = Self::tilting_energy(&k, start);
@@ -50,7 +50,7 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
     /// Twice the energy over the body at rest upright, but for yaw and spin.
     #[inline(always)]
     pub(super) fn tilting_energy(k: &Parameters<C>, start: &Start<T>) -> T {
-        let [m, r, h, a, _, g] = k.letters::<T>();
+        let [m, r, h, a, _, g] = k.as_array::<T>();
         let (sin, versine) = sin_and_versine(start.y);
         let rho = r * (T::from(1.0) - versine) - h * sin;
         let rise = r * sin - h * versine;
@@ -81,7 +81,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
 
     #[inline(always)]
     fn at(&self, y: T, _: T) -> Point<T> {
-        let [m, r, h, a, _, g] = self.k.letters::<T>();
+        let [m, r, h, a, _, g] = self.k.as_array::<T>();
         let two = T::from(2.0);
         let (sin, versine) = sin_and_versine(y);
         let cos = T::from(1.0) - versine;
@@ -103,7 +103,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     /// and w √(I/G) = l I q⁴/√(I q² · q³ · that).
     #[inline(always)]
     fn pace(&self, y: T, _: T) -> Pace<T> {
-        let [m, r, h, a, _, g] = self.k.letters::<T>();
+        let [m, r, h, a, _, g] = self.k.as_array::<T>();
         let (two, four) = (T::from(2.0), T::from(4.0));
         let yy = y * y;
         let q = T::from(1.0) + yy;
@@ -121,7 +121,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
 
     #[inline(always)]
     fn terms(&self, at: &Point<T>) -> [T; 2] {
-        let [m, r, h, a, _, g] = self.k.letters::<T>();
+        let [m, r, h, a, _, g] = self.k.as_array::<T>();
         let two = T::from(2.0);
         let weight = two * m * g * (r + h) * at.sin;
         // w is a difference, too.
@@ -138,7 +138,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
 
     #[inline(always)]
     fn highest(&self) -> T {
-        let [m, r, h, .., g] = self.k.letters::<T>();
+        let [m, r, h, .., g] = self.k.as_array::<T>();
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
     }
 
@@ -150,7 +150,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     /// N (A + mρ²) sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²).
     #[inline(always)]
     fn pressing(&self, at: &Point<T>) -> T {
-        let [_, r, h, a, c, g] = self.k.letters::<T>();
+        let [_, r, h, a, c, g] = self.k.as_array::<T>();
         let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
         let falling = a * at.sin * (g - z * at.drive / at.inertia);
         falling + rho * at.w * (a * at.w * at.cos - c * at.sin * at.s)
@@ -165,7 +165,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     /// The yaw's part of `pressing` is, whatever w, no less than −ρ (C s)² sin φ / (4 A cos φ).
     #[inline(always)]
     fn surely_pressing(&self, _: &Point<T>, high: &Point<T>) -> T {
-        let [_, r, h, a, c, g] = self.k.letters::<T>();
+        let [_, r, h, a, c, g] = self.k.as_array::<T>();
         let z = (r * r + h * h).sqrt();
         let cs = c * self.s;
         a * g - z * self.energy - r * cs * cs / (T::from(4.0) * a * high.cos)

@@ -1,48 +1,48 @@
-//! The uniformly valid approximation that the paper describes in words: "the pasting-together of two
-//! qualitatively distinct motions of vastly different time-scales".
+//! The composite (matched asymptotic) approximation, which the paper calls "pasted": it describes in
+//! words "the pasting-together of two qualitatively distinct motions of vastly different time-scales".
 //!
-//! Far from the table the body tips in a vertical plane like an inverted pendulum; near it, it is a
-//! [`NearCollision`]. Both meet in φ = ω |t − t_c|, so that
+//! The outer solution is an inverted pendulum that tips in a vertical plane; the inner solution is a
+//! [`NearCollision`]. They match in φ = ω |t − t_c|, so the composite approximation is
 //!
 //! ```text
 //! φ ≈ φ_pendulum(|t − t_c|) + √(φ_c² + ω² (t − t_c)²) − ω |t − t_c|
 //! ψ ≈ ψ₀ ± √(J′/K′) [π/2 + arctan(ω (t − t_c)/φ_c)]
 //! ```
 //!
-//! everywhere with an error of the order of φ_c ln φ_c in ψ and φ_c² ln φ_c in φ. What the near-collision needs to know,
-//! ω and φ_c = |l| √(K′/J′)/ω, comes from the start alone: l = ψ̇ sin² φ and the spin obey linear
-//! equations with the pendulum's tilt as clock.
+//! It is uniformly valid, with an error of order φ_c ln φ_c in ψ and φ_c² ln φ_c in φ. The parameters of
+//! the near-collision, ω and φ_c = |l| √(K′/J′)/ω, follow from the initial state alone: l = ψ̇ sin² φ and
+//! the spin obey linear equations with the pendulum's tilt as independent variable.
 
 use crate::body::Body;
-use crate::error::{InvalidInput, positive, shown};
+use crate::error::{InvalidInput, formatted, positive};
 use crate::law::IdealLaw;
 use crate::motion::{EventKind, Motion, Options, Status, simulate};
 use crate::state::State;
 use crate::turn::NearCollision;
 use core::ops::ControlFlow;
 
-/// Sideways rates are made this small so that their squares vanish beside everything else: what is
-/// left of the full equations is the pendulum and, exactly, its linear companion.
+/// Sideways rates are scaled by this factor so that their squares vanish beside all other terms. The full
+/// equations then reduce exactly to the pendulum and the linear equations for the sideways motion.
 const INFINITESIMAL: f64 = 1e-100;
 
-/// The smallest tilt may be this part of the largest: beyond, the two motions are not of different
-/// time-scales and the approximation is off by more than a tenth.
-const LARGEST_PART: f64 = 0.1;
+/// The largest allowed ratio of the smallest to the largest tilt. Beyond it the time scales of the two
+/// motions are not well separated, and the error of the approximation exceeds a tenth.
+const MAX_TILT_RATIO: f64 = 0.1;
 
-/// One rocking, from a tilt maximum (or the release) through the near-collision to its mirror image.
-pub struct Pasted {
+/// One rocking motion, from a tilt maximum (or the release) through the near-collision to its mirror image.
+pub struct Composite {
     /// The near-collision in the middle.
     pub near_collision: NearCollision,
     /// t_c, s after the release.
     pub time: f64,
-    /// The pendulum falls for this long, s: the approximation holds for |t − t_c| up to it.
+    /// The time for which the pendulum falls, s. The approximation holds for |t − t_c| up to this time.
     pub half_width: f64,
     yaw: f64,
     fall: Motion,
 }
 
-impl Pasted {
-    /// φ at the time t (s), rad; held at the last value beyond the half width.
+impl Composite {
+    /// φ at the time t (s), rad. Beyond the half width, the outer solution keeps its last value.
     pub fn tilt(&self, t: f64) -> f64 {
         let away = (t - self.time).abs();
         let pendulum = self.fall.track.at(self.half_width - away).tilt();
@@ -57,18 +57,17 @@ impl Pasted {
     }
 }
 
-/// Pastes a tipping phase and a near-collision together for a body let go at `start` under gravity
-/// (m/s²).
+/// The composite approximation for a body released at `start` under gravity (m/s²).
 ///
 /// # Errors
-/// Refuses what [`simulate`] refuses, a start that never comes down, one without any sideways motion,
-/// which comes down flat, and one with so much of it that it stays far from flat.
-pub fn pasted(
+/// Refuses what [`simulate`] refuses, and a start that never comes down, that has no sideways motion (the
+/// body falls flat), or that has so much of it that the smallest tilt is not small.
+pub fn composite(
     body: &Body,
     start: &State,
     law: IdealLaw,
     gravity: f64,
-) -> Result<Pasted, InvalidInput> {
+) -> Result<Composite, InvalidInput> {
     start.check()?;
     positive("gravity", gravity, "m/s2")?;
     let planar = State {
@@ -84,10 +83,11 @@ pub fn pasted(
         rtol: 1e-13,
         ..Options::default()
     };
-    let follow = |from: &State| simulate(body, from, law, &options, |_| ControlFlow::Continue(()));
+    let simulated =
+        |from: &State| simulate(body, from, law, &options, |_| ControlFlow::Continue(()));
 
-    let (top, since_release) = top_of_the_fall(&planar, follow)?;
-    let fall = follow(&top)?;
+    let (top, since_release) = top_of_the_fall(&planar, simulated)?;
+    let fall = simulated(&top)?;
     if fall.status != Status::FaceDown {
         return Err(InvalidInput::NoNearCollision {
             why: format!("its plane pendulum does not come down: {}", fall.message),
@@ -110,17 +110,17 @@ pub fn pasted(
     }
     let stretch = NearCollision::new(body, law, 1.0, tipping_rate, l.signum())?.stretch;
     let min_tilt = l / (tipping_rate * stretch);
-    if min_tilt > LARGEST_PART * top.tilt {
+    if min_tilt > MAX_TILT_RATIO * top.tilt {
         return Err(InvalidInput::NoNearCollision {
             why: format!(
                 "the smallest tilt, {} rad, would be no small part of the largest, {} rad; \
                  reduce yaw_rate and spin_rate",
-                shown(min_tilt),
-                shown(top.tilt)
+                formatted(min_tilt),
+                formatted(top.tilt)
             ),
         });
     }
-    Ok(Pasted {
+    Ok(Composite {
         near_collision: NearCollision {
             min_tilt,
             tipping_rate,
@@ -133,18 +133,18 @@ pub fn pasted(
     })
 }
 
-/// The tilt maximum that the pendulum comes from or goes to, and its time after the release (s,
-/// negative before it); the release itself when it was flicked too fast to come from any.
+/// The tilt maximum before or after the release, and its time relative to the release (s). If the
+/// release was too fast to have started from a tilt maximum, it is the release itself.
 fn top_of_the_fall(
     start: &State,
-    follow: impl Fn(&State) -> Result<Motion, InvalidInput>,
+    simulated: impl Fn(&State) -> Result<Motion, InvalidInput>,
 ) -> Result<(State, f64), InvalidInput> {
     if start.tilt_rate == 0.0 {
         return Ok((*start, 0.0));
     }
-    // Into the past all rates change sign.
+    // Reversing time changes the sign of all rates.
     let time = start.tilt_rate.signum();
-    let rise = follow(&reversed(start, time))?;
+    let rise = simulated(&reversed(start, time))?;
     let top = rise.events.iter().find(|e| e.kind == EventKind::TiltMax);
     match top {
         Some(top) => Ok((reversed(&top.at.state(), time), time * top.at.t)),
