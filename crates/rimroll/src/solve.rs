@@ -1,8 +1,8 @@
-//! A solver for smooth autonomous systems u′ = f(u): it knows no mechanics.
+//! A solver for smooth autonomous systems u′ = f(u), independent of the mechanics.
 //!
-//! [`Stepper`] advances by steps of its own choice; each [`Step`] can be evaluated anywhere inside
-//! (dense output) and asked where a function of the state changes sign (events). What relaxes too fast
-//! for explicit steps is done by [`Collocation`].
+//! [`Stepper`] integrates with adaptive step size. Each [`Step`] has dense output, which also locates events,
+//! that is, sign changes of a function of the state. [`Collocation`] integrates systems that are too stiff
+//! for explicit steps.
 
 mod collocation;
 mod dense;
@@ -22,33 +22,32 @@ pub use stiff::Implicit;
 
 use crate::real::Real;
 
-/// An autonomous system of N first-order equations, in numbers of the type T: each lane of lanes, and the
-/// slopes of dual numbers, go with the steps of their values.
+/// An autonomous system of N first-order equations over the number type T.
 pub trait System<T: Real, const N: usize> {
-    /// How many components, the first, no rate and no size depends on: inside a step they are as they
-    /// were at its start, in what is given to `rates` and to `scale`.
+    /// The number of leading components on which no rate and no error scale depends. Within a step, `rates`
+    /// and `scale` receive them with their values at the start of the step.
     const IGNORABLE: usize = 0;
 
     /// u′ = f(u).
     fn rates(&self, u: &[T; N]) -> [T; N];
 
-    /// For each component the size that an error is to be compared with.
+    /// The error scale of each component.
     fn scale(&self, u: &[T; N]) -> [T; N];
 }
 
-/// Why no further step could be made.
+/// The reason why the integration cannot continue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stuck {
     /// The rates are not finite or change too fast for any step.
     StepUnderflow,
 }
 
-/// How much work was done.
+/// Counts of the work done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
     /// Steps accepted.
     pub steps: usize,
-    /// Steps tried again shorter.
+    /// Steps rejected and repeated with a smaller step size.
     pub rejected: usize,
     /// Evaluations of the right-hand side.
     pub evaluations: usize,
@@ -65,11 +64,11 @@ impl core::ops::Add for Work {
     }
 }
 
-/// Steps through a system with the error of each step held below a tolerance.
+/// Integrates a system by steps whose estimated errors stay below a tolerance.
 pub struct Stepper<'a, S, const N: usize> {
     system: &'a S,
     tolerance: f64,
-    /// Length of the next step to try.
+    /// The size of the next step to try.
     h: f64,
     step: Step<f64, N>,
     /// Work so far.
@@ -77,13 +76,13 @@ pub struct Stepper<'a, S, const N: usize> {
 }
 
 impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
-    /// A solver at the start `u`; `h` is a first guess for the step and need not be good.
+    /// A stepper at the initial state `u`; `h` is a first guess for the step size and need not be accurate.
     pub fn new(system: &'a S, u: [f64; N], h: f64, tolerance: f64) -> Self {
         Stepper {
             system,
             tolerance,
             h,
-            step: Step::still(&u, &system.rates(&u)),
+            step: Step::empty(&u, &system.rates(&u)),
             work: Work {
                 evaluations: 1,
                 ..Work::default()
@@ -91,26 +90,26 @@ impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
         }
     }
 
-    /// Makes one step, as long as the tolerance allows.
+    /// Makes one step whose error is within the tolerance.
     ///
-    /// The next step is [`Estimate::next_factor`] times as long, within a factor of 5 down and 8 up.
+    /// The next step size is [`Estimate::next_factor`] times this one, limited to a factor from 1/5 to 8.
     ///
     /// # Errors
-    /// When no step is short enough.
+    /// Fails if the step size underflows.
     pub fn advance(&mut self) -> Result<&mut Step<f64, N>, Stuck> {
-        let mut grow_at_most = 8.0;
+        let mut max_factor = 8.0;
         self.step.begin_next();
         loop {
             let estimate = self.step.attempt(self.system, self.h, self.tolerance);
             self.work.evaluations += Step::<f64, N>::EVALUATIONS;
-            if estimate.is_good() {
-                self.h *= estimate.next_factor().clamp(0.2, grow_at_most);
+            if estimate.is_accepted() {
+                self.h *= estimate.next_factor().clamp(0.2, max_factor);
                 self.work.steps += 1;
                 return Ok(&mut self.step);
             }
             self.work.rejected += 1;
-            grow_at_most = 1.0;
-            self.h *= if estimate.is_number() {
+            max_factor = 1.0;
+            self.h *= if estimate.is_finite() {
                 estimate.next_factor().clamp(0.2, 1.0)
             } else {
                 0.1

@@ -1,5 +1,5 @@
-//! The angle of turn in closed form: its limits, how a motion approaches them, and what the
-//! near-collision asks of the table.
+//! The angle of turn: its limits in closed form, the approach to them, the friction and normal force that
+//! the near-collision requires, and the turn of finite motions by quadrature ([`exact`]).
 
 mod contact;
 mod convergence;
@@ -22,8 +22,8 @@ pub use near_collision::NearCollision;
 use crate::body::Body;
 use crate::law::IdealLaw;
 
-/// The two moments of inertia whose ratio J′/K′ decides the turn: without slip J and K (about the
-/// rim and about the centre of the base), without friction A + mR² and A.
+/// The two moments of inertia J′ and K′ whose ratio determines the turn: J and K (about the rim and about
+/// the centre of the base) without slip, A + mR² and A without friction.
 pub(crate) fn inertias(body: &Body, law: IdealLaw) -> (f64, f64) {
     let mrr = body.mass() * body.radius() * body.radius();
     let k = match law {

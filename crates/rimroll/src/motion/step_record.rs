@@ -76,7 +76,7 @@ impl StepRecord {
 
     /// The step made again with a length of h.
     fn again<S: System<f64, N>, const N: usize>(&self, system: &S, h: f64) -> Step<f64, N> {
-        Step::again(system, &first(&self.start), h)
+        Step::recompute(system, &first(&self.start), h)
     }
 }
 

@@ -53,7 +53,7 @@ impl Track {
 
     /// Ends the motion with a sudden change.
     pub(super) fn push_jump(&mut self, to: Instant) {
-        let still = Dense::still(to.u.into_array());
+        let still = Dense::empty(to.u.into_array());
         self.push(StepRecord::polynomial(to.phase, still));
     }
 
@@ -158,7 +158,7 @@ impl LookUp<'_> {
         }
         match self.opened(t) {
             Some((index, dense)) => {
-                let x = dense.where_component(TIME, t);
+                let x = dense.fraction_where(TIME, t);
                 instant(records[index].phase, &dense.at(x))
             }
             None => self.track.end(),
@@ -184,7 +184,7 @@ impl LookUp<'_> {
             return (0, 0.0);
         }
         match self.opened(t) {
-            Some((index, dense)) => (index, dense.where_component(TIME, t)),
+            Some((index, dense)) => (index, dense.fraction_where(TIME, t)),
             None => (self.track.records.len().saturating_sub(1), 1.0),
         }
     }

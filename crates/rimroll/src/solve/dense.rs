@@ -1,24 +1,24 @@
-//! A finished step as a polynomial: dense output.
+//! Dense output: a finished step as a polynomial.
 
 use super::root;
 use crate::real::Real;
 
-/// A step that can be evaluated at any fraction x in [0, 1].
+/// The polynomial of a step, which can be evaluated at any fraction x in [0, 1] of the step.
 #[derive(Debug, Clone)]
 pub struct Dense<T, const N: usize> {
-    /// The step's length.
+    /// The step size.
     pub h: T,
     /// State at x = 0.
     pub start: [T; N],
     /// State at x = 1.
     pub end: [T; N],
-    /// c₀ … c₆ of the rise x (c₀ + (1 − x) (c₁ + x (c₂ + (1 − x) (c₃ + …)))).
+    /// c₀ … c₆ of the increment x (c₀ + (1 − x) (c₁ + x (c₂ + (1 − x) (c₃ + …)))).
     pub(super) coefficients: [[T; N]; 7],
 }
 
 impl<T: Real, const N: usize> Dense<T, N> {
-    /// A step of no length.
-    pub fn still(state: [T; N]) -> Self {
+    /// A step of size zero.
+    pub fn empty(state: [T; N]) -> Self {
         Dense {
             h: T::from(0.0),
             start: state,
@@ -27,17 +27,17 @@ impl<T: Real, const N: usize> Dense<T, N> {
         }
     }
 
-    /// The same with components that stay what they are in `rest`, after the first N.
-    pub fn widened<const M: usize>(&self, rest: &[T; M]) -> Dense<T, M> {
-        let widened = |first: &[T; N], rest: &[T; M]| {
-            let mut all = *rest;
-            all[..N].copy_from_slice(first);
-            all
+    /// This step with M components, of which those after the first N keep their values in `constant`.
+    pub fn widened<const M: usize>(&self, constant: &[T; M]) -> Dense<T, M> {
+        let widened = |leading: &[T; N], constant: &[T; M]| {
+            let mut components = *constant;
+            components[..N].copy_from_slice(leading);
+            components
         };
         Dense {
             h: self.h,
-            start: widened(&self.start, rest),
-            end: widened(&self.end, rest),
+            start: widened(&self.start, constant),
+            end: widened(&self.end, constant),
             coefficients: self
                 .coefficients
                 .map(|coefficient| widened(&coefficient, &[T::from(0.0); M])),
@@ -66,8 +66,8 @@ impl<const N: usize> Dense<f64, N> {
         root::bracketed_root(from, to, |x| function(&self.at(x)))
     }
 
-    /// The fraction at which a component that grows over the step has the given value.
-    pub fn where_component(&self, i: usize, value: f64) -> f64 {
+    /// The fraction at which a component that increases over the step has the given value.
+    pub fn fraction_where(&self, i: usize, value: f64) -> f64 {
         root::bracketed_root(0.0, 1.0, |x| self.component(i, x) - value)
     }
 }

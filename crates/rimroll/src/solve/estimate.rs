@@ -1,23 +1,23 @@
-//! How far a step may be off, and how long the next one can be.
+//! The error estimate of a step and the size of the next step.
 
 use crate::real::{FloatBits, Real};
 
-/// The estimated error of a step: the step is good when `error_squared` ≤ `allowed`.
+/// The estimated error of a step. The step is accepted if `error_squared` ≤ `allowed`.
 #[derive(Debug, Clone, Copy)]
 pub struct Estimate<T> {
-    /// The square of the error over what the tolerance allows, times `allowed`.
+    /// The square of the error relative to the tolerance, times `allowed`.
     pub error_squared: T,
-    /// What that is to be compared with.
+    /// The bound of `error_squared`. Keeping both avoids a division.
     pub allowed: T,
 }
 
 impl<T: Real> Estimate<T> {
-    /// Of a step of length h with `count` components: from the sums of the squares of its estimates of
-    /// orders 5 and 3, each over what the tolerance allows that component and over h (Hairer, Nørsett &
-    /// Wanner 1993, section II.10).
+    /// The estimate for a step of size h with `count` components (Hairer, Nørsett & Wanner 1993, section
+    /// II.10). `fifth` and `third` are the sums of the squares of the error estimates of orders 5 and 3, each
+    /// divided by h and by the allowed error of the component.
     #[inline(always)]
     pub fn new(h: T, fifth: T, third: T, count: usize) -> Self {
-        // Where nothing is wrong, not 0/0.
+        // Avoids 0/0 where both estimates are zero.
         const NEVER_ZERO: f64 = 1e-300;
         let both = (fifth + T::from(0.01) * third) * T::from(count as f64);
         let error = h * fifth;
@@ -29,26 +29,26 @@ impl<T: Real> Estimate<T> {
 }
 
 impl Estimate<f64> {
-    /// Whether it says anything.
+    /// Whether the error is finite.
     #[inline]
-    pub fn is_number(&self) -> bool {
-        // Written so that a NaN is none.
+    pub fn is_finite(&self) -> bool {
+        // A NaN compares as false.
         self.error_squared < f64::INFINITY
     }
 
-    /// Whether the step is.
+    /// Whether the step is accepted.
     #[inline]
-    pub fn is_good(&self) -> bool {
-        self.is_number() && self.error_squared <= self.allowed
+    pub fn is_accepted(&self) -> bool {
+        self.is_finite() && self.error_squared <= self.allowed
     }
 }
 
 impl<T: FloatBits> Estimate<T> {
-    /// By what factor the next step may be longer than one with this error e (over what is tolerated), to
-    /// be good but for a margin: 0.9 e^(−1/8) (section II.4).
+    /// The factor 0.9 e^(−1/8) from this step size to the next, where e is the error relative to the
+    /// tolerance (section II.4).
     ///
-    /// A step waits for it, and a rough one will do: it comes out up to 6 % too long, and the margin is wider
-    /// by what is usual of that.
+    /// The next step has to wait for this number, so a cheap approximation of the root is used. It is up to
+    /// 6 % too large; the margin of 0.86 in place of 0.9 compensates for the typical excess.
     #[inline(always)]
     pub fn next_factor(&self) -> T {
         const MARGIN: f64 = 0.86;

@@ -1,30 +1,30 @@
-//! What a step does most: sums of weighted stages, one number after another or four at a time.
+//! The weighted sums of stages, which are most of the work of a step, in scalar or in SIMD registers.
 //!
-//! Each number goes through the same operations in the same order either way, so the results are the
-//! same to the last bit.
+//! Each component goes through the same operations in the same order in both, so the results are the same
+//! to the last bit.
 
 use crate::real::Real;
 
-/// A way of calculating with the components of a state that are felt, all but the first few.
+/// The operations on state vectors that differ between kinds of registers.
 pub(super) trait Registers<T, const N: usize>: Copy {
-    /// sum + weight · stage.
+    /// sum += weight · stage, for the components that are not ignorable.
     fn add(self, sum: &mut [T; N], weight: T, stage: &[T; N]);
 
-    /// The same for the others.
+    /// sum += weight · stage, for the ignorable components.
     fn add_ignorable(self, sum: &mut [T; N], weight: T, stage: &[T; N]);
 
-    /// Puts freshly computed rates where they can be taken up again at once.
-    fn keep(self, place: &mut [T; N], rates: &[T; N]);
+    /// Stores newly computed rates so that they can be loaded again without delay.
+    fn store_rates(self, place: &mut [T; N], rates: &[T; N]);
 }
 
-/// One after another: whatever the number, whatever the processor.
+/// Scalar operations, for any number type on any processor.
 #[derive(Clone, Copy)]
-pub(super) struct OneByOne {
-    /// How many components, the first, are not felt.
+pub(super) struct Scalar {
+    /// The number of leading ignorable components.
     pub ignorable: usize,
 }
 
-impl<T: Real, const N: usize> Registers<T, N> for OneByOne {
+impl<T: Real, const N: usize> Registers<T, N> for Scalar {
     #[inline(always)]
     fn add(self, sum: &mut [T; N], weight: T, stage: &[T; N]) {
         for i in self.ignorable..N {
@@ -40,47 +40,47 @@ impl<T: Real, const N: usize> Registers<T, N> for OneByOne {
     }
 
     #[inline(always)]
-    fn keep(self, place: &mut [T; N], rates: &[T; N]) {
+    fn store_rates(self, place: &mut [T; N], rates: &[T; N]) {
         *place = *rates;
     }
 }
 
 #[cfg(target_arch = "x86_64")]
-pub(super) use wide::Wide;
+pub(super) use wide::Avx;
 
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use super::{OneByOne, Registers};
+    use super::{Registers, Scalar};
     use core::arch::x86_64::{
         _mm_add_pd, _mm_loadu_pd, _mm_mul_pd, _mm_set_pd, _mm_set1_pd, _mm_storeu_pd,
         _mm256_add_pd, _mm256_loadu_pd, _mm256_mul_pd, _mm256_set_pd, _mm256_set1_pd,
         _mm256_storeu_pd,
     };
 
-    /// The first four that are felt two by two, since a processor takes longer to put four together, and
-    /// what is felt most comes first; the others four by four.
+    /// AVX operations: the first four components after the ignorable ones in pairs, the others in fours.
     ///
-    /// A compiler left to itself stores rates one by one, and they cannot be loaded together before they
-    /// have all arrived in memory.
+    /// Combining four scalars into one register takes longer than combining two, and the components on which
+    /// the rates depend most come first. Compilers store the rates one by one, and a wide load of them has
+    /// to wait until all these stores have reached memory.
     #[derive(Clone, Copy)]
-    pub struct Wide {
+    pub struct Avx {
         ignorable: usize,
     }
 
-    impl Wide {
-        /// With the first `ignorable` components not felt.
+    impl Avx {
+        /// Registers for a state with `ignorable` leading ignorable components.
         ///
         /// # Safety
         /// The processor must have AVX.
         pub unsafe fn new(ignorable: usize) -> Self {
-            Wide { ignorable }
+            Avx { ignorable }
         }
     }
 
-    /// How many are taken two by two.
+    /// The number of components that are taken in pairs.
     const IN_PAIRS: usize = 4;
 
-    impl<const N: usize> Registers<f64, N> for Wide {
+    impl<const N: usize> Registers<f64, N> for Avx {
         #[inline(always)]
         fn add(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
             let (sum, stage) = (&mut sum[self.ignorable..], &stage[self.ignorable..]);
@@ -89,7 +89,7 @@ mod wide {
             let (sum_pairs, sum_odd) = sum_pairs.as_chunks_mut::<2>();
             let (stage_pairs, stage_odd) = stage_pairs.as_chunks::<2>();
             for (sum, stage) in sum_pairs.iter_mut().zip(stage_pairs) {
-                // SAFETY: there are two numbers, and every processor of this kind can do this.
+                // SAFETY: the chunks have two numbers, and every x86-64 processor has SSE2.
                 unsafe {
                     let stage = _mm_loadu_pd(stage.as_ptr());
                     let part = _mm_mul_pd(_mm_set1_pd(weight), stage);
@@ -102,7 +102,7 @@ mod wide {
             let (sum_fours, sum) = sum.as_chunks_mut::<4>();
             let (stage_fours, stage) = stage.as_chunks::<4>();
             for (sum, stage) in sum_fours.iter_mut().zip(stage_fours) {
-                // SAFETY: there are four numbers, and the processor has AVX, or this would not be here.
+                // SAFETY: the chunks have four numbers, and the processor has AVX by the contract of `new`.
                 unsafe {
                     let stage = _mm256_loadu_pd(stage.as_ptr());
                     let part = _mm256_mul_pd(_mm256_set1_pd(weight), stage);
@@ -119,14 +119,14 @@ mod wide {
         #[inline(always)]
         fn add_ignorable(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
             let ignorable = self.ignorable;
-            OneByOne { ignorable }.add_ignorable(sum, weight, stage);
+            Scalar { ignorable }.add_ignorable(sum, weight, stage);
         }
 
         #[inline(always)]
-        fn keep(self, place: &mut [f64; N], rates: &[f64; N]) {
+        fn store_rates(self, place: &mut [f64; N], rates: &[f64; N]) {
             let (ignorable, place) = place.split_at_mut(self.ignorable);
-            let (rates_unfelt, rates) = rates.split_at(self.ignorable);
-            ignorable.copy_from_slice(rates_unfelt);
+            let (rates_ignorable, rates) = rates.split_at(self.ignorable);
+            ignorable.copy_from_slice(rates_ignorable);
             let (pairs, place) = place.split_at_mut(IN_PAIRS.min(place.len()));
             let (rates_pairs, rates) = rates.split_at(pairs.len());
             let (pairs, odd) = pairs.as_chunks_mut::<2>();

@@ -9,7 +9,7 @@
 /// One row of the tableau: (stage, weight) for every weight that is not zero.
 pub type Row = &'static [(usize, f64)];
 
-/// How each of the stages 1..12 is formed from those before it.
+/// The weights of the stages 1..12 with respect to the earlier ones.
 pub const STAGES: [Row; 11] = [
     &[(0, 0.05260015195876773)],
     &[(0, 0.0197250569845379), (1, 0.0591751709536137)],
@@ -89,7 +89,7 @@ pub const SOLUTION: Row = &[
     (11, 0.04471061572777259),
 ];
 
-/// Weights of the embedded error estimate of order 5; stage 12 is the slope at the new point.
+/// Weights of the embedded error estimate of order 5; stage 12 is the rate at the end.
 pub const ERROR_5: Row = &[
     (0, 0.01312004499419488),
     (5, -1.2251564463762044),
@@ -101,7 +101,7 @@ pub const ERROR_5: Row = &[
     (11, -0.022355307863886294),
 ];
 
-/// Weights of the embedded error estimate of order 3; stage 12 is the slope at the new point.
+/// Weights of the embedded error estimate of order 3; stage 12 is the rate at the end.
 pub const ERROR_3: Row = &[
     (0, -0.18980075407240762),
     (5, 4.450312892752409),
@@ -113,7 +113,7 @@ pub const ERROR_3: Row = &[
     (11, 0.02265179219836082),
 ];
 
-/// The stages 13..16, needed for dense output only.
+/// The weights of the stages 13..16, which only dense output needs.
 pub const EXTRA_STAGES: [Row; 3] = [
     &[
         (0, 0.056167502283047954),
@@ -210,16 +210,16 @@ pub const DENSE: [Row; 4] = [
 #[cfg(test)]
 mod tests {
     //! The order conditions of Hairer, Nørsett & Wanner, sections II.1, II.5 and II.10, and the orders
-    //! themselves, measured on a planet.
+    //! measured on a Kepler orbit.
 
     use super::super::{Step, System};
     use super::{ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
     use core::f64::consts::PI;
 
-    /// Of sums over coefficients as large as 40, each rounded to 16 digits.
+    /// Allows for rounding in sums over coefficients as large as 40 with 16 digits.
     const ROUNDING: f64 = 3e-13;
 
-    /// The rows of all sixteen stages: the first is the start, the thirteenth the slope at the end.
+    /// The rows of all sixteen stages. The first stage is at the start, the thirteenth at the end.
     fn rows() -> Vec<Row> {
         let start: Row = &[];
         [start]
@@ -240,7 +240,7 @@ mod tests {
         (0..k).fold(1.0, |product, _| product * x)
     }
 
-    /// c: the fraction of the step that each stage stands for.
+    /// The nodes c: the fraction of the step at each stage.
     fn nodes() -> Vec<f64> {
         rows().into_iter().map(|row| sum(row, |_| 1.0)).collect()
     }
@@ -282,8 +282,8 @@ mod tests {
         assert!(!near(integral(8), 1.0 / 9.0));
     }
 
-    /// Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1): up to k = 2 for the first stages, which the solution leaves out, up
-    /// to 4 for those it uses, and up to 5 for those of the dense output.
+    /// Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1): up to k = 2 for the first stages, which have zero weight in the solution,
+    /// up to 4 for those with weight, and up to 5 for those of the dense output.
     #[test]
     fn the_stages_are_themselves_solutions_of_lower_order() {
         let c = nodes();
@@ -302,8 +302,8 @@ mod tests {
         assert!(SOLUTION.iter().all(|&(stage, _)| !(1..=4).contains(&stage)));
     }
 
-    /// Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ): the simplifying assumption that spares the trees which branch at
-    /// their root only once.
+    /// Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ): the simplifying assumption D(1), which covers the trees whose root has one
+    /// branch.
     #[test]
     fn the_columns_simplify() {
         let weight = |row: Row, stage: usize| {
@@ -348,7 +348,7 @@ mod tests {
 
     const ECCENTRICITY: f64 = 0.3;
 
-    /// Where the planet is at the time t after its perihelion, by Kepler's equation t = E − e sin E.
+    /// The position of the planet at the time t after perihelion, by Kepler's equation t = E − e sin E.
     fn planet(t: f64) -> [f64; 4] {
         let e = ECCENTRICITY;
         let mut anomaly = t;
@@ -368,7 +368,7 @@ mod tests {
             .fold(0.0, f64::max)
     }
 
-    /// The order that an error shows when the step is halved.
+    /// The order of convergence, from the errors before and after halving the step size.
     fn order(error: impl Fn(u32) -> f64, steps: u32) -> f64 {
         libm::log2(error(steps) / error(2 * steps))
     }
@@ -384,7 +384,7 @@ mod tests {
         assert!((order - 8.0).abs() < 0.5, "{order}");
     }
 
-    /// Within one step the error goes with the power 8 of its length: globally, order 7.
+    /// Within one step the error is proportional to the 8th power of the step size, so the order is 7.
     #[test]
     fn the_dense_output_converges_with_order_7() {
         let within_one_step = |steps: u32| {

@@ -1,4 +1,4 @@
-//! What the motion asks of the table: friction, weight, and the balance of a steady wobble.
+//! The friction and normal force that the motion requires, and the steady wobble.
 
 use super::inertias;
 use crate::body::Body;
@@ -8,13 +8,13 @@ use crate::state::Coordinates;
 
 /// The coefficient of friction needed to roll through the near-collision: μ* = mHR/(A + mH²).
 ///
-/// |T|/N tends to it and stays there through the whole near-collision, however violent (the paper sees
-/// "only a finite coefficient" in its simulation figure and gives no formula).
+/// |T|/N tends to this value and stays there through the whole near-collision, however violent (the paper
+/// notes "only a finite coefficient" in its simulation figure and gives no formula).
 pub fn needed_friction(body: &Body) -> f64 {
     body.mass() * body.height() * body.radius() / body.base_inertia()
 }
 
-/// The rate of tipping on arrival, rad/s, above which rolling without slip needs pull instead of push
+/// The tipping rate on arrival, rad/s, above which rolling without slip requires a negative normal force
 /// just before the near-collision: ω = √(gK/(JH)). Infinite for a disk.
 ///
 /// # Errors
@@ -25,8 +25,9 @@ pub fn lift_off_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
     Ok((g * k / (j * body.height())).sqrt())
 }
 
-/// The rate of tipping on arrival, rad/s, above which the end of the tipping phase needs more friction
-/// than μ*: ω = √(2mgHK/(J(K + mH²))). For a disk it is 0, and its friction is needed elsewhere.
+/// The tipping rate on arrival, rad/s, above which the end of the tipping phase needs a coefficient of
+/// friction larger than μ*: ω = √(2mgHK/(J(K + mH²))). For a disk it is 0; a disk needs its largest
+/// coefficient elsewhere.
 ///
 /// # Errors
 /// Refuses gravity ≤ 0.
@@ -39,12 +40,12 @@ pub fn slip_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
 
 /// The yaw rate, rad/s, at which a body wobbles steadily at a tilt φ with its centre of mass at rest:
 /// ψ̇² = m g R ρ / [sin φ (A R cos φ − C H sin φ)] with ρ = R cos φ − H sin φ. No friction acts, so
-/// every law has this motion; the spin rate that goes with it is s = Hψ̇ sin φ/R, that is
+/// this motion exists under every law. Its spin rate is s = Hψ̇ sin φ/R, that is
 /// θ̇ = ψ̇ (H sin φ/R − cos φ).
 ///
 /// # Errors
-/// Refuses gravity ≤ 0, a tilt outside (0, balance point), and a tilt at which no yaw rate balances
-/// the body (a negative square).
+/// Refuses gravity ≤ 0, a tilt outside (0, balance tilt), and a tilt at which no steady wobble exists
+/// (ψ̇² < 0).
 pub fn steady_wobble_rate(body: &Body, tilt: f64, gravity: f64) -> Result<f64, InvalidInput> {
     let g = positive("gravity", gravity, "m/s2")?;
     let balance = body.balance_tilt();
@@ -70,12 +71,12 @@ pub fn steady_wobble_rate(body: &Body, tilt: f64, gravity: f64) -> Result<f64, I
     Ok(square.sqrt())
 }
 
-/// The coefficient of friction from which on a sliding body can meet Painlevé's paradox:
+/// The smallest coefficient of friction at which a sliding body can meet the Painlevé paradox:
 /// 2 √(q (1 + q)) with q = A/(m (R² + H²)). Below it the normal force is determined at every tilt.
 ///
-/// At one tilt the paradox starts at (A + mρ²)/(m|ρ|z) for a slip straight along the lean; with
-/// ρ = L sin α, z = L cos α, L² = R² + H², and α counted from the balance point, that is
-/// q/t + (1 + q) t for t = tan |α|, which is least at t² = q/(1 + q). A tilt with that α always lies
+/// At a given tilt the paradox begins at μ = (A + mρ²)/(m|ρ|z), for a slip along e_x1. With
+/// ρ = L sin α, z = L cos α, L² = R² + H² and α measured from the balance point, that is
+/// q/t + (1 + q) t for t = tan |α|, with a minimum at t² = q/(1 + q). A tilt with that α always lies
 /// between upright and π/2, on one side of the balance point or the other.
 pub fn painleve_friction(body: &Body) -> f64 {
     let (r, h) = (body.radius(), body.height());
@@ -83,7 +84,7 @@ pub fn painleve_friction(body: &Body) -> f64 {
     2.0 * (q * (1.0 + q)).sqrt()
 }
 
-/// The same at one tilt, slipping straight along e_x1.
+/// The smallest such coefficient at the tilt of `u`, for a slip along e_x1.
 pub(crate) fn painleve_friction_at(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
     let (rho, z) = (k.rho(u), k.z(u));
     ((k.a + k.m * rho * rho) / (k.m * rho * z)).abs()

@@ -1,16 +1,17 @@
-//! How the turn of a finite motion approaches its limit: not by a power but by ε ln ε.
+//! The asymptotic approach of the turn to its limit, which is of order ε ln ε and not a power of ε.
 
 use super::inertias;
 use crate::body::Body;
 use crate::error::{InvalidInput, positive};
 use crate::law::IdealLaw;
 
-/// The coefficient b of the error law |Δψ| = limit + φ_c (b ln φ_c + a), from tilt maximum to tilt
-/// maximum, where φ_c (rad) is the smallest tilt: b = −2 √(J′/K′) R N_p/(K′ ω²).
+/// The coefficient b of the error law |Δψ| = limit + φ_c (b ln φ_c + a) for the turn from tilt maximum to
+/// tilt maximum, where φ_c (rad) is the smallest tilt: b = −2 √(J′/K′) R N_p/(K′ ω²).
 ///
-/// ω (rad/s) is the rate of tipping on arrival at the table, and N_p the normal force at the end of the
+/// ω (rad/s) is the tipping rate on arrival at the table, and N_p is the normal force at the end of the
 /// tipping phase: m(gK/J − Hω²) without slip, mA(g − Hω²)/(A + mR²) without friction. J′/K′ is J/K
-/// without slip and (A + mR²)/A without friction. For the paper's can and start b is −2.69 and −2.72.
+/// without slip and (A + mR²)/A without friction. For the paper's can and initial state b is −2.69 without
+/// slip and −2.72 without friction.
 ///
 /// # Errors
 /// Refuses a tipping rate ≤ 0 and gravity ≤ 0.
@@ -32,8 +33,8 @@ pub fn error_law_coefficient(
     Ok(-2.0 * (j / k).sqrt() * body.radius() * normal / (k * w * w))
 }
 
-/// The error law itself, φ_c (b ln φ_c + a), rad; a is a number of the whole motion, not known in
-/// closed form, and matters less and less.
+/// The error law φ_c (b ln φ_c + a), rad. The constant a depends on the whole motion and has no known closed
+/// form; its relative contribution vanishes as φ_c → 0.
 ///
 /// # Errors
 /// Refuses φ_c ≤ 0.

@@ -1,16 +1,16 @@
-//! The limiting turn under any friction: the near-collision by itself, computed.
+//! The limiting turn under any friction, from the inner problem of the near-collision.
 //!
-//! As ε → 0 the near-collision happens in no time and at no tilt. Gravity and the gyroscopic terms,
-//! everything with a factor sin φ, vanish beside the rest; what is left are the equations of motion at
-//! sin φ = 0, cos φ = 1, on the clock τ (′ = φ d/dt). They know no tilt and no time: an orbit from
-//! (φ̇, φψ̇) = (−ω, 0), the end of the tipping phase, to (φ̇_out, 0), the beginning of the rise. The turn
-//! is all the yaw on the way. So the limit comes from the same laws, phases and steps as every
-//! motion.
+//! As ε → 0 the duration and the tilt of the near-collision vanish. Gravity and the gyroscopic terms, which
+//! have a factor sin φ, become negligible. The inner problem consists of the equations of motion at
+//! sin φ = 0, cos φ = 1, with respect to τ (′ = φ d/dt). It contains neither tilt nor time: its solution is
+//! an orbit from (φ̇, φψ̇) = (−ω, 0), the end of the tipping phase, to (φ̇_out, 0), the beginning of the
+//! rise, and the turn is the yaw along it. So the limit is computed by the same laws, phases and steps as
+//! every motion.
 //!
-//! It depends on the body and the friction, and on the slip and the spin with which the body arrives,
-//! relative to Hω and ω. For Coulomb friction μ ≥ μ* = mHR/(A + mH²) and a body that arrives at
-//! rest on its rim, it is the no-slip limit; for μ = 0 the frictionless one. For the paper's can it falls from
-//! one to the other; that of a low, wide body may first rise above the frictionless one by a little.
+//! It depends on the body, the friction, and the slip and spin on arrival, relative to Hω and ω. For a body
+//! that arrives without slip and spin it is the no-slip limit if the coefficient of Coulomb friction is
+//! μ ≥ μ* = mHR/(A + mH²), and the frictionless limit if μ = 0. For the paper's can it is monotone between
+//! the two; for a low, wide body it can first rise slightly above the frictionless limit.
 
 use super::{needed_friction, turn_limit, turn_limit_with_spin};
 use crate::body::Body;
@@ -22,22 +22,22 @@ use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
-/// How a body comes down on the table, at the end of its tipping phase.
+/// The motion of a body at the end of its tipping phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrival {
     /// ω = −φ̇, rad/s.
     pub tipping_rate: f64,
-    /// u, m/s: velocity of the rim's lowest point along e_x1, from it toward the base's centre.
+    /// The velocity of the rim's lowest point along e_x1 (toward the base's centre), m/s.
     pub slip: f64,
-    /// s, rad/s: about the symmetry axis, positive in the direction of the turn.
+    /// s about the symmetry axis, rad/s, positive in the direction of the turn.
     pub spin: f64,
-    /// The largest |T|/N on the way down: the friction that tipping without slip needs; NaN where it
-    /// is not known.
+    /// The largest |T|/N during the tipping phase, which is the coefficient of friction that tipping without
+    /// slip needs; NaN if unknown.
     pub friction_ratio: f64,
 }
 
 impl Arrival {
-    /// At rest on the rim, without spin.
+    /// An arrival without slip and spin.
     pub fn at_rest() -> Self {
         Arrival {
             tipping_rate: 1.0,
@@ -47,8 +47,8 @@ impl Arrival {
         }
     }
 
-    /// How a body that is let go without any sideways motion arrives: the tipping phase of `start`,
-    /// whose yaw rate and spin rate are not used, in its limit ε → 0.
+    /// The arrival of a body released at `start` in the limit ε → 0, that is, without sideways motion: the
+    /// yaw rate and the spin rate of `start` are not used.
     ///
     /// # Errors
     /// Refuses what [`simulate`] refuses, and a start from which the base does not come down flat.
@@ -106,51 +106,51 @@ impl Arrival {
     }
 }
 
-/// What the near-collision makes of an arrival.
+/// The outcome of a near-collision.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// The limiting angle of turn, rad.
     pub turn: f64,
-    /// φ̇ of the beginning rise, rad/s.
+    /// φ̇ at the beginning of the rise, rad/s.
     pub rising_rate: f64,
-    /// s of it, rad/s, positive in the direction of the turn: what makes the yaw drift on.
+    /// s at the beginning of the rise, rad/s, positive in the direction of the turn. It lets the yaw drift on.
     pub spin: f64,
-    /// Slip of it along e_x1 and e_y1, m/s.
+    /// The slip along e_x1 and e_y1 at the beginning of the rise, m/s.
     pub slip: [f64; 2],
-    /// The part of the kinetic energy (of tipping, spin and slip) that friction takes.
+    /// The fraction of the kinetic energy (of tipping, spin and slip) that friction dissipates.
     pub loss: f64,
 }
 
-/// The limiting angle of turn, rad, on any surface (restitution and resistance do not enter: the
-/// first needs a flight, the second time to act). Closed forms where there are any, else the
-/// near-collision computed, good to 3e-8 rad.
+/// The limiting angle of turn under any friction, rad. It is a closed form where one exists, otherwise the
+/// solution of the inner problem, accurate to 3e-8 rad. Restitution and resistance have no influence:
+/// the first needs a flight, the second needs time to act.
 ///
 /// # Errors
 /// Refuses an arrival with a tipping rate ≤ 0 or numbers that are not finite, and one whose
-/// near-collision does not pass: when the rim lifts off on the way, or meets Painlevé's paradox.
+/// near-collision is not completed because the rim lifts off or meets the Painlevé paradox.
 pub fn turn_limit_of(
     body: &Body,
     friction: &FrictionLaw,
     arrival: &Arrival,
 ) -> Result<f64, InvalidInput> {
     arrival.check()?;
-    let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
+    let at_rest = arrival.slip == 0.0 && arrival.spin == 0.0;
     match friction {
         FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
-        // In no time a viscous force does nothing.
+        // The impulse of a viscous force vanishes with the duration of the near-collision.
         FrictionLaw::Frictionless
         | FrictionLaw::Viscous { .. }
         | FrictionLaw::Coulomb { friction: 0.0, .. } => {
             Ok(turn_limit(body, IdealLaw::Frictionless))
         }
-        _ if gentle && holds(friction, needed_friction(body)) => {
+        _ if at_rest && sticks(friction, needed_friction(body)) => {
             Ok(turn_limit(body, IdealLaw::NoSlip))
         }
         _ => Ok(passage(body, friction, arrival)?.turn),
     }
 }
 
-/// Computes the near-collision by itself.
+/// Solves the inner problem of the near-collision.
 ///
 /// # Errors
 /// As [`turn_limit_of`].
@@ -159,34 +159,45 @@ pub fn passage(
     friction: &FrictionLaw,
     arrival: &Arrival,
 ) -> Result<Passage, InvalidInput> {
-    let gentle = arrival.slip == 0.0 && arrival.spin == 0.0;
+    let at_rest = arrival.slip == 0.0 && arrival.spin == 0.0;
     let needed = needed_friction(body);
     match *friction {
-        _ if gentle && holds(friction, needed) => {
+        _ if at_rest && sticks(friction, needed) => {
             computed_passage(body, &FrictionLaw::NoSlip, arrival)
         }
-        FrictionLaw::Coulomb { friction, .. } if gentle && friction > needed * (1.0 - CLOSE) => {
-            just_below_rolling(body, arrival, (needed - friction) / (needed * CLOSE))
+        FrictionLaw::Coulomb { friction, .. }
+            if at_rest && friction > needed * (1.0 - NEAR_CRITICAL) =>
+        {
+            just_below_rolling(
+                body,
+                arrival,
+                (needed - friction) / (needed * NEAR_CRITICAL),
+            )
         }
         _ => computed_passage(body, friction, arrival),
     }
 }
 
-/// Whether dry friction holds a rim that needs so much of it.
-fn holds(friction: &FrictionLaw, needed: f64) -> bool {
+/// Whether the rim sticks if that needs the coefficient of friction `needed`.
+fn sticks(friction: &FrictionLaw, needed: f64) -> bool {
     friction.static_friction().is_some_and(|f| f >= needed)
 }
 
-/// How close to μ*, relative to it, friction has to be to count as just below.
-const CLOSE: f64 = 1e-4;
+/// The relative distance to μ* within which results are interpolated.
+const NEAR_CRITICAL: f64 = 1e-4;
 
-/// Just below μ* the slip is so slow that its direction is ever stiffer to follow, and everything is as
-/// good as linear in μ. `part` is 0 at μ* and 1 where the computation can do it.
-fn just_below_rolling(body: &Body, arrival: &Arrival, part: f64) -> Result<Passage, InvalidInput> {
-    let close = FrictionLaw::coulomb(needed_friction(body) * (1.0 - CLOSE));
+/// Interpolates linearly between the solution without slip (`fraction` 0, at μ*) and the solution at
+/// μ = μ* (1 − [`NEAR_CRITICAL`]) (`fraction` 1). Just below μ* the slip is so slow that the equation for
+/// its direction is too stiff to integrate, and all results are linear in μ to within their accuracy.
+fn just_below_rolling(
+    body: &Body,
+    arrival: &Arrival,
+    fraction: f64,
+) -> Result<Passage, InvalidInput> {
+    let close = FrictionLaw::coulomb(needed_friction(body) * (1.0 - NEAR_CRITICAL));
     let sliding = computed_passage(body, &close, arrival)?;
     let rolling = computed_passage(body, &FrictionLaw::NoSlip, arrival)?;
-    let between = |rolling: f64, sliding: f64| rolling + part * (sliding - rolling);
+    let between = |rolling: f64, sliding: f64| rolling + fraction * (sliding - rolling);
     Ok(Passage {
         turn: between(rolling.turn, sliding.turn),
         rising_rate: between(rolling.rising_rate, sliding.rising_rate),
@@ -201,8 +212,8 @@ fn computed_passage(
     friction: &FrictionLaw,
     arrival: &Arrival,
 ) -> Result<Passage, InvalidInput> {
-    // The sideways rate from which and to which it is followed, over ω: what is left out is this
-    // small to the third order.
+    // The sideways rate, relative to ω, at which the integration begins and ends. The departures of first
+    // and second order account for the rest of the orbit, so the error is of third order in this number.
     const FAINT: f64 = 1e-3;
     const RTOL: f64 = 1e-11;
     const NO_GRAVITY: f64 = 1e-100;
@@ -261,28 +272,27 @@ fn computed_passage(
     })
 }
 
-/// Close to a fixed point, where w ~ e^{κτ}: how far the orbit at `u` has departed from it in the first
-/// power of w. The frame has yawed by w/κ, and velocities have not turned with it.
+/// The departure of the orbit at `u` from a fixed point, to first order in w, where w ~ e^{κτ}. The frame
+/// has yawed by w/κ, and the velocities have not turned with it.
 fn linear_departure(
     rates: impl Fn(&Coordinates<f64>) -> Coordinates<f64>,
     u: &Coordinates<f64>,
     kappa: f64,
 ) -> Coordinates<f64> {
-    // Here the second power is nothing beside the first.
+    // Terms of second order are below rounding here.
     const CLOSER: f64 = 1e-7;
     let closer = Coordinates {
         w: CLOSER * u.w,
         ..*u
     };
-    let nothing = Coordinates::zero();
-    let departure = nothing.plus(1.0 / (CLOSER * kappa), &rates(&closer));
+    let departure = Coordinates::zero().plus(1.0 / (CLOSER * kappa), &rates(&closer));
     Coordinates {
         w: 0.0,
         ..departure
     }
 }
 
-/// The same in the second power: what is left of the rates grows like e^{2κτ}.
+/// The departure to second order in w: the remainder of the rates grows like e^{2κτ}.
 fn quadratic_departure(
     rates: &Coordinates<f64>,
     linear: &Coordinates<f64>,

@@ -1,4 +1,4 @@
-//! The limiting angle of turn, as the motion comes arbitrarily close to a face-down collision.
+//! The limiting angle of turn as the motion comes arbitrarily close to a face-down collision.
 
 use super::inertias;
 use crate::body::Body;
@@ -6,8 +6,8 @@ use crate::error::{InvalidInput, finite, not_negative, positive};
 use crate::law::IdealLaw;
 use core::f64::consts::PI;
 
-/// The limiting angle of turn, rad: no-slip π √((A + mR² + mH²)/(A + mH²)), frictionless
-/// π √((A + mR²)/A).
+/// The limiting angle of turn, rad: π √((A + mR² + mH²)/(A + mH²)) without slip and π √((A + mR²)/A)
+/// without friction.
 ///
 /// Source: Srinivasan & Ruina (2007), Eqs. `noslipangleofturn` and `nofricangleofturn`. Erratum: the
 /// last two lines of the former print the fraction upside down.
@@ -16,12 +16,12 @@ pub fn turn_limit(body: &Body, law: IdealLaw) -> f64 {
     PI * (j / k).sqrt()
 }
 
-/// The limiting angle without slip when the body still spins at s = θ̇ + ψ̇ cos φ (rad/s, counted
-/// positive in the direction of the turn) as it arrives with the tipping rate ω (rad/s):
-/// √(J/K) [π + 2 arctan(mHR s / (ω √(JK)))], for as long as the rim can push and pull.
+/// The limiting angle without slip of a body that arrives with the tipping rate ω (rad/s) and the spin
+/// s = θ̇ + ψ̇ cos φ (rad/s, positive in the direction of the turn):
+/// √(J/K) [π + 2 arctan(mHR s / (ω √(JK)))], provided that the contact can push and pull.
 ///
-/// The paper's "independent of initial conditions" is the case s → 0. Close to the limit a spin against
-/// the turn keeps the rim pressed; with one along it the motion lifts off on the way.
+/// The paper's "independent of initial conditions" is the case s → 0. Close to the limit, a spin against
+/// the turn keeps the normal force positive; with a spin along the turn the rim lifts off.
 ///
 /// # Errors
 /// Refuses a tipping rate ≤ 0 and a spin that is not finite.
@@ -41,8 +41,8 @@ pub fn turn_limit_with_spin(
 /// The limiting angle of a disk (H = 0) with radius of gyration kR about its axis, rad:
 /// π √(2 + k²)/k, whatever the friction.
 ///
-/// Source: Eq. `diskangleofturn`. A uniform disk has k = 1/√2 and π√5, a ring k = 1 and π√3; without
-/// bound as k → 0.
+/// Source: Eq. `diskangleofturn`. A uniform disk has k = 1/√2 and turns by π√5, a ring has k = 1 and turns
+/// by π√3. The angle grows without bound as k → 0.
 ///
 /// # Errors
 /// Refuses k ≤ 0.
@@ -51,17 +51,17 @@ pub fn disk_turn_limit(gyration_ratio: f64) -> Result<f64, InvalidInput> {
     Ok(PI * (1.0 + 2.0 / k / k).sqrt())
 }
 
-/// The tall limit, H ≫ R, to first order: π + (π/2) mR²/K′ (rad) with K′ = A + mH² without slip and
-/// K′ = A without friction. It exceeds the exact limit, by less than (π/8) (mR²/K′)².
+/// The limiting angle of a tall body, H ≫ R, to first order: π + (π/2) mR²/K′ (rad) with K′ = A + mH²
+/// without slip and K′ = A without friction. It exceeds the exact limit by less than (π/8) (mR²/K′)².
 ///
-/// Source: the paper's section "Tall thin containers", carried one order further.
+/// Source: the paper's section "Tall thin containers", extended by one order.
 pub fn tall_turn_limit(body: &Body, law: IdealLaw) -> f64 {
     let (j, k) = inertias(body, law);
     PI + 0.5 * PI * (j - k) / k
 }
 
-/// The limiting angle without slip of a point mass at height H over the base (A → 0), rad:
-/// π √(1 + R²/H²). Without friction, or at H = 0, it grows without bound: infinity.
+/// The limiting angle without slip of a point mass at height H above the base (A → 0), rad:
+/// π √(1 + R²/H²). Without friction, or at H = 0, it is infinite.
 ///
 /// # Errors
 /// Refuses a radius ≤ 0 and a height < 0.

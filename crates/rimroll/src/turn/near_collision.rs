@@ -1,5 +1,5 @@
-//! The near-collision by itself: the boundary layer of the paper's two sections on the angle of
-//! turn, where gravity no longer matters.
+//! The near-collision in isolation: the boundary layer of the paper's two sections on the angle of turn,
+//! in which gravity is negligible.
 
 use super::inertias;
 use crate::body::Body;
@@ -7,8 +7,7 @@ use crate::error::{InvalidInput, bounded, finite, positive};
 use crate::law::IdealLaw;
 
 /// The motion close to the smallest tilt φ_c, reached at time 0 with yaw 0:
-/// φ² = φ_c² + ω² t² and ψ = ± √(J′/K′) arctan(ω t/φ_c), where ω is the rate of tipping before and
-/// after.
+/// φ² = φ_c² + ω² t² and ψ = ± √(J′/K′) arctan(ω t/φ_c), where ω is the tipping rate before and after.
 ///
 /// Source: Eqs. `phiandt` and `psidotandphi` with b₃ = ω² φ_c² and b₂ = ± φ_c ω √(J′/K′).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,8 +52,8 @@ impl NearCollision {
 
     /// φ at the time t (s) from the smallest tilt, rad.
     pub fn tilt(&self, t: f64) -> f64 {
-        let fallen = self.tipping_rate * t;
-        (self.min_tilt * self.min_tilt + fallen * fallen).sqrt()
+        let far_tilt = self.tipping_rate * t;
+        (self.min_tilt * self.min_tilt + far_tilt * far_tilt).sqrt()
     }
 
     /// ψ at the time t (s) from the smallest tilt, rad.
