@@ -53,7 +53,7 @@ pub enum InvalidInput {
     },
     /// Two moments of inertia that no rigid body can have together.
     #[error(
-        "axial_inertia must be at max 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
+        "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
         formatted(2.0 * transverse_inertia),
         formatted(*value)
     )]
@@ -170,7 +170,7 @@ pub(crate) fn at_most_twice(axial: f64, transverse: f64) -> Result<(), InvalidIn
     Ok(())
 }
 
-/// Accepts a finite number of magnitude at max `max`.
+/// Accepts a finite number of magnitude at most `max`.
 pub(crate) fn within(
     field: &'static str,
     value: f64,

@@ -1,9 +1,9 @@
-//! A whole motion: from the start until time is up or mechanics has no more to say.
+//! A whole motion, from the start until its time is up or rigid-body mechanics does not determine it further.
 //!
-//! [`simulate`] steps through the [`Coordinates`] by the solver's clock τ. A motion is made of phases,
-//! rolling, sliding and flying, each smooth and with its own law; events join them without
-//! regularisation: `contacts` says which law holds and what follows, `events` when a phase is over,
-//! `onset` how slip comes out of rest, `run` puts them together.
+//! [`simulate`] integrates the [`Coordinates`] with respect to τ. A motion consists of smooth phases of
+//! rolling, sliding and flying, each under its own law, which are joined by events without
+//! regularisation: `contacts` decides which law holds and what follows it, `events` when a phase is over,
+//! `onset` integrates slip from rest, and `run` combines them.
 
 mod contacts;
 mod events;
@@ -50,30 +50,29 @@ use std::sync::Arc;
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// Below this tilt (rad) the base counts as flat on the table: the contact point would run round the
-/// rim in less time than the last digit of t can tell.
+/// rim in less time than the last digit of t can resolve.
 pub const FACE_DOWN_TILT: f64 = 1e-16;
 
-/// Below this tilt (rad) the base counts as flat, too, once resistance has stopped the contact point on the
-/// rim for good ([`Contacts::has_stopped_running`]): the rim is then over the table by less than an atom's
-/// width.
+/// Below this tilt (rad) the base also counts as flat if resistance has stopped the contact point on the
+/// rim for good: the gap under the rim is then smaller than an atom.
 pub const STOPPED_TILT: f64 = 1e-9;
 
-/// How to simulate.
+/// Options of a simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// How long to follow the motion, s.
+    /// The duration of the motion, s.
     pub duration: f64,
     /// g, m/s².
     pub gravity: f64,
-    /// Error to aim at over some tens of rockings, relative to the size of each coordinate; from 1e-13
-    /// on rounding decides. A step may err by a fiftieth of it, and the errors of steps add up: after thousands
-    /// of steps the energy can be off by some hundred times `rtol`.
+    /// The target error over tens of rocking motions, relative to the error scale of each coordinate. Below
+    /// 1e-13 rounding dominates. The error of a step may be a fiftieth of `rtol`, and the errors add up:
+    /// after thousands of steps the energy can be off by a few hundred times `rtol`.
     pub rtol: f64,
-    /// The tilt at which the body counts as toppled, rad. `None`: π/2 for a body with height, where
-    /// its side meets the table; never for a disk, which may stand on its edge and fall to either
+    /// The tilt at which the body counts as toppled, rad. `None` means π/2 for a body with height, where
+    /// its side meets the table, and no limit for a disk, which can stand on its edge and fall to either
     /// face.
     pub topple_tilt: Option<f64>,
-    /// Most steps to make before giving up.
+    /// The maximal number of steps.
     pub max_steps: usize,
 }
 
@@ -90,17 +89,17 @@ impl Default for Options {
 }
 
 impl Options {
-    /// What one step may err, relative to the size of each coordinate.
+    /// The tolerance of one step, relative to the error scale of each coordinate.
     ///
-    /// Errors add up from step to step, so a step is held to a fiftieth of `rtol`. Measured over 20
-    /// rockings of a can, a disk, a coin and a bottle under both ideal laws, the energy then keeps to
-    /// 0.4 rtol, and the yaw and the times of the near-collisions to 2 rtol. Below 5e-15 rounding
-    /// would be taken for error.
+    /// The errors of the steps add up, so the tolerance of a step is a fiftieth of `rtol`. Measured over 20
+    /// rocking motions of a can, a disk, a coin and a bottle under both ideal laws, the error of the energy
+    /// is then at most 0.4 rtol, and those of the yaw and of the times of the near-collisions at most 2 rtol.
+    /// Below 5e-15 the error estimate would consist of rounding errors.
     pub(crate) fn step_tolerance(&self) -> f64 {
         (0.02 * self.rtol).max(5e-15)
     }
 
-    /// Which of many bodies and starts are the first from which no motion can be computed, if any are.
+    /// The index of the first body and start from which no motion can be computed, if there is one.
     pub fn first_refused<'a>(
         &self,
         starts: impl IntoIterator<Item = (&'a Body, State)>,
@@ -114,7 +113,7 @@ impl Options {
         &self,
         starts: impl IntoIterator<Item = (&'a Body, State)>,
     ) -> Result<(), InvalidInput> {
-        // Also where nothing starts.
+        // An empty list does not make invalid options acceptable.
         self.check_numbers()?;
         self.checks(starts).collect()
     }
@@ -134,38 +133,38 @@ impl Options {
         })
     }
 
-    /// Checks the numbers and a start, and fills in the body's own topple tilt.
+    /// Checks the options and a start, and fills in the body's default topple tilt.
     pub(crate) fn checked(self, body: &Body, start: &State) -> Result<Options, InvalidInput> {
         let options = self.completed(body)?;
         options.check(start)?;
         Ok(options)
     }
 
-    /// Checks the numbers and fills in the body's own topple tilt.
+    /// Checks the options and fills in the body's default topple tilt.
     fn completed(mut self, body: &Body) -> Result<Options, InvalidInput> {
         self.check_numbers()?;
         self.topple_tilt = self.topple_tilt_of(body);
         if let Some(topple) = self.topple_tilt {
-            // Past this tilt the centre of mass would be under the table.
-            let most = (FRAC_PI_2 + body.balance_tilt()).min(PI);
-            let within = topple > 0.0 && (topple <= FRAC_PI_2 || topple < most);
+            // Beyond this tilt the centre of mass would be below the table.
+            let max = (FRAC_PI_2 + body.balance_tilt()).min(PI);
+            let within = topple > 0.0 && (topple <= FRAC_PI_2 || topple < max);
             if !within {
-                // Put into words only where it is needed: this is asked of every body.
+                // The text is formatted only on failure, because this check runs for every body.
                 let bound =
-                    format!("inside (0, {most}), where the centre of mass is over the table");
+                    format!("inside (0, {max}), where the centre of mass is over the table");
                 bounded("topple_tilt", topple, |_| false, &bound, "rad")?;
             }
         }
         Ok(self)
     }
 
-    /// The tilt (rad) at which a body counts as toppled, if at any.
+    /// The tilt (rad) at which a body counts as toppled, if there is one.
     pub(crate) fn topple_tilt_of(&self, body: &Body) -> Option<f64> {
         let has_side = body.height() > 0.0;
         self.topple_tilt.or_else(|| has_side.then_some(FRAC_PI_2))
     }
 
-    /// Checks the numbers that bound any motion, of whatever body.
+    /// Checks the options that do not depend on the body.
     fn check_numbers(&self) -> Result<(), InvalidInput> {
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;
@@ -187,13 +186,13 @@ impl Options {
         Ok(())
     }
 
-    /// Checks a start, by options that are complete.
+    /// Checks a start against completed options.
     pub(crate) fn check(&self, start: &State) -> Result<(), InvalidInput> {
         start.check()?;
         if let Some(topple) = self.topple_tilt
             && start.tilt >= topple
         {
-            // Put into words only for those who miss it: this is asked of every start.
+            // The text is formatted only on failure, because this check runs for every start.
             let bound = format!("below topple_tilt = {topple} rad");
             bounded("tilt", start.tilt, |_| false, &bound, "rad")?;
         }
@@ -201,29 +200,29 @@ impl Options {
     }
 }
 
-/// How a motion ended.
+/// The way in which a motion ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Time was up.
+    /// The duration was reached.
     Finished,
     /// The topple tilt was reached.
     Toppled,
-    /// The normal force would have turned negative, and the law knows no flight.
+    /// The normal force would have become negative, under a law without flight.
     LiftedOff,
     /// The whole rim met the table at once.
     FaceDown,
-    /// Its energy is spent, and it lies flat.
+    /// The energy is spent, and the body lies flat.
     AtRest,
-    /// Painlevé's paradox: rigid-body mechanics with this friction has no one answer.
+    /// The Painlevé paradox: rigid-body mechanics with this friction has no unique solution.
     Painleve,
-    /// The solver could not go on.
+    /// The solver could not continue.
     Failed,
-    /// The caller asked to stop.
+    /// The caller stopped the computation.
     Interrupted,
 }
 
 impl Status {
-    /// All of them, in the order of their codes, `status as usize`.
+    /// All statuses in the order of their codes, `status as usize`.
     pub const ALL: [Status; 8] = [
         Status::Finished,
         Status::Toppled,
@@ -252,19 +251,19 @@ impl Status {
 
 /// A computed motion.
 pub struct Motion {
-    /// The laws with the body's numbers, for forces and energy along the way.
+    /// The laws with the body's parameters, for forces and energies.
     pub contacts: Arc<Contacts>,
-    /// Every accepted step, to be evaluated anywhere.
+    /// Every accepted step, with dense output.
     pub track: Track,
-    /// What happened on the way, in order of time.
+    /// The events in order of time.
     pub events: Vec<Event>,
     /// The angles of turn.
     pub turns: Vec<Turn>,
-    /// How it ended.
+    /// The way in which the motion ended.
     pub status: Status,
-    /// How it ended, in a sentence.
+    /// A sentence on how the motion ended.
     pub message: String,
-    /// What it cost.
+    /// The work of the solver.
     pub work: Work,
 }
 
@@ -274,36 +273,36 @@ impl Motion {
         self.contacts.dynamics(at.phase)
     }
 
-    /// The derivatives of the motion by its start, its body and gravity: some thirty times the work
-    /// of the motion itself.
+    /// The derivatives of the motion with respect to its initial state, its body and gravity. They cost about
+    /// thirty times as much as the motion itself.
     ///
     /// `watch` is called every few hundred steps with the time (s) that the derivatives have reached,
-    /// from 0 on; when it breaks off the work, the result is `None`.
+    /// beginning with 0. If it breaks, the result is `None`.
     ///
     /// # Errors
-    /// Where the motion is not smooth in them: offered is rolling without slip and sliding without
-    /// friction, each all the way and without resistance.
+    /// Refuses a motion that is not a smooth function of these parameters. Only rolling without slip and
+    /// sliding without friction are supported, each for the whole motion and without resistance.
     pub fn sensitivity(
         &self,
         mut watch: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Sensitivity>, InvalidInput> {
-        Sensitivity::of(self, &mut watch)
+        Sensitivity::new(self, &mut watch)
     }
 
-    /// All that is known at an instant of the motion.
+    /// All quantities at an instant of the motion.
     pub fn moment(&self, at: &Instant) -> Moment {
         moment(self.dynamics(at), at)
     }
 }
 
-/// Follows a body from a start on a surface. The rim is at rest where it touches the table at the
-/// start; without friction, the centre of mass is.
+/// Simulates the motion of a body from a start under a contact law. At the start the rim does not slip;
+/// without friction, the centre of mass has no horizontal velocity.
 ///
-/// `watch` is called now and then with the time reached (s); it can end the work early.
+/// `watch` is called every few hundred steps with the time reached (s); it can end the computation early.
 ///
 /// # Errors
-/// Refuses a start, a surface or options outside their bounds. Everything that can happen to a valid
-/// start is not an error but a [`Status`].
+/// Refuses a start, a contact law or options outside their bounds. Whatever happens to a valid start is not
+/// an error but a [`Status`].
 pub fn simulate(
     body: &Body,
     start: &State,

@@ -51,6 +51,6 @@ impl Trial {
             flew: status == Status::LiftedOff,
             steps: self.steps as usize,
         };
-        Fall::of(k, status, seen, end)
+        Fall::new(k, status, seen, end)
     }
 }

@@ -311,14 +311,14 @@ impl<'a> Watch<'a> {
         bounds.end().t < end
             && bounds.stays_above(FACE_DOWN_TILT, |u| u.sin)
             && self.topple.is_none_or(upright)
-            && bounds.stays_pressed(self.contacts.parameters())
+            && bounds.keeps_contact(self.contacts.parameters())
     }
 
     /// Whether it does not come near any ending.
     fn ends_by_nothing(&self, phase: Phase, bounds: &StepBounds) -> bool {
-        let three = bounds.three();
+        let three_points = bounds.three_points();
         self.switches(phase).all(|(switch, before)| {
-            are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three[i])))
+            are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three_points[i])))
         })
     }
 
@@ -368,7 +368,7 @@ impl<'a> Watch<'a> {
     /// Whether one turn was asked for and is over.
     fn has_turned(&self) -> bool {
         matches!(self.goal, Goal::Turn(_))
-            && turns::first_over(self.started_on_first_face, &self.events).is_some()
+            && turns::end_of_first_turn(self.started_on_first_face, &self.events).is_some()
     }
 
     /// A function of the coordinates that changes sign where the phase ends.

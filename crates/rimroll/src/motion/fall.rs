@@ -1,10 +1,10 @@
-//! One fall: a motion followed through its first turn, of which only the outcome is kept.
+//! One fall: a motion through its first turn, of which only the outcome is kept.
 
 use super::contacts::{Contacts, Phase};
 use super::events::{EventKind, Goal};
 use super::outcome::{Outcome, Tilting};
 use super::run::Run;
-use super::turns::{Turn, first_over, first_turn};
+use super::turns::{Turn, end_of_first_turn, first_turn};
 use super::{Options, Status};
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
@@ -14,29 +14,29 @@ use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
-/// What became of a body let go.
+/// The result of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fall {
-    /// What became of it.
+    /// The outcome.
     pub outcome: Outcome,
-    /// How the motion ended; [`Status::Finished`] also when it rocks up to a tilt maximum.
+    /// The way in which the motion ended; [`Status::Finished`] also if it rocked up to a tilt maximum.
     pub status: Status,
-    /// From the release (or the tilt maximum after it) through the tilt minimum to the next tilt
-    /// maximum, or to the ending if that comes first. None for a body that does not come down, and
-    /// none where time or steps were up before: that turn has no end.
+    /// The turn from the release (or the tilt maximum after it) through the tilt minimum to the next tilt
+    /// maximum, or to the end of the motion if that comes first. `None` for a body that does not come down,
+    /// and where the time or the steps ran out before the end of the turn.
     pub turn: Option<Turn>,
-    /// How it was when that was over, or at the end: before the side of a body that topples
-    /// meets the table.
+    /// The state at the end of that turn, or at the end of the motion. For a body that topples, it is the
+    /// state before its side meets the table.
     pub end: EndState,
-    /// Whether the rim slid on the way.
+    /// Whether the rim slid.
     pub slid: bool,
-    /// Whether it left the table on the way.
+    /// Whether the rim left the table.
     pub flew: bool,
-    /// Steps of the solver.
+    /// The number of steps of the solver.
     pub steps: usize,
 }
 
-/// How a body is at the end of a fall.
+/// The state of a body at the end of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EndState {
     /// Time, s.
@@ -49,15 +49,14 @@ pub struct EndState {
     pub axial_spin: f64,
     /// Energy lost to friction, J.
     pub friction_loss: f64,
-    /// Energy lost to rolling resistance, pivoting friction and air, J.
+    /// Energy lost to rolling resistance, pivoting friction and air drag, J.
     pub resistance_loss: f64,
-    /// Energy lost in landings, J.
+    /// Energy lost in impacts, J.
     pub impact_loss: f64,
 }
 
 impl EndState {
-    /// What of the coordinates is kept.
-    pub(crate) fn of(u: &Coordinates<f64>) -> EndState {
+    pub(crate) fn new(u: &Coordinates<f64>) -> EndState {
         EndState {
             t: u.t,
             tilt: u.tilt(),
@@ -70,53 +69,53 @@ impl EndState {
     }
 }
 
-/// What was seen of a body on its way through the first turn.
+/// The facts about a first turn from which the result of a fall is made.
 pub(crate) struct FallRecord {
-    /// The first turn, as far as it went.
+    /// The first turn, complete or not.
     pub turn: Option<Turn>,
-    /// Whether it is over: the tilt was largest again.
+    /// Whether the turn is complete: the tilt reached a maximum again.
     pub turned: bool,
     /// Whether the rim slid.
     pub slid: bool,
     /// Whether the rim left the table.
     pub flew: bool,
-    /// Steps of the solver.
+    /// The number of steps of the solver.
     pub steps: usize,
 }
 
 impl Fall {
-    /// The fall of a body with these parameters that ended so.
-    pub(crate) fn of(
+    /// The result of a fall that ended with `status` at `end`.
+    pub(crate) fn new(
         k: &Parameters<f64>,
         status: Status,
-        seen: FallRecord,
+        record: FallRecord,
         end: &Coordinates<f64>,
     ) -> Fall {
-        let end = EndState::of(end);
+        let end = EndState::new(end);
         let tilting = Tilting {
-            came_down: seen.turn.is_some(),
-            turned: seen.turned,
+            came_down: record.turn.is_some(),
+            turned: record.turned,
             past_balance: k.is_past_balance(end.tilt),
         };
         let outcome = Outcome::of(status, tilting);
         Fall {
             outcome,
             status,
-            turn: seen.turn.filter(|_| !outcome.is_cut_short()),
+            turn: record.turn.filter(|_| !outcome.is_cut_short()),
             end,
-            slid: seen.slid,
-            flew: seen.flew,
-            steps: seen.steps,
+            slid: record.slid,
+            flew: record.flew,
+            steps: record.steps,
         }
     }
 
-    /// Energy lost on the way to friction, resistance and impacts, J.
+    /// Energy lost to friction, resistance and impacts, J.
     pub fn energy_lost(&self) -> f64 {
         self.end.friction_loss + self.end.resistance_loss + self.end.impact_loss
     }
 }
 
-/// Follows a body from a start through its first turn, at most for the options' duration.
+/// Simulates a body from a start through its first turn, at most for the duration in `options`.
 ///
 /// # Errors
 /// As [`simulate`](super::simulate).
@@ -134,20 +133,20 @@ pub fn fall(
     let mut run = Run::new(&contacts, &options, Goal::Turn(options.duration), start);
     let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
     let (track, events, work) = run.into_parts();
-    let was = |phase, begins| {
-        let later = events.iter().any(|event| event.kind == begins);
+    let occurred = |phase, first_event| {
+        let later = events.iter().any(|event| event.kind == first_event);
         track.start().phase == phase || later
     };
     let topple = events.iter().find(|event| event.kind == EventKind::Topple);
-    let turned = first_over(start.cos > 0.0, &events);
+    let turned = end_of_first_turn(start.cos > 0.0, &events);
     let over = turned.or_else(|| topple.map(|event| event.at.u));
     let end = over.unwrap_or_else(|| track.end().u);
-    let seen = FallRecord {
+    let record = FallRecord {
         turn: first_turn(&start, &events, &end),
         turned: turned.is_some(),
-        slid: was(Phase::Sliding, EventKind::Slip),
-        flew: was(Phase::Flying, EventKind::LiftOff),
+        slid: occurred(Phase::Sliding, EventKind::Slip),
+        flew: occurred(Phase::Flying, EventKind::LiftOff),
         steps: work.steps,
     };
-    Ok(Fall::of(contacts.parameters(), status, seen, &end))
+    Ok(Fall::new(contacts.parameters(), status, record, &end))
 }

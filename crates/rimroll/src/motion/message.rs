@@ -1,4 +1,4 @@
-//! How a motion ended, in a sentence.
+//! The sentence that tells the user how a motion ended.
 
 use super::contacts::{Contacts, Phase};
 use super::events::was_stopped;
@@ -8,8 +8,8 @@ use crate::error::formatted;
 use crate::solve::Work;
 use crate::turn::painleve_friction_at;
 
-/// A time, s, to the microsecond, or as it is when that would show nothing of it.
-fn moment_of(t: f64) -> String {
+/// A time (s) to the microsecond, or in full if it is shorter than a millisecond.
+fn formatted_time(t: f64) -> String {
     if t == 0.0 || t >= 1e-3 {
         format!("{t:.6}")
     } else {
@@ -17,7 +17,7 @@ fn moment_of(t: f64) -> String {
     }
 }
 
-/// The ending in a sentence.
+/// The sentence for the user.
 pub(super) fn message(
     status: Status,
     contacts: &Contacts,
@@ -26,13 +26,13 @@ pub(super) fn message(
     work: &Work,
 ) -> String {
     let end = track.end();
-    let t = moment_of(end.t);
+    let t = formatted_time(end.t);
     match status {
         Status::Finished => format!("followed for the whole {} s", formatted(end.t)),
         Status::Toppled if end.phase == Phase::Lying => format!(
             "toppled: the tilt reached pi/2 at t = {t} s, where its side meets the table; landing there \
              without rebound it {}",
-            on_its_side(contacts, &end)
+            after_toppling(contacts, &end)
         ),
         Status::Toppled if end.phase == Phase::Flying => format!(
             "toppled in the air: the tilt reached {:.6} rad at t = {t} s, the rim being off the table",
@@ -64,7 +64,7 @@ pub(super) fn message(
         ),
         Status::AtRest => format!(
             "at rest at t = {t} s: the base lies flat, and the last {:.1e} of the energy goes with it",
-            energy_left(contacts, track)
+            remaining_energy(contacts, track)
         ),
         Status::Painleve => format!(
             "ended in Painlevé's paradox at t = {t} s: sliding as it does, the rim would be pressed down by \
@@ -82,8 +82,8 @@ pub(super) fn message(
     }
 }
 
-/// What a body does whose side has just met the table.
-fn on_its_side(contacts: &Contacts, end: &Instant) -> String {
+/// What a body does after its side has met the table.
+fn after_toppling(contacts: &Contacts, end: &Instant) -> String {
     let k = contacts.parameters();
     let [along, across] = contacts.dynamics(end.phase).slip(end);
     let sliding = libm::hypot(along, across);
@@ -98,8 +98,8 @@ fn on_its_side(contacts: &Contacts, end: &Instant) -> String {
     )
 }
 
-/// The part of the energy that a motion ends with.
-fn energy_left(contacts: &Contacts, track: &Track) -> f64 {
+/// The fraction of the initial energy that is left at the end.
+fn remaining_energy(contacts: &Contacts, track: &Track) -> f64 {
     let energy = |at: &Instant| contacts.dynamics(at.phase).energy(at).total();
     energy(&track.end()) / energy(&track.start())
 }

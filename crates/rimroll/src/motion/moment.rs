@@ -1,12 +1,14 @@
-//! A moment of a motion in full: what a user reads off the coordinates.
+//! All quantities of a motion at one moment, as users read them.
 
 use crate::law::Dynamics;
 use crate::state::Coordinates;
 
-/// What is known at one moment, in SI units and radians. `x`, `y`, `z` are the centre of mass; contact
-/// point (in flight: the point under the rim's lowest), friction and slip are on the table.
-/// `friction_ratio` is |T|/N: what the law says of a rim that slides, the coefficient that it would need of one
-/// that rolls, infinite where it would need friction and nothing presses, as at a lift-off from rolling.
+/// The names of the quantities at one moment, in SI units and radians.
+///
+/// `x`, `y`, `z` are the centre of mass. The contact point (in flight: the point below the rim's lowest
+/// point), friction and slip are vectors in the plane of the table. `friction_ratio` is |T|/N. For a rim that
+/// slides the law prescribes it; for a rim that rolls it is the coefficient that rolling needs, which is
+/// infinite where friction is needed and the normal force is zero, as at a lift-off from rolling.
 pub const COLUMNS: [&str; 25] = [
     "t",
     "tilt",
@@ -38,10 +40,10 @@ pub const COLUMNS: [&str; 25] = [
 /// One moment: a number for each of [`COLUMNS`].
 pub type Moment = [f64; COLUMNS.len()];
 
-/// The first of a [`Moment`]: when, where the body is and how it moves, which no law is needed to tell.
+/// The first quantities of a [`Moment`]: time, position and motion, which do not depend on the law.
 pub type Pose = [f64; 8];
 
-/// What can be read off the coordinates by themselves.
+/// The quantities that follow from the coordinates alone.
 pub fn pose(u: &Coordinates<f64>) -> Pose {
     let state = u.state();
     [
@@ -56,7 +58,7 @@ pub fn pose(u: &Coordinates<f64>) -> Pose {
     ]
 }
 
-/// All that is known when a motion under `law` is at `u`.
+/// All quantities of a motion under `law` at `u`.
 pub fn moment(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
     let k = law.parameters();
     let [t, tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate, s] = pose(u);
@@ -70,7 +72,7 @@ pub fn moment(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
         Some(ratio) if ratio.is_finite() => ratio,
         _ if friction == 0.0 => 0.0,
         _ if force.normal > 0.0 => friction / force.normal,
-        // Where nothing presses, no friction is had at any coefficient.
+        // Without a normal force there is no friction at any coefficient.
         _ => f64::INFINITY,
     };
     let energy = law.energy(u);

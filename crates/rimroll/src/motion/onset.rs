@@ -1,16 +1,16 @@
-//! Slow slip under dry friction, above all as it begins out of rest.
+//! The onset of slip under dry friction, and other slow slip.
 //!
-//! At first the slip u = r e is so small that its direction e follows the forces at once: with
-//! e turned by δ from where it set out,
+//! At first the slip u = r e is so slow that its direction e relaxes almost instantly to that of the
+//! forces. With δ the angle of e from its initial direction,
 //!
 //! ```text
 //! r δ′ = (u′ across e),    r′ = (u′ along e)
 //! ```
 //!
-//! where the first is stiff without bound as r → 0 (and r = 0 is where it starts; r grows like t²
-//! when the friction is just exceeded). So r and δ are carried instead of the slip's components, and
-//! steps are made by collocation: Newton's method for δ, simple iteration for everything else. Once
-//! explicit steps can follow, they take over.
+//! The first equation is arbitrarily stiff as r → 0, and the onset begins at r = 0; r grows like t² if the
+//! friction is only just exceeded. So r and δ replace the components of the slip, and the steps are made by
+//! collocation, with Newton's method for δ and fixed-point iteration for everything else. Explicit steps
+//! take over as soon as the equations are not stiff for them.
 
 use super::contacts::turned;
 use super::mechanics::Mechanics;
@@ -19,66 +19,68 @@ use crate::law::DryDynamics;
 use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
 
-/// Explicit steps take over where the direction relaxes no oftener than this in a step of collocation:
-/// they are several times shorter, and several times cheaper.
-const FOLLOWED: f64 = 10.0;
+/// Explicit steps take over when a collocation step spans at most this many relaxation times of the
+/// direction. They are several times shorter, but also several times cheaper.
+const MAX_EXPLICIT_STIFFNESS: f64 = 10.0;
 
 const MAX_STEPS: usize = 400;
 
-/// A step in which the rates grow by such a factor is none.
-const FARTHEST: f64 = 10.0;
+/// A step in which the rates grow by more than this factor is rejected.
+const MAX_RATE_GROWTH: f64 = 10.0;
 
-/// The steps of an onset and a length for the next one.
+/// The steps of an onset and the size of the next one.
 pub(super) struct Onset {
-    /// From the first slip on; empty when no slip grows from here.
+    /// The steps from the first slip on; empty if no slip grows.
     pub steps: Vec<Dense<f64, COORDINATES>>,
-    /// A first guess for the explicit step that follows.
+    /// A first guess for the size of the explicit step that follows.
     pub h: f64,
 }
 
-/// The coordinates with their slip in polar form.
+/// The coordinates with the slip in polar form.
 #[derive(Clone, Copy)]
 struct Polar {
-    /// Its slip is not used.
+    /// The other coordinates; its slip is not used.
     at: Coordinates<f64>,
     speed: f64,
-    /// δ, from the direction in which the slip began.
+    /// δ, the angle from the initial direction of the slip, rad.
     turn: f64,
 }
 
-/// Rates at a point: r′ takes the place of the slip's rates.
+/// Rates at a point. r′ and r δ′ replace the slip's rates.
 #[derive(Clone, Copy)]
 struct Rates {
     at: [f64; COORDINATES],
     speed: f64,
     /// r δ′.
     sideways: f64,
-    /// Its derivative by δ.
+    /// The derivative of r δ′ with respect to δ.
     slope: f64,
 }
 
-struct Beginning<'a> {
+struct PolarSystem<'a> {
     dry: &'a dyn DryDynamics,
     mechanics: &'a Mechanics<'a>,
     direction: [f64; 2],
     method: &'static Collocation,
     tolerance: f64,
-    /// What is added to r′.
-    push: f64,
+    /// Added to r′, so that rounding does not make it negative at the onset.
+    offset: f64,
 }
 
-/// A step with its error, over what is tolerated, and how often δ relaxes in a step as long.
-struct Found {
+/// The result of a collocation step.
+struct CollocationStep {
     step: Dense<f64, COORDINATES>,
     end: Polar,
+    /// The error relative to the tolerance.
     error: f64,
+    /// The step size over the relaxation time of δ.
     relaxation: f64,
-    /// In what time the slip would stop at the rate at its end.
+    /// The time until the slip stops at the deceleration at the end of the step.
     until_stop: f64,
 }
 
-/// Follows a slip in a direction (unit vector), from rest or from the slip that there is, until
-/// explicit steps can; `h` is a first guess for the length of a step.
+/// Integrates a slip, from rest or from its present value, in a direction (unit vector) until explicit
+/// steps can take over; `h` is a first guess for the step size.
 pub(super) fn begin(
     dry: &dyn DryDynamics,
     mechanics: &Mechanics<'_>,
@@ -88,13 +90,13 @@ pub(super) fn begin(
     h: f64,
     tolerance: f64,
 ) -> Onset {
-    let mut beginning = Beginning {
+    let mut system = PolarSystem {
         dry,
         mechanics,
         direction,
         method: Collocation::get(),
         tolerance,
-        push: 0.0,
+        offset: 0.0,
     };
     let mut at = Polar {
         at: *start,
@@ -105,42 +107,42 @@ pub(super) fn begin(
         steps: Vec::new(),
         h,
     };
-    if at.speed > 0.0 && h * beginning.rates(&at).slope.abs() < FOLLOWED * at.speed {
+    if at.speed > 0.0 && h * system.rates(&at).slope.abs() < MAX_EXPLICIT_STIFFNESS * at.speed {
         return onset;
     }
     if from_rest {
-        // Friction is exceeded where the phase begins, but for rounding: slip does not begin backward.
-        beginning.push = (-beginning.rates(&at).speed).max(0.0);
+        // The phase begins where friction is exceeded, so a negative r′ there is a rounding error.
+        system.offset = (-system.rates(&at).speed).max(0.0);
     }
-    let least = 1e-12 * h;
+    let min_step = 1e-12 * h;
     let mut h = h;
-    while onset.steps.len() < MAX_STEPS && h > least {
-        match beginning.step(&at, h) {
-            Some(found) if found.error <= 1.0 => {
-                onset.steps.push(found.step);
-                at = found.end;
-                let grow = (0.8 / libm::pow(found.error.max(1e-9), 1.0 / 7.0)).clamp(0.3, 4.0);
-                onset.h = h / found.relaxation.max(1.0);
-                if found.relaxation * grow < FOLLOWED {
+    while onset.steps.len() < MAX_STEPS && h > min_step {
+        match system.step(&at, h) {
+            Some(result) if result.error <= 1.0 => {
+                onset.steps.push(result.step);
+                at = result.end;
+                let grow = (0.8 / libm::pow(result.error.max(1e-9), 1.0 / 7.0)).clamp(0.3, 4.0);
+                onset.h = h / result.relaxation.max(1.0);
+                if result.relaxation * grow < MAX_EXPLICIT_STIFFNESS {
                     break;
                 }
-                // Not beyond the end of a slip that is about to stop.
-                h = (h * grow).min(0.9 * found.until_stop);
+                // The next step must not pass the end of a slip that is about to stop.
+                h = (h * grow).min(0.9 * result.until_stop);
             }
-            Some(found) => h *= (0.8 / libm::pow(found.error, 1.0 / 7.0)).clamp(0.1, 0.5),
+            Some(result) => h *= (0.8 / libm::pow(result.error, 1.0 / 7.0)).clamp(0.1, 0.5),
             None => h *= 0.25,
         }
     }
     onset
 }
 
-impl Beginning<'_> {
+impl PolarSystem<'_> {
     fn direction(&self, turn: f64) -> [f64; 2] {
         turned(self.direction, turn)
     }
 
-    /// The coordinates with their slip put in.
-    fn whole(&self, polar: &Polar) -> Coordinates<f64> {
+    /// The coordinates with the Cartesian slip.
+    fn cartesian(&self, polar: &Polar) -> Coordinates<f64> {
         let e = self.direction(polar.turn);
         Coordinates {
             slip_x: polar.speed * e[0],
@@ -149,10 +151,10 @@ impl Beginning<'_> {
         }
     }
 
-    /// (rates, r′, r δ′)
+    /// The rates, r′ and r δ′.
     fn accelerations(&self, polar: &Polar) -> (Coordinates<f64>, f64, f64) {
         let e = self.direction(polar.turn);
-        let u = self.whole(polar);
+        let u = self.cartesian(polar);
         let (_, rates) = self.dry.slipping(&u, e, polar.speed);
         let forward = rates.slip_x * e[0] + rates.slip_y * e[1];
         let sideways = rates.slip_y * e[0] - rates.slip_x * e[1];
@@ -160,15 +162,19 @@ impl Beginning<'_> {
     }
 
     fn rates(&self, polar: &Polar) -> Rates {
-        const NUDGE: f64 = 1e-5;
-        let beside = |nudge: f64| {
-            let turn = polar.turn + nudge;
+        // The increment of the central difference, rad.
+        const INCREMENT: f64 = 1e-5;
+        let sideways_at = |increment: f64| {
+            let turn = polar.turn + increment;
             self.accelerations(&Polar { turn, ..*polar }).2
         };
-        self.rates_given(polar, (beside(NUDGE) - beside(-NUDGE)) / (2.0 * NUDGE))
+        self.rates_with_slope(
+            polar,
+            (sideways_at(INCREMENT) - sideways_at(-INCREMENT)) / (2.0 * INCREMENT),
+        )
     }
 
-    fn rates_given(&self, polar: &Polar, slope: f64) -> Rates {
+    fn rates_with_slope(&self, polar: &Polar, slope: f64) -> Rates {
         let (rates, speed, sideways) = self.accelerations(polar);
         Rates {
             at: Coordinates {
@@ -177,19 +183,19 @@ impl Beginning<'_> {
                 ..rates
             }
             .into_array(),
-            speed: speed + self.push,
+            speed: speed + self.offset,
             sideways,
             slope,
         }
     }
 
-    /// A step of length h; none where the iteration does not settle or the slip does not last.
-    fn step(&self, start: &Polar, h: f64) -> Option<Found> {
+    /// A step of size h; `None` where the iteration does not converge or the slip stops.
+    fn step(&self, start: &Polar, h: f64) -> Option<CollocationStep> {
         const MAX_ROUNDS: usize = 60;
-        // After so many rounds the slopes are as good as those of the solution.
-        const FRESH_SLOPES: usize = 2;
-        let first = self.rates(start);
-        let mut points = crate::solve::RADAU.map(|c| self.moved(start, &first, c * h));
+        // The slopes are updated in this many rounds; after that they are accurate enough.
+        const SLOPE_UPDATES: usize = 2;
+        let start_rates = self.rates(start);
+        let mut points = crate::solve::RADAU.map(|c| self.euler_step(start, &start_rates, c * h));
         let mut rates = points.map(|point| self.rates(&point));
         let mut last_change = f64::INFINITY;
         for round in 0..MAX_ROUNDS {
@@ -201,23 +207,23 @@ impl Beginning<'_> {
                 return None;
             }
             if change <= 0.02 * self.tolerance {
-                return Some(self.found(start, &points, &rates, &turns, h));
+                return Some(self.result(start, &points, &rates, &turns, h));
             }
-            // Rounding keeps the last changes from getting smaller.
+            // The iteration has stagnated at the level of rounding errors.
             if round > 8 && change > 0.5 * last_change {
-                let settled = change <= 4.0 * self.tolerance;
-                return settled.then(|| self.found(start, &points, &rates, &turns, h));
+                let converged = change <= 4.0 * self.tolerance;
+                return converged.then(|| self.result(start, &points, &rates, &turns, h));
             }
             last_change = change;
             rates = core::array::from_fn(|j| match round {
-                ..FRESH_SLOPES => self.rates(&points[j]),
-                _ => self.rates_given(&points[j], rates[j].slope),
+                ..SLOPE_UPDATES => self.rates(&points[j]),
+                _ => self.rates_with_slope(&points[j], rates[j].slope),
             });
         }
         None
     }
 
-    fn moved(&self, start: &Polar, rates: &Rates, h: f64) -> Polar {
+    fn euler_step(&self, start: &Polar, rates: &Rates, h: f64) -> Polar {
         let from = start.at.into_array();
         let at = core::array::from_fn(|i| from[i] + h * rates.at[i]);
         Polar {
@@ -227,7 +233,7 @@ impl Beginning<'_> {
         }
     }
 
-    /// δ′ at the points, from r δ′ = sideways + slope · (change of δ), which is linear in them.
+    /// δ′ at the points, from r δ′ = sideways + slope · (change of δ), which is linear in the δ′.
     fn turn_rates(
         &self,
         start: &Polar,
@@ -243,7 +249,7 @@ impl Beginning<'_> {
             matrix[i][i] += points[i].speed;
             right[i] = rates[i].sideways + slope * (start.turn - points[i].turn);
         }
-        // Exactly in a plane there is nothing to turn.
+        // In plane motion the direction is constant.
         if right == [0.0; POINTS] {
             return right;
         }
@@ -277,7 +283,7 @@ impl Beginning<'_> {
         })
     }
 
-    /// The largest change of the points, each coordinate by its own size.
+    /// The largest change of the points, relative to the error scales.
     fn change(&self, before: &[Polar; POINTS], after: &[Polar; POINTS]) -> f64 {
         let scales = self.scales(after);
         let mut change: f64 = 0.0;
@@ -293,7 +299,7 @@ impl Beginning<'_> {
     }
 
     fn scales(&self, points: &[Polar; POINTS]) -> Scales {
-        let end = self.whole(&points[POINTS - 1]);
+        let end = self.cartesian(&points[POINTS - 1]);
         let scales = self.mechanics.error_scale.scales_at_slip_onset(&end);
         Scales {
             speed: scales.slip_x,
@@ -302,45 +308,45 @@ impl Beginning<'_> {
         }
     }
 
-    /// All the rates together, rad/s.
+    /// The sum of the rates, rad/s.
     fn rate_scale(&self, u: &Coordinates<f64>) -> f64 {
         self.mechanics.error_scale.tilt_rate(u) + u.s.abs()
     }
 
-    fn found(
+    fn result(
         &self,
         start: &Polar,
         points: &[Polar; POINTS],
         rates: &[Rates; POINTS],
         turns: &[f64; POINTS],
         h: f64,
-    ) -> Found {
+    ) -> CollocationStep {
         let scales = self.scales(points);
-        let states = points.map(|point| self.whole(&point).into_array());
+        let states = points.map(|point| self.cartesian(&point).into_array());
         let step = self
             .method
-            .through(h, &self.whole(start).into_array(), &states);
-        // What the highest power contributes bounds what those left out do.
-        let of_highest = |value: &dyn Fn(usize) -> f64, size: f64| {
+            .through(h, &self.cartesian(start).into_array(), &states);
+        // The contribution of the highest power of the polynomial bounds that of the powers left out.
+        let highest_term = |value: &dyn Fn(usize) -> f64, scale: f64| {
             let coefficient: f64 = (0..POINTS).map(|j| self.method.last[j] * value(j)).sum();
-            (0.05 * h * coefficient / size).abs()
+            (0.05 * h * coefficient / scale).abs()
         };
-        let mut error: f64 = of_highest(&|j| rates[j].speed, scales.speed)
-            .max(of_highest(&|j| turns[j], scales.turn));
+        let mut error: f64 = highest_term(&|j| rates[j].speed, scales.speed)
+            .max(highest_term(&|j| turns[j], scales.turn));
         for i in 0..COORDINATES {
-            error = error.max(of_highest(&|j| rates[j].at[i], scales.at[i]));
+            error = error.max(highest_term(&|j| rates[j].at[i], scales.at[i]));
         }
         let end = points[POINTS - 1];
         let (before, after) = (
             self.rate_scale(&start.at),
             self.rate_scale(&points[POINTS - 1].at),
         );
-        // So far from the start the equations may have another solution. Written so that a NaN is far.
-        let near = after < FARTHEST * before;
-        if !near {
+        // The collocation equations can have another solution far from the start. A NaN compares as false.
+        let is_near = after < MAX_RATE_GROWTH * before;
+        if !is_near {
             error = f64::INFINITY;
         }
-        Found {
+        CollocationStep {
             step,
             error: error / self.tolerance,
             relaxation: h * rates[POINTS - 1].slope.abs() / end.speed,
@@ -350,7 +356,7 @@ impl Beginning<'_> {
     }
 }
 
-/// What to compare changes with.
+/// The error scales of the polar coordinates.
 struct Scales {
     at: [f64; COORDINATES],
     speed: f64,

@@ -1,13 +1,14 @@
-//! How a motion changes with its start, its body and gravity: the accepted steps again, on dual numbers.
+//! The derivatives of a motion with respect to its initial state, its body and gravity: the accepted steps
+//! are repeated in dual numbers (forward-mode automatic differentiation).
 //!
-//! The steps give the derivative of the coordinates u at a fixed reading of the solver's clock τ. What is
-//! fixed is another thing, the time or an event g(u) = 0, so the clock moves with a parameter θ:
+//! The steps give the derivative of the coordinates u at fixed τ. The derivative at a fixed time, or at an
+//! event g(u) = 0, follows from it because τ then depends on the parameter θ:
 //!
 //! ```text
 //! du/dθ at g = 0:   ∂u/∂θ − u′ (∂g/∂θ)/g′        ′ = d/dτ
 //! ```
 //!
-//! The lengths of the steps are held; the derivative is then that of an order-8 solution.
+//! The step sizes are held constant, so the derivative is that of a solution of order 8.
 
 use super::events::EventKind;
 use super::mechanics::{Mechanics, first};
@@ -21,14 +22,13 @@ use crate::solve::Step;
 use crate::state::{Coordinates, RIGID_COORDINATES, TIME};
 use core::ops::ControlFlow;
 
-/// How many steps lie between two questions to the caller whether to stop: on any machine, they take some
-/// thousandths of a second.
+/// The number of steps between two calls of `watch`: they take a few milliseconds on any machine.
 const STEPS_BETWEEN_REPORTS: usize = 256;
 
-/// The derivatives of a turn take two steps, and two searches for them.
+/// The number of turns between two calls of `watch`. A turn takes two steps and two searches for them.
 const TURNS_BETWEEN_REPORTS: usize = 64;
 
-/// What a motion is computed from, in the order of [`Slope`]; SI units and radians.
+/// The parameters of a motion, in the order of [`Slope`]; SI units and radians.
 pub const PARAMETERS: [&str; 12] = [
     "tilt",
     "tilt_rate",
@@ -44,24 +44,24 @@ pub const PARAMETERS: [&str; 12] = [
     "gravity",
 ];
 
-/// A derivative by each of [`PARAMETERS`].
+/// The derivatives with respect to each of [`PARAMETERS`].
 pub type Slope = [f64; PARAMETERS.len()];
 
 type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
 
-/// The derivatives of a motion that one smooth law governs.
+/// The derivatives of a motion under one smooth law.
 pub struct Sensitivity {
     law: Smooth,
-    /// The coordinates at the start of each step, and at the end of the last.
+    /// The coordinates at the start of each step and at the end of the last one.
     starts: Vec<[Number; RIGID_COORDINATES]>,
     turns: Vec<Slope>,
 }
 
-/// One law that holds all the way.
-#[expect(clippy::large_enum_variant, reason = "there is but one of it")]
+/// A smooth law that holds for the whole motion.
+#[expect(clippy::large_enum_variant, reason = "there is only one instance")]
 enum Smooth {
     Rolling(NoSlip<Number>),
-    Gliding(Frictionless<Number>),
+    Frictionless(Frictionless<Number>),
 }
 
 impl Smooth {
@@ -69,27 +69,27 @@ impl Smooth {
         let h = h.into();
         match self {
             Smooth::Rolling(law) => Step::take(&Mechanics::new(law), start, h).end,
-            Smooth::Gliding(law) => Step::take(&Mechanics::new(law), start, h).end,
+            Smooth::Frictionless(law) => Step::take(&Mechanics::new(law), start, h).end,
         }
     }
 
     fn rates(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
         match self {
             Smooth::Rolling(law) => law.rates(u),
-            Smooth::Gliding(law) => law.rates(u),
+            Smooth::Frictionless(law) => law.rates(u),
         }
     }
 }
 
-/// The coordinates at a moment and their rates, by the clock τ.
-struct Moving {
+/// The coordinates at a moment and their rates with respect to τ.
+struct CoordinatesAndRates {
     u: Coordinates<Number>,
     rates: Coordinates<Number>,
 }
 
 impl Sensitivity {
-    /// The sensitivity of a motion from its start on; none when `watch` breaks off the work.
-    pub(super) fn of(
+    /// The sensitivity of a motion; `None` if `watch` breaks.
+    pub(super) fn new(
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Sensitivity>, InvalidInput> {
@@ -98,11 +98,11 @@ impl Sensitivity {
             starts: vec![first(&start(&motion.track.start()).into_array())],
             turns: Vec::new(),
         };
-        let followed = sensitivity.follow(motion, watch);
-        Ok(followed.is_continue().then_some(sensitivity))
+        let completed = sensitivity.differentiate(motion, watch);
+        Ok(completed.is_continue().then_some(sensitivity))
     }
 
-    fn follow(
+    fn differentiate(
         &mut self,
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -116,7 +116,7 @@ impl Sensitivity {
         for turns in motion.turns.chunks(TURNS_BETWEEN_REPORTS) {
             watch(motion.track.end().t)?;
             for turn in turns {
-                self.turns.push(self.of_turn(motion, turn));
+                self.turns.push(self.turn_slope(motion, turn));
             }
         }
         ControlFlow::Continue(())
@@ -124,7 +124,7 @@ impl Sensitivity {
 
     /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion.
     pub fn at(&self, track: &Track, t: f64) -> [Slope; 6] {
-        let at = self.rates_under(track, t);
+        let at = self.locate(track, t);
         let u = at.fixed(&(at.u.t, at.rates.t));
         let tilt = u.sin.slope * u.cos.value - u.cos.slope * u.sin.value;
         let [yaw_rate, spin_rate] = [u.yaw_rate(), u.spin_rate()].map(|rate| rate.slope);
@@ -144,7 +144,7 @@ impl Sensitivity {
         &self.turns
     }
 
-    fn rates_under(&self, track: &Track, t: f64) -> Moving {
+    fn locate(&self, track: &Track, t: f64) -> CoordinatesAndRates {
         let (index, x) = track.locate(t);
         let at = match track.records().get(index) {
             Some(record) => self.law.step(&self.starts[index], x * record.h),
@@ -152,13 +152,13 @@ impl Sensitivity {
         };
         let u = Coordinates::from_first(&at);
         let rates = self.law.rates(&u);
-        Moving { u, rates }
+        CoordinatesAndRates { u, rates }
     }
 
-    /// How far the yaw runs from one extreme of the tilt (or the release) to the next.
-    fn of_turn(&self, motion: &Motion, turn: &Turn) -> Slope {
+    /// The derivatives of the change of yaw from one tilt extremum (or the release) to the next.
+    fn turn_slope(&self, motion: &Motion, turn: &Turn) -> Slope {
         let yaw = |t: f64| {
-            let at = self.rates_under(&motion.track, t);
+            let at = self.locate(&motion.track, t);
             let earlier = motion.events.partition_point(|event| event.at.t < t);
             let here = motion.events[earlier..]
                 .iter()
@@ -176,10 +176,10 @@ impl Sensitivity {
     }
 }
 
-impl Moving {
-    /// The coordinates with their derivatives where something, given with its rate, keeps its value.
-    fn fixed(&self, kept: &(Number, Number)) -> Coordinates<Number> {
-        let delay = kept.0.slope * (-1.0 / kept.1.value);
+impl CoordinatesAndRates {
+    /// The coordinates with their derivatives at a fixed value of a function g, given as (g, g′).
+    fn fixed(&self, (g, g_rate): &(Number, Number)) -> Coordinates<Number> {
+        let delay = g.slope * (-1.0 / g_rate.value);
         let (u, rates) = (self.u.into_array(), self.rates.into_array());
         Coordinates::from_array(&core::array::from_fn(|i| Dual {
             value: u[i].value,
@@ -188,7 +188,7 @@ impl Moving {
     }
 }
 
-/// A number with slope 1 along its own direction.
+/// A parameter: a dual number whose derivative with respect to itself is 1.
 fn parameter(value: f64, index: usize) -> Number {
     Dual {
         value,
@@ -196,7 +196,7 @@ fn parameter(value: f64, index: usize) -> Number {
     }
 }
 
-/// The coordinates at the start, as they are, with their derivatives.
+/// The coordinates at the start with their derivatives; the values keep their bits.
 fn start(at: &Coordinates<f64>) -> Coordinates<Number> {
     let state = at.state().numbers();
     let duals = Coordinates::starting(core::array::from_fn(|i| parameter(state[i], i)));
@@ -207,7 +207,7 @@ fn start(at: &Coordinates<f64>) -> Coordinates<Number> {
     }))
 }
 
-/// The law on dual numbers, where one smooth law holds all the way.
+/// The law in dual numbers, if one smooth law holds for the whole motion.
 fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
     let refused = |why: &str| InvalidInput::NoSensitivity {
         why: why.to_owned(),
@@ -229,6 +229,6 @@ fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
     let k = Parameters { m, r, h, a, c, g };
     Ok(match phase {
         Phase::Rolling => Smooth::Rolling(NoSlip::new(k)),
-        _ => Smooth::Gliding(Frictionless::new(k)),
+        _ => Smooth::Frictionless(Frictionless::new(k)),
     })
 }

@@ -1,15 +1,15 @@
-//! Whether it is clear at a glance that nothing happens in a step: from its ends alone, without the
-//! polynomial that it takes to look inside.
+//! Exclusion tests for events in a step, from the values and rates at its ends alone. They spare the dense
+//! output of steps that cannot contain an event.
 
 use crate::law::Parameters;
 use crate::solve::Step;
 use crate::state::Coordinates;
 
-/// What is looked at keeps away from zero by this part of its change over the step: the cubic through
-/// the ends differs from the motion by far less.
+/// The tested function must differ from zero by this fraction of its change over the step, since the cubic
+/// Hermite interpolant differs slightly from the motion.
 const MARGIN: f64 = 0.25;
 
-/// A step of a rim on the table, seen from its ends.
+/// The cubic Hermite interpolant of a step of a rim on the table.
 pub(super) struct StepBounds {
     h: f64,
     from: Coordinates<f64>,
@@ -34,8 +34,8 @@ impl StepBounds {
         &self.to
     }
 
-    /// Whether a linear function of the coordinates stays above a bound: the cubic with its values and
-    /// slopes at the ends lies between its Bernstein coefficients.
+    /// Whether a linear function of the coordinates stays above a bound. A cubic lies between its smallest
+    /// and its largest Bernstein coefficient.
     #[inline(always)]
     pub fn stays_above(&self, bound: f64, linear: impl Fn(&Coordinates<f64>) -> f64) -> bool {
         let (from, to) = (linear(&self.from) - bound, linear(&self.to) - bound);
@@ -48,44 +48,48 @@ impl StepBounds {
         ])
     }
 
-    /// Whether the table pushes all the time.
+    /// Whether the normal force stays positive.
     #[inline(always)]
-    pub fn stays_pressed(&self, k: &Parameters<f64>) -> bool {
+    pub fn keeps_contact(&self, k: &Parameters<f64>) -> bool {
         let (a, b) = (&self.from, &self.to);
         let (da, db) = (&self.from_rates, &self.to_rates);
-        let halfway = Coordinates {
-            sin: self.middle(a.sin, b.sin, da.sin, db.sin),
-            cos: self.middle(a.cos, b.cos, da.cos, db.cos),
-            p: self.middle(a.p, b.p, da.p, db.p),
+        let midpoint = Coordinates {
+            sin: self.midpoint(a.sin, b.sin, da.sin, db.sin),
+            cos: self.midpoint(a.cos, b.cos, da.cos, db.cos),
+            p: self.midpoint(a.p, b.p, da.p, db.p),
             ..*a
         };
         let dp = 1.5 * (b.p - a.p) / self.h - 0.25 * (da.p + db.p);
-        are_clear([k.normal(a, da.p), k.normal(&halfway, dp), k.normal(b, db.p)])
+        are_clear([
+            k.normal(a, da.p),
+            k.normal(&midpoint, dp),
+            k.normal(b, db.p),
+        ])
     }
 
-    /// Where it begins, is halfway, and ends.
-    pub fn three(&self) -> [Coordinates<f64>; 3] {
+    /// The coordinates at the start, the midpoint and the end.
+    pub fn three_points(&self) -> [Coordinates<f64>; 3] {
         let (a, b) = (self.from.into_array(), self.to.into_array());
         let (da, db) = (self.from_rates.into_array(), self.to_rates.into_array());
-        let halfway = core::array::from_fn(|i| self.middle(a[i], b[i], da[i], db[i]));
-        [self.from, Coordinates::from_array(&halfway), self.to]
+        let midpoint = core::array::from_fn(|i| self.midpoint(a[i], b[i], da[i], db[i]));
+        [self.from, Coordinates::from_array(&midpoint), self.to]
     }
 
-    /// Of the cubic.
+    /// The cubic at the midpoint.
     #[inline(always)]
-    fn middle(&self, from: f64, to: f64, from_rate: f64, to_rate: f64) -> f64 {
+    fn midpoint(&self, from: f64, to: f64, from_rate: f64, to_rate: f64) -> f64 {
         0.5 * (from + to) + 0.125 * self.h * (from_rate - to_rate)
     }
 }
 
-/// Whether values are positive, and their smallest is not small beside their spread: then so is the
-/// parabola through three of them.
+/// Whether all values are positive and the smallest exceeds a quarter of their spread. Then the parabola
+/// through three of them is positive, too.
 #[inline(always)]
 pub(super) fn are_clear<const M: usize>(values: [f64; M]) -> bool {
-    let (mut least, mut most) = (values[0], values[0]);
+    let (mut min, mut max) = (values[0], values[0]);
     for value in values {
-        least = if value < least { value } else { least };
-        most = if value > most { value } else { most };
+        min = if value < min { value } else { min };
+        max = if value > max { value } else { max };
     }
-    least > MARGIN * (most - least)
+    min > MARGIN * (max - min)
 }

@@ -1,5 +1,5 @@
-//! An accepted step as it is kept: where it began and ended and how long it was. Everything between is
-//! computed again when it is asked for, to the same bits.
+//! The record of an accepted step: its size and the states at its ends. The dense output is recomputed on
+//! demand, to the same bits.
 
 use super::contacts::{Contacts, Phase, SystemVisitor};
 use super::mechanics::first;
@@ -12,37 +12,37 @@ pub(super) type Polynomial = Dense<f64, COORDINATES>;
 #[derive(Clone)]
 pub(super) struct StepRecord {
     pub phase: Phase,
-    /// Its length on the solver's clock.
+    /// The step size in the phase's independent variable.
     pub h: f64,
     pub start: [f64; COORDINATES],
     pub end: [f64; COORDINATES],
-    /// What was not made by an explicit step is kept as the polynomial that it is.
+    /// The dense output of a step that was not made by the explicit method.
     polynomial: Option<Box<Polynomial>>,
 }
 
 impl StepRecord {
-    /// An explicit step, by which only the first coordinates change from what they are in `rest`.
+    /// An explicit step of the first N coordinates; the others keep their values in `constant`.
     #[inline(always)]
     pub fn explicit<const N: usize>(
         phase: Phase,
         step: &Step<f64, N>,
-        rest: &[f64; COORDINATES],
+        constant: &[f64; COORDINATES],
     ) -> StepRecord {
-        let with_rest = |changed: &[f64; N]| {
-            let mut all = *rest;
-            all[..N].copy_from_slice(changed);
-            all
+        let widened = |leading: &[f64; N]| {
+            let mut coordinates = *constant;
+            coordinates[..N].copy_from_slice(leading);
+            coordinates
         };
         StepRecord {
             phase,
             h: step.h,
-            start: with_rest(&step.start),
-            end: with_rest(&step.end),
+            start: widened(&step.start),
+            end: widened(&step.end),
             polynomial: None,
         }
     }
 
-    /// A step known as a polynomial.
+    /// A step given by its dense output.
     pub fn polynomial(phase: Phase, dense: Polynomial) -> StepRecord {
         StepRecord {
             phase,
@@ -57,16 +57,16 @@ impl StepRecord {
         self.polynomial.is_some()
     }
 
-    /// The step as a polynomial.
+    /// The dense output of the step.
     pub fn dense(&self, contacts: &Contacts) -> Polynomial {
         match &self.polynomial {
             Some(dense) => (**dense).clone(),
-            None => contacts.solve(self.phase, Open(self)),
+            None => contacts.solve(self.phase, DenseOutput(self)),
         }
     }
 
-    /// The step cut at the fraction x: made again with another length, so of the full order, not an
-    /// interpolation.
+    /// The step shortened to the fraction x. An explicit step is recomputed with that size, so its end has
+    /// the full order of the method instead of that of the dense output.
     pub fn cut(&self, contacts: &Contacts, x: f64) -> StepRecord {
         match &self.polynomial {
             Some(dense) => StepRecord::polynomial(self.phase, Collocation::get().cut(dense, x)),
@@ -74,21 +74,21 @@ impl StepRecord {
         }
     }
 
-    /// The step made again with a length of h.
-    fn again<S: System<f64, N>, const N: usize>(&self, system: &S, h: f64) -> Step<f64, N> {
+    /// The step recomputed with the size h.
+    fn recompute<S: System<f64, N>, const N: usize>(&self, system: &S, h: f64) -> Step<f64, N> {
         Step::recompute(system, &first(&self.start), h)
     }
 }
 
-struct Open<'a>(&'a StepRecord);
+struct DenseOutput<'a>(&'a StepRecord);
 
-impl SystemVisitor for Open<'_> {
+impl SystemVisitor for DenseOutput<'_> {
     type Output = Polynomial;
 
     fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Polynomial {
-        let Open(record) = self;
+        let DenseOutput(record) = self;
         record
-            .again(system, record.h)
+            .recompute(system, record.h)
             .dense(system)
             .widened(&record.start)
     }
@@ -103,7 +103,7 @@ impl SystemVisitor for Cut<'_> {
         let Cut(record, x) = self;
         StepRecord::explicit(
             record.phase,
-            &record.again(system, x * record.h),
+            &record.recompute(system, x * record.h),
             &record.start,
         )
     }

@@ -1,4 +1,4 @@
-//! The path through the coordinates: accepted steps, to be evaluated at any time.
+//! The trajectory: the accepted steps, which can be evaluated at any time.
 
 use super::contacts::{Contacts, Phase};
 use super::step_record::{Polynomial, StepRecord};
@@ -7,12 +7,12 @@ use crate::state::{COORDINATES, Coordinates, TIME};
 use core::ops::Deref;
 use std::sync::Arc;
 
-/// The coordinates at a moment, and how the rim meets the table then.
+/// The coordinates and the phase at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant {
-    /// Which of the contact's laws holds.
+    /// The phase, which determines the law that holds.
     pub phase: Phase,
-    /// Where the body is and how it moves.
+    /// The coordinates.
     pub u: Coordinates<f64>,
 }
 
@@ -29,7 +29,7 @@ pub struct Track {
     contacts: Arc<Contacts>,
     start: Instant,
     records: Vec<StepRecord>,
-    /// Whether all of them are wanted, or only the last.
+    /// Whether all records are kept, or only the last.
     whole: bool,
 }
 
@@ -51,23 +51,23 @@ impl Track {
         self.records.push(record);
     }
 
-    /// Ends the motion with a sudden change.
+    /// Ends the motion with a jump.
     pub(super) fn push_jump(&mut self, to: Instant) {
-        let still = Dense::empty(to.u.into_array());
-        self.push(StepRecord::polynomial(to.phase, still));
+        let jump = Dense::empty(to.u.into_array());
+        self.push(StepRecord::polynomial(to.phase, jump));
     }
 
-    /// Where the motion began.
+    /// The start of the motion.
     pub fn start(&self) -> Instant {
         self.start
     }
 
-    /// Where the motion has come to so far.
+    /// The end of the motion computed so far.
     pub fn end(&self) -> Instant {
         self.records.last().map_or(self.start, end_of)
     }
 
-    /// Where each phase begins.
+    /// The beginning of each phase.
     pub fn phases(&self) -> impl Iterator<Item = Instant> + '_ {
         let mut before = None;
         let begins = move |record: &StepRecord| {
@@ -77,18 +77,19 @@ impl Track {
         self.records.iter().filter_map(begins)
     }
 
-    /// Length of the last step on the solver's clock.
+    /// The size of the last step.
     pub(super) fn last_step(&self) -> f64 {
         self.records.last().map_or(0.0, |record| record.h)
     }
 
-    /// The start and the ends of all steps, and a second time, as they are after it, the moments at
-    /// which the contact changed.
+    /// The start and the ends of all steps. A moment at which the phase or the state jumps appears twice,
+    /// before and after the jump.
     pub fn nodes(&self) -> impl Iterator<Item = Instant> + '_ {
         self.sampled(1)
     }
 
-    /// The motion at a time, s, after what happens just then; times outside it give its ends.
+    /// The motion at a time (s). At a jump it is the state after the jump; times outside the motion give
+    /// its ends.
     pub fn at(&self, t: f64) -> Instant {
         self.look_up().at(t)
     }
@@ -97,26 +98,27 @@ impl Track {
         &self.records
     }
 
-    /// The step and the fraction of it at a time, s; outside the motion those of its ends.
+    /// The index of the step at a time (s) and the fraction of that step; outside the motion those of its
+    /// ends.
     pub(super) fn locate(&self, t: f64) -> (usize, f64) {
         self.look_up().locate(t)
     }
 
-    /// How many steps the motion has.
+    /// The number of steps.
     pub fn steps(&self) -> usize {
         self.records.len()
     }
 
-    /// To evaluate the motion at many times, the sooner the closer together they are.
+    /// Evaluates the motion at many times. This is fastest if successive times lie in the same step.
     pub fn look_up(&self) -> LookUp<'_> {
         LookUp {
             track: self,
-            opened: None,
+            cached: None,
         }
     }
 
-    /// `per_step` samples inside each step and its end, after the start: close together just where
-    /// the motion is fast.
+    /// The start and `per_step` samples of each step, including its end. They are dense where the motion is
+    /// fast.
     pub fn samples(&self, per_step: usize) -> Vec<Instant> {
         self.sampled(per_step).collect()
     }
@@ -143,10 +145,10 @@ impl Track {
     }
 }
 
-/// A motion looked up at one time after another: the step looked into last is kept at hand.
+/// Evaluates a motion at one time after another and caches the dense output of the last step used.
 pub struct LookUp<'a> {
     track: &'a Track,
-    opened: Option<(usize, Polynomial)>,
+    cached: Option<(usize, Polynomial)>,
 }
 
 impl LookUp<'_> {
@@ -156,7 +158,7 @@ impl LookUp<'_> {
         if t <= start.t {
             return *start;
         }
-        match self.opened(t) {
+        match self.cached(t) {
             Some((index, dense)) => {
                 let x = dense.fraction_where(TIME, t);
                 instant(records[index].phase, &dense.at(x))
@@ -165,8 +167,7 @@ impl LookUp<'_> {
         }
     }
 
-    /// The motion inside a step: at a fraction of it on the solver's clock, from 0 to 1. There is no such
-    /// instant where there is no such step.
+    /// The motion at a fraction, from 0 to 1, of a step; `None` if there is no such step.
     pub fn inside(&mut self, step: usize, fraction: f64) -> Option<Instant> {
         let record = self.track.records.get(step)?;
         if fraction <= 0.0 {
@@ -175,7 +176,7 @@ impl LookUp<'_> {
         if fraction >= 1.0 {
             return Some(end_of(record));
         }
-        let dense = self.open(step)?;
+        let dense = self.dense_output(step)?;
         Some(instant(record.phase, &dense.at(fraction)))
     }
 
@@ -183,29 +184,29 @@ impl LookUp<'_> {
         if t <= self.track.start.t {
             return (0, 0.0);
         }
-        match self.opened(t) {
+        match self.cached(t) {
             Some((index, dense)) => (index, dense.fraction_where(TIME, t)),
             None => (self.track.records.len().saturating_sub(1), 1.0),
         }
     }
 
-    /// The step in which a time lies; none after the end.
-    fn opened(&mut self, t: f64) -> Option<(usize, &Polynomial)> {
+    /// The step that contains a time; `None` after the end.
+    fn cached(&mut self, t: f64) -> Option<(usize, &Polynomial)> {
         let records = &self.track.records;
         let index = records.partition_point(|record| record.end[TIME] <= t);
-        Some((index, self.open(index)?))
+        Some((index, self.dense_output(index)?))
     }
 
-    /// A step as a polynomial.
-    fn open(&mut self, index: usize) -> Option<&Polynomial> {
+    /// The dense output of a step.
+    fn dense_output(&mut self, index: usize) -> Option<&Polynomial> {
         let Track {
             contacts, records, ..
         } = self.track;
         let record = records.get(index)?;
-        if self.opened.as_ref().is_none_or(|opened| opened.0 != index) {
-            self.opened = Some((index, record.dense(contacts)));
+        if self.cached.as_ref().is_none_or(|cached| cached.0 != index) {
+            self.cached = Some((index, record.dense(contacts)));
         }
-        self.opened.as_ref().map(|opened| &opened.1)
+        self.cached.as_ref().map(|cached| &cached.1)
     }
 }
 
