@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import HealthCheck, settings
 
-from motions import LAWS, paper_motion
+from given.motions import LAWS, paper_motion
 
 # How long an example takes depends on what else the machine does.
 settings.register_profile(

@@ -1,7 +1,7 @@
 //! Between the two limits: what dry friction makes of the turn, and what every law leaves the same.
 //!
 //! The tables were computed beforehand, independently of this code, from the equations of the full
-//! model and of the inner problem; `tests/inner_problem.py` does it again.
+//! model and of the inner problem; `tests/oracles/inner_problem.py` does it again.
 
 #[path = "given/bodies.rs"]
 mod bodies;
