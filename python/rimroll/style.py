@@ -87,6 +87,7 @@ STYLE: dict[str, Any] = {
     "legend.labelspacing": 0.35,
     "figure.dpi": 150,
     "figure.facecolor": "white",
+    "figure.autolayout": False,
     "figure.constrained_layout.use": False,  # page() asks for it; placed axes must not be moved
     "figure.constrained_layout.h_pad": 0.05,
     "figure.constrained_layout.w_pad": 0.05,
@@ -117,7 +118,9 @@ def settle(figure: Figure) -> Figure:
     engine = figure.get_layout_engine()
     if engine is not None:
         engine.execute(figure)
-        figure.set_layout_engine("none")
+        # Not "none", which leaves a placeholder, for which matplotlib draws each file twice.
+        with figure_style():
+            figure.set_layout_engine(None)
     return figure
 
 
