@@ -509,7 +509,7 @@ def short_report(monkeypatch):
         page.write_text("whole")
         return page
 
-    monkeypatch.setattr("rimroll.paper.reproduce", reproduce)
+    monkeypatch.setattr("rimroll.paper.report.reproduce", reproduce)
 
 
 def test_reproduce_says_last_where_the_report_is(said, short_report, monkeypatch, tmp_path):

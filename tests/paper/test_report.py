@@ -6,8 +6,9 @@ import re
 import pytest
 
 import rimroll as rr
-from rimroll.paper import report, reproduce
+from rimroll.paper import report
 from rimroll.paper.figures import FIGURES
+from rimroll.paper.report import reproduce
 
 
 @pytest.fixture(scope="module")

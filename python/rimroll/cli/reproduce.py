@@ -29,9 +29,9 @@ def reproduce(
     $ rimroll reproduce --output out/paper
     """
     with working("redoing the paper") as bar:
-        from rimroll import paper  # brings matplotlib, which is slow to load
+        from rimroll.paper import report  # brings matplotlib, which is slow to load
 
-        page = paper.reproduce(output, bar).resolve()
+        page = report.reproduce(output, bar).resolve()
     if json:
         show_json({"report": str(page)})
     else:

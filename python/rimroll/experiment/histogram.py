@@ -25,6 +25,7 @@ from rimroll.falls import Falls
 from rimroll.laws import Law, in_brief
 from rimroll.many_falls import Array, body_of, law_of
 from rimroll.names import typed
+from rimroll.paper.setting import MEASURED
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -167,9 +168,6 @@ def _name(body: Body) -> str:
 
 def _measured() -> tuple[tuple[float, float], ...]:
     """Means and standard deviations of the paper's falls as directions, degrees."""
-
-    from rimroll.paper.setting import MEASURED  # brings the whole report
-
     (left, left_spread), (right, right_spread) = MEASURED
     return (left, left_spread), (360.0 - right, right_spread)
 

@@ -1,5 +1,5 @@
-"""The paper, reproduced: every number, figure and erratum beside what rimroll computes."""
+"""The paper, reproduced: every number, figure and erratum beside what rimroll computes.
 
-from rimroll.paper.report import reproduce
-
-__all__ = ["reproduce"]
+`setting`: its can, start and motions. `claims`, `errata`, `figures`: what it says, and ours.
+`report`: all of it as one page.
+"""
