@@ -1,4 +1,4 @@
-//! What Python hands over, read attribute by attribute, and errors on their way back.
+//! Conversion of Python arguments, read attribute by attribute, and of errors.
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 pyo3::import_exception!(rimroll.errors, RimrollError);
 
-/// The core's refusal as the Python package's own exception.
+/// The core's error as the Python package's own exception.
 pub fn refusal(error: InvalidInput) -> PyErr {
     RimrollError::new_err(error.to_string())
 }
@@ -35,8 +35,8 @@ impl BodyArgument {
     }
 }
 
-/// Any object with the attributes of `rimroll.Body` as arrays, each of one number for all rows or of one for
-/// each.
+/// Any object with the attributes of `rimroll.Body` as arrays, each of length one for all rows or with one
+/// number per row.
 #[derive(FromPyObject)]
 pub struct BodiesArgument<'py> {
     mass: PyReadonlyArray1<'py, f64>,
@@ -47,7 +47,7 @@ pub struct BodiesArgument<'py> {
 }
 
 impl BodiesArgument<'_> {
-    /// The bodies in their order, with what is wrong with those that cannot be.
+    /// The bodies in order, or the errors of invalid ones.
     pub fn each(&self) -> PyResult<impl Iterator<Item = Result<Body, InvalidInput>>> {
         let columns = [
             self.mass.as_slice()?,
@@ -64,14 +64,14 @@ impl BodiesArgument<'_> {
         }))
     }
 
-    /// One body for all rows, or one for each.
+    /// One body for all rows, or one for each row.
     pub fn bodies(&self) -> PyResult<Vec<Body>> {
         let bodies: Result<_, _> = self.each()?.collect();
         bodies.map_err(refusal)
     }
 }
 
-/// What belongs to a row, where there is one for each or one for all.
+/// The element of a row, where there is one element for each row or one for all.
 pub fn of_row<T>(all: &[T], row: usize) -> &T {
     &all[if all.len() == 1 { 0 } else { row }]
 }
@@ -125,14 +125,14 @@ pub fn ideal_law(name: &str) -> PyResult<IdealLaw> {
     IdealLaw::from_name(name).map_err(refusal)
 }
 
-/// Any object with the attributes of `rimroll.laws.Dynamics`: what the table is like.
+/// Any object with the attributes of `rimroll.laws.Law`: the contact law.
 #[derive(FromPyObject)]
 pub struct SurfaceArgument {
     name: String,
     numbers: HashMap<String, Given>,
 }
 
-/// A number of a law, or a list of them.
+/// A parameter of a law: a number or a list of numbers.
 #[derive(FromPyObject)]
 enum Given {
     Number(f64),
@@ -145,7 +145,7 @@ impl SurfaceArgument {
         ContactLaw::named(&self.name, &numbers, &tables).map_err(refusal)
     }
 
-    /// The numbers and the lists of numbers, by name.
+    /// The numbers and the lists of numbers by name.
     #[allow(clippy::type_complexity)]
     fn given(&self) -> (Vec<(String, f64)>, Vec<(String, Vec<f64>)>) {
         let (mut numbers, mut tables) = (Vec::new(), Vec::new());
@@ -158,8 +158,8 @@ impl SurfaceArgument {
         (numbers, tables)
     }
 
-    /// The surfaces whose numbers are those of this one but for some, which have an array each with one number
-    /// for each surface; with what is wrong with those that cannot be.
+    /// Contact laws that differ from this one in some parameters, given as arrays with one number per law; or
+    /// the errors of invalid ones.
     pub fn varied(
         &self,
         varied: &VariedArgument<'_>,
@@ -180,5 +180,5 @@ impl SurfaceArgument {
     }
 }
 
-/// Numbers of a law by name, as arrays of equal length.
+/// Parameters of a law by name, as arrays of equal length.
 pub type VariedArgument<'py> = HashMap<String, PyReadonlyArray1<'py, f64>>;

@@ -1,4 +1,4 @@
-//! Bodies, the solids they are put together from, and presets.
+//! Bodies, the solids that they are composed of, and presets.
 
 use crate::arguments::{BodiesArgument, BodyArgument, SolidArgument, refusal};
 use pyo3::prelude::*;
@@ -30,7 +30,7 @@ pub fn check_body(body: BodyArgument) -> PyResult<()> {
     body.body().map(|_| ())
 }
 
-/// The first of many bodies that cannot be, and why, if there is one.
+/// The index of the first invalid body and its error, if there is one.
 #[pyfunction]
 pub fn first_bad_body(bodies: BodiesArgument<'_>) -> PyResult<Option<(usize, String)>> {
     let mut bad = bodies.each()?.enumerate();

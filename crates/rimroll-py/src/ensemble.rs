@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-/// What is told of a fall, in the order of [`numbers`].
+/// The numbers of a fall, in the order of [`numbers`].
 pub const FALL_COLUMNS: [&str; 14] = [
     "outcome",
     "turn",
@@ -50,7 +50,7 @@ fn numbers(fall: &Fall) -> [f64; FALL_COLUMNS.len()] {
     ]
 }
 
-/// Arrays of equal length, one entry a start.
+/// Arrays of equal length with one entry per start.
 #[derive(FromPyObject)]
 pub struct StartsArgument<'py> {
     tilt: PyReadonlyArray1<'py, f64>,
@@ -90,7 +90,7 @@ impl StartsArgument<'_> {
     }
 }
 
-/// From [tilt, tilt rate, yaw, yaw rate, spin, spin rate].
+/// The state from [tilt, tilt rate, yaw, yaw rate, spin, spin rate].
 pub fn state([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [f64; 6]) -> State {
     State {
         tilt,
@@ -102,7 +102,7 @@ pub fn state([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [f64; 6]) -> Sta
     }
 }
 
-/// Which of the rows is the first that `ensemble` and `exact_turns` refuse for its body or start, if they do.
+/// The index of the first row whose body or start `ensemble` and `exact_turns` refuse, if there is one.
 #[pyfunction]
 pub fn first_refused(
     bodies: BodiesArgument<'_>,
@@ -120,11 +120,11 @@ pub fn first_refused(
     Ok(options.first_refused(rows.map(|(row, start)| (of_row(&bodies, row), start))))
 }
 
-/// A table with one row a fall and a column for each of [`FALL_COLUMNS`], the outcomes by their place in
-/// `OUTCOMES`; and what has stopped the work, if anything has: then the rows are of the first starts.
-/// `varied` has the numbers of the surface that differ between starts, `grip` a factor of the friction for each;
-/// `threads` = 0 means as many as there are
-/// processors; `progress` is called now and then with the number of falls done.
+/// A table with one row per fall and a column for each of [`FALL_COLUMNS`], with outcomes as indices into
+/// `OUTCOMES`; and the exception that stopped the work, if any: the rows are then those of the first starts.
+/// `varied` has the parameters of the contact law that differ between starts, `grip` a factor of the friction
+/// for each start. `threads` = 0 means one per processor. `progress` is called about ten times a second with
+/// the number of falls done.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn ensemble<'py>(
@@ -172,18 +172,18 @@ pub fn ensemble<'py>(
     let follow = || ensemble_in_core(&trials, &options, |falls| watched.count(falls));
     let (falls, stopped) = py.detach(|| {
         std::thread::scope(|scope| {
-            let (tell, told) = channel();
+            let (sender, receiver) = channel();
             let work = scope.spawn(|| {
                 let falls = pool.install(follow);
-                drop(tell);
+                drop(sender);
                 falls
             });
-            let stopped = watched.until_done(&told, progress.as_ref());
+            let stopped = watched.until_done(&receiver, progress.as_ref());
             (work.join(), stopped)
         })
     });
     let falls = falls
-        .map_err(|_| PyRuntimeError::new_err("an ensemble has come to grief"))?
+        .map_err(|_| PyRuntimeError::new_err("internal error: a worker thread panicked"))?
         .map_err(refusal)?;
     let table: Vec<f64> = falls.iter().flat_map(numbers).collect();
     let table = table
@@ -192,7 +192,7 @@ pub fn ensemble<'py>(
     Ok((table, stopped))
 }
 
-/// Work that other threads do while this one listens to Python.
+/// Work done by other threads while this one handles signals and progress for Python.
 #[derive(Default)]
 pub struct Watched {
     done: AtomicUsize,
@@ -209,13 +209,17 @@ impl Watched {
         }
     }
 
-    /// Waits for the work, looks for Ctrl-C and tells of the progress; what Python raises meanwhile stops
-    /// the work.
-    pub fn until_done(&self, told: &Receiver<()>, progress: Option<&Py<PyAny>>) -> Option<PyErr> {
-        const NOW_AND_THEN: Duration = Duration::from_millis(100);
+    /// Waits for the work, handles Ctrl-C and reports progress. An exception from Python stops the work and
+    /// is returned.
+    pub fn until_done(
+        &self,
+        receiver: &Receiver<()>,
+        progress: Option<&Py<PyAny>>,
+    ) -> Option<PyErr> {
+        const POLLING_INTERVAL: Duration = Duration::from_millis(100);
         let mut stopped = None;
         loop {
-            let over = told.recv_timeout(NOW_AND_THEN) != Err(RecvTimeoutError::Timeout);
+            let over = receiver.recv_timeout(POLLING_INTERVAL) != Err(RecvTimeoutError::Timeout);
             if stopped.is_none() {
                 stopped = Python::attach(|py| self.look(py, progress)).err();
                 self.stop.store(stopped.is_some(), Relaxed);

@@ -10,7 +10,7 @@ use rimroll::motion::PARAMETERS;
 use rimroll::turn::exact::{ExactRows, ExactTurn};
 use std::sync::mpsc::channel;
 
-/// What is told of a turn, in the order of [`numbers`].
+/// The numbers of a turn, in the order of [`numbers`].
 pub const EXACT_COLUMNS: [&str; 6] = ["turn", "min_tilt", "max_tilt", "min_time", "time", "yaw"];
 
 fn numbers(turn: &ExactTurn) -> [f64; EXACT_COLUMNS.len()] {
@@ -26,10 +26,10 @@ fn numbers(turn: &ExactTurn) -> [f64; EXACT_COLUMNS.len()] {
 
 type Table<'py> = Bound<'py, PyArray2<f64>>;
 
-/// Two rows of codes, places in `OUTCOMES`: how each turn ended, and what became of the body; a table
-/// with one column a start and a row for each of [`EXACT_COLUMNS`]; and if asked for another with the
-/// turn's derivative by each of [`PARAMETERS`]. `threads` = 0 means as
-/// many as there are processors. Ctrl-C stops the work.
+/// Two rows of indices into `OUTCOMES` (the ending of each turn, and the final outcome of the body); a table
+/// with one column per start and a row for each of [`EXACT_COLUMNS`]; and, on request, another table with the
+/// derivatives of the turn with respect to each of [`PARAMETERS`]. `threads` = 0 means one per processor.
+/// Ctrl-C stops the work.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn exact_turns<'py>(
@@ -63,7 +63,7 @@ pub fn exact_turns<'py>(
         let slopes = slopes.transpose()?.flatten();
         let turns = exact.turns_while(goes_on)?.unwrap_or_default();
         let codes = |turn: &ExactTurn| [turn.ending as u8, turn.outcome as u8];
-        Ok(Told {
+        Ok(Results {
             codes: by_columns(&turns, codes),
             table: by_columns(&turns, numbers),
             slopes: slopes.map(|slopes| by_columns(&slopes, |slopes| *slopes)),
@@ -71,41 +71,42 @@ pub fn exact_turns<'py>(
     };
     let (done, stopped) = py.detach(|| {
         std::thread::scope(|scope| {
-            let (tell, told) = channel();
+            let (sender, receiver) = channel();
             let done = scope.spawn(|| {
                 let done = pool.install(work);
-                drop(tell);
+                drop(sender);
                 done
             });
-            let stopped = watched.until_done(&told, None);
+            let stopped = watched.until_done(&receiver, None);
             (done.join(), stopped)
         })
     });
     if let Some(stopped) = stopped {
         return Err(stopped);
     }
-    let told = done
-        .map_err(|_| PyRuntimeError::new_err("the quadrature has come to grief"))?
+    let results = done
+        .map_err(|_| PyRuntimeError::new_err("internal error: a worker thread panicked"))?
         .map_err(refusal)?;
-    let count = told.codes.len() / 2;
+    let count = results.codes.len() / 2;
     let reshaped = |table: Vec<f64>, rows| table.into_pyarray(py).reshape([rows, count]);
     Ok((
-        told.codes.into_pyarray(py).reshape([2, count])?,
-        reshaped(told.table, EXACT_COLUMNS.len())?,
-        told.slopes
+        results.codes.into_pyarray(py).reshape([2, count])?,
+        reshaped(results.table, EXACT_COLUMNS.len())?,
+        results
+            .slopes
             .map(|slopes| reshaped(slopes, PARAMETERS.len()))
             .transpose()?,
     ))
 }
 
-/// What is told of the turns, in tables of a row a quantity.
-struct Told {
+/// The results of the turns, as tables with one row per quantity.
+struct Results {
     codes: Vec<u8>,
     table: Vec<f64>,
     slopes: Option<Vec<f64>>,
 }
 
-/// Some numbers of each of many things: first the first of all, then the second.
+/// The transposed table: the first number of all items, then the second of all items, and so on.
 fn by_columns<T: Sync, U: Copy + Default + Send, const N: usize>(
     many: &[T],
     numbers: impl Fn(&T) -> [U; N] + Sync,

@@ -1,4 +1,4 @@
-//! The Python boundary of rimroll: it converts numbers and arrays, and computes nothing itself.
+//! The Python boundary of rimroll. It only converts numbers and arrays.
 
 mod arguments;
 mod bodies;
@@ -10,7 +10,7 @@ mod theory;
 
 use pyo3::prelude::*;
 
-/// The compiled half of the Python package, imported there as `rimroll._core`.
+/// The compiled part of the Python package, imported there as `rimroll._core`.
 #[pymodule]
 mod _core {
     use super::*;

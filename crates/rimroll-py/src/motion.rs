@@ -1,4 +1,4 @@
-//! `simulate` and the columns of numbers that describe a motion.
+//! `simulate`, and the tables of numbers that describe a motion.
 
 use crate::arguments::{BodyArgument, RimrollError, StateArgument, SurfaceArgument, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 /// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
 type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 
-/// A computed motion, kept in the core; tables have one column a moment and one row a quantity.
+/// A computed motion, kept in the core. Tables have one column per moment and one row per quantity.
 #[pyclass(frozen)]
 pub struct CoreMotion {
     motion: rimroll::Motion,
@@ -19,7 +19,7 @@ pub struct CoreMotion {
 }
 
 impl CoreMotion {
-    /// All that is known at each moment.
+    /// All quantities at each moment.
     fn table<'py>(
         &self,
         py: Python<'py>,
@@ -36,13 +36,13 @@ impl CoreMotion {
     }
 }
 
-/// One column for each of what comes.
+/// A table with one column for each item of an iterator.
 fn in_columns<const ROWS: usize>(
     py: Python<'_>,
     columns: impl Iterator<Item = [f64; ROWS]>,
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let mut all = Vec::new();
-    // A chain of iterators is run through faster in one go than asked for one after another.
+    // Internal iteration is faster than repeated calls of `next` on a chain of iterators.
     columns.for_each(|column| all.push(column));
     let count = all.len();
     let mut flat = Vec::with_capacity(ROWS * count);
@@ -54,17 +54,17 @@ fn in_columns<const ROWS: usize>(
 
 #[pymethods]
 impl CoreMotion {
-    /// When, where and how fast the body is at the accepted steps: the first rows of `nodes`.
+    /// Time, position and velocity at the accepted steps: the first rows of `nodes`.
     fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         in_columns(py, self.motion.track.nodes().map(|at| pose(&at)))
     }
 
-    /// The accepted steps.
+    /// All quantities at the accepted steps.
     fn nodes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.table(py, self.motion.track.nodes())
     }
 
-    /// The accepted steps with samples inside each.
+    /// All quantities at the accepted steps and at samples inside each.
     fn samples<'py>(
         &self,
         py: Python<'py>,
@@ -73,7 +73,7 @@ impl CoreMotion {
         self.table(py, self.motion.track.samples(per_step).into_iter())
     }
 
-    /// Dense output at any times, s.
+    /// Dense output at given times, s.
     fn at<'py>(
         &self,
         py: Python<'py>,
@@ -84,12 +84,12 @@ impl CoreMotion {
         self.table(py, t.iter().map(|&t| look_up.at(t)))
     }
 
-    /// How many steps the motion has.
+    /// The number of steps.
     fn step_count(&self) -> usize {
         self.motion.track.steps()
     }
 
-    /// Dense output inside steps, given by their places: at fractions of them from 0 to 1.
+    /// Dense output at fractions from 0 to 1 of given steps.
     fn inside<'py>(
         &self,
         py: Python<'py>,
@@ -105,7 +105,7 @@ impl CoreMotion {
         )
     }
 
-    /// Derivatives of the state at times (s) by each parameter, (times, 6, 12).
+    /// Derivatives of the state at times (s) with respect to each parameter, as an array (times, 6, 12).
     fn jacobian<'py>(
         &self,
         py: Python<'py>,
@@ -119,7 +119,7 @@ impl CoreMotion {
             .reshape([t.len(), 6, PARAMETERS.len()])
     }
 
-    /// Derivatives of the angles of turn by each parameter, (turns, 12).
+    /// Derivatives of the angles of turn with respect to each parameter, as an array (turns, 12).
     fn turn_jacobian<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let turns = self.sensitivity()?.turns();
         turns
@@ -128,7 +128,7 @@ impl CoreMotion {
             .reshape([turns.len(), PARAMETERS.len()])
     }
 
-    /// The kinds of the events and their table.
+    /// The kinds of the events, and their table.
     fn events<'py>(
         &self,
         py: Python<'py>,
@@ -138,7 +138,7 @@ impl CoreMotion {
         Ok((kinds, self.table(py, events.iter().map(|event| event.at))?))
     }
 
-    /// The phases with the times at which they begin, s.
+    /// The phases and the times (s) at which they begin.
     fn phases(&self) -> Vec<(&'static str, f64)> {
         let phases = self.motion.track.phases();
         phases.map(|at| (at.phase.name(), at.t)).collect()
@@ -200,7 +200,7 @@ pub fn simulate(
         max_steps,
     };
     let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
-    // What a signal handler or `progress` raised, Ctrl-C's KeyboardInterrupt for one.
+    // An exception raised by a signal handler (KeyboardInterrupt for Ctrl-C) or by `progress`.
     let mut raised = None;
     let report = |t: f64| {
         Python::attach(|py| {

@@ -41,7 +41,7 @@ pub fn friction_at<'py>(
     Ok(frictions.into_pyarray(py))
 }
 
-/// The first of many surfaces that cannot be, and why, if there is one.
+/// The index of the first invalid contact law and its error, if there is one.
 #[pyfunction]
 pub fn first_bad_surface(
     contact_law: SurfaceArgument,
@@ -167,7 +167,7 @@ pub fn slip_rate(body: BodyArgument, gravity: f64) -> PyResult<f64> {
     turn::slip_rate(&body.body()?, gravity).map_err(refusal)
 }
 
-/// `f` of each time.
+/// `f` at each time.
 fn map<'py>(
     py: Python<'py>,
     t: PyReadonlyArray1<'py, f64>,
@@ -177,7 +177,7 @@ fn map<'py>(
     values.into_pyarray(py)
 }
 
-/// The near-collision by itself; times from its smallest tilt, s.
+/// The near-collision in isolation; times from its smallest tilt, s.
 #[pyclass(frozen)]
 pub struct CoreNearCollision {
     near: NearCollision,
@@ -229,7 +229,7 @@ impl CoreNearCollision {
         map(py, t, |t| self.near.yaw_rate(t))
     }
 
-    /// Rows (t, tilt, yaw) of the plane vector's motion, one column a sample.
+    /// Rows (t, tilt, yaw) of the lean vector's motion, one column per sample.
     fn lean_vector<'py>(&self, py: Python<'py>, until: f64) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let samples = small_angle::lean_vector(&self.near, until).map_err(refusal)?;
         let flat: Vec<f64> = (0..3)
@@ -239,7 +239,7 @@ impl CoreNearCollision {
     }
 }
 
-/// The pendulum pasted to the near-collision; times from the release, s.
+/// The composite approximation; times from the release, s.
 #[pyclass(frozen)]
 pub struct CorePasted {
     composite: composite::Composite,

@@ -1,10 +1,10 @@
-//! Bodies: ready-made, and put together by the visitor.
+//! Bodies: presets, and those that the visitor composes.
 
-use crate::asked::{Asked, SHAPES, named};
+use crate::arguments::{Arguments, SHAPES, named};
 use crate::exchange::{answer, name, unless_refused};
 use rimroll::{Body, InvalidInput, presets as ready};
 
-/// The ready-made bodies; the page names them by their places here.
+/// The presets; the page refers to them by index.
 const PRESETS: [&str; 7] = [
     "can_2007",
     "soda_can",
@@ -15,11 +15,11 @@ const PRESETS: [&str; 7] = [
     "euler_disk",
 ];
 
-/// The numbers of the preset at a place in [`PRESETS`]; its argument is the filling or the radius
-/// of those that have one.
+/// The numbers of the preset at an index of [`PRESETS`]. Its argument is the filled fraction or the radius of
+/// presets that have one.
 #[unsafe(no_mangle)]
 pub extern "C" fn preset(place: f64) -> bool {
-    let argument = Asked::new().number();
+    let argument = Arguments::new().number();
     tell(
         named("preset", place, &PRESETS).and_then(|preset| match preset {
             "can_2007" => ready::can_2007(),
@@ -33,26 +33,26 @@ pub extern "C" fn preset(place: f64) -> bool {
     )
 }
 
-/// The names of the ready-made bodies.
+/// The names of the presets.
 #[unsafe(no_mangle)]
 pub extern "C" fn presets() {
     name(PRESETS);
 }
 
-/// The names of the shapes that bodies are put together from.
+/// The names of the shapes of which bodies are composed.
 #[unsafe(no_mangle)]
 pub extern "C" fn shapes() {
     name(SHAPES);
 }
 
-/// The numbers of a body on a rim, put together from coaxial solids: the rim's radius, then the solids.
+/// The numbers of a body on a rim, composed of coaxial solids. Arguments: the rim's radius, then the solids.
 #[unsafe(no_mangle)]
 pub extern "C" fn composed() -> bool {
-    let mut asked = Asked::new();
-    let radius = asked.number();
+    let mut arguments = Arguments::new();
+    let radius = arguments.number();
     let mut solids = Vec::new();
-    while asked.more() {
-        solids.push(asked.solid());
+    while arguments.any_left() {
+        solids.push(arguments.solid());
     }
     let solids: Result<Vec<_>, _> = solids.into_iter().collect();
     tell(solids.and_then(|solids| Body::from_solids(radius, &solids)))

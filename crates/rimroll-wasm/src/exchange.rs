@@ -1,9 +1,9 @@
-//! Where page and core leave each other numbers and words.
+//! The buffers through which page and core exchange numbers and text.
 
 use core::cell::RefCell;
 use rimroll::InvalidInput;
 
-/// What lies between a call and the reading of its answer.
+/// The buffers between a call and the reading of its results.
 #[derive(Default)]
 struct Exchange {
     arguments: Vec<f64>,
@@ -15,7 +15,7 @@ thread_local! {
     static EXCHANGE: RefCell<Exchange> = RefCell::default();
 }
 
-/// Where the page is to write its next `count` arguments.
+/// The address at which the page must write its next `count` arguments.
 #[unsafe(no_mangle)]
 pub extern "C" fn arguments(count: usize) -> *mut f64 {
     EXCHANGE.with_borrow_mut(|exchange| {
@@ -25,36 +25,36 @@ pub extern "C" fn arguments(count: usize) -> *mut f64 {
     })
 }
 
-/// Where the numbers of the last answer are.
+/// The address of the numbers of the last result.
 #[unsafe(no_mangle)]
 pub extern "C" fn numbers() -> *const f64 {
     EXCHANGE.with_borrow(|exchange| exchange.numbers.as_ptr())
 }
 
-/// How many they are.
+/// The count of these numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn number_count() -> usize {
     EXCHANGE.with_borrow(|exchange| exchange.numbers.len())
 }
 
-/// Where the words of the last answer are, in UTF-8.
+/// The address of the text of the last result, in UTF-8.
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
     EXCHANGE.with_borrow(|exchange| exchange.text.as_ptr())
 }
 
-/// How many bytes they have.
+/// The length of this text in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn text_length() -> usize {
     EXCHANGE.with_borrow(|exchange| exchange.text.len())
 }
 
-/// The arguments of the call that is being answered.
-pub fn asked() -> Vec<f64> {
+/// The arguments of the current call.
+pub fn given_arguments() -> Vec<f64> {
     EXCHANGE.with_borrow_mut(|exchange| core::mem::take(&mut exchange.arguments))
 }
 
-/// Leaves numbers for the page.
+/// Provides numbers to the page.
 pub fn answer(numbers: impl IntoIterator<Item = f64>) {
     EXCHANGE.with_borrow_mut(|exchange| {
         exchange.numbers.clear();
@@ -62,7 +62,7 @@ pub fn answer(numbers: impl IntoIterator<Item = f64>) {
     });
 }
 
-/// Leaves words for the page.
+/// Provides text to the page.
 pub fn say(words: &str) {
     EXCHANGE.with_borrow_mut(|exchange| {
         exchange.text.clear();
@@ -70,12 +70,12 @@ pub fn say(words: &str) {
     });
 }
 
-/// Leaves names for the page, one space between them.
+/// Provides names to the page, separated by spaces.
 pub fn name(names: impl IntoIterator<Item = &'static str>) {
     say(&names.into_iter().collect::<Vec<_>>().join(" "));
 }
 
-/// What was asked for, or nothing and the core's refusal in words.
+/// The value, or `None` with the core's error message as the text.
 pub fn unless_refused<T>(result: Result<T, InvalidInput>) -> Option<T> {
     result.map_err(|refusal| say(&refusal.to_string())).ok()
 }

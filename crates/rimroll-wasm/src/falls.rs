@@ -1,20 +1,20 @@
-//! Falls, of which only the outcome is given.
+//! Falls, of which only the outcome is returned.
 
-use crate::asked::Asked;
+use crate::arguments::Arguments;
 use crate::exchange::{answer, name, unless_refused};
 use rimroll::InvalidInput;
 use rimroll::motion::{Fall, Outcome, fall};
 
-/// Follows a body through its first turn from each of many starts. Arguments: body, surface, options,
-/// then for each fall its start and a factor of the friction. The answer has for each fall the place
-/// of its outcome in [`outcomes`], the angle of turn and the smallest tilt (NaN where there is no turn),
-/// and the time, tilt and yaw of its end.
+/// Simulates a body through its first turn from each of many starts. Arguments: body, contact law, options,
+/// then for each fall its start and a factor of the friction. The result has for each fall the index of its
+/// outcome in [`outcomes`], the angle of turn and the smallest tilt (NaN if there is no turn), and the time,
+/// tilt and yaw of its end.
 ///
-/// They are followed one by one: sixteen at a time would be sooner done, and make the page half as
-/// long again to load.
+/// The falls are computed one by one. Batches of sixteen would be faster, but would make the page half again
+/// as large to load.
 #[unsafe(no_mangle)]
 pub extern "C" fn falls() -> bool {
-    let Some(falls) = unless_refused(followed(Asked::new())) else {
+    let Some(falls) = unless_refused(followed(Arguments::new())) else {
         return false;
     };
     answer(falls.iter().flat_map(|fall| {
@@ -37,12 +37,16 @@ pub extern "C" fn outcomes() {
     name(Outcome::ALL.map(Outcome::name));
 }
 
-fn followed(mut asked: Asked) -> Result<Vec<Fall>, InvalidInput> {
-    let (body, contact_law, options) = (asked.body()?, asked.contact_law()?, asked.options());
+fn followed(mut arguments: Arguments) -> Result<Vec<Fall>, InvalidInput> {
+    let (body, contact_law, options) = (
+        arguments.body()?,
+        arguments.contact_law()?,
+        arguments.options(),
+    );
     let mut falls = Vec::new();
-    while asked.more() {
-        let start = asked.start();
-        let gripped = contact_law.clone().with_grip(asked.number());
+    while arguments.any_left() {
+        let start = arguments.start();
+        let gripped = contact_law.clone().with_grip(arguments.number());
         falls.push(fall(&body, &start, &gripped, &options)?);
     }
     Ok(falls)

@@ -1,14 +1,14 @@
 //! The browser boundary of rimroll: conversion only.
 //!
-//! WebAssembly passes numbers and addresses, nothing else. So a page writes its arguments as doubles
-//! where [`exchange::arguments`] says, calls a function here, and reads what it answers: doubles at
-//! [`exchange::numbers`], words at [`exchange::text`]. A call that the core refuses says so by what it
-//! returns (null or `false`) and leaves the core's sentence in the text.
+//! WebAssembly functions pass only numbers and addresses. A page writes its arguments as doubles at the
+//! address given by [`exchange::arguments`], calls a function of this crate, and reads the result: doubles at
+//! [`exchange::numbers`], text at [`exchange::text`]. A call that the core refuses returns null or `false`
+//! and leaves the core's error message as the text.
 //!
-//! Bodies, surfaces, starts and options are runs of numbers in the order of their fields; see
-//! [`asked`].
+//! Bodies, contact laws, starts and options are sequences of numbers in the order of their fields; see
+//! [`arguments`].
 
-mod asked;
+mod arguments;
 mod bodies;
 mod exchange;
 mod falls;

@@ -1,83 +1,83 @@
-//! Whole motions, kept here while the page looks at them.
+//! Whole motions, kept in memory while the page uses them.
 
-use crate::asked::Asked;
+use crate::arguments::Arguments;
 use crate::exchange::{answer, name, say, unless_refused};
 use core::ops::ControlFlow;
 use rimroll::motion::{COLUMNS, Instant, Moment};
 use rimroll::{FrictionLaw, InvalidInput, Motion};
 
-/// Computes the motion of a body from a start on a surface, and keeps it until [`forget`] is called;
-/// null when it is refused. Arguments: body, start, surface, options.
+/// Simulates the motion of a body from a start under a contact law and keeps it until [`forget`] is called;
+/// null if the core refuses it. Arguments: body, start, contact law, options.
 #[unsafe(no_mangle)]
 pub extern "C" fn simulate() -> *mut Motion {
-    unless_refused(computed(Asked::new())).map_or(core::ptr::null_mut(), |motion| {
+    unless_refused(computed(Arguments::new())).map_or(core::ptr::null_mut(), |motion| {
         Box::into_raw(Box::new(motion))
     })
 }
 
-fn computed(mut asked: Asked) -> Result<Motion, InvalidInput> {
-    let (body, start) = (asked.body()?, asked.start());
-    let (contact_law, options) = (asked.contact_law()?, asked.options());
+fn computed(mut arguments: Arguments) -> Result<Motion, InvalidInput> {
+    let (body, start) = (arguments.body()?, arguments.start());
+    let (contact_law, options) = (arguments.contact_law()?, arguments.options());
     rimroll::simulate(&body, &start, contact_law, &options, |_| {
         ControlFlow::Continue(())
     })
 }
 
-/// The names of the laws of friction.
+/// The names of the friction laws.
 #[unsafe(no_mangle)]
 pub extern "C" fn laws() {
     name(FrictionLaw::NAMES);
 }
 
-/// Gives back the memory of a motion.
+/// Frees the memory of a motion.
 ///
 /// # Safety
-/// The address is one that [`simulate`] returned, and is not used again.
+/// The address must be one that [`simulate`] returned, and must not be used again.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn forget(motion: *mut Motion) {
-    // SAFETY: as this function asks for.
+    // SAFETY: guaranteed by the caller, as stated above.
     drop(unsafe { Box::from_raw(motion) });
 }
 
-/// The names of the columns in which moments are told.
+/// The names of the quantities at a moment.
 #[unsafe(no_mangle)]
 pub extern "C" fn columns() {
     name(COLUMNS);
 }
 
-/// The motion at so many moments inside each step and at its end, close together just where it is fast:
-/// the columns one after the other.
+/// The motion at `per_step` moments of each step, including its end, which are dense where it is fast: all
+/// numbers of one quantity, then those of the next.
 #[unsafe(no_mangle)]
 pub extern "C" fn samples(motion: &Motion, per_step: usize) {
-    tell(motion, &motion.track.samples(per_step));
+    provide_moments(motion, &motion.track.samples(per_step));
 }
 
-/// The motion at the times (s) among the arguments, in the same way.
+/// The motion at the times (s) given as arguments, in the same layout.
 #[unsafe(no_mangle)]
 pub extern "C" fn at(motion: &Motion) {
     let mut look_up = motion.track.look_up();
-    let times = Asked::new().rest();
+    let times = Arguments::new().rest();
     let instants: Vec<Instant> = times.iter().map(|&t| look_up.at(t)).collect();
-    tell(motion, &instants);
+    provide_moments(motion, &instants);
 }
 
-/// The moments of the events in the same way, and their kinds as words.
+/// The moments of the events in the same layout, and their kinds as text.
 #[unsafe(no_mangle)]
 pub extern "C" fn events(motion: &Motion) {
     let moments: Vec<Instant> = motion.events.iter().map(|event| event.at).collect();
-    tell(motion, &moments);
+    provide_moments(motion, &moments);
     name(motion.events.iter().map(|event| event.kind.name()));
 }
 
-/// The times (s) at which phases begin, and their kinds as words.
+/// The times (s) at which phases begin, and their kinds as text.
 #[unsafe(no_mangle)]
 pub extern "C" fn phases(motion: &Motion) {
     answer(motion.track.phases().map(|at| at.t));
     name(motion.track.phases().map(|at| at.phase.name()));
 }
 
-/// For each turn its angle, smallest tilt, the time and the yaw rate then, its start, its end and the
-/// tilt maximum after it.
+/// For each turn: the angle, the smallest tilt, its time and the yaw rate then, the start and end of the
+/// turn, and the tilt maximum at its end.
 #[unsafe(no_mangle)]
 pub extern "C" fn turns(motion: &Motion) {
     answer(motion.turns.iter().flat_map(|turn| {
@@ -93,19 +93,19 @@ pub extern "C" fn turns(motion: &Motion) {
     }));
 }
 
-/// How the motion ended, in a word.
+/// The status: one word on how the motion ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn status(motion: &Motion) {
     say(motion.status.name());
 }
 
-/// How the motion ended, in a sentence.
+/// A sentence on how the motion ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn message(motion: &Motion) {
     say(&motion.message);
 }
 
-fn tell(motion: &Motion, instants: &[Instant]) {
+fn provide_moments(motion: &Motion, instants: &[Instant]) {
     let rows: Vec<Moment> = instants.iter().map(|at| motion.moment(at)).collect();
     answer((0..COLUMNS.len()).flat_map(|column| rows.iter().map(move |row| row[column])));
 }

@@ -1,28 +1,30 @@
-//! What is known without computing a motion.
+//! Closed forms and limits, which need no simulation.
 
-use crate::asked::Asked;
+use crate::arguments::Arguments;
 use crate::exchange::{answer, unless_refused};
 use core::cell::RefCell;
 use rimroll::turn::{Arrival, needed_friction, painleve_friction, turn_limit, turn_limit_of};
 use rimroll::{Body, FrictionLaw, IdealLaw, InvalidInput};
 
-/// Arguments: body, start, surface, gravity. The answer: the limiting angles of turn without slip,
-/// without friction, and on this surface for a body that comes down as from this start (NaN where it
-/// does not come down); the friction needed to roll through; the friction from which on rigid-body
-/// mechanics has no one answer; the balance tilt. Angles in rad.
+/// Arguments: body, start, contact law, gravity. The result: the limiting angles of turn without slip,
+/// without friction, and under this contact law for a body that arrives as from this start (NaN if it does
+/// not come down); the friction needed to roll through the near-collision; the friction from which the
+/// Painlevé paradox is possible; the balance tilt. Angles in rad.
 #[unsafe(no_mangle)]
 pub extern "C" fn theory() -> bool {
-    unless_refused(known(Asked::new())).map(answer).is_some()
+    unless_refused(known(Arguments::new()))
+        .map(answer)
+        .is_some()
 }
 
 thread_local! {
-    /// The last limit of a body that arrived at rest on its rim, and what it is the limit of.
+    /// The last limit computed for an arrival without slip and spin, with its body and friction.
     static AT_REST: RefCell<Option<(Body, FrictionLaw, f64)>> = const { RefCell::new(None) };
 }
 
-/// The limiting turn. That of a body which arrives at rest on its rim does not depend on how fast it
-/// comes down, so while a visitor changes only that it is not computed again: with a friction of
-/// almost what rolling through needs it takes longer than a motion.
+/// The limiting turn. Without slip and spin on arrival it does not depend on the tipping rate, so it is
+/// cached while the visitor changes only that. If friction is close to the critical value μ*, it takes longer
+/// to compute than a motion.
 fn limit_here(body: &Body, friction: &FrictionLaw, arrival: &Arrival) -> Result<f64, InvalidInput> {
     if arrival.slip != 0.0 || arrival.spin != 0.0 {
         return turn_limit_of(body, friction, arrival);
@@ -39,9 +41,13 @@ fn limit_here(body: &Body, friction: &FrictionLaw, arrival: &Arrival) -> Result<
     Ok(limit)
 }
 
-fn known(mut asked: Asked) -> Result<[f64; 6], InvalidInput> {
-    let (body, start, contact_law) = (asked.body()?, asked.start(), asked.contact_law()?);
-    let gravity = asked.number();
+fn known(mut arguments: Arguments) -> Result<[f64; 6], InvalidInput> {
+    let (body, start, contact_law) = (
+        arguments.body()?,
+        arguments.start(),
+        arguments.contact_law()?,
+    );
+    let gravity = arguments.number();
     let here = Arrival::of(&body, &start, &contact_law, gravity)
         .and_then(|arrival| limit_here(&body, &contact_law.friction, &arrival));
     Ok([

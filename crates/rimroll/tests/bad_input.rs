@@ -1,4 +1,4 @@
-//! Every refusal names the field, the value, the bound and the unit.
+//! Every error message names the field, the value, the bound and the unit.
 
 use core::f64::consts::FRAC_PI_2;
 use core::ops::ControlFlow;
@@ -11,7 +11,7 @@ use rimroll::{Body, IdealLaw, InvalidInput, Options, Solid, State, presets, simu
 const NAN: f64 = f64::NAN;
 const INFINITE: f64 = f64::INFINITY;
 
-/// The text of a refusal.
+/// The text of the error.
 fn refusal<T>(result: Result<T, InvalidInput>) -> String {
     match result {
         Ok(_) => "accepted".to_owned(),
@@ -74,7 +74,7 @@ fn a_body_needs_positive_mass_radius_and_inertias() {
     }
 }
 
-/// An inertia mistaken for one per unit mass usually ends here.
+/// A moment of inertia given per unit mass by mistake usually violates this bound.
 #[test]
 fn no_rigid_body_has_an_axial_inertia_above_twice_the_transverse() {
     assert_eq!(
@@ -82,7 +82,7 @@ fn no_rigid_body_has_an_axial_inertia_above_twice_the_transverse() {
         "axial_inertia must be at most 2 transverse_inertia = 0.0007 kg m2 (no rigid body has more), \
          got 0.008 kg m2"
     );
-    // A flat body sits on the bound, with its inertias rounded one by one.
+    // A flat body lies on the bound, and its two moments of inertia are rounded separately.
     for i in 1..100 {
         let a = 1e-4 / f64::from(i);
         let disk = Body::new(0.07, 0.051, 0.0, a, (2.0 * a).next_up());
@@ -252,7 +252,7 @@ fn a_start_is_tilted_between_its_two_faces_and_finite() {
     }
 }
 
-/// What `simulate` says to these options, for the can let go at 0.5 rad.
+/// The error of `simulate` with these options, for the can released at 0.5 rad.
 fn refused_options(options: &Options) -> String {
     let start = State {
         tilt: 0.5,
@@ -338,7 +338,7 @@ fn options_are_bounded() {
     }
 }
 
-/// Past π/2 + φ* the centre of mass would be under the table.
+/// Beyond π/2 + φ* the centre of mass would be below the table.
 #[test]
 fn a_topple_tilt_keeps_the_centre_of_mass_over_the_table() {
     let most = FRAC_PI_2 + can().balance_tilt();
@@ -355,7 +355,7 @@ fn a_topple_tilt_keeps_the_centre_of_mass_over_the_table() {
             )
         );
     }
-    // By default a body with height topples at π/2, and cannot start beyond.
+    // By default a body with height topples at π/2, and it cannot start beyond that tilt.
     let lying = State {
         tilt: 1.6,
         ..State::default()
@@ -457,8 +457,8 @@ fn closed_forms_refuse_what_they_do_not_describe() {
     }
 }
 
-/// C H tan φ > A R leaves nothing to balance the weight: a body spread wide and high, close to its
-/// balance point.
+/// Where C H tan φ > A R no yaw rate balances the weight. Here a body with its mass far out and high up is
+/// close to its balance point.
 #[test]
 fn no_steady_wobble_where_no_yaw_rate_balances_the_body() {
     let body = Body::new(1.0, 0.1, 0.1, 1e-3, 2e-3).expect("a rigid body");

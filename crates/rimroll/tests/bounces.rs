@@ -1,4 +1,4 @@
-//! What is noted of motions in which the rim leaves the table and comes down again.
+//! The events of motions in which the rim leaves the table and comes down again.
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
@@ -28,7 +28,7 @@ fn noted(motion: &Motion, kind: EventKind) -> Vec<f64> {
     of_kind.map(|event| event.at.t).collect()
 }
 
-/// Thrown down by its upper edge, the can passes upright off the table and rises on the other side.
+/// Thrown down by its upper edge, the can passes the upright position in the air and rises on the other side.
 fn over_upright(yaw_rate: f64) -> Motion {
     let start = State {
         tilt: 0.2,
@@ -57,7 +57,7 @@ fn a_flight_through_upright_has_its_smallest_tilt_there() {
     assert_eq!(lowest.len(), 1);
     assert_eq!(lowest[0].at.phase, Phase::Flying);
     assert!(lowest[0].at.tilt() <= 1e-9);
-    // In a plane the body comes up on the other side.
+    // In plane motion the body comes up on the other side.
     assert_eq!(motion.track.end().yaw, PI);
 }
 
@@ -71,8 +71,8 @@ fn mirror_images_that_fly_past_upright_are_mirror_images() {
     assert_eq!((a.t, a.tilt(), a.yaw), (b.t, b.tilt(), -b.yaw));
 }
 
-/// Here the rim bounces as the tilt is extreme, and some landings leave a tilt rate with the other sign that is
-/// too small to be told from rounding at this tolerance.
+/// Here the rim bounces near an extremum of the tilt. Some impacts reverse the sign of the tilt rate to a
+/// value that is within rounding of zero at this tolerance.
 #[test]
 fn each_turn_begins_where_the_last_one_ended_also_in_bounces() {
     let ring = body(
@@ -149,7 +149,7 @@ fn a_body_that_topples_in_the_air_does_not_pass_its_edge() {
     }
 }
 
-/// The normal force at a lift-off is zero but for rounding, and has either sign.
+/// The normal force at a lift-off is zero up to rounding and can have either sign.
 #[test]
 fn a_rim_that_slides_needs_the_friction_of_the_table_until_it_leaves_it() {
     let ring = body(0.0184, 0.618, 0.0143, 0.0073, 0.0146);

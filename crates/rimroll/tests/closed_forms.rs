@@ -1,5 +1,5 @@
-//! The closed forms of the angle of turn, of the near-collision and of what it asks of the table,
-//! against the paper's numbers and against computed motions.
+//! The closed forms of the angle of turn, of the near-collision and of the forces that it requires, against
+//! the paper's numbers and against simulated motions.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -31,8 +31,8 @@ fn degrees(turn: f64) -> String {
     format!("{:.8}", turn.to_degrees())
 }
 
-/// The paper, sections "Quantitative comparisons" and "Disks", to more digits; without slip with the
-/// fraction of Eq. `noslipangleofturn` put right.
+/// The paper, sections "Quantitative comparisons" and "Disks", with more digits; without slip with the
+/// corrected fraction of Eq. `noslipangleofturn`.
 #[test]
 fn limits_of_the_can_the_disk_and_the_ring() {
     assert_eq!(
@@ -53,7 +53,7 @@ fn limits_of_the_can_the_disk_and_the_ring() {
     }
 }
 
-/// π √(1 + mR²/K′) with A = m(R²/4 + H²/3): K′/mR² is 1/4 + H²/3R² without friction, H²/R² more
+/// π √(1 + mR²/K′) with A = m(R²/4 + H²/3): K′/mR² is 1/4 + H²/3R² without friction, and larger by H²/R²
 /// without slip.
 #[test]
 fn limits_of_solid_cylinders() {
@@ -75,7 +75,7 @@ fn turn_of_a_uniform_disk_is_pi_sqrt_5_whatever_the_friction() {
     for law in IdealLaw::ALL {
         assert!((turn_limit(&disk, law) - PI * 5f64.sqrt()).abs() < 1e-14);
     }
-    // k² = 1/2, and k = 1 for the ring.
+    // k² = 1/2 for the uniform disk, k = 1 for the ring.
     let uniform = disk_turn_limit(0.5f64.sqrt()).expect("valid");
     assert!((uniform - PI * 5f64.sqrt()).abs() < 1e-14);
     let ring = disk_turn_limit(1.0).expect("valid");
@@ -85,7 +85,7 @@ fn turn_of_a_uniform_disk_is_pi_sqrt_5_whatever_the_friction() {
 proptest! {
     #![proptest_config(cases(300))]
 
-    /// "the angle of turn is always more than 180 degrees", and more without friction.
+    /// "the angle of turn is always more than 180 degrees", and it is larger without friction.
     #[test]
     fn every_body_turns_by_more_than_pi_and_by_more_on_a_smooth_table(body in any_body()) {
         let [no_slip, frictionless] = IdealLaw::ALL.map(|law| turn_limit(&body, law));
@@ -93,7 +93,7 @@ proptest! {
         prop_assert_eq!(no_slip == frictionless, body.height() == 0.0);
     }
 
-    /// √(1 + x) lies below 1 + x/2, by less than x²/8.
+    /// √(1 + x) is smaller than 1 + x/2 by less than x²/8.
     #[test]
     fn the_tall_limit_exceeds_the_limit_by_less_than_its_bound(body in any_body()) {
         for law in IdealLaw::ALL {
@@ -116,7 +116,7 @@ proptest! {
         }
     }
 
-    /// A → 0: of a relative size a it changes the limit by a part of its order.
+    /// A → 0: a relative size a of A changes the limit by a relative amount of order a.
     #[test]
     fn a_point_mass_is_the_limit_of_small_inertia(radius in 0.01..1.0, slenderness in 0.1..10.0) {
         let height: f64 = slenderness * radius;
@@ -130,8 +130,8 @@ proptest! {
     }
 }
 
-/// μ* = mHR/(A + mH²), and the rates of tipping past which the can slips or lifts off: closed forms
-/// evaluated at g = 9.8.
+/// μ* = mHR/(A + mH²), and the tipping rates above which the can slips or lifts off: closed forms evaluated
+/// at g = 9.8 m/s².
 #[test]
 fn what_the_can_asks_of_the_table() {
     let can = can();
@@ -147,7 +147,7 @@ fn what_the_can_asks_of_the_table() {
     assert_eq!(lift_off_rate(&disk, PAPER_GRAVITY), Ok(f64::INFINITY));
 }
 
-/// The end of a tipping motion in a plane, just before the near-collision.
+/// The end of a plane tipping motion, just before the near-collision.
 fn arriving(rate: f64) -> Coordinates<f64> {
     Coordinates::from_state(&State {
         tilt: 1e-12,
@@ -188,7 +188,7 @@ proptest! {
         prop_assert!(ratio(0.99999 * rate) < needed && ratio(1.00001 * rate) > needed);
     }
 
-    /// Appendix A's equations have the wobble as a solution: nothing but yaw and spin changes.
+    /// The steady wobble is a solution of appendix A's equations: only yaw and spin change.
     #[test]
     fn a_steady_wobble_solves_the_equations_of_both_laws(body in any_body(), part in 0.01..0.99) {
         let tilt = part * body.balance_tilt();
@@ -215,7 +215,7 @@ proptest! {
     }
 }
 
-/// |T|/N stays at μ* through the whole near-collision, to the order of the tilt.
+/// |T|/N equals μ* through the whole near-collision, to the order of the tilt.
 #[test]
 fn friction_in_the_near_collision_is_the_needed_one() {
     let motion = follow(&can(), &paper_start(1e-8), IdealLaw::NoSlip, &tight(0.4));
@@ -224,7 +224,7 @@ fn friction_in_the_near_collision_is_the_needed_one() {
         .track
         .samples(4)
         .into_iter()
-        // Where the near-collision's forces, like φ_c²/φ³, are large beside the weight.
+        // Here the forces of the near-collision, of order φ_c²/φ³, are large compared with the weight.
         .filter(|u| u.sin < 1e-8)
         .collect();
     assert!(close.len() > 100);
@@ -239,7 +239,7 @@ fn friction_in_the_near_collision_is_the_needed_one() {
     }
 }
 
-/// ω, the tipping rate of a body that falls flat from rest, from the energy of the plane pendulum.
+/// The tipping rate ω of a body that falls flat from rest, from the energy of the plane pendulum.
 fn arrival_rate(body: &Body, law: IdealLaw, start: &State) -> f64 {
     let (sin, cos) = libm::sincos(start.tilt);
     let drop = body.radius() * sin - body.height() * (1.0 - cos);
@@ -253,7 +253,7 @@ fn arrival_rate(body: &Body, law: IdealLaw, start: &State) -> f64 {
     (kinetic / flat).sqrt()
 }
 
-/// For the paper's start, evaluated from the closed form.
+/// The values for the paper's start, from the closed form.
 #[test]
 fn error_law_of_the_can() {
     for (law, expected) in [
@@ -266,7 +266,7 @@ fn error_law_of_the_can() {
     }
 }
 
-/// The turn of a body released at rest, to the next tilt maximum; `None` when it lifts off before.
+/// The turn of a body released at rest, up to the next tilt maximum; `None` if it lifts off before.
 fn turn_from_rest(body: &Body, law: IdealLaw, tilt: f64, sideways: f64) -> Option<Turn> {
     let falling_rate = (PAPER_GRAVITY / body.radius()).sqrt();
     let start = State {
@@ -283,8 +283,8 @@ fn turn_from_rest(body: &Body, law: IdealLaw, tilt: f64, sideways: f64) -> Optio
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// (|Δψ| − limit)/φ_c is a straight line over ln φ_c, with the slope b: of two close turns the
-    /// quotient of differences has it up to terms like φ_c ln² φ_c, measured below 1e-4 b.
+    /// (|Δψ| − limit)/φ_c is linear in ln φ_c with the slope b. The difference quotient of two close turns
+    /// has this slope up to terms of order φ_c ln² φ_c, which were measured to be below 1e-4 b.
     #[test]
     fn the_turn_of_any_body_approaches_its_limit_with_the_slope_b(
         body in any_body(),
@@ -300,14 +300,14 @@ proptest! {
             let [Some(far), Some(near)] = turns else { continue };
             let excess = |turn: &Turn| (turn.angle.abs() - turn_limit(&body, law)) / turn.min_tilt;
             let b = (excess(&far) - excess(&near)) / libm::log(far.min_tilt / near.min_tilt);
-            // Rounding of the turns, divided by φ_c.
+            // The rounding error of the turns, divided by φ_c.
             let rounding = 1e-14 / near.min_tilt;
             prop_assert!((b - expected).abs() < 1e-3 * expected.abs() + rounding, "{b} not {expected}");
         }
     }
 }
 
-/// The equations without slip by themselves: the rim pushes and pulls as it must.
+/// The no-slip equations alone, with a contact that can push and pull.
 struct Bilateral(NoSlip<f64>);
 
 impl System<f64, COORDINATES> for Bilateral {
@@ -332,8 +332,8 @@ impl System<f64, COORDINATES> for Bilateral {
     }
 }
 
-/// From the tilt 1e-8 rad, where gravity and the body's extent have nothing more to say, down to about
-/// 1e-14 rad and up again.
+/// From the tilt 1e-8 rad, where gravity and the body's dimensions are negligible, down to about 1e-14 rad
+/// and up again.
 fn turn_of_a_spinning_body(body: &Body, spin: f64, tipping_rate: f64) -> f64 {
     const EDGE: f64 = 1e-8;
     const L: f64 = 1e-13;
@@ -358,8 +358,8 @@ fn turn_of_a_spinning_body(body: &Body, spin: f64, tipping_rate: f64) -> f64 {
     }
 }
 
-/// A turn of its own for each spin, against the near-collision computed by itself. Outside the edge
-/// at 1e-8 rad another 2l/(ω · 1e-8) = 3e-6 of the turn is missing.
+/// The turn depends on the spin; here it is compared with the solution of the inner problem. Tilts above 1e-8
+/// rad contribute another 2l/(ω · 1e-8) = 3e-6 of the turn, which is left out.
 #[test]
 fn a_spinning_body_turns_by_another_limit() {
     let mut bodies = vec![can(), presets::disk(0.05).expect("a disk")];
@@ -379,7 +379,8 @@ fn a_spinning_body_turns_by_another_limit() {
     assert!((still - limit).abs() < 1e-15);
 }
 
-/// Spinning against the turn it is pressed down; spinning with the turn it would have to be held.
+/// With a spin against the turn the normal force stays positive; with a spin along the turn it would have to
+/// be negative.
 #[test]
 fn a_can_that_spins_with_its_turn_lifts_off() {
     let start = |spin: f64| {
@@ -422,7 +423,7 @@ proptest! {
         }
     }
 
-    /// The heuristic plane vector runs along the same spiral as Eqs. `phiandt` and `psidotandphi`.
+    /// The heuristic lean vector follows the same spiral as Eqs. `phiandt` and `psidotandphi`.
     #[test]
     fn the_lean_vector_is_the_near_collision(body in any_body(), min_tilt in 1e-9..1e-3) {
         for law in IdealLaw::ALL {
@@ -437,7 +438,7 @@ proptest! {
     }
 }
 
-/// The near-collision is what the full motion tends to: at the tilt φ they differ by about φ.
+/// The near-collision is the limit of the full motion: at the tilt φ they differ by about φ.
 #[test]
 fn the_near_collision_agrees_with_the_full_motion_to_the_order_of_the_tilt() {
     for law in IdealLaw::ALL {
@@ -455,8 +456,8 @@ fn the_near_collision_agrees_with_the_full_motion_to_the_order_of_the_tilt() {
     }
 }
 
-/// The composite approximation and its largest errors over one rocking, rad; `None` when the body leaves
-/// the table or does not come down.
+/// The composite approximation and its largest errors (rad) over one rocking motion; `None` if the body
+/// leaves the table or does not come down.
 fn composite_errors(body: &Body, law: IdealLaw, start: &State) -> Option<(Composite, [f64; 2])> {
     let composite = composite(body, start, law, PAPER_GRAVITY).ok()?;
     let motion = follow(
@@ -481,10 +482,10 @@ fn composite_errors(body: &Body, law: IdealLaw, start: &State) -> Option<(Compos
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Tipping motion and near-collision matched, from one top to the next. The yaw errs by
-    /// φ_c (b′ ln φ_c + a): over φ_c ln φ_c, as the near-collision comes a hundred times closer, the
-    /// error stays below half as much again, beside 2b for where the logarithm and a had cancelled.
-    /// The tilt errs less than φ_c |ln φ_c|.
+    /// The composite approximation from one tilt maximum to the next. The error of the yaw is
+    /// φ_c (b′ ln φ_c + a). Relative to φ_c ln φ_c, it grows by less than half as φ_c decreases a
+    /// hundredfold; the additional 2b allows for starts at which the logarithm and a cancel. The error of
+    /// the tilt is below φ_c |ln φ_c|.
     #[test]
     fn the_composite_approximation_errs_by_the_order_of_phi_c_ln_phi_c(
         body in any_body(),
@@ -513,7 +514,7 @@ proptest! {
             let rate = near.near_collision.tipping_rate;
             let b = error_law_coefficient(&body, law, rate, PAPER_GRAVITY).expect("valid");
             let expected = order(&near) * (1.5 * far_errors[1] / order(&far) + 2.0 * b.abs());
-            // The last bits of the time, while the near-collision runs at its fastest.
+            // The rounding error of the time times the largest yaw rate of the near-collision.
             let rounding = 1e-14 * near.time * near.near_collision.yaw_rate(0.0).abs();
             prop_assert!(
                 near_errors[1] < expected + rounding,

@@ -1,8 +1,8 @@
-//! What mechanics conserves, at every point and along whole motions, and the laws of Newton and
-//! Euler, written here in the frame e_x1, e_y1, e_z without use of the equations under test.
+//! The conservation laws of mechanics, at every point and along whole motions, and the laws of Newton and
+//! Euler, formulated here in the frame e_x1, e_y1, e_z without use of the equations under test.
 //!
-//! Tolerances of 1e-12 stand for rounding: each balance is compared with the sum of the magnitudes of
-//! its terms, and the terms themselves are differences.
+//! The tolerances of 1e-12 allow for rounding: each balance is compared with the sum of the magnitudes of its
+//! terms, and the terms themselves are differences.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -22,7 +22,7 @@ use rimroll::state::Coordinates;
 use rimroll::turn::painleve_friction;
 use rimroll::{Body, IdealLaw, Motion, Options, State, Status, presets};
 
-/// Anywhere from 1e-12 rad of lying flat to lying on its other face, moving in any way.
+/// States from 1e-12 rad above one face to flat on the other face, with any rates.
 fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
     let tilt = prop_oneof![powers_of_ten(-12.0, 0.0), 0.1..3.1];
     let rate = || -20.0..20.0;
@@ -46,7 +46,7 @@ fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
     })
 }
 
-/// Everything that a rim can do.
+/// All laws of contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mode {
     NoSlip,
@@ -63,7 +63,7 @@ const MODES: [Mode; 6] = [NoSlip, Frictionless, Coulomb, Viscous, Stribeck, Flig
 
 fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     let k = Parameters::new(body, PAPER_GRAVITY);
-    // Below the friction from which the normal force is not determined.
+    // Below the friction at which the Painlevé paradox becomes possible.
     let friction = T::from(0.5 * painleve_friction(body).min(1.0));
     match mode {
         NoSlip => Box::new(law::NoSlip::new(k)),
@@ -86,7 +86,7 @@ fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     }
 }
 
-/// The law with resistance of all kinds.
+/// The law with all kinds of resistance.
 fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     let resistance = Resistance {
         rolling: RollingResistance {
@@ -124,8 +124,8 @@ fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> 
 
 const ROUNDING: f64 = 1e-12;
 
-/// The coordinates, each with its rate by the solver's clock τ as slope: whatever is computed from
-/// them has its own rate as slope.
+/// The coordinates as dual numbers whose slopes are their rates with respect to τ. Whatever is computed from
+/// them then has its own rate as slope.
 fn along_the_motion(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Coordinates<Dual> {
     let (values, slopes) = (u.into_array(), law.rates(u).into_array());
     Coordinates::from_array(&core::array::from_fn(|i| Dual {
@@ -143,7 +143,7 @@ fn length(v: Vector) -> f64 {
     (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
 }
 
-/// Whether vectors add up to zero, beside the sum of their lengths.
+/// Whether vectors add up to zero, relative to the sum of their lengths.
 fn balance(vectors: &[Vector]) -> bool {
     let size: f64 = vectors.iter().map(|&v| length(v)).sum();
     let sum = core::array::from_fn(|i| vectors.iter().map(|v| v[i]).sum());
@@ -168,17 +168,18 @@ fn values(v: [Dual; 3]) -> Vector {
     v.map(|x| x.value)
 }
 
-/// A body in the frame e_x1, e_y1, e_z that yaws with it.
+/// A body in the yawing frame e_x1, e_y1, e_z.
 struct NewtonEuler {
     /// m v_G.
     momentum: [Dual; 3],
-    /// About the centre of mass: A w e_x2 − A φ̇ e_y1 + C s e_z2.
+    /// The angular momentum about the centre of mass: A w e_x2 − A φ̇ e_y1 + C s e_z2.
     angular_momentum: [Dual; 3],
-    /// The angular velocity, its frame's τ-rate of yaw, and the arm from G to the contact point.
+    /// The angular velocity, the yaw rate of the frame with respect to τ, and the arm from G to the contact
+    /// point.
     angular_velocity: Vector,
     yawing: Vector,
     arm: Vector,
-    /// The table's force and the weight, times sin φ as is all that goes by the clock τ.
+    /// The contact force and the weight, times sin φ since the rates are with respect to τ.
     force: Vector,
     weight: Vector,
 }
@@ -212,17 +213,18 @@ impl NewtonEuler {
 proptest! {
     #![proptest_config(cases(400))]
 
-    /// The table takes by friction what the account of friction says: nothing from a rim that rolls,
-    /// slides without friction or flies. Resistance takes what its account says.
+    /// Friction dissipates exactly what `friction_loss` records, which is zero for rolling, frictionless
+    /// sliding and flight. Resistance dissipates what `resistance_loss` records.
     #[test]
     fn energy_and_losses_together_have_no_rate(body in any_body(), at in any_coordinates()) {
         let plain = MODES.map(|mode| (mode, law_of(mode, &body), law_of(mode, &body)));
-        // In flight there is nothing to resist.
+        // In flight there is no resistance.
         let worn = [NoSlip, Frictionless, Coulomb, Viscous, Stribeck]
             .map(|mode| (mode, resisted(mode, &body), resisted(mode, &body)));
         for (mode, law, duals) in plain.into_iter().chain(worn) {
             let rates = law.rates(&at);
-            // A rim that the table pulls down (as none would be for long) is driven, not braked.
+            // A negative normal force, which no motion has for long, would make friction drive the rim
+            // instead of braking it.
             let pressed = law.contact(&at).normal >= 0.0;
             let lost = rates.friction_loss >= 0.0 && rates.resistance_loss >= 0.0;
             prop_assert!(lost || !pressed, "{mode:?} {rates:?}");
@@ -230,7 +232,7 @@ proptest! {
                 prop_assert_eq!(rates.friction_loss, 0.0);
             }
             let all = along_the_motion(&*law, &at).into_array();
-            // The power through each coordinate by itself: only that one moves.
+            // The power through each coordinate separately: only that coordinate has a rate.
             let mut power: Vec<f64> = (0..all.len())
                 .map(|moving| {
                     let u = core::array::from_fn(|i| match i == moving {
@@ -245,8 +247,8 @@ proptest! {
         }
     }
 
-    /// A l + C s cos φ with l = ψ̇ sin² φ (Eq. `slipangmom` and row 1 of Eq. `nofric_eqs`): the table
-    /// pushes upward only.
+    /// A l + C s cos φ with l = ψ̇ sin² φ (Eq. `slipangmom` and row 1 of Eq. `nofric_eqs`) is conserved,
+    /// because the table exerts only a normal force.
     #[test]
     fn without_friction_the_vertical_angular_momentum_has_no_rate(
         body in any_body(),
@@ -254,7 +256,8 @@ proptest! {
     ) {
         let law = law_of::<f64>(Frictionless, &body);
         let u = along_the_motion(&*law, &at);
-        // The rate of l = w sin φ is a small difference of large terms: they count by themselves.
+        // The rate of l = w sin φ is a small difference of large terms, so the tolerance is relative to these
+        // terms.
         let yaw_part = body.transverse_inertia();
         let spin_part = Dual::from(body.axial_inertia()) * u.s * u.cos;
         prop_assert!(vanishes(&[
@@ -311,7 +314,7 @@ proptest! {
         }
     }
 
-    /// The centre of mass, wherever it is, and t move as its velocity and the clock say.
+    /// The centre of mass moves with its velocity, wherever it is, and dt/dτ = sin φ.
     #[test]
     fn the_centre_of_mass_moves_with_its_velocity(body in any_body(), at in any_coordinates()) {
         for mode in MODES {
@@ -364,7 +367,7 @@ fn the_energy_of_the_can_survives_twenty_rockings() {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Over some rockings, however the motion ends; at the default tolerance of 1e-10.
+    /// Over several rocking motions, however they end, at the default tolerance of 1e-10.
     #[test]
     fn the_energy_of_any_body_survives_its_motion(
         body in any_body(),

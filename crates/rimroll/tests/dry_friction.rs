@@ -1,5 +1,5 @@
-//! What a tolerance buys under dry friction, in an ensemble and alone: an error of that size, at a price
-//! that grows as the steps of a method of order 8 do.
+//! The effect of the tolerance under dry friction, in an ensemble and in the scalar driver: the error is of
+//! the size of the tolerance, and the cost grows as for a method of order 8.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -10,12 +10,12 @@ use proptest::prelude::*;
 use rimroll::motion::{Fall, fall};
 use rimroll::{Body, ContactLaw, FrictionLaw, Options, State, Status, ensemble};
 
-/// One way of following a fall.
-type Way = fn(&Case, f64) -> Fall;
+/// A driver that computes a fall.
+type Driver = fn(&Case, f64) -> Fall;
 
-const WAYS: [(&str, Way); 2] = [("in an ensemble", in_ensemble), ("alone", alone)];
+const DRIVERS: [(&str, Driver); 2] = [("in an ensemble", in_ensemble), ("alone", alone)];
 
-/// A body let go on a table.
+/// A body released on a table.
 #[derive(Debug, Clone, Copy)]
 struct Case {
     body: Body,
@@ -48,8 +48,8 @@ fn alone(case: &Case, rtol: f64) -> Fall {
     fall(&case.body, &case.start, &case.contact_law(), &options(rtol)).expect("a valid start")
 }
 
-/// Falls from between upright and the balance point, gentle beside the rate of falling √(g/R), with
-/// sideways rates that are anything from next to nothing on.
+/// Falls from tilts between upright and the balance point, with tilt rates up to the order of √(g/R) and
+/// sideways rates of all orders of magnitude.
 fn any_case() -> impl Strategy<Value = Case> {
     let sideways = || (-7.0..0.0, prop::bool::ANY);
     let rates = (0.0..0.6, sideways(), sideways());
@@ -74,18 +74,18 @@ fn any_case() -> impl Strategy<Value = Case> {
     })
 }
 
-/// By how much the turn changes with the relative change of whatever of the start matters most, rad;
-/// `None` where such a change makes another kind of fall of it, or none turns.
+/// The largest derivative of the turn with respect to the relative change of one number of the start, rad;
+/// `None` if such a change leads to another kind of fall, or if there is no turn.
 fn sensitivity(case: &Case, exact: &Fall) -> Option<f64> {
     const CHANGE: f64 = 1e-5;
     let angle = exact.turn?.angle;
     let changed = |change: fn(&mut State)| {
         let mut start = case.start;
         change(&mut start);
-        let beside = in_ensemble(&Case { start, ..*case }, 1e-12);
-        let same = beside.status == exact.status && beside.slid == exact.slid;
-        let turned = beside.turn.filter(|_| same)?.angle - angle;
-        Some(turned.abs() / CHANGE)
+        let neighbour = in_ensemble(&Case { start, ..*case }, 1e-12);
+        let same_kind = neighbour.status == exact.status && neighbour.slid == exact.slid;
+        let difference = neighbour.turn.filter(|_| same_kind)?.angle - angle;
+        Some(difference.abs() / CHANGE)
     };
     let changes: [fn(&mut State); 4] = [
         |start| start.tilt *= 1.0 + CHANGE,
@@ -100,19 +100,19 @@ fn sensitivity(case: &Case, exact: &Fall) -> Option<f64> {
 proptest! {
     #![proptest_config(cases(150))]
 
-    /// Steps are held to a fiftieth of the tolerance, and there are some hundred of them, whose errors
-    /// partly cancel: together they do to the turn what a change of the start by as much as the tolerance
-    /// would, and at least the tolerance itself.
+    /// The tolerance of a step is a fiftieth of `rtol`, and the errors of about a hundred steps partly
+    /// cancel. The total error of the turn is at most `rtol`, plus the effect of a relative change of the
+    /// start by `rtol`.
     #[test]
-    fn the_turn_is_as_good_as_was_asked_for(case in any_case()) {
+    fn the_error_of_the_turn_is_within_the_tolerance(case in any_case()) {
         let exact = in_ensemble(&case, 1e-13);
         let Some(sensitivity) = sensitivity(&case, &exact) else {
             return Ok(());
         };
         let exact = exact.turn.expect("it turns").angle;
-        for (name, way) in WAYS {
+        for (name, driver) in DRIVERS {
             for rtol in [1e-8, 1e-10] {
-                let found = way(&case, rtol);
+                let found = driver(&case, rtol);
                 let error = found.turn.expect("it turns").angle - exact;
                 prop_assert!(
                     error.abs() <= rtol * (1.0 + sensitivity),
@@ -122,12 +122,12 @@ proptest! {
         }
     }
 
-    /// Four decades take 10^(4/8) = 3.2 times the steps where the error grows with the eighth power of
-    /// their length.
+    /// With an error proportional to the 8th power of the step size, four decades of tolerance need 10^(4/8)
+    /// = 3.2 times as many steps.
     #[test]
     fn the_tightest_tolerance_is_within_reach(case in any_case()) {
-        for (name, way) in WAYS {
-            let (loose, tight) = (way(&case, 1e-9), way(&case, 1e-13));
+        for (name, driver) in DRIVERS {
+            let (loose, tight) = (driver(&case, 1e-9), driver(&case, 1e-13));
             prop_assert!(tight.status != Status::Failed, "{name}: {tight:?}");
             prop_assert!(
                 tight.steps < 20 * loose.steps,
@@ -137,7 +137,8 @@ proptest! {
     }
 }
 
-/// Just after the collision a slip begins that is all but straight away from the rim's centre.
+/// Just after the near-collision a slip begins almost exactly in the direction away from the centre of the
+/// rim.
 #[test]
 fn a_slip_that_begins_in_the_collision_is_followed_at_the_tightest_tolerance() {
     let case = Case {
@@ -151,8 +152,8 @@ fn a_slip_that_begins_in_the_collision_is_followed_at_the_tightest_tolerance() {
         },
         friction: 0.05,
     };
-    for (name, way) in WAYS {
-        let (loose, tight) = (way(&case, 1e-9), way(&case, 1e-13));
+    for (name, driver) in DRIVERS {
+        let (loose, tight) = (driver(&case, 1e-9), driver(&case, 1e-13));
         assert!(tight.status != Status::Failed, "{name}");
         assert!(tight.steps < 20 * loose.steps, "{name}: {}", tight.steps);
     }

@@ -1,4 +1,4 @@
-//! How motions end, what is noted on the way, and special motions that are known in advance.
+//! The endings and events of motions, and special motions with known solutions.
 
 #[path = "given/motions.rs"]
 mod motions;
@@ -22,7 +22,7 @@ fn kinds(motion: &Motion) -> Vec<EventKind> {
     motion.events.iter().map(|event| event.kind).collect()
 }
 
-/// The centre of mass over the table, m.
+/// The horizontal position of the centre of mass, m.
 fn center_height(body: &Body, tilt: f64) -> f64 {
     let (sin, cos) = libm::sincos(tilt);
     body.radius() * sin + body.height() * cos
@@ -46,8 +46,8 @@ fn pendulum_rate_squared(body: &Body, law: IdealLaw, start: &State, tilt: f64) -
     kinetic / pendulum_inertia(body, law, tilt)
 }
 
-/// ∫ dφ/|φ̇| from the start to flat, s, by Simpson's rule in x with φ = φ₀ − x², for which the
-/// integrand is smooth though φ̇ is small at first: errs by less than 1e-13 s.
+/// ∫ dφ/|φ̇| from the start to flat, s, by Simpson's rule in x with φ = φ₀ − x². In x the integrand is smooth
+/// although φ̇ is small at first; the error is below 1e-13 s.
 fn pendulum_time(body: &Body, law: IdealLaw, start: &State) -> f64 {
     const INTERVALS: u32 = 20_000;
     let width = start.tilt.sqrt() / f64::from(INTERVALS);
@@ -96,7 +96,7 @@ fn face_down_says_why_nothing_follows_and_what_to_do() {
     }
 }
 
-/// Past the balance point tan φ* = R/H, 0.6365 rad for the can, it falls on its side.
+/// Beyond the balance point tan φ* = R/H, 0.6365 rad for the can, the can falls on its side.
 #[test]
 fn past_its_balance_point_the_can_topples_onto_its_side() {
     let balance = can().balance_tilt();
@@ -145,7 +145,7 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
     }
 }
 
-/// At a loose tolerance the dense output is off, but an extreme is found by a real step.
+/// At a loose tolerance the dense output is inaccurate, but an extremum is located by a real step.
 #[test]
 fn extremes_of_the_tilt_are_where_its_rate_is_zero_whatever_the_tolerance() {
     for law in IdealLaw::ALL {
@@ -154,7 +154,7 @@ fn extremes_of_the_tilt_are_where_its_rate_is_zero_whatever_the_tolerance() {
             let motion = follow(&can(), &paper_start(0.005), law, &options);
             assert!(motion.events.len() >= 6);
             for event in &motion.events {
-                // Beside √(g/R) = 14 rad/s, the rate of falling, and the rate of yawing.
+                // Relative to √(g/R) = 14 rad/s and to the yaw rate.
                 let size = 14.0 + event.at.w.abs();
                 assert!(
                     event.at.p.abs() < 1e-9 * size,
@@ -166,7 +166,7 @@ fn extremes_of_the_tilt_are_where_its_rate_is_zero_whatever_the_tolerance() {
     }
 }
 
-/// A flick from 30° that brings the can to the table at a tipping rate.
+/// A flick from 30° with which the can reaches the table at the given tipping rate.
 fn flick(arrival_rate: f64) -> State {
     let (body, tilt) = (can(), PI / 6.0);
     let drop = center_height(&body, tilt) - body.height();
@@ -180,9 +180,9 @@ fn flick(arrival_rate: f64) -> State {
     }
 }
 
-/// ω² = gK/(JH), 10.605 rad/s for the can: at the end of the tipping phase the rim would have to be
-/// pulled down. A part in 10⁵ to either side decides: the
-/// near-collision is kept so close that its own push comes later.
+/// ω² = gK/(JH), 10.605 rad/s for the can: above it the rim would have to be pulled down at the end of the
+/// tipping phase. The test checks a relative difference of 10⁻⁵ to either side. The near-collision is so
+/// close that its own normal force begins later.
 #[test]
 fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
     let limit = lift_off_rate(&can(), PAPER_GRAVITY).expect("valid");
@@ -204,7 +204,7 @@ fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
     assert!((contact.normal / end.sin).abs() < 1e-9 * can().mass() * PAPER_GRAVITY);
 }
 
-/// A state that the table would have to pull at is no start.
+/// A state in which the table would have to pull at the rim is not a valid start.
 #[test]
 fn a_start_already_off_the_table_ends_at_once() {
     let start = flick(30.0);
@@ -215,8 +215,8 @@ fn a_start_already_off_the_table_ends_at_once() {
     }
 }
 
-/// Three times the rate g/(3R) that keeps a uniform disk from falling over (Cushman & Duistermaat
-/// 2006).
+/// The square of the spin rate is three times the g/(3R) that keeps a uniform disk from falling over (Cushman
+/// & Duistermaat 2006).
 #[test]
 fn a_fast_disk_on_its_edge_rolls_straight_ahead() {
     let spin_rate = (PAPER_GRAVITY / disk().radius()).sqrt();
@@ -228,7 +228,7 @@ fn a_fast_disk_on_its_edge_rolls_straight_ahead() {
     let motion = follow(&disk(), &start, IdealLaw::NoSlip, &tight(3.0));
     assert_eq!(motion.status, Status::Finished);
     for u in motion.track.samples(4) {
-        // It rolls along e_y1.
+        // The disk rolls along e_y1.
         assert!((u.center()[1] - disk().radius() * spin_rate * u.t).abs() < 1e-12);
         assert!(u.center()[0].abs() < 1e-14 && u.yaw.abs() < 1e-12);
 
@@ -236,9 +236,9 @@ fn a_fast_disk_on_its_edge_rolls_straight_ahead() {
     }
 }
 
-/// Pushed a little it nods through the upright at the rate √((3s² − g/R)/(5/4)) of the linearised
-/// equations for a uniform disk, and its path curves: mirror images for a push to either side. The
-/// amplitude of 0.006 rad changes the rate by its square.
+/// A slightly disturbed disk nods through the upright position at the rate √((3s² − g/R)/(5/4)) of the
+/// linearised equations for a uniform disk, and its path is curved. Disturbances to either side give mirror
+/// images. The amplitude of 0.006 rad changes the rate in proportion to its square.
 #[test]
 fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
     let rolling = PAPER_GRAVITY / disk().radius();
@@ -253,7 +253,7 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
     let half_period = PI / (1.6 * rolling).sqrt();
     for motion in [&one, &other] {
         assert_eq!(motion.status, Status::Finished);
-        // The start itself may count as one.
+        // The start itself can count as one.
         let uprights: Vec<_> = motion
             .events
             .iter()
@@ -276,7 +276,7 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
     }
 }
 
-/// From sin φ₀ = 0.8, where the rim is not yet asked to pull.
+/// From sin φ₀ = 0.8, where the normal force stays positive.
 #[test]
 fn a_disk_falls_onto_the_face_it_leans_to() {
     let lean = libm::asin(0.8);
@@ -293,8 +293,8 @@ fn a_disk_falls_onto_the_face_it_leans_to() {
     }
 }
 
-/// From rest at φ₀ on a rim that grips, energy gives φ̇² = 8g(σ₀ − σ)/(5R) with σ = sin φ, and
-/// N = mg(1/5 − 8σ₀σ/5 + 12σ²/5), which vanishes from σ₀ = 1 at φ = 30°.
+/// From rest at φ₀ without slip, the energy gives φ̇² = 8g(σ₀ − σ)/(5R) with σ = sin φ, and N = mg(1/5 −
+/// 8σ₀σ/5 + 12σ²/5), which vanishes at φ = 30° for σ₀ = 1.
 #[test]
 fn a_uniform_disk_that_topples_from_its_edge_without_slip_lifts_off_at_30_degrees() {
     for towards in [1.0, -1.0] {
@@ -312,8 +312,8 @@ fn a_uniform_disk_that_topples_from_its_edge_without_slip_lifts_off_at_30_degree
     }
 }
 
-/// On a smooth table a flick carries the disk over its edge from one face to the other and back; on
-/// the other face it has a near-collision too, with the same limit.
+/// Without friction a flick carries the disk over its edge from one face to the other and back. On the other
+/// face it has a near-collision with the same limit.
 #[test]
 fn a_disk_flicked_over_its_edge_turns_on_its_other_face() {
     let start = State {
@@ -344,10 +344,10 @@ fn a_disk_flicked_over_its_edge_turns_on_its_other_face() {
     );
 }
 
-/// With the centre of mass at rest the body wobbles round it at a constant tilt, and the table gives
-/// neither friction nor anything but the weight.
+/// With the centre of mass at rest the body wobbles at a constant tilt, and the contact force is the weight
+/// alone.
 ///
-/// The can's wobble at 0.3 rad is stable; the tilt drifts by rounding only, 1e-9 rad is to spare.
+/// The can's wobble at 0.3 rad is stable. The tilt drifts only by rounding; a tolerance of 1e-9 rad is ample.
 #[test]
 fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
     for law in IdealLaw::ALL {
@@ -396,8 +396,8 @@ fn a_motion_lasts_exactly_as_long_as_asked_for() {
     }
 }
 
-/// Between the steps the dense output is one order less accurate than at them; the default tolerance,
-/// 1e-10, still gives nine digits of the yaw.
+/// The dense output is one order less accurate than the ends of the steps. The default tolerance of 1e-10
+/// still gives nine digits of the yaw.
 #[test]
 fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
     for law in IdealLaw::ALL {
@@ -409,14 +409,14 @@ fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
         let motion = follow(&can(), &paper_start(0.005), law, &options);
         for node in motion.track.nodes() {
             let at = motion.track.at(node.t);
-            // ψ̇ reaches 8e4 rad/s: the last bit of t is worth 1e-11 rad.
+            // ψ̇ reaches 8e4 rad/s, so the last bit of t corresponds to 1e-11 rad.
             assert!((at.yaw - node.yaw).abs() < 1e-10);
             assert!((at.p - node.p).abs() < 1e-10);
         }
 
         for u in motion.track.samples(7) {
             let exact = fine.track.at(u.t);
-            // The near-collision is fast: an error of the time by 1e-11 s shows.
+            // The near-collision is so fast that a time error of 1e-11 s is visible.
             let allowed = 1e-9 + 1e-11 * exact.yaw_rate().abs();
             assert!((u.yaw - exact.yaw).abs() < allowed);
             assert!((u.tilt() - exact.tilt()).abs() < 1e-10);
@@ -424,9 +424,9 @@ fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
     }
 }
 
-/// Mechanics runs backward: with all rates reversed the can goes back to its start. Through a
-/// near-collision at φ_c an error of 1e-14 in l = ψ̇ sin² φ comes out as one of 1e-14/φ_c in the turn;
-/// ψ̇ = 0.05 rad/s makes φ_c = 2e-3, and four passages leave 1e-11 with ease.
+/// Mechanics is reversible: with all rates reversed the can returns to its start. A near-collision at φ_c
+/// turns an error of 1e-14 in l = ψ̇ sin² φ into an error of 1e-14/φ_c in the turn. ψ̇ = 0.05 rad/s gives φ_c
+/// = 2e-3, so four passages stay well below 1e-11.
 #[test]
 fn time_runs_backward_to_the_start() {
     let start = paper_start(0.05);
@@ -460,7 +460,8 @@ fn time_runs_backward_to_the_start() {
     }
 }
 
-/// A mirror turns yaw and spin round and leaves the tilt: exactly, since rounding knows no sign.
+/// A reflection changes the sign of yaw and spin and leaves the tilt unchanged. The results agree exactly,
+/// because rounding is symmetric in sign.
 #[test]
 fn mirror_images_agree_to_the_last_bit() {
     let start = State {
@@ -527,7 +528,7 @@ fn a_caller_can_stop_a_long_motion() {
     assert!(motion.message.contains("interrupted at t = "));
 }
 
-/// The topple tilt is passed and left again within one step: only a look inside the step sees it.
+/// The tilt exceeds the topple tilt and returns within one step, so only the dense output shows it.
 #[test]
 fn a_topple_tilt_just_under_the_maximum_is_not_stepped_over() {
     let can = presets::can_2007().unwrap();

@@ -1,7 +1,7 @@
-//! Many falls at once are the same as each by itself, and a fall is the first turn of its motion.
+//! A fall in an ensemble equals the same fall alone, and a fall is the first turn of its motion.
 //!
-//! In an ensemble most falls are followed in lanes, by steps of their own; alone, as motions are. The two
-//! share the laws, and agree to within the tolerance.
+//! An ensemble computes most falls in lanes and with its own steps; a fall alone is computed as a motion is.
+//! Both use the same laws and agree to within the tolerance.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -49,7 +49,7 @@ fn whole(body: &Body, start: &State, contact_law: ContactLaw) -> Motion {
     simulate(body, start, contact_law, &options(), watch).expect("a valid start")
 }
 
-/// The time at which a motion has toppled, or reaches the first extreme of its tilt that ends a turn.
+/// The time at which a motion has toppled, or at which its first turn ends with an extremum of the tilt.
 fn first_ending(motion: &Motion) -> f64 {
     let turned = motion.turns.first().map(|turn| turn.end);
     turned.unwrap_or_else(|| motion.track.end().t)
@@ -65,7 +65,7 @@ proptest! {
         let motion = whole(&body, &start, contact_law.clone());
         let fall = fall(&body, &start, &contact_law, &options()).expect("a valid start");
         if let Some(turn) = motion.turns.first() {
-            // The same steps, to the last bit.
+            // Both make the same steps, so the results agree to the last bit.
             prop_assert_eq!(fall.turn, Some(*turn));
             prop_assert_eq!(fall.status, Status::Finished);
             prop_assert_eq!(fall.end.t, turn.end);
@@ -99,7 +99,7 @@ proptest! {
         let whole = whole(&body, &start, contact_law.clone());
         prop_assume!(!whole.turns.is_empty());
         let turn = whole.turns[0];
-        // On its way up, and somewhere before.
+        // The time runs out on the way up and at an earlier time.
         for duration in [turn.t + part * (turn.end - turn.t), part * turn.end] {
             let options = Options { duration, ..options() };
             let alone = fall(&body, &start, &contact_law, &options).expect("a valid start");
@@ -130,7 +130,7 @@ proptest! {
     fn a_fall_among_those_of_other_bodies_is_that_of_its_body_alone_to_the_last_bit(
         trials in prop::collection::vec((any_body(), starts(), contact_laws()), 1..80),
     ) {
-        // Every third is a disk, which topples at no tilt unless one is given.
+        // Every third body is a disk, which has no default topple tilt.
         let disk = |body: &Body| {
             let (transverse, axial) = (body.transverse_inertia(), body.axial_inertia());
             Body::new(body.mass(), body.radius(), 0.0, transverse, axial).expect("a disk")
@@ -164,7 +164,7 @@ proptest! {
     ) {
         let found = &all(&body, &[(start, contact_law.clone())], &options())[0];
         let alone = fall(&body, &start, &contact_law, &options()).expect("a valid start");
-        // What a hair's breadth of the start decides is not compared.
+        // Falls whose outcome changes with a tiny change of the start are not compared.
         let steady = [-1e-6, 1e-6].into_iter().all(|hair| {
             let beside = State { tilt: start.tilt + hair, ..start };
             let beside = fall(&body, &beside, &contact_law, &options()).expect("a valid start");
@@ -194,7 +194,7 @@ fn same_kind(a: &Fall, b: &Fall) -> bool {
     kind(a) == kind(b)
 }
 
-/// Whether all that is told of two falls agrees to within a small number, and to within that part.
+/// Whether all numbers of two falls agree to within an absolute and relative error of `within`.
 fn near(a: &Fall, b: &Fall, within: f64) -> bool {
     let numbers = |fall: &Fall| {
         let turn = fall
@@ -280,7 +280,7 @@ fn what_slides_and_what_flies_is_said() {
     assert!(!rolls.slid && !rolls.flew && rolls.energy_lost() == 0.0);
     let slides = one(&gentle, FrictionLaw::coulomb(0.1).into());
     assert!(slides.slid && !slides.flew && slides.energy_lost() > 0.0);
-    // Lift-off on arrival is at 10.6 rad/s.
+    // The rim lifts off if it arrives with more than 10.6 rad/s.
     let hard = State {
         tilt_rate: -12.0,
         ..gentle
@@ -346,7 +346,8 @@ fn grip_scales_every_coefficient_of_friction() {
     assert_eq!(ideal.clone().with_grip(2.0), ideal);
 }
 
-/// Let go at rest where friction cannot hold them, cans slip at once before they have a direction, which is rare.
+/// Cans released from rest where friction cannot hold them slip at once without an initial direction. The
+/// scalar driver follows these rare falls.
 #[test]
 fn those_that_are_followed_alone_change_no_bit_of_others() {
     let can = presets::can_2007().expect("the paper's can");

@@ -1,5 +1,5 @@
-//! Turns by quadrature end as those by steps do, for throws of all kinds: also where the table would have to
-//! pull the rim, if only for a moment.
+//! Turns by quadrature have the same outcome as turns by steps, for throws of all kinds, including those in
+//! which the normal force becomes negative only for a moment.
 
 use rimroll::motion::Outcome;
 use rimroll::motion::{Options, Status, fall};
@@ -8,7 +8,7 @@ use rimroll::{Body, IdealLaw, State};
 
 const GRAVITY: f64 = 9.8;
 
-/// (law, [R, H, A, C] of 1 kg, [tilt, tilt rate, yaw rate, spin rate]).
+/// (law, [R, H, A, C] for a mass of 1 kg, [tilt, tilt rate, yaw rate, spin rate]).
 type Throw = (IdealLaw, [f64; 4], [f64; 4]);
 
 const SLIM: [f64; 4] = [
@@ -18,7 +18,7 @@ const SLIM: [f64; 4] = [
     9.233936522848272e-05,
 ];
 
-/// The rim has to be pulled at once.
+/// The normal force is negative at once.
 const PULLED: [Throw; 2] = [
     (
         IdealLaw::NoSlip,
@@ -42,7 +42,7 @@ const PULLED: [Throw; 2] = [
     ),
 ];
 
-/// It has to be pulled later, while the tilt's logarithm changes by a tenth or less.
+/// The normal force becomes negative later, while the logarithm of the tilt changes by at most a tenth.
 const PULLED_FOR_A_MOMENT: [Throw; 3] = [
     (
         IdealLaw::NoSlip,
@@ -105,7 +105,7 @@ fn state([tilt, tilt_rate, yaw_rate, spin_rate]: [f64; 4]) -> State {
     }
 }
 
-/// By quadrature, alone and among many.
+/// By quadrature, for one start and in a batch.
 fn by_quadrature((law, constants, start): &Throw) -> ExactTurn {
     let exact = Exact::new(&body(*constants), *law, GRAVITY, None).unwrap();
     let alone = exact.turn(&state(*start)).unwrap();
@@ -117,7 +117,7 @@ fn by_quadrature((law, constants, start): &Throw) -> ExactTurn {
     alone
 }
 
-/// By steps: how it ended, and the turn if there was one.
+/// By steps: the outcome, and the turn if there is one.
 fn by_steps((law, constants, start): &Throw) -> (Outcome, Option<f64>) {
     let options = Options {
         duration: 1000.0,
@@ -184,7 +184,7 @@ fn a_rim_that_has_to_be_pulled_where_the_tilt_would_be_largest_lifts_off_without
     assert!(exact.turn.is_nan());
 }
 
-/// The i-th point of Halton's sequence along one of its axes, in [0, 1).
+/// The i-th point of Halton's sequence in one dimension, in [0, 1).
 fn halton(mut i: usize, base: usize) -> f64 {
     let (mut sum, mut unit) = (0.0, 1.0);
     while i > 0 {
@@ -195,7 +195,7 @@ fn halton(mut i: usize, base: usize) -> f64 {
     sum
 }
 
-/// Throws of bodies from flat to slim, at tilts up to 89 degrees, fast and slow and both ways.
+/// Throws of flat to slender bodies, at tilts up to 89 degrees, fast and slow, in both directions.
 fn thrown(i: usize) -> Throw {
     let between = |base, least: f64, most: f64| least + (most - least) * halton(i, base);
     let radius: f64 = 0.05;
@@ -221,7 +221,7 @@ fn thrown(i: usize) -> Throw {
     )
 }
 
-/// Whether a start a hair away ends otherwise, so that rounding decides.
+/// Whether a tiny change of the start changes the outcome, so that rounding decides.
 fn is_on_an_edge(throw: &Throw) -> bool {
     const HAIR: f64 = 1e-7;
     let ending = by_quadrature(throw).ending;
@@ -261,7 +261,7 @@ fn throws_of_all_kinds_end_and_turn_by_quadrature_as_by_steps() {
     }
 }
 
-/// A row of the table of turns in multiprecision, by the names of its columns.
+/// A row of the table of turns in multiprecision arithmetic, by column name.
 struct Tabulated<'a> {
     names: &'a [&'a str],
     row: Vec<&'a str>,

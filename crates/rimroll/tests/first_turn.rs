@@ -1,4 +1,4 @@
-//! Where the first turn begins and ends, in both engines: steps, alone and in lanes, and quadrature.
+//! The beginning and the end of the first turn, in both engines: steps (scalar and in lanes) and quadrature.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -39,13 +39,14 @@ fn laws() -> impl Strategy<Value = IdealLaw> {
     prop_oneof![Just(IdealLaw::NoSlip), Just(IdealLaw::Frictionless)]
 }
 
-/// At rest but for a yaw without axial spin that is `part` of the rate at which the tilt would stay.
-fn yawing(body: &Body, lean: f64, part: f64) -> State {
+/// A start with zero tilt rate and axial spin, whose yaw rate is `fraction` of the rate at which the tilt
+/// stays constant.
+fn yawing(body: &Body, lean: f64, fraction: f64) -> State {
     let tilt = lean * body.balance_tilt();
     let (sin, cos) = libm::sincos(tilt);
     let beside = body.radius() * cos - body.height() * sin;
     let steady = body.mass() * GRAVITY * beside / (body.transverse_inertia() * sin * cos);
-    let yaw_rate = part * steady.sqrt();
+    let yaw_rate = fraction * steady.sqrt();
     State {
         tilt,
         yaw_rate,
@@ -57,20 +58,21 @@ fn yawing(body: &Body, lean: f64, part: f64) -> State {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Let go where yaw lifts it: falling by however little it comes down at once, and its turn is half as
-    /// long as that of one let go at rest or rising, which counts from the maximum that follows.
+    /// Released where the yaw rate makes the tilt rise. A body with a negative tilt rate, however small,
+    /// comes down at once. Its turn is half as long as that of a body that starts at rest or rising, which
+    /// counts from the maximum that follows.
     #[test]
     fn a_turn_counts_from_the_release_unless_the_tilt_rises_there(
-        body in any_body(), law in laws(), lean in 0.1..0.5, part in 1.2..1.5,
+        body in any_body(), law in laws(), lean in 0.1..0.5, fraction in 1.2..1.5,
         digits in 9.0..300.0_f64,
     ) {
-        let at_rest = yawing(&body, lean, part);
+        let at_rest = yawing(&body, lean, fraction);
         let whole = by_quadrature(&body, law, &at_rest);
         prop_assume!(whole.ending == Outcome::Rocked && whole.max_tilt > 1.05 * at_rest.tilt);
         let tiny = (GRAVITY / body.radius()).sqrt() * libm::pow(10.0, -digits);
-        for (tilt_rate, part) in [(-tiny, 0.5), (0.0, 1.0), (tiny, 1.0)] {
+        for (tilt_rate, fraction) in [(-tiny, 0.5), (0.0, 1.0), (tiny, 1.0)] {
             let start = State { tilt_rate, ..at_rest };
-            let expected = part * whole.turn;
+            let expected = fraction * whole.turn;
             let exact = by_quadrature(&body, law, &start);
             prop_assert_eq!(exact.ending, Outcome::Rocked);
             prop_assert!((exact.turn - expected).abs() < 1e-6 * (1.0 + expected.abs()), "{exact:?} {expected}");
@@ -85,15 +87,16 @@ proptest! {
         }
     }
 
-    /// Let go where gravity pulls it down: the sign of a tiny rate changes the turn as little.
+    /// Released where gravity makes the tilt fall. The sign of a tiny tilt rate then has only a tiny effect
+    /// on the turn.
     #[test]
     fn a_turn_from_about_a_largest_tilt_is_that_from_it(
-        body in any_body(), law in laws(), lean in 0.1..0.9, part in 0.01..0.5,
+        body in any_body(), law in laws(), lean in 0.1..0.9, fraction in 0.01..0.5,
         digits in 9.0..300.0_f64,
     ) {
-        let at_rest = yawing(&body, lean, part);
+        let at_rest = yawing(&body, lean, fraction);
         let whole = by_quadrature(&body, law, &at_rest);
-        // It begins at the largest tilt.
+        // The turn begins at the tilt maximum.
         prop_assume!(whole.ending == Outcome::Rocked && whole.max_tilt < 1.000_001 * at_rest.tilt);
         let tiny = (GRAVITY / body.radius()).sqrt() * libm::pow(10.0, -digits);
         for tilt_rate in [-tiny, 0.0, tiny] {
@@ -108,7 +111,7 @@ proptest! {
         }
     }
 
-    /// A disk let go at rest within a hair of the vertical, to either side.
+    /// A disk released at rest within a tiny angle of the vertical, to either side.
     #[test]
     fn a_disk_let_go_just_past_its_edge_turns_as_one_let_go_just_before(
         gyration in 0.4..1.0, law in laws(), yaw in 1.0..10.0, spin in 10.0..60.0,
@@ -117,22 +120,22 @@ proptest! {
         let (mass, radius) = (0.0057, 0.01213);
         let axial = gyration * mass * radius * radius;
         let disk = Body::new(mass, radius, 0.0, 0.5 * axial, axial).expect("a disk");
-        let hair = libm::pow(10.0, -digits);
+        let offset = libm::pow(10.0, -digits);
         let start = |past: f64| State {
             tilt: FRAC_PI_2 + past,
             yaw_rate: yaw,
             spin_rate: spin,
             ..State::default()
         };
-        let before = by_quadrature(&disk, law, &start(-hair));
+        let before = by_quadrature(&disk, law, &start(-offset));
         prop_assert_eq!(before.ending, Outcome::Rocked);
-        // It is past the vertical for a time that goes as the square root of the hair, and errors of the
-        // tilt make it as much longer or shorter.
-        let close = |rtol: f64| 20.0 * yaw * ((hair + rtol) * disk.radius() / GRAVITY).sqrt();
-        let exact = by_quadrature(&disk, law, &start(hair));
+        // The time that it spends beyond the vertical is proportional to the square root of that angle, and
+        // errors of the tilt change this time by their own square root.
+        let close = |rtol: f64| 20.0 * yaw * ((offset + rtol) * disk.radius() / GRAVITY).sqrt();
+        let exact = by_quadrature(&disk, law, &start(offset));
         prop_assert_eq!(exact.ending, Outcome::Rocked);
         prop_assert!((exact.turn - before.turn).abs() < close(1e-13), "{exact:?} {before:?}");
-        for past in [-hair, hair] {
+        for past in [-offset, offset] {
             for rtol in [1e-6, 1e-8, 1e-10] {
                 for fall in by_steps(&disk, law, &start(past), rtol) {
                     prop_assert_eq!(fall.outcome, Outcome::Rocked);
@@ -145,7 +148,7 @@ proptest! {
     }
 }
 
-/// Each time that it is past the vertical it has come over the edge and goes back over it.
+/// Before and after each stay beyond the vertical it passes its edge.
 #[test]
 fn a_disk_passes_its_edge_twice_for_each_tilt_maximum_beyond_it() {
     let axial = 0.5 * 0.0057 * 0.01213 * 0.01213;
@@ -179,12 +182,12 @@ fn a_disk_passes_its_edge_twice_for_each_tilt_maximum_beyond_it() {
             _ => {}
         }
     }
-    // It begins past the edge.
+    // The motion begins beyond the edge.
     assert!(
         beyond > 20 && edges.abs_diff(2 * beyond + 1) <= 1,
         "{edges} {beyond}"
     );
-    // Half of the turns are those over the other face, next to nothing.
+    // Half of the turns are those on the other face, which are nearly zero.
     let long = motion.turns.iter().filter(|turn| turn.angle.abs() > 0.01);
     assert!(long.count().abs_diff(27) <= 1);
 }
@@ -193,8 +196,8 @@ fn can() -> Body {
     rimroll::presets::can_2007().expect("the paper's can")
 }
 
-/// Past the balance point and without the energy to come back over it, whatever the sideways rates: a barrier
-/// holds that of plane motion, and more that of any other.
+/// These bodies are beyond the balance point and lack the energy to return over it, whatever the sideways
+/// rates: the potential barrier stops plane motion, and all other motions have even less energy to spare.
 #[test]
 fn a_body_past_its_balance_point_does_not_come_down_flat_for_lack_of_sideways_rates() {
     let (can, balance) = (can(), can().balance_tilt());
@@ -219,8 +222,8 @@ fn a_body_past_its_balance_point_does_not_come_down_flat_for_lack_of_sideways_ra
     }
 }
 
-/// A fast top: gravity pulls it over, its spin turns that into a nutation of some 1e-8 rad, whose energy is a
-/// small difference of the spin's.
+/// A fast top: gravity pulls it down, and its spin turns that into a nutation of about 1e-8 rad, whose energy
+/// is a small difference of the much larger energy of the spin.
 #[test]
 fn a_body_that_spins_like_a_top_nods_and_keeps_its_rim_on_the_table() {
     let body = Body::new(2.9356, 4.43825, 2.08665, 30.4646, 8.66772).expect("a body");
@@ -240,7 +243,8 @@ fn a_body_that_spins_like_a_top_nods_and_keeps_its_rim_on_the_table() {
     }
 }
 
-/// It falls from the start, and how it would press the table at the largest tilt of that energy matters not.
+/// The tilt falls from the start, so the sign of the normal force at the largest tilt of that energy does not
+/// matter.
 #[test]
 fn a_disk_that_comes_down_flat_from_next_to_the_table_does_not_lift_off() {
     let disk = Body::new(
@@ -262,7 +266,7 @@ fn a_disk_that_comes_down_flat_from_next_to_the_table_does_not_lift_off() {
     assert_eq!(found.ending, Outcome::FaceDown);
 }
 
-/// Past the vertical a disk leans from its other face, and has not gone over a balance point.
+/// Beyond the vertical a disk leans on its other face; it has not passed a balance point.
 #[test]
 fn a_disk_whose_rim_leaves_the_table_on_its_other_face_has_lifted_off() {
     let disk = Body::new(

@@ -1,7 +1,7 @@
-//! Between the two limits: what dry friction makes of the turn, and what every law leaves the same.
+//! The turn under dry friction, between the two limits, and properties that all laws have in common.
 //!
-//! The tables were computed beforehand, independently of this code, from the equations of the full
-//! model and of the inner problem; `tests/oracles/inner_problem.py` does it again.
+//! The tables were computed independently of this code, from the equations of the full model and of the inner
+//! problem; `tests/oracles/inner_problem.py` repeats that computation.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -34,7 +34,7 @@ fn limit(body: &Body, friction: f64, arrival: &Arrival) -> f64 {
     turn_limit_of(body, &law, arrival).expect("a near-collision that passes")
 }
 
-/// Degrees, for a body that arrives at rest on its rim, and after the paper's tipping phase.
+/// The turn in degrees, for a body that arrives without slip and spin, and after the paper's tipping phase.
 const LIMITS: [(f64, f64, Option<f64>); 9] = [
     (0.00, 220.9692, Some(220.9692)),
     (0.05, 218.4468, Some(220.5720)),
@@ -64,12 +64,12 @@ fn a_tipping_phase_that_slides_makes_the_turn_larger() {
         let turn = limit(&can(), friction, &arrival).to_degrees();
         let expected = after_sliding.unwrap_or(at_rest);
         assert!((turn - expected).abs() < 1e-4, "{friction}: {turn}");
-        // It slides where friction is less than the 0.2516 that this start needs on its way down.
+        // The rim slides if friction is below the 0.2516 that this start needs during its tipping phase.
         assert_eq!(arrival.slip < 0.0, friction < 0.25, "{friction}");
     }
 }
 
-/// Computed anyway where there are closed forms, it equals them.
+/// Where closed forms exist, the solution of the inner problem agrees with them.
 #[test]
 fn the_computed_near_collision_is_that_of_the_closed_forms() {
     let turn = |law, arrival: &Arrival| passage(&can(), &law, arrival).expect("it passes").turn;
@@ -92,7 +92,7 @@ fn the_computed_near_collision_is_that_of_the_closed_forms() {
     }
 }
 
-/// Just under μ* the limit is extrapolated: it must join on both sides.
+/// Just below μ* the limit is interpolated; it must be continuous at both ends of the interval.
 #[test]
 fn the_limiting_turn_is_continuous_at_the_needed_friction() {
     let needed = needed_friction(&can());
@@ -106,10 +106,10 @@ fn the_limiting_turn_is_continuous_at_the_needed_friction() {
     }
 }
 
-/// Yaw from the tilt δ down to δ up again, with what is missing before and after: close to the table
-/// the orbit leaves and reaches a fixed point as w ~ e^{∓|φ̇|τ}, so ∫ w dτ = w/|φ̇| at each end. What
-/// this leaves out is of the order of (φ_c/δ)², what δ lets in of the motion's other phases of the
-/// order of δ: the least is at δ = φ_c^{2/3}.
+/// The change of yaw from the tilt δ down and back up to δ, with corrections for the rest. Near face down the
+/// orbit leaves and reaches a fixed point as w ~ e^{∓|φ̇|τ}, so ∫ w dτ = w/|φ̇| at each end. The correction
+/// neglects terms of order (φ_c/δ)², and the other phases of the motion contribute terms of order δ. The
+/// total error is smallest at δ = φ_c^{2/3}.
 fn near_collision_turn(motion: &Motion, min_tilt: f64) -> f64 {
     let delta = libm::pow(min_tilt, 2.0 / 3.0);
     let low = motion
@@ -155,8 +155,8 @@ fn full_motions_near_the_limit_turn_as_the_near_collision_by_itself() {
     }
 }
 
-/// Friction μ, degrees from release to the next tilt maximum from (30°, −0.5 rad/s), and at φ = 1.5 rad
-/// on its fall from (20°, −4.5 rad/s); both for ε = 1e-5 rad/s.
+/// Friction μ; the turn in degrees from release to the next tilt maximum from (30°, −0.5 rad/s); and the yaw
+/// in degrees at φ = 1.5 rad of a fall from (20°, −4.5 rad/s). Both have ε = 1e-5 rad/s.
 const WHOLE_TURNS: [(f64, Option<f64>, Option<f64>); 10] = [
     (0.00, None, Some(220.97)),
     (0.05, Some(219.685), Some(213.80)),
@@ -186,20 +186,20 @@ fn slip_leaves_spin_behind_and_the_can_turns_on_as_it_rises() {
         if let Some(expected) = to_maximum {
             let motion = follow(&can(), &paper_start(1e-5), &law, &options(1.0));
             let turn = motion.turns[0].angle.to_degrees();
-            // Printed to the thousandth, not always the nearest.
+            // The source prints thousandths that are not always correctly rounded.
             assert!((turn - expected).abs() < 1.5e-3, "{friction}: {turn}");
         }
         if let Some(expected) = to_side {
             let motion = follow(&can(), &flick, &law, &to_fall);
             assert_eq!(motion.status, Status::Toppled);
             let turn = motion.track.end().yaw.to_degrees();
-            // Printed to the hundredth.
+            // The source prints hundredths.
             assert!((turn - expected).abs() < 0.6e-2, "{friction}: {turn}");
         }
     }
 }
 
-/// Every law, gently and roughly.
+/// Every law, with gentle and violent starts.
 fn laws() -> Vec<FrictionLaw> {
     let mut laws = vec![
         FrictionLaw::NoSlip,
@@ -221,7 +221,8 @@ fn laws() -> Vec<FrictionLaw> {
     laws
 }
 
-/// The paper: "friction does not matter" for disks. True of the step, by itself and in full motions.
+/// The paper: "friction does not matter" for disks. This is true of the turn in the near-collision, both in
+/// the inner problem and in full motions.
 #[test]
 fn a_disk_turns_by_the_same_angle_under_every_law() {
     for (body, gyration) in [
@@ -245,7 +246,7 @@ fn a_disk_turns_by_the_same_angle_under_every_law() {
     }
 }
 
-/// What does depend on friction is the turn from release to the next maximum.
+/// The turn from release to the next maximum does depend on friction.
 #[test]
 fn a_disk_that_slides_on_its_way_down_and_up_turns_by_another_angle_in_all() {
     let disk = presets::disk(0.051).expect("a disk");
@@ -275,8 +276,8 @@ fn painleve_frictions_are_those_known() {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// Between the limits, falling with friction. (A low, wide body may turn a little more under a little
-    /// friction than under none.)
+    /// The turn lies between the limits and decreases with friction. (For a low, wide body, slight friction
+    /// can give a slightly larger turn than none.)
     #[test]
     fn the_limiting_turn_of_a_body_as_tall_as_wide_lies_between_the_closed_forms(
         body in any_body(), part in 0.05..0.95,
@@ -292,7 +293,7 @@ proptest! {
         prop_assert!(more < turn + 1e-8);
     }
 
-    /// The turn has no scale: only slip/(Hω) and spin/ω count.
+    /// The turn depends only on the ratios slip/(Hω) and spin/ω.
     #[test]
     fn the_limiting_turn_depends_on_relative_slip_and_spin_only(
         friction in 0.02..0.3, slip in -0.5..0.0, spin in -0.5..0.0, rate in 0.01..100.0,

@@ -1,5 +1,5 @@
-//! A rim with an imperfection: plastic collisions against closed forms, for any body and any place of
-//! the imperfection.
+//! A rim with an imperfection: plastic collisions against closed forms, for any body and any position of the
+//! imperfection.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -24,12 +24,12 @@ fn any_law() -> impl Strategy<Value = IdealLaw> {
     prop_oneof![Just(IdealLaw::NoSlip), Just(IdealLaw::Frictionless)]
 }
 
-/// Disks, with little mass outside the rim.
+/// Disks with little mass near the rim.
 fn flat_body() -> impl Strategy<Value = Body> {
     (0.01..0.99).prop_map(|a| Body::new(1.0, 1.0, 0.0, a, 2.0 * a).expect("a disk"))
 }
 
-/// K′ and mR², per J′.
+/// K′ and mR² in units of J′.
 fn shares(body: &Body, law: IdealLaw) -> (f64, f64) {
     let mrr = body.mass() * body.radius() * body.radius();
     let k = match law {
@@ -43,8 +43,8 @@ fn close(a: f64, b: f64, within: f64) -> bool {
     (a - b).abs() <= within * (1.0 + b.abs())
 }
 
-/// Housner (1963): by angular momentum about B, J ω₊ = (K − mR²) ω without slip. A body for which that
-/// is negative would push A into the table, which stops it.
+/// Housner (1963): the angular momentum about B gives J ω₊ = (K − mR²) ω without slip. If that is negative,
+/// the point A would be pushed into the table, and the body stops.
 #[test]
 fn an_imperfection_opposite_to_the_contact_rocks_the_body_back_like_a_block() {
     for law in IdealLaw::ALL {
@@ -68,7 +68,7 @@ fn an_imperfection_opposite_to_the_contact_rocks_the_body_back_like_a_block() {
     }
 }
 
-/// Both are limits of the flat slap, and both are left with the same energy; flat bodies with none.
+/// β → 0 and β = π are both limits of the flat slap, and both leave the same energy; flat bodies keep none.
 #[test]
 fn an_imperfection_close_to_the_contact_ends_like_one_opposite() {
     for law in IdealLaw::ALL {
@@ -102,7 +102,7 @@ proptest! {
             prop_assert!(collision.lean_azimuth.is_some_and(|a| (0.0..=TAU).contains(&a)));
             before = collision.energy_kept;
         }
-        // Rolling off and rocking over the chord lose nothing.
+        // Rolling off and rocking over the chord dissipate no energy.
         prop_assert!(close(end.energy_kept, before, 1e-14));
         prop_assert!(close(end.tipping_rate, end.energy_kept.sqrt() * RATE, 1e-15));
         prop_assert!(end.turn.is_some_and(|turn| turn > 0.0 && turn < TAU));
@@ -123,7 +123,7 @@ proptest! {
         }
     }
 
-    /// ½ N |v_B| with the impulse N and B's velocity of approach.
+    /// The loss is ½ N |v_B| with the impulse N and the approach velocity of B.
     #[test]
     fn the_first_collision_loses_its_closed_form_when_a_lifts_off(
         body in any_body(), law in any_law(), angle in 1e-3..PI,
@@ -139,7 +139,7 @@ proptest! {
         }
     }
 
-    /// The centre of mass rises over B only if K′ cos β < −mR².
+    /// The centre of mass can pass over B only if K′ cos β < −mR².
     #[test]
     fn the_body_rises_over_the_imperfection_only_near_the_opposite_point(
         body in any_body(), law in any_law(), angle in 1e-3..PI,
@@ -169,7 +169,7 @@ proptest! {
         prop_assert!(end.collisions.iter().all(|c| c.held_impulse == 0.0));
     }
 
-    /// B lets go at cos χ = −K′/(mR²), whatever the angle of the imperfection.
+    /// The force at B vanishes at cos χ = −K′/(mR²), whatever the angle of the imperfection.
     #[test]
     fn flat_bodies_lean_at_a_fixed_angle_from_the_imperfection(
         body in flat_body(), law in any_law(), angle in 1e-3..PI - 1e-3,

@@ -1,5 +1,5 @@
-//! Motions of the paper's can that were also computed by other means: the printed equations of motion
-//! integrated independently, in quadruple precision where digits beyond the tenth are asked for.
+//! Motions of the paper's can that were also computed independently from the printed equations of motion, in
+//! quadruple precision where more than ten digits are needed.
 
 #[path = "given/motions.rs"]
 mod motions;
@@ -9,8 +9,8 @@ use rimroll::motion::Turn;
 use rimroll::turn::{NearCollision, error_law, error_law_coefficient, turn_limit};
 use rimroll::{Body, IdealLaw, Motion, Options, State, presets};
 
-/// The numbers of the paper's simulation figure as an independent integration prints them; a test
-/// rounds ours to the same digits.
+/// The numbers of the paper's simulation figure as an independent integration prints them. The test rounds
+/// the results to the same digits.
 struct Figure {
     near_collision_time: &'static str,
     min_tilt: &'static str,
@@ -90,8 +90,8 @@ fn the_simulation_figure_is_reproduced_to_the_digits_printed() {
     }
 }
 
-/// The paper sees "only a finite coefficient" of friction and large normal forces. The peaks are
-/// smooth maxima over the motion: 50 samples a step leave less than the last digit printed.
+/// The paper notes "only a finite coefficient" of friction and large normal forces. The peaks are smooth
+/// maxima over the motion; with 50 samples per step their error is below the last printed digit.
 #[test]
 fn friction_stays_finite_while_the_normal_force_peaks_in_the_near_collision() {
     for law in IdealLaw::ALL {
@@ -107,7 +107,8 @@ fn friction_stays_finite_while_the_normal_force_peaks_in_the_near_collision() {
     }
 }
 
-/// The default tolerance, 1e-10, is meant for tens of rockings; over the first two 1e-9 is to spare.
+/// The default tolerance, 1e-10, is meant for tens of rocking motions; over the first two an error of 1e-9 is
+/// ample.
 #[test]
 fn the_default_tolerance_gives_nine_digits() {
     let default = Options::default().rtol;
@@ -132,11 +133,11 @@ fn the_default_tolerance_gives_nine_digits() {
     }
 }
 
-/// 60 starts of the can whose turns are known to 20 digits: integrated in 128-bit arithmetic from
-/// the printed equations, extrapolated, and confirmed by a Taylor integration of reduced ones.
+/// 60 starts of the can whose turns are known to 20 digits: they were integrated in 128-bit arithmetic from
+/// the printed equations, extrapolated, and confirmed by a Taylor integration of reduced equations.
 ///
-/// The turn of 3.5 rad is a sum over some 200 steps: 1e-12 rad is what rounding leaves. The smallest
-/// tilt is held to its own size. The maximum is located where φ̇ = 0, to 1e-12 s.
+/// The turn of 3.5 rad is a sum over some 200 steps, so 1e-12 rad allows for rounding. The error of the
+/// smallest tilt is relative to its own size. The maximum is located where φ̇ = 0, to 1e-12 s.
 #[test]
 fn sixty_turns_of_the_can_agree_with_128_bit_arithmetic() {
     let table = include_str!("given/turns_of_the_can.csv");
@@ -181,16 +182,16 @@ fn sixty_turns_of_the_can_agree_with_128_bit_arithmetic() {
     assert_eq!(count, 60);
 }
 
-/// |Δψ| from tilt maximum to tilt maximum beyond its limit, rad, and φ_c.
+/// The difference between |Δψ|, from tilt maximum to tilt maximum, and its limit, rad; and φ_c.
 fn excess(body: &Body, law: IdealLaw, sideways: f64) -> (f64, f64) {
     let motion = follow(body, &paper_start(sideways), law, &tight(1.5));
     let turn = motion.turns[1];
     (turn.angle.abs() - turn_limit(body, law), turn.min_tilt)
 }
 
-/// Turn minus limit in rad for ψ̇ = θ̇ = 0.1, 0.01, … rad/s, by an independent integration. Its six
-/// digits are asked for, and 3e-12 rad beside them: that integration was done in Euler angles, whose
-/// rounding errors grow like 1/φ_c and had reached this size at ψ̇ = 1e-7.
+/// Turn minus limit in rad for ψ̇ = θ̇ = 0.1, 0.01, … rad/s, by an independent integration. The test asks for
+/// its six digits plus 3e-12 rad, because that integration was done in Euler angles, whose rounding errors
+/// grow like 1/φ_c and reached this size at ψ̇ = 1e-7.
 #[test]
 fn turns_of_the_can_converge_as_tabulated() {
     const NO_SLIP: [f64; 8] = [
@@ -205,8 +206,8 @@ fn turns_of_the_can_converge_as_tabulated() {
     converges_as_tabulated(&can(), IdealLaw::Frictionless, &FRICTIONLESS);
 }
 
-/// As above for a uniform disk and a ring of the can's radius, which come closer to the table: the
-/// Euler angles are off by 1e-12 rad at 1e-7 and by 2e-11 at 1e-8, so there the error law takes over.
+/// The same for a uniform disk and a ring of the can's radius, which come closer to the table. The errors of
+/// the Euler angles are 1e-12 rad at 1e-7 and 2e-11 rad at 1e-8, so there the error law replaces them.
 #[test]
 fn turns_of_disk_and_ring_converge_as_tabulated() {
     const DISK: [f64; 6] = [
@@ -244,9 +245,9 @@ fn converges_as_tabulated(body: &Body, law: IdealLaw, tabulated: &[f64]) {
     }
 }
 
-/// Down to ε = 1e-12 the turn obeys φ_c (b ln φ_c + a), with a taken from the start with ε = 1e-6:
-/// the next term of the law, of the order of φ_c² ln² φ_c, is below 1e-14 rad there. The tolerance of
-/// 1e-13 rad is the rounding of turns of 3.5 rad (can) to 7 rad (disk).
+/// Down to ε = 1e-12 the turn obeys φ_c (b ln φ_c + a), with a taken from the start with ε = 1e-6, where the
+/// next term of the law, of order φ_c² ln² φ_c, is below 1e-14 rad. The tolerance of 1e-13 rad allows for the
+/// rounding of turns from 3.5 rad (can) to 7 rad (disk).
 #[test]
 fn the_turn_follows_the_error_law_down_to_starts_of_1e_12() {
     let disk = presets::disk(0.051).expect("a disk");
@@ -268,8 +269,8 @@ fn the_turn_follows_the_error_law_down_to_starts_of_1e_12() {
     }
 }
 
-/// b, with the tipping rate on arrival taken from the near-collision itself: ψ̇ = ω √(J′/K′)/φ_c at
-/// the smallest tilt.
+/// b, with the tipping rate on arrival from the near-collision itself: ψ̇ = ω √(J′/K′)/φ_c at the smallest
+/// tilt.
 fn b_of_paper_start(body: &Body, law: IdealLaw) -> f64 {
     let start = paper_start(1e-12);
     let motion = follow(body, &start, law, &tight(1.0));
@@ -281,8 +282,8 @@ fn b_of_paper_start(body: &Body, law: IdealLaw) -> f64 {
     error_law_coefficient(body, law, tipping_rate, PAPER_GRAVITY).expect("valid")
 }
 
-/// A stiff solver of the printed equations needs ever more steps; here each decade of ε costs the same,
-/// since the clock τ runs like ln(1/φ_c).
+/// A stiff solver of the printed equations needs more and more steps as ε decreases. Here each decade of ε
+/// has the same cost, since the range of τ grows like ln(1/φ_c).
 #[test]
 fn steps_grow_no_faster_than_the_logarithm_of_the_near_collision() {
     for law in IdealLaw::ALL {

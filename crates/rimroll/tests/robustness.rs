@@ -1,8 +1,8 @@
-//! Any body, on any table, thrown in any way: what must be true of every motion.
+//! Properties of every motion: any body, on any table, thrown in any way.
 //!
-//! Energies are compared with the start's: |kinetic + potential|, or m g R sin φ where that is more.
-//! Forces are compared with m (g + (R + H) (rates)²), which is what they are sums of. `census` looks
-//! at as many motions as one has time for, and says how they ended and what was worst.
+//! Energies are relative to that of the start: |kinetic + potential|, or m g R sin φ if that is larger.
+//! Forces are relative to m (g + (R + H) (rates)²), the scale of their terms. `census` examines any number of
+//! motions and reports their endings and largest errors.
 
 #[path = "given/bodies.rs"]
 mod bodies;
@@ -69,7 +69,7 @@ fn any_friction() -> impl Strategy<Value = FrictionLaw> {
     ]
 }
 
-/// These coefficients at speeds that are a factor larger.
+/// The same coefficients at speeds larger by a factor.
 fn faster(table: &Tabulated, factor: f64) -> FrictionLaw {
     let (speeds, frictions): (Vec<_>, Vec<_>) =
         (table.points()).map(|(v, f)| (factor * v, f)).unzip();
@@ -77,7 +77,7 @@ fn faster(table: &Tabulated, factor: f64) -> FrictionLaw {
     FrictionLaw::Tabulated(Tabulated::new(&speeds, &frictions, sticking).expect("a table"))
 }
 
-/// Falling and rising curves, from slow to fast slips, with steps of all widths.
+/// Decreasing and increasing curves, for slow to fast slip, with intervals of all widths.
 fn any_table() -> impl Strategy<Value = FrictionLaw> {
     let begin = prop_oneof![2 => Just(0.0), 1 => powers_of_ten(-3.0, -1.0)];
     let points = prop::collection::vec((powers_of_ten(-3.0, 0.0), 0.0..1.5), 1..8);
@@ -94,7 +94,8 @@ fn any_table() -> impl Strategy<Value = FrictionLaw> {
     })
 }
 
-/// The numbers of a surface, with a unit, are given in those of a body of mass, radius and gravity 1.
+/// The parameters of a contact law that have units are given in units of the body's mass and radius and of
+/// gravity.
 fn in_units_of(body: &Body, contact_law: ContactLaw) -> ContactLaw {
     let (m, r, rate) = (body.mass(), body.radius(), falling_rate(body));
     let friction = match contact_law.friction {
@@ -211,8 +212,8 @@ fn any_case() -> impl Strategy<Value = Case> {
     any_case_of(any_body())
 }
 
-/// Bodies at the bounds of what is rigid, at tight tolerances. Few steps each: what relaxes fast in them asks
-/// for slow, implicit ones.
+/// Bodies at the limits of rigid-body inertias, at tight tolerances. These cases have few steps, because the
+/// fastest relaxation requires slow, implicit steps.
 fn wild_case() -> impl Strategy<Value = Case> {
     (any_case_of(wild_body()), powers_of_ten(-13.0, -11.0)).prop_map(|(mut case, rtol)| {
         case.options.max_steps = 500;
@@ -233,7 +234,7 @@ fn any_case_of(body: impl Strategy<Value = Body>) -> impl Strategy<Value = Case>
                 ..start
             };
             if body.height() > 0.0 && start.tilt > FRAC_PI_2 - 1e-3 {
-                // It would have toppled: as much before as this is after.
+                // Such a start counts as toppled; this one is its mirror image before π/2.
                 start.tilt = PI - start.tilt;
             }
             if start.tilt >= FRAC_PI_2 && body.height() > 0.0 {
@@ -255,7 +256,7 @@ fn any_case_of(body: impl Strategy<Value = Body>) -> impl Strategy<Value = Case>
     )
 }
 
-/// A motion may need this many, and is cut off there if it goes on wobbling.
+/// The maximal number of steps; a longer wobble is cut off there.
 const MAX_STEPS: usize = 4_000;
 
 fn follow(case: &Case) -> Motion {
@@ -271,35 +272,35 @@ fn follow(case: &Case) -> Motion {
     .expect("valid input")
 }
 
-/// What is wrong with a motion, and the worst of what is measured.
+/// The violations found in a motion, and the largest errors measured.
 #[derive(Debug, Default, Clone)]
 struct Found {
-    complaints: Vec<String>,
-    /// Energy gained or lost that is on no account.
+    violations: Vec<String>,
+    /// The energy change that no loss accounts for.
     budget: f64,
-    /// Energy gained.
+    /// The increase of energy.
     rise: f64,
-    /// Of the table on the rim, where it may only push.
+    /// The negative normal force.
     pull: f64,
-    /// Friction beyond what the coefficient allows, or short of what slipping makes.
+    /// Friction outside the friction cone, or less than the friction of slip.
     cone: f64,
-    /// How far the rim is under the table, in radii.
+    /// The depth of the rim below the table, in radii.
     under: f64,
-    /// How far the body moves, or its motion changes, where the contact changes: in radians and in parts of all
-    /// rates together.
+    /// The jump of the position or of the velocities at a change of contact, in radians and relative to the
+    /// sum of all rates.
     joint: f64,
 }
 
 impl Found {
-    fn complain(&mut self, what: &str, amount: f64, at: &Instant) {
-        if self.complaints.len() < 4 {
+    fn report(&mut self, what: &str, amount: f64, at: &Instant) {
+        if self.violations.len() < 4 {
             let where_ = format!("t = {:e}, {:?}, tilt {:e}", at.t, at.phase, at.tilt());
-            self.complaints
+            self.violations
                 .push(format!("{what} by {amount:e} at {where_}"));
         }
     }
 
-    /// Keeps the worst, and complains where it is beyond what is `allowed`.
+    /// Keeps the largest amount, and reports it if it exceeds `allowed`.
     fn measure(
         &mut self,
         worst: fn(&mut Found) -> &mut f64,
@@ -308,11 +309,11 @@ impl Found {
         allowed: f64,
         at: &Instant,
     ) {
-        let most = worst(self);
-        *most = most.max(amount);
-        // A NaN is too much.
+        let largest = worst(self);
+        *largest = largest.max(amount);
+        // A NaN is a violation, too.
         if amount.is_nan() || amount > allowed {
-            self.complain(what, amount, at);
+            self.report(what, amount, at);
         }
     }
 }
@@ -329,27 +330,27 @@ fn examine(case: &Case, motion: &Motion) -> Found {
     found
 }
 
-/// Every number is finite, and time goes on.
+/// Every number is finite, and time increases.
 fn numbers(motion: &Motion, found: &mut Found) {
     let mut t = 0.0;
     for at in motion.track.samples(3) {
         for (name, value) in COLUMNS.iter().zip(motion.moment(&at)) {
-            // Where nothing presses, friction that does not follow the load needs an infinite coefficient.
+            // With zero normal force, friction that is not proportional to it has an infinite ratio.
             let follows_load = motion.dynamics(&at).friction_ratio(&at).is_some();
             let infinite = *name == "friction_ratio" && !value.is_nan() && !follows_load;
             if !(value.is_finite() || infinite) {
-                found.complain(name, value, &at);
+                found.report(name, value, &at);
             }
         }
-        // Inside a step time is a polynomial, true to the last digits.
+        // Within a step, time is a polynomial that is accurate to the last digits.
         if at.t < t * (1.0 - 1e-13) {
-            found.complain("time goes back", t - at.t, &at);
+            found.report("time goes back", t - at.t, &at);
         }
         t = t.max(at.t);
     }
 }
 
-/// The table pushes, the rim does not sink into it, and friction keeps Coulomb's law.
+/// The normal force is positive, the rim does not penetrate the table, and friction obeys Coulomb's law.
 fn forces(case: &Case, motion: &Motion, found: &mut Found) {
     let Case {
         body,
@@ -373,14 +374,14 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
             continue;
         }
         if (at.gap, at.gap_rate) != (0.0, 0.0) {
-            found.complain("touches and is off the table", at.gap, &at);
+            found.report("touches and is off the table", at.gap, &at);
         }
         let law = motion.dynamics(&at);
         let force = law.contact(&at);
         let friction = libm::hypot(force.along, force.across);
-        let thrown = at.sin * at.p * at.p + at.w * at.w + (at.w * at.sin * at.s).abs();
-        let size = body.mass() * (at.sin * GRAVITY + reach * thrown) + friction;
-        // What cannot be is only said of the first and the last instant.
+        let inertial = at.sin * at.p * at.p + at.w * at.w + (at.w * at.sin * at.s).abs();
+        let size = body.mass() * (at.sin * GRAVITY + reach * inertial) + friction;
+        // Only the first and the last instant may violate these conditions.
         if at.t == 0.0 || at.t == last {
             continue;
         }
@@ -394,7 +395,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
         if at.phase == Phase::Rolling {
             let [slip_x, slip_y] = law.slip(&at);
             if (slip_x, slip_y) != (0.0, 0.0) {
-                found.complain("slips while it rolls", libm::hypot(slip_x, slip_y), &at);
+                found.report("slips while it rolls", libm::hypot(slip_x, slip_y), &at);
             }
         }
         let [slip_x, slip_y] = law.slip(&at);
@@ -425,7 +426,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
     }
 }
 
-/// No energy comes from nowhere, none goes without account, and no account is paid back.
+/// Energy does not increase, every loss is recorded, and no recorded loss decreases.
 fn energies(case: &Case, motion: &Motion, found: &mut Found) {
     let energy = |at: &Instant| motion.dynamics(at).energy(at).total();
     let losses = |at: &Instant| [at.friction_loss, at.resistance_loss, at.impact_loss];
@@ -438,7 +439,7 @@ fn energies(case: &Case, motion: &Motion, found: &mut Found) {
     } else {
         1e-9 + 300.0 * case.options.rtol
     };
-    let (mut least, mut lost) = (start, [0.0; 3]);
+    let (mut lowest, mut lost) = (start, [0.0; 3]);
     for at in motion.track.nodes() {
         let (now, losses) = (energy(&at), losses(&at));
         let missing = (now + losses.iter().sum::<f64>() - start).abs() / scale;
@@ -452,23 +453,23 @@ fn energies(case: &Case, motion: &Motion, found: &mut Found) {
         found.measure(
             |f| &mut f.rise,
             "energy rises",
-            (now - least) / scale,
+            (now - lowest) / scale,
             allowed,
             &at,
         );
-        least = least.min(now);
+        lowest = lowest.min(now);
         for (before, now) in lost.iter_mut().zip(losses) {
             if now < *before - 0.01 * allowed * scale {
-                found.complain("a loss falls", (*before - now) / scale, &at);
+                found.report("a loss falls", (*before - now) / scale, &at);
             }
             *before = before.max(now);
         }
     }
 }
 
-/// Where one phase gives over to the next the body stays where it is and, unless it lands, moves on as it did.
-/// The last of a dry slip goes in one straight step, which is so short that velocities change in it by less than
-/// the root of the tolerance: the error of that is of the second order.
+/// Where one phase follows another the position is continuous and, except in an impact, so are the
+/// velocities. The end of a dry slip is one straight step, so short that the relative change of the
+/// velocities is below the square root of the tolerance; the error is of second order in that change.
 fn joints(case: &Case, motion: &Motion, found: &mut Found) {
     let reach = case.body.radius() + case.body.height();
     let rtol = case.options.rtol;
@@ -516,7 +517,7 @@ fn joints(case: &Case, motion: &Motion, found: &mut Found) {
     }
 }
 
-/// Events come in order and say what the phases do.
+/// Events are in order and agree with the phases.
 fn events(motion: &Motion, found: &mut Found) {
     let begun = |phase| match phase {
         Phase::Rolling => EventKind::Stick,
@@ -527,7 +528,7 @@ fn events(motion: &Motion, found: &mut Found) {
     let mut t = 0.0;
     for event in &motion.events {
         if event.at.t < t {
-            found.complain("events out of order", t - event.at.t, &event.at);
+            found.report("events out of order", t - event.at.t, &event.at);
         }
         t = event.at.t;
     }
@@ -538,34 +539,34 @@ fn events(motion: &Motion, found: &mut Found) {
             events.any(|event| event.at.t == at.t && event.kind == kind)
         };
         if at.phase != phase && !said(begun(at.phase)) {
-            found.complain("a phase begins unsaid", 0.0, &at);
+            found.report("a phase begins unsaid", 0.0, &at);
         }
         phase = at.phase;
     }
 }
 
-/// Turns follow one another without a gap and are over before the motion is, and what topples does not pass its
-/// edge.
+/// Turns follow one another without a gap and end before the motion does. A body with height does not pass
+/// its edge.
 fn turns(case: &Case, motion: &Motion, found: &mut Found) {
     let end = motion.track.end();
     let mut last = None;
     for turn in &motion.turns {
         let inside = 0.0 <= turn.start && turn.end <= end.t;
         if !(inside && turn.start <= turn.t && turn.t <= turn.end) {
-            found.complain("a turn outside the motion", turn.end - end.t, &end);
+            found.report("a turn outside the motion", turn.end - end.t, &end);
         }
         if last.is_some_and(|last| last != turn.start) {
-            found.complain("a gap between turns", turn.start, &end);
+            found.report("a gap between turns", turn.start, &end);
         }
         last = Some(turn.end);
     }
     let on_edge = |event: &rimroll::motion::Event| event.kind == EventKind::OnEdge;
     if case.body.height() > 0.0 && motion.events.iter().any(on_edge) {
-        found.complain("passes its edge", 0.0, &end);
+        found.report("passes its edge", 0.0, &end);
     }
 }
 
-/// What the status says is so.
+/// The motion ended as its status says.
 fn ending(case: &Case, motion: &Motion, found: &mut Found) {
     let Case {
         body,
@@ -585,12 +586,12 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         Status::Toppled => body.height() > 0.0 && (end.tilt() - FRAC_PI_2).abs() < 1e-7,
         Status::LiftedOff => contact_law.friction.ideal().is_some(),
         Status::FaceDown => end.sin <= 1.001e-9,
-        // What is left when it lies flat goes with it.
+        // The energy left when the body lies flat is lost with the ending.
         Status::AtRest => end.sin <= 1.001e-9 || above_rest(&end) <= 1.001e-10 * above_rest(&begin),
         Status::Painleve => match &contact_law.friction {
             FrictionLaw::Tabulated(table) => {
-                let most = table.points().map(|(_, friction)| friction);
-                paradoxical(most.fold(table.static_friction(), f64::max))
+                let frictions = table.points().map(|(_, friction)| friction);
+                paradoxical(frictions.fold(table.static_friction(), f64::max))
             }
             FrictionLaw::Coulomb {
                 static_friction, ..
@@ -604,11 +605,11 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         Status::Interrupted => false,
     };
     if !fits {
-        found.complaints.push(motion.message.clone());
+        found.violations.push(motion.message.clone());
     }
 }
 
-/// A motion and what is found in it, or that it panicked.
+/// A motion and its violations, or the message of a panic.
 fn look(case: &Case) -> Result<(Motion, Found), String> {
     let run = std::panic::catch_unwind(|| {
         let motion = follow(case);
@@ -624,7 +625,7 @@ proptest! {
     #[test]
     fn every_motion_obeys_mechanics_and_ends_in_truth(case in any_case()) {
         let (_, found) = look(&case).map_err(TestCaseError::fail)?;
-        prop_assert!(found.complaints.is_empty(), "{:?}\n{case:?}", found.complaints);
+        prop_assert!(found.violations.is_empty(), "{:?}\n{case:?}", found.violations);
     }
 }
 
@@ -634,15 +635,15 @@ proptest! {
     #[test]
     fn so_do_bodies_that_nobody_would_build(case in wild_case()) {
         let (_, found) = look(&case).map_err(TestCaseError::fail)?;
-        prop_assert!(found.complaints.is_empty(), "{:?}\n{case:?}", found.complaints);
+        prop_assert!(found.violations.is_empty(), "{:?}\n{case:?}", found.violations);
     }
 }
 
 proptest! {
     #![proptest_config(cases(150))]
 
-    /// Left and right are alike. (That what rolls or slides without friction is so to the last bit is
-    /// in `endings.rs`.)
+    /// Mirror images move alike. (`endings.rs` tests that without slip or friction they agree to the last
+    /// bit.)
     #[test]
     fn mirror_images_agree(case in any_case()) {
         let start = case.start;
@@ -659,15 +660,15 @@ proptest! {
         agree_at_first(&case, &follow(&case), &follow(&image), -1.0)?;
     }
 
-    /// The table looks the same in every direction.
+    /// The table is isotropic.
     #[test]
     fn a_turned_start_is_a_turned_motion(case in any_case(), yaw in -3.0..3.0) {
         let turned = Case { start: State { yaw, ..case.start }, ..case.clone() };
         agree_at_first(&case, &follow(&case), &follow(&turned), 1.0)?;
     }
 
-    /// Nothing but ratios counts: a body a power of two times as large and as heavy does the same, slower.
-    /// To the last bit, since powers of two do not round; lengths by 4, so that times go by 2.
+    /// Similarity: a body larger and heavier by powers of two has the same motion on a longer time scale, to
+    /// the last bit, since powers of two do not round. Lengths scale by 4, so that times scale by 2.
     #[test]
     fn a_larger_body_does_the_same_slower(case in any_case()) {
         let b = case.body;
@@ -720,7 +721,7 @@ proptest! {
         prop_assert_eq!(a.impact_loss * inertia / (time * time), b.impact_loss);
     }
 
-    /// A tighter tolerance brings the motion nearer to that of the tightest.
+    /// A tighter tolerance brings the motion closer to that with the tightest tolerance.
     #[test]
     fn tolerances_converge(case in any_case()) {
         let at = |rtol| {
@@ -728,7 +729,7 @@ proptest! {
             follow(&Case { options, ..case.clone() })
         };
         let (loose, tight, tightest) = (at(1e-6), at(1e-9), at(1e-12));
-        // Over a short while: what follows a threshold or a near-collision may be chaotic.
+        // The duration is short, because a motion can be chaotic after a threshold or a near-collision.
         let ends = [&loose, &tight, &tightest].map(|motion| motion.track.end().t);
         let t = 0.05 * ends.into_iter().fold(f64::INFINITY, f64::min);
         let tilt = |motion: &Motion| motion.track.at(t).tilt();
@@ -736,7 +737,7 @@ proptest! {
         prop_assert!(off.abs() < 1e-3 && less.abs() < 1e-6, "{off:e} {less:e}");
     }
 
-    /// Dry friction with μ = 0 is no friction, as long as the rim stays on the table.
+    /// Dry friction with μ = 0 equals no friction while the rim stays on the table.
     #[test]
     fn no_dry_friction_is_frictionless(case in any_case()) {
         let on = |friction| {
@@ -746,7 +747,7 @@ proptest! {
         agree_while_they_last(&case, &on(FrictionLaw::Frictionless), &on(FrictionLaw::coulomb(0.0)))?;
     }
 
-    /// Dry friction that is never all needed is no slip.
+    /// Dry friction that always suffices to stick equals no slip.
     #[test]
     fn much_dry_friction_is_no_slip(case in any_case()) {
         let on = |friction| {
@@ -757,8 +758,8 @@ proptest! {
     }
 }
 
-/// Whether two motions agree but for rounding and the sign of what turns: over a short while, since
-/// near-collisions, thresholds and chaos make much of rounding.
+/// Whether two motions agree up to rounding and the sign of yaw and spin. The comparison is short, because
+/// near-collisions, thresholds and chaos amplify rounding errors.
 fn agree_at_first(
     case: &Case,
     one: &Motion,
@@ -776,8 +777,8 @@ fn agree_at_first(
     Ok(())
 }
 
-/// Whether a motion under an ideal law and the same under dry friction agree to the end of the
-/// first phase, or of the shorter motion.
+/// Whether a motion under an ideal law and the same motion under dry friction agree until the end of the
+/// first phase or of the shorter motion.
 fn agree_while_they_last(case: &Case, ideal: &Motion, dry: &Motion) -> Result<(), TestCaseError> {
     let start = ideal.track.start();
     let phases: Vec<_> = dry.track.phases().collect();
@@ -790,7 +791,7 @@ fn agree_while_they_last(case: &Case, ideal: &Motion, dry: &Motion) -> Result<()
     let (a, b) = (ideal.track.at(t), dry.track.at(t));
     // A near-collision amplifies errors by the ratio of the tilts.
     let lowest = ideal.track.nodes().filter(|at| at.t <= t);
-    let lowest = lowest.fold(start.sin, |least, at| least.min(at.sin));
+    let lowest = lowest.fold(start.sin, |lowest, at| lowest.min(at.sin));
     let allowed = (1e-9 + 1e3 * case.options.rtol) / lowest;
     prop_assert!(
         (a.tilt() - b.tilt()).abs() < allowed,
@@ -807,7 +808,7 @@ fn agree_while_they_last(case: &Case, ideal: &Motion, dry: &Motion) -> Result<()
     Ok(())
 }
 
-/// The case of a number in a series.
+/// The case with a given number in a series.
 fn numbered(series: u64, number: u64) -> Case {
     let mut seed = [7u8; 32];
     seed[..8].copy_from_slice(&series.to_le_bytes());
@@ -821,7 +822,7 @@ fn numbered(series: u64, number: u64) -> Case {
     cases.new_tree(&mut runner).expect("a case").current()
 }
 
-/// How far the motion goes, in radians of yaw, tilt and spin: a yardstick for its steps.
+/// The path length of the motion, in radians of yaw, tilt and spin, to judge the number of steps.
 fn way(motion: &Motion) -> f64 {
     let nodes: Vec<_> = motion.track.nodes().collect();
     let between = |pair: &[Instant]| {
@@ -831,8 +832,8 @@ fn way(motion: &Motion) -> f64 {
     nodes.windows(2).map(between).sum()
 }
 
-/// `SERIES=1 COUNT=10000 cargo test --release --test robustness -- --ignored --nocapture census`; with
-/// `ONLY=17` one case is shown in full, with `WILD=1` the bodies are those that nobody would build.
+/// `SERIES=1 COUNT=10000 cargo test --release --test robustness -- --ignored --nocapture census`; `ONLY=17`
+/// shows one case in full, `WILD=1` draws extreme bodies.
 #[test]
 #[ignore = "minutes: a census of many motions"]
 fn census() {
@@ -861,10 +862,10 @@ fn census() {
 struct Census {
     statuses: BTreeMap<(String, &'static str), usize>,
     steps: Vec<usize>,
-    with_complaints: usize,
+    with_violations: usize,
     slow: usize,
     worst: Found,
-    /// The worst energy budget of those with a tolerance of 1e-11 or less.
+    /// The largest energy error of motions with a tolerance of 1e-11 or less.
     tight_budget: f64,
 }
 
@@ -890,15 +891,15 @@ impl Census {
         let slow = (work.steps + work.rejected) as f64
             > 50.0 * (100.0 + way(motion) + motion.events.len() as f64);
         self.slow += usize::from(slow);
-        self.with_complaints += usize::from(!found.complaints.is_empty());
-        if slow || !found.complaints.is_empty() {
+        self.with_violations += usize::from(!found.violations.is_empty());
+        if slow || !found.violations.is_empty() {
             println!(
                 "#{i} {} {work:?} way {:.0} rtol {:.0e}",
                 motion.message,
                 way(motion),
                 case.options.rtol
             );
-            println!("    {:?} {:?}", found.complaints, case.contact_law);
+            println!("    {:?} {:?}", found.violations, case.contact_law);
         }
     }
 
@@ -909,7 +910,7 @@ impl Census {
         println!(
             "{} motions, {} with complaints, {} slow",
             self.steps.len(),
-            self.with_complaints,
+            self.with_violations,
             self.slow
         );
         println!("steps: median, 90, 99, 99.9 %, most: {quantiles:?}");

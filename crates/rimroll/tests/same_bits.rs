@@ -1,6 +1,6 @@
 //! The same bits everywhere: the end of a motion, to the last bit, as this crate has always computed it.
 //!
-//! A change of these numbers is a change of every published result: it must be meant, and said in the
+//! A change of these numbers changes every published result. It must be intended and recorded in the
 //! changelog.
 
 use rimroll::{IdealLaw, Options, State, presets, simulate};

@@ -1,5 +1,5 @@
-//! Derivatives of motions, against differences of neighbouring motions and against what follows from the
-//! units of the parameters alone.
+//! Derivatives of motions, against difference quotients and against identities that follow from dimensional
+//! analysis.
 
 #[path = "given/motions.rs"]
 mod motions;
@@ -9,10 +9,10 @@ use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use rimroll::motion::{PARAMETERS, Sensitivity, Slope};
 use rimroll::{Body, ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets};
 
-/// What a motion is computed from, in the order of [`PARAMETERS`].
+/// The parameters of a motion, in the order of [`PARAMETERS`].
 type Numbers = [f64; PARAMETERS.len()];
 
-/// A can that passes the near-collision in such a way that everything matters.
+/// A can that passes the near-collision with rates on which all parameters have an influence.
 fn numbers(body: &Body) -> Numbers {
     let (a, c) = (body.transverse_inertia(), body.axial_inertia());
     let [m, r, h] = [body.mass(), body.radius(), body.height()];
@@ -61,7 +61,7 @@ fn can() -> Body {
     presets::can_2007().expect("the paper's can")
 }
 
-/// Central differences of two widths, extrapolated: good to some 1e-8 of themselves.
+/// Central differences of two widths, extrapolated to a relative error of about 1e-8.
 fn difference(index: usize, of: &Numbers, f: impl Fn(&Numbers) -> f64) -> f64 {
     let width = 1e-3 * of[index].abs();
     let slope = |width: f64| {
@@ -82,7 +82,7 @@ fn size(slope: &Slope, of: &Numbers) -> f64 {
     terms.fold(0.0, f64::max)
 }
 
-/// Before, in and after the near-collision, which is over at 0.3 s, and at the end.
+/// Before, during and after the near-collision, which is over at 0.3 s, and at the end.
 const TIMES: [f64; 4] = [0.1, 0.25, 0.4, 0.9];
 
 #[test]
@@ -135,7 +135,7 @@ fn the_angles_of_turn_change_with_each_parameter_as_neighbouring_motions_say() {
     }
 }
 
-/// A disk goes from face to face over its edge, where the tilt has no extreme.
+/// A disk passes from face to face over its edge, where the tilt has no extremum.
 #[test]
 fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
     let disk = presets::disk(0.05).expect("a disk");
@@ -150,7 +150,7 @@ fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
         .collect();
     assert_eq!(kinds, ["on_edge", "tilt_max", "on_edge"]);
     let slope = derivatives(&motion).turns()[0];
-    // Another height or moment of inertia alone no disk has.
+    // No disk permits a change of its height or of one moment of inertia alone.
     for i in [0, 1, 3, 5, 7, 11] {
         let expected = difference(i, &of, |numbers| moved(numbers).turns[0].angle);
         let error = (slope[i] - expected).abs() * of[i].abs();
@@ -163,8 +163,8 @@ fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
     }
 }
 
-/// A body twice as heavy, with all its moments, moves the same; and so does one that is twice as large
-/// where gravity is twice as strong. The yaw and the spin at the start are only added.
+/// Scaling the mass and all moments of inertia by two leaves the motion unchanged, and so does scaling all
+/// lengths and gravity by two. The initial yaw and spin are only added.
 #[test]
 fn derivatives_know_the_units_of_the_parameters() {
     let of = numbers(&can());
@@ -207,7 +207,7 @@ fn a_motion_joined_from_phases_has_no_derivative() {
     );
 }
 
-/// A step with its derivatives takes some 15 µs, so this is a few milliseconds.
+/// A step with its derivatives takes about 15 µs, so this takes a few milliseconds.
 const MAX_STEPS_BETWEEN_REPORTS: usize = 300;
 
 #[test]
@@ -223,7 +223,7 @@ fn a_caller_hears_of_the_derivatives_every_few_hundred_steps() {
     assert!(times.len() >= motion.work.steps / MAX_STEPS_BETWEEN_REPORTS);
     assert_eq!(times[0], 0.0);
     assert!(times.is_sorted());
-    // After the last steps come the turns.
+    // The turns are differentiated after the last steps.
     assert_eq!(times.last(), Some(&60.0));
 }
 

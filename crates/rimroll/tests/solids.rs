@@ -1,14 +1,14 @@
-//! Bodies put together from solids, against sums over point masses and textbook moments of inertia.
+//! Bodies composed of solids, against sums over point masses and textbook moments of inertia.
 
 use core::f64::consts::PI;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rimroll::{Body, Solid, presets};
 
-/// A mass (kg) at a place (m).
+/// A mass (kg) at a position (m).
 type Point = (f64, [f64; 3]);
 
-/// Points evenly round the axis: from three on they have the second moments of a thin ring.
+/// Points equally spaced round the axis: three or more have the second moments of a thin ring.
 fn points_of_ring(mass: f64, radius: f64, height: f64) -> impl Iterator<Item = Point> {
     (0..5).map(move |i| {
         let (sin, cos) = libm::sincos(2.0 * PI * f64::from(i) / 5.0);
@@ -24,7 +24,7 @@ fn points_of_wall(mass: f64, radius: f64, length: f64, base: f64) -> Vec<Point> 
         .collect()
 }
 
-/// Walls whose mean square radius is that of the area between two circles.
+/// Walls whose mean square radius is that of the annulus between two circles.
 fn points_of_hollow_cylinder(mass: f64, [a, b]: [f64; 2], length: f64, base: f64) -> Vec<Point> {
     points_of_wall(mass, (0.5 * (a * a + b * b)).sqrt(), length, base)
 }
@@ -62,7 +62,7 @@ proptest! {
         ..ProptestConfig::default()
     })]
 
-    /// A can with two discs, a wall, a thick ring and a filling: joined by parallel axes.
+    /// A can made of two discs, a wall, a thick ring and a filling, combined by the parallel-axis theorem.
     #[test]
     fn parallel_axes_agree_with_a_sum_over_point_masses(
         masses in prop::array::uniform4(0.01..1.0),
@@ -92,13 +92,13 @@ proptest! {
         ]
         .concat();
         let body = Body::from_solids(radius, &solids).expect("a body");
-        // Rounding of a sum of fifty terms.
+        // The rounding error of a sum of fifty terms.
         prop_assert!(agree(numbers(&body), sums(&points), 1e-13));
         prop_assert_eq!(body.radius(), radius);
     }
 }
 
-/// n thin discs, evenly spaced, fall short of the cylinder's mL²/12 by its part 1/n².
+/// The mL²/12 of n thin, equally spaced discs is smaller than that of the cylinder by the fraction 1/n².
 #[test]
 fn a_cylinder_is_a_stack_of_discs() {
     const COUNT: u32 = 1000;
@@ -118,7 +118,7 @@ fn a_cylinder_is_a_stack_of_discs() {
     assert!(agree(numbers(&stack), expected, 1e-13));
 }
 
-/// A cylinder with a bore is what remains of a solid one.
+/// A cylinder with a bore is a solid cylinder minus its core.
 #[test]
 fn a_bore_takes_its_own_moments_away() {
     let (density, length) = (PI * 1000.0, 0.4);
@@ -181,7 +181,7 @@ fn base_and_rim_inertia_are_those_of_the_points() {
     assert!((libm::tan(body.balance_tilt()) - radius / body.height()).abs() < 1e-15);
 }
 
-/// Weights of things at hand: exact where a maker states them, else those of the nominal sizes.
+/// Masses of everyday objects: exact where a maker states them, otherwise those of the nominal sizes.
 #[test]
 fn presets_have_the_masses_that_they_claim() {
     for (body, mass, slack) in [
@@ -202,7 +202,7 @@ fn presets_have_the_masses_that_they_claim() {
     }
 }
 
-/// Drinkers know: a can with little left in it stands steadiest.
+/// A can with a little drink left in it stands steadiest.
 #[test]
 fn a_can_is_lowest_with_a_little_left_in_it() {
     let height = |fill| presets::soda_can(fill).expect("a can").height();

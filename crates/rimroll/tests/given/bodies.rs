@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rimroll::Body;
 
-/// Cases are drawn alike every time, so that a test that passes keeps passing; no file is left behind.
+/// The seed is fixed, so a test that passes keeps passing; no file is written.
 pub fn cases(count: u32) -> ProptestConfig {
     ProptestConfig {
         cases: count,
@@ -19,8 +19,8 @@ pub fn powers_of_ten(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low..high).prop_map(|x| libm::pow(10.0, x))
 }
 
-/// Grams to tonnes, millimetres to metres, disks to columns, mass gathered at the axis or spread wide.
-/// C ≤ 2A holds by the way C is drawn.
+/// Masses from grams to tonnes, sizes from millimetres to metres, disks to columns, mass near the axis or far
+/// from it. The draw of C ensures C ≤ 2A.
 pub fn any_body() -> impl Strategy<Value = Body> {
     let height = prop_oneof![1 => Just(0.0), 4 => 0.05..5.0];
     let axial = prop_oneof![1 => Just(2.0), 4 => 0.05..2.0];
@@ -37,7 +37,7 @@ pub fn any_body() -> impl Strategy<Value = Body> {
         })
 }
 
-/// Bodies of mass and radius 1 that nobody would build: needles, plates, all mass at the axis or at the centre.
+/// Extreme bodies of mass and radius 1: needles, plates, all mass at the axis or at the centre.
 #[allow(
     dead_code,
     reason = "not every test that includes this file draws them"

@@ -1,4 +1,4 @@
-//! The motions that the tests start from.
+//! The initial states and options that the tests share.
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
@@ -18,7 +18,7 @@ pub fn paper_start(sideways: f64) -> State {
     }
 }
 
-/// The paper's gravity, and a tolerance at which rounding decides.
+/// The paper's gravity, and a tolerance at which rounding dominates.
 pub fn tight(duration: f64) -> Options {
     Options {
         duration,
@@ -28,7 +28,7 @@ pub fn tight(duration: f64) -> Options {
     }
 }
 
-/// Follows a start that is known to be valid.
+/// Simulates a start that is known to be valid.
 pub fn follow(
     body: &Body,
     start: &State,

@@ -1,27 +1,26 @@
-//! What the page asks about, read off its arguments one after the other.
+//! Reads the page's arguments one after another.
 
 use rimroll::{Body, ContactLaw, FrictionLaw, InvalidInput, Options, Solid, State};
 
-/// The shapes of solids; the page names them by their places here.
+/// The shapes of solids; the page refers to them by index.
 pub const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
 
-/// The numbers of a surface by name, in the order in which the page writes them; NaN where one is not
-/// given.
+/// The parameters of a contact law by name, in the order in which the page writes them; NaN if absent.
 const SURFACE: [&str; 3] = ["friction", "restitution", "rolling_dry"];
 
-/// The arguments not read yet.
-pub struct Asked {
+/// The arguments not yet read.
+pub struct Arguments {
     numbers: std::vec::IntoIter<f64>,
 }
 
-impl Asked {
+impl Arguments {
     pub fn new() -> Self {
-        Asked {
-            numbers: crate::exchange::asked().into_iter(),
+        Arguments {
+            numbers: crate::exchange::given_arguments().into_iter(),
         }
     }
 
-    /// The next number; NaN where there is none, which the core refuses.
+    /// The next number, or NaN, which the core refuses, if there is none.
     pub fn number(&mut self) -> f64 {
         self.numbers.next().unwrap_or(f64::NAN)
     }
@@ -34,13 +33,13 @@ impl Asked {
         core::array::from_fn(|_| self.number())
     }
 
-    /// The numbers that are left.
+    /// The remaining numbers.
     pub fn rest(self) -> Vec<f64> {
         self.numbers.collect()
     }
 
-    /// Whether any are left.
-    pub fn more(&self) -> bool {
+    /// Whether numbers remain.
+    pub fn any_left(&self) -> bool {
         self.numbers.len() > 0
     }
 
@@ -50,7 +49,7 @@ impl Asked {
         Body::new(mass, radius, height, transverse, axial)
     }
 
-    /// The shape's place in [`SHAPES`], mass, radius, length and height of its base.
+    /// The shape's index in [`SHAPES`], mass, radius, length and height of its base.
     pub fn solid(&mut self) -> Result<Solid, InvalidInput> {
         let [shape, mass, radius, length, base] = self.array();
         match named("shape", shape, &SHAPES)? {
@@ -73,7 +72,7 @@ impl Asked {
         }
     }
 
-    /// The law's place in [`FrictionLaw::NAMES`], then the numbers of [`SURFACE`].
+    /// The law's index in [`FrictionLaw::NAMES`], then the numbers of [`SURFACE`].
     pub fn contact_law(&mut self) -> Result<ContactLaw, InvalidInput> {
         let law = named("law", self.number(), &FrictionLaw::NAMES)?;
         let given: Vec<_> = SURFACE
@@ -83,7 +82,7 @@ impl Asked {
         ContactLaw::named(law, &given, &[])
     }
 
-    /// Duration, gravity, rtol and the most steps.
+    /// Duration, gravity, rtol and the maximal number of steps.
     pub fn options(&mut self) -> Options {
         let [duration, gravity, rtol, max_steps] = self.array();
         Options {
@@ -96,8 +95,8 @@ impl Asked {
     }
 }
 
-/// The name at a place of a list. What is no place of it, as the page's -1 for a name that it does not
-/// find, is refused, not taken for another.
+/// The name at an index of a list. Refuses an invalid index, such as the -1 that the page sends for an
+/// unknown name.
 pub fn named(
     what: &'static str,
     place: f64,
