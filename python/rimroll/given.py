@@ -14,7 +14,7 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Real
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +22,9 @@ from numpy.typing import ArrayLike, NDArray
 from rimroll.errors import RimrollError, UnitError, element
 from rimroll.grid import is_labelled
 from rimroll.units import factor_of, mismatch, quantity, tidy
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 class HasUnit(Protocol):
@@ -133,7 +136,29 @@ def without_unit(field: str, value: Any, unit: str) -> object:
     if not isinstance(data, memoryview) and _units(data) is not None:
         return value.copy(data=without_unit(field, data, unit))  # a data array of quantities
     # A data array may say its unit in an attribute.
-    return value * factor_of(units, unit, field, value) if units else value
+    if not units:
+        return value
+    factor = factor_of(units, unit, field, value)
+    if is_labelled(value):
+        _expect_unconverted(field, value, units, factor)
+    return value * factor
+
+
+def _expect_unconverted(field: str, value: xr.DataArray, units: str, factor: float) -> None:
+    """Refuse an axis whose values are converted and whose attribute still has the old unit.
+
+    xarray keeps attributes in ``np.radians(axis)``.
+    """
+    for name, labels in value.coords.items():
+        if labels.attrs.get("units") != units or labels.dims != value.dims or not labels.any():
+            continue
+        for times in (factor, math.pi / 180.0, 180.0 / math.pi):
+            if times != 1.0 and np.allclose(value, times * labels, rtol=1e-12, atol=0.0):
+                raise UnitError(
+                    f"{field}: the values are those of {name} in another unit, and the attribute"
+                    f' units still says "{units}", since functions such as np.radians keep it:'
+                    f" give the axis {name} itself, which is converted"
+                )
 
 
 def _expect_unmasked(field: str, value: Any) -> None:

@@ -186,7 +186,9 @@ def axis(name: str, values: Any, units: str | None = None) -> xr.DataArray:
     """A named dimension of a sweep: a data array of ``values`` (n,), labelled by themselves.
 
     Hand it to a field of ``State``, ``Body`` or a law. ``units`` is written into the attributes, as
-    for ``"deg"``, from which the field converts it. A quantity of pint brings its own.
+    for ``"deg"``, from which the field converts it; so the axis is not to be converted before
+    (``np.radians`` keeps the attribute), and is refused if it is. A quantity of pint brings its
+    own.
 
     >>> import rimroll as rr
     >>> law = rr.Coulomb(rr.axis("friction", [0.1, 0.2, 0.3]))

@@ -415,3 +415,30 @@ def test_an_axis_of_a_quantity_keeps_its_unit():
     rate = rr.axis("push", np.array([1, 10]) * DEGREE / registry().s)
     found = rr.State(tilt=0.5, yaw_rate=rate).yaw_rate
     assert found.values == pytest.approx(np.radians([1.0, 10.0]), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("units", "values", "convert"),
+    [
+        ("deg", [15, 20], np.radians),
+        ("deg", [15, 20], np.deg2rad),
+        ("rad", [0.01, 0.02], np.degrees),
+        ("turn", [0.01, 0.02], lambda lean: 2.0 * np.pi * lean),
+    ],
+)
+def test_an_axis_that_is_converted_already_but_keeps_its_unit_is_refused(units, values, convert):
+    lean = rr.axis("lean", values, units=units)
+    assert rr.State(tilt=lean).shape == (2,)
+    converted = convert(lean).assign_attrs(units=units)  # xarray keeps it, by its version
+    with pytest.raises(rr.RimrollError, match="give the axis lean itself, which is converted"):
+        rr.State(tilt=converted)
+    # Whoever says the new unit is taken at their word.
+    told = converted.assign_attrs(units="deg" if convert is np.degrees else "rad")
+    expected = rr.State(tilt=lean).tilt.values
+    assert rr.State(tilt=told).tilt.values == pytest.approx(expected, rel=1e-14)
+
+
+def test_other_arithmetic_with_an_axis_is_as_it_was():
+    lean = rr.axis("lean", [15, 20], units="deg")
+    half = (0.5 * lean).assign_attrs(units="deg")
+    assert rr.State(tilt=half).tilt.values == pytest.approx(np.radians([7.5, 10.0]), rel=1e-15)

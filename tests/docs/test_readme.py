@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import rimroll as rr
+
 README = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
 
 
@@ -19,8 +21,17 @@ def test_the_five_lines_print_what_the_readme_says():
         exec(code, {})
     # The same bits everywhere, except that NumPy may turn radians into degrees its own way.
     assert np.array(printed.getvalue().split(), float) == pytest.approx(
-        np.array(output.split(), float), rel=4e-16
+        np.array(output.split(), float), rel=4e-16, abs=0.0
     )
+
+
+def test_what_the_readme_calls_an_attribute_is_one():
+    motion = rr.simulate(rr.bodies.can_2007(), rr.State(tilt=0.5, yaw_rate=0.1), rr.NoSlip(), 0.1)
+    names = re.search(r"at any time, and\s+(.*?) are attributes", README, re.S)[1]
+    listed = re.findall(r"`(\w+)`", names)
+    assert len(listed) == 7
+    for name in listed:
+        assert hasattr(motion, name)
 
 
 def test_the_pictures_of_the_readme_are_there():
