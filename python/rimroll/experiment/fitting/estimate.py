@@ -62,10 +62,14 @@ def estimate(
 
     best = likelihood.best(**fixed)
     points = {best.friction: best}
-    for friction in likelihood.predicted.frictions.tolist():
-        point = likelihood.best(best, **fixed, friction=friction)
-        points[friction] = point
-        best = max(best, point, key=lambda one: one.log_likelihood)
+    # Outward from the best: the top at the friction before is next to that at the next.
+    frictions = likelihood.predicted.frictions
+    up, down = frictions[frictions > best.friction], frictions[frictions <= best.friction]
+    for way in (up, down[::-1]):
+        near = best
+        for friction in way.tolist():
+            near = points[friction] = likelihood.best(near, **fixed, friction=friction)
+    best = max(points.values(), key=lambda one: one.log_likelihood)
     for start in _tops([points[friction] for friction in sorted(points)]):
         point = likelihood.climb(start, fixed)
         points[point.friction] = point
@@ -74,17 +78,18 @@ def estimate(
 
     def beyond(friction: float) -> float:
         point = points.get(friction) or likelihood.best(best, **fixed, friction=friction)
-        return likelihood.worse(point, best) - limit
+        return likelihood.beyond(point, best, limit)
 
     grid = np.array(sorted(points))
-    over = np.array([beyond(friction) for friction in grid.tolist()])
+    deviance = np.array([likelihood.worse(points[friction], best) for friction in grid.tolist()])
+    over = deviance - limit
     ends = [] if over[0] > 0.0 else [float(grid[0])]
     for i in np.flatnonzero((over[1:] > 0.0) != (over[:-1] > 0.0)):
         ends.append(float(brentq(beyond, grid[i], grid[i + 1], xtol=1e-5)))
     ends += [] if over[-1] > 0.0 else [float(grid[-1])]
     intervals = tuple(zip(ends[::2], ends[1::2], strict=True))
     most = float(likelihood.predicted.frictions[-1])
-    return Estimate(best.friction, intervals, most, grid, over + limit, limit), best
+    return Estimate(best.friction, intervals, most, grid, deviance, limit), best
 
 
 def _tops(points: list[Point]) -> list[Point]:

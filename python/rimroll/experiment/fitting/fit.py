@@ -340,7 +340,7 @@ def _bias_interval(likelihood: Likelihood, best: Point, confidence: float) -> In
     limit = likelihood.most(confidence)
 
     def beyond(bias: float) -> float:
-        return likelihood.worse(likelihood.best(best, bias=bias), best) - limit
+        return likelihood.beyond(likelihood.best(best, bias=bias), best, limit)
 
     def end(sign: float) -> float:
         step, inside = math.radians(1.0), best.bias

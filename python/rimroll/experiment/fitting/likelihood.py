@@ -69,6 +69,8 @@ class Likelihood:
         }
         self._fixed = {} if knows_hands else {"log_unsteadiness": 0.0}
         self._lattice = predicted.frictions[::2]
+        self._some_hands = np.log(predicted.unsteady[:: max(len(predicted.unsteady) // 4, 1)])
+        self._known_curves: dict[float, Array] = {}
 
     @property
     def has_both_sides(self) -> bool:
@@ -99,6 +101,13 @@ class Likelihood:
         """D: twice the loss of log likelihood."""
         return 2.0 * max(best.log_likelihood - point.log_likelihood, 0.0)
 
+    def beyond(self, point: Point, best: Point, limit: float) -> float:
+        """How far a point lies outside the confidence set: below 0 inside, 0 where D is ``limit``.
+
+        Measured in √D, which is nearly linear in a parameter, so that roots are found in few steps.
+        """
+        return math.sqrt(self.worse(point, best)) - math.sqrt(limit)
+
     def chance(self, deviance: float) -> float:
         """The chance of a D as large when the point is true."""
         from scipy.special import fdtrc
@@ -117,13 +126,13 @@ class Likelihood:
         """Where to climb from: the best of a coarse lattice, at the best three frictions."""
         frictions = np.array([fixed["friction"]] if "friction" in fixed else self._lattice)
         biases = np.array([fixed["bias"]] if "bias" in fixed else _BIASES)
-        hands = np.log(self.predicted.unsteady[:: max(len(self.predicted.unsteady) // 4, 1)])
+        hands = self._some_hands
         lefts = min(max(float(np.mean(self.directions > math.pi)), 0.05), 0.95)
         some = np.sort(self.directions)[:: max(len(self.directions) // 128, 1)]
         places = Places(some - biases[:, None])
-        flat, curve = [], self._log_densities.curve
+        flat = []
         for friction in frictions.tolist():
-            curves = np.array([curve(friction, hand)[0] for hand in hands.tolist()])
+            curves = self._curves(friction)
             left, right = np.exp(places.values(curves)).swapaxes(0, 1)
             flat.append(np.log(lefts * left + (1.0 - lefts) * right).sum(axis=-1))
         heights = np.array(flat)
@@ -135,6 +144,13 @@ class Likelihood:
                 Point(float(frictions[i]), float(biases[bias]), unsteadiness, lefts, -math.inf)
             )
         return starts
+
+    def _curves(self, friction: float) -> Array:
+        """Curves (h, 2, c) at some of the hands; kept, as the same frictions come again."""
+        if friction not in self._known_curves:
+            curve, hands = self._log_densities.curve, self._some_hands.tolist()
+            self._known_curves[friction] = np.array([curve(friction, hand)[0] for hand in hands])
+        return self._known_curves[friction]
 
     def climb(self, start: Point, fixed: Mapping[str, float]) -> Point:
         """The top of the hill that a point is on, with some parameters held fixed."""
