@@ -7,7 +7,6 @@ the watershed between falls to the left and falls to the right.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -22,7 +21,7 @@ from rimroll.exact import conserves_energy
 from rimroll.exact_falls import exact_falls
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.given import Number, Values, number, numbers
-from rimroll.laws import IDEAL, Frictionless, Law, ideal
+from rimroll.laws import IDEAL, Law, ideal
 from rimroll.many_falls import OPTIONS, VARIABLES, follow
 from rimroll.options import Options
 from rimroll.state import State, single
@@ -190,53 +189,15 @@ def watershed_slope(body: Body, tilt: Number, law: Law) -> float:
     """Yaw rate over spin rate of the starts at a tilt (rad) that come down flat, dimensionless.
 
     Without slip or without friction yaw and spin rates obey linear equations with the tilt as
-    clock, so the watershed is a straight line through the start without either, whatever the tilt
-    rate and gravity. Frictionless: A l + C s cos φ and s are constant and l = 0 at φ = 0, hence
-    C/(A (1 + cos φ) − C cos φ). No-slip: the solution of the linear equations that is regular at
-    φ = 0. Not in the paper, which says only that the side depends sensitively on the start.
+    independent variable. The watershed is therefore a straight line through the start without
+    either rate, whatever the tilt rate and gravity. Frictionless: A l + C s cos φ and s are
+    constant and l = 0 at φ = 0, hence C/(A (1 + cos φ) − C cos φ). No slip: the solution of the
+    linear equations that is regular at φ = 0, as a power series. The paper says only that the side
+    depends sensitively on the start.
 
     Raises ``RimrollError`` for other laws and for a tilt outside (0, π/2).
     """
-    one_body(body)
-    tilt = number("tilt", tilt, "rad")
-    if not 0.0 < tilt < 0.5 * math.pi:
-        raise RimrollError(f"tilt must be inside (0, pi/2), got {tilt} rad")
-    transverse, axial = body.transverse_inertia, body.axial_inertia
-    if isinstance(ideal(law), Frictionless):
-        # The sum of two terms that are not negative: a flat body, C = 2A, leaves only the second.
-        rest = 2.0 * transverse * math.sin(0.5 * tilt) ** 2
-        return axial / ((2.0 * transverse - axial) * math.cos(tilt) + rest)
-    l, s = _rolled_up_from_flat(body, tilt)
-    yaw_rate = l / math.sin(tilt) ** 2
-    return yaw_rate / (s - yaw_rate * math.cos(tilt))
-
-
-def _rolled_up_from_flat(body: Body, tilt: float) -> tuple[float, float]:
-    """l = dψ/dt sin²φ and s at a tilt of the motion without slip that has l = 0, s = 1 at φ = 0.
-
-    The paper's ``noslip_eqs`` solved for dl/dφ and ds/dφ.
-    """
-    from scipy.integrate import solve_ivp
-
-    m, r, h = body.mass, body.radius, body.height
-    a, c = body.transverse_inertia, body.axial_inertia
-    about_side, about_base = c + m * r * r, a + m * h * h
-    both = c * about_base + a * m * r * r
-
-    def rates(phi: float, state: Array) -> list[float]:
-        l, s = state
-        turning = l / math.sin(phi) if phi > 0.0 else 0.0  # l ~ φ²
-        return [
-            c * (about_side * s * math.sin(phi) - m * h * r * l) / both,
-            m * r * (h * c * s + a * r * turning) / both,
-        ]
-
-    # l is measured against φ², as which it begins.
-    small = 1e-14 * tilt * tilt
-    done = solve_ivp(
-        rates, (0.0, tilt), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=[small, 1e-14]
-    )
-    return float(done.y[0, -1]), float(done.y[1, -1])
+    return _core.watershed_slope(one_body(body), number("tilt", tilt, "rad"), ideal(law).name)
 
 
 def _plane(falls: Falls, yaw: Array, spin: Array, start: State) -> Falls:

@@ -9,6 +9,7 @@ import pytest
 import xarray as xr
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
 import rimroll as rr
 from given.strategies import bodies
@@ -150,13 +151,45 @@ def test_the_watershed_of_linear_theory_is_where_falls_change_sides(body, share,
     tilt = share * min(rr.balance_tilt(body), 1.2)
     assume(comes_down(body, tilt, law))
     slope = rr.watershed_slope(body, tilt, law)
-    spin = np.sqrt(9.8 / body.radius) * np.array([1e-3, 1e-2]) / max(1.0, slope)
+    rates = np.sqrt(9.8 / body.radius) * np.array([1e-3, 1e-2])
+    spin = rates / max(1.0, slope)
+    beside = 1e-6 * rates  # far enough from the line that the base does not come down flat
     for side in (-1.0, 1.0):
         # A spin along the turn lifts the rim off; against it, it stays on the table.
         spins = -side * spin
-        starts = rr.State(tilt=tilt, yaw_rate=slope * spins + side * 1e-6 * spin, spin_rate=spins)
+        starts = rr.State(tilt=tilt, yaw_rate=slope * spins + side * beside, spin_rate=spins)
         falls = rr.ensemble(body, starts, law, gravity=9.8, duration=30.0)
         assert np.all(np.sign(falls.turn.values) == side)
+
+
+def rolled_up_from_flat(body, tilt):
+    """(l, s) at a tilt of the motion without slip with l = 0, s = 1 at φ = 0: ``noslip_eqs``."""
+    m, r, h = body.mass, body.radius, body.height
+    a, c = body.transverse_inertia, body.axial_inertia
+    both = c * (a + m * h * h) + a * m * r * r
+
+    def rates(phi, state):
+        l, s = state
+        per_sine = l / np.sin(phi) if phi > 0.0 else 0.0  # l ~ φ²
+        return [
+            c * ((c + m * r * r) * s * np.sin(phi) - m * h * r * l) / both,
+            m * r * (h * c * s + a * r * per_sine) / both,
+        ]
+
+    # l begins as φ², so its error is compared with φ².
+    atol = [1e-14 * tilt * tilt, 1e-14]
+    done = solve_ivp(rates, (0.0, tilt), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=atol)
+    return done.y[:, -1]
+
+
+@settings(max_examples=25, deadline=None)
+@given(bodies(), st.floats(0.01, 1.5))
+def test_the_watershed_of_rolling_is_the_motion_that_rises_from_lying_flat(body, tilt):
+    l, s = rolled_up_from_flat(body, tilt)
+    yaw_rate = l / np.sin(tilt) ** 2
+    slope = yaw_rate / (s - yaw_rate * np.cos(tilt))
+    # Ten times what the integration may err.
+    assert rr.watershed_slope(body, tilt, rr.NoSlip()) == pytest.approx(slope, rel=1e-11)
 
 
 @settings(max_examples=25, deadline=None)

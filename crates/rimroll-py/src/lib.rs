@@ -35,7 +35,7 @@ mod _core {
         CoreNearCollision, CorePasted, arrival, balance_tilt, check_surface, disk_turn_limit,
         error_law_coefficient, first_bad_surface, friction_at, lift_off_rate, needed_friction,
         painleve_friction, passage, point_mass_turn_limit, slip_rate, steady_wobble_rate,
-        tall_turn_limit, turn_limit, turn_limit_with_spin,
+        tall_turn_limit, turn_limit, turn_limit_with_spin, watershed_slope,
     };
 
     #[pymodule_init]

@@ -52,6 +52,11 @@ pub fn first_bad_surface(
 }
 
 #[pyfunction]
+pub fn watershed_slope(body: BodyArgument, tilt: f64, law_name: &str) -> PyResult<f64> {
+    turn::exact::watershed_slope(&body.body()?, ideal_law(law_name)?, tilt).map_err(refusal)
+}
+
+#[pyfunction]
 pub fn arrival(
     py: Python<'_>,
     body: BodyArgument,

@@ -34,6 +34,7 @@ mod tilting;
 mod top;
 mod toppling;
 mod waiting;
+mod watershed;
 mod wobble;
 
 use crate::body::Body;
@@ -52,6 +53,7 @@ use sliding::Sliding;
 use start::Start;
 use tilting::Tilting;
 use top::{OnTop, lingers};
+pub use watershed::watershed_slope;
 
 /// Below this sin φ the base counts as flat on the table, as in a simulated motion.
 const FLAT: f64 = crate::motion::FACE_DOWN_TILT;

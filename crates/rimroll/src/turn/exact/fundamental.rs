@@ -117,6 +117,12 @@ impl<C: Copy> Fundamental<C> {
     }
 }
 
+/// [l, s] at a tilt (rad) of the solution that is regular at φ = 0, where it is [0, 1].
+pub(super) fn regular_solution(k: &Parameters<f64>, tilt: f64) -> [f64; 2] {
+    let [l_1, s_1, ..] = Series::new(rates(k)).at(tilt);
+    [l_1, s_1]
+}
+
 /// The power series in φ of the four functions.
 struct Series<C> {
     l_1: [C; TERMS],
