@@ -1,38 +1,40 @@
-//! What wears a motion down besides friction: moments that can be added to any law.
+//! Rolling resistance, pivoting friction and air drag: dissipative moments that can be added to any law.
 //!
-//! * [`RollingResistance`]: the contact point works the rim as it runs along it at R|θ̇|. Generalised
-//!   force on θ alone, Q = −(k N R + c R² |θ̇|) sgn θ̇; being felt by no turn about the vertical, it is the
-//!   moment Q about e_z2 and −Q cos φ/sin φ about e_x2. (The "contour friction" of R. I. Leine,
-//!   Arch. Appl. Mech. 79 (2009), and the "rolling friction" of the Euler's-disk literature.)
-//! * [`PivotingFriction`]: a moment −k N sgn ω_z about the vertical, of a contact of finite size.
-//! * [`AirDrag`]: a moment about e_x2 against the wobble, of power k |ψ̇|ⁿ.
+//! * [`RollingResistance`]: the rim dissipates energy as the contact point runs along it at R|θ̇|. The
+//!   generalised force acts on θ alone, Q = −(k N R + c R² |θ̇|) sgn θ̇. It does no work in a rotation about
+//!   the vertical, so it is the moment Q about e_z2 and −Q cos φ/sin φ about e_x2. (This is the "contour
+//!   friction" of R. I. Leine, Arch. Appl. Mech. 79 (2009), and the "rolling friction" of the literature
+//!   on Euler's disk.)
+//! * [`PivotingFriction`]: a moment −k N sgn ω_z about the vertical, due to a contact area of finite size.
+//! * [`AirDrag`]: a moment about e_x2 against the wobble, which dissipates the power k |ψ̇|ⁿ.
 //!
-//! Let a disk lie nearly flat at the tilt α, wobbling at Ω² = 4g/(Rα) (uniform disk), and lose a power
-//! ~ Ω^λ: then α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous λ = 2, air λ = n.
+//! A nearly flat uniform disk at the tilt α wobbles at Ω² = 4g/(Rα). If it dissipates a power ~ Ω^λ, then
+//! α ~ (t₀ − t)^{2/(2+λ)}. Dry rolling resistance has λ = 1, viscous rolling resistance λ = 2, air λ = n.
 //!
-//! The viscous part and the air's fade out where less than some thousandths of the weight press.
+//! Viscous rolling resistance and air drag fade out where the normal force is below a few thousandths of
+//! the weight.
 //!
-//! sgn is smoothed to x/√(x² + x₀²), so that a rate may pass through zero: x is the angular velocity
-//! about the vertical or, for rolling, about the horizontal through the contact point and the centre of
-//! the base, θ̇ sin φ; x₀ = √(g/R)/1000.
+//! sgn is smoothed to x/√(x² + x₀²), so that rates can pass smoothly through zero. x is the angular velocity
+//! about the vertical or, for rolling, θ̇ sin φ, the one about the horizontal through the contact point and
+//! the centre of the base; x₀ = √(g/R)/1000.
 
 use super::{Contact, Dynamics, Parameters};
 use crate::real::Real;
 use crate::state::Coordinates;
 
-/// Resistance to the contact point's running along the rim.
+/// Resistance to the motion of the contact point along the rim.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RollingResistance {
-    /// k: the resisting force for each newton of normal force.
+    /// k: the resisting force per unit of normal force.
     pub dry: f64,
-    /// c, N s/m: the resisting force for each m/s.
+    /// c, N s/m: the resisting force per unit of speed.
     pub viscous: f64,
 }
 
-/// Resistance to turning about the vertical on the spot.
+/// Resistance to rotation about the vertical through the contact point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PivotingFriction {
-    /// k, m: the moment for each newton of normal force.
+    /// k, m: the moment per unit of normal force.
     pub length: f64,
 }
 
@@ -55,19 +57,19 @@ impl Default for AirDrag {
     }
 }
 
-/// All that is added to a law.
+/// The resistance that is added to a law.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Resistance {
-    /// To rolling.
+    /// Rolling resistance.
     pub rolling: RollingResistance,
-    /// To pivoting.
+    /// Pivoting friction.
     pub pivoting: PivotingFriction,
-    /// Of the air.
+    /// Air drag.
     pub air: AirDrag,
 }
 
 impl Resistance {
-    /// Whether there is none.
+    /// Whether all resistances are zero.
     pub fn is_none(&self) -> bool {
         let none = Resistance::default();
         self.rolling == none.rolling
@@ -75,27 +77,27 @@ impl Resistance {
             && self.air.coefficient == 0.0
     }
 
-    /// The moments about e_x2 and e_z2 times sin φ, under the force N = `normal`/sin φ.
+    /// The moments about e_x2 and e_z2, times sin φ, under the normal force N = `normal`/sin φ.
     fn moment<T: Real>(&self, k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> [T; 2] {
         let smooth = T::from(1e-3) * (k.g / k.r).sqrt();
-        let touching = touching(k, u, normal);
-        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth, touching);
+        let contact_factor = contact_factor(k, u, normal);
+        let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth, contact_factor);
         let [pivoting_x, pivoting_z] = self.pivoting.moment(u, normal, smooth);
         [
-            rolling_x + pivoting_x + touching * self.air.moment(u, smooth),
+            rolling_x + pivoting_x + contact_factor * self.air.moment(u, smooth),
             rolling_z + pivoting_z,
         ]
     }
 }
 
-/// How much there is of a resistance that does not grow with the load: all of it but where hardly
-/// anything presses any more. In flight there is none, and were it to end at once, the rim could be held
-/// on the table by what ends as it leaves.
-fn touching<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
+/// A factor of the resistances that are not proportional to the load. It is 1 except where the normal force
+/// almost vanishes, and 0 in flight. If it jumped to 0 at the lift-off, the resistance could hold the rim on
+/// the table and vanish as soon as the rim leaves it.
+fn contact_factor<T: Real>(k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> T {
     const SOFT: f64 = 1000.0;
     let load = normal / (k.m * u.sin * k.g);
-    let some = T::from(1.0) - (T::from(-SOFT) * load).exp();
-    normal.where_negative(T::from(0.0), some)
+    let in_contact = T::from(1.0) - (T::from(-SOFT) * load).exp();
+    normal.where_negative(T::from(0.0), in_contact)
 }
 
 impl RollingResistance {
@@ -105,30 +107,30 @@ impl RollingResistance {
         u: &Coordinates<T>,
         normal: T,
         smooth: T,
-        touching: T,
+        contact_factor: T,
     ) -> [T; 2] {
-        // θ̇ sin φ, the angular velocity about −e_x1, which stays finite.
+        // θ̇ sin φ, the angular velocity about −e_x1, stays finite as sin φ → 0.
         let running = u.sin * u.s - u.w * u.cos;
         let sign = running / (running * running + smooth * smooth).sqrt();
         let dry = T::from(self.dry) * k.r * normal * sign;
-        let viscous = touching * T::from(self.viscous) * k.r * k.r * running;
-        let resistance_rate = dry + viscous;
-        [resistance_rate * u.cos / u.sin, -resistance_rate]
+        let viscous = contact_factor * T::from(self.viscous) * k.r * k.r * running;
+        let moment = dry + viscous;
+        [moment * u.cos / u.sin, -moment]
     }
 }
 
 impl PivotingFriction {
     fn moment<T: Real>(&self, u: &Coordinates<T>, normal: T, smooth: T) -> [T; 2] {
-        let gyroscopic_term = u.w * u.sin + u.s * u.cos;
-        let sign = gyroscopic_term / (gyroscopic_term * gyroscopic_term + smooth * smooth).sqrt();
+        let vertical_rate = u.w * u.sin + u.s * u.cos;
+        let sign = vertical_rate / (vertical_rate * vertical_rate + smooth * smooth).sqrt();
         let vertical = T::from(self.length) * normal * sign;
         [-vertical * u.sin, -vertical * u.cos]
     }
 }
 
 impl AirDrag {
-    /// −k ψ̇ |ψ̇|ⁿ⁻². Below n = 2 its slope is infinite at ψ̇ = 0, and a ψ̇ that drag and gyroscopic moments
-    /// hold close to 0 would relax infinitely fast; so |ψ̇| is there √(ψ̇² + ψ̇₀²).
+    /// −k ψ̇ |ψ̇|ⁿ⁻². For n < 2 its slope is infinite at ψ̇ = 0, so a ψ̇ that drag and gyroscopic moments keep
+    /// close to 0 would relax infinitely fast. There √(ψ̇² + ψ̇₀²) replaces |ψ̇|.
     fn moment<T: Real>(&self, u: &Coordinates<T>, smooth: T) -> T {
         const NEGLIGIBLE: f64 = 1e-15;
         let (yaw_rate, k) = (u.yaw_rate(), T::from(-self.coefficient));
@@ -146,7 +148,7 @@ impl AirDrag {
 pub struct Resisted<L> {
     law: L,
     resistance: Resistance,
-    /// Whether there is any.
+    /// Whether any resistance is not zero.
     resists: bool,
 }
 
@@ -160,12 +162,12 @@ impl<L> Resisted<L> {
         }
     }
 
-    /// The law without it.
+    /// The law without resistance.
     pub(crate) fn dynamics(&self) -> &L {
         &self.law
     }
 
-    /// Rates under moments beside the law's forces, given those without.
+    /// Adds the effect of resistance to the law's rates, given the normal force (times sin φ).
     #[inline(always)]
     pub(crate) fn resist<T: Real>(
         &self,
@@ -181,13 +183,13 @@ impl<L> Resisted<L> {
         }
         let k = self.law.parameters();
         let [about_x, about_z] = self.resistance.moment(k, u, normal);
-        let held = self.law.constraint_reaction([about_x, about_z]);
-        let across = held.unwrap_or(T::from(0.0));
+        let reaction = self.law.constraint_reaction([about_x, about_z]);
+        let across = reaction.unwrap_or(T::from(0.0));
         let dw = (about_x + k.h * across) / k.a;
         let ds = (about_z - k.r * across) / k.c;
         rates.w = rates.w + dw;
         rates.s = rates.s + ds;
-        if held.is_none() {
+        if reaction.is_none() {
             rates.slip_y = rates.slip_y + k.h * dw - k.r * ds;
         }
         rates.resistance_loss = -(about_x * u.w + about_z * u.s);
@@ -215,8 +217,8 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
             let moment = self
                 .resistance
                 .moment(self.law.parameters(), u, contact.normal);
-            let held = self.law.constraint_reaction(moment).unwrap_or(T::from(0.0));
-            contact.across = contact.across + held;
+            let reaction = self.law.constraint_reaction(moment).unwrap_or(T::from(0.0));
+            contact.across = contact.across + reaction;
         }
         contact
     }

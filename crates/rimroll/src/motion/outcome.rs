@@ -1,43 +1,43 @@
-//! What became of a body let go: how the motion ended, and what the tilt did before.
+//! The outcome of a release, which depends on how the motion ended and on the tilt before.
 
 use super::Status;
 
-/// What became of a body let go, through its first turn.
+/// The outcome of a release, through the first turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// It comes down and rises again to a largest tilt; a disk may rise to the vertical, and past it.
+    /// The body comes down and rises again to a tilt maximum; a disk can rise to the vertical and beyond.
     Rocked,
-    /// It comes down, rises again and falls over.
+    /// The body comes down, rises again and falls over.
     Toppled,
-    /// It falls over without coming down.
+    /// The body falls over without coming down.
     FellBack,
-    /// The rim leaves the table, or the table would have to pull to keep it.
+    /// The rim leaves the table, or the normal force would become negative.
     LiftedOff,
     /// The whole rim meets the table at once.
     FaceDown,
-    /// Time is up before its first turn is over.
+    /// The duration ends before the first turn does.
     Hovered,
-    /// Its energy is spent, and it lies flat.
+    /// The energy is spent, and the body lies flat.
     AtRest,
-    /// Painlevé's paradox: rigid-body mechanics with this friction has no one answer.
+    /// The Painlevé paradox: rigid-body mechanics with this friction has no unique solution.
     Painleve,
-    /// It could not be computed.
+    /// The motion could not be computed.
     Failed,
 }
 
-/// What the tilt did before the end.
+/// The history of the tilt before the end.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tilting {
-    /// Whether it was smallest once.
+    /// Whether the tilt had a minimum.
     pub came_down: bool,
-    /// Whether it was largest after that, so that the turn is over.
+    /// Whether it had a maximum after that, so that the turn is complete.
     pub turned: bool,
-    /// Whether it ended past the balance point.
+    /// Whether it ended beyond the balance point.
     pub past_balance: bool,
 }
 
 impl Outcome {
-    /// All of them, in the order of their codes, `outcome as usize`.
+    /// All outcomes in the order of their codes, `outcome as usize`.
     pub const ALL: [Outcome; 9] = [
         Outcome::Rocked,
         Outcome::Toppled,
@@ -80,8 +80,8 @@ impl Outcome {
         }
     }
 
-    /// The outcome of a body whose rim leaves the table, as it rises past its balance point or not:
-    /// there it falls over whether the rim leaves the table or not.
+    /// The outcome of a body whose rim leaves the table. If that happens while it rises beyond its balance
+    /// point, it counts as toppled, because it falls over whether or not the rim leaves the table.
     pub fn lifted_off(rises_past_balance: bool) -> Outcome {
         if rises_past_balance {
             Outcome::Toppled
@@ -90,7 +90,7 @@ impl Outcome {
         }
     }
 
-    /// Whether the motion was cut short before mechanics ended it, so that its turn has no end.
+    /// Whether the motion was cut short, so that its turn has no end.
     pub(crate) fn is_cut_short(self) -> bool {
         matches!(self, Outcome::Hovered | Outcome::Failed)
     }
@@ -101,9 +101,9 @@ mod tests {
     use super::Outcome;
 
     #[test]
-    fn codes_are_places_in_the_list() {
-        for (place, outcome) in Outcome::ALL.into_iter().enumerate() {
-            assert_eq!(outcome as usize, place);
+    fn codes_are_indices_into_the_list() {
+        for (index, outcome) in Outcome::ALL.into_iter().enumerate() {
+            assert_eq!(outcome as usize, index);
         }
     }
 }

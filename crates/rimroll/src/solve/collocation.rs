@@ -1,5 +1,5 @@
-//! Collocation at the seven right Radau points: the unknown is a polynomial of degree 7 whose slope is
-//! right at the points. Implicit, so for parts of a system that relax too fast for explicit steps.
+//! Collocation at the seven right Radau points: the solution is a polynomial of degree 7 that satisfies the
+//! differential equations at the points. The method is implicit and suits stiff systems.
 //!
 //! Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*, section IV.5 (Radau IIA,
 //! stage order 7, order 13).
@@ -7,7 +7,7 @@
 use super::Dense;
 use std::sync::LazyLock;
 
-/// How many points there are.
+/// The number of points.
 pub const POINTS: usize = 7;
 
 /// The zeros of P₇(2x − 1) − P₆(2x − 1) in (0, 1].
@@ -23,28 +23,28 @@ pub const RADAU: [f64; POINTS] = [
 
 type Matrix = [[f64; POINTS]; POINTS];
 
-/// The matrices of the method.
+/// The coefficients of the method.
 pub struct Collocation {
-    /// ∫₀^{c_i} of the polynomial that is 1 at the point j and 0 at the others.
+    /// The Runge-Kutta matrix: a_ij is ∫₀^{c_i} of the Lagrange polynomial of the point j.
     pub integral: Matrix,
-    /// From values at the points to the Legendre coefficient of degree 6.
+    /// Maps values at the points to their Legendre coefficient of degree 6.
     pub last: [f64; POINTS],
-    /// From rises at the points over a step of length 1 to the same coefficient of the slope.
+    /// Maps increments at the points, over a step of size 1, to that coefficient of the rate.
     pub last_of_rises: [f64; POINTS],
-    /// From rises at the points to the coefficients of [`Dense`].
+    /// Maps increments at the points to the coefficients of [`Dense`].
     to_dense: Matrix,
 }
 
 static RADAU_IIA: LazyLock<Collocation> = LazyLock::new(Collocation::computed);
 
 impl Collocation {
-    /// The method, whose matrices are computed once.
+    /// The method, whose coefficients are computed once.
     pub fn get() -> &'static Self {
         &RADAU_IIA
     }
 
     fn computed() -> Self {
-        // Row i: P₀ … P₇ at 2c_i − 1.
+        // Row i holds P₀ … P₇ at 2c_i − 1.
         let legendre = RADAU.map(|c| {
             let x = 2.0 * c - 1.0;
             let mut row = [1.0; POINTS + 1];
@@ -81,7 +81,7 @@ impl Collocation {
         }
     }
 
-    /// The step of length h that passes through `start` and the given states at the points.
+    /// The step of size h that passes through `start` and the given states at the points.
     pub fn through<const N: usize>(
         &self,
         h: f64,
@@ -106,7 +106,7 @@ impl Collocation {
 }
 
 impl Collocation {
-    /// The part of a step up to the fraction x, as a step of its own.
+    /// The part of a step up to the fraction x, as a separate step.
     pub fn cut<const N: usize>(&self, step: &Dense<f64, N>, x: f64) -> Dense<f64, N> {
         self.through(x * step.h, &step.start, &RADAU.map(|c| step.at(x * c)))
     }
@@ -126,7 +126,7 @@ fn inverse(matrix: &Matrix) -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| columns[j][i]))
 }
 
-/// x with `matrix` x = `right`, by elimination with the largest pivot of each column.
+/// The solution x of `matrix` x = `right`, by Gaussian elimination with partial pivoting.
 pub fn solved(mut matrix: Matrix, mut right: [f64; POINTS]) -> [f64; POINTS] {
     for i in 0..POINTS {
         let mut pivot = i;
