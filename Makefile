@@ -39,9 +39,10 @@ coverage: .venv/.extension ## measure how often the fit's intervals hold the tru
 census: .venv/.extension ## compare both engines from 100 000 wild starts (ten minutes)
 	.venv/bin/python bench/census.py
 
-lint: .venv/.packages web/node_modules/.installed ## check format, lints and types
+lint: .venv/.packages web/node_modules/.installed ## check format, lints, types and the links of the Rust documentation
 	cargo fmt --all --check
 	PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo clippy --workspace --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo doc --workspace --no-deps
 	.venv/bin/ruff check
 	.venv/bin/ruff format --check
 	.venv/bin/mypy

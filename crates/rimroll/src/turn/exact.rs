@@ -6,13 +6,13 @@
 //! time integrals with a rule that gains digits with every node. What makes that work however near the
 //! near-collision is:
 //!
-//! * the tilt's logarithm as clock ([`tilting`]), in which the collision and the rest of the motion are of
+//! * the tilt's logarithm as clock (`tilting`), in which the collision and the rest of the motion are of
 //!   like length,
-//! * for rolling, a table of the body's fundamental solutions ([`fundamental`]),
-//! * the part of the yaw that the collision alone makes in closed form ([`segments`]).
+//! * for rolling, a table of the body's fundamental solutions (`fundamental`),
+//! * the part of the yaw that the collision alone makes in closed form (`segments`).
 //!
-//! [`scalar`] treats one start with all that can become of it; [`rocking`] sixteen at a time that rock,
-//! [`toppling`] sixteen that topple. [`bodies`] sorts many starts by their bodies.
+//! `scalar` treats one start with all that can become of it; `rocking` sixteen at a time that rock,
+//! `toppling` sixteen that topple. `bodies` sorts many starts by their bodies.
 
 mod antiderivative;
 mod batch;
