@@ -1,4 +1,4 @@
-//! The turn of the can and one motion by rimroll's core, as a Rust user calls it.
+//! The turn of the can and one motion, computed by rimroll's core as a Rust user calls it.
 
 #[path = "../../peers-rs/src/protocol.rs"]
 mod protocol;

@@ -1,7 +1,7 @@
-//! What one motion costs: the paper's can over two seconds, with its events and dense output.
+//! The cost of one motion: the paper's can over two seconds, with its events and dense output.
 //!
-//! `cargo bench --bench motion` prints the best of many runs, and beside it the error of the turns against
-//! a motion at the tightest tolerance.
+//! `cargo bench --bench motion` prints the best time of many runs, and the error of the turns against a
+//! motion at the tightest tolerance.
 
 use rimroll::{ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets, simulate};
 use std::hint::black_box;

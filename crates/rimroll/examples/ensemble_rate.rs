@@ -1,6 +1,6 @@
-//! What a fall costs in an ensemble, and how exact it is: microseconds a turn on one thread, for one body and for a
-//! body in each row, and the errors against falls followed at a far tighter tolerance. The time of the thread is
-//! Linux's.
+//! The cost and the accuracy of a fall in an ensemble: microseconds per turn on one thread, for one body and
+//! for a different body in each row, and the errors against falls at a far tighter tolerance. It measures the
+//! CPU time of the thread, which needs Linux.
 
 use rimroll::motion::{Fall, fall};
 use rimroll::{
@@ -29,14 +29,14 @@ fn starts(n: usize) -> Vec<State> {
         .collect()
 }
 
-/// Of this thread on a processor, which on a busy machine is less than what passes.
+/// The CPU time of this thread, which on a busy machine is less than the elapsed time.
 fn seconds() -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
     let first = told.split(' ').next().and_then(|ns| ns.parse::<f64>().ok());
     first.expect("nanoseconds") * 1e-9
 }
 
-/// The falls, and the least time of some runs, which is the least disturbed, in microseconds a fall.
+/// The falls, and the smallest (least disturbed) time of several runs, in microseconds per fall.
 fn timed(trials: &[Release<'_>], options: &Options) -> (Vec<Fall>, f64) {
     let once = || {
         let begin = seconds();
@@ -48,7 +48,7 @@ fn timed(trials: &[Release<'_>], options: &Options) -> (Vec<Fall>, f64) {
     runs.min_by(|a, b| a.1.total_cmp(&b.1)).expect("a run")
 }
 
-/// Bodies that move alike, and of which no two are equal.
+/// Bodies that move alike although no two are equal.
 fn all_but_equal(body: &Body, n: usize) -> Vec<Body> {
     let heavier = |i: usize| {
         let more = 1.0 + 1e-13 * i as f64;

@@ -1,11 +1,12 @@
-//! What an exact turn costs: microseconds on one thread, of starts that rock, of a flick that topples and of
-//! throws of all kinds, with what becomes of them; for one body, and for a body in each row. The time of the thread is Linux's.
+//! The cost of a turn by quadrature: microseconds on one thread for starts that rock, for a flick that
+//! topples and for throws of all kinds, with their outcomes; for one body and for a different body in each
+//! row. It measures the CPU time of the thread, which needs Linux.
 
 use rimroll::motion::Outcome;
 use rimroll::turn::exact::{Exact, ExactRows};
 use rimroll::{Body, IdealLaw, State, presets};
 
-/// Numbers between 0 and 1 without a pattern.
+/// Pseudo-random numbers between 0 and 1.
 fn random(seed: &mut u64) -> f64 {
     *seed = seed
         .wrapping_mul(6_364_136_223_846_793_005)
@@ -44,14 +45,14 @@ fn starts(kind: &str, n: usize) -> Vec<State> {
         .collect()
 }
 
-/// Of this thread on a processor, which on a busy machine is less than what passes.
+/// The CPU time of this thread, which on a busy machine is less than the elapsed time.
 fn seconds() -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
     let first = told.split(' ').next().and_then(|ns| ns.parse::<f64>().ok());
     first.expect("nanoseconds") * 1e-9
 }
 
-/// The least of some runs, which is the least disturbed, in microseconds a turn.
+/// The smallest (least disturbed) time of several runs, in microseconds per turn.
 fn measured<T>(count: usize, runs: usize, work: impl Fn() -> T) -> (T, f64) {
     let once = |_| {
         let begin = seconds();
@@ -64,7 +65,7 @@ fn measured<T>(count: usize, runs: usize, work: impl Fn() -> T) -> (T, f64) {
         .expect("a run")
 }
 
-/// Bodies that move alike, and of which no two are equal.
+/// Bodies that move alike although no two are equal.
 fn all_but_equal(body: &Body, n: usize) -> Vec<Body> {
     let heavier = |i: usize| {
         let more = 1.0 + 1e-13 * i as f64;
