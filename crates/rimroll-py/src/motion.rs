@@ -14,7 +14,7 @@ type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 #[pyclass(frozen)]
 pub struct CoreMotion {
     motion: rimroll::Motion,
-    /// Where it was asked for.
+    /// The derivatives, if requested.
     sensitivity: Option<Sensitivity>,
 }
 

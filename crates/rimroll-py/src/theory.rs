@@ -66,7 +66,7 @@ pub fn arrival(
 ) -> PyResult<ArrivalNumbers> {
     let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
     let arrival = py
-        .detach(|| Arrival::of(&body, &start, &contact_law, gravity))
+        .detach(|| Arrival::from_start(&body, &start, &contact_law, gravity))
         .map_err(refusal)?;
     Ok((
         arrival.tipping_rate,

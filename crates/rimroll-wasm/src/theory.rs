@@ -30,8 +30,8 @@ fn limit_here(body: &Body, friction: &FrictionLaw, arrival: &Arrival) -> Result<
         return turn_limit_of(body, friction, arrival);
     }
     let before = AT_REST.with_borrow(|before| {
-        let (of, under, limit) = before.as_ref()?;
-        (of == body && under == friction).then_some(*limit)
+        let (last_body, last_friction, limit) = before.as_ref()?;
+        (last_body == body && last_friction == friction).then_some(*limit)
     });
     if let Some(limit) = before {
         return Ok(limit);
@@ -48,7 +48,7 @@ fn known(mut arguments: Arguments) -> Result<[f64; 6], InvalidInput> {
         arguments.contact_law()?,
     );
     let gravity = arguments.number();
-    let here = Arrival::of(&body, &start, &contact_law, gravity)
+    let here = Arrival::from_start(&body, &start, &contact_law, gravity)
         .and_then(|arrival| limit_here(&body, &contact_law.friction, &arrival));
     Ok([
         turn_limit(&body, IdealLaw::NoSlip),

@@ -169,10 +169,10 @@ impl<T: Real> Coordinates<T> {
 
     /// Reads the first N entries of the solver's state vector; the others are zero.
     #[inline(always)]
-    pub(crate) fn from_first<const N: usize>(first: &[T; N]) -> Self {
-        let mut all = [T::from(0.0); COORDINATES];
-        all[..N].copy_from_slice(first);
-        Coordinates::from_array(&all)
+    pub(crate) fn from_first<const N: usize>(leading: &[T; N]) -> Self {
+        let mut array = [T::from(0.0); COORDINATES];
+        array[..N].copy_from_slice(leading);
+        Coordinates::from_array(&array)
     }
 
     /// The start of a motion: t = 0, the centre of mass above the origin, no slip. The argument lists the

@@ -341,8 +341,8 @@ fn options_are_bounded() {
 /// Beyond π/2 + φ* the centre of mass would be below the table.
 #[test]
 fn a_topple_tilt_keeps_the_centre_of_mass_over_the_table() {
-    let most = FRAC_PI_2 + can().balance_tilt();
-    for tilt in [0.0, -1.0, most, 4.0] {
+    let max = FRAC_PI_2 + can().balance_tilt();
+    for tilt in [0.0, -1.0, max, 4.0] {
         let options = Options {
             topple_tilt: Some(tilt),
             ..Options::default()
@@ -350,7 +350,7 @@ fn a_topple_tilt_keeps_the_centre_of_mass_over_the_table() {
         assert_eq!(
             refused_options(&options),
             format!(
-                "topple_tilt must be inside (0, {most}), where the centre of mass is over the table, \
+                "topple_tilt must be inside (0, {max}), where the centre of mass is over the table, \
                  got {tilt} rad"
             )
         );

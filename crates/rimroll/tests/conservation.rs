@@ -231,13 +231,13 @@ proptest! {
             if matches!(mode, NoSlip | Frictionless | Flight) {
                 prop_assert_eq!(rates.friction_loss, 0.0);
             }
-            let all = along_the_motion(&*law, &at).into_array();
+            let coordinates = along_the_motion(&*law, &at).into_array();
             // The power through each coordinate separately: only that coordinate has a rate.
-            let mut power: Vec<f64> = (0..all.len())
+            let mut power: Vec<f64> = (0..coordinates.len())
                 .map(|moving| {
                     let u = core::array::from_fn(|i| match i == moving {
-                        true => all[i],
-                        false => Dual::from(all[i].value),
+                        true => coordinates[i],
+                        false => Dual::from(coordinates[i].value),
                     });
                     duals.energy(&Coordinates::from_array(&u)).total().slope
                 })

@@ -431,9 +431,9 @@ fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
 fn time_runs_backward_to_the_start() {
     let start = paper_start(0.05);
     for law in IdealLaw::ALL {
-        let there = follow(&can(), &start, law, &tight(1.3));
-        assert!(there.turns.len() >= 2);
-        let end = there.track.end().state();
+        let forward = follow(&can(), &start, law, &tight(1.3));
+        assert!(forward.turns.len() >= 2);
+        let end = forward.track.end().state();
         let reversed = State {
             tilt_rate: -end.tilt_rate,
             yaw_rate: -end.yaw_rate,

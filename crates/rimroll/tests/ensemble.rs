@@ -165,10 +165,10 @@ proptest! {
         let found = &all(&body, &[(start, contact_law.clone())], &options())[0];
         let alone = fall(&body, &start, &contact_law, &options()).expect("a valid start");
         // Falls whose outcome changes with a tiny change of the start are not compared.
-        let steady = [-1e-6, 1e-6].into_iter().all(|hair| {
-            let beside = State { tilt: start.tilt + hair, ..start };
-            let beside = fall(&body, &beside, &contact_law, &options()).expect("a valid start");
-            same_kind(&beside, &alone) && near(&beside, &alone, 1e-3)
+        let steady = [-1e-6, 1e-6].into_iter().all(|offset| {
+            let neighbour = State { tilt: start.tilt + offset, ..start };
+            let neighbour = fall(&body, &neighbour, &contact_law, &options()).expect("a valid start");
+            same_kind(&neighbour, &alone) && near(&neighbour, &alone, 1e-3)
         });
         if steady {
             prop_assert!(same_kind(found, &alone), "{found:?}\n{alone:?}");
@@ -266,7 +266,7 @@ fn what_is_done_before_the_watch_ends_the_work_is_kept() {
 #[test]
 fn what_slides_and_what_flies_is_said() {
     let can = presets::can_2007().expect("the paper's can");
-    let gentle = State {
+    let slow = State {
         tilt: 0.4,
         tilt_rate: -0.5,
         yaw_rate: 0.01,
@@ -276,14 +276,14 @@ fn what_slides_and_what_flies_is_said() {
     let one = |start: &State, contact_law: ContactLaw| {
         fall(&can, start, &contact_law, &options()).expect("a valid start")
     };
-    let rolls = one(&gentle, IdealLaw::NoSlip.into());
+    let rolls = one(&slow, IdealLaw::NoSlip.into());
     assert!(!rolls.slid && !rolls.flew && rolls.energy_lost() == 0.0);
-    let slides = one(&gentle, FrictionLaw::coulomb(0.1).into());
+    let slides = one(&slow, FrictionLaw::coulomb(0.1).into());
     assert!(slides.slid && !slides.flew && slides.energy_lost() > 0.0);
     // The rim lifts off if it arrives with more than 10.6 rad/s.
     let hard = State {
         tilt_rate: -12.0,
-        ..gentle
+        ..slow
     };
     assert!(one(&hard, FrictionLaw::coulomb(0.3).into()).flew);
 }

@@ -197,7 +197,7 @@ fn halton(mut i: usize, base: usize) -> f64 {
 
 /// Throws of flat to slender bodies, at tilts up to 89 degrees, fast and slow, in both directions.
 fn thrown(i: usize) -> Throw {
-    let between = |base, least: f64, most: f64| least + (most - least) * halton(i, base);
+    let between = |base, min: f64, max: f64| min + (max - min) * halton(i, base);
     let radius: f64 = 0.05;
     let height = radius / libm::exp(between(2, libm::log(0.1), libm::log(30.0)));
     let axial = radius * radius * between(3, 0.1, 1.0);
@@ -225,11 +225,11 @@ fn thrown(i: usize) -> Throw {
 fn is_on_an_edge(throw: &Throw) -> bool {
     const HAIR: f64 = 1e-7;
     let ending = by_quadrature(throw).ending;
-    [-HAIR, HAIR].iter().any(|hair| {
+    [-HAIR, HAIR].iter().any(|offset| {
         (0..4).any(|i| {
-            let mut near = *throw;
-            near.2[i] *= 1.0 + hair;
-            by_quadrature(&near).ending != ending
+            let mut neighbour = *throw;
+            neighbour.2[i] *= 1.0 + offset;
+            by_quadrature(&neighbour).ending != ending
         })
     })
 }

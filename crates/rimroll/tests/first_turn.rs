@@ -44,8 +44,8 @@ fn laws() -> impl Strategy<Value = IdealLaw> {
 fn yawing(body: &Body, lean: f64, fraction: f64) -> State {
     let tilt = lean * body.balance_tilt();
     let (sin, cos) = libm::sincos(tilt);
-    let beside = body.radius() * cos - body.height() * sin;
-    let steady = body.mass() * GRAVITY * beside / (body.transverse_inertia() * sin * cos);
+    let rho = body.radius() * cos - body.height() * sin;
+    let steady = body.mass() * GRAVITY * rho / (body.transverse_inertia() * sin * cos);
     let yaw_rate = fraction * steady.sqrt();
     State {
         tilt,

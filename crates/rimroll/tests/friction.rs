@@ -59,7 +59,7 @@ fn the_limiting_turn_of_the_can_falls_from_frictionless_to_no_slip() {
 fn a_tipping_phase_that_slides_makes_the_turn_larger() {
     for (friction, at_rest, after_sliding) in LIMITS {
         let contact_law = FrictionLaw::coulomb(friction).into();
-        let arrival = Arrival::of(&can(), &paper_start(0.0), &contact_law, PAPER_GRAVITY);
+        let arrival = Arrival::from_start(&can(), &paper_start(0.0), &contact_law, PAPER_GRAVITY);
         let arrival = arrival.expect("a tipping phase that ends flat");
         let turn = limit(&can(), friction, &arrival).to_degrees();
         let expected = after_sliding.unwrap_or(at_rest);
@@ -73,22 +73,22 @@ fn a_tipping_phase_that_slides_makes_the_turn_larger() {
 #[test]
 fn the_computed_near_collision_is_that_of_the_closed_forms() {
     let turn = |law, arrival: &Arrival| passage(&can(), &law, arrival).expect("it passes").turn;
-    let gentle = Arrival::at_rest();
+    let at_rest = Arrival::at_rest();
     let spinning = Arrival {
         spin: -2.0,
         tipping_rate: 3.0,
-        ..gentle
+        ..at_rest
     };
     let rolling = turn_limit(&can(), IdealLaw::NoSlip);
     for law in [FrictionLaw::NoSlip, FrictionLaw::coulomb(0.36)] {
-        assert!((turn(law, &gentle) - rolling).abs() < 1e-9);
+        assert!((turn(law, &at_rest) - rolling).abs() < 1e-9);
     }
     let with_spin = turn_limit_with_spin(&can(), -2.0, 3.0).expect("a tipping rate");
     assert!((turn(FrictionLaw::NoSlip, &spinning) - with_spin).abs() < 1e-5);
     let sliding = turn_limit(&can(), IdealLaw::Frictionless);
     let film = FrictionLaw::Viscous { coefficient: 3.0 };
     for law in [FrictionLaw::Frictionless, FrictionLaw::coulomb(0.0), film] {
-        assert!((turn(law, &gentle) - sliding).abs() < 1e-8);
+        assert!((turn(law, &at_rest) - sliding).abs() < 1e-8);
     }
 }
 
@@ -141,7 +141,7 @@ fn full_motions_near_the_limit_turn_as_the_near_collision_by_itself() {
     for friction in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.34, 0.4] {
         let contact_law = FrictionLaw::coulomb(friction);
         let motion = follow(&can(), &paper_start(1e-6), &contact_law, &options(0.3));
-        let arrival = Arrival::of(
+        let arrival = Arrival::from_start(
             &can(),
             &paper_start(0.0),
             &contact_law.into(),
@@ -284,11 +284,11 @@ proptest! {
     ) {
         prop_assume!(body.height() >= body.radius());
         let needed = needed_friction(&body);
-        let most = turn_limit(&body, IdealLaw::Frictionless);
-        let least = turn_limit(&body, IdealLaw::NoSlip);
-        prop_assume!(most - least > 1e-6 && needed < 0.9 * painleve_friction(&body));
+        let max = turn_limit(&body, IdealLaw::Frictionless);
+        let min = turn_limit(&body, IdealLaw::NoSlip);
+        prop_assume!(max - min > 1e-6 && needed < 0.9 * painleve_friction(&body));
         let turn = limit(&body, part * needed, &Arrival::at_rest());
-        prop_assert!(least - 1e-8 < turn && turn < most + 1e-8, "{least} {turn} {most}");
+        prop_assert!(min - 1e-8 < turn && turn < max + 1e-8, "{min} {turn} {max}");
         let more = limit(&body, (part + 0.05) * needed, &Arrival::at_rest());
         prop_assert!(more < turn + 1e-8);
     }

@@ -69,7 +69,7 @@ fn any_friction() -> impl Strategy<Value = FrictionLaw> {
     ]
 }
 
-/// The same coefficients at speeds larger by a factor.
+/// The table with all speeds multiplied by a factor.
 fn faster(table: &Tabulated, factor: f64) -> FrictionLaw {
     let (speeds, frictions): (Vec<_>, Vec<_>) =
         (table.points()).map(|(v, f)| (factor * v, f)).unzip();
@@ -519,7 +519,7 @@ fn joints(case: &Case, motion: &Motion, found: &mut Found) {
 
 /// Events are in order and agree with the phases.
 fn events(motion: &Motion, found: &mut Found) {
-    let begun = |phase| match phase {
+    let begins_with = |phase| match phase {
         Phase::Rolling => EventKind::Stick,
         Phase::Sliding => EventKind::Slip,
         Phase::Flying => EventKind::LiftOff,
@@ -534,12 +534,12 @@ fn events(motion: &Motion, found: &mut Found) {
     }
     let mut phase = motion.track.start().phase;
     for at in motion.track.phases() {
-        let said = |kind| {
+        let has_event = |kind| {
             let mut events = motion.events.iter();
             events.any(|event| event.at.t == at.t && event.kind == kind)
         };
-        if at.phase != phase && !said(begun(at.phase)) {
-            found.report("a phase begins unsaid", 0.0, &at);
+        if at.phase != phase && !has_event(begins_with(at.phase)) {
+            found.report("a phase begins without its event", 0.0, &at);
         }
         phase = at.phase;
     }
@@ -741,7 +741,11 @@ proptest! {
     #[test]
     fn no_dry_friction_is_frictionless(case in any_case()) {
         let on = |friction| {
-            let contact_law = ContactLaw { friction, resistance: Resistance::default(), ..case.contact_law.clone() };
+            let contact_law = ContactLaw {
+                friction,
+                resistance: Resistance::default(),
+                ..case.contact_law.clone()
+            };
             follow(&Case { contact_law, ..case.clone() })
         };
         agree_while_they_last(&case, &on(FrictionLaw::Frictionless), &on(FrictionLaw::coulomb(0.0)))?;
@@ -751,7 +755,11 @@ proptest! {
     #[test]
     fn much_dry_friction_is_no_slip(case in any_case()) {
         let on = |friction| {
-            let contact_law = ContactLaw { friction, resistance: Resistance::default(), ..case.contact_law.clone() };
+            let contact_law = ContactLaw {
+                friction,
+                resistance: Resistance::default(),
+                ..case.contact_law.clone()
+            };
             follow(&Case { contact_law, ..case.clone() })
         };
         agree_while_they_last(&case, &on(FrictionLaw::NoSlip), &on(FrictionLaw::coulomb(1e5)))?;

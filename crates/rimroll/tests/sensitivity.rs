@@ -62,23 +62,26 @@ fn can() -> Body {
 }
 
 /// Central differences of two widths, extrapolated to a relative error of about 1e-8.
-fn difference(index: usize, of: &Numbers, f: impl Fn(&Numbers) -> f64) -> f64 {
-    let width = 1e-3 * of[index].abs();
+fn difference(index: usize, parameters: &Numbers, f: impl Fn(&Numbers) -> f64) -> f64 {
+    let width = 1e-3 * parameters[index].abs();
     let slope = |width: f64| {
-        let beside = |by: f64| {
-            let mut numbers = *of;
+        let neighbour = |by: f64| {
+            let mut numbers = *parameters;
             numbers[index] += by;
             f(&numbers)
         };
-        (beside(width) - beside(-width)) / (2.0 * width)
+        (neighbour(width) - neighbour(-width)) / (2.0 * width)
     };
     let [wide, middle, narrow] = [width, 0.5 * width, 0.25 * width].map(slope);
     let (better, best) = ((4.0 * middle - wide) / 3.0, (4.0 * narrow - middle) / 3.0);
     (16.0 * best - better) / 15.0
 }
 
-fn size(slope: &Slope, of: &Numbers) -> f64 {
-    let terms = slope.iter().zip(of).map(|(slope, x)| (slope * x).abs());
+fn size(slope: &Slope, parameters: &Numbers) -> f64 {
+    let terms = slope
+        .iter()
+        .zip(parameters)
+        .map(|(slope, x)| (slope * x).abs());
     terms.fold(0.0, f64::max)
 }
 
@@ -87,20 +90,20 @@ const TIMES: [f64; 4] = [0.1, 0.25, 0.4, 0.9];
 
 #[test]
 fn the_state_changes_with_each_parameter_as_neighbouring_motions_say() {
-    let of = numbers(&can());
+    let parameters = numbers(&can());
     for law in IdealLaw::ALL {
-        let motion = moved(&of, law, 1.0);
+        let motion = moved(&parameters, law, 1.0);
         let sensitivity = derivatives(&motion);
         for t in TIMES {
             let slopes = sensitivity.at(&motion.track, t);
             for (quantity, slope) in slopes.iter().enumerate() {
-                let allowed = 1e-6 * size(slope, &of);
+                let allowed = 1e-6 * size(slope, &parameters);
                 for (i, name) in PARAMETERS.iter().enumerate() {
                     let state = |numbers: &Numbers| {
                         moved(numbers, law, 1.0).track.at(t).state().numbers()[quantity]
                     };
-                    let expected = difference(i, &of, state);
-                    let error = (slope[i] - expected).abs() * of[i].abs();
+                    let expected = difference(i, &parameters, state);
+                    let error = (slope[i] - expected).abs() * parameters[i].abs();
                     assert!(
                         error < allowed,
                         "{law:?} {t} quantity {quantity} by {name}: {} not {expected}",
@@ -114,19 +117,19 @@ fn the_state_changes_with_each_parameter_as_neighbouring_motions_say() {
 
 #[test]
 fn the_angles_of_turn_change_with_each_parameter_as_neighbouring_motions_say() {
-    let of = numbers(&can());
+    let parameters = numbers(&can());
     for law in IdealLaw::ALL {
-        let motion = moved(&of, law, 2.0);
+        let motion = moved(&parameters, law, 2.0);
         let sensitivity = derivatives(&motion);
         assert_eq!(sensitivity.turns().len(), motion.turns.len());
         assert!(motion.turns.len() > 1);
         for (k, slope) in sensitivity.turns().iter().enumerate() {
             for (i, name) in PARAMETERS.iter().enumerate() {
                 let turn = |numbers: &Numbers| moved(numbers, law, 2.0).turns[k].angle;
-                let expected = difference(i, &of, turn);
-                let error = (slope[i] - expected).abs() * of[i].abs();
+                let expected = difference(i, &parameters, turn);
+                let error = (slope[i] - expected).abs() * parameters[i].abs();
                 assert!(
-                    error < 1e-6 * size(slope, &of),
+                    error < 1e-6 * size(slope, &parameters),
                     "{law:?} turn {k} by {name}: {} not {expected}",
                     slope[i]
                 );
@@ -139,10 +142,10 @@ fn the_angles_of_turn_change_with_each_parameter_as_neighbouring_motions_say() {
 #[test]
 fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
     let disk = presets::disk(0.05).expect("a disk");
-    let mut of = numbers(&disk);
-    (of[0], of[1]) = (1.2, 5.5);
+    let mut parameters = numbers(&disk);
+    (parameters[0], parameters[1]) = (1.2, 5.5);
     let moved = |numbers: &Numbers| moved(numbers, IdealLaw::NoSlip, 0.6);
-    let motion = moved(&of);
+    let motion = moved(&parameters);
     let kinds: Vec<_> = motion
         .events
         .iter()
@@ -152,11 +155,11 @@ fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
     let slope = derivatives(&motion).turns()[0];
     // No disk permits a change of its height or of one moment of inertia alone.
     for i in [0, 1, 3, 5, 7, 11] {
-        let expected = difference(i, &of, |numbers| moved(numbers).turns[0].angle);
-        let error = (slope[i] - expected).abs() * of[i].abs();
+        let expected = difference(i, &parameters, |numbers| moved(numbers).turns[0].angle);
+        let error = (slope[i] - expected).abs() * parameters[i].abs();
         let name = PARAMETERS[i];
         assert!(
-            error < 1e-6 * size(&slope, &of),
+            error < 1e-6 * size(&slope, &parameters),
             "by {name}: {} not {expected}",
             slope[i]
         );
@@ -167,16 +170,16 @@ fn turns_of_a_disk_over_its_edge_have_derivatives_too() {
 /// lengths and gravity by two. The initial yaw and spin are only added.
 #[test]
 fn derivatives_know_the_units_of_the_parameters() {
-    let of = numbers(&can());
+    let parameters = numbers(&can());
     for law in IdealLaw::ALL {
-        let motion = moved(&of, law, 1.0);
+        let motion = moved(&parameters, law, 1.0);
         let sensitivity = derivatives(&motion);
         let slopes = TIMES.map(|t| sensitivity.at(&motion.track, t));
         let turns = sensitivity.turns().iter();
         for slope in slopes.iter().flatten().chain(turns) {
-            let terms: [f64; 12] = core::array::from_fn(|i| slope[i] * of[i]);
+            let terms: [f64; 12] = core::array::from_fn(|i| slope[i] * parameters[i]);
             let [.., m, r, h, a, c, g] = terms;
-            let rounding = 1e-10 * size(slope, &of);
+            let rounding = 1e-10 * size(slope, &parameters);
             assert!((m + a + c).abs() < rounding, "{law:?} {slope:?}");
             assert!(
                 (r + h + 2.0 * (a + c) + g).abs() < rounding,

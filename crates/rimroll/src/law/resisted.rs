@@ -129,8 +129,8 @@ impl PivotingFriction {
 }
 
 impl AirDrag {
-    /// −k ψ̇ |ψ̇|ⁿ⁻². For n < 2 its slope is infinite at ψ̇ = 0, so a ψ̇ that drag and gyroscopic moments keep
-    /// close to 0 would relax infinitely fast. There √(ψ̇² + ψ̇₀²) replaces |ψ̇|.
+    /// −k ψ̇ |ψ̇|ⁿ⁻². For n < 2 its slope is infinite at ψ̇ = 0, so a ψ̇ that drag and gyroscopic moments
+    /// keep close to 0 would relax infinitely fast. There √(ψ̇² + ψ̇₀²) replaces |ψ̇|.
     fn moment<T: Real>(&self, u: &Coordinates<T>, smooth: T) -> T {
         const NEGLIGIBLE: f64 = 1e-15;
         let (yaw_rate, k) = (u.yaw_rate(), T::from(-self.coefficient));

@@ -27,8 +27,8 @@ pub struct Stribeck<T> {
 impl<T: Real> Friction<T> for Stribeck<T> {
     fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         let square = slip[0] * slip[0] + slip[1] * slip[1];
-        let fading = (-square / (self.stribeck_speed * self.stribeck_speed)).exp();
-        let friction = self.friction + (self.static_friction - self.friction) * fading;
+        let decay = (-square / (self.stribeck_speed * self.stribeck_speed)).exp();
+        let friction = self.friction + (self.static_friction - self.friction) * decay;
         let smoothed = (square + self.creep_speed * self.creep_speed).sqrt();
         FrictionForce::proportional_to_normal(slip, friction / smoothed)
     }

@@ -138,8 +138,8 @@ impl Track {
             let (phase_before, end_before) = before;
             before = (record.phase, record.end);
             let changed = phase_before != record.phase || end_before != record.start;
-            let begun = changed.then(|| instant(record.phase, &record.start));
-            begun.into_iter().chain(inside(record))
+            let beginning = changed.then(|| instant(record.phase, &record.start));
+            beginning.into_iter().chain(inside(record))
         };
         core::iter::once(self.start).chain(self.records.iter().flat_map(with_changes))
     }

@@ -52,7 +52,7 @@ impl Arrival {
     ///
     /// # Errors
     /// Refuses what [`simulate`] refuses, and a start from which the base does not come down flat.
-    pub fn of(
+    pub fn from_start(
         body: &Body,
         start: &State,
         contact_law: &ContactLaw,
@@ -113,7 +113,8 @@ pub struct Passage {
     pub turn: f64,
     /// φ̇ at the beginning of the rise, rad/s.
     pub rising_rate: f64,
-    /// s at the beginning of the rise, rad/s, positive in the direction of the turn. It lets the yaw drift on.
+    /// s at the beginning of the rise, rad/s, positive in the direction of the turn. It makes the yaw drift
+    /// on.
     pub spin: f64,
     /// The slip along e_x1 and e_y1 at the beginning of the rise, m/s.
     pub slip: [f64; 2],
