@@ -1,11 +1,11 @@
-// A plugin that puts beside the page what its set-up consists of, for who opens it with one: what
-// `rimroll lab --setup` is given is checked by the same table as what is typed in the page.
+// A plugin that writes the table of fields to a file beside the page. `rimroll lab --setup` checks a
+// set-up with the same table as the page.
 
 import type { Plugin } from "vite";
 import { FIELDS, type NumberField, type ChoiceField } from "./src/setup/fields";
 import { SPEEDS } from "./src/setup/playback";
 
-/** What a quantity may be: one of some words, or a number. */
+/** The accepted values of a quantity: choices, or numbers within bounds. */
 type Allowed =
   { choices: string[] } | Pick<NumberField, "unit" | "least" | "most" | "open" | "whole">;
 
@@ -19,7 +19,7 @@ export function fields(file: string): Plugin {
   };
 }
 
-/** What the page takes, by name. */
+/** The accepted values of each quantity by name. */
 export function allowed(): Record<string, Allowed> {
   const quantities = Object.entries<NumberField | ChoiceField>(FIELDS).map(
     ([name, field]): [string, Allowed] => {

@@ -1,4 +1,4 @@
-// A plugin that puts the licences of all that is in the page beside it, as these ask.
+// A plugin that writes the licences of all parts of the page to a file beside it, as they require.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
@@ -15,7 +15,7 @@ export function licences(file: string): Plugin {
       const modules = Object.values(bundle).flatMap((output) =>
         output.type === "chunk" ? output.moduleIds : [],
       );
-      // uPlot's style sheet is its module, too; no package is in the page by its styles alone.
+      // Style sheets count as modules here; no package contributes only styles.
       const folders = new Set(modules.map(packageOf).filter((folder) => folder !== undefined));
       const texts = [
         ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"].map((name) => read(PROJECT, name)).join("\n"),
@@ -32,11 +32,11 @@ export function licences(file: string): Plugin {
   };
 }
 
-/** The folder of the package that a module is from; none for the page's own. */
+/** The folder of the package of a module; undefined for the page's own modules. */
 function packageOf(module: string): string | undefined {
   if (!module.includes("/node_modules/")) return undefined;
   let folder = dirname(module.replace(/^\0/, "").replace(/\?.*/, ""));
-  // A package.json without a name only says how its folder is to be read.
+  // A package.json without a name only sets the module type of its folder.
   while (!existsSync(join(folder, "package.json")) || !described(folder).name)
     folder = dirname(folder);
   return folder;
@@ -55,17 +55,17 @@ interface Crate {
   version: string;
   authors: string[];
   manifest_path: string;
-  /** Whence it comes; null for the project's own. */
+  /** Source of the crate; null for the project's own. */
   source: string | null;
 }
 
-/** Crates of others that are compiled into the core. */
+/** Third-party crates that are compiled into the core. */
 function crates(): Crate[] {
   const target = "wasm32-unknown-unknown";
   const cargo = (...asked: string[]) =>
     execFileSync("cargo", asked, { cwd: PROJECT, encoding: "utf8", maxBuffer: 2 ** 26 });
   const tree = ["--package=rimroll-wasm", `--target=${target}`, "--edges=normal,no-proc-macro"];
-  // Each as “libm v0.2.16”; the project's own have their folder behind it.
+  // A line is “libm v0.2.16”; for the project's own crates the folder follows.
   const compiled = cargo("tree", ...tree, "--prefix=none").split("\n");
   const known = JSON.parse(
     cargo("metadata", "--format-version=1", `--filter-platform=${target}`),
@@ -80,11 +80,11 @@ function licenceOfCrate({ name, version, authors, manifest_path }: Crate): strin
   return `${name} ${version}${by && `, by ${by}`}\n\n${licenceIn(dirname(manifest_path))}`;
 }
 
-/** The licence in a folder: the MIT licence, where one may choose. */
+/** The licence in a folder; the MIT licence if there is a choice. */
 function licenceIn(folder: string): string {
   const found = readdirSync(folder).filter((entry) => /^licen[cs]e/i.test(entry));
   const file = found.find((entry) => /mit/i.test(entry)) ?? found[0];
-  if (file === undefined) throw new Error(`${folder} comes without a licence`);
+  if (file === undefined) throw new Error(`${folder} has no licence file`);
   return read(folder, file);
 }
 

@@ -3,7 +3,7 @@ import { fields } from "./fields";
 import { licences } from "./licences";
 
 export default defineConfig({
-  // The page works from any folder of any server, so nothing is named from the root.
+  // Relative addresses let the page work from any folder of any server.
   base: "./",
   build: {
     target: "es2022",
@@ -11,13 +11,13 @@ export default defineConfig({
     emptyOutDir: true,
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
-    chunkSizeWarningLimit: 800, // kB: three.js by itself has most of it
+    chunkSizeWarningLimit: 800, // kB, most of it three.js
   },
   plugins: [licences("licences.txt"), fields("setup.json")],
   test: {
-    // One browser at a time: it draws in software and takes all processors by itself.
+    // Run one browser at a time, because drawing in software uses all processors.
     fileParallelism: false,
-    // Long enough for a machine with much else to do: nothing that passes waits for them.
+    // Long limits for a busy machine; a passing test does not wait for them.
     testTimeout: 180_000,
     hookTimeout: 180_000,
     projects: [
@@ -27,7 +27,7 @@ export default defineConfig({
         test: {
           name: "browser",
           include: ["tests/browser/**/*.test.ts"],
-          // A busy machine that draws in software may be too late once; what fails three times is wrong.
+          // Drawing in software on a busy machine may be too slow once; a test must not fail three times.
           retry: 2,
         },
       },

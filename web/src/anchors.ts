@@ -1,4 +1,4 @@
-// The page's links to its own parts. They leave the address alone: what is after its # is the set-up.
+// Links to parts of the page. They scroll without changing the address, whose # part holds the set-up.
 
 export function followAnchors(): void {
   document.addEventListener("click", (event) => {
@@ -8,7 +8,7 @@ export function followAnchors(): void {
     if (!part) return;
     event.preventDefault();
     part.scrollIntoView();
-    // The next Tab goes on from there.
+    // The next Tab key continues from there.
     part.focus({ preventScroll: true });
   });
 }

@@ -1,15 +1,15 @@
-// Time at which a motion is shown. A near-collision is over in microseconds, so time can stretch by
-// itself while the contact point races: the visitor's seconds follow a schedule, in which no moment
-// turns by more than so much in a second.
+// The time at which a motion is shown. A near-collision lasts microseconds, so time can stretch
+// automatically while the contact point races: a schedule maps the visitor's time to the motion's time
+// and limits how fast the contact point runs on the screen.
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
 import type { Moments, Motion } from "./core/motion";
 import { INITIAL_PLAYBACK, type Playback } from "./setup/playback";
 
-/** With the stretching on, the contact point runs no faster than this, rad per second of the visitor. */
+/** Largest speed of the contact point in stretched time, rad per second of the visitor. */
 export const MAX_CONTACT_RATE = 2.5;
 
-/** How the visitor's time goes through a motion's: both rise along the knots. */
+/** Maps the visitor's time to the motion's time; both increase from knot to knot. */
 class Schedule {
   constructor(
     /** s of the motion */
@@ -40,23 +40,23 @@ class Schedule {
     return interpolated(this.times, this.shown, time);
   }
 
-  /** Seconds of the visitor in one of the motion, between the knots about a time. */
+  /** Visitor's seconds per second of the motion, between the two knots around a time (s). */
   slowdownAt(time: number): number {
     const { length } = this.times;
     let low = knotBefore(this.times, time);
-    // Two sides of an impact are at one time; look past them, and back from the end.
+    // An impact has two knots at one time; skip them forward, or backward at the end.
     while (low < length - 2 && at(this.times, low + 1) === at(this.times, low)) low++;
     while (low > 0 && at(this.times, low + 1) === at(this.times, low)) low--;
-    const passes = at(this.times, low + 1) - at(this.times, low);
-    return passes > 0 ? (at(this.shown, low + 1) - at(this.shown, low)) / passes : 1;
+    const interval = at(this.times, low + 1) - at(this.times, low);
+    return interval > 0 ? (at(this.shown, low + 1) - at(this.shown, low)) / interval : 1;
   }
 }
 
-/** Into so many parts each step of the solver is divided, in which the yaw rate hardly changes. */
+/** Each solver step is divided into this many parts, so that the yaw rate hardly changes in one. */
 const PARTS = 4;
 
-/** Times and yaws at the steps and between them, by cubics through yaw and yaw rate at their ends:
- * to ask the core for as many moments takes a hundred times as long. */
+/** Times and yaws at the solver steps and between them, by cubic Hermite interpolation of the yaw. To
+ * request as many moments from the core takes a hundred times as long. */
 function refined(steps: Moments, parts: number): [times: Float64Array, yaws: Float64Array] {
   const [t, yaw, rate] = [steps.column("t"), steps.column("yaw"), steps.column("yaw_rate")];
   const length = parts * (t.length - 1) + 1;
@@ -81,13 +81,13 @@ function refined(steps: Moments, parts: number): [times: Float64Array, yaws: Flo
 
 export class Clock {
   readonly playing: Signal<boolean> = signal(false);
-  /** Seconds of the motion in a second of the visitor's, but for the stretching. */
+  /** Seconds of the motion per second of the visitor, before the stretching. */
   readonly speed: Signal<number> = signal(INITIAL_PLAYBACK.speed);
-  /** Whether time stretches by itself while the contact point races. */
+  /** Whether time stretches automatically while the contact point races. */
   readonly stretched: Signal<boolean> = signal(INITIAL_PLAYBACK.stretched);
   /** s of the motion */
   readonly time: Signal<number> = signal(0);
-  /** When playing stops, s of the motion. */
+  /** Time at which playing stops, s of the motion. */
   private until = Infinity;
   private readonly schedule: ReadonlySignal<Schedule | undefined>;
 
@@ -104,12 +104,12 @@ export class Clock {
     this.stretched.value = stretched;
   }
 
-  /** When the motion ends, s. */
+  /** End of the motion, s. */
   get end(): number {
     return this.motion.value?.end ?? 0;
   }
 
-  /** How much of it has been shown, 0 to 1; set it to scrub. */
+  /** Fraction of the showing time that has passed, 0 to 1; set it to scrub. */
   get progress(): number {
     return this.progressAt(this.time.value);
   }
@@ -119,18 +119,18 @@ export class Clock {
     if (schedule) this.time.value = schedule.timeAt(part * schedule.length);
   }
 
-  /** How much of it has been shown when it is shown at a time (s), 0 to 1. */
+  /** Fraction of the showing time that has passed at a time of the motion (s), 0 to 1. */
   progressAt(time: number): number {
     const schedule = this.schedule.value;
     return schedule && schedule.length > 0 ? schedule.shownAt(time) / schedule.length : 0;
   }
 
-  /** How many times slower than life the motion is shown just now. */
+  /** How many times slower than real time the motion is shown at present. */
   get slowdown(): number {
     return (this.schedule.value?.slowdownAt(this.time.value) ?? 1) / this.speed.value;
   }
 
-  /** Plays on from the time shown, up to a time (s) or to the end. */
+  /** Plays from the time shown up to a time (s) or to the end. */
   play(until = Infinity): void {
     if (this.time.value >= this.end) this.time.value = 0;
     this.until = until;
@@ -147,18 +147,18 @@ export class Clock {
     else this.play();
   }
 
-  /** Shows the beginning. */
+  /** Goes back to the release. */
   rewind(): void {
     this.time.value = 0;
   }
 
-  /** So many seconds of the visitor's go by; negative ones go back. */
+  /** Advances by a number of the visitor's seconds; a negative number goes back. */
   advance(seconds: number): void {
     const schedule = this.schedule.value;
     if (!schedule) return;
     const shown = schedule.shownAt(this.time.value) + seconds * this.speed.value;
     if (shown >= Math.min(schedule.shownAt(this.until), schedule.length)) {
-      // Exactly there: shown time and back again would round it.
+      // Set the time exactly: the conversion to shown time and back would round it.
       this.time.value = Math.min(this.until, this.end);
       this.pause();
       return;
@@ -166,14 +166,14 @@ export class Clock {
     this.time.value = schedule.timeAt(Math.max(shown, 0));
   }
 
-  /** One picture on or back. */
-  step(pictures: number): void {
+  /** Moves by a number of frames, of which there are 60 in a second. */
+  step(frames: number): void {
     this.pause();
-    this.advance(pictures / 60);
+    this.advance(frames / 60);
   }
 }
 
-/** y where x is between the knots of a rising x. */
+/** Linear interpolation of y between knots at increasing x; constant beyond the ends. */
 function interpolated(x: Float64Array, y: Float64Array, at_x: number): number {
   const last = x.length - 1;
   if (at_x <= at(x, 0)) return at(y, 0);
@@ -184,7 +184,7 @@ function interpolated(x: Float64Array, y: Float64Array, at_x: number): number {
   return at(y, low) + part * (at(y, low + 1) - at(y, low));
 }
 
-/** The last knot but the end that is not beyond a place. */
+/** Index of the last knot, except the end, that is not beyond a place. */
 function knotBefore(x: Float64Array, place: number): number {
   let [low, high] = [0, x.length - 1];
   while (high - low > 1) {

@@ -1,9 +1,9 @@
-// Elements of the page, made in one expression each.
+// Creates elements of the page in one expression each.
 
 type Child = Node | string;
 type Attributes = Record<string, string | number | boolean>;
 
-/** An element with attributes (a boolean one is there or not) and children. */
+/** Creates an HTML element with attributes (true sets one, false omits it) and children. */
 export function element<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
@@ -15,7 +15,7 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** The same for SVG. */
+/** Creates an SVG element with attributes and children. */
 export function svgElement(
   tag: keyof SVGElementTagNameMap,
   attributes: Attributes = {},
@@ -27,7 +27,7 @@ export function svgElement(
   return made;
 }
 
-/** A button with a text and what it does. */
+/** Creates a button with a text and an action. */
 export function button(
   text: string,
   press: () => void,

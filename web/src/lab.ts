@@ -1,5 +1,5 @@
-// What the page is about: the set-up, the motion that follows from it, and the time at which it is
-// shown. Everything on the page reads these signals; whoever changes the set-up changes all of it.
+// The state of the page: the set-up, the motion computed from it, and the time at which it is shown.
+// Every part of the page reads these signals, so that a change of the set-up updates all of them.
 
 import {
   type ReadonlySignal,
@@ -21,67 +21,67 @@ import type { Held } from "./setup/release";
 import type { Refusal } from "./setup/refusal";
 import { INITIAL, type Setup } from "./setup/setup";
 
-/** What came of a set-up: a motion, or the reason why there is none. */
+/** The result for a set-up: a motion, or the reason why there is none. */
 export type Outcome = Simulated | { refused: string };
 
 export interface Simulated {
   input: SimulationInput;
   motion: Motion;
   theory: Theory;
-  /** Whether the motion is only the beginning of what was asked for; see {@link Lab.complete}. */
+  /** Whether only the first steps of the motion have been computed; see {@link Lab.complete}. */
   partial: boolean;
 }
 
-/** A slider waits for so many steps of a motion, some ms. */
+/** Number of steps computed at once when the set-up changes; they take a few ms. */
 const FIRST_STEPS = 2000;
-/** The rest of a longer one is computed when nothing has changed for so long, ms. */
+/** The remaining steps are computed after this time without a change, ms. */
 const COMPLETION_DELAY = 250;
 
-/** The angle of turn as far as it has come: rad, from the time (s) at which it begins. */
+/** The turn at the time shown: its angle so far, in rad, from the time (s) at which it starts. */
 export interface TurnProgress {
   angle: number;
-  /** How far the body itself has turned about its axis meanwhile, rad; see {@link headingOf}. */
-  own: number;
+  /** Rotation of the body itself about its axis since then, rad; see {@link headingOf}. */
+  bodyAngle: number;
   start: number;
-  /** Yaw then. */
-  from: number;
-  /** The whole of it; none if the motion ends on the way. */
-  whole: Turn | undefined;
+  /** Yaw at the start, rad. */
+  startYaw: number;
+  /** The complete turn; undefined if the motion ends before it is complete. */
+  turn: Turn | undefined;
 }
 
-/** How far the body itself has turned, rad: positive the way that the contact point runs. */
-export const bodyAngleAlongContact = ({ angle, own, whole }: TurnProgress): number =>
-  own * (Math.sign(whole?.angle ?? angle) || 1);
+/** Rotation of the body itself, rad: positive in the direction in which the contact point runs. */
+export const bodyAngleAlongContact = ({ angle, bodyAngle, turn }: TurnProgress): number =>
+  bodyAngle * (Math.sign(turn?.angle ?? angle) || 1);
 
 export class Lab {
   readonly setup: Signal<Readonly<Setup>> = signal(INITIAL);
-  /** What was refused last, field by field. */
+  /** The latest refusal of each field. */
   readonly refusals: Signal<readonly Refusal[]> = signal([]);
-  /** The body in a visitor's hand; while it is held nothing moves. */
+  /** How a visitor holds the body; while it is held, time stands still. */
   readonly held: Signal<Held | undefined> = signal(undefined);
-  /** What would become of it there, if the hand let go. */
+  /** The fall of the held body if the hand let go at rest now. */
   readonly preview: ReadonlySignal<Preview | undefined>;
-  /** How many of the repeated flicks are shown; undefined while none were asked for. */
+  /** How many flicks are shown; undefined if the visitor has not started any. */
   readonly flicksShown: Signal<number | undefined> = signal(undefined);
-  /** Whether more of them are on their way. */
+  /** Whether the flicks are still appearing one after the other. */
   readonly flicking: Signal<boolean> = signal(false);
-  /** What becomes of all of them, those not made yet included. */
+  /** Results of all flicks, including those not shown yet. */
   readonly flicks: ReadonlySignal<readonly Flick[]>;
   readonly outcome: ReadonlySignal<Outcome>;
-  /** Whether all of the motion is wanted now, however long that takes. */
+  /** Whether the complete motion is wanted, however long that takes. */
   private readonly completeWanted: Signal<boolean> = signal(false);
   readonly motion: ReadonlySignal<Motion | undefined>;
   readonly theory: ReadonlySignal<Theory | undefined>;
   readonly clock: Clock;
-  /** The motion at the time shown. */
+  /** The state of the motion at the time shown. */
   readonly moment: ReadonlySignal<Moment | undefined>;
   readonly turnProgress: ReadonlySignal<TurnProgress | undefined>;
 
   constructor(readonly core: Core) {
     const release = computed(() => withoutFlicks(this.setup.value));
     this.outcome = computed(() => {
-      const most = this.completeWanted.value ? Infinity : FIRST_STEPS;
-      return outcomeOf(core, JSON.parse(release.value) as Setup, most);
+      const maxSteps = this.completeWanted.value ? Infinity : FIRST_STEPS;
+      return outcomeOf(core, JSON.parse(release.value) as Setup, maxSteps);
     });
     this.motion = computed(() =>
       "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
@@ -96,24 +96,24 @@ export class Lab {
     this.clock = new Clock(this.motion);
     this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
     this.turnProgress = computed(() => this.turnProgressAt(this.clock.time.value));
-    // Computed once, not anew for each that is shown.
-    const asked = computed(() => this.flicksShown.value !== undefined);
-    this.flicks = computed(() => (asked.value ? simulateFlicks(core, this.setup.value) : []));
+    // Compute all flicks once, not again for each one shown.
+    const wanted = computed(() => this.flicksShown.value !== undefined);
+    this.flicks = computed(() => (wanted.value ? simulateFlicks(core, this.setup.value) : []));
     effect(() => {
       if (!isPartial(this.outcome.value)) return undefined;
-      const resting = setTimeout(() => this.complete(), COMPLETION_DELAY);
-      return () => clearTimeout(resting);
+      const timer = setTimeout(() => this.complete(), COMPLETION_DELAY);
+      return () => clearTimeout(timer);
     });
-    let before: Motion | undefined;
+    let current: Motion | undefined;
     effect(() => {
-      // Whoever still draws the motion before has done so by the next picture.
-      const gone = before;
-      before = this.motion.value;
-      if (gone && gone !== before) requestAnimationFrame(() => gone.forget());
+      // Parts of the page may still draw the previous motion in this frame, but not in the next.
+      const previous = current;
+      current = this.motion.value;
+      if (previous && previous !== current) requestAnimationFrame(() => previous.forget());
     });
   }
 
-  /** Changes some of the set-up and shows the motion that follows from the beginning. */
+  /** Changes a part of the set-up and shows the new motion from the release. */
   change(part: Partial<Setup>): void {
     const setup = { ...this.setup.value, ...part };
     batch(() => {
@@ -122,13 +122,13 @@ export class Lab {
         this.clock.rewind();
         this.completeWanted.value = false;
       }
-      // Of fewer flicks no more can have been made.
+      // No more flicks can be shown than there are.
       if ((this.flicksShown.value ?? 0) > setup.flicks) this.flicksShown.value = setup.flicks;
       this.setup.value = setup;
     });
   }
 
-  /** Computes the rest of a motion of which there is only the beginning. */
+  /** Computes the remaining steps of the motion, if only the first have been computed. */
   complete(): void {
     if (isPartial(this.outcome.peek())) this.completeWanted.value = true;
   }
@@ -137,16 +137,16 @@ export class Lab {
     const motion = this.motion.value;
     const moment = this.moment.value;
     if (!motion || !moment) return undefined;
-    const whole = motion.turns.find((turn) => time <= turn.end);
-    const before = motion.turns.findLast((turn) => turn.end <= time);
-    const start = whole?.start ?? before?.end ?? 0;
+    const turn = motion.turns.find((turn) => time <= turn.end);
+    const previous = motion.turns.findLast((turn) => turn.end <= time);
+    const start = turn?.start ?? previous?.end ?? 0;
     const first = motion.at([start]).moment(0);
-    const own = headingOf(moment) - headingOf(first);
-    return { angle: moment.yaw - first.yaw, own, start, from: first.yaw, whole };
+    const bodyAngle = headingOf(moment) - headingOf(first);
+    return { angle: moment.yaw - first.yaw, bodyAngle, start, startYaw: first.yaw, turn };
   }
 }
 
-/** What one motion depends on, to be compared. */
+/** The fields on which one motion depends, as a text that can be compared. */
 function withoutFlicks(setup: Readonly<Setup>): string {
   const hidden: readonly string[] = FLICK_FIELDS;
   return JSON.stringify(setup, (name, value: unknown) =>
@@ -156,12 +156,12 @@ function withoutFlicks(setup: Readonly<Setup>): string {
 
 const isPartial = (outcome: Outcome) => "motion" in outcome && outcome.partial;
 
-/** Of the motion no more than so many steps. */
-function outcomeOf(core: Core, setup: Readonly<Setup>, most: number): Outcome {
+/** Computes the motion with a limited number of steps. */
+function outcomeOf(core: Core, setup: Readonly<Setup>, limit: number): Outcome {
   try {
     const input = simulationInput(core, setup);
     const { body, start, contactLaw, options } = input;
-    const maxSteps = Math.min(most, options.maxSteps);
+    const maxSteps = Math.min(limit, options.maxSteps);
     const motion = core.simulate(body, start, contactLaw, { ...options, maxSteps });
     try {
       const theory = core.theory(body, start, contactLaw, options.gravity);

@@ -1,4 +1,4 @@
-// Puts the page together: the core is loaded, the lab made, and each section mounted on it.
+// Starts the page: loads the core, creates the lab and mounts each section on it.
 
 import { followAnchors } from "./anchors";
 import coreAddress from "./core/rimroll.wasm?url";
@@ -43,4 +43,4 @@ start().catch((error: unknown) => {
 });
 
 const why = (error: unknown) =>
-  `${error instanceof Error ? error.message : String(error)}. Loading it again may help.`;
+  `${error instanceof Error ? error.message : String(error)}. Reloading it may help.`;

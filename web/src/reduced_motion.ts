@@ -1,4 +1,4 @@
-// Whether a visitor asks for pictures that do not move.
+// The visitor's preference for reduced motion, as the browser reports it.
 
 export const prefersReducedMotion = (): boolean =>
   matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -1,11 +1,11 @@
-// Lets time pass while the clock plays: once a picture, and not at all while it rests or the page is
-// hidden, when the browser gives no pictures.
+// Advances the clock once per frame while it plays. While the page is hidden, the browser draws no
+// frames, so time stands still.
 
 import { effect } from "@preact/signals-core";
 import type { Clock } from "./clock";
 
-/** A pause of the page is not made up for: no picture passes over more than this, s. */
-const LONGEST = 0.1;
+/** Longest time that one frame advances, s: time lost while the page was paused is not made up. */
+const MAX_FRAME = 0.1;
 
 export function startTicker(clock: Clock): void {
   let before: number | undefined;
@@ -15,9 +15,9 @@ export function startTicker(clock: Clock): void {
       return;
     }
     try {
-      if (before !== undefined) clock.advance(Math.min((now - before) / 1000, LONGEST));
+      if (before !== undefined) clock.advance(Math.min((now - before) / 1000, MAX_FRAME));
     } catch (error) {
-      // Whoever presses play again is to be heard.
+      // Pressing play again must start it again.
       before = undefined;
       clock.pause();
       throw error;

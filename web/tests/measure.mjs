@@ -1,9 +1,9 @@
-// How quick the built page is, in a headless Chromium: what is loaded and how soon it is seen, what a
-// picture costs while a motion plays, and what a move of a slider costs. Not a test: times depend on
-// the machine. Without a graphics card the scene is drawn in software, for which the first picture
-// waits; playing and sliding are therefore measured on the page's own thread and without the scene,
-// lest its pictures come so slowly that each move of the slider is taken for the last. With "scene" as
-// an argument playing is measured with it. From the root: tools/node.sh node tests/measure.mjs
+// Measures the speed of the built page in a headless Chromium: the size and time of loading, the cost of
+// a frame while a motion plays, and the cost of a move of a slider. It is no test, because times depend
+// on the machine. Without a graphics card the scene is drawn in software, which delays the first picture
+// and the frames. Playing and sliding are therefore measured on the page's main thread without the scene,
+// so that moves of the slider are not taken for the last one. With the argument "scene", playing is
+// measured with the scene. Run from the root: tools/node.sh node tests/measure.mjs
 
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -16,7 +16,7 @@ const PAGE = fileURLToPath(new URL("../../python/rimroll/page", import.meta.url)
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css" };
 const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const LAPTOP = { width: 1366, height: 768 };
-/** A slow line: bits a second, and ms there and back. */
+/** A slow line: Mbit/s, and round-trip time in ms. */
 const LINE = { mbit: 10, latency: 40 };
 
 let sent = 0;
@@ -40,7 +40,7 @@ const browser = await chromium.launch({
   args: FLAGS,
 });
 
-/** In the page, from the beginning: when is there something to read, a motion, a picture of it? */
+/** Records in the page when the first motion and its picture appear. */
 function noteFirsts() {
   const firsts = {};
   window.firsts = firsts;
@@ -51,7 +51,7 @@ function noteFirsts() {
   const look = () => {
     for (const [name, is] of Object.entries(there))
       if (!(name in firsts) && is())
-        // The picture is there with the next one.
+        // The picture is visible in the next frame.
         requestAnimationFrame(() => (firsts[name] ??= performance.now()));
     if (Object.keys(firsts).length < 2) requestAnimationFrame(look);
   };
@@ -65,7 +65,7 @@ function withoutWebGL() {
   };
 }
 
-/** A visit with a processor so many times slower, on a line or without delay. */
+/** Visits the page with a slowed-down processor, on a line or without delay. */
 async function visited({ hash = "", slower = 1, line = undefined, webgl = true }, what) {
   const context = await browser.newContext({ viewport: LAPTOP });
   await context.addInitScript(noteFirsts);
@@ -110,13 +110,13 @@ async function loading(slower, line) {
   );
 }
 
-/** Seconds that the page's own thread has spent, and on what. */
+/** Seconds that the page's main thread has spent on each task. */
 async function spent(devtools) {
   const { metrics } = await devtools.send("Performance.getMetrics");
   return Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
 }
 
-/** What something costs the page's thread, ms for each time that it happens. */
+/** Cost of an action on the page's main thread, ms per repetition. */
 async function cost(devtools, act) {
   await devtools.send("Performance.enable");
   const before = await spent(devtools);
@@ -128,29 +128,29 @@ async function cost(devtools, act) {
   return { times, script, layout, all };
 }
 
-const told = ({ script, layout, all }) =>
-  `scripts ${script.toFixed(1)} ms, layout ${layout.toFixed(1)} ms, all of the page's thread ${all.toFixed(1)} ms`;
+const report = ({ script, layout, all }) =>
+  `scripts ${script.toFixed(1)} ms, layout ${layout.toFixed(1)} ms, in all on the main thread ${all.toFixed(1)} ms`;
 
 async function playing(name, hash) {
   const webgl = process.argv.includes("scene");
   const result = await visited({ hash, webgl }, async (page, devtools) => {
-    // All that was put off is done.
+    // Wait until delayed work is done.
     await page.waitForTimeout(2500);
     await page.getByRole("button", { name: "Let go" }).click();
     await page.waitForTimeout(500);
     return cost(devtools, () =>
       page.evaluate(async () => {
         const end = performance.now() + 3000;
-        let pictures = 0;
+        let frames = 0;
         while (performance.now() < end) {
           await new Promise(requestAnimationFrame);
-          pictures++;
+          frames++;
         }
-        return pictures;
+        return frames;
       }),
     );
   });
-  console.log(`playing  ${name}, ${result.times} pictures: each ${told(result)}`);
+  console.log(`playing  ${name}, ${result.times} frames: each ${report(result)}`);
 }
 
 async function sliding(name, hash) {
@@ -163,7 +163,7 @@ async function sliding(name, hash) {
         for (let k = 0; k < moves; k++) {
           slider.value = String(20 + (k % 10) * 0.5);
           slider.dispatchEvent(new Event("input", { bubbles: true }));
-          // One picture in which the motion is computed, and one in which it is drawn.
+          // The motion is computed in one frame and drawn in the next.
           await new Promise(requestAnimationFrame);
           await new Promise(requestAnimationFrame);
         }
@@ -171,7 +171,7 @@ async function sliding(name, hash) {
       }),
     );
   });
-  console.log(`sliding  ${name}: each move ${told(result)}`);
+  console.log(`sliding  ${name}: each move ${report(result)}`);
 }
 
 await visited({}, async () => {});

@@ -1,4 +1,4 @@
-// What one sets: the body, how it is let go, and the table.
+// The controls of the set-up: the body, its release and the table.
 
 import { effect } from "@preact/signals-core";
 import { choiceButtons, choiceList } from "../inputs/choice";
@@ -35,7 +35,7 @@ export function mountControls(lab: Lab, place: HTMLElement): void {
   );
 }
 
-/** Each body's own numbers, there only with it. */
+/** The numbers that only some bodies have, shown only with these bodies. */
 function bodyRows(form: SetupForm): HTMLElement[] {
   const names = [...new Set(Object.values(BODY_FIELDS).flat())] as NumberName[];
   return names.map((name) => {
@@ -48,10 +48,10 @@ function bodyRows(form: SetupForm): HTMLElement[] {
   });
 }
 
-/** Where all quantities have room beside the table. */
+/** A window in which all quantities have room beside the table. */
 const ROOMY = "(min-width: 60em) and (min-height: 64em)";
 
-/** What few will want to set; it opens by itself for what was refused in it, and on large screens. */
+/** Less common quantities, folded; they open on large screens and when one of them is refused. */
 function more(form: SetupForm): HTMLElement {
   const open = matchMedia(ROOMY).matches;
   const details = element("details", { class: "more", open }, element("summary", {}, "More"));
@@ -66,7 +66,7 @@ function more(form: SetupForm): HTMLElement {
   return details;
 }
 
-/** What a link holds wrongly that has no field here: of a body that is not shown, or of the pace. */
+/** Refusals from a link that have no visible field: of another body, or of the playback. */
 function otherRefusals(lab: Lab): HTMLElement {
   const list = element("p", { class: "refusal", role: "alert" });
   effect(() => {

@@ -1,4 +1,4 @@
-// The friction of the table, with marks at what tables are made of and at what the body needs.
+// The friction of the table, with marks at typical materials and at the needed friction of the body.
 
 import { effect } from "@preact/signals-core";
 import { button, element } from "../elements";
@@ -7,19 +7,15 @@ import { numberRow } from "../inputs/number";
 import { scaleOf } from "../inputs/scale";
 import { FIELDS } from "../setup/fields";
 
-/** Dry friction of a metal rim, as rimroll.surfaces. */
+/** Dry friction of a metal rim on these materials, as in rimroll.surfaces. */
 const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 };
 
-/** As parts of the slider: a word in the middle over a place so far on would begin before the slider. */
+/** A label centred nearer to the start of the slider (as a fraction of it) would begin outside it. */
 const NEAR_THE_START = 0.08;
 
-const IDLE: Record<string, string> = {
-  frictionless: "Without any friction there is no number to set.",
-  no_slip: "Without any slip, friction is as great as it needs to be.",
-};
-
-/** Why dry friction's numbers do not matter, if they do not. */
-export const idleUnderIdealLaws = (form: SetupForm) => () => IDLE[form.lab.setup.value.law];
+/** Under an ideal law, the reason why the settings of dry friction have no effect. */
+export const idleUnderIdealLaws = (form: SetupForm) => () =>
+  form.lab.setup.value.law === "coulomb" ? undefined : "Applies to dry friction only.";
 
 export function frictionRow(form: SetupForm): HTMLElement {
   const { row, slider } = numberRow(form, "friction", idleUnderIdealLaws(form));
@@ -34,7 +30,7 @@ export function frictionRow(form: SetupForm): HTMLElement {
       ),
     );
   const needed = element("div", { class: "marks needed" });
-  // Rounded up, so that it does roll.
+  // Rounded up, so that the body does roll.
   const mark = button("", () => form.set("friction", Math.ceil(1e4 * neededFriction(form)) / 1e4));
   needed.append(mark);
   slider.before(needed);
@@ -45,9 +41,12 @@ export function frictionRow(form: SetupForm): HTMLElement {
     needed.hidden = !(friction >= 0);
     const words = `μ* ${friction.toFixed(3)}`;
     mark.textContent = words;
-    mark.setAttribute("aria-label", `${words}, with which this body just rolls through`);
+    mark.setAttribute(
+      "aria-label",
+      `${words}, the friction that this body needs to roll through its near-collision`,
+    );
     mark.dataset["help"] =
-      `With ${words} or more this body rolls through its near-collision; with less it slips.`;
+      `With ${words} or more this body rolls through its near-collision. With less it slips.`;
     placed(mark, friction);
   });
   effect(() => {
@@ -59,7 +58,7 @@ export function frictionRow(form: SetupForm): HTMLElement {
 
 const neededFriction = (form: SetupForm) => form.lab.theory.value?.neededFriction ?? NaN;
 
-/** Puts a mark at its place along the slider; at the end if it is beyond. */
+/** Puts a mark at its place along the slider, or at the end if it lies beyond. */
 function placed(mark: HTMLElement, friction: number): HTMLElement {
   const { low, high } = scaleOf(FIELDS.friction);
   const part = Math.min((friction - low) / (high - low), 1);

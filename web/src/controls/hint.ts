@@ -1,5 +1,5 @@
-// What the quantity means that is pointed at or has the focus, in a place of its own: a line under
-// each would not leave room for the table. Screen readers have it as the quantity's description.
+// Shows the help text of the quantity under the pointer or with the focus in one place, because a line
+// under each quantity would leave no room for the table. Screen readers read it as a description.
 
 import { element } from "../elements";
 

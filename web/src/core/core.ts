@@ -1,5 +1,5 @@
-// The mechanics, as the page sees it: SI units and radians, the same numbers to the last bit as in
-// Python.
+// The interface of the mechanics for the page, in SI units and radians. Results are the same as in
+// Python to the last bit.
 
 import { Exchange, type Row } from "./exchange";
 import { Motion } from "./motion";
@@ -10,13 +10,13 @@ export { Refused } from "./exchange";
 export interface Body {
   /** kg */
   mass: number;
-  /** of the rim, m */
+  /** radius of the rim, m */
   radius: number;
-  /** of the centre of mass over the base, m */
+  /** height of the centre of mass above the base, m */
   height: number;
-  /** about an axis through the centre of mass across the body, kg m² */
+  /** moment of inertia about a transverse axis through the centre of mass, kg m² */
   transverseInertia: number;
-  /** about the body's own axis, kg m² */
+  /** moment of inertia about the body's axis, kg m² */
   axialInertia: number;
 }
 
@@ -33,14 +33,14 @@ export interface State {
 /** The laws of the core that the page offers. */
 export type LawName = "no_slip" | "frictionless" | "coulomb";
 
-/** What the table is like; what is left out is zero. */
+/** Friction, restitution and resistance of the contact; omitted coefficients are zero. */
 export interface ContactLaw {
   law: LawName;
-  /** μ of dry friction */
+  /** coefficient μ of dry friction */
   friction?: number;
-  /** of a landing, 0 to 1 */
+  /** coefficient of restitution of a landing, 0 to 1 */
   restitution?: number;
-  /** resistance to rolling, N per N of normal force */
+  /** rolling resistance, N per N of normal force */
   rollingDry?: number;
 }
 
@@ -56,7 +56,7 @@ export interface Options {
 export type Preset =
   "can_2007" | "soda_can" | "beer_bottle" | "coin" | "ring" | "battery" | "euler_disk";
 
-/** A part of a body put together: SI units; `base` is the height of its lower end. */
+/** A solid that is a part of a body, in SI units; `base` is the height of its lower end. */
 export interface Solid {
   shape: "disc" | "wall" | "cylinder";
   mass: number;
@@ -65,11 +65,11 @@ export interface Solid {
   base: number;
 }
 
-/** What became of a body let go, through its first turn. */
+/** The first turn of a release and its outcome. */
 export interface Fall {
-  /** In the words of rimroll.ensemble. */
+  /** An outcome as rimroll.ensemble names it. */
   outcome: string;
-  /** Angle of turn, rad; NaN when it did not come down, or time was up first. */
+  /** Angle of turn, rad; NaN if the body did not come down within the duration. */
   turn: number;
   minTilt: number;
   /** s */
@@ -78,20 +78,20 @@ export interface Fall {
   endYaw: number;
 }
 
-/** What is known without computing a motion; angles in rad. */
+/** Closed forms, which need no computed motion; angles in rad. */
 export interface Theory {
   noSlip: number;
   frictionless: number;
-  /** The limit on this contactLaw, for a body that comes down as from this start; NaN if it does not. */
+  /** The limiting turn on this table for a body that comes down from this start; NaN if it does not. */
   here: number;
-  /** μ*: the friction with which the body rolls through its near-collision. */
+  /** Needed friction μ*: the smallest one with which the body rolls through its near-collision. */
   neededFriction: number;
   painleveFriction: number;
   balanceTilt: number;
 }
 
 export class Core {
-  /** Where the core has what it calls by name; only it knows the order. */
+  /** Names in the order of the core, which refers to them by index. */
   private readonly names: Readonly<Record<"laws" | "outcomes" | "presets" | "shapes", string[]>>;
 
   private constructor(private readonly exchange: Exchange) {
@@ -112,14 +112,14 @@ export class Core {
     return new Core(await Exchange.with(source));
   }
 
-  /** A ready-made body; `argument` is the part filled, or the radius of a ring (m). */
+  /** A preset body; `argument` is the filled fraction, or the radius of a ring (m). */
   preset(name: Preset, argument = NaN): Body {
     this.exchange.put([argument]);
     this.exchange.checked(this.exchange.core.preset(this.names.presets.indexOf(name)));
     return this.body();
   }
 
-  /** A body put together from solids on a rim of a radius (m). */
+  /** A body composed of solids on a rim with a radius (m). */
   composed(radius: number, solids: readonly Solid[]): Body {
     const numbers = solids.flatMap((s) => [
       this.names.shapes.indexOf(s.shape),
@@ -133,7 +133,7 @@ export class Core {
     return this.body();
   }
 
-  /** Computes a motion. Throws {@link Refused} for what no motion can be computed from. */
+  /** Computes a motion. Throws {@link Refused} for invalid input. */
   simulate(body: Body, start: State, contactLaw: ContactLaw, options: Options): Motion {
     this.exchange.put([
       ...bodyNumbers(body),
@@ -144,7 +144,7 @@ export class Core {
     return new Motion(this.exchange, this.exchange.checked(this.exchange.core.simulate()));
   }
 
-  /** Follows a body through its first turn from each start; `grip` is a factor of the friction. */
+  /** Computes the first turn from each start; `grip` multiplies the friction. */
   falls(
     body: Body,
     contactLaw: ContactLaw,
@@ -188,7 +188,7 @@ export class Core {
     return { noSlip, frictionless, here, neededFriction, painleveFriction, balanceTilt };
   }
 
-  /** NaN is what is not given. */
+  /** Omitted coefficients are passed as NaN. */
   private contactLawNumbers({ law, friction, restitution, rollingDry }: ContactLaw): number[] {
     const place = this.names.laws.indexOf(law);
     return [place, friction ?? NaN, restitution ?? NaN, rollingDry ?? NaN];

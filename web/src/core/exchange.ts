@@ -1,7 +1,7 @@
-// Numbers and words to and from the core. WebAssembly passes numbers and addresses only; the core
-// says where its arguments go and where its answers lie (crates/rimroll-wasm/src/exchange.rs).
+// Passes numbers and texts to and from the core. WebAssembly functions take only numbers, so the core
+// gives the addresses of its arguments and answers (crates/rimroll-wasm/src/exchange.rs).
 
-/** What the core offers; every function but the first six answers through them. */
+/** Functions of the core; all but the first six return their results through those. */
 interface Exports {
   memory: WebAssembly.Memory;
   arguments(count: number): number;
@@ -29,12 +29,12 @@ interface Exports {
   theory(): number;
 }
 
-/** As many numbers as the core is known to answer with. */
+/** A tuple of N numbers. */
 export type Row<N extends number, A extends number[] = []> = A["length"] extends N
   ? A
   : Row<N, [...A, number]>;
 
-/** What the core does not compute, and says why in a sentence for whoever typed the value. */
+/** Thrown when the core refuses to compute; the message tells the visitor the reason. */
 export class Refused extends Error {
   override name = "Refused";
 }
@@ -44,27 +44,27 @@ export class Exchange {
 
   private constructor(readonly core: Exports) {}
 
-  /** From the compiled core: what was fetched, or its bytes. */
+  /** Instantiates the core from a fetched response or from its bytes. */
   static async with(core: Response | BufferSource): Promise<Exchange> {
     if (core instanceof Response && !core.ok)
-      throw new Error(`the mechanics could not be loaded (the server says ${core.status})`);
+      throw new Error(`the mechanics could not be loaded (HTTP status ${core.status})`);
     const { instance } = await instantiate(core);
     return new Exchange(instance.exports as unknown as Exports);
   }
 
-  /** Puts down the arguments of the next call. */
+  /** Writes the arguments of the next call. */
   put(numbers: ArrayLike<number>): void {
     const address = this.core.arguments(numbers.length);
     new Float64Array(this.core.memory.buffer, address, numbers.length).set(numbers);
   }
 
-  /** The numbers of the last answer. A copy: the core's memory moves when it grows. */
+  /** The numbers of the last answer, copied, because the core's memory moves when it grows. */
   numbers(): Float64Array {
     const { buffer } = this.core.memory;
     return new Float64Array(buffer, this.core.numbers(), this.core.number_count()).slice();
   }
 
-  /** The words of the last answer. */
+  /** The text of the last answer. */
   text(): string {
     const { buffer } = this.core.memory;
     return this.decoder.decode(new Uint8Array(buffer, this.core.text(), this.core.text_length()));
@@ -76,14 +76,14 @@ export class Exchange {
     return text === "" ? [] : text.split(" ");
   }
 
-  /** What a call returned, unless it was a refusal. */
+  /** Returns the result of a call, or throws if the call was refused. */
   checked(returned: number): number {
     if (!returned) throw new Refused(this.text());
     return returned;
   }
 }
 
-/** Compiled while it still comes, where the server says what it is. */
+/** Compiles the core while it is still loading, if the server sends its content type. */
 async function instantiate(core: Response | BufferSource) {
   if (!(core instanceof Response)) return WebAssembly.instantiate(core);
   const type = core.headers.get("Content-Type");

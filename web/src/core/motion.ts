@@ -1,8 +1,8 @@
-// A computed motion. It stays in the core; here it is looked up.
+// A computed motion. It is stored in the core and evaluated on request.
 
 import type { Exchange, Row } from "./exchange";
 
-/** What is known at a moment, in SI units and radians, as rimroll.motion.UNITS lists it. */
+/** Quantities of a moment, in SI units and radians, as listed in rimroll.motion.UNITS. */
 export type Column =
   | "t"
   | "tilt"
@@ -30,14 +30,14 @@ export type Column =
   | "resistance_loss"
   | "impact_loss";
 
-/** One moment. */
+/** The state of the motion at one time. */
 export type Moment = Record<Column, number>;
 
-/** Where a mark on the body points, rad: its azimuth once the body is tipped upright, straight back from
- * its lean. Only a turn of the body about its axis changes it; to lean elsewhere does not. */
+/** Heading of the body, rad: the azimuth of a mark on it after tipping it upright, straight back from its
+ * lean. Only a rotation about the body's axis changes it; a change of the lean does not. */
 export const headingOf = ({ yaw, spin }: Pick<Moment, "yaw" | "spin">): number => yaw + spin;
 
-/** Many moments, column by column. */
+/** Many moments, stored by columns. */
 export class Moments {
   readonly length: number;
 
@@ -59,36 +59,36 @@ export class Moments {
   }
 }
 
-/** Something that happened: `tilt_min`, `tilt_max`, `slip`, `stick`, `lift_off`, `land`, `topple`, … */
+/** An event: `tilt_min`, `tilt_max`, `slip`, `stick`, `lift_off`, `land`, `topple`, … */
 export interface Event {
   kind: string;
   moment: Moment;
 }
 
-/** A stretch of a motion: `rolling`, `sliding`, `flying` or `lying`, from a time (s) on. */
+/** A phase of a motion between two times (s): `rolling`, `sliding`, `flying` or `lying`. */
 export interface Phase {
   kind: string;
   start: number;
   end: number;
 }
 
-/** From the release or a tilt maximum through a tilt minimum to the next maximum; rad and s. */
+/** A turn, from the release or a tilt maximum to the next maximum, in rad and s. */
 export interface Turn {
   angle: number;
   minTilt: number;
   /** Time of the smallest tilt. */
   t: number;
-  /** Yaw rate then, rad/s. */
+  /** Yaw rate at that time, rad/s. */
   yawRate: number;
   start: number;
   end: number;
   maxTilt: number;
 }
 
-/** More points than this no picture shows. */
-const MANY = 4000;
-/** In a part of a step as small as this no body turns by more than a line may have corners. */
-const PARTS = 4;
+/** Largest number of points that are useful in a picture. */
+const MAX_POINTS = 4000;
+/** A step divided into this many parts makes a line without visible corners. */
+const MAX_PARTS = 4;
 
 export class Motion {
   readonly status: string;
@@ -96,10 +96,10 @@ export class Motion {
   readonly events: readonly Event[];
   readonly phases: readonly Phase[];
   readonly turns: readonly Turn[];
-  /** When it ends, s. */
+  /** End of the motion, s. */
   readonly end: number;
   private readonly names: readonly Column[];
-  /** The samples asked for last: several parts of the page look at the same ones. */
+  /** The latest samples, which several parts of the page use. */
   private sampled: { perStep: number; moments: Moments } | undefined;
   private curvePoints: Moments | undefined;
 
@@ -132,14 +132,14 @@ export class Motion {
     });
   }
 
-  /** The motion at any times, s; times outside it give its ends. */
+  /** The motion at any times (s); times outside the motion give its ends. */
   at(times: ArrayLike<number>): Moments {
     this.exchange.put(times);
     this.exchange.core.at(this.validAddress());
     return this.table();
   }
 
-  /** Moments inside each step of the solver and at its end: close together just where it is fast. */
+  /** Moments at the end of each solver step and inside it: dense where the motion is fast. */
   samples(perStep: number): Moments {
     if (this.sampled?.perStep !== perStep)
       this.sampled = { perStep, moments: this.sample(perStep) };
@@ -151,25 +151,25 @@ export class Motion {
     return this.table();
   }
 
-  /** Moments to draw lines through: at the solver's steps, and where these are few, between them. */
+  /** Moments to draw lines through: at the solver steps and, if these are few, between them. */
   curve(): Moments {
     return (this.curvePoints ??= this.sampleCurve());
   }
 
   private sampleCurve(): Moments {
     const steps = this.samples(1);
-    const parts = Math.min(Math.floor(MANY / steps.length), PARTS);
+    const parts = Math.min(Math.floor(MAX_POINTS / steps.length), MAX_PARTS);
     return parts < 2 ? steps : this.sample(parts);
   }
 
-  /** Gives the core's memory back; the motion cannot be looked up afterwards. */
+  /** Frees the core's memory; the motion cannot be evaluated afterwards. */
   forget(): void {
     this.exchange.core.forget(this.validAddress());
     this.address = 0;
     this.sampled = this.curvePoints = undefined;
   }
 
-  /** Whether it ends where it does because no more steps were allowed. */
+  /** Whether the motion ended because it reached the limit of steps. */
   get ranOutOfSteps(): boolean {
     return this.status === "failed" && this.message.includes("max_steps");
   }

@@ -1,47 +1,47 @@
-// The flicks happen one after the other, so that one sees the histogram grow.
+// Shows the flicks one after the other, so that the histogram grows.
 
 import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { prefersReducedMotion } from "../reduced_motion";
 
-const A_FLICK = 140; // ms from one fall to the next, of forty-two
+const INTERVAL = 140; // ms between the falls, if there are 42
 
-/** Lets the falls happen one after the other; all at once for who wants no motion. */
+/** Shows the flicks one after the other, or all at once for a visitor who prefers reduced motion. */
 export function startFlicks(lab: Lab): void {
-  making = undefined;
+  running = undefined;
   batch(() => {
     show(lab, 0, true);
-    // Of a set-up that is refused there is nothing to watch; once it is mended, they are there.
+    // A refused set-up has no flicks to animate; they appear once it is corrected.
     if (prefersReducedMotion() || lab.flicks.value.length === 0)
       show(lab, lab.setup.value.flicks, false);
   });
   if (!lab.flicking.value) return;
   const begun = performance.now();
-  const go = () => {
-    if (making !== go || !lab.flicking.value) return;
-    // It may be changed on the way.
+  const update = () => {
+    if (running !== update || !lab.flicking.value) return;
+    // The visitor may change the number meanwhile.
     const all = lab.setup.value.flicks;
-    const quicker = Math.max(1, all / 42);
-    const due = Math.min(all, Math.floor((quicker * (performance.now() - begun)) / A_FLICK));
+    const speedup = Math.max(1, all / 42);
+    const due = Math.min(all, Math.floor((speedup * (performance.now() - begun)) / INTERVAL));
     show(lab, due, due < all);
-    if (due < all) setTimeout(go, A_FLICK / 2);
+    if (due < all) setTimeout(update, INTERVAL / 2);
   };
-  making = go;
-  go();
+  running = update;
+  update();
 }
 
-/** Takes them away. */
+/** Removes the flicks. */
 export function clearFlicks(lab: Lab): void {
-  making = undefined;
+  running = undefined;
   show(lab, undefined, false);
 }
 
-/** Whoever makes the falls just now; a later call takes over. */
-let making: (() => void) | undefined;
+/** The animation that runs at present; a later call replaces it. */
+let running: (() => void) | undefined;
 
-function show(lab: Lab, made: number | undefined, making: boolean): void {
+function show(lab: Lab, count: number | undefined, flicking: boolean): void {
   batch(() => {
-    lab.flicksShown.value = made;
-    lab.flicking.value = making;
+    lab.flicksShown.value = count;
+    lab.flicking.value = flicking;
   });
 }

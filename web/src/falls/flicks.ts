@@ -1,4 +1,4 @@
-// The same release again and again by a human hand, and where the body falls each time.
+// Repeats a release with the scatter of a human hand and computes where the body falls.
 
 import type { Core } from "../core/core";
 import { reasonOrRethrow } from "../core/reason";
@@ -6,34 +6,36 @@ import { simulationInput } from "../setup/simulation_input";
 import type { Setup } from "../setup/setup";
 import { scatteredStarts } from "./scatter";
 
-/** What became of one flick of many. */
+/** The result of one flick. */
 export interface Flick {
-  /** In the words of rimroll.ensemble: `toppled`, `rocked` (up again) or another. */
+  /** An outcome as rimroll.ensemble names it: `toppled`, `rocked` (up again) or another. */
   outcome: string;
-  /** How far round it came, rad, anticlockwise: flat bodies go round more than once. */
+  /** Angle of turn, rad, anticlockwise; flat bodies turn by more than 2π. */
   turn: number;
-  /** Where on the table it fell or leaned at last, rad, anticlockwise from where it leaned at first,
+  /** Direction in which the body fell or leaned at the end, rad, anticlockwise from the initial lean,
    * 0 to 2π. */
   direction: number;
 }
 
-/** What becomes of each flick; nothing for a set-up of which there is no motion. */
+/** The result of each flick; an empty list for a refused set-up. */
 export function simulateFlicks(core: Core, setup: Readonly<Setup>): Flick[] {
   try {
     const { body, start, contactLaw, options } = simulationInput(core, setup);
     const trials = scatteredStarts(setup, body).map((start) => ({ start, grip: 1 }));
-    // Right to 1e-4 degrees, as rimroll.topple.
+    // This tolerance gives angles to 1e-4 degrees, as in rimroll.topple.
     const coarse = { ...options, duration: 10, rtol: 1e-6 };
-    return core.falls(body, contactLaw, coarse, trials).map(({ outcome, turn: rocked, endYaw }) => {
-      const round = endYaw - start.yaw;
-      // One that was let go rising turns from where it was highest.
-      const turn = outcome === "rocked" ? rocked : round;
-      return { outcome, turn, direction: cycled(round) };
-    });
+    return core
+      .falls(body, contactLaw, coarse, trials)
+      .map(({ outcome, turn: firstTurn, endYaw }) => {
+        const yawChange = endYaw - start.yaw;
+        // A body released while rising turns from its tilt maximum, not from the release.
+        const turn = outcome === "rocked" ? firstTurn : yawChange;
+        return { outcome, turn, direction: wrapped(yawChange) };
+      });
   } catch (error) {
     reasonOrRethrow(error);
     return [];
   }
 }
 
-const cycled = (angle: number) => angle - 2 * Math.PI * Math.floor(angle / (2 * Math.PI));
+const wrapped = (angle: number) => angle - 2 * Math.PI * Math.floor(angle / (2 * Math.PI));

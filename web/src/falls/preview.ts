@@ -1,5 +1,5 @@
-// What would become of the body in a hand that let go now, at rest: a fall, which is sooner computed
-// than a whole motion, so that it can follow the hand.
+// The fall of a held body if the hand let go at rest now. A fall is computed faster than a complete
+// motion, so that the preview can follow the hand.
 
 import type { Core, Fall, Theory } from "../core/core";
 import { reasonOrRethrow } from "../core/reason";
@@ -8,9 +8,9 @@ import { type Held, ZERO_RATE, leanFields, releasedSetup } from "../setup/releas
 import type { Setup } from "../setup/setup";
 
 export interface Preview {
-  /** How the body leans in the hand, degrees. */
+  /** Tilt and yaw of the held body, degrees. */
   lean: Pick<Setup, "tilt" | "yaw">;
-  /** Its fall through the first turn; none for a body that cannot be. */
+  /** The first turn; undefined if it is refused. */
   fall: Fall | undefined;
   theory: Theory | undefined;
 }

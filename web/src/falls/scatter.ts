@@ -1,21 +1,21 @@
-// How a hand that repeats a release scatters, as rimroll.Release does it.
+// Scatters repeated releases in the same way as rimroll.Release.
 
 import type { Body, State } from "../core/core";
 import { startOf } from "../setup/simulation_input";
 import type { Setup } from "../setup/setup";
 
-/** Starts scattered about the set-up's: normally distributed, the tilt within (0, 90°).
+/** Starts that are normally distributed about the set-up, with the tilt within (0, 90°).
  *
- * The spreads are those of rimroll's presets, for a steady hand that lets go and for one that flicks:
- * tilt by a tenth, rate by 7 %, sideways and twist by 5 % of the rate, and at least 0.002 √(g/R). */
+ * The standard deviations are those of rimroll's presets: a tenth of the tilt, 7 % of the tilt rate, and
+ * for sideways and twist 5 % of the tilt rate, but at least 0.002 √(g/R). */
 export function scatteredStarts(setup: Readonly<Setup>, body: Body): State[] {
-  const chance = normal(setup.seed);
+  const random = normal(setup.seed);
   const unsteady = setup.unsteady / 100;
   const slowest = 0.002 * Math.sqrt(setup.gravity / body.radius);
   const rate = Math.abs(setup.tilt_rate);
   const aside = unsteady * Math.max(0.05 * rate, slowest);
   return Array.from({ length: Math.round(setup.flicks) }, () => {
-    const [c0, c1, c2, c3] = [chance(), chance(), chance(), chance()];
+    const [c0, c1, c2, c3] = [random(), random(), random(), random()];
     const tilt = setup.tilt * (1 + 0.1 * unsteady * c0);
     return startOf({
       ...setup,
@@ -27,11 +27,11 @@ export function scatteredStarts(setup: Readonly<Setup>, body: Body): State[] {
   });
 }
 
-/** Normally distributed numbers by Box and Muller, from even ones by a small generator with a seed
- * (Bob Jenkins's 32-bit "small fast" one). */
+/** Normally distributed numbers by Box and Muller, from uniform ones by a small generator with a seed
+ * (Bob Jenkins's 32-bit "small fast" generator). */
 function normal(seed: number): () => number {
   let [a, b, c, d] = [0xf1ea5eed, seed | 0, seed | 0, seed | 0];
-  const even = () => {
+  const uniform = () => {
     const e = (a - ((b << 27) | (b >>> 5))) | 0;
     a = b ^ ((c << 17) | (c >>> 15));
     b = (c + d) | 0;
@@ -39,9 +39,9 @@ function normal(seed: number): () => number {
     d = (e + a) | 0;
     return ((d >>> 0) + 0.5) / 4294967296;
   };
-  for (let k = 0; k < 20; k++) even();
+  for (let k = 0; k < 20; k++) uniform();
   return () => {
-    const size = Math.sqrt(-2 * Math.log(even()));
-    return size * Math.cos(2 * Math.PI * even());
+    const size = Math.sqrt(-2 * Math.log(uniform()));
+    return size * Math.cos(2 * Math.PI * uniform());
   };
 }

@@ -1,8 +1,8 @@
-// What many flicks came to: how many fell left and right, and how far round.
+// Counts the flicks that fell to the left and to the right, and averages their angles of turn.
 
 import type { Flick } from "./flicks";
 
-/** The falls of one side; how far round they came, in degrees, whichever way round. */
+/** The falls to one side, with the sizes of their angles of turn in degrees. */
 export interface Side {
   turns: number[];
   count: number;
@@ -11,30 +11,30 @@ export interface Side {
 }
 
 export interface Tally {
-  /** What the body did more often, and what is counted: `toppled`, or `rocked` up again. */
-  word: "toppled" | "rocked";
-  /** Where those that are counted lie, degrees: from 180 on to the left, below it to the right. */
+  /** The counted outcome, which is the more frequent: `toppled`, or `rocked` up again. */
+  outcome: "toppled" | "rocked";
+  /** Directions of the counted falls, degrees: from 180 to the left, below 180 to the right. */
   directions: number[];
   left: Side;
   right: Side;
-  /** How many came to something else. */
+  /** Number of flicks with another outcome. */
   others: number;
 }
 
 const DEGREES = 180 / Math.PI;
 
-/** Counts as rimroll.experiment does: falls if they are the more, else tilt maxima. */
+/** Counts as rimroll.experiment does: falls, or tilt maxima if these are more frequent. */
 export function tallyOf(flicks: readonly Flick[]): Tally {
   const of = (outcome: string) => flicks.filter((flick) => flick.outcome === outcome);
-  const word = of("toppled").length >= of("rocked").length ? "toppled" : "rocked";
-  const counted = of(word);
+  const outcome = of("toppled").length >= of("rocked").length ? "toppled" : "rocked";
+  const counted = of(outcome);
   const directions = counted.map(({ direction }) => direction * DEGREES);
   const turnsWhere = (here: (direction: number) => boolean) =>
     counted
       .filter(({ direction }) => here(direction * DEGREES))
       .map(({ turn }) => Math.abs(turn) * DEGREES);
   return {
-    word,
+    outcome,
     directions,
     left: side(turnsWhere((direction) => direction >= 180)),
     right: side(turnsWhere((direction) => direction < 180)),

@@ -1,4 +1,4 @@
-// Colours of the laws, told apart whatever the reader's colour vision (Okabe and Ito).
+// Colours of the laws, which colour-blind readers can distinguish (Okabe and Ito).
 
 export const LAW_COLOURS = {
   no_slip: "var(--law-no_slip)",

@@ -1,4 +1,4 @@
-// The panel of the flicks: one button repeats the release, falls appear one after the other.
+// The panel of the flicks: a button repeats the release, and the falls appear one after the other.
 
 import { effect } from "@preact/signals-core";
 import { clearFlicks, startFlicks } from "../falls/animation";
@@ -14,14 +14,14 @@ import { histogram } from "./histogram";
 export function mountFlicks(lab: Lab, place: HTMLElement): void {
   place.innerHTML = `
     <h2>Forty-two flicks</h2>
-    <p class="hint">No hand does the same thing twice. Repeat this release with a little scatter, and mark where the body falls.</p>
+    <p class="hint">No hand repeats a motion exactly. Repeat this release with some scatter and see where the body falls.</p>
     <div class="row">
       <button type="button" class="make primary"></button>
       <button type="button" class="clear">Clear</button>
     </div>
     <details><summary>The hand</summary></details>
     <figure>
-      <svg viewBox="-106 -106 212 212" role="img" aria-label="Where it fell, all round the body" aria-describedby="flicks-said"></svg>
+      <svg viewBox="-106 -106 212 212" role="img" aria-label="Directions in which the body fell, seen from above" aria-describedby="flicks-said"></svg>
       <figcaption>
         <p id="flicks-said" role="status"></p>
         <ul class="legend">
@@ -32,7 +32,7 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
           <li class="for-here"><i class="here"></i>limit on this table <b class="here-limit"></b></li>
           <li class="for-measured"><i class="measured"></i>the paper: 213.0 ± 3.9° and 217.9 ± 4.5°</li>
         </ul>
-        <p class="hint for-twisted">The limits are for a body that is not twisted.</p>
+        <p class="hint for-twisted">The limits hold for a body that is not twisted.</p>
       </figcaption>
     </figure>`;
   const part = <E extends Element>(selector: string) => place.querySelector(selector) as E;
@@ -42,13 +42,13 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   const said = part<HTMLElement>("#flicks-said");
 
   make.addEventListener("click", () => {
-    // Another evening, another form: chance begins anew each time, from a seed that the link keeps.
+    // Each repetition has another seed, which the link holds.
     if (lab.flicksShown.value !== undefined) lab.change({ seed: nextSeed(lab) });
     startFlicks(lab);
   });
   clear.addEventListener("click", () => {
     clearFlicks(lab);
-    // This button goes, and the focus would go with it.
+    // This button disappears, so the focus must move.
     make.focus();
   });
   const form = new SetupForm(lab);
@@ -70,7 +70,7 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   });
   effect(() => {
     const text = flickSummary(lab);
-    // The same words again are not read out again.
+    // An unchanged text must not be read out again.
     if (said.textContent !== text) said.textContent = text;
   });
   effect(() => {

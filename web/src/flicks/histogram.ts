@@ -1,22 +1,22 @@
-// Where the body fell, seen from above: bars round a ring, with the limits of theory and what the
-// paper measured. The first lean points down, to the hand that flicks the body away from itself; so
-// straight ahead is up, and falls to the left of the hand are on the left.
+// A histogram of the directions of fall on a ring, seen from above, with the limits of theory and the
+// paper's measurements. The initial lean points down, toward the hand that flicks the body away from
+// itself: straight ahead is up, and falls to the left of the hand are on the left.
 
 import type { Theory } from "../core/core";
 import { MEASURED } from "../falls/paper";
 import type { Tally } from "../falls/tally";
 import { LAW_COLOURS } from "./colours";
 
-const BIN = 3; // degrees: divides 180, so that no bar has falls of both sides
+const BIN = 3; // degrees; divides 180, so that no bar has falls of both sides
 const [INNER, OUTER] = [46, 92];
 
-/** To the right it is counted the other way round. */
+/** Turns to the right are counted in the other direction. */
 const MEASURED_ROUND = [MEASURED.left, { ...MEASURED.right, mean: 360 - MEASURED.right.mean }];
 
 export interface Shown {
   tally: Tally;
   theory: Theory | undefined;
-  /** Whether what the paper measured belongs to this body. */
+  /** Whether the paper's measurements apply to this body. */
   measured: boolean;
 }
 
@@ -29,7 +29,7 @@ export function histogram({ tally, theory, measured }: Shown): string {
     ...limits(theory),
     ...(measured ? MEASURED_ROUND.map(({ mean, deviation }) => measuredArc(mean, deviation)) : []),
     `<path d="M0 12V30m-3.5 -5L0 33l3.5 -8" class="lean"/>`,
-    `<text y="7" class="small">first lean</text>`,
+    `<text y="7" class="small">initial lean</text>`,
   ].join("");
 }
 
@@ -82,12 +82,12 @@ const degreeMarks = () =>
     })
     .join("");
 
-/** A piece of a ring between two directions (degrees) and two radii. */
+/** A sector of a ring between two directions (degrees) and two radii. */
 function sector(from: number, to: number, inner: number, outer: number): string {
   return `M${point(from, inner)}A${inner} ${inner} 0 0 0 ${point(to, inner)}L${point(to, outer)}A${outer} ${outer} 0 0 1 ${point(from, outer)}Z`;
 }
 
-/** Where a direction lies: degrees anticlockwise from the first lean, which points down. */
+/** The point in a direction, in degrees anticlockwise from the initial lean, which points down. */
 function point(degrees: number, radius: number): string {
   const angle = (degrees * Math.PI) / 180;
   return `${(radius * Math.sin(angle)).toFixed(2)} ${(radius * Math.cos(angle)).toFixed(2)}`;

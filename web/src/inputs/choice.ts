@@ -1,4 +1,4 @@
-// One choice of the set-up, from a list or from a few side by side.
+// One choice of the set-up, as a list or as radio buttons side by side.
 
 import { effect } from "@preact/signals-core";
 import { type ChoiceField, FIELDS } from "../setup/fields";
@@ -46,7 +46,7 @@ export function choiceButtons(form: SetupForm, name: ChoiceName): HTMLElement {
   return group;
 }
 
-/** What the choice means, and why one in a link was refused. */
+/** The help text of a choice and the refusal of one in a link. */
 function words(form: SetupForm, name: ChoiceName, field: ChoiceField): HTMLElement[] {
   const help = element("p", { id: `${name}-help`, class: "help" }, field.help);
   const refusal = element("p", { id: `${name}-refusal`, class: "refusal", role: "alert" });

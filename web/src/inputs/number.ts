@@ -1,5 +1,5 @@
-// One number of the set-up: its name, a slider for the usual range, a field for any value, its unit,
-// what it means, and why a value was refused.
+// One number of the set-up: its label, a slider for the usual range, a field for any value, its unit,
+// its help text and the refusal of a value.
 
 import { effect } from "@preact/signals-core";
 import { FIELDS, type FieldName, type NumberField } from "../setup/fields";
@@ -8,7 +8,7 @@ import type { SetupForm } from "./setup_form";
 import { scaleOf } from "./scale";
 import { formatExact, formatNumber, withUnit } from "../format/numbers";
 
-/** Names of the fields that hold numbers. */
+/** Names of the number fields. */
 export type NumberName = {
   [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "number" ? Name : never;
 }[FieldName];
@@ -18,7 +18,7 @@ export interface Row {
   slider: HTMLInputElement;
 }
 
-/** `idle` says why the number does not matter just now, if it does not. */
+/** `idle` returns the reason why the number has no effect at present, or undefined. */
 export function numberRow(
   form: SetupForm,
   name: NumberName,
@@ -57,7 +57,7 @@ export function numberRow(
   row.append(label, slider, typed, unit, help, refusal);
 
   slider.addEventListener("input", () => form.set(name, scale.value(Number(slider.value))));
-  // What is being typed is not written over when something else changes meanwhile.
+  // Text that is being typed is not overwritten when something else changes.
   let typing = false;
   typed.addEventListener("input", () => (typing = true));
   typed.addEventListener("change", () => {
@@ -73,7 +73,7 @@ export function numberRow(
     typed.setAttribute("aria-invalid", String(refused !== undefined));
     slider.value = String(scale.position(value));
     slider.setAttribute("aria-valuetext", withUnit(formatNumber(value), field.unit));
-    // What was refused stays as it was written, to be mended; what was not has all its digits.
+    // A refused text stays as it was typed, so that it can be corrected.
     if (!typing) typed.value = refused?.text ?? formatExact(value);
   });
   effect(() => {

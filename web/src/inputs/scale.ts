@@ -1,8 +1,8 @@
-// Where on its slider a value lies.
+// Converts between a value and its position on a slider.
 
 import type { NumberField } from "../setup/fields";
 
-/** A slider's positions and what they stand for. */
+/** The positions of a slider and their values. */
 export interface Scale {
   low: number;
   high: number;
@@ -15,14 +15,14 @@ export interface Scale {
 export function scaleOf(field: NumberField): Scale {
   const [low, high, step] = field.slider ?? [field.least, field.most, 0];
   if (field.finest !== undefined) return signedLog(field.finest, high);
-  const same = (x: number) => x;
-  return { low, high, step, value: same, position: same };
+  const identity = (x: number) => x;
+  return { low, high, step, value: identity, position: identity };
 }
 
 const PER_DECADE = 20;
 
-/** 0 in the middle, and beside it on both sides so many steps a decade from the finest to the
- * largest: for what matters in every order of magnitude. */
+/** A logarithmic scale on both sides of 0, which is in the middle, with PER_DECADE steps per decade from
+ * the finest to the largest value. */
 function signedLog(finest: number, largest: number): Scale {
   const steps = Math.ceil(PER_DECADE * Math.log10(largest / finest));
   const size = (position: number) => finest * 10 ** ((Math.abs(position) - 1) / PER_DECADE);

@@ -1,5 +1,5 @@
-// What a visitor sets, on its way to the lab: moves of a slider are pending so that at most one
-// motion is computed a picture, and what cannot be is refused at its field.
+// Passes the visitor's settings to the lab. Moves of a slider are gathered, so that at most one motion is
+// computed per frame, and impossible values are refused at their fields.
 
 import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
@@ -13,14 +13,14 @@ export class SetupForm {
 
   constructor(readonly lab: Lab) {}
 
-  /** Sets a value that is known to be good, with the next picture. */
+  /** Sets a value that is known to be valid, in the next frame. */
   set(name: FieldName, value: string | number): void {
     this.pending[name] = value;
     this.clearRefusal(name);
     this.frame ||= requestAnimationFrame(() => this.flush());
   }
 
-  /** Sets what was typed, or says at the field why not. */
+  /** Sets the value that was typed, or shows at the field why it is refused. */
   type(name: FieldName, text: string): void {
     const result = read(name, text);
     if ("value" in result) {
@@ -31,7 +31,7 @@ export class SetupForm {
     }
   }
 
-  /** Everything as it was at the first visit. */
+  /** Restores the initial set-up. */
   reset(): void {
     this.pending = { ...INITIAL };
     batch(() => {
@@ -41,10 +41,10 @@ export class SetupForm {
     });
   }
 
-  /** From the beginning, with all that has been set. */
+  /** Plays the motion from the release, with everything that has been set. */
   letGo(): void {
     this.flush();
-    // Not while it is watched.
+    // Compute the rest now, not while the motion is playing.
     this.lab.complete();
     this.lab.clock.rewind();
     this.lab.clock.play();
@@ -64,7 +64,7 @@ export class SetupForm {
     if (Object.keys(part).length === 0) return;
     const playing = this.lab.clock.playing.value;
     this.lab.change(part);
-    // Whoever watches goes on watching, from the beginning.
+    // A motion that was playing plays again from the release.
     if (playing) this.lab.clock.play();
   }
 }

@@ -1,4 +1,4 @@
-// One plot on the page: its head with the values at the time shown, and the curves.
+// One plot: a heading with the values at the time shown, and the curves.
 
 import uPlot from "uplot";
 import type { Moment, Moments } from "../core/motion";
@@ -11,12 +11,12 @@ import { powerText, powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } f
 import { type Values, thinned } from "./thinned";
 import type { Stretch } from "./view";
 
-/** More points than this on a CSS px of the width are thinned before they are drawn. */
-const MANY = 4;
+/** Curves with more points per CSS px of the width than this are thinned. */
+const MAX_DENSITY = 4;
 
 export class Chart {
   readonly root: HTMLElement;
-  /** Where hands are felt. */
+  /** The element that receives pointer events. */
   readonly pad: HTMLElement;
   private readonly plot: uPlot;
   private readonly picture = element("div", { class: "picture", role: "img" });
@@ -25,17 +25,17 @@ export class Chart {
   private readonly outputs: { line: Line; output: HTMLElement; entry: HTMLElement }[] = [];
   private shown: Stretch = { since: "start", origin: 0, from: 0, to: 1 };
   private subject: Subject | undefined;
-  /** What one of the unit shown is in the figure's unit: 1e-3 for milli. */
+  /** The unit shown and its size in the figure's unit: 1e-3 for milli. */
   private unit = { name: "", size: 1 };
 
   constructor(
     readonly figure: Figure,
     private readonly palette: () => Palette,
-    /** How much larger than usual the page's type is. */
+    /** Type size of the page over the usual one. */
     private readonly large: number,
   ) {
     this.title.id = `plot-${figure.name}`;
-    // Until it is drawn, as its place comes into view.
+    // This title is shown until the plot comes into view and is drawn.
     this.title.textContent = figure.title;
     this.picture.setAttribute("aria-label", figure.title);
     const key = element("span", { class: "key" }, ...figure.lines.map((line) => this.entry(line)));
@@ -64,7 +64,7 @@ export class Chart {
     let lines = this.figure.lines.map((line) => line.values(moments, subject));
     if (this.figure.stacked) lines = stacked(lines);
     const parts = Math.ceil(this.across);
-    const data = x.length > MANY * parts ? thinned(x, lines, parts) : [x, ...lines];
+    const data = x.length > MAX_DENSITY * parts ? thinned(x, lines, parts) : [x, ...lines];
     const curves = data.slice(1);
     this.unit = this.unitOf(curves);
     const { name } = this.unit;
@@ -79,12 +79,12 @@ export class Chart {
     this.picture.setAttribute("aria-label", this.summary(curves));
   }
 
-  /** Draws it again in other colours. */
+  /** Draws the plot again in other colours. */
   recolour(): void {
     this.plot.redraw(false);
   }
 
-  /** Puts the line at a place, 0 to 1, and reads the values out. */
+  /** Moves the time line to a place, 0 to 1, and shows the values of a moment. */
   showMoment(place: number, moment: Moment): void {
     const inside = place >= 0 && place <= 1;
     this.line.hidden = !inside;
@@ -95,7 +95,7 @@ export class Chart {
     }
   }
 
-  /** Width of the curves, CSS px: asked of the plot, as the page would have to be laid out first. */
+  /** Width of the curves, CSS px, taken from the plot to avoid a layout of the page. */
   private get across(): number {
     return this.plot.bbox.width / devicePixelRatio;
   }
@@ -128,7 +128,7 @@ export class Chart {
     if (Number.isNaN(value)) return "";
     if (!Number.isFinite(value)) return "∞";
     const { name, size } = this.unit;
-    // Of energies the small ones are as exact as the large ones.
+    // All energies are written with the same number of decimals.
     const text = this.figure.prefixed ? thousandths(value / size) : significant(value, 4);
     return name === "" || name === "°" ? text + name : `${text} ${name}`;
   }
@@ -136,12 +136,12 @@ export class Chart {
   private unitOf(curves: readonly Values[]): { name: string; size: number } {
     const { unit, prefixed } = this.figure;
     if (!prefixed) return { name: unit, size: 1 };
-    const [, most] = bounds(curves);
-    if (most >= 1) return { name: unit, size: 1 };
-    return most >= 1e-3 ? { name: `m${unit}`, size: 1e-3 } : { name: `µ${unit}`, size: 1e-6 };
+    const [, max] = bounds(curves);
+    if (max >= 1) return { name: unit, size: 1 };
+    return max >= 1e-3 ? { name: `m${unit}`, size: 1e-3 } : { name: `µ${unit}`, size: 1e-6 };
   }
 
-  /** Whether there is nothing of a line or, but for the lowest, of an area. */
+  /** Whether a line has no values or an area above the lowest has no height. */
   private isEmpty(index: number, curves: readonly Values[]): boolean {
     const [lower, values] = [curves[index - 1], curves[index] as Values];
     const floor = this.figure.stacked && lower ? lower : undefined;
@@ -151,11 +151,9 @@ export class Chart {
   }
 
   private summary(curves: readonly Values[]): string {
-    const [least, most] = bounds(curves);
+    const [min, max] = bounds(curves);
     const range =
-      least > most
-        ? "nothing to show"
-        : `between ${this.valueText(least)} and ${this.valueText(most)}`;
+      min > max ? "nothing to show" : `between ${this.valueText(min)} and ${this.valueText(max)}`;
     return `${this.figure.title} over time ${stretchText(this.shown)}: ${range}`;
   }
 
@@ -163,7 +161,7 @@ export class Chart {
     const { figure } = this;
     const colour = (name: keyof Palette) => () => this.palette()[name];
     const { large } = this;
-    // A whole number: uPlot reads no other.
+    // uPlot reads whole numbers only.
     const font = `${Math.round(12 * large)}px system-ui, sans-serif`;
     const axis = {
       stroke: colour("muted"),
@@ -246,19 +244,19 @@ export class Chart {
     };
   }
 
-  /** From the least to the largest value in view, with some room. */
+  /** From the smallest to the largest value in view, with a margin. */
   private range(low: number | null, high: number | null): [number, number] {
     const { include, stretched, stacked: areas } = this.figure;
-    let [least, most] = [low ?? 0, high ?? 1];
-    if (include !== undefined) [least, most] = [Math.min(least, include), Math.max(most, include)];
-    if (stretched) return [Math.min(least * 2, -1), Math.max(most * 2, 1)];
-    const room = most > least ? (most - least) * 0.08 : Math.abs(most) * 0.1 || 1;
-    const onFloor = include !== undefined && least >= include - 1e-6 * room;
-    return [onFloor ? include : least - room, most + (areas ? room / 2 : room)];
+    let [min, max] = [low ?? 0, high ?? 1];
+    if (include !== undefined) [min, max] = [Math.min(min, include), Math.max(max, include)];
+    if (stretched) return [Math.min(min * 2, -1), Math.max(max * 2, 1)];
+    const room = max > min ? (max - min) * 0.08 : Math.abs(max) * 0.1 || 1;
+    const onFloor = include !== undefined && min >= include - 1e-6 * room;
+    return [onFloor ? include : min - room, max + (areas ? room / 2 : room)];
   }
 }
 
-/** Each curve on those before it. */
+/** Adds each curve to the sum of those before it. */
 function stacked(curves: readonly Values[]): Values[] {
   let below: Float64Array | undefined;
   return curves.map((values) => {
@@ -269,17 +267,17 @@ function stacked(curves: readonly Values[]): Values[] {
 }
 
 function bounds(curves: readonly Values[]): [number, number] {
-  let [least, most] = [Infinity, -Infinity];
+  let [min, max] = [Infinity, -Infinity];
   for (const values of curves)
     for (let k = 0; k < values.length; k++) {
       const value = values[k];
       if (value == null) continue;
-      if (value < least) least = value;
-      if (value > most) most = value;
+      if (value < min) min = value;
+      if (value > max) max = value;
     }
-  return [least, most];
+  return [min, max];
 }
 
-/** To three decimals; what is less than half of the last is zero, without a sign. */
+/** A number with three decimals; zero has no sign. */
 const thousandths = (value: number) =>
   (Math.round(1000 * value) / 1000 || 0).toFixed(3).replace("-", "−");

@@ -1,4 +1,4 @@
-// What is plotted: five figures of a few lines each.
+// The five figures and their lines.
 
 import type { LawName, Theory } from "../core/core";
 import type { Column, Moment, Moments, Motion } from "../core/motion";
@@ -6,13 +6,13 @@ import type { Colour } from "./palette";
 import { countBelow } from "./sampled";
 import type { Values } from "./thinned";
 
-/** All that a figure is drawn from. */
+/** The data of a figure. */
 export interface Subject {
   motion: Motion;
   theory: Theory | undefined;
   law: LawName;
   friction: number;
-  /** The least potential energy of the motion, J; energies are counted from it. */
+  /** Smallest potential energy of the motion, J, from which energies are counted. */
   ground: number;
 }
 
@@ -20,11 +20,11 @@ export interface Line {
   label: string;
   colour: Colour;
   dash?: number[];
-  /** CSS px; 2 if not given. */
+  /** Width, CSS px; 2 by default. */
   width?: number;
-  /** Along the moments, in the figure's unit; null where there is nothing to draw. */
+  /** Values at the moments, in the figure's unit; null where there is nothing to draw. */
   values(moments: Moments, subject: Subject): Values;
-  /** At the moment shown; without it the line is in the key, but not read out. */
+  /** Value at the moment shown; without this function the key shows the line without a value. */
   now?(moment: Moment, subject: Subject): number;
 }
 
@@ -33,13 +33,13 @@ export interface Figure {
   title: string;
   unit: string;
   lines: readonly Line[];
-  /** Whether lines are the borders of areas one upon the other. */
+  /** Whether the lines are borders of stacked areas. */
   stacked?: boolean;
-  /** Whether small values are drawn larger beside large ones. */
+  /** Whether the axis is an arsinh, which enlarges small values. */
   stretched?: boolean;
-  /** What is always in view. */
+  /** A value that is always in view. */
   include?: number;
-  /** Whether the unit gets the prefix that suits the values, as milli. */
+  /** Whether the unit gets a suitable prefix, such as milli. */
   prefixed?: boolean;
 }
 
@@ -106,20 +106,20 @@ export const FIGURES: readonly Figure[] = [
     prefixed: true,
     lines: [
       {
-        ...plain("height", "potential_energy", "plot-first"),
+        ...plain("potential", "potential_energy", "plot-first"),
         values: (moments, { ground }) =>
           moments.column("potential_energy").map((energy) => energy - ground),
         now: (moment, { ground }) => moment.potential_energy - ground,
       },
-      plain("motion", "kinetic_energy", "plot-second"),
-      plain("lost sliding", "friction_loss", "plot-third"),
-      plain("lost rolling", "resistance_loss", "plot-fourth"),
+      plain("kinetic", "kinetic_energy", "plot-second"),
+      plain("lost in sliding", "friction_loss", "plot-third"),
+      plain("lost in rolling", "resistance_loss", "plot-fourth"),
       plain("lost in impacts", "impact_loss", "plot-fifth"),
     ],
   },
 ];
 
-/** A column as it is, but for the unit. */
+/** A column in another unit. */
 function plain(label: string, column: Column, colour: Colour, factor = 1): Line {
   return {
     label,
@@ -129,9 +129,9 @@ function plain(label: string, column: Column, colour: Colour, factor = 1): Line 
   };
 }
 
-/** Where nothing presses the ratio of friction is infinite: a gap. */
+/** Infinite values become gaps: the friction ratio is infinite where the normal force is zero. */
 function finite(column: Float64Array, factor: number): Values {
-  // A sum is finite just if all of its terms are, these being nowhere near the largest number.
+  // The sum is finite if and only if all terms are, because they are far below the largest number.
   let sum = 0;
   for (let k = 0; k < column.length; k++) sum += column[k] as number;
   if (Number.isFinite(sum)) return factor === 1 ? column : scaled(column, factor);
@@ -147,7 +147,7 @@ function scaled(column: Float64Array, factor: number): Float64Array {
 const constant = ({ length }: Moments, value: number): Values =>
   new Array<number | null>(length).fill(Number.isFinite(value) ? value : null);
 
-/** The yaw to which the theory has the first turn come, along that turn. */
+/** The yaw at the end of the first turn in theory, drawn from its smallest tilt to its end. */
 function turnedInTheory(moments: Moments, { motion, theory }: Subject): Values {
   const values = constant(moments, NaN) as (number | null)[];
   const [turn] = motion.turns;

@@ -1,13 +1,13 @@
-// Hands on a plot. A mouse: drag across to zoom, click or drag the line of the time to scrub, wheel
-// to zoom about the pointer once the plot has been clicked (or with Ctrl), so that the page still
-// scrolls past it. Fingers: one scrubs, two zoom.
+// Gestures on a plot. Mouse: drag across to zoom, click or drag the time line to scrub, turn the wheel to
+// zoom about the pointer. The wheel zooms only after a click on the plot or with Ctrl, so that the page
+// still scrolls past it. Touch: one finger scrubs, two zoom.
 
-/** What the plot does about it; places are 0 at its left end, 1 at its right. */
+/** Actions of the plot; places are 0 at its left end and 1 at its right. */
 export interface Handlers {
   scrub(place: number): void;
-  /** Where the line of the time is. */
+  /** Place of the time line. */
   now(): number;
-  /** Marks what would be zoomed to; undefined for nothing. */
+  /** Marks the range to zoom to, or nothing if undefined. */
   select(range: [number, number] | undefined): void;
   zoomTo(range: [number, number]): void;
   zoom(factor: number, about: number): void;
@@ -15,8 +15,9 @@ export interface Handlers {
   reset(): void;
 }
 
-/** How far (CSS px) a hand may tremble in a click, and miss the line. */
+/** Largest movement during a click, CSS px. */
 const JITTER = 4;
+/** Largest distance from the time line at which it is grabbed, CSS px. */
 const REACH = 7;
 
 export function attachGestures(pad: HTMLElement, focused: HTMLElement, handlers: Handlers): void {
@@ -73,7 +74,7 @@ export function attachGestures(pad: HTMLElement, focused: HTMLElement, handlers:
       const zoomsOut = event.deltaY > 0;
       if (!meant || event.deltaY === 0 || (zoomsOut && !handlers.canZoomOut())) return;
       event.preventDefault();
-      // A notch of a wheel is some 100 px; a touch pad sends many small ones.
+      // A notch of a wheel is about 100 px; a touch pad sends many smaller steps.
       const notches = Math.max(-1, Math.min(1, event.deltaY / (event.ctrlKey ? 20 : 100)));
       handlers.zoom(1.6 ** -notches, placeOf(event));
     },

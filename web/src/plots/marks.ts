@@ -1,4 +1,4 @@
-// Behind and across the curves: how the body moves in each phase, and when something happens.
+// Marks on a plot: phases of the motion behind the curves and events on the time axis.
 
 import type uPlot from "uplot";
 import type { Motion } from "../core/motion";
@@ -13,7 +13,7 @@ const PHASES: Record<string, Colour> = {
   lying: "muted",
 };
 
-/** Which events get a tick, and its colour. */
+/** Events with a tick and its colour. */
 const EVENTS: Record<string, Colour> = {
   tilt_min: "ink",
   slip: "sliding",
@@ -27,17 +27,17 @@ const EVENTS: Record<string, Colour> = {
 const SHADE = 0.13;
 const STRIP = 4;
 const TICK = 9;
-/** More events in view than this get smaller ticks. */
+/** If more events than this are in view, their ticks are smaller. */
 const MANY = 40;
 
-/** Something drawn beside the curves. */
+/** Draws something besides the curves. */
 export type Mark = (plot: uPlot, motion: Motion, shown: Stretch, palette: Palette) => void;
 
-/** Behind the curves, lightly. */
+/** Shades the phases behind the curves. */
 export const shadePhases: Mark = (plot, motion, shown, palette) =>
   fillPhases(plot, motion, shown, palette, SHADE, plot.bbox.height);
 
-/** On top, in full colour. */
+/** Draws the phases as a strip along the top, in full colour. */
 export const drawStrip: Mark = (plot, motion, shown, palette) =>
   fillPhases(plot, motion, shown, palette, 1, STRIP * devicePixelRatio);
 
@@ -63,7 +63,7 @@ function fillPhases(
   ctx.restore();
 }
 
-/** Ticks up from the axis of time. */
+/** Draws a tick on the time axis for each event. */
 export const drawEvents: Mark = (plot, motion, shown, palette) => {
   const { ctx, bbox } = plot;
   const x = abscissa(plot, shown);
@@ -87,7 +87,7 @@ export const drawEvents: Mark = (plot, motion, shown, palette) => {
   ctx.restore();
 };
 
-/** From a time (s) to a canvas pixel within the plot. */
+/** Converts a time (s) to a canvas pixel within the plot. */
 function abscissa({ bbox }: uPlot, { origin, from, to }: Stretch): (time: number) => number {
   return (time) =>
     bbox.left + bbox.width * Math.min(Math.max((time - origin - from) / (to - from), 0), 1);

@@ -1,4 +1,4 @@
-// The page's colours for a canvas, which knows no custom properties.
+// The page's colours for a canvas, which cannot use custom properties.
 
 import { type ReadonlySignal, signal } from "@preact/signals-core";
 
@@ -24,18 +24,18 @@ const NAMES = [
 export type Colour = (typeof NAMES)[number];
 export type Palette = Readonly<Record<Colour, string>>;
 
-/** The colours as they are now, followed when the theme changes. */
+/** The current colours, updated when the theme changes. */
 export function paletteOf(place: HTMLElement): ReadonlySignal<Palette> {
   const palette = signal(read(place));
   const again = () => (palette.value = read(place));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
   matchMedia("(prefers-contrast: more)").addEventListener("change", again);
-  // A page may have a switch of its own; it shows on the root.
+  // A theme switch of the page would change an attribute of the root element.
   new MutationObserver(again).observe(document.documentElement, { attributes: true });
   return palette;
 }
 
-/** Through an element: the value of a custom property itself may be a formula. */
+/** Reads computed colours from an element, because a custom property may hold an expression. */
 function read(place: HTMLElement): Palette {
   const probe = place.appendChild(document.createElement("span"));
   const entries = NAMES.map((name) => {

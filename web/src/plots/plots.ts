@@ -1,4 +1,4 @@
-// Five plots over one axis of time, linked to the time shown.
+// Five plots over a common time axis, linked to the time shown.
 
 import { computed, effect, signal } from "@preact/signals-core";
 import "uplot/dist/uPlot.min.css";
@@ -14,11 +14,11 @@ import { chooser, phaseKey, toolbar } from "./toolbar";
 import { View } from "./view";
 import { inSight, oncePerFrame, onceIdle } from "./redraw";
 
-/** Below this width (CSS px) of the page one plot is shown at a time. */
+/** On a page narrower than this, one plot is shown at a time. */
 const NARROW = "(max-width: 47.99rem)";
-/** Moments of a smooth curve, per CSS px of its width. */
+/** Moments per CSS px of the width that make a smooth curve. */
 const DENSITY = 1;
-/** CSS px, where type has its usual size. */
+/** Height of a plot at the usual type size, CSS px. */
 const HEIGHT = 210;
 
 export function mountPlots(lab: Lab, section: HTMLElement): void {
@@ -35,8 +35,9 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   const hint = element(
     "p",
     { class: "hint" },
-    "Drag across a plot to zoom, click to go to a time, double-click for the whole motion; " +
-      "the wheel zooms too, once you have clicked or with Ctrl. Touch: one finger goes to a time, two zoom.",
+    "Drag across a plot to zoom, click to go to a time, double-click to show the whole motion. " +
+      "The mouse wheel also zooms, after a click or with Ctrl. " +
+      "On a touch screen one finger goes to a time and two fingers zoom.",
   );
   const notes = element("div", { class: "notes" }, phaseKey(lab), hint);
   const grid = element("div", { class: "grid" }, ...charts.map((chart) => chart.root), notes);
@@ -61,8 +62,8 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   const chosenCharts = computed(() =>
     charts.filter((chart) => !narrow.value || chart.figure.name === chosen.value),
   );
-  // Those out of sight are drawn when nothing has changed for a while: a slider drags no more than
-  // is looked at, and who is read to hears of all.
+  // Plots out of sight are drawn later, when nothing has changed for a while, so that a slider redraws
+  // only what is visible and screen readers still find current texts.
   const seen = inSight(charts.map((chart) => chart.root));
   const visible = computed(() => chosenCharts.value.filter(({ root }) => seen.value.has(root)));
 
@@ -116,7 +117,7 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   for (const chart of charts) link(chart, lab, view);
 }
 
-/** What hands do on a plot, in times. */
+/** Connects the gestures on a plot to the clock and the view. */
 function link(chart: Chart, { clock }: Lab, view: View): void {
   const timeAt = (place: number) => {
     const { from, to } = view.shown.value;

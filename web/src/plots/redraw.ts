@@ -1,8 +1,8 @@
-// When to draw: not more often than the screen shows it, and first what is looked at.
+// Schedules drawing: at most once per frame, and later for what is out of sight.
 
 import { type ReadonlySignal, effect, signal } from "@preact/signals-core";
 
-/** Does something before the next picture is painted whenever signals have changed. */
+/** Runs an action in the next frame after signals have changed. */
 export function oncePerFrame(read: () => unknown, act: () => void): void {
   let waiting = false;
   effect(() => {
@@ -16,20 +16,20 @@ export function oncePerFrame(read: () => unknown, act: () => void): void {
   });
 }
 
-/** How long nothing changes before what is out of sight is brought up to date, ms. */
-const QUIET = 400;
+/** Time without a change before plots out of sight are updated, ms. */
+const IDLE = 400;
 
-/** Does something when signals have not changed for a while. */
+/** Runs an action when signals have not changed for a while. */
 export function onceIdle(read: () => unknown, act: () => void): void {
   let waiting: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     read();
     clearTimeout(waiting);
-    waiting = setTimeout(act, QUIET);
+    waiting = setTimeout(act, IDLE);
   });
 }
 
-/** Which elements are in sight, or nearly. */
+/** The elements that are in sight or nearly so. */
 export function inSight(elements: readonly Element[]): ReadonlySignal<ReadonlySet<Element>> {
   const seen = signal<ReadonlySet<Element>>(new Set());
   const observer = new IntersectionObserver(

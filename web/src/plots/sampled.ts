@@ -1,29 +1,31 @@
-// The moments that a plot is drawn through: those of the solver's steps, and where they are fewer
-// than a smooth curve needs, even ones between them.
+// The moments through which a plot is drawn: the solver steps, and additional equally spaced moments
+// where the steps are too few for a smooth curve.
 
 import { type Motion, Moments } from "../core/motion";
 import type { Stretch } from "./view";
 
-/** `all` are the motion's own samples; there are at least `fewest` moments in the answer. */
+/** `all` are the samples of the motion; the result has at least `minimum` moments. */
 export function sampled(
   motion: Motion,
   all: Moments,
   { origin, from, to }: Stretch,
-  fewest: number,
+  minimum: number,
 ): Moments {
   const times = all.column("t");
   let first = countBelow(times, origin + from);
   let last = countBelow(times, origin + to);
-  if (last - first < fewest) {
-    const even = motion.at(evenly(fewest, (k) => origin + from + ((to - from) * k) / (fewest - 1)));
+  if (last - first < minimum) {
+    const even = motion.at(
+      evenly(minimum, (k) => origin + from + ((to - from) * k) / (minimum - 1)),
+    );
     return merged(all, first, last, even);
   }
-  // One beyond either end, for the lines to leave the plot.
+  // Keep one moment beyond each end, so that the lines reach the border of the plot.
   [first, last] = [Math.max(first - 1, 0), Math.min(last + 1, all.length)];
   return last - first === all.length ? all : part(all, first, last);
 }
 
-/** How many of rising numbers are below a bound. */
+/** How many of increasing numbers are below a bound. */
 export function countBelow(rising: ArrayLike<number>, bound: number): number {
   let [low, high] = [0, rising.length];
   while (low < high) {
@@ -46,12 +48,12 @@ function part(moments: Moments, first: number, last: number): Moments {
   return new Moments(moments.names, numbers);
 }
 
-/** A part of some moments and all of others, in the order of time. */
+/** Merges a part of some moments with all of others, in the order of time. */
 function merged(some: Moments, first: number, last: number, others: Moments): Moments {
   const [t, other] = [some.column("t"), others.column("t")];
   const length = last - first + others.length;
   const numbers = new Float64Array(length * some.names.length);
-  // Places in the first are counted up from 0, places in the second down from −1.
+  // Indices of the first moments count up from 0, those of the second down from −1.
   const places = new Int32Array(length);
   for (let k = 0, i = first, j = 0; k < length; k++) {
     const mine = j >= others.length || (i < last && (t[i] as number) <= (other[j] as number));

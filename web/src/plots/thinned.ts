@@ -1,8 +1,8 @@
-// Fewer points than moments: a screen shows no more than the least and the largest value in a pixel.
+// Thins a curve: a screen shows only the smallest and the largest value in a pixel.
 
 export type Values = ArrayLike<number | null>;
 
-/** The same curves over x through the extremes of each in `parts` even parts of x. */
+/** Curves over x that keep the extremes of each curve in each of `parts` equal intervals of x. */
 export function thinned(x: Float64Array, curves: readonly Values[], parts: number): Values[] {
   const [start, end] = [x[0] as number, x[x.length - 1] as number];
   const kept: number[] = [];
@@ -18,19 +18,19 @@ export function thinned(x: Float64Array, curves: readonly Values[], parts: numbe
   return [x, ...curves].map((values) => kept.map((k) => values[k] as number | null));
 }
 
-/** Where each curve is least and largest from one place up to another, and the first and last. */
+/** Indices of the smallest and largest value of each curve in a range, and of its ends. */
 function extremes(curves: readonly Values[], from: number, to: number): number[] {
   const places = [from, to - 1];
   for (const values of curves) {
-    let [least, most] = [from, from];
+    let [lowest, highest] = [from, from];
     let [low, high] = [Infinity, -Infinity];
     for (let k = from; k < to; k++) {
       const value = values[k];
       if (value == null) continue;
-      if (value < low) [low, least] = [value, k];
-      if (value > high) [high, most] = [value, k];
+      if (value < low) [low, lowest] = [value, k];
+      if (value > high) [high, highest] = [value, k];
     }
-    places.push(least, most);
+    places.push(lowest, highest);
   }
   return [...new Set(places)].sort((a, b) => a - b);
 }

@@ -1,10 +1,10 @@
-// How axes are labelled.
+// Labels of the axes.
 
 import { SUPERSCRIPTS, significant, withMinus } from "../format/numbers";
 import { type TimeUnit, formatDuration, unitFor } from "../format/times";
 import type { Stretch } from "./view";
 
-/** The unit in which the times of a stretch are written. */
+/** The unit for the times of a stretch. */
 export function timeUnit({ from, to }: Stretch): TimeUnit {
   return unitFor(Math.max(Math.abs(from), Math.abs(to)) * 0.5);
 }
@@ -20,7 +20,7 @@ function originText({ since, origin }: Stretch): string {
     : `${Number(origin.toPrecision(12))} s`;
 }
 
-/** Places of an axis in a unit, with no more digits than tell them apart. */
+/** Values of an axis in a unit, with the digits that distinguish them. */
 export function tickTexts(places: readonly number[], unit: number): string[] {
   const step = Math.abs((places[1] ?? 1) - (places[0] ?? 0)) / unit;
   let digits = 0;
@@ -32,28 +32,28 @@ export function tickTexts(places: readonly number[], unit: number): string[] {
   });
 }
 
-/** What a stretch is, in words. */
+/** A stretch in words. */
 export function stretchText(shown: Stretch): string {
   const { since, from, to } = shown;
   const stretch = `from ${formatDuration(from)} to ${formatDuration(to)}`;
   return since === "start" ? stretch : `${stretch} about ${originText(shown)}`;
 }
 
-/** Places of labels have at least this many CSS px between them. */
-const APART = 18;
+/** Smallest distance between labels, CSS px. */
+const MIN_GAP = 18;
 
-/** Powers of ten, both signs and zero, for an axis (so many CSS px long) that is drawn as arsinh. */
+/** Zero and powers of ten of both signs, for an arsinh axis of a length in CSS px. */
 export function powersOfTen(low: number, high: number, length: number): number[] {
   const scale = length / (Math.asinh(high) - Math.asinh(low));
-  const every = Math.max(Math.ceil(APART / (Math.LN10 * scale)), 1);
+  const every = Math.max(Math.ceil(MIN_GAP / (Math.LN10 * scale)), 1);
   const ticks = [0];
   const largest = Math.floor(Math.log10(Math.max(-low, high)) + 1e-9);
-  for (let k = largest; Math.asinh(10 ** k) * scale >= APART; k -= every)
+  for (let k = largest; Math.asinh(10 ** k) * scale >= MIN_GAP; k -= every)
     ticks.push(10 ** k, -(10 ** k));
   return ticks.filter((tick) => tick >= low && tick <= high).sort((a, b) => a - b);
 }
 
-/** A power of ten, as such where it has many zeros. */
+/** A power of ten, written with an exponent if it is large. */
 export function powerText(value: number): string {
   if (Math.abs(value) < 1e4) return withMinus(String(value));
   const size = [...String(Math.round(Math.log10(Math.abs(value))))];

@@ -1,4 +1,4 @@
-// Above the plots: what is shown, how to see more or less of it, and which plot where only one fits.
+// The bar above the plots: the stretch shown, zoom buttons, and a choice of plot on a narrow page.
 
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
@@ -7,7 +7,7 @@ import type { Figure } from "./figures";
 import { stretchText } from "./ticks";
 import type { View } from "./view";
 
-/** Each with its colour. */
+/** The phases and their colours. */
 const PHASES = { rolling: "rolling", sliding: "sliding", flying: "flying", lying: "muted" };
 
 export function toolbar(lab: Lab, view: View): HTMLElement {
@@ -43,7 +43,7 @@ export function toolbar(lab: Lab, view: View): HTMLElement {
   );
 }
 
-/** What the shades mean, and what the body does at the time shown. */
+/** The key to the shades, and the phase at the time shown. */
 export function phaseKey(lab: Lab): HTMLElement {
   const now = element("span", { class: "now" });
   effect(() => {
@@ -62,7 +62,7 @@ export function phaseKey(lab: Lab): HTMLElement {
   return element("p", { class: "phases" }, "Shaded: ", ...entries, now);
 }
 
-/** One of the figures, for a narrow page. */
+/** The choice of one figure on a narrow page. */
 export function chooser(
   figures: readonly Figure[],
   chosen: string,

@@ -1,25 +1,25 @@
-// Which stretch of the motion all plots show. Zoomed in, it goes with the nearest collision, so that
-// it still shows that collision when a slider has moved it.
+// The stretch of the motion that all plots show. A zoomed stretch is stored relative to the nearest
+// collision, so that it follows that collision when a slider moves it.
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
 import type { Motion } from "../core/motion";
 import { type Collision, collisionsOf, nearest } from "../time/collisions";
 
-/** Times (s) from and to which is shown, counted from an origin: close to each other they could not
- * be told apart as times from the start. */
+/** The start and end of the stretch, s, counted from an origin: as times from the start of the motion,
+ * close ones could not be distinguished. */
 export interface Stretch {
-  /** Of the start, a collision, or any round time. */
+  /** What the origin is: the start, a collision, or a round time. */
   since: "start" | "collision" | "time";
   origin: number;
   from: number;
   to: number;
 }
 
-/** How many times as long as a collision its close view is: nearly all of the turn is seen. */
+/** Length of the close view over the duration of the collision; it contains nearly all of the turn. */
 const CLOSE_VIEW = 12;
-/** Stretches shorter than this (s) are counted from their collision. */
+/** Shorter stretches than this (s) are counted from their collision. */
 const FROM_COLLISION = 0.05;
-/** But from a round time if that many times their length away from it. */
+/** Stretches further from the collision than this many lengths are counted from a round time. */
 const FAR = 30;
 /** The shortest stretch, s. */
 const SHORTEST = 1e-10;
@@ -27,7 +27,7 @@ const SHORTEST = 1e-10;
 export class View {
   readonly collisions: ReadonlySignal<readonly Collision[]>;
   readonly shown: ReadonlySignal<Stretch>;
-  /** Times from a collision; undefined for the whole motion. */
+  /** Times relative to a collision, s; undefined for the whole motion. */
   private readonly zoomed: Signal<{ collision: number; from: number; to: number } | undefined> =
     signal(undefined);
 
@@ -47,7 +47,7 @@ export class View {
     return this.zoomed.value === undefined;
   }
 
-  /** Where a time (s from the start) is in what is shown: 0 at its beginning, 1 at its end. */
+  /** Place of a time (s from the start) in the stretch shown: 0 at its start, 1 at its end. */
   placeOf(time: number): number {
     const { origin, from, to } = this.shown.value;
     return (time - origin - from) / (to - from);
@@ -57,7 +57,7 @@ export class View {
     this.zoomed.value = undefined;
   }
 
-  /** Shows from one time to another, counted from the origin of what is shown now. */
+  /** Shows a stretch, whose times are counted from the current origin. */
   show(from: number, to: number): void {
     const end = this.motion.value?.end ?? 1;
     const { origin } = this.shown.value;
@@ -68,13 +68,13 @@ export class View {
     this.zoomed.value = { collision, from: from + shift - room, to: to + shift + room };
   }
 
-  /** Shows less (factor above 1) or more, a time (from the origin) staying where it is. */
+  /** Zooms in (factor above 1) or out about a time, which is counted from the current origin. */
   zoom(factor: number, about: number): void {
     const { from, to } = this.shown.value;
     this.show(about + (from - about) / factor, about + (to - about) / factor);
   }
 
-  /** Shows the collision nearest to a time (s from the start) so close that its turn is seen. */
+  /** Shows the turn of the collision nearest to a time (s from the start). */
   close(time: number): void {
     const collision = nearest(this.collisions.value, time);
     const half = ((this.collisions.value[collision]?.duration ?? 0) * CLOSE_VIEW) / 2;
@@ -82,7 +82,7 @@ export class View {
   }
 }
 
-/** From what a stretch is best counted; times are from a collision. */
+/** Chooses the origin of a stretch whose times are relative to a collision. */
 function counted(collision: number, from: number, to: number): Stretch {
   const length = to - from;
   const countedFrom = (since: Stretch["since"], origin: number): Stretch => {
@@ -99,7 +99,7 @@ function counted(collision: number, from: number, to: number): Stretch {
   );
 }
 
-/** A stretch moved into bounds, and cut to them if it is longer. */
+/** Moves a stretch into bounds and cuts it if it is longer. */
 function within(from: number, to: number, low: number, high: number): { from: number; to: number } {
   const shift = Math.max(low - from, 0) - Math.max(to - high, 0);
   return { from: Math.max(from + shift, low), to: Math.min(to + shift, high) };

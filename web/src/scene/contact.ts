@@ -1,5 +1,4 @@
-// The contact point: a bright dot as large on the screen at any distance, seen faintly through the
-// body.
+// The contact point: a bright dot with a constant size on the screen, faintly visible through the body.
 
 import { CircleGeometry, Group, Mesh, MeshBasicMaterial } from "three";
 import { PIXEL } from "./ribbon";
@@ -26,13 +25,13 @@ export class Contact {
       mesh.renderOrder = order;
       this.group.add(mesh);
     };
-    // Pixels.
+    // Radii in pixels.
     disc(7.5, this.halo, 4);
     disc(5.5, this.core, 5);
     disc(4.5, this.ghost, 6);
   }
 
-  /** At a spot of the table, facing an eye at a distance; `near` if no body is before it. */
+  /** Shows the dot at a spot of the table, at a distance from the camera; `near` if no body hides it. */
   show(x: number, y: number, color: string, distance: number, near: boolean): void {
     this.core.depthTest = this.halo.depthTest = !near;
     this.group.position.set(x, y, 0.004);

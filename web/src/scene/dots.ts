@@ -1,5 +1,5 @@
-// Where each of many flicks fell: dots on a ring, stacked outward where they are many; filled for what
-// fell to the left of the hand, hollow for the right, small for what did something else.
+// The directions of many flicks as dots on a ring, stacked outward. A filled dot fell to the left of the
+// hand, a hollow one to the right; a small dot had another outcome.
 
 import { CircleGeometry, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
 import type { Flick } from "../falls/flicks";
@@ -7,16 +7,16 @@ import type { Palette } from "./palette";
 import { Ribbon } from "./ribbon";
 import { type Limit, limitStrokes } from "./wedge";
 
-/** In radii of the circle of degrees. */
+/** Radius of the ring, radius of a dot and height of the highest stack, in radii of the circle of degrees. */
 const [RING, DOT, HIGHEST] = [1.07, 0.02, 0.4];
-/** Of a dot, what is hollow, and all of one that did something else. */
+/** Inner radius of a hollow dot and radius of a small one, in radii of a dot. */
 const [HOLLOW, OTHER] = [0.62, 0.6];
 
 export class Dots {
   readonly group = new Group();
   private readonly ring = new Ribbon(1.5, 0.5);
   private readonly marks = new Ribbon(2.5);
-  /** The dots, and in each a smaller one of its own colour or the table's. */
+  /** The dots, and inside each a smaller one of the same colour or of the background. */
   private meshes: InstancedMesh[] = [];
 
   constructor() {
@@ -44,8 +44,8 @@ export class Dots {
       (color) => new Color(color),
     ) as [Color, Color, Color];
     const matrix = new Matrix4();
-    const under = piles(flicks);
-    // High piles are pressed together.
+    const under = stacks(flicks);
+    // High stacks are compressed.
     const step = Math.min(2.1 * DOT, HIGHEST / Math.max(...under, 1));
     flicks.forEach(({ direction, outcome }, k) => {
       const far = RING + 1.2 * DOT + step * (under[k] as number);
@@ -62,9 +62,9 @@ export class Dots {
     this.group.add(outer, inner);
   }
 
-  /** Shows those that have been made. */
-  show(made: number): void {
-    for (const mesh of this.meshes) mesh.count = Math.min(made, mesh.instanceMatrix.count);
+  /** Shows the first dots. */
+  show(count: number): void {
+    for (const mesh of this.meshes) mesh.count = Math.min(count, mesh.instanceMatrix.count);
   }
 
   private layRing(limits: readonly Limit[], { muted }: Palette): void {
@@ -90,8 +90,8 @@ function discs(size: number, count: number, order: number): InstancedMesh {
   return mesh;
 }
 
-/** How many dots lie under each: in each small sector the next lies on those before. */
-function piles(flicks: readonly Flick[]): number[] {
+/** The number of dots under each dot: dots in the same small sector are stacked. */
+function stacks(flicks: readonly Flick[]): number[] {
   const sector = (2.1 * DOT) / RING;
   const piled = new Map<number, number>();
   return flicks.map(({ direction }) => {

@@ -1,8 +1,8 @@
-// Drawings on canvases that lie flat on the table.
+// Canvas drawings that lie flat on the table.
 
 import { CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace } from "three";
 
-/** A drawing as large as the plane it lies on; it is drawn anew when what it shows changes. */
+/** A drawing on a plane, redrawn when its content changes. */
 export class FlatDrawing {
   readonly mesh: Mesh<PlaneGeometry, MeshBasicMaterial>;
   private readonly canvas = document.createElement("canvas");
@@ -23,13 +23,13 @@ export class FlatDrawing {
     this.mesh = new Mesh(new PlaneGeometry(width, height), material);
   }
 
-  /** The pen draws in units of a pixel from the middle, y down. */
-  draw(with_: (pen: CanvasRenderingContext2D, pixels: number) => void): void {
+  /** Draws with a pen whose unit is a pixel, whose origin is the middle and whose y axis points down. */
+  draw(paint: (pen: CanvasRenderingContext2D, pixels: number) => void): void {
     const pen = this.canvas.getContext("2d") as CanvasRenderingContext2D;
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
     pen.translate(this.canvas.width / 2, this.canvas.height / 2);
-    with_(pen, this.canvas.width);
+    paint(pen, this.canvas.width);
     this.texture.needsUpdate = true;
   }
 }

@@ -1,5 +1,5 @@
-// The elements of the scene: the picture, its buttons, its key to the colours, and what is said when
-// there can be no picture.
+// The elements of the scene: the picture, its buttons, the key to its colours, and the notice that is
+// shown if there is no picture.
 
 import { KEYS } from "./keys";
 
@@ -7,7 +7,7 @@ export interface Frame {
   stage: HTMLElement;
   canvas: HTMLCanvasElement;
   words: HTMLElement;
-  /** How long a square of the grid is. */
+  /** The length of a square of the grid. */
   scale: HTMLElement;
   notice: HTMLElement;
   reset: HTMLButtonElement;
@@ -54,22 +54,22 @@ function button(text: string): HTMLButtonElement {
 function help(): HTMLElement {
   const details = element("details", "table-help");
   const summary = element("summary", "table-button", "?");
-  summary.setAttribute("aria-label", "How to move things here");
+  summary.setAttribute("aria-label", "How to use this picture");
   const box = element("div", "table-help-box");
   box.id = "table-keys";
-  // Where it is longer than the picture is high, it is scrolled with keys too.
+  // If the box is higher than the picture, keys can scroll it.
   box.tabIndex = 0;
   box.setAttribute("role", "group");
-  box.setAttribute("aria-label", "How to move things here");
+  box.setAttribute("aria-label", "How to use this picture");
   box.append(
     element(
       "p",
       "",
-      "Drag the body to tip it. Let go to release it; let go while moving to flick it. " +
-        "Drag the table to look from elsewhere. Pinch to come nearer, or turn the wheel: " +
-        "once you have clicked here, or with Ctrl.",
+      "Drag the body to tip it. Let go to release it, or let go while moving to flick it. " +
+        "Drag the table to look from another side. To zoom, pinch, or turn the mouse wheel " +
+        "after a click on the picture or with Ctrl.",
     ),
-    element("p", "", "With the keyboard, once the picture is focused:"),
+    element("p", "", "Keys while the picture has the focus:"),
   );
   const list = element("dl", "");
   for (const [name, does] of KEYS) list.append(element("dt", "", name), element("dd", "", does));
@@ -78,7 +78,7 @@ function help(): HTMLElement {
   return details;
 }
 
-/** What the colours of the trail mean, and the scale. */
+/** The key to the colours of the trail, and the scale. */
 function key(): [HTMLElement, HTMLElement] {
   const legend = element("p", "table-key");
   for (const [kind, means] of [

@@ -1,10 +1,10 @@
-// Whether the machine keeps up with the pictures.
+// Detects a machine that draws frames too slowly.
 
-/** Pictures over which it is judged. */
+/** Number of frames over which the rate is averaged. */
 const WINDOW = 24;
-/** ms: slower than this, on average, is not smooth. */
+/** Longest average time of a frame that looks smooth, ms. */
 const SLOW = 28;
-/** ms: longer than this nothing was to be drawn in between. */
+/** After a longer interval than this, ms, nothing was drawn in between. */
 const REST = 400;
 
 export class FrameRate {
@@ -12,7 +12,7 @@ export class FrameRate {
   private count = 0;
   private sum = 0;
 
-  /** Takes note of a picture drawn at a time, ms; true each time that many in a row were slow. */
+  /** Registers a frame at a time, ms; returns true after WINDOW frames that were slow on average. */
   isSlow(now: number): boolean {
     const passed = now - this.before;
     this.before = now;

@@ -1,5 +1,5 @@
-// Mouse, pen and fingers on the picture: on the body they take it in hand, elsewhere they go round
-// it. On a phone a finger that moves up or down beside the body scrolls the page, as anywhere.
+// Gestures with mouse, pen and fingers: on the body they grasp it, elsewhere they turn the view. On a
+// phone a finger that moves up or down beside the body scrolls the page as usual.
 
 import type { Hands } from "./hands";
 import type { View } from "./view";
@@ -8,7 +8,7 @@ import type { View } from "./view";
 const TURN = 0.006;
 
 export interface Grasped {
-  /** How a movement on the screen, px, leans the body, rad. */
+  /** Converts a movement on the screen, px, into a change of the lean, rad. */
   lean(dx: number, dy: number): { x: number; y: number };
 }
 
@@ -16,7 +16,7 @@ export function listen(
   canvas: HTMLCanvasElement,
   view: View,
   hands: Hands,
-  /** What is under a place of the canvas, if it is the body. */
+  /** The body, if it is at a place of the canvas. */
   bodyAt: (x: number, y: number) => Grasped | undefined,
   changed: () => void,
 ): void {
@@ -75,7 +75,7 @@ export function listen(
   canvas.addEventListener("pointerup", lift);
   canvas.addEventListener("pointercancel", lift);
 
-  // The page must not scroll away under a finger that holds the body, or under two.
+  // The page must not scroll under a finger that holds the body or under two fingers.
   const stay = (event: TouchEvent) => {
     const rect = canvas.getBoundingClientRect();
     const first = event.touches[0];
@@ -89,7 +89,7 @@ export function listen(
   canvas.addEventListener(
     "wheel",
     (event) => {
-      // Past a picture that nobody has clicked the page scrolls.
+      // Before a click on the picture the wheel scrolls the page.
       if (!event.ctrlKey && document.activeElement !== canvas) return;
       event.preventDefault();
       const pixels = event.deltaMode === 1 ? 30 * event.deltaY : event.deltaY;

@@ -1,19 +1,19 @@
-// The same with keys, when the picture is focused.
+// Keys that do what gestures do, while the picture has the focus.
 
 import type { Hands } from "./hands";
 import type { View } from "./view";
 
 const DEGREE = Math.PI / 180;
 
-/** What the keys do, for whoever asks. */
+/** The list of keys for the help box. */
 export const KEYS: readonly (readonly [key: string, does: string])[] = [
-  ["← → ↑ ↓", "go round the table"],
-  ["Page Up, Page Down", "nearer, farther"],
-  ["Home", "the usual view"],
-  ["+ and −", "take the body and tip it by a degree"],
-  ["Shift + ← →", "lead it round while you hold it"],
+  ["← → ↑ ↓", "look from another side"],
+  ["Page Up, Page Down", "zoom in, zoom out"],
+  ["Home", "reset the view"],
+  ["+ and −", "take the body and tip it by 1°"],
+  ["Shift + ← →", "swing its lean round by 5° while you hold it"],
   ["Enter", "let it go at rest"],
-  ["Shift + Enter", "flick it, with the tilt rate and the twist that are set"],
+  ["Shift + Enter", "flick it with the rates that are set"],
   ["Escape", "put it back"],
 ];
 
@@ -28,7 +28,7 @@ export function listenToKeys(
     move();
   };
   const sideways = (sign: number, shift: boolean) =>
-    shift ? hold(() => hands.round(sign * 5 * DEGREE)) : view.turn(-sign * 0.08, 0);
+    shift ? hold(() => hands.swing(sign * 5 * DEGREE)) : view.turn(-sign * 0.08, 0);
   const actions: Record<string, (shift: boolean) => void> = {
     ArrowLeft: (shift) => sideways(-1, shift),
     ArrowRight: (shift) => sideways(1, shift),
@@ -51,6 +51,6 @@ export function listenToKeys(
     action(event.shiftKey);
     changed();
   });
-  // Who goes on to another control has let the body stand as it was.
+  // When the focus moves to another control, the body is put back.
   canvas.addEventListener("blur", () => hands.cancel());
 }

@@ -1,44 +1,44 @@
-// Labels at places of the scene: elements of the page laid over the picture, so that they are crisp.
+// Labels at spots of the scene. They are HTML elements over the picture, so that they are sharp.
 
 import { type Camera, Vector3 } from "three";
 import type { Outline } from "./outline";
 
 const MARGIN = 6;
-/** As far as points of the outline are apart on a body as large as the picture, px. */
+/** Distance between points of the outline on a body as large as the picture, px. */
 const BAND = 12;
 
-/** Farther from the middle than this, its edge being 1, a spot is far outside the picture. */
+/** A spot farther from the middle than this, where the edge is 1, is far outside the picture. */
 const OUTSIDE = 1.4;
 
 interface Label {
   element: HTMLElement;
   spot: Vector3;
-  /** Where it goes on the screen, px from the left and the top; negative infinity when unseen. */
+  /** Place on the screen, px from the left and the top. */
   x: number;
   y: number;
   width: number;
   height: number;
   shown: boolean;
-  /** Whether it is seen at the edge while its spot is beyond. */
+  /** Whether the label stays at the edge while its spot is outside. */
   stays: boolean;
 }
 
 export class Labels {
-  private readonly words: Label[] = [];
-  private readonly seen = new Vector3();
+  private readonly labels: Label[] = [];
+  private readonly projected = new Vector3();
 
-  /** The picture says in other ways too what these words say, so they are not read out. */
+  /** Screen readers skip the labels, because the page gives the same information elsewhere. */
   constructor(private readonly place: HTMLElement) {
     place.setAttribute("aria-hidden", "true");
   }
 
-  /** One that `stays` is said at the edge of the picture while its spot is far outside. */
+  /** Adds a label. If it `stays`, it is shown at the edge of the picture while its spot is far outside. */
   add(name: string, stays = false): number {
     const element = document.createElement("span");
     element.className = `word ${name}`;
     element.hidden = true;
     this.place.append(element);
-    this.words.push({
+    this.labels.push({
       element,
       spot: new Vector3(),
       x: 0,
@@ -48,70 +48,69 @@ export class Labels {
       shown: false,
       stays,
     });
-    return this.words.length - 1;
+    return this.labels.length - 1;
   }
 
-  /** Says a text at a spot of the stage; nothing for an empty one. */
-  say(index: number, text: string, x: number, y: number, z = 0): void {
-    const word = this.words[index] as Label;
-    word.spot.set(x, y, z);
-    word.shown = text !== "";
-    word.element.hidden = !word.shown;
-    if (!word.shown || word.element.textContent === text) return;
-    const { length } = word.element.textContent;
-    word.element.textContent = text;
-    // Measured only when it may have changed: measuring costs a layout.
-    if (length !== text.length || word.width === 0) word.width = 0;
+  /** Shows a text at a spot of the stage; an empty text hides the label. */
+  set(index: number, text: string, x: number, y: number, z = 0): void {
+    const label = this.labels[index] as Label;
+    label.spot.set(x, y, z);
+    label.shown = text !== "";
+    label.element.hidden = !label.shown;
+    if (!label.shown || label.element.textContent === text) return;
+    const { length } = label.element.textContent;
+    label.element.textContent = text;
+    // Measure the size only when it may have changed, because that costs a layout.
+    if (length !== text.length || label.width === 0) label.width = 0;
   }
 
-  /** Pales a word whose spot is hidden. */
+  /** Dims a label whose spot is hidden. */
   dim(index: number, hidden: boolean): void {
-    this.words[index]?.element.classList.toggle("hidden-spot", hidden);
+    this.labels[index]?.element.classList.toggle("hidden-spot", hidden);
   }
 
-  /** Puts all of them in their places, first come first served, none over another nor over the body. */
+  /** Places all labels, earlier ones first, beside the body and without overlaps. */
   arrange(camera: Camera, width: number, height: number, body: Outline): void {
-    for (const word of this.words) {
-      if (!word.shown) continue;
-      if (word.width === 0) {
-        word.width = word.element.offsetWidth;
-        word.height = word.element.offsetHeight;
+    for (const label of this.labels) {
+      if (!label.shown) continue;
+      if (label.width === 0) {
+        label.width = label.element.offsetWidth;
+        label.height = label.element.offsetHeight;
       }
-      const { x, y, z } = this.seen.copy(word.spot).project(camera);
-      const away = z > 1 || (!word.stays && Math.max(Math.abs(x), Math.abs(y)) > OUTSIDE);
-      word.x = ((x + 1) / 2) * width - word.width / 2;
-      word.y = ((1 - y) / 2) * height - word.height / 2;
-      word.x = Math.min(Math.max(word.x, MARGIN), width - word.width - MARGIN);
-      word.y = Math.min(Math.max(word.y, MARGIN), height - word.height - MARGIN);
-      keepBeside(word, body, width);
-      this.makeRoom(word);
-      word.element.style.visibility = away ? "hidden" : "visible";
-      word.element.style.transform = `translate(${word.x.toFixed(1)}px, ${word.y.toFixed(1)}px)`;
+      const { x, y, z } = this.projected.copy(label.spot).project(camera);
+      const away = z > 1 || (!label.stays && Math.max(Math.abs(x), Math.abs(y)) > OUTSIDE);
+      label.x = ((x + 1) / 2) * width - label.width / 2;
+      label.y = ((1 - y) / 2) * height - label.height / 2;
+      label.x = Math.min(Math.max(label.x, MARGIN), width - label.width - MARGIN);
+      label.y = Math.min(Math.max(label.y, MARGIN), height - label.height - MARGIN);
+      keepBeside(label, body, width);
+      this.makeRoom(label);
+      label.element.style.visibility = away ? "hidden" : "visible";
+      label.element.style.transform = `translate(${label.x.toFixed(1)}px, ${label.y.toFixed(1)}px)`;
     }
   }
 
-  /** Simulated a word up or down, past the words before it. */
-  private makeRoom(word: Label): void {
-    for (const other of this.words) {
-      if (other === word) return;
+  /** Moves a label up or down, past the labels before it. */
+  private makeRoom(label: Label): void {
+    for (const other of this.labels) {
+      if (other === label) return;
       if (!other.shown) continue;
-      const beside =
-        word.x > other.x + other.width + 4 || other.x > word.x + word.width + 4 ? true : false;
-      const gap = (word.height + other.height) / 2 + 3;
-      const apart = word.y + word.height / 2 - (other.y + other.height / 2);
+      const beside = label.x > other.x + other.width + 4 || other.x > label.x + label.width + 4;
+      const gap = (label.height + other.height) / 2 + 3;
+      const apart = label.y + label.height / 2 - (other.y + other.height / 2);
       if (beside || Math.abs(apart) >= gap) continue;
-      word.y = other.y + other.height / 2 + (apart < 0 ? -gap : gap) - word.height / 2;
+      label.y = other.y + other.height / 2 + (apart < 0 ? -gap : gap) - label.height / 2;
     }
   }
 }
 
-/** Simulated a word aside that would lie on the body, the shorter way, as far as there is room. */
-function keepBeside(word: Label, body: Outline, width: number): void {
-  const span = body.between(word.y - BAND, word.y + word.height + BAND);
-  if (!span || word.x > span[1] + MARGIN || word.x + word.width < span[0] - MARGIN) return;
-  const [left, right] = [span[0] - MARGIN - word.width, span[1] + MARGIN];
-  word.x =
-    word.x - left < right - word.x
+/** Moves a label that would lie on the body to its nearer side, as far as there is room. */
+function keepBeside(label: Label, body: Outline, width: number): void {
+  const span = body.between(label.y - BAND, label.y + label.height + BAND);
+  if (!span || label.x > span[1] + MARGIN || label.x + label.width < span[0] - MARGIN) return;
+  const [left, right] = [span[0] - MARGIN - label.width, span[1] + MARGIN];
+  label.x =
+    label.x - left < right - label.x
       ? Math.max(left, MARGIN)
-      : Math.min(right, width - word.width - MARGIN);
+      : Math.min(right, width - label.width - MARGIN);
 }

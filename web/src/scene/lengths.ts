@@ -1,23 +1,23 @@
-// Lengths for people: round numbers of mm, cm or m.
+// Round lengths in mm, cm or m.
 
-/** The largest of 1, 2, 5 times a power of ten that is not above a length, m. */
-export function roundLength(most: number): number {
-  const ten = 10 ** Math.floor(Math.log10(most) + 1e-9);
-  const times = most / ten;
+/** The largest of 1, 2 and 5 times a power of ten that does not exceed a length, m. */
+export function roundLength(max: number): number {
+  const ten = 10 ** Math.floor(Math.log10(max) + 1e-9);
+  const times = max / ten;
   return ten * (times >= 5 ? 5 : times >= 2 ? 2 : 1);
 }
 
-/** The largest power of ten that is not above a length, m. */
-export const tenth = (most: number) => 10 ** Math.floor(Math.log10(most) + 1e-9);
+/** The largest power of ten that does not exceed a length, m. */
+export const powerOfTen = (max: number) => 10 ** Math.floor(Math.log10(max) + 1e-9);
 
-/** In which unit a length, m, is spoken of. */
+/** The unit that suits a length, m. */
 export function unitOf(length: number): { name: string; size: number } {
   if (length < 0.0099) return { name: "mm", size: 0.001 };
   if (length < 0.99) return { name: "cm", size: 0.01 };
   return { name: "m", size: 1 };
 }
 
-export function spoken(length: number): string {
+export function formatLength(length: number): string {
   const { name, size } = unitOf(length);
   return `${Number((length / size).toPrecision(6))} ${name}`;
 }

@@ -1,11 +1,11 @@
-// The page's colours, for what is drawn on a canvas.
+// The page's colours for the scene.
 
 export interface Palette {
   dark: boolean;
   ink: string;
   muted: string;
   raised: string;
-  /** Of the three-dimensional table. */
+  /** Colour of the three-dimensional table. */
   table: string;
   rolling: string;
   sliding: string;
@@ -33,7 +33,7 @@ export function readPalette(): Palette {
   };
 }
 
-/** Calls when the visitor changes from light to dark or back. */
+/** Calls a function when the colour scheme changes between light and dark. */
 export function onTheme(changed: () => void): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
 }

@@ -1,5 +1,5 @@
-// What is seen: the body on the table, and all that is drawn round it. It is drawn when something
-// has changed, and not otherwise.
+// The picture of the body on the table and everything drawn round it. It is drawn only when something
+// has changed.
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
 import { type Lab, type Outcome, type TurnProgress, bodyAngleAlongContact } from "../lab";
@@ -15,7 +15,7 @@ import { Contact } from "./contact";
 import { Dots } from "./dots";
 import type { Frame } from "./frame";
 import type { Grasped } from "./gestures";
-import { spoken, tenth } from "./lengths";
+import { formatLength, powerOfTen } from "./lengths";
 import { FrameRate } from "./frame_rate";
 import { Outline } from "./outline";
 import { readPalette } from "./palette";
@@ -27,7 +27,7 @@ import {
   footingOf,
   heldContact,
   heldPose,
-  placed,
+  setPose,
   poseOf,
 } from "./pose";
 import { Protractor } from "./protractor";
@@ -44,11 +44,11 @@ import { Labels } from "./labels";
 
 const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 
-/** Where the body is just now, m. */
+/** The present place of the body, m. */
 interface Placement {
   pose: Pose;
   contact: Spot;
-  /** Of its motion, unless it is held. */
+  /** The moment of its motion; undefined while it is held. */
   moment: Moment | undefined;
 }
 
@@ -64,28 +64,28 @@ export class Picture {
   private readonly slip = new Slip();
   private readonly dots = new Dots();
   private readonly shade = new Shade();
-  private readonly words: Labels;
+  private readonly labels: Labels;
   private readonly outline = new Outline();
-  private readonly said: { turned: number; theory: number; other: number; itself: number };
+  private readonly labelIds: { turned: number; theory: number; other: number; itself: number };
   private palette = readPalette();
   private body = new Group();
-  /** What the body takes up, for a pointer to hit. */
+  /** A cylinder round the body, for hits of the pointer. */
   private readonly hull = new Mesh(new CylinderGeometry(1, 1, 1, 24).rotateX(Math.PI / 2));
   private size: Size = { rim: 1, widest: 1, length: 1 };
   private rim: Rim = { radius: 1, height: 0 };
   /** Radius of the circle of degrees, m. */
   private reach = 1;
   private readonly frameRate = new FrameRate();
-  /** A speed that suits the body, √(gR), m/s. */
+  /** Speed scale √(gR) of the body, m/s. */
   private speed = 1;
   private footing = UPRIGHT;
   private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
   private limits: readonly Limit[] = [];
-  /** The length (of the stage) of a pixel at distance 1. */
+  /** Length of a pixel at distance 1, in units of the stage. */
   private pixel = 0;
   private width = 0;
   private height = 0;
-  /** What was drawn last, to see what has changed. */
+  /** What was drawn last, to detect changes. */
   private bodyKey = "";
   private followed: Motion | undefined;
   private flicksLaid: unknown;
@@ -104,12 +104,12 @@ export class Picture {
     this.stage = new Stage(frame.canvas);
     this.table.setEnvironment(this.stage.scene.environment);
     this.view = new View(this.stage.camera);
-    this.words = new Labels(frame.words);
-    this.said = {
-      turned: this.words.add("turned", true),
-      theory: this.words.add("theory"),
-      other: this.words.add("theory"),
-      itself: this.words.add("itself"),
+    this.labels = new Labels(frame.words);
+    this.labelIds = {
+      turned: this.labels.add("turned", true),
+      theory: this.labels.add("theory"),
+      other: this.labels.add("theory"),
+      itself: this.labels.add("itself"),
     };
     this.body.matrixAutoUpdate = this.hull.matrixAutoUpdate = false;
     const { scene } = this.stage;
@@ -125,7 +125,7 @@ export class Picture {
     this.repaint();
   }
 
-  /** To be drawn anew with the next picture. */
+  /** Requests a redraw in the next frame. */
   readonly changed = (): void => {
     if (this.waiting) return;
     this.waiting = true;
@@ -141,14 +141,14 @@ export class Picture {
     if (this.stage.fit(clientWidth, clientHeight)) this.changed();
   };
 
-  /** The graphics card had lost everything, and is back. */
+  /** Restores the graphics context after a loss. */
   readonly restore = (): void => {
     this.stage.buildEnvironment();
     this.table.setEnvironment(this.stage.scene.environment);
     this.repaint();
   };
 
-  /** The colours have changed. */
+  /** Applies changed colours. */
   readonly repaint = (): void => {
     this.palette = readPalette();
     this.stage.paint(this.palette);
@@ -166,13 +166,13 @@ export class Picture {
     this.caster.setFromCamera(this.pointed, this.stage.camera);
     const [hit] = this.caster.intersectObject(this.hull, false);
     if (!hit) return undefined;
-    // Its top follows the pointer, whichever part of it was grasped.
+    // The top of the body follows the pointer, whichever part was grasped.
     const lever = Math.max(hit.point.length(), (0.8 * this.size.rim) / this.reach);
     const pixel = (this.pixel * hit.distance) / lever;
     return { lean: (dx, dy) => this.leanBy(dx * pixel, -dy * pixel) };
   };
 
-  /** From right and up on the screen to an arrow on the table. */
+  /** Converts a movement to the right and up on the screen into a vector on the table. */
   private leanBy(right: number, up: number): Spot {
     const { azimuth, elevation } = this.view;
     const away = up / Math.max(Math.sin(elevation), 0.45);
@@ -188,7 +188,7 @@ export class Picture {
     this.follow(lab.outcome.peek());
     this.layFlicks(setup);
     const { camera } = this.stage;
-    // On large screens lines are a little wider too.
+    // On large screens lines are slightly wider.
     const wider = Math.min(Math.max(Math.min(this.width, this.height) / 600, 1), 2);
     this.pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
     PIXEL.value = wider * this.pixel;
@@ -197,16 +197,16 @@ export class Picture {
     const gliding = this.view.update(now);
     camera.updateMatrixWorld();
     this.mark(placement);
-    this.turn(lab.held.peek() ? undefined : lab.turnProgress.peek());
+    this.showTurn(lab.held.peek() ? undefined : lab.turnProgress.peek());
     this.stage.render();
-    this.outline.see(this.hull.matrixWorld, camera, this.width, this.height);
-    this.words.arrange(camera, this.width, this.height, this.outline);
+    this.outline.project(this.hull.matrixWorld, camera, this.width, this.height);
+    this.labels.arrange(camera, this.width, this.height, this.outline);
     if (gliding) this.changed();
     if (lab.clock.playing.peek() && this.frameRate.isSlow(now) && this.stage.coarsen())
       this.resize();
   }
 
-  /** Makes another picture of the body if it has become another body. */
+  /** Builds the picture of the body again if the body has changed. */
   private updateBody(setup: Readonly<Setup>): void {
     const { body, fill, radius, length, wall, base } = setup;
     const key = [body, ...(body === "own" ? [radius, length, wall, base] : [fill])].join(" ");
@@ -220,9 +220,9 @@ export class Picture {
     this.size = sizeOf(setup);
     this.reach = reachOf(this.size);
     this.view.frame(this.size.length / this.reach);
-    const cell = tenth(this.reach / 2.5);
-    this.table.measure(cell / this.reach);
-    this.frame.scale.textContent = `1 square = ${spoken(cell)}`;
+    const cell = powerOfTen(this.reach / 2.5);
+    this.table.setCell(cell / this.reach);
+    this.frame.scale.textContent = `1 square = ${formatLength(cell)}`;
     this.followed = undefined;
   }
 
@@ -250,7 +250,7 @@ export class Picture {
     this.wedge.mark(this.limits, 0.6);
   }
 
-  /** The limit on this table, or if there is none both ideal ones. */
+  /** The limiting turn on this table, or those of both ideal laws if it has none. */
   private limitsHere(): Limit[] {
     const theory = this.lab.theory.peek();
     if (!theory) return [];
@@ -279,12 +279,12 @@ export class Picture {
     this.dots.show(this.lab.flicksShown.peek() ?? 0);
   }
 
-  /** Puts the body where it is, in the hand or in its motion. */
+  /** Places the body, in the hand or in its motion. */
   private place(held: Held | undefined, setup: Readonly<Setup>): Placement {
     const placement = this.placementAt(held, held ? undefined : this.lab.moment.peek(), setup);
     const { pose } = placement;
     const { rim, reach } = this;
-    this.body.matrix.copy(placed(this.matrix, pose)).premultiply(scaling(1 / reach));
+    this.body.matrix.copy(setPose(this.matrix, pose)).premultiply(scaling(1 / reach));
     this.body.matrixWorldNeedsUpdate = true;
     this.placeHull();
     this.shade.show(pose.x / reach, pose.y / reach, rim.radius / reach, pose.tilt);
@@ -314,7 +314,7 @@ export class Picture {
     };
   }
 
-  /** Lamp, table and eye go after a body that rolls away. */
+  /** Lets the lamp, the table and the camera follow a body that rolls away. */
   private followBody({ pose, contact }: Placement): void {
     const { reach } = this;
     this.view.follow(pose.x / reach, pose.y / reach);
@@ -323,7 +323,7 @@ export class Picture {
     this.table.follow(this.view.focus.x, this.view.focus.y);
   }
 
-  /** Shows the contact point, and how it slips. */
+  /** Shows the contact point and its slip velocity. */
   private mark({ pose, contact, moment }: Placement): void {
     const { palette, reach, stage } = this;
     const { position, quaternion } = stage.camera;
@@ -332,7 +332,7 @@ export class Picture {
     const phases = moment && this.lab.motion.peek()?.phases;
     const kind = phases?.findLast(({ start }) => start <= (moment?.t ?? 0))?.kind;
     const color = kind === "sliding" || kind === "flying" ? palette[kind] : palette.rolling;
-    // It is on the near side if the body leans toward the eye.
+    // The contact point is on the near side if the body leans toward the camera.
     const [ex, ey] = [position.x - this.spot.x, position.y - this.spot.y];
     const flat = Math.hypot(ex, ey);
     const toward = (contact.x - pose.x) * ex + (contact.y - pose.y) * ey;
@@ -350,69 +350,69 @@ export class Picture {
       .multiply(this.matrix.makeScale(1.05 * widest, 1.05 * widest, high));
   }
 
-  /** The wedge of the angle of turn, the circle of degrees round it, and their words. */
-  private turn(turning: TurnProgress | undefined): void {
-    const { lab, said, words, palette } = this;
+  /** Shows the wedge of the angle of turn, the circle of degrees round it, and their labels. */
+  private showTurn(progress: TurnProgress | undefined): void {
+    const { lab, labelIds, labels, palette } = this;
     const motion = lab.motion.peek();
-    const shown = turning !== undefined && motion !== undefined;
+    const shown = progress !== undefined && motion !== undefined;
     this.wedge.group.visible = this.trail.mesh.visible = shown;
     if (!shown) {
       const { yaw } = lab.held.peek() ?? { yaw: (lab.setup.peek().yaw * Math.PI) / 180 };
       this.protractor.lay(0, 0, yaw + Math.PI, true, palette);
-      for (const index of Object.values(said)) words.say(index, "", 0, 0);
+      for (const index of Object.values(labelIds)) labels.set(index, "", 0, 0);
       return;
     }
-    const before = motion.turns.findLast((turn) => turn.end <= turning.start);
-    this.trail.show(lab.clock.time.peek(), turning.start, before?.start ?? 0);
-    const { x, y } = this.centreOf(motion, turning);
-    const zero = turning.from + Math.PI;
-    const sense = Math.sign(turning.whole?.angle ?? turning.angle) || 1;
-    this.wedge.show(x, y, zero, turning.angle);
+    const before = motion.turns.findLast((turn) => turn.end <= progress.start);
+    this.trail.show(lab.clock.time.peek(), progress.start, before?.start ?? 0);
+    const { x, y } = this.centreOf(motion, progress);
+    const zero = progress.startYaw + Math.PI;
+    const sense = Math.sign(progress.turn?.angle ?? progress.angle) || 1;
+    this.wedge.show(x, y, zero, progress.angle);
     this.protractor.lay(x, y, zero, sense > 0, palette);
-    const say = (index: number, text: string, angle: number, far: number) => {
+    const label = (index: number, text: string, angle: number, far: number) => {
       const [wx, wy] = [x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle)];
-      words.say(index, text, wx, wy);
-      words.dim(index, this.hidden(wx, wy));
+      labels.set(index, text, wx, wy);
+      labels.dim(index, this.hidden(wx, wy));
     };
-    say(
-      said.turned,
-      `contact ran round ${formatDegrees(Math.abs(turning.angle), 1)}`,
-      turning.angle / 2,
+    label(
+      labelIds.turned,
+      `contact ran round ${formatDegrees(Math.abs(progress.angle), 1)}`,
+      progress.angle / 2,
       1.13,
     );
-    this.sayItself(turning);
-    // Beyond the dots where many flicks have fallen, if there are any.
+    this.labelBody(progress);
+    // Outside the dots of the flicks, if there are any.
     const far = lab.flicksShown.peek() === undefined ? 1.2 : 1.6;
     const [first, second] = this.limits;
     const limit = (index: number, one: Limit | undefined) =>
-      say(
+      label(
         index,
         one ? `${one.name} ${formatDegrees(one.angle, 1)}` : "",
         sense * (one?.angle ?? 0),
         far,
       );
-    limit(said.theory, first);
-    limit(said.other, second);
+    limit(labelIds.theory, first);
+    limit(labelIds.other, second);
   }
 
-  /** How far the body itself has turned, at the mark on it. */
-  private sayItself(turning: TurnProgress): void {
-    const { lab, said, words, spot } = this;
+  /** Shows the rotation of the body itself, at the mark on it. */
+  private labelBody(progress: TurnProgress): void {
+    const { lab, labelIds, labels, spot } = this;
     const noun = BODY_NOUNS[lab.setup.peek().body];
     const { x, y, z } = spot.copy(markPlace(this.size)).applyMatrix4(this.body.matrix);
-    words.say(
-      said.itself,
-      `the ${noun} itself turned ${formatDegrees(bodyAngleAlongContact(turning), 1)}`,
+    labels.set(
+      labelIds.itself,
+      `the ${noun} itself turned ${formatDegrees(bodyAngleAlongContact(progress), 1)}`,
       x,
       y,
       z,
     );
     const away = spot.sub(this.stage.camera.position);
     const faces = this.faces.copy(MARK_FACES).transformDirection(this.body.matrix);
-    words.dim(said.itself, faces.dot(away) > 0);
+    labels.dim(labelIds.itself, faces.dot(away) > 0);
   }
 
-  /** Whether the body is before a spot of the table. */
+  /** Whether the body hides a spot of the table. */
   private hidden(x: number, y: number): boolean {
     const { position } = this.stage.camera;
     const { ray } = this.caster;
@@ -421,12 +421,12 @@ export class Picture {
     return this.caster.intersectObject(this.hull, false).length > 0;
   }
 
-  /** Where the base lies when it is flattest in this turn: round there the body turns. */
-  private centreOf(motion: Motion, { start, whole }: TurnProgress): Spot {
+  /** The centre of the base at the smallest tilt of this turn, about which the contact point runs. */
+  private centreOf(motion: Motion, { start, turn }: TurnProgress): Spot {
     const { centre, rim, reach, footing } = this;
     if (centre.of === start) return centre;
     const lowest =
-      whole?.t ??
+      turn?.t ??
       motion.events.find(({ kind, moment }) => kind === "tilt_min" && moment.t >= start)?.moment.t;
     const moment = motion.at([lowest ?? start]).moment(0);
     const flat =

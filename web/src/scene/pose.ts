@@ -1,9 +1,9 @@
-// Where the body is on the table: from the angles of the mechanics to a placement of its picture.
+// The pose of the body on the table, from the angles of the mechanics to the matrix of the picture.
 
 import type { Matrix4 } from "three";
 import type { Motion, Moment } from "../core/motion";
 
-/** Angles in rad; x, y, z of the centre of the base, m. */
+/** Angles in rad, and the centre of the base, m. */
 export interface Pose {
   tilt: number;
   yaw: number;
@@ -13,7 +13,7 @@ export interface Pose {
   z: number;
 }
 
-/** A spot of the table, m. */
+/** A spot on the table, m. */
 export interface Spot {
   x: number;
   y: number;
@@ -25,11 +25,11 @@ export interface Rim {
   height: number;
 }
 
-/** Places a picture whose axis is z and whose base is at z = 0. */
-export function placed(matrix: Matrix4, { tilt, yaw, spin, x, y, z }: Pose): Matrix4 {
+/** The matrix that places a body whose axis is z and whose base is at z = 0. */
+export function setPose(matrix: Matrix4, { tilt, yaw, spin, x, y, z }: Pose): Matrix4 {
   const [ct, st, cy, sy] = [Math.cos(tilt), Math.sin(tilt), Math.cos(yaw), Math.sin(yaw)];
   const [cs, ss] = [Math.cos(spin), Math.sin(spin)];
-  // Columns: the body's axes after yaw, tilt (about −y) and spin.
+  // The columns are the body's axes after yaw, tilt (about −y) and spin.
   const [ax, ay, az] = [ct * cy, ct * sy, st];
   const [bx, by] = [-sy, cy];
   return matrix.set(
@@ -40,7 +40,7 @@ export function placed(matrix: Matrix4, { tilt, yaw, spin, x, y, z }: Pose): Mat
   );
 }
 
-/** Where the base is at a moment of a motion. */
+/** The pose at a moment of a motion. */
 export function poseOf(moment: Moment, height: number, shift: Spot): Pose {
   const { tilt, yaw, spin } = moment;
   const out = height * Math.sin(tilt);
@@ -54,15 +54,15 @@ export function poseOf(moment: Moment, height: number, shift: Spot): Pose {
   };
 }
 
-/** How the motion lies on the drawn table.
+/** How the motion is placed on the drawn table.
  *
- * The mechanics begins with the centre of mass over the origin. Here the base comes down round the
- * origin, where the visitor's body stands when it is upright. */
+ * The mechanics starts with the centre of mass over the origin. In the picture the base comes down
+ * round the origin, where the body stands when it is upright. */
 export interface Footing {
-  /** Added to every place of the motion, m. */
+  /** Offset of the motion, m. */
   shift: Spot;
-  /** How a body that is tipped slides away: 0 about its rim at rest, 1 with its centre of mass at
-   * rest over the origin, as on ice. */
+  /** How a body slides while it is tipped: at 0 its contact point stays at rest, at 1 its centre of
+   * mass stays over the origin, as on ice. */
   slide: number;
 }
 
@@ -79,21 +79,21 @@ function slideOf(motion: Motion, rim: Rim, start: Moment): number {
   const flat = poseOf(motion.at([turn.t]).moment(0), rim.height, { x: 0, y: 0 });
   const [c, s] = [Math.cos(start.yaw), Math.sin(start.yaw)];
   const along = (start.contact_x - flat.x) * c + (start.contact_y - flat.y) * s;
-  const most = rim.radius - reach(rim, start.tilt);
-  return most > 1e-9 ? Math.min(Math.max((along + rim.radius) / most, 0), 1) : 0;
+  const range = rim.radius - overhang(rim, start.tilt);
+  return range > 1e-9 ? Math.min(Math.max((along + rim.radius) / range, 0), 1) : 0;
 }
 
-/** How far the centre of mass is from over the contact point. */
-const reach = ({ radius, height }: Rim, tilt: number) =>
+/** Horizontal distance of the centre of mass from the contact point, m. */
+const overhang = ({ radius, height }: Rim, tilt: number) =>
   radius * Math.cos(tilt) - height * Math.sin(tilt);
 
-/** Where a body in the hand touches the table. */
+/** The contact point of a held body. */
 export function heldContact(rim: Rim, tilt: number, yaw: number, slide: number): Spot {
-  const out = -rim.radius + slide * (rim.radius - reach(rim, tilt));
+  const out = -rim.radius + slide * (rim.radius - overhang(rim, tilt));
   return { x: out * Math.cos(yaw), y: out * Math.sin(yaw) };
 }
 
-/** Where a body in the hand is. */
+/** The pose of a held body. */
 export function heldPose(rim: Rim, tilt: number, yaw: number, slide: number): Pose {
   const { x, y } = heldContact(rim, tilt, yaw, slide);
   const out = rim.radius * Math.cos(tilt);

@@ -1,4 +1,4 @@
-// The circle of degrees on the table: 0 where the body leaned at first, counted the way it turns.
+// The circle of degrees on the table, counted from the initial lean in the direction of the turn.
 
 import type { Palette } from "./palette";
 import { FlatDrawing } from "./flat";
@@ -7,7 +7,7 @@ const SIZE = 2.2;
 
 export class Protractor {
   private readonly drawing = new FlatDrawing(SIZE, SIZE, devicePixelRatio > 1.2 ? 4096 : 2048);
-  private drawn = "";
+  private lastLook = "";
 
   get mesh() {
     return this.drawing.mesh;
@@ -18,18 +18,18 @@ export class Protractor {
     this.mesh.position.z = 0.0006;
   }
 
-  /** Lays it round a spot, 0 toward an azimuth (rad), counted anticlockwise or not. */
+  /** Places the circle round a spot, with 0 toward an azimuth (rad), counted anticlockwise or clockwise. */
   lay(x: number, y: number, zero: number, anticlockwise: boolean, palette: Palette): void {
     this.mesh.position.set(x, y, this.mesh.position.z);
     this.mesh.rotation.z = zero;
     const look = `${anticlockwise} ${palette.ink}`;
-    if (look === this.drawn) return;
-    this.drawn = look;
+    if (look === this.lastLook) return;
+    this.lastLook = look;
     this.drawing.draw((pen, pixels) => scale(pen, pixels / SIZE, anticlockwise, palette));
   }
 }
 
-/** `radius`: of the circle, in pixels; 0 toward +x, y down. */
+/** `radius` is that of the circle, in pixels; 0 is toward +x, and y points down. */
 function scale(
   pen: CanvasRenderingContext2D,
   radius: number,
@@ -66,7 +66,7 @@ function circle(pen: CanvasRenderingContext2D, radius: number): void {
   pen.stroke();
 }
 
-/** Its foot outward, so that the numbers near the viewer stand upright. */
+/** Draws a number with its foot outward, so that the numbers near the viewer are upright. */
 function number(pen: CanvasRenderingContext2D, degrees: number, angle: number, radius: number) {
   pen.save();
   pen.rotate(angle);

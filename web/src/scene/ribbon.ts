@@ -1,4 +1,4 @@
-// Lines on the table that are as wide on the screen at any distance.
+// Lines on the table with a constant width on the screen.
 
 import {
   BufferAttribute,
@@ -9,8 +9,8 @@ import {
   ShaderMaterial,
 } from "three";
 
-/** Shared by all that is as large on the screen at any distance: the length (of the stage) of a pixel
- * at distance 1. */
+/** Length of a pixel at distance 1, in units of the stage. Everything with a constant size on the screen
+ * uses it. */
 export const PIXEL = { value: 0.001 };
 
 const VERTEX = `
@@ -32,7 +32,7 @@ void main() {
   gl_Position = projectionMatrix * seen;
   if (size == 0.0) return;
   vec4 next = projectionMatrix * vec4(seen.xyz + along / size * 1e-3, 1.0);
-  // In pixels: the screen is not as high as it is wide.
+  // Directions in pixels, because the screen is not square.
   vec2 shape = vec2(projectionMatrix[1][1] / projectionMatrix[0][0], 1.0);
   vec2 run = (next.xy / next.w - gl_Position.xy / gl_Position.w) * shape;
   vec2 beside = normalize(vec2(-run.y, run.x)) / shape;
@@ -40,7 +40,7 @@ void main() {
     beside * side * 0.5 * width * pixel * projectionMatrix[1][1] * gl_Position.w;
 }`;
 
-// Cut where it ends just now, paler where it is old, its edges soft.
+// The line is cut at its current end, paler in its older parts, and has soft edges.
 const FRAGMENT = `
 uniform float end, recent, old, opacity;
 varying float at;
@@ -54,7 +54,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** A straight piece of a line. */
+/** A straight segment. */
 export interface Stroke {
   from: readonly [x: number, y: number];
   to: readonly [x: number, y: number];
@@ -63,7 +63,7 @@ export interface Stroke {
 
 export class Ribbon {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  private room = 0;
+  private capacity = 0;
   private positions = new Float32Array(0);
   private ways = new Float32Array(0);
   private colors = new Float32Array(0);
@@ -88,17 +88,17 @@ export class Ribbon {
     this.mesh.frustumCulled = false;
   }
 
-  /** How far it is drawn, and where it becomes paler, counted in its points. */
+  /** Sets the end of the line and where it becomes paler, counted in points. */
   show(end: number, recent = -1, old = -1): void {
     const { uniforms } = this.mesh.material;
     uniforms.end!.value = end;
     uniforms.recent!.value = recent;
     uniforms.old!.value = old;
-    const pieces = Math.min(Math.max(Math.ceil(end), 0), Math.max(this.count - 1, 0));
-    this.mesh.geometry.setDrawRange(0, 6 * pieces);
+    const segments = Math.min(Math.max(Math.ceil(end), 0), Math.max(this.count - 1, 0));
+    this.mesh.geometry.setDrawRange(0, 6 * segments);
   }
 
-  /** Lays it through `count` points of the table; `paint` gives each its colour. */
+  /** Draws the line through `count` points of the table; `paint` gives the colour of each. */
   lay(count: number, x: ArrayLike<number>, y: ArrayLike<number>, paint: (k: number) => Color) {
     this.begin(count);
     for (let k = 0; k < count; k++) {
@@ -108,13 +108,13 @@ export class Ribbon {
     }
   }
 
-  /** Lays it in straight pieces that do not hang together. */
+  /** Draws separate segments. */
   layStrokes(strokes: readonly Stroke[]): void {
     this.begin(6 * strokes.length);
     strokes.forEach(({ from, to, color }, k) => {
       const paint = new Color(color);
       const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-      // It is without width on the way from one piece to the next.
+      // The line has no width between one segment and the next.
       this.put(6 * k, ...from, 0, 0, paint);
       this.put(6 * k + 1, ...from, 0, 0, paint);
       this.put(6 * k + 2, ...from, dx, dy, paint);
@@ -126,13 +126,13 @@ export class Ribbon {
 
   private begin(count: number): void {
     this.count = count;
-    if (count > this.room) this.grow(count);
+    if (count > this.capacity) this.grow(count);
     for (const name of ["position", "way", "color"])
       this.mesh.geometry.getAttribute(name).needsUpdate = true;
     this.mesh.geometry.setDrawRange(0, 6 * Math.max(count - 1, 0));
   }
 
-  /** Puts down both sides of a point. */
+  /** Writes both sides of a point. */
   private put(k: number, x: number, y: number, dx: number, dy: number, paint: Color): void {
     const { positions, ways, colors } = this;
     for (let v = 2 * k; v < 2 * k + 2; v++) {
@@ -148,10 +148,10 @@ export class Ribbon {
 
   private grow(count: number): void {
     this.mesh.geometry.dispose();
-    this.room = Math.ceil(count * 1.3);
+    this.capacity = Math.ceil(count * 1.3);
     const geometry = new BufferGeometry();
     const floats = (name: string, size: number) => {
-      const numbers = new Float32Array(2 * this.room * size);
+      const numbers = new Float32Array(2 * this.capacity * size);
       geometry.setAttribute(name, new BufferAttribute(numbers, size).setUsage(DynamicDrawUsage));
       return numbers;
     };
@@ -159,12 +159,12 @@ export class Ribbon {
     this.ways = floats("way", 2);
     this.colors = floats("color", 3);
     const [sides, places] = [floats("side", 1), floats("place", 1)];
-    for (let v = 0; v < 2 * this.room; v++) {
+    for (let v = 0; v < 2 * this.capacity; v++) {
       sides[v] = v % 2 ? 1 : -1;
       places[v] = v >> 1;
     }
-    const index = new Uint32Array(6 * (this.room - 1));
-    for (let k = 0; k < this.room - 1; k++) {
+    const index = new Uint32Array(6 * (this.capacity - 1));
+    for (let k = 0; k < this.capacity - 1; k++) {
       const a = 2 * k;
       index[6 * k] = a;
       index[6 * k + 1] = index[6 * k + 4] = a + 2;

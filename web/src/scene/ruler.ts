@@ -1,18 +1,18 @@
-// A ruler that lies on the table, as long as suits the body.
+// A ruler on the table, with a scale that suits the body.
 
 import { BoxGeometry, Group, Mesh, MeshStandardMaterial } from "three";
 import { FlatDrawing } from "./flat";
 import { roundLength, unitOf } from "./lengths";
 import type { Palette } from "./palette";
 
-/** Of the ruler, in radii of the circle of degrees. */
+/** Size of the ruler, in radii of the circle of degrees. */
 const [LENGTH, WIDTH, THICK] = [2.3, 0.17, 0.016];
 
 export class Ruler {
   readonly group = new Group();
   private readonly drawing = new FlatDrawing(LENGTH, WIDTH, 2048);
   private readonly material = new MeshStandardMaterial({ roughness: 0.55 });
-  private drawn = "";
+  private lastLook = "";
 
   constructor() {
     const block = new Mesh(new BoxGeometry(LENGTH, WIDTH, THICK), this.material);
@@ -24,17 +24,17 @@ export class Ruler {
     this.group.position.set(0, -1.27, 0);
   }
 
-  /** `reach`: radius of the circle of degrees, m. */
+  /** `reach` is the radius of the circle of degrees, m. */
   measure(reach: number, palette: Palette): void {
     this.material.color.set(palette.dark ? "#b08a52" : "#f3d9a4");
     const look = `${reach} ${palette.dark}`;
-    if (look === this.drawn) return;
-    this.drawn = look;
+    if (look === this.lastLook) return;
+    this.lastLook = look;
     this.drawing.draw((pen, pixels) => ticks(pen, pixels, reach * LENGTH));
   }
 }
 
-/** `length`: of the whole ruler, m. */
+/** `length` is that of the whole ruler, m. */
 function ticks(pen: CanvasRenderingContext2D, pixels: number, length: number): void {
   const metre = pixels / length;
   const height = (pixels * WIDTH) / LENGTH;
@@ -56,7 +56,7 @@ function ticks(pen: CanvasRenderingContext2D, pixels: number, length: number): v
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   const text = (k: number) => String(Number(((k * step) / unit.size).toPrecision(6)));
-  // Every one of the long marks has its number, or as many as have room.
+  // Every long mark has a number, or every second, third … one if there is no room.
   const apart = Math.ceil(pen.measureText(`${text(count)}  `).width / (step * metre));
   for (let k = 0; k <= count; k += apart)
     pen.fillText(text(k), first + k * step * metre, 0.22 * height);

@@ -1,4 +1,4 @@
-// The scene: the body on a table in three dimensions, and a visitor's hands.
+// The scene: the body on a table in three dimensions, which the visitor can grasp.
 
 import { effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
@@ -10,8 +10,8 @@ import { onTheme } from "./palette";
 import type { Picture } from "./picture";
 import "./scene.css";
 
-// The largest part of the page comes beside the others, which need not wait for it.
-const coming = import("./picture");
+// The largest part of the page is loaded in parallel, so that the other parts need not wait for it.
+const loading = import("./picture");
 
 export function mountScene(lab: Lab, place: HTMLElement): void {
   const frame = frameIn(place);
@@ -21,16 +21,16 @@ export function mountScene(lab: Lab, place: HTMLElement): void {
   };
   const without = (why: string) => (error: unknown) => {
     console.warn(error);
-    say(`${why} All else on this page works: the motion, the angles and the plots.`);
+    say(`${why} The rest of this page works: the motion, the angles and the plots.`);
   };
-  const draw = ({ Picture }: Awaited<typeof coming>) => {
+  const draw = ({ Picture }: Awaited<typeof loading>) => {
     const picture = new Picture(lab, frame);
     connect(lab, frame, picture);
-    surviveLoss(frame, picture, say);
+    handleContextLoss(frame, picture, say);
   };
-  coming
-    .then(draw, without("The picture could not be loaded; to see it, load the page again."))
-    .catch(without("This browser shows no three-dimensional pictures (WebGL is off or missing)."));
+  loading
+    .then(draw, without("The picture could not be loaded. Reload the page to see it."))
+    .catch(without("This browser cannot show the picture, because WebGL is off or missing."));
 }
 
 function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Picture): void {
@@ -47,7 +47,7 @@ function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Pict
     changed();
   });
   effect(() => {
-    // Whatever of these changes, it is to be drawn.
+    // A change of any of these signals redraws the scene.
     void [lab.setup.value, lab.outcome.value, lab.clock.time.value];
     void [lab.held.value, lab.flicks.value, lab.flicksShown.value];
     changed();
@@ -56,11 +56,11 @@ function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Pict
   new ResizeObserver(picture.resize).observe(stage);
 }
 
-/** The graphics card may be taken away and given back, as when a laptop sleeps. */
-function surviveLoss({ canvas }: Frame, picture: Picture, say: (text: string) => void): void {
+/** Handles the loss of the graphics context, for example when a laptop sleeps, and its return. */
+function handleContextLoss({ canvas }: Frame, picture: Picture, say: (text: string) => void): void {
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
-    say("The graphics of this browser have stopped; the picture comes back when they do.");
+    say("The graphics of this browser have stopped. The picture returns when they restart.");
   });
   canvas.addEventListener("webglcontextrestored", () => {
     say("");

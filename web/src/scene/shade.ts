@@ -1,11 +1,11 @@
-// The dimness close under the body, where little light of the room comes.
+// The ambient shadow close under the body.
 
 import { CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 import type { Palette } from "./palette";
 
 export class Shade {
   readonly mesh: Mesh<PlaneGeometry, MeshBasicMaterial>;
-  private most = 0.5;
+  private darkest = 0.5;
 
   constructor() {
     const canvas = document.createElement("canvas");
@@ -34,13 +34,14 @@ export class Shade {
   }
 
   paint({ dark }: Palette): void {
-    this.most = dark ? 0.6 : 0.42;
+    this.darkest = dark ? 0.6 : 0.42;
   }
 
-  /** Under a base of a radius, the paler the more it is tilted. */
+  /** Shows the shadow under a base with a radius; it is paler at larger tilts. */
   show(x: number, y: number, radius: number, tilt: number): void {
     this.mesh.position.set(x, y, this.mesh.position.z);
     this.mesh.scale.setScalar(radius);
-    this.mesh.material.opacity = this.most * (1 - 0.75 * Math.min(Math.abs(Math.sin(tilt)) * 2, 1));
+    this.mesh.material.opacity =
+      this.darkest * (1 - 0.75 * Math.min(Math.abs(Math.sin(tilt)) * 2, 1));
   }
 }

@@ -1,13 +1,13 @@
-// How fast and whereto the body slips over the table: an arrow from the contact point.
+// The slip velocity, as an arrow from the contact point.
 
 import type { Moment } from "../core/motion";
 import type { Palette } from "./palette";
 import type { Spot } from "./pose";
 import { Ribbon } from "./ribbon";
 
-/** Its length at a speed of √(gR), and its greatest, in radii of the circle of degrees. */
+/** Length of the arrow at a speed of √(gR) and its largest length, in radii of the circle of degrees. */
 const [LENGTH, LONGEST] = [0.5, 0.75];
-/** Slower than this part of √(gR) there is nothing to be seen. */
+/** Smallest speed with an arrow, over √(gR). */
 const SLOWEST = 0.01;
 
 export class Slip {
@@ -27,7 +27,7 @@ export class Slip {
     this.color = sliding;
   }
 
-  /** From a spot of the stage; `unit` is √(gR), m/s. */
+  /** Draws the arrow from a spot of the stage; `unit` is √(gR), m/s. */
   show({ x, y }: Spot, moment: Moment | undefined, unit: number): void {
     const [vx, vy] = [moment?.slip_x ?? 0, moment?.slip_y ?? 0];
     const speed = Math.hypot(vx, vy) / unit;

@@ -1,5 +1,5 @@
-// Renderer, lamp and the room that metal mirrors. Lengths of the stage: the circle of degrees has
-// radius 1, whatever the body.
+// The renderer, the lamp and the room that metal reflects. The unit of length of the stage is the radius
+// of the circle of degrees, for every body.
 
 import {
   BackSide,
@@ -22,8 +22,8 @@ export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
   readonly renderer: WebGLRenderer;
-  /** Pixels drawn over pixels there are. */
-  private fineness = 1;
+  /** Drawn pixels over pixels of the screen. */
+  private resolution = 1;
   private readonly sky = new HemisphereLight();
   private readonly lamp = new DirectionalLight();
 
@@ -39,20 +39,20 @@ export class Stage {
     this.buildEnvironment();
   }
 
-  /** Fits the picture to its place; whether there is room at all. */
+  /** Fits the picture to its place; returns whether there is room for it. */
   fit(width: number, height: number): boolean {
     if (width < 2 || height < 2) return false;
-    this.renderer.setPixelRatio(this.fineness * Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.resolution * Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     return true;
   }
 
-  /** Draws fewer pixels, for a machine that does not keep up; whether it can. */
+  /** Draws fewer pixels on a slow machine; returns whether that was possible. */
   coarsen(): boolean {
-    if (this.fineness < 0.6) return false;
-    this.fineness *= 0.8;
+    if (this.resolution < 0.6) return false;
+    this.resolution *= 0.8;
     return true;
   }
 
@@ -65,7 +65,7 @@ export class Stage {
     this.scene.environmentIntensity = dark ? 0.5 : 0.62;
   }
 
-  /** Keeps the lamp over a spot, so that the shadow of what moves away stays sharp. */
+  /** Keeps the lamp over a spot, so that the shadow of a moving body stays sharp. */
   follow(x: number, y: number): void {
     this.lamp.position.set(x - 2.6, y - 2.2, 6.2);
     this.lamp.target.position.set(x, y, 0);
@@ -75,7 +75,7 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** A lamp over the viewer's left shoulder, and its soft shadow. */
+  /** Places a lamp with a soft shadow over the viewer's left shoulder. */
   private light(): void {
     const { lamp } = this;
     this.follow(0, 0);
@@ -88,8 +88,8 @@ export class Stage {
     this.scene.add(this.sky, lamp, lamp.target);
   }
 
-  /** What shiny bodies mirror: a room with a window, lamps and a dim floor. The graphics card keeps
-   * it, so it is to be made anew when the card has lost it. */
+  /** Builds the room that shiny bodies reflect, with a window, lamps and a dim floor. It must be built
+   * again after a loss of the graphics context. */
   buildEnvironment(): void {
     const room = new Scene();
     const add = (color: string, strength: number, size: number[], at: number[], inside = false) => {

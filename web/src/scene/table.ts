@@ -1,9 +1,9 @@
-// The table: a round patch that fades into the page, with a grid whose squares are a length.
+// The table: a round patch that fades into the page, with a grid of known length.
 
 import { CircleGeometry, Color, Mesh, MeshStandardMaterial, type Texture } from "three";
 import type { Palette } from "./palette";
 
-/** As far as there is table, in radii of the circle of degrees. */
+/** Radius of the table, in radii of the circle of degrees. */
 const EDGE = 7;
 
 export class Table {
@@ -32,23 +32,23 @@ export class Table {
           "#include <begin_vertex>\noff = position.xy;\nspot = (modelMatrix * vec4(position, 1.0)).xy;",
         );
       shader.fragmentShader = shader.fragmentShader
-        .replace("#include <common>", `#include <common>\n${DRAWN}`)
-        .replace("#include <color_fragment>", LAID);
+        .replace("#include <common>", `#include <common>\n${FUNCTIONS}`)
+        .replace("#include <color_fragment>", COLOUR);
     };
   }
 
-  /** The room's light on it is dim: it is under the body. */
+  /** Sets the room whose light falls on the table. */
   setEnvironment(room: Texture | null): void {
     this.material.envMap = room;
     this.material.envMapIntensity = 0.3;
   }
 
-  /** `cell`: the side of a square, in radii of the circle of degrees. */
-  measure(cell: number): void {
+  /** Sets the side of a square, in radii of the circle of degrees. */
+  setCell(cell: number): void {
     this.grid.cell.value = cell;
   }
 
-  /** There is table wherever the eye goes; the grid stays. */
+  /** Moves the patch with the camera, while the grid stays. */
   follow(x: number, y: number): void {
     this.mesh.position.set(x, y, 0);
   }
@@ -61,8 +61,8 @@ export class Table {
   }
 }
 
-// Lines are one pixel wide at any distance, and fade where they would run together.
-const DRAWN = `
+// Lines are one pixel wide at any distance and fade where they would overlap.
+const FUNCTIONS = `
 varying vec2 spot, off;
 uniform float cell, depth, grain;
 uniform vec3 ink;
@@ -82,7 +82,7 @@ float smoothed(vec2 p) {
     f.y
   );
 }
-// Wood: long fibres, and slow bands across them.
+// Wood has long fibres, with slow bands across them.
 float wood(vec2 p) {
   float bend = smoothed(p * vec2(0.35, 1.1)) * 2.2;
   float bands = smoothed(vec2(p.x * 0.12, p.y * 5.0 + bend));
@@ -90,7 +90,7 @@ float wood(vec2 p) {
   return bands * 0.7 + fibres * 0.45 - 0.55;
 }`;
 
-const LAID = `
+const COLOUR = `
 diffuseColor.rgb *= 1.0 + grain * 2.0 * wood(spot);
 vec2 squares = spot / cell;
 float drawn = max(0.45 * lines(squares), lines(squares / 10.0));

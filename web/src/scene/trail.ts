@@ -1,4 +1,4 @@
-// The way of the contact point on the table up to the time shown, coloured by how it touches.
+// The path of the contact point on the table up to the time shown, coloured by phase.
 
 import { Color } from "three";
 import type { Motion } from "../core/motion";
@@ -21,7 +21,7 @@ export class Trail {
     this.mesh.renderOrder = -2;
   }
 
-  /** Lays the whole way of a motion; `fine` is the shortest piece worth drawing, m. */
+  /** Draws the path of a motion; `fine` is the length of the shortest useful segment, m. */
   follow(motion: Motion, shift: Spot, fine: number, scale: number, palette: Palette): void {
     const samples = motion.curve();
     const [t, x, y] = [
@@ -58,12 +58,12 @@ export class Trail {
     });
   }
 
-  /** Shows it up to a time; what is from before the turn at hand, or the one before, is paler. */
+  /** Shows the path up to a time; the path before the current turn, and before the previous one, is paler. */
   show(time: number, turnStart: number, before: number): void {
     this.ribbon.show(this.place(time), this.place(turnStart) - 0.5, this.place(before) - 0.5);
   }
 
-  /** At which of its points it is at a time, and how far toward the next. */
+  /** The fractional index of a time among the points. */
   private place(time: number): number {
     const { times } = this;
     let [low, high] = [0, times.length - 1];

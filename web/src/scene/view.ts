@@ -1,41 +1,41 @@
-// Where the picture is taken from: round the body at an azimuth, an elevation and a distance.
+// The camera, at an azimuth, an elevation and a distance from the body.
 
 import type { PerspectiveCamera } from "three";
 import { prefersReducedMotion } from "../reduced_motion";
 
-/** rad; the eye never goes under the table nor quite over the top. */
+/** Bounds of the elevation, rad: above the table and not quite vertical. */
 const [LOWEST, HIGHEST] = [0.06, Math.PI / 2 - 0.001];
-/** Nearly from the side, as one sees a can rock. */
+/** The initial view, nearly from the side, rad. */
 const USUAL = { azimuth: -1.36, elevation: 0.5 };
-/** s */
+/** Duration of a camera movement, s. */
 const GLIDE = 0.45;
 
-/** Nearer than this, over the distance from which all is seen, the eye is on the contact point. */
+/** At this distance or nearer, the camera looks at the contact point. */
 const NEAR = 0.5;
 
-/** As far as a body goes without the eye going after it, in radii of the circle of degrees. */
+/** How far a body moves before the camera follows it, in radii of the circle of degrees. */
 const ROAM = 0.9;
 
-/** From 0 to 1 with neither a start nor an end that jerks. */
+/** Smooth step from 0 to 1. */
 const smooth = (part: number) => part * part * (3 - 2 * part);
 
 interface Eye {
   azimuth: number;
   elevation: number;
-  /** Distance over that from which all is seen. */
+  /** Distance over the one from which everything is visible. */
   distance: number;
 }
 
 export class View {
   private eye: Eye = { ...USUAL, distance: 1 };
-  private way: { from: Eye; to: Eye; begun: number } | undefined;
-  /** Height of what is looked at and the radius of what is to be seen round it. */
+  private movement: { from: Eye; to: Eye; started: number } | undefined;
+  /** Height of the point at which the camera looks, and radius of the region that must be visible. */
   private height = 0.3;
   private radius = 1.4;
 
-  /** The spot of the table that is in the middle of the picture. */
+  /** The spot of the table in the middle of the picture. */
   readonly focus = { x: 0, y: 0 };
-  /** Where the body touches the table, and where it did when the eye was last turned to it. */
+  /** The contact point, and the one at which the camera was aimed last. */
   private contact = { x: 0, y: 0 };
   private aimed = this.contact;
 
@@ -49,13 +49,13 @@ export class View {
     return this.eye.elevation;
   }
 
-  /** Frames a body of a height, in radii of the circle of degrees. */
+  /** Frames a body with a height in radii of the circle of degrees. */
   frame(height: number): void {
     this.height = 0.29 * height;
     this.radius = Math.max(1.2, 0.62 * height + 0.53);
   }
 
-  /** Goes after what has gone far from the middle, but not for who would rather not see things move. */
+  /** Follows a body that has moved far from the middle, unless the visitor prefers reduced motion. */
   follow(x: number, y: number): void {
     const far = Math.hypot(x, y);
     const part = far > ROAM && !prefersReducedMotion() ? 1 - ROAM / far : 0;
@@ -63,7 +63,7 @@ export class View {
     this.focus.y = part * y;
   }
 
-  /** Takes note of the spot where the body touches the table: it is what there is to see from near by. */
+  /** Sets the contact point, at which the camera looks from nearby. */
   aim(x: number, y: number): void {
     this.contact = { x, y };
     if (!prefersReducedMotion()) this.aimed = this.contact;
@@ -90,22 +90,22 @@ export class View {
     this.glide({ azimuth: -Math.PI / 2, elevation: HIGHEST, distance: 1 });
   }
 
-  /** Simulated the camera; whether it is still on its way. */
+  /** Moves the camera; returns whether the movement is still under way. */
   update(now: number): boolean {
-    if (this.way) {
-      const part = Math.min((now - this.way.begun) / 1000 / GLIDE, 1);
+    if (this.movement) {
+      const part = Math.min((now - this.movement.started) / 1000 / GLIDE, 1);
       const eased = smooth(part);
-      const { from, to } = this.way;
+      const { from, to } = this.movement;
       const between = (key: keyof Eye) => from[key] + eased * (to[key] - from[key]);
       this.eye = {
         azimuth: between("azimuth"),
         elevation: between("elevation"),
         distance: between("distance"),
       };
-      if (part === 1) this.way = undefined;
+      if (part === 1) this.movement = undefined;
     }
     this.place();
-    return this.way !== undefined;
+    return this.movement !== undefined;
   }
 
   private place(): void {
@@ -114,7 +114,7 @@ export class View {
     const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
     const distance = (this.radius / Math.sin(narrow)) * eye.distance;
     const flat = distance * Math.cos(eye.elevation);
-    // From afar it looks at the middle of the body, from near by at the contact point.
+    // From afar the camera looks at the middle of the body, from nearby at the contact point.
     const part = smooth(Math.min(Math.max((1 - eye.distance) / (1 - NEAR), 0), 1));
     const x = this.focus.x + part * (this.aimed.x - this.focus.x);
     const y = this.focus.y + part * (this.aimed.y - this.focus.y);
@@ -128,7 +128,7 @@ export class View {
   }
 
   private go(eye: Eye): void {
-    this.way = undefined;
+    this.movement = undefined;
     this.eye = {
       azimuth: eye.azimuth,
       elevation: Math.min(Math.max(eye.elevation, LOWEST), HIGHEST),
@@ -136,15 +136,15 @@ export class View {
     };
   }
 
-  /** Goes there smoothly, or at once for who would rather not see things move. */
+  /** Moves the camera smoothly, or at once if the visitor prefers reduced motion. */
   private glide(to: Eye): void {
     if (prefersReducedMotion()) return this.go(to);
-    // The short way round.
+    // Choose the shorter way round.
     const round = 2 * Math.PI * Math.round((this.eye.azimuth - to.azimuth) / (2 * Math.PI));
-    this.way = {
+    this.movement = {
       from: this.eye,
       to: { ...to, azimuth: to.azimuth + round },
-      begun: performance.now(),
+      started: performance.now(),
     };
   }
 }

@@ -1,5 +1,5 @@
-// The angle of turn on the table: a sector from the first direction to the present one, and lines
-// where the theory has its limit.
+// The angle of turn on the table: a sector from the initial direction to the present one, and lines at
+// the limits of theory.
 
 import {
   BufferGeometry,
@@ -17,14 +17,14 @@ import { Ribbon, type Stroke } from "./ribbon";
 const PIECES = 180;
 /** Radius of the sector, in radii of the circle of degrees. */
 const SIZE = 0.82;
-/** A further full turn is so much further out. */
+/** Each further revolution lies further out by this much. */
 const SPIRAL = 0.035;
 
-/** A limit of the angle of turn, rad, in a colour. */
+/** A limiting turn, rad, and its colour. */
 export interface Limit {
   angle: number;
   color: string;
-  /** What it is called beside its line. */
+  /** Label beside the line. */
   name: string;
 }
 
@@ -64,7 +64,7 @@ export class Wedge {
     this.fill.material.opacity = dark ? 0.3 : 0.34;
   }
 
-  /** Round a spot, from an azimuth on through an angle, rad. */
+  /** Shows a sector round a spot, from an azimuth through an angle, rad. */
   show(x: number, y: number, from: number, angle: number): void {
     this.group.position.set(x, y, this.group.position.z);
     this.group.rotation.z = from;
@@ -75,7 +75,7 @@ export class Wedge {
       positions.setXYZ(k + 1, SIZE * Math.cos(part), SIZE * Math.sin(part), 0);
     }
     positions.needsUpdate = true;
-    // Out along the first direction, round, and back to the middle.
+    // The edge runs out along the initial direction, round, and back to the middle.
     const [sx, sy] = [this.x, this.y];
     sx[0] = sy[0] = 0;
     for (let k = 0; k <= PIECES; k++) {
@@ -88,14 +88,14 @@ export class Wedge {
     this.edge.lay(PIECES + 3, sx, sy, () => this.paint);
   }
 
-  /** Draws limits to both sides, from the rim of the body (a radius) outward. */
+  /** Draws the limits to both sides, from an inner radius outward. */
   mark(limits: readonly Limit[], inner: number): void {
     this.limits.mesh.visible = limits.length > 0;
     this.limits.layStrokes(limitStrokes(limits, inner, 1.07));
   }
 }
 
-/** Lines at limits of the angle of turn, to both sides, between two radii. */
+/** Lines at limiting turns to both sides, between two radii. */
 export const limitStrokes = (limits: readonly Limit[], inner: number, outer: number): Stroke[] =>
   limits.flatMap(({ angle, color }) =>
     [angle, -angle].map((way) => ({

@@ -1,12 +1,12 @@
-// Keeps the address and the set-up the same.
+// Synchronises the address with the set-up.
 
 import { batch, effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { fromHash, holdsSetup, toHash } from "./url";
 
-/** Takes the set-up from the address, now and whenever the visitor changes it, and writes it there. */
+/** Reads the set-up from the address, now and whenever the visitor edits it, and writes changes back. */
 export function keepInAddress(lab: Lab): void {
-  const take = (link: string) => {
+  const read = (link: string) => {
     if (!holdsSetup(link)) return;
     const { setup, playback, refusals } = fromHash(link);
     batch(() => {
@@ -15,23 +15,23 @@ export function keepInAddress(lab: Lab): void {
       lab.clock.setPlayback(playback);
     });
   };
-  take(location.hash);
-  // The address that the visitor gave, though another may have been written since.
-  addEventListener("hashchange", ({ newURL }) => take(new URL(newURL).hash));
-  let waiting: ReturnType<typeof setTimeout> | undefined;
+  read(location.hash);
+  // Read the address of the event: a later one may have been written since.
+  addEventListener("hashchange", ({ newURL }) => read(new URL(newURL).hash));
+  let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     const hash = toHash(lab.setup.value, lab.clock.playback);
-    clearTimeout(waiting);
-    waiting = setTimeout(() => write(hash), QUIET);
+    clearTimeout(timer);
+    timer = setTimeout(() => write(hash), WRITE_DELAY);
   });
 }
 
-/** How long the set-up stays as it is before it is written, ms: browsers refuse a hundred addresses
- * in a few seconds, and a slider makes more. */
-const QUIET = 200;
+/** The set-up is written after this time without a change, ms: browsers refuse a hundred changes of the
+ * address within a few seconds, and a slider makes more. */
+const WRITE_DELAY = 200;
 
 function write(hash: string): void {
-  // Without an entry in the history for every move of a slider.
+  // Replace the address, so that moves of a slider make no entries in the history.
   if (hash !== location.hash.replace(/^#/, ""))
     history.replaceState(null, "", hash === "" ? location.pathname + location.search : `#${hash}`);
 }

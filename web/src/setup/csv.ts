@@ -1,10 +1,10 @@
-// The motion as a table for a spreadsheet: one row a moment, SI units and radians.
+// Writes a motion as CSV: one row for each solver step, in SI units and radians.
 
 import type { Motion } from "../core/motion";
 import { digits } from "./digits";
 
-/** At the steps of the solver, the numbers with all their digits. The infinite ratio of friction of a
- * body in the air is `inf`, as in the files that `rimroll simulate` writes. */
+/** Numbers have all their digits. The friction ratio of a body in the air is infinite and written as
+ * `inf`, as in the files of `rimroll simulate`. */
 export function toCsv(motion: Motion): string {
   const moments = motion.samples(1);
   const columns = moments.names.map((name) => moments.column(name));

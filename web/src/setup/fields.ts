@@ -1,26 +1,26 @@
-// Every quantity that a visitor can set: its name in the URL, its words, its unit and its bounds.
-// Controls, URL and refusals are all made from this one table.
+// Every quantity that a visitor can set: its name in the URL, label, unit, bounds and help text.
+// The controls, the URL and the refusals are made from this table.
 
 import type { LawName, Preset } from "../core/core";
 
 export interface NumberField {
   kind: "number";
   label: string;
-  /** As it is shown and typed; the set-up holds numbers in this unit. */
+  /** Unit in which the number is shown, typed and stored in the set-up. */
   unit: string;
   initial: number;
-  /** Bounds of what is accepted. */
+  /** Bounds of the accepted values. */
   least: number;
   most: number;
-  /** Whether the bounds themselves are left out. */
+  /** Whether the bounds themselves are excluded. */
   open?: boolean;
-  /** Whether it counts something. */
+  /** Whether only whole numbers are accepted. */
   whole?: boolean;
-  /** Where a slider ends, if not at the bounds, and its step. */
+  /** Ends and step of the slider; by default its ends are the bounds. */
   slider?: [low: number, high: number, step: number];
-  /** The slider goes by orders of magnitude, on both sides of 0, down to this. */
+  /** Makes the slider logarithmic on both sides of 0; this is its smallest value. */
   finest?: number;
-  /** What it means, in a sentence. */
+  /** Explains the quantity in a sentence. */
   help: string;
 }
 
@@ -43,7 +43,7 @@ const BODIES: Record<Preset | "own", string> = {
   own: "Your own",
 };
 
-/** What a body is called in a sentence. */
+/** Nouns for the bodies in a sentence. */
 export const BODY_NOUNS: Record<Preset | "own", string> = {
   can_2007: "can",
   soda_can: "can",
@@ -56,9 +56,9 @@ export const BODY_NOUNS: Record<Preset | "own", string> = {
 };
 
 const LAW_NAMES: Record<LawName, string> = {
-  frictionless: "No friction at all",
+  frictionless: "No friction",
   coulomb: "Dry friction",
-  no_slip: "No slip at all",
+  no_slip: "No slip",
 };
 
 export const FIELDS = {
@@ -67,7 +67,7 @@ export const FIELDS = {
     label: "Body",
     initial: "can_2007",
     choices: BODIES,
-    help: "What stands on the table.",
+    help: "The body that stands on the table.",
   },
   fill: {
     kind: "number",
@@ -77,7 +77,7 @@ export const FIELDS = {
     least: 0,
     most: 100,
     slider: [0, 100, 1],
-    help: "How full the can or bottle is; the drink moves as if frozen.",
+    help: "How full the can or bottle is. The drink moves with it like a solid.",
   },
   radius: {
     kind: "number",
@@ -97,7 +97,7 @@ export const FIELDS = {
     least: 0,
     most: 1000,
     slider: [0, 40, 0.1],
-    help: "From bottom to top; 0 is a flat disk.",
+    help: "From base to top. 0 is a flat disk.",
   },
   mass: {
     kind: "number",
@@ -107,7 +107,7 @@ export const FIELDS = {
     least: 0.001,
     most: 1e6,
     slider: [1, 2000, 1],
-    help: "In all. No angle of turn depends on it.",
+    help: "Total mass. No angle of turn depends on it.",
   },
   wall: {
     kind: "number",
@@ -117,7 +117,7 @@ export const FIELDS = {
     least: 0,
     most: 100,
     slider: [0, 100, 1],
-    help: "0 is solid through and through, 100 a thin tube.",
+    help: "Share of the mass above the base plate: 0 is a solid cylinder, 100 a thin tube.",
   },
   base: {
     kind: "number",
@@ -127,7 +127,7 @@ export const FIELDS = {
     least: 0,
     most: 100,
     slider: [0, 100, 1],
-    help: "Of all of it, in a plate at the bottom.",
+    help: "Share of the total mass, in a thin plate at the bottom.",
   },
   tilt: {
     kind: "number",
@@ -138,7 +138,7 @@ export const FIELDS = {
     most: 90,
     open: true,
     slider: [0.5, 89.5, 0.5],
-    help: "How far it leans when it is let go.",
+    help: "How far the body leans when it is released.",
   },
   tilt_rate: {
     kind: "number",
@@ -148,7 +148,7 @@ export const FIELDS = {
     least: -1000,
     most: 1000,
     slider: [-10, 10, 0.1],
-    help: "0 is let go at rest; below 0 it is flicked upright.",
+    help: "0 releases the body at rest. A negative rate flicks it toward upright.",
   },
   sideways: {
     kind: "number",
@@ -159,7 +159,7 @@ export const FIELDS = {
     most: 1000,
     slider: [-0.5, 0.5, 0.001],
     finest: 1e-6,
-    help: "How fast it also turns about the line along which it leans: no hand hits the middle.",
+    help: "How fast the body also turns about the line along which it leans. No hand avoids this error.",
   },
   twist: {
     kind: "number",
@@ -169,7 +169,7 @@ export const FIELDS = {
     least: -1000,
     most: 1000,
     slider: [-10, 10, 0.1],
-    help: "How fast it also turns about the vertical.",
+    help: "How fast the body also turns about the vertical.",
   },
   yaw: {
     kind: "number",
@@ -179,14 +179,14 @@ export const FIELDS = {
     least: -360,
     most: 360,
     slider: [-180, 180, 1],
-    help: "The direction of the lean on the table; the motion turns with it.",
+    help: "The direction of the lean on the table. The whole motion turns with it.",
   },
   law: {
     kind: "choice",
     label: "Table",
     initial: "coulomb",
     choices: LAW_NAMES,
-    help: "The two ends are the paper's ideal limits.",
+    help: "No friction and no slip are the paper's two ideal laws.",
   },
   friction: {
     kind: "number",
@@ -196,7 +196,7 @@ export const FIELDS = {
     least: 0,
     most: 1e6,
     slider: [0, 1, 0.01],
-    help: "μ: friction over the force that presses.",
+    help: "Coefficient of friction μ: largest friction force over normal force.",
   },
   rolling: {
     kind: "number",
@@ -206,7 +206,7 @@ export const FIELDS = {
     least: 0,
     most: 1,
     slider: [0, 0.01, 0.0001],
-    help: "What wears the motion down: force to roll, over the force that presses.",
+    help: "Resisting force over normal force. It slows the motion down.",
   },
   restitution: {
     kind: "number",
@@ -216,7 +216,7 @@ export const FIELDS = {
     least: 0,
     most: 1,
     slider: [0, 1, 0.01],
-    help: "Restitution of a landing after the rim has left the table.",
+    help: "Coefficient of restitution when the rim lands after it has left the table.",
   },
   gravity: {
     kind: "number",
@@ -231,13 +231,13 @@ export const FIELDS = {
   },
   duration: {
     kind: "number",
-    label: "Followed for",
+    label: "Duration",
     unit: "s",
     initial: 3,
     least: 0.001,
     most: 120,
     slider: [0.5, 20, 0.5],
-    help: "How long the motion is computed.",
+    help: "The time for which the motion is computed.",
   },
   flicks: {
     kind: "number",
@@ -248,7 +248,7 @@ export const FIELDS = {
     most: 1000,
     whole: true,
     slider: [1, 200, 1],
-    help: "How often the hand repeats the release. The paper: 42.",
+    help: "How many times the release is repeated. The paper: 42.",
   },
   unsteady: {
     kind: "number",
@@ -258,7 +258,7 @@ export const FIELDS = {
     least: 0,
     most: 1000,
     slider: [0, 300, 5],
-    help: "100 misses the middle by some three degrees.",
+    help: "At 100, a flick misses the middle by about 3°.",
   },
   seed: {
     kind: "number",
@@ -269,7 +269,7 @@ export const FIELDS = {
     most: 4294967295,
     whole: true,
     slider: [1, 100, 1],
-    help: "Of chance: the same seed scatters the hand in the same way.",
+    help: "Seed of the random numbers. The same seed gives the same scatter.",
   },
 } as const satisfies Record<string, NumberField | ChoiceField>;
 
@@ -279,10 +279,10 @@ export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
 /** Names of the playback settings in the URL; see playback.ts. */
 export type PlaybackName = "speed" | "slow";
 
-/** Which fields are those of a hand that repeats the release; one motion does not depend on them. */
+/** Fields of the repeated release; a single motion does not depend on them. */
 export const FLICK_FIELDS = ["flicks", "unsteady", "seed"] as const satisfies readonly FieldName[];
 
-/** Which fields matter for a body. */
+/** Fields that only some bodies have. */
 export const BODY_FIELDS: Record<string, readonly FieldName[]> = {
   soda_can: ["fill"],
   beer_bottle: ["fill"],

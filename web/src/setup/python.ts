@@ -1,4 +1,4 @@
-// The set-up as Python code that computes the very same motion, to the last bit.
+// Writes Python code that computes the same motion to the last bit.
 
 import type { Body, State, ContactLaw } from "../core/core";
 import { digits } from "./digits";

@@ -1,4 +1,4 @@
-// A set-up: what is tipped, how, on what table. Numbers in the units of their fields.
+// A set-up: the body, its release and the table, with numbers in the units of their fields.
 
 import { withUnit } from "../format/numbers";
 import type { LawName, Preset } from "../core/core";
@@ -18,7 +18,7 @@ export const INITIAL = Object.freeze(
   Object.fromEntries(FIELD_NAMES.map((name) => [name, FIELDS[name].initial])),
 ) as Readonly<Setup>;
 
-/** The value that a text stands for, or why it stands for none. */
+/** Reads a value from a text, or gives the reason why it is refused. */
 export function read(name: FieldName, text: string): { value: string | number } | Refusal {
   const field: (typeof FIELDS)[FieldName] = FIELDS[name];
   if (field.kind === "choice") {
@@ -27,29 +27,30 @@ export function read(name: FieldName, text: string): { value: string | number } 
     return { field: name, text, message };
   }
   const bare = withoutUnit(text.trim(), field);
-  // A comma may be somebody's decimal point; a minus sign may be a real one.
+  // Accept a decimal comma, and a minus sign as well as a hyphen.
   const value = Number(bare.replace(",", ".").replaceAll("−", "-") || NaN);
   const message = outOfBounds(field, value, bare);
   return message === undefined ? { value } : { field: name, text, message };
 }
 
-/** A number that is written with its unit, without it. */
+/** Removes the unit after a number, if there is one. */
 const withoutUnit = (text: string, { unit }: NumberField): string =>
   unit !== "" && text.endsWith(unit) ? text.slice(0, -unit.length).trim() : text;
 
-/** One thousand, or one with three decimals after somebody's comma. */
+/** Numbers such as 1,000: either a thousand or one with three decimals. */
 const THOUSANDS = /^\s*[-+−]?[1-9]\d{0,2}(,\d{3})+\s*$/;
 
 function outOfBounds(field: NumberField, value: number, text: string): string | undefined {
   const { label, unit, least, most, open, whole } = field;
   if (THOUSANDS.test(text))
-    return `${label}: “${text.trim()}” can be read in two ways; write decimals after a point, and nothing between thousands.`;
+    return `${label}: “${text.trim()}” can be read in two ways; write a point before decimals and nothing between thousands.`;
   if (text.trim() === "") return `${label} needs a number.`;
-  if (Number.isNaN(value)) return `${label} is a number, not “${text}”.`;
-  if (whole && !Number.isInteger(value)) return `${label} is a whole number, not ${text.trim()}.`;
+  if (Number.isNaN(value)) return `${label} must be a number, not “${text}”.`;
+  if (whole && !Number.isInteger(value))
+    return `${label} must be a whole number, not ${text.trim()}.`;
   const inside = open ? value > least && value < most : value >= least && value <= most;
   if (inside) return undefined;
   const [low, high] = [withUnit(String(least), unit), withUnit(String(most), unit)];
   const bounds = open ? `more than ${low} and less than ${high}` : `from ${least} to ${high}`;
-  return `${label} is ${bounds}; ${text.trim()} is outside.`;
+  return `${label} must be ${bounds}; ${text.trim()} is outside.`;
 }

@@ -1,4 +1,4 @@
-// From the visitor's units to the core's: what is to be computed.
+// Converts the set-up from the visitor's units to the input of the core.
 
 import type { Body, Core, Options, Solid, State, ContactLaw } from "../core/core";
 import type { Setup } from "./setup";
@@ -7,7 +7,7 @@ export const RING_RADIUS = 0.05;
 
 const RADIANS = Math.PI / 180;
 
-/** Everything that a motion is computed from, SI units and radians. */
+/** Everything that determines a motion, in SI units and radians. */
 export interface SimulationInput {
   body: Body;
   start: State;
@@ -15,7 +15,7 @@ export interface SimulationInput {
   options: Options;
 }
 
-/** Throws `Refused` for a body that cannot be. */
+/** Throws `Refused` for an impossible body. */
 export function simulationInput(core: Core, setup: Readonly<Setup>): SimulationInput {
   return {
     body: bodyOf(core, setup),
@@ -36,7 +36,7 @@ export function bodyOf(core: Core, setup: Readonly<Setup>): Body {
   }
 }
 
-/** Your own body: a plate at the bottom, a wall, and a filling up to the top. */
+/** The visitor's own body: a base plate, a side wall and a solid filling up to the top. */
 export function solidsOf(setup: Readonly<Setup>): Solid[] {
   const [radius, length, mass] = [setup.radius / 100, setup.length / 100, setup.mass / 1000];
   const inBase = setup.base / 100;
@@ -51,8 +51,8 @@ export function solidsOf(setup: Readonly<Setup>): Solid[] {
     .map(([shape, part]) => ({ shape, mass: part * mass, radius, length, base: 0 }));
 }
 
-/** A hand's release: besides tilting, the body turns about the line along which it leans and about
- * the vertical; see rimroll.Release. */
+/** The start of a release by hand: besides tilting, the body turns about the line along which it leans
+ * (`sideways`) and about the vertical (`twist`); see rimroll.Release. */
 export function startOf(setup: Readonly<Setup>): State {
   const tilt = setup.tilt * RADIANS;
   const [sin, cos] = [Math.sin(tilt), Math.cos(tilt)];
@@ -67,8 +67,8 @@ export function startOf(setup: Readonly<Setup>): State {
 }
 
 export function contactLawOf(setup: Readonly<Setup>): ContactLaw {
-  const resisted = setup.rolling > 0 ? { rollingDry: setup.rolling } : {};
-  if (setup.law !== "coulomb") return { law: setup.law, ...resisted };
+  const resistance = setup.rolling > 0 ? { rollingDry: setup.rolling } : {};
+  if (setup.law !== "coulomb") return { law: setup.law, ...resistance };
   const { friction, restitution } = setup;
-  return { law: "coulomb", friction, restitution, ...resisted };
+  return { law: "coulomb", friction, restitution, ...resistance };
 }

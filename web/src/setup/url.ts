@@ -1,18 +1,18 @@
-// The whole set-up in the part of the address after #, so that a link holds it and no server sees it.
+// Writes the set-up into the part of the address after #, which links hold and servers do not see.
 
 import { FIELD_NAMES } from "./fields";
 import { INITIAL_PLAYBACK, type Playback, playbackInLink, playbackFrom } from "./playback";
 import type { Refusal } from "./refusal";
 import { INITIAL, type Setup, read } from "./setup";
 
-/** What a link holds. */
+/** The content of a link. */
 export interface Linked {
   setup: Setup;
   playback: Playback;
   refusals: Refusal[];
 }
 
-/** What differs from the initial set-up and playback, as `name=value&…`. */
+/** The values that differ from the initial set-up and playback, as `name=value&…`. */
 export function toHash(
   setup: Readonly<Setup>,
   playback: Readonly<Playback> = INITIAL_PLAYBACK,
@@ -22,11 +22,11 @@ export function toHash(
   return new URLSearchParams([...pairs, ...playbackInLink(playback)]).toString();
 }
 
-/** Whether an address is about a set-up, and not about a part of the page. */
+/** Whether the # part of an address holds a set-up and not the name of a part of the page. */
 export const holdsSetup = (hash: string): boolean => hash.length <= 1 || hash.includes("=");
 
-/** What a link holds wrongly stays as it is initially, with the reason; of what it holds twice the
- * last counts. */
+/** Reads a link. A wrong value gives the initial one and a refusal; if a name appears twice, the last
+ * value counts. */
 export function fromHash(hash: string): Linked {
   const link = new Map(new URLSearchParams(hash.replace(/^#/, "")));
   const setup: Record<string, string | number> = { ...INITIAL };

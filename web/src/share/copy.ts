@@ -1,4 +1,4 @@
-// Text to the clipboard, or where there is none to be had, selected for the visitor to copy.
+// Copies a text to the clipboard, or selects it for the visitor to copy if that is not allowed.
 
 export async function copyText(text: string, shownIn: HTMLElement): Promise<boolean> {
   try {

@@ -1,4 +1,4 @@
-// A text as a file in the visitor's downloads.
+// Saves a text as a download.
 
 export function download(name: string, text: string, type: string): void {
   const address = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));
@@ -6,6 +6,6 @@ export function download(name: string, text: string, type: string): void {
   link.href = address;
   link.download = name;
   link.click();
-  // Safari has not begun to read it yet.
+  // Safari reads the address only later.
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

@@ -1,4 +1,4 @@
-// What a visitor takes away: a link or a command, Python code for the very same motion, and its numbers.
+// What a visitor can take away: a link or a command, Python code for the same motion, and its numbers.
 
 import { effect } from "@preact/signals-core";
 import { button, element } from "../elements";
@@ -11,13 +11,13 @@ import { download } from "./download";
 import { shareLink } from "./share_link";
 
 export function mountShare(lab: Lab, place: HTMLElement): void {
-  const said = element("p", { class: "done", role: "status" });
+  const message = element("p", { class: "done", role: "status" });
   const { help, label, name } = WORDS[linkFor(lab).kind];
   const link = element("input", { type: "text", id: "share-link", readonly: true });
   const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": "Python code" });
   const copy = async (text: string, shownIn: HTMLElement, what: string) => {
     const done = await copyText(text, shownIn);
-    say(said, done ? `${what} copied.` : "Selected: copy it with Ctrl+C or ⌘C.");
+    say(message, done ? `${what} copied.` : "Selected: copy it with Ctrl+C or ⌘C.");
   };
   const copyLink = button(`Copy ${name.toLowerCase()}`, () => void copy(link.value, link, name));
   const copyCode = button("Copy as Python", () => void copy(code.textContent, code, "Python code"));
@@ -27,7 +27,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}.csv`;
     download(name, toCsv(motion), "text/csv");
-    say(said, `${name} downloaded, in SI units and radians.`);
+    say(message, `${name} downloaded, in SI units and radians.`);
   });
   place.append(
     element("h2", {}, "Share"),
@@ -40,7 +40,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
       copyLink,
     ),
     element("div", { class: "buttons" }, copyCode, saveCsv),
-    said,
+    message,
     element("details", {}, element("summary", {}, "The same motion in Python"), code),
   );
   effect(() => {
@@ -55,12 +55,12 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
 
 const WORDS = {
   link: {
-    help: "All that is set here is in the link; no server sees it.",
+    help: "The link holds the whole set-up. No server sees it.",
     label: "Link to this set-up",
     name: "Link",
   },
   command: {
-    help: "This page is served by your own machine, so its address works for nobody else, and not for you next time. This command opens the same set-up wherever rimroll is installed.",
+    help: "This page is served by your own machine, so its address works only here and only now. This command opens the same set-up wherever rimroll is installed.",
     label: "Command that opens this set-up",
     name: "Command",
   },
@@ -71,7 +71,7 @@ const linkFor = (lab: Lab) => shareLink(toHash(lab.setup.value, lab.clock.playba
 const pythonOf = (outcome: Outcome) =>
   "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.input);
 
-/** Also the same words a second time are to be read out. */
+/** Shows a message; an emptied place makes screen readers read the same message again. */
 function say(place: HTMLElement, text: string): void {
   place.textContent = "";
   setTimeout(() => (place.textContent = text), 50);

@@ -1,7 +1,7 @@
-// What can be sent to somebody else: a link, or where the page has no address that works elsewhere, a
-// command.
+// What a visitor can send to somebody else: a link, or a command if the page's address works only on this
+// machine.
 
-/** Where the page is published, if it is: VITE_RIMROLL_ADDRESS when it was built. */
+/** Public address of the page, if VITE_RIMROLL_ADDRESS was set when it was built. */
 const PUBLISHED = (import.meta.env["VITE_RIMROLL_ADDRESS"] as string | undefined) ?? "";
 
 export interface ShareLink {
@@ -9,7 +9,7 @@ export interface ShareLink {
   text: string;
 }
 
-/** For a set-up as it is in the address after #, and the page's own address. */
+/** The link or command for the # part of the address and the address of the page. */
 export function shareLink(hash: string, page: string, published = PUBLISHED): ShareLink {
   const address = published || (isPublic(page) ? page : "");
   if (address === "")
@@ -18,7 +18,7 @@ export function shareLink(hash: string, page: string, published = PUBLISHED): Sh
   return { kind: "link", text: bare + (hash === "" ? "" : `#${hash}`) };
 }
 
-/** Whether others than this machine find a page at its address. */
+/** Whether other machines can open a page at its address. */
 function isPublic(page: string): boolean {
   const { protocol, hostname } = new URL(page);
   const isHere = /^(localhost|.*\.localhost|127(\.\d+){3}|\[::1\]|0\.0\.0\.0|\[::\])$/.test(

@@ -1,33 +1,33 @@
-// The axis of a straight histogram of angles of turn: about the theory's limits, whatever the body.
+// The axis of a straight histogram of angles of turn, which contains the limits of theory.
 
 import type { Theory } from "../core/core";
 
-/** Degrees. */
+/** A range divided into bins, degrees. */
 export interface Bins {
   from: number;
   to: number;
   width: number;
 }
 
-/** How many falls lie in each bin, and beyond the ends of the axis. */
+/** Numbers of falls in each bin and beyond the ends of the axis. */
 export interface Counts {
   below: number;
   bins: number[];
   above: number;
 }
 
-/** Beyond the limits, degrees, and what the ends are multiples of. */
+/** Margin beyond the limits and unit to which the ends are rounded, degrees. */
 const [ROOM, ROUND] = [7, 5];
-/** No more bins than this can be told apart. */
+/** More bins than this could not be distinguished. */
 const MAX_BINS = 60;
-/** So many falls of a hundred may lie beyond the axis at either end. */
-const STRAY = 5;
+/** Percentage of the falls that may lie beyond the axis at either end. */
+const MAX_OUTSIDE = 5;
 
-/** An axis that holds the limits, and nearly all of the turns (degrees, whichever way round). */
+/** An axis that contains the limits and nearly all of the turns (degrees, without sign). */
 export function binsFor(theory: Theory | undefined, turns: readonly number[]): Bins {
   const limits = limitsOf(theory);
   const sorted = [...turns].sort((a, b) => a - b);
-  const stray = Math.floor((sorted.length * STRAY) / 100);
+  const stray = Math.floor((sorted.length * MAX_OUTSIDE) / 100);
   const usual = sorted.slice(stray, sorted.length - stray);
   const held = [...limits.map((limit) => limit - ROOM), ...limits.map((limit) => limit + ROOM)];
   const ends = [...held, ...usual.slice(0, 1), ...usual.slice(-1)];
@@ -35,11 +35,11 @@ export function binsFor(theory: Theory | undefined, turns: readonly number[]): B
   const from = ROUND * Math.floor(Math.min(...ends) / ROUND);
   const to = ROUND * Math.ceil((Math.max(...ends) + 1e-9) / ROUND);
   const width = [1, 2, 5, 10].find((width) => to - from <= MAX_BINS * width) ?? 20;
-  // Whole bins.
+  // The range is a whole number of bins.
   return { from, to: from + width * Math.ceil((to - from) / width), width };
 }
 
-/** The limits that there are on ideal tables, degrees. */
+/** Limiting turns under the two ideal laws, degrees. */
 export const limitsOf = (theory: Theory | undefined): number[] =>
   theory
     ? [theory.noSlip, theory.frictionless]
@@ -47,7 +47,7 @@ export const limitsOf = (theory: Theory | undefined): number[] =>
         .map((limit) => (limit * 180) / Math.PI)
     : [];
 
-/** The bins are closed below and open above. */
+/** Counts the turns in bins that include their lower end but not their upper one. */
 export function binned(turns: readonly number[], { from, to, width }: Bins): Counts {
   const bins = new Array<number>(Math.round((to - from) / width)).fill(0);
   let [below, above] = [0, 0];

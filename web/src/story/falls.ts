@@ -1,4 +1,4 @@
-// The falls of a step of the story that flicks the body: a straight histogram beside what is said.
+// A straight histogram of the falls, for the steps of the story that flick the body.
 
 import { effect, computed } from "@preact/signals-core";
 import { element } from "../elements";
@@ -8,13 +8,13 @@ import type { Lab } from "../lab";
 import { binsFor } from "./bins";
 import { HEIGHT, WIDTH, humps } from "./humps";
 
-/** Hidden while no step asks for it; `wanted` reads signals. */
+/** The histogram, hidden unless the current step wants it; `wanted` reads signals. */
 export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
   const figure = element("figure", { class: "falls" });
   figure.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img"></svg><figcaption></figcaption>`;
   const picture = figure.querySelector("svg") as SVGElement;
   const caption = figure.querySelector("figcaption") as HTMLElement;
-  // The range of all falls under way, so that the axis stays while they fall.
+  // The range covers all falls, so that the axis does not move while they appear.
   const bins = computed(() => {
     const { left, right } = tallyOf(lab.flicks.value);
     return binsFor(lab.theory.value, [...left.turns, ...right.turns]);
@@ -29,10 +29,10 @@ export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
     const { from, to, width } = bins.value;
     picture.setAttribute(
       "aria-label",
-      `How far round it fell, from ${from}° to ${to}° by ${width}°. ${flickSummary(lab)}`,
+      `Angles of turn of the falls, from ${from}° to ${to}° in bars of ${width}°. ${flickSummary(lab)}`,
     );
-    const beside = measured ? " Lines with a dot: the paper’s falls." : "";
-    caption.textContent = `How far round it fell: left above, right below, ${width}° a bar.${beside}`;
+    const beside = measured ? " Lines with a dot: mean and spread of the paper’s falls." : "";
+    caption.textContent = `Angles of turn of the falls: left above, right below, ${width}° per bar.${beside}`;
   });
   return figure;
 }

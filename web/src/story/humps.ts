@@ -1,23 +1,23 @@
-// How far round it fell, on a straight axis: falls to the left of the hand upward and filled, to the
-// right downward and hollow, with the limits of theory and what the paper measured.
+// A histogram of the angles of turn on a straight axis, with the limits of theory and the paper's
+// measurements. Falls to the left of the hand are filled bars upward, to the right hollow bars downward.
 
 import type { Theory } from "../core/core";
 import { MEASURED } from "../falls/paper";
 import type { Tally } from "../falls/tally";
 import { type Bins, type Counts, binned } from "./bins";
 
-/** Of the picture, with room for words above, for degrees in the middle, and for the counts. */
+/** Size of the picture, with room for labels above, degrees in the middle, and counts. */
 export const [WIDTH, HEIGHT] = [360, 154];
 const [TOP, AXIS, BAND, BOTTOM] = [18, 78, 16, HEIGHT - 2];
 const TALLEST = AXIS - BAND / 2 - TOP - 6;
-/** Two words of limits whose lines are nearer than this would run into each other. */
-const APART = 110;
+/** Labels of two limits overlap if their lines are nearer than this. */
+const LABEL_WIDTH = 110;
 
 export interface Shown {
   tally: Tally;
   theory: Theory | undefined;
   bins: Bins;
-  /** Whether what the paper measured belongs to this body. */
+  /** Whether the paper's measurements apply to this body. */
   measured: boolean;
 }
 
@@ -46,7 +46,7 @@ function bars({ below, bins, above }: Counts, side: string, unit: number, foot: 
       ? ""
       : `<rect class="bar ${side}" x="${fixed(k * width + 0.6)}" y="${fixed(top)}" width="${fixed(width - 1.2)}" height="${fixed(height)}"/>`;
   };
-  // What lies beyond the ends is binned there.
+  // Falls beyond an end of the axis are counted at that end.
   const beyond = (count: number, x: number, anchor: string, words: string) =>
     count === 0
       ? ""
@@ -83,7 +83,7 @@ function limits(theory: Theory | undefined, place: (angle: number) => number): s
     .map((one) => ({ ...one, x: place(one.angle * DEGREES) }))
     .sort((one, other) => one.x - other.x);
   const [first, second] = all;
-  const close = first && second && second.x - first.x < APART;
+  const close = first && second && second.x - first.x < LABEL_WIDTH;
   return all
     .map(({ angle, kind, name, x }, k) => {
       const anchor = close ? (k === 0 ? "end" : "start") : "middle";

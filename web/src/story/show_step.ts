@@ -1,4 +1,4 @@
-// Sets the lab up for a step of the story and lets it happen.
+// Sets the lab up for a step of the story and plays it.
 
 import { batch } from "@preact/signals-core";
 import { clearFlicks, startFlicks } from "../falls/animation";
@@ -6,8 +6,8 @@ import type { Lab } from "../lab";
 import { INITIAL } from "../setup/setup";
 import type { Step } from "./steps";
 
-/** Plays up to the first rise, where the body has come up again: what comes after repeats it. Not
- * `moving`, it shows that moment at once. */
+/** Plays up to the end of the first turn, after which the motion repeats itself. Without `moving` it
+ * shows that moment at once. */
 export function showStep(lab: Lab, step: Step, moving: boolean): void {
   const { clock } = lab;
   batch(() => {
@@ -15,14 +15,14 @@ export function showStep(lab: Lab, step: Step, moving: boolean): void {
     lab.change({ ...INITIAL, ...step.setup });
     clock.speed.value = step.speed;
     clock.stretched.value = step.stretched;
-    // Also when it is set up already.
+    // Restart even if the set-up is unchanged.
     clock.pause();
     clock.rewind();
   });
-  // Not while it is watched.
+  // Compute the rest now, not while the motion is playing.
   lab.complete();
   if (step.shows === "flicks") startFlicks(lab);
-  const risen = lab.motion.value?.turns[0]?.end ?? clock.end;
-  if (moving) clock.play(risen);
-  else clock.time.value = risen;
+  const turnEnd = lab.motion.value?.turns[0]?.end ?? clock.end;
+  if (moving) clock.play(turnEnd);
+  else clock.time.value = turnEnd;
 }

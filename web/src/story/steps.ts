@@ -1,16 +1,16 @@
-// The paper in six steps: what is said, and how the lab is set up for it.
+// The paper in six steps, each with a text and a set-up of the lab.
 
 import type { Setup } from "../setup/setup";
 
 export interface Step {
   title: string;
   text: string;
-  /** What differs from the initial set-up. */
+  /** Fields that differ from the initial set-up. */
   setup: Partial<Setup>;
-  /** How time is shown: its speed, and whether it stretches by itself in the collision. */
+  /** Playback speed, and whether time stretches automatically at the collision. */
   speed: number;
   stretched: boolean;
-  /** What happens: one release, or many flicks. */
+  /** Whether the step shows one release or many flicks. */
   shows: "release" | "flicks";
 }
 
@@ -19,7 +19,7 @@ const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0.02, duration: 2 };
 export const STEPS: readonly Step[] = [
   {
     title: "It looks like rocking",
-    text: "Tip a can and let it go. It seems to slap down flat on the table and rock up on the other side. It stops where it has come up: not opposite, but 22° to the side.",
+    text: "Tip a can and let it go. It seems to slap flat on the table and rock up on the other side. The film stops at the top of this rise: the can has not come up opposite, but 22° to the side.",
     setup: {},
     speed: 1,
     stretched: false,
@@ -27,7 +27,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Look slower",
-    text: "Let it go from a small tilt, and watch it fifty times slower. The base never slaps. It comes within a hair of lying flat, and one point of its rim keeps touching.",
+    text: "Let it go from a small tilt and watch it fifty times slower. The base never slaps the table. It comes very close to lying flat, but only one point of its rim touches.",
     setup: { tilt: 5, sideways: 0.02 },
     speed: 0.02,
     stretched: false,
@@ -35,7 +35,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "It is rolling",
-    text: "Now time stretches by itself while the contact point races round the rim. The can rolls along its rim: the contact point runs more than half way round in less than a ten-thousandth of a second, and the can itself does not turn. Watch its red mark.",
+    text: "Time now stretches automatically while the contact point races round the rim. The can rolls along its rim: the contact point runs more than half way round in less than a ten-thousandth of a second, while the can itself does not turn. Watch its red mark.",
     setup: {},
     speed: 1,
     stretched: true,
@@ -43,7 +43,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The angle is the same every time",
-    text: "Let it go again and again. To the left or to the right is chance, but how far round is not: close to 202° every time, and the flatter it comes down, the closer. Only the shape of the can decides, by π\u00a0√((A\u00a0+\u00a0mR²\u00a0+\u00a0mH²)/(A\u00a0+\u00a0mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A how hard it is to tip about that centre.",
+    text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs: close to 202° every time, and closer the flatter the can comes down. The limit depends only on the can, by π\u00a0√((A\u00a0+\u00a0mR²\u00a0+\u00a0mH²)/(A\u00a0+\u00a0mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A its moment of inertia for tipping about that centre.",
     setup: { law: "no_slip", unsteady: 10 },
     speed: 1,
     stretched: true,
@@ -51,7 +51,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Friction",
-    text: "On a table without friction the can slides instead of rolling, and turns by 221°. A real table lies between. The paper flicked a can 42 times and measured 213° and 218°: try a friction near 0.1, and switch the table to see the two humps move.",
+    text: "On a table without friction the can slides instead of rolling and turns by 221°. A real table is in between. The authors of the paper flicked a can 42 times and measured means of 213° to the left and 218° to the right. Try a friction near 0.1, and change the table to see the two humps move.",
     setup: { ...FLICK, law: "coulomb", friction: 0.12 },
     speed: 1,
     stretched: true,
@@ -59,7 +59,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Your turn",
-    text: "Grab the top of the body and tilt it. Let go, or flick it by letting go in motion. Change the body and the table, fill the bottle, spin a coin. Share, further down, is for what you want to keep or show to a friend.",
+    text: "Grab the top of the body and tilt it. Let go, or flick it by letting go while your hand moves. Change the body and the table, fill the bottle, spin a coin. To keep a motion or show it to a friend, use Share, further down.",
     setup: {},
     speed: 1,
     stretched: true,

@@ -1,4 +1,4 @@
-// The story: a card with one step of six, which sets the lab up and shows it.
+// The story: a card with one of six steps, which sets the lab up and plays the motion.
 
 import { effect, signal } from "@preact/signals-core";
 import type { Lab } from "../lab";
@@ -13,7 +13,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     <p class="where"></p>
     <div aria-live="polite"><h2></h2><p class="text"></p></div>
     <div class="row">
-      <button type="button" class="back" aria-label="Back, to the step before">‹ Back</button>
+      <button type="button" class="back" aria-label="Back to the previous step">‹ Back</button>
       <button type="button" class="show primary">Show me</button>
       <button type="button" class="next" aria-label="Next step">Next ›</button>
     </div>`;
@@ -23,7 +23,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
   const go = (by: 1 | -1) => {
     if (STEPS[at.value + by] === undefined) return;
     at.value += by;
-    // Who wants no motion did not ask for any yet.
+    // With reduced motion nothing plays until the visitor presses the button.
     showStep(lab, step(), !prefersReducedMotion());
   };
   part(".row").before(fallsOf(lab, () => step().shows === "flicks"));
@@ -35,7 +35,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     part(".where").textContent = `The story, step ${at.value + 1} of ${STEPS.length}`;
     part("h2").textContent = title;
     part(".text").textContent = text;
-    // Not disabled, or whoever has just pressed it would lose the focus.
+    // A disabled button would lose the focus after it is pressed.
     part(".back").setAttribute("aria-disabled", String(at.value === 0));
     part(".next").setAttribute("aria-disabled", String(at.value === STEPS.length - 1));
   });

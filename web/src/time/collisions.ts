@@ -1,18 +1,18 @@
-// When a motion gets interesting: its collisions, nearly or quite.
+// The collisions and near-collisions of a motion.
 
 import type { Motion } from "../core/motion";
 
 export interface Collision {
   /** s */
   t: number;
-  /** About how long it lasts, s: as long as half a turn at the rate of its middle. */
+  /** Approximate duration, s: the time of half a revolution at the yaw rate of its middle. */
   duration: number;
 }
 
-// The base comes near the table, or meets it.
+// Events at which the base comes near the table or meets it.
 const COLLISIONS = new Set(["tilt_min", "land", "face_down", "topple"]);
 
-/** In the order of time. */
+/** The collisions in the order of time. */
 export function collisionsOf(motion: Motion): Collision[] {
   return motion.events
     .filter((event) => COLLISIONS.has(event.kind))
@@ -22,10 +22,10 @@ export function collisionsOf(motion: Motion): Collision[] {
     }));
 }
 
-/** Which collision is the nearest to a time; -1 where there is none. */
+/** Index of the collision nearest to a time (s), or -1 if there is none. */
 export function nearest(collisions: readonly Collision[], time: number): number {
-  const away = (index: number) => Math.abs((collisions[index]?.t ?? Infinity) - time);
+  const distance = (index: number) => Math.abs((collisions[index]?.t ?? Infinity) - time);
   let best = collisions.length - 1;
-  for (let k = best; k-- > 0;) if (away(k) <= away(best)) best = k;
+  for (let k = best; k-- > 0;) if (distance(k) <= distance(best)) best = k;
   return best;
 }

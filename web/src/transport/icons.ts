@@ -1,4 +1,4 @@
-// Pictures on the buttons.
+// Icons of the buttons.
 
 import { svgElement } from "../elements";
 

@@ -1,11 +1,11 @@
-// Keys that work anywhere on the page but where somebody types or a control has its own use for them.
+// Keys that work anywhere on the page, except in text fields and in controls that use them.
 
 import { type Signal, signal } from "@preact/signals-core";
 
-/** Whether the keys work; one who talks to a computer may not want them to. */
+/** Whether the keys work; visitors who use speech input can switch them off. */
 export const keysOn: Signal<boolean> = signal(true);
 
-/** Which elements use a key themselves. */
+/** Elements that use keys themselves. */
 const TYPED_IN =
   "input:not([type=range], [type=checkbox], [type=radio], [type=button]), select, textarea, [contenteditable], [role=textbox]";
 const PRESSED = "button, summary, a[href], input, select, [role=button], [role=slider]";
@@ -19,7 +19,7 @@ export function onKeys(actions: Record<string, () => void>): void {
     const punctuation = event.key === "," || event.key === ".";
     if (target.closest(punctuation ? TYPED_IN : `${TYPED_IN}, ${PRESSED}`)) return;
     act();
-    // The page scrolls to its top as well on Home: the scene is there.
+    // On Home the page also scrolls to its top, where the scene is.
     if (event.key !== "Home") event.preventDefault();
   });
 }

@@ -1,17 +1,17 @@
-// Marks under the scrubber where something happens.
+// Marks of events under the scrubber.
 
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
 import type { Lab } from "../lab";
 
-/** Kinds of marks, each with the events that it stands for; the first are the more important. */
+/** Kinds of marks with their events, the more important kinds first. */
 const KINDS: Record<string, readonly string[]> = {
   collision: ["tilt_min", "face_down", "topple"],
   grip: ["slip", "stick"],
   landing: ["lift_off", "land"],
 };
 
-/** Closer together than this, in parts of the whole, two marks would be a smudge. */
+/** Smallest distance between two marks, as a fraction of the scrubber. */
 const APART = 0.012;
 
 export function marks(lab: Lab): HTMLElement {
@@ -35,7 +35,7 @@ export function marks(lab: Lab): HTMLElement {
   return all;
 }
 
-/** Without those that are too close to one before them, or to one of a kind before theirs. */
+/** Removes marks that are too close to an earlier mark or to one of a more important kind. */
 export function apart(kinds: readonly (readonly number[])[]): number[][] {
   const taken = new Set<number>();
   const cell = (place: number) => Math.floor(place / APART);

@@ -1,4 +1,4 @@
-// Goes to any time of the motion, by hand.
+// A slider that goes to any time of the motion.
 
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
@@ -7,7 +7,7 @@ import { marks } from "./marks";
 import { timeText } from "./readout";
 
 const ARROWS: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
-/** Pictures that an arrow with Shift goes. */
+/** Frames that an arrow key with Shift moves. */
 const LEAP = 10;
 
 export function scrubber(lab: Lab): HTMLElement {
@@ -24,17 +24,17 @@ export function scrubber(lab: Lab): HTMLElement {
     lab.clock.progress = range.valueAsNumber;
   });
   range.addEventListener("keydown", (event) => {
-    const pictures = ARROWS[event.key];
-    if (pictures === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    const frames = ARROWS[event.key];
+    if (frames === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    lab.clock.step(event.shiftKey ? LEAP * pictures : pictures);
+    lab.clock.step(event.shiftKey ? LEAP * frames : frames);
   });
   effect(() => {
     const { clock } = lab;
     range.disabled = lab.motion.value === undefined;
     range.value = String(clock.progress);
     range.style.setProperty("--part", String(clock.progress));
-    // While it plays, a screen reader would do nothing but read times.
+    // While the motion plays, a screen reader would read times without end.
     if (!clock.playing.value)
       range.setAttribute("aria-valuetext", timeText(clock.time.value, clock.end));
   });

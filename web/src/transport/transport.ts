@@ -1,4 +1,4 @@
-// Playing: the buttons, the scrubber, the speed, and what time it is.
+// The playback controls: buttons, scrubber, speed and time.
 
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
@@ -26,7 +26,7 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
   const play = button("play", "Play", "Space", () => clock.toggle());
   const buttons = [
     button("rewind", "Back to the release", "Home", rewind),
-    button("before", "To the collision before", "", () => jump(lab, -1)),
+    button("before", "To the previous collision", "", () => jump(lab, -1)),
     button("back", "Previous frame", ",", actions[","]),
     play,
     button("on", "Next frame", ".", actions["."]),
@@ -48,7 +48,7 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     element(
       "div",
       { class: "row" },
-      element("div", { class: "buttons", role: "group", "aria-label": "Playing" }, ...buttons),
+      element("div", { class: "buttons", role: "group", "aria-label": "Playback" }, ...buttons),
       readout(lab),
       element("div", { class: "pace" }, speed(lab), stretching(lab)),
     ),
@@ -56,12 +56,12 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
   );
 }
 
-/** While a hand holds the body no time passes, whatever key is pressed. */
+/** Ignores an action while a hand holds the body, so that no time passes. */
 export const unlessHeld = (lab: Pick<Lab, "held">, act: () => void) => () => {
   if (!lab.held.peek()) act();
 };
 
-/** To the nearest collision ahead (1) or behind (-1), or to that end of the motion. */
+/** Goes to the next (1) or previous (-1) collision, or to that end of the motion. */
 function jump(lab: Lab, way: 1 | -1): void {
   const motion = lab.motion.value;
   if (!motion) return;
@@ -86,7 +86,7 @@ function button(name: Icon, label: string, key: string, press: () => void): HTML
   return made;
 }
 
-/** No live region: it changes with every picture. */
+/** The readout, which is no live region because it changes with every frame. */
 function readout(lab: Lab): HTMLElement {
   const time = element("strong");
   const since = element("span");
@@ -126,13 +126,13 @@ function stretching(lab: Lab): HTMLElement {
   });
   return element(
     "label",
-    { title: "Time stretches by itself while the contact point races round the rim" },
+    { title: "Slows time down automatically while the contact point races round the rim" },
     box,
     " Slow at the collision",
   );
 }
 
-/** Which keys there are, and a switch for those whom they disturb. */
+/** The list of keys, and a switch that turns them off. */
 function keys(): HTMLElement {
   const box = element("input", { type: "checkbox" });
   box.addEventListener("change", () => (keysOn.value = box.checked));

@@ -1,6 +1,6 @@
-// All that the verdict says, of a motion or of a body in the hand.
+// The content of the verdict, for a motion or for a held body.
 
-/** A big number, what it is, and a word on it. */
+/** A large number with its name and a note. */
 export interface Tile {
   name: string;
   number: string;
@@ -8,16 +8,16 @@ export interface Tile {
 }
 
 export interface Content {
-  /** How far round the contact point ran. */
+  /** Angle by which the contact point ran round. */
   turned: Tile;
-  /** How far the body itself turned about its axis. */
+  /** Rotation of the body itself about its axis. */
   itself: Tile;
   theory: Tile;
   lowest: Tile;
-  /** At the smallest tilt, or in the hand. */
+  /** The contact point at the smallest tilt, or the lean in the hand. */
   then: Tile;
   said: string;
   ended: string;
-  /** Whether the end is none that one would wait for. */
+  /** Whether the motion ends in an unusual way. */
   abnormal: boolean;
 }

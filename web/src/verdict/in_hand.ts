@@ -1,4 +1,4 @@
-// What is said of a body in the hand: what would become of it, if the hand let go now.
+// The verdict on a held body: the fall that would follow if the hand let go now.
 
 import type { Fall } from "../core/core";
 import type { Preview } from "../falls/preview";
@@ -12,7 +12,7 @@ import { beside, comparison } from "./words";
 export function contentInHand({ lean, fall, theory }: Preview, setup: Readonly<Setup>): Content {
   const turn = fall && !Number.isNaN(fall.turn) ? Math.abs(fall.turn) : undefined;
   const [tilt, way] = [`${formatExact(lean.tilt)}°`, `${formatExact(lean.yaw)}°`];
-  const became = fall ? becoming(fall) : "there would be no motion";
+  const result = fall ? resultOf(fall) : "there would be no motion";
   return {
     turned: {
       name: "Angle of turn",
@@ -36,19 +36,19 @@ export function contentInHand({ lean, fall, theory }: Preview, setup: Readonly<S
       note: "if you let go now",
     },
     then: { name: "In your hand", number: tilt, note: `leans toward ${way}` },
-    said: `In your hand it leans by ${tilt} toward ${way}. Let go at rest now, ${became}.${fall && turn !== undefined ? beside(fall.turn) : ""}`,
-    ended: "Let go while your hand moves, and you flick it.",
+    said: `In your hand it leans by ${tilt} toward ${way}. If you let go at rest now, ${result}.${fall && turn !== undefined ? beside(fall.turn) : ""}`,
+    ended: "To flick it, let go while your hand moves.",
     abnormal: false,
   };
 }
 
-/** What would become of it, as the end of a sentence. */
-function becoming({ outcome, turn, time }: Readonly<Fall>): string {
+/** The fall and its outcome, as the end of a sentence. */
+function resultOf({ outcome, turn, time }: Readonly<Fall>): string {
   const after = `after ${formatDuration(time)}`;
   const round = `its contact point would run round by ${formatDegrees(Math.abs(turn), 1)}`;
   switch (outcome) {
     case "rocked":
-      return `${round} on its way down and up to the next largest tilt, ${after}`;
+      return `${round} on its way down and up to the next tilt maximum, ${after}`;
     case "hovered":
       return `it would not have come down and up again ${after}, when the computation ends`;
     case "toppled":
@@ -60,10 +60,10 @@ function becoming({ outcome, turn, time }: Readonly<Fall>): string {
     case "at_rest":
       return `it would come to rest on its base ${after}`;
     case "lifted_off":
-      return `its rim would jump off the table ${after}, where the ideal laws end`;
+      return `its rim would leave the table ${after}, where the ideal laws end`;
     case "painleve":
-      return `it would come to Painlevé’s paradox ${after}, where the mechanics of rigid bodies ends`;
+      return `it would meet Painlevé’s paradox ${after}, where rigid-body mechanics has no unique answer`;
     default:
-      return "there would be no telling what becomes of it";
+      return "the computation would fail";
   }
 }

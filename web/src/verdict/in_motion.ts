@@ -1,5 +1,5 @@
-// What is said of a motion: the whole of the turn that is shown, in the present tense, as it is true
-// at any time in it.
+// The verdict on a motion. It describes the complete turn that is shown, in the present tense, so that
+// it is true at any time of the turn.
 
 import { formatDegrees, formatWide } from "../format/numbers";
 import { BODY_NOUNS } from "../setup/fields";
@@ -9,10 +9,10 @@ import { gapOf, speedOf } from "./size";
 import type { Content } from "./content";
 import { comparison, ending, inThisTurn, story } from "./words";
 
-/** Endings that want explaining. */
+/** Endings that need an explanation. */
 const ABNORMAL: readonly string[] = ["face_down", "painleve", "failed", "lifted_off"];
 
-/** There is no motion. */
+/** Stands for a refused set-up. */
 const NONE = { motion: undefined, theory: undefined, partial: false };
 
 export function contentInMotion(lab: Lab, passage: Passage | undefined): Content {
@@ -21,7 +21,7 @@ export function contentInMotion(lab: Lab, passage: Passage | undefined): Content
   const radius = "motion" in outcome ? outcome.input.body.radius : undefined;
   const rounds = passage && Math.abs(passage.yawRate) / (2 * Math.PI);
   return {
-    // The numbers of these two tick; see verdict.ts.
+    // The numbers of these two tiles change with every frame; see verdict.ts.
     turned: { name: "Contact ran round", number: "", note: inThisTurn(passage, motion) },
     itself: {
       name: `The ${BODY_NOUNS[setup.body]} itself`,
@@ -42,7 +42,9 @@ export function contentInMotion(lab: Lab, passage: Passage | undefined): Content
       name: "Contact point then",
       number: rounds === undefined ? "–" : formatWide(rounds, 3),
       note:
-        passage && radius ? `rounds per second: ${speedOf(passage, radius)}` : "rounds per second",
+        passage && radius
+          ? `rounds per second, at ${speedOf(passage, radius)}`
+          : "rounds per second",
     },
     said: story(passage, motion, setup),
     ended: ending(outcome, setup),

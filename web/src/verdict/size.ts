@@ -1,5 +1,5 @@
-// How small and how fast the near-collision is for a body of this size, for whoever compares it with one
-// at hand.
+// The gap and the speed of the near-collision for a body of this size, to compare them with everyday
+// lengths and speeds.
 
 import { significant } from "../format/numbers";
 import type { Passage } from "./passage";
@@ -18,11 +18,11 @@ const SPEEDS = [
   { name: "mm/s", size: 1e-3 },
 ] as const;
 
-/** How far from the table the far side of a rim (radius, m) is at the smallest tilt. */
+/** Height of the highest point of a rim (radius in m) above the table at the smallest tilt. */
 export const gapOf = ({ minTilt }: Passage, radius: number): string =>
   written(2 * radius * Math.sin(minTilt), LENGTHS);
 
-/** How fast the contact point then runs along that rim. */
+/** Speed of the contact point along a rim (radius in m) at the smallest tilt. */
 export const speedOf = ({ yawRate }: Passage, radius: number): string =>
   written(radius * Math.abs(yawRate), SPEEDS);
 

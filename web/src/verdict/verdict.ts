@@ -1,4 +1,4 @@
-// What happens, in big numbers and in words: the angle of turn beside the theory's.
+// The verdict: the angle of turn and the theory's in large numbers, and the motion in words.
 
 import { computed, effect } from "@preact/signals-core";
 import { element } from "../elements";
@@ -8,10 +8,10 @@ import { contentInHand } from "./in_hand";
 import { contentInMotion } from "./in_motion";
 import { passageFrom } from "./passage";
 
-/** s without a change after which the words are read out; not while it moves. */
-const SETTLED = 0.8;
+/** The words are read out after this time without a change, s, and not while the motion plays. */
+const READ_DELAY = 0.8;
 
-/** Tiles whose numbers change with every picture. */
+/** Tiles whose numbers change with every frame. */
 const LIVE = ["turned", "itself"] as const;
 
 export function mountVerdict(lab: Lab, place: HTMLElement): void {
@@ -22,8 +22,8 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
   });
 
   const content = computed(() => {
-    const seen = lab.preview.value;
-    return seen ? contentInHand(seen, lab.setup.value) : contentInMotion(lab, passage.value);
+    const preview = lab.preview.value;
+    return preview ? contentInHand(preview, lab.setup.value) : contentInMotion(lab, passage.value);
   });
   const words = computed(() => `${content.value.said} ${content.value.ended}`.trim());
 
@@ -38,7 +38,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
   }
   place.append(numbers, element("div", { class: "words" }, said, ended), announcement);
 
-  // These tick, so they are not read out; the whole of them, in words, is.
+  // Screen readers skip the changing numbers and read the complete turn in words.
   for (const kind of LIVE) tiles[kind].number.setAttribute("aria-hidden", "true");
   effect(() => {
     const turning = lab.turnProgress.value;
@@ -51,7 +51,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
   });
   effect(() => {
     numbers.hidden = lab.motion.value === undefined && !lab.preview.value;
-    // What is not yet so looks otherwise than what is.
+    // A preview looks different from a motion.
     place.classList.toggle("preview", lab.preview.value !== undefined);
     for (const [kind, { name, number, note }] of entries(tiles)) {
       const now = content.value[kind];
@@ -66,14 +66,14 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
   effect(() => {
     const text = words.value;
     if (lab.clock.playing.value) return undefined;
-    const settled = setTimeout(() => announce(announcement, text), 1000 * SETTLED);
-    return () => clearTimeout(settled);
+    const timer = setTimeout(() => announce(announcement, text), 1000 * READ_DELAY);
+    return () => clearTimeout(timer);
   });
 }
 
 const entries = <K extends string, V>(of: Record<K, V>) => Object.entries(of) as [K, V][];
 
-/** The same words again are not read out again. */
+/** Sets a text that screen readers read out; an unchanged text is not read again. */
 function announce(place: HTMLElement, text: string): void {
   if (place.textContent !== text) place.textContent = text;
 }

@@ -1,4 +1,4 @@
-// The page is for everybody: with a keyboard alone, with a screen reader, without motion, without WebGL.
+// Accessibility: keyboard only, screen readers, reduced motion, no WebGL.
 
 import type { ElementHandle, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
@@ -12,7 +12,7 @@ describe("axe finds nothing serious", () => {
     const visited = await visit({ colorScheme });
     const { page } = visited;
     expect(await violations(page)).toEqual([]);
-    // With all that can be opened or comes later: a refusal, falls, code.
+    // Include everything that opens or appears later: a refusal, falls, code.
     await page.evaluate(() => (location.hash = "body=own&tilt=200"));
     await page.locator("#tilt-refusal").filter({ hasText: "outside" }).waitFor();
     await unfold(page);
@@ -30,13 +30,13 @@ describe("axe finds nothing serious", () => {
   });
 });
 
-test("on a telephone a part that is gone to is not behind the table, and marks suit a fingertip", async () => {
+test("on a telephone a link leads to a part that the table does not cover, and marks suit a fingertip", async () => {
   const { page } = await visit({ viewport: { width: 360, height: 740 }, hasTouch: true });
   for (const part of ["controls", "flicks", "plots", "share"]) {
     await page.evaluate((part) => {
       document.querySelector<HTMLElement>(`a[href="#${part}"]`)?.click();
     }, part);
-    // It glides there.
+    // Scrolling is smooth.
     await page.waitForFunction((part) => {
       const edges = (id: string) => document.getElementById(id)!.getBoundingClientRect();
       const [below, top] = [edges("scene").bottom, edges(part).top];
@@ -50,7 +50,7 @@ test("on a telephone a part that is gone to is not behind the table, and marks s
   }
 });
 
-/** Opens all that is folded away. */
+/** Opens all folded details. */
 async function unfold(page: Page): Promise<void> {
   for (const summary of await page.$$("details:not([open]) > summary"))
     if (await summary.isVisible()) await summary.press("Enter");
@@ -59,7 +59,7 @@ async function unfold(page: Page): Promise<void> {
 const CONTROLS =
   "a[href], button, input, select, textarea, summary, [tabindex]:not([tabindex='-1']), [role=slider]";
 
-/** What can be used just now, but for radio buttons that are reached by arrows from the chosen one. */
+/** The usable controls, except radio buttons that are reached by arrow keys from the chosen one. */
 async function usable(page: Page): Promise<ElementHandle<HTMLElement>[]> {
   const found: ElementHandle<HTMLElement>[] = [];
   for (const control of await page.$$(CONTROLS)) {
@@ -75,7 +75,7 @@ async function usable(page: Page): Promise<ElementHandle<HTMLElement>[]> {
 
 describe("with the keyboard alone", () => {
   test(
-    "every control is reached, shows that it has the focus, and is not covered",
+    "every control can be reached, shows its focus, and is not covered",
     {
       timeout: 150_000,
     },
@@ -147,7 +147,7 @@ describe("with the keyboard alone", () => {
     }
 
     const given = quantities.map((name, k) => {
-      // Inside the bounds of them all; of some only whole numbers are.
+      // These values are inside all bounds, and whole where needed.
       const value = ["flicks", "seed"].includes(name) ? 3 + k : (31 + k) / 64;
       return [name, String(value)] as const;
     });
@@ -155,8 +155,8 @@ describe("with the keyboard alone", () => {
       await page.locator(`#${name}-field`).press("ControlOrMeta+a");
       await page.keyboard.type(text);
       await page.keyboard.press("Enter");
-      // It is set with the next picture, and then all fields show what is set.
-      await page.evaluate(pictures);
+      // The value is set in the next frame, and then all fields show it.
+      await page.evaluate(twoFrames);
     }
     await page.waitForFunction(
       (all) => all.every((one) => location.hash.slice(1).split("&").includes(one)),
@@ -183,7 +183,7 @@ describe("with the keyboard alone", () => {
     expect(complaints).toEqual([]);
   });
 
-  test("time is gone through", async () => {
+  test("playback is controlled", async () => {
     const { page, complaints } = await visit();
     const transport = page.locator("#transport");
     const time = async () => Number.parseFloat(await transport.locator("strong").innerText());
@@ -213,7 +213,7 @@ describe("with the keyboard alone", () => {
     expect(complaints).toEqual([]);
   });
 
-  test("plots come nearer and go back", async () => {
+  test("plots zoom in and out", async () => {
     const { page, complaints } = await visit();
     const zoom = page.getByRole("group", { name: "Zoom" });
     const shown = page.locator("#plots .shown");
@@ -232,7 +232,7 @@ describe("with the keyboard alone", () => {
   });
 });
 
-/** All quantities that have a slider with a body of one's own, in the order of the page. */
+/** All quantities with a slider for the visitor's own body, in the order of the page. */
 const quantities = [
   ...["radius", "length", "mass", "wall", "base"],
   ...["tilt", "tilt_rate", "sideways", "friction"],
@@ -240,19 +240,19 @@ const quantities = [
   ...["flicks", "unsteady", "seed"],
 ];
 
-/** Lets the page draw two pictures. */
-async function pictures(): Promise<void> {
+/** Waits for two frames. */
+async function twoFrames(): Promise<void> {
   for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
 }
 
-/** About the element with the focus: which it is, whether that shows, whether it can be seen. */
+/** Describes the element with the focus: its number, whether it shows the focus, whether it is visible. */
 async function focused() {
-  // Scrolling to it takes a picture or two.
+  // Scrolling takes a frame or two.
   for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
   const it = document.activeElement as HTMLElement;
   const name = it.id || it.getAttribute("aria-label") || it.textContent?.trim() || it.outerHTML;
   const which = it.dataset["tested"];
-  // The ring may be round what belongs to it, as a radio button's words.
+  // The ring may be around a part of the control, such as the label of a radio button.
   const label = it.closest("label");
   const ringed = [it, label, ...(label?.children ?? [])].some((place) => {
     if (!place) return false;
@@ -267,7 +267,7 @@ async function focused() {
   return { which: which === undefined ? undefined : Number(which), name, marked: ringed, seen, by };
 }
 
-describe("the help on the table is read to its end", () => {
+describe("the help on the table can be read to its end", () => {
   test.each([
     [360, 740],
     [1000, 640],
@@ -302,7 +302,7 @@ describe("the help on the table is read to its end", () => {
 });
 
 describe("without WebGL", () => {
-  test("the page says so, and everything else works", async () => {
+  test("the page says so, and the rest works", async () => {
     const visited = await visit({ webgl: false });
     const { page, complaints } = visited;
     expect(await page.getByRole("region", { name: "The table" }).innerText()).toMatch(/WebGL/);
@@ -312,23 +312,23 @@ describe("without WebGL", () => {
   });
 });
 
-describe("nothing moves by itself for whoever asks for that", () => {
-  /** How many falls are told of as soon as the button has been pressed. */
-  const toldAtOnce = (page: Page) =>
+describe("with reduced motion nothing moves by itself", () => {
+  /** The summary of the flicks at once after pressing the button. */
+  const summaryAtOnce = (page: Page) =>
     page.evaluate(() => {
       document.querySelector<HTMLElement>("#flicks .make")?.click();
       return document.querySelector("#flicks-said")?.textContent;
     });
 
-  test("flicks are all made at once; for others one by one", async () => {
+  test("flicks are all shown at once; otherwise one by one", async () => {
     const still = await visit({ hash: "tilt_rate=-5", reducedMotion: "reduce" });
-    expect(await toldAtOnce(still.page)).toMatch(/^Of 42 flicks/);
+    expect(await summaryAtOnce(still.page)).toMatch(/^Of 42 flicks/);
     const other = await visit({ hash: "tilt_rate=-5", reducedMotion: "no-preference" });
-    expect(await toldAtOnce(other.page)).toMatch(/^Flicking/);
+    expect(await summaryAtOnce(other.page)).toMatch(/^Flicking/);
     await other.page.getByText(/^Of 42 flicks/).waitFor();
   });
 
-  /** Where the words on the table are in the first picture from above, and in one a second later. */
+  /** Places of the labels before the view from above, in its first frame, and a second later. */
   async function fromAbove(reducedMotion: "reduce" | "no-preference"): Promise<string[]> {
     const { page } = await visit({
       viewport: { width: 360, height: 740 },
@@ -336,7 +336,7 @@ describe("nothing moves by itself for whoever asks for that", () => {
       reducedMotion,
     });
     await page.waitForFunction(() => document.querySelector(".table-words .word:not([hidden])"));
-    // The pictures of the beginning are to be drawn first, or the next is late.
+    // Wait until the first frames have been drawn, because they delay the next one.
     await page.waitForTimeout(1000);
     return page.evaluate(async () => {
       const places = () =>
@@ -354,7 +354,7 @@ describe("nothing moves by itself for whoever asks for that", () => {
     });
   }
 
-  test("the eye is above at once; for others it glides there", async () => {
+  test("the camera is above at once; otherwise it moves there smoothly", async () => {
     const [usual, first, later] = await fromAbove("reduce");
     expect(first).not.toBe(usual);
     expect(later).toBe(first);

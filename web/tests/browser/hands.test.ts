@@ -1,4 +1,4 @@
-// The body in a visitor's hand, drawn in space: with a mouse and with keys.
+// The held body in the three-dimensional picture, with a mouse and with keys.
 
 import type { Locator, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
@@ -6,23 +6,23 @@ import { type Visit, browserForAll, visit } from "./visit";
 
 browserForAll();
 
-// Drawing in software takes the longer the more there is to draw.
+// A small window, because drawing in software is slow.
 const SMALL = { viewport: { width: 360, height: 740 }, webgl: true };
 
 const value = async (page: Page, name: string) =>
   Number((await page.locator(`#${name}-field`).inputValue()).replace("−", "-"));
 
-/** The parts of the address, when it holds some; they come a little after what they say. */
+/** The values in the address once it holds some; it is written with a delay. */
 async function address(page: Page, part: RegExp): Promise<URLSearchParams> {
   await page.waitForURL((url) => part.test(url.hash));
   return new URLSearchParams(new URL(page.url()).hash.slice(1));
 }
 
-/** Points at the body, wherever it is on the canvas, and says where that is. */
+/** Points at the body on the canvas and returns the place. */
 async function pointAt(page: Page, canvas: Locator): Promise<{ x: number; y: number }> {
   await canvas.scrollIntoViewIfNeeded();
   const box = await canvas.boundingBox();
-  if (!box) throw new Error("the table is not to be seen");
+  if (!box) throw new Error("the table is not visible");
   for (let part = 0.5; part > 0.2; part -= 0.05) {
     const place = { x: box.x + box.width / 2, y: box.y + part * box.height };
     await page.mouse.move(place.x, place.y);
@@ -38,8 +38,8 @@ async function taken(hash: string, what: (visit: Visit, canvas: Locator) => Prom
 }
 
 describe("with a mouse", () => {
-  test("a body that is led aside and held is let go at rest", async () => {
-    // As if it had been flicked before: the hand at rest leaves nothing of that.
+  test("a body that is moved and then held is released at rest", async () => {
+    // The tilt rate of an earlier flick must not remain.
     await taken("tilt_rate=-1", async ({ page }, canvas) => {
       const { x, y } = await pointAt(page, canvas);
       await page.mouse.down();
@@ -51,7 +51,7 @@ describe("with a mouse", () => {
       const set = await address(page, /yaw=/);
       expect(set.get("tilt_rate")).toBe(null);
       expect(Number(set.get("tilt"))).toBeGreaterThan(0);
-      // In the hand it was told of what it would do, let go like this.
+      // The preview gave the angle of the motion that follows.
       const angle = /runs? round by (.*?)°/;
       const lean = `it leans by ${set.get("tilt")}° toward ${set.get("yaw")?.replace("-", "−")}°.`;
       expect(said).toContain(lean);
@@ -65,11 +65,11 @@ describe("with a mouse", () => {
     });
   });
 
-  test("a body that is let go in motion is flicked", async () => {
+  test("a body that is released in motion is flicked", async () => {
     await taken("", async ({ page }, canvas) => {
       const { x, y } = await pointAt(page, canvas);
       await page.mouse.down();
-      // However slowly this machine draws, the hand moves for 60 ms, 40 px, and lets go.
+      // The hand moves 40 px in 60 ms and lets go, however slowly this machine draws.
       await canvas.evaluate(
         (it, { x, y }) => {
           const mouse = (kind: string, up: number) =>
@@ -95,7 +95,7 @@ describe("with a mouse", () => {
     });
   });
 
-  test("beside the body the eye goes round, and nothing is set", async () => {
+  test("dragging beside the body turns the view and changes no setting", async () => {
     await taken("", async ({ page }, canvas) => {
       const { x } = await pointAt(page, canvas);
       const box = await canvas.boundingBox();
@@ -110,7 +110,7 @@ describe("with a mouse", () => {
   });
 });
 
-test("with keys it is tipped, let go, and put back", async () => {
+test("keys tip the body, let it go, and put it back", async () => {
   await taken("", async ({ page }, table) => {
     for (const key of ["+", "+", "-", "Enter"]) await table.press(key);
     expect((await address(page, /tilt=/)).get("tilt")).toBe("21");

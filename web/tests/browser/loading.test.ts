@@ -1,4 +1,4 @@
-// The page comes quickly, from where it lies, and asks nobody else for anything.
+// The page loads quickly and requests nothing from other hosts.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { basename, extname, join } from "node:path";
@@ -14,7 +14,7 @@ const files = () =>
     .map(String)
     .filter((name) => /\.(html|js|css|wasm|svg|png|woff2)$/.test(name));
 
-/** What files are in the network, bytes. */
+/** Compressed sizes of files, bytes. */
 function gzipped(names: readonly string[]): { all: number; each: string } {
   const sizes = names.map(
     (name) => [name, gzipSync(readFileSync(join(PAGE, name))).length] as const,
@@ -22,14 +22,14 @@ function gzipped(names: readonly string[]): { all: number; each: string } {
   return { all: sizes.reduce((sum, [, size]) => sum + size, 0), each: JSON.stringify(sizes) };
 }
 
-test("all that it loads is at most 400 kB, gzipped", () => {
+test("the page loads at most 400 kB, gzipped", () => {
   const { all, each } = gzipped(files());
   expect(all, each).toBeLessThanOrEqual(400_000);
 });
 
-// On a mobile telephone's line of 1.6 Mbit/s these are there after 1.25 s. Whatever the script cannot
-// begin without, the page names for the browser to load it at once; three.js comes behind.
-test("what it waits for before it shows anything is at most 250 kB, gzipped", () => {
+// At 1.6 Mbit/s, a mobile connection, these files take 1.25 s. index.html names the files without which
+// the script cannot start, so that the browser loads them at once; three.js follows.
+test("the files that the first view needs are at most 250 kB, gzipped", () => {
   const page = readFileSync(join(PAGE, "index.html"), "utf8");
   const first = files().filter(
     (name) => name === "index.html" || page.includes(basename(name)) || name.endsWith(".wasm"),
@@ -41,7 +41,7 @@ test("what it waits for before it shows anything is at most 250 kB, gzipped", ()
   expect(all, each).toBeLessThanOrEqual(250_000);
 });
 
-test("the licences of all that is in it lie beside it", () => {
+test("the licences of all parts are beside the page", () => {
   const licences = readFileSync(join(PAGE, "licences.txt"), "utf8");
   for (const [name, words] of [
     ["rimroll", "Apache License"],
@@ -57,7 +57,7 @@ test("the licences of all that is in it lie beside it", () => {
   }
 });
 
-test("once loaded it needs no network, and never another host", async () => {
+test("a loaded page needs no network, and never another host", async () => {
   const visited = await visit();
   const { page, complaints, requests } = visited;
   await page.context().setOffline(true);

@@ -1,4 +1,4 @@
-// What the page shows, downloads and gives as code are one motion, to the last bit.
+// The CSV file and the Python code of the page give the same motion to the last bit.
 
 import { readFile } from "node:fs/promises";
 import type { Page } from "playwright-core";
@@ -13,7 +13,7 @@ import { browserForAll, visit } from "./visit";
 browserForAll();
 
 async function taken(page: Page): Promise<{ code: string; csv: string }> {
-  // The clipboard is for pages that have the focus.
+  // Only a page with the focus can use the clipboard.
   await page.bringToFront();
   await page.getByRole("button", { name: "Copy as Python" }).click();
   await page.getByText("Python code copied.").waitFor();
@@ -35,7 +35,7 @@ test("Python computes from the copied code what was downloaded", async () => {
   for (const setup of setups) {
     const hash = toHash(setup);
     await visited.page.evaluate((hash) => (location.hash = hash), hash);
-    // The page has taken the set-up when what it gives to share holds it.
+    // The page has read the set-up when the shared command holds it.
     await visited.page.waitForFunction(
       (hash) =>
         (document.getElementById("share-link") as HTMLInputElement).value ===

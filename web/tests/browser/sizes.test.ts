@@ -1,4 +1,4 @@
-// The page in space, at the sizes of a telephone, a laptop and a large screen; out/lab has the pictures.
+// The page with its picture on a telephone, a laptop and a large screen; screenshots are in out/lab.
 
 import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
@@ -17,11 +17,11 @@ test.each([
 ] as const)("%i by %i, %s", async (width, height, colorScheme) => {
   const visited = await visit({ viewport: { width, height }, colorScheme, webgl: true });
   const { page, complaints, requests } = visited;
-  // Nobody scrolls sideways, and no words run out of their place.
+  // Nothing is wider than the window.
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
     width,
   );
-  // It is the contact point that runs round, and not the body.
+  // The labels say that the contact point runs round, and not the body.
   await page.waitForFunction(() => {
     const words = [...document.querySelectorAll<HTMLElement>(".table-words .word:not([hidden])")]
       .filter(({ style }) => style.visibility === "visible")

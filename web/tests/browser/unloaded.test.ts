@@ -1,4 +1,4 @@
-// Where the page cannot load its parts, it says in words what to do.
+// A page that cannot load its parts says what to do.
 
 import { pathToFileURL } from "node:url";
 import { join } from "node:path";
@@ -15,7 +15,7 @@ test("opened from a file", async () => {
   const page = await emptyPage();
   await page.goto(pathToFileURL(join(PAGE, "index.html")).href);
   await said(page).getByText("rimroll lab", { exact: true }).waitFor();
-  expect(await said(page).innerText()).toMatch(/Opened as a file.*web server/s);
+  expect(await said(page).innerText()).toMatch(/opened as a file.*web server/s);
 });
 
 test("in a sandboxed frame", async () => {
@@ -30,7 +30,7 @@ test("when its script is missing on the server", async () => {
   const page = await emptyPage();
   await page.route(/index-.*\.js$/, (route) => route.fulfill({ status: 404 }));
   await page.goto(addressOfPage());
-  await said(page).getByText("its script did not come").waitFor();
+  await said(page).getByText("its script is missing").waitFor();
 });
 
 test("when its script fails", async () => {
@@ -44,7 +44,7 @@ test("when its script fails", async () => {
     .waitFor();
 });
 
-test("when its script is long in coming, until it comes", async () => {
+test("when its script loads slowly, until it is there", async () => {
   const page = await emptyPage();
   await page.clock.install();
   let send = () => {};
@@ -58,7 +58,7 @@ test("when its script is long in coming, until it comes", async () => {
   expect(await said(page).innerText()).toBe("Loading…");
   await page.clock.fastForward(20_000);
   await said(page)
-    .getByText(/takes long to load/)
+    .getByText(/taking long to load/)
     .waitFor();
   await page.clock.resume();
   send();
@@ -66,23 +66,23 @@ test("when its script is long in coming, until it comes", async () => {
   expect(await said(page).count()).toBe(0);
 });
 
-test("when only the picture is missing, and all else works", async () => {
+test("when only the picture is missing, and the rest works", async () => {
   const page = await emptyPage();
   await page.route(/picture-.*\.js$/, (route) => route.fulfill({ status: 404 }));
   await page.goto(addressOfPage());
   await page
     .locator("#scene")
-    .getByText(/picture could not be loaded.*load the page again/)
+    .getByText(/picture could not be loaded.*Reload the page/)
     .waitFor();
   expect(await page.locator(".theory .big").innerText()).toBe("202.29°");
 });
 
-test("but not where all is well", async () => {
+test("but not when everything loads", async () => {
   const page = await emptyPage();
   await page.clock.install();
   await page.goto(addressOfPage());
   await page.getByRole("button", { name: "Let go" }).waitFor();
   await page.clock.fastForward(60_000);
   expect(await said(page).count()).toBe(0);
-  expect(await page.locator("#lab").innerText()).not.toMatch(/load it again|could not load/i);
+  expect(await page.locator("#lab").innerText()).not.toMatch(/reload it|could not load/i);
 });

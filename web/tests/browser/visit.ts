@@ -4,35 +4,35 @@ import { type Browser, type BrowserContextOptions, type Page, chromium } from "p
 import { afterAll, afterEach, beforeAll } from "vitest";
 import { type Served, serve } from "../given/server";
 
-// Without a graphics card, as on a machine for tests, WebGL is drawn in software.
+// Test machines have no graphics card, so WebGL is drawn in software.
 const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-/** A name by which the browser finds the page, though nobody else does. */
+/** A host name that only this browser resolves to the page. */
 export const PUBLIC_HOST = "rimroll.example";
 
 export interface VisitOptions extends BrowserContextOptions {
-  /** What the address holds after #. */
+  /** The part of the address after #. */
   hash?: string;
-  /** Whether the browser can draw in space; without a graphics card that takes its time. */
+  /** Whether the browser has WebGL, which is slow without a graphics card. */
   webgl?: boolean;
-  /** By what name the page is visited, if not by the address of this machine. */
+  /** Host name of the page, if not the address of this machine. */
   host?: string;
 }
 
-/** A page that is open, and all that has gone wrong in it. */
+/** An open page and its errors. */
 export interface Visit {
   page: Page;
-  /** Whatever the page asked for, from anywhere. */
+  /** Addresses of all requests. */
   requests: string[];
-  /** Errors and warnings: of scripts, on the console, of requests. */
+  /** Errors and warnings of scripts, the console and requests. */
   complaints: string[];
 }
 
 let browser: Browser;
 let served: Served;
 
-/** Opens a browser for the tests of a file, and closes it after them. Each test's visits end with it,
- * whether it passes or not: a page that is left open goes on drawing. */
+/** Opens a browser for the tests of a file and closes it after them. After each test its pages are
+ * closed, because an open page keeps drawing. */
 export function browserForAll(): void {
   beforeAll(async () => {
     served = await serve();
@@ -55,7 +55,7 @@ export const elsewhere = (requests: readonly string[]): string[] =>
 
 export const addressOfPage = (): string => served.address;
 
-/** A page of the browser on which there is nothing yet. */
+/** An empty page of the browser. */
 export async function emptyPage(): Promise<Page> {
   const context = await browser.newContext();
   await context.addInitScript(withoutWebGL);
@@ -63,7 +63,7 @@ export async function emptyPage(): Promise<Page> {
   return context.newPage();
 }
 
-/** Opens the page as a visitor whom nobody knows, and waits until there is something to see. */
+/** Opens the page in a fresh context and waits until it has started. */
 export async function visit(options: VisitOptions = {}): Promise<Visit> {
   const { hash = "", webgl = false, host, ...rest } = options;
   const context = await browser.newContext({
@@ -80,7 +80,7 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
   page.on("request", (request) => requests.push(request.url()));
   page.on("requestfailed", (request) => complaints.push(`not loaded: ${request.url()}`));
   page.on("pageerror", (error) => complaints.push(String(error)));
-  // Chromium remarks on drawing in software, three.js on there being nothing to draw with.
+  // Chromium warns about drawing in software, and three.js about missing WebGL.
   page.on("console", (message) => {
     const text = message.text();
     const expected =

@@ -1,4 +1,4 @@
-// What a visitor does, and what the page answers.
+// What a visitor does and how the page responds.
 
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
@@ -9,7 +9,7 @@ browserForAll();
 const degreesIn = async (page: Page, place: string) =>
   Number.parseFloat(/[\d.]+/.exec(await page.locator(place).innerText())?.[0] ?? "");
 
-/** What the page says happens. */
+/** The verdict of the page. */
 const verdict = (page: Page) => page.locator("#verdict");
 
 async function visited(hash: string, what: (visit: Visit) => Promise<void>): Promise<void> {
@@ -19,7 +19,7 @@ async function visited(hash: string, what: (visit: Visit) => Promise<void>): Pro
 }
 
 describe("a can let go", () => {
-  // So little beside the middle that the motion is at its limit.
+  // The sideways error is so small that the turn is at its limit.
   test.each([
     ["no_slip", "&law=no_slip", 202.287],
     ["frictionless", "&law=frictionless", 220.969],
@@ -27,8 +27,8 @@ describe("a can let go", () => {
   ])("turns as the theory says: %s", async (_law, law, limit) => {
     await visited(`tilt=10&sideways=0.000001&duration=0.5${law}`, async ({ page }) => {
       await page.getByRole("button", { name: "Let go" }).click();
-      // It has turned as far as it will when the first turn is over; the rest is drift. The clock
-      // goes on meanwhile, so what is waited for is also what is looked at.
+      // The angle is final at the end of the first turn and drifts afterwards. The clock keeps running,
+      // so the value that ends the wait is the one that is tested.
       const turned = await page.waitForFunction(
         (least) => {
           const shown = Number.parseFloat(
@@ -61,7 +61,7 @@ describe("a link", () => {
       });
       expect(await page.locator("#law-frictionless").isChecked()).toBe(true);
       expect(new URL(page.url()).hash).toBe(`#${hash}`);
-      // The address of a page on this machine is of no use to anybody else.
+      // The address of a page on this machine does not work elsewhere.
       expect(await page.getByLabel("Command that opens this set-up").inputValue()).toBe(
         `rimroll lab --setup "${hash}"`,
       );
@@ -78,7 +78,7 @@ describe("a link", () => {
     expect(visited.complaints).toEqual([]);
   });
 
-  test("is a command on this machine, with all that is set by hand", async () => {
+  test("is a command on this machine, with all settings", async () => {
     await visited("", async ({ page }) => {
       const command = page.getByLabel("Command that opens this set-up");
       expect(await command.inputValue()).toBe("rimroll lab");
@@ -105,7 +105,7 @@ describe("a link", () => {
     });
   });
 
-  test("that was changed by hand is followed", async () => {
+  test("that is edited by hand is read", async () => {
     await visited("tilt=12", async ({ page }) => {
       await page.evaluate(() => (location.hash = "tilt=13"));
       await page.waitForFunction(
@@ -114,7 +114,7 @@ describe("a link", () => {
     });
   });
 
-  test("outlives a look at a part of the page", async () => {
+  test("survives a jump to a part of the page", async () => {
     await visited("tilt=12&speed=0.02&slow=0", async ({ page }) => {
       await page.getByRole("link", { name: "Flicks" }).click();
       expect(await page.evaluate(() => document.activeElement?.id)).toBe("flicks");
@@ -131,13 +131,13 @@ async function expectValues(page: Page, values: Record<string, string>): Promise
     expect(await page.locator(place).inputValue(), place).toBe(value);
 }
 
-describe("what cannot be is refused at its field, in words", () => {
+describe("impossible values are refused at their fields, in words", () => {
   test("from a link", async () => {
     await visited("tilt=1e-300&body=teapot&gravity=heavy&law=no_slip", async ({ page }) => {
       for (const [field, words] of [
-        ["tilt", "Tilt is more than 0.000001° and less than 90°"],
+        ["tilt", "Tilt must be more than 0.000001° and less than 90°"],
         ["body", "there is no “teapot”; choose The paper's can, "],
-        ["gravity", "Gravity is a number, not “heavy”."],
+        ["gravity", "Gravity must be a number, not “heavy”."],
       ] as const) {
         expect(await page.locator(`#${field}-refusal`).innerText()).toContain(words);
         const described = await page.locator(`#${field}-field`).getAttribute("aria-describedby");
@@ -147,7 +147,7 @@ describe("what cannot be is refused at its field, in words", () => {
     });
   });
 
-  test("as it is typed, and no longer when it is mended", async () => {
+  test("as a value is typed, until it is corrected", async () => {
     await visited("", async ({ page }) => {
       const [field, refusal] = [page.locator("#tilt-field"), page.locator("#tilt-refusal")];
       await field.fill("95");
@@ -168,7 +168,7 @@ describe("a motion that ends early is explained", () => {
     [
       "Painlevé's paradox",
       "body=coin&tilt=60&tilt_rate=-10&sideways=0.5&friction=2.2",
-      /Painlevé.*no one answer/is,
+      /Painlevé.*no unique answer/is,
     ],
     ["fallen over", "tilt_rate=-3", /falls over/i],
   ])("%s", async (_what, hash, words) => {
@@ -178,7 +178,7 @@ describe("a motion that ends early is explained", () => {
   });
 });
 
-test("forty-two flicks are told in words and drawn as a histogram", async () => {
+test("forty-two flicks are summarised in words and drawn as a histogram", async () => {
   await visited("tilt_rate=-5&sideways=0&law=no_slip", async ({ page }) => {
     await page.getByRole("button", { name: "Flick it 42 times" }).click();
     await page.waitForFunction(
@@ -189,7 +189,7 @@ test("forty-two flicks are told in words and drawn as a histogram", async () => 
     expect(await page.locator("#flicks svg").getAttribute("aria-describedby")).toBe("flicks-said");
     await page.getByRole("button", { name: "Clear" }).click();
     expect(await page.locator("#flicks-said").innerText()).toBe("");
-    // The button has gone, the focus has not.
+    // The button has disappeared, but the focus has not.
     expect(await page.locator("#flicks .make:focus").count()).toBe(1);
   });
 });
@@ -206,7 +206,7 @@ test("both humps are beside the story on a laptop, without scrolling", async () 
   await visited("", async ({ page }) => {
     const story = page.getByRole("region", { name: "The story" });
     const falls = story.getByRole("img", {
-      name: /^How far round it fell, from 195° to 230° by 1°/,
+      name: /^Angles of turn of the falls, from 195° to 230° in bars of 1°/,
     });
     expect(await falls.isVisible()).toBe(false);
     while (!/step 5 of 6/.test(await story.innerText()))
@@ -220,7 +220,7 @@ test("both humps are beside the story on a laptop, without scrolling", async () 
     for (const side of ["left", "right"])
       expect(await falls.locator(`.bar.${side}`).count()).toBeGreaterThan(3);
     expect(await falls.getAttribute("aria-label")).toMatch(
-      /Of 42 flicks \d+ fell to the left after/,
+      /Of 42 flicks, \d+ fell to the left after/,
     );
     await story.getByRole("button", { name: "Next step" }).click();
     expect(await falls.isVisible()).toBe(false);

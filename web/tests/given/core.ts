@@ -4,7 +4,7 @@ import type { Motion } from "../../src/core/motion";
 import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 
-/** The core as the page loads it, here from its file. */
+/** Loads the core as the page does, but from its file. */
 export const loadCore = async (): Promise<Core> =>
   Core.load(await readFile(new URL("../../src/core/rimroll.wasm", import.meta.url)));
 

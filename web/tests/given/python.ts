@@ -1,4 +1,4 @@
-// Python, as somebody runs in it what the page gave them.
+// Runs the page's Python code.
 
 import { spawn } from "node:child_process";
 import { text } from "node:stream/consumers";
@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 const PYTHON = fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 const RUN_CODE = fileURLToPath(new URL("run_code.py", import.meta.url));
 
-/** The motion that a piece of code left. */
+/** The motion that a piece of code computed. */
 export interface Ran {
   status: string;
   columns: Map<string, Float64Array>;
@@ -37,7 +37,7 @@ function decoded(doubles: string): Float64Array {
   return new Float64Array(bytes.buffer);
 }
 
-/** Says where two tables differ first, to the last bit; nothing if they do not. */
+/** Describes the first difference between two tables, to the last bit; undefined if there is none. */
 export function difference(
   one: ReadonlyMap<string, ArrayLike<number>>,
   other: ReadonlyMap<string, ArrayLike<number>>,
@@ -60,7 +60,7 @@ function hexadecimal(value = NaN): string {
   return `${value} (${bits.getBigUint64(0).toString(16).padStart(16, "0")})`;
 }
 
-/** As Python writes numbers. */
+/** Reads a number as Python writes it. */
 const numberOf = (cell: string) => Number(cell.replace("inf", "Infinity").replace("nan", "NaN"));
 
 /** The columns of a CSV file as the page writes it. */

@@ -1,6 +1,6 @@
-"""Runs pieces of Python code, a JSON list of them on stdin, each of which leaves a ``motion``.
+"""Runs a JSON list of Python codes from stdin, each of which computes a ``motion``.
 
-Answers with one JSON line for each: its status, its columns as doubles in base64, what it printed.
+Writes one JSON line for each: the status, the columns as doubles in base64, and the printed text.
 """
 
 import base64

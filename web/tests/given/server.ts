@@ -1,4 +1,4 @@
-// A web server that knows nothing of the page but its files, which lie deep in some folder of it.
+// A web server that serves the files of the page from a nested folder.
 
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -6,7 +6,7 @@ import type { AddressInfo } from "node:net";
 import { extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** Where the page was built. */
+/** The folder of the built page. */
 export const PAGE = fileURLToPath(new URL("../../../python/rimroll/page", import.meta.url));
 
 const FOLDER = "/~teacher/physics/the can/";
@@ -19,7 +19,7 @@ const TYPES: Record<string, string> = {
 };
 
 export interface Served {
-  /** Of the page. */
+  /** Address of the page. */
   address: string;
   close(): Promise<void>;
 }
@@ -29,7 +29,8 @@ export async function serve(): Promise<Served> {
     const path = decodeURI(new URL(request.url ?? "", "http://here").pathname);
     const name = path === FOLDER ? "index.html" : path.slice(FOLDER.length);
     try {
-      if (!path.startsWith(FOLDER) || name.includes("..")) throw new Error("not of the page");
+      if (!path.startsWith(FOLDER) || name.includes(".."))
+        throw new Error("not a file of the page");
       const content = await readFile(join(PAGE, name));
       response.setHeader("Content-Type", TYPES[extname(name)] ?? "application/octet-stream");
       response.end(content);

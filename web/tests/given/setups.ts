@@ -1,10 +1,10 @@
-// Set-ups as a visitor may make them.
+// Random set-ups.
 
 import { FIELDS, FIELD_NAMES, type FieldName } from "../../src/setup/fields";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import type { Chance } from "./chance";
 
-/** Any value that a field accepts, between its ends and on them. */
+/** A random value that a field accepts, including its bounds. */
 function anyValue(name: FieldName, chance: Chance): number | string {
   const field: (typeof FIELDS)[FieldName] = FIELDS[name];
   if (field.kind === "choice") return chance.one(Object.keys(field.choices));
@@ -13,11 +13,11 @@ function anyValue(name: FieldName, chance: Chance): number | string {
   return chance.one([inside, field.initial, "open" in field ? inside : field.least]);
 }
 
-/** Whatever the fields let through, whether it can be computed or not. */
+/** A set-up that the fields accept, whether it can be computed or not. */
 export const anySetup = (chance: Chance): Setup =>
   Object.fromEntries(FIELD_NAMES.map((name) => [name, anyValue(name, chance)])) as unknown as Setup;
 
-/** A body of any kind, tilted and let go or flicked on any table, followed for half a second. */
+/** Any body, released or flicked on any table, followed for 0.5 s. */
 export function likelySetup(chance: Chance): Setup {
   return {
     ...INITIAL,

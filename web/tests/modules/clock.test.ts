@@ -1,4 +1,4 @@
-// The time at which a motion is shown, in the visitor's seconds and its own.
+// The clock: the time at which a motion is shown, in the visitor's seconds and the motion's.
 
 import { signal } from "@preact/signals-core";
 import { beforeAll, describe, expect, test } from "vitest";
@@ -17,7 +17,7 @@ const motionOf = (changes?: Partial<Setup>) => motionFrom(core, changes);
 
 const clockOf = (motion: Motion) => new Clock(signal<Motion | undefined>(motion));
 
-describe("at the speed of life, unstretched", () => {
+describe("in real time, unstretched", () => {
   test("a second of the visitor's is a second of the motion's", () => {
     const clock = clockOf(motionOf());
     clock.stretched.value = false;
@@ -37,12 +37,12 @@ describe("at the speed of life, unstretched", () => {
   });
 });
 
-/** Lets it play for as long as it does, but not for ever. */
+/** Plays until the clock stops, with a limit. */
 function playOut(clock: Clock): void {
   for (let k = 0; k < 100_000 && clock.playing.value; k++) clock.advance(0.01);
 }
 
-test("played up to a time it stops just there, but not when it is played on", () => {
+test("a clock that plays up to a time stops exactly there, and continues when played again", () => {
   const clock = clockOf(motionOf());
   clock.play(0.3);
   playOut(clock);
@@ -53,7 +53,7 @@ test("played up to a time it stops just there, but not when it is played on", ()
   expect(clock.playing.value).toBe(true);
 });
 
-test("what was to stop it is forgotten when somebody goes elsewhere", () => {
+test("a step discards the time at which playing was to stop", () => {
   const clock = clockOf(motionOf());
   clock.play(0.3);
   clock.step(1);
@@ -63,7 +63,7 @@ test("what was to stop it is forgotten when somebody goes elsewhere", () => {
 });
 
 describe("stretched", () => {
-  test("no picture turns the contact point by more than is unhurried", () => {
+  test("no frame turns the contact point faster than the limit", () => {
     const motion = motionOf();
     const clock = clockOf(motion);
     const picture = 1 / 60;
@@ -79,7 +79,7 @@ describe("stretched", () => {
     expect(most).toBeGreaterThan(MAX_CONTACT_RATE * picture * 0.95);
   });
 
-  test("in the middle of a collision it is slower by the yaw rate over the unhurried one", () => {
+  test("in the middle of a collision the slowdown is the yaw rate over the limit", () => {
     const motion = motionOf();
     const clock = clockOf(motion);
     const turn = motion.turns[0]!;
@@ -93,7 +93,7 @@ describe("stretched", () => {
     expect(clock.slowdown).toBeCloseTo(2 * before, 3);
   });
 
-  test("it is as in life at the release and at the end", () => {
+  test("time is real at the release and at the end", () => {
     const motion = motionOf({ duration: 0.3528 });
     const clock = clockOf(motion);
     expect(clock.slowdown).toBeCloseTo(1, 9);
@@ -101,7 +101,7 @@ describe("stretched", () => {
     expect(clock.slowdown).toBeCloseTo(1, 9);
   });
 
-  test("it is a number that is not below life's even where impacts pile up", () => {
+  test("the slowdown is finite and at least 1 even where impacts accumulate", () => {
     const motion = motionOf({ tilt_rate: -3, sideways: 0.1, friction: 0.1, restitution: 0.5 });
     const clock = clockOf(motion);
     for (const event of motion.events) {
@@ -113,7 +113,7 @@ describe("stretched", () => {
 });
 
 describe("scrubbing", () => {
-  test("goes where it is put, and back", () => {
+  test("sets the time and reads the same progress back", () => {
     const clock = clockOf(motionOf());
     for (const part of [0, 0.05, 0.0532, 0.5, 0.999, 1]) {
       clock.progress = part;
@@ -123,7 +123,7 @@ describe("scrubbing", () => {
     expect(clock.time.value).toBe(clock.end);
   });
 
-  test("a step back undoes a step on, and pauses", () => {
+  test("a step back undoes a step forward, and pauses", () => {
     const clock = clockOf(motionOf());
     clock.play();
     clock.progress = 0.05;
@@ -137,7 +137,7 @@ describe("scrubbing", () => {
 });
 
 describe("the ends", () => {
-  test("it stops at the end, and plays from the beginning then", () => {
+  test("the clock stops at the end, and then plays from the release", () => {
     const clock = clockOf(motionOf());
     clock.play();
     clock.advance(1e6);
@@ -147,13 +147,13 @@ describe("the ends", () => {
     expect(clock.time.value).toBe(0);
   });
 
-  test("it does not go back before the beginning", () => {
+  test("the clock does not go back before the release", () => {
     const clock = clockOf(motionOf());
     clock.advance(-1);
     expect(clock.time.value).toBe(0);
   });
 
-  test("without a motion it stands still", () => {
+  test("without a motion the clock stands still", () => {
     const clock = new Clock(signal<Motion | undefined>(undefined));
     clock.advance(1);
     clock.progress = 0.5;
@@ -161,7 +161,7 @@ describe("the ends", () => {
   });
 });
 
-test("however many steps a motion has, its playback is even", () => {
+test("the contact point runs evenly, however many steps a motion has", () => {
   const motion = motionOf({ body: "coin" });
   const clock = clockOf(motion);
   const picture = 1 / 60;
@@ -172,7 +172,7 @@ test("however many steps a motion has, its playback is even", () => {
     const now = motion.at([clock.time.value]).moment(0);
     const [turned, passed] = [Math.abs(now.yaw - before.yaw), now.t - before.t];
     expect(turned).toBeLessThan(MAX_CONTACT_RATE * picture * 1.05);
-    // Where it is slow enough time goes by as in life, in a picture or in a part of one.
+    // Where the motion is slow, time is real during a frame or a part of it.
     expect(turned + MAX_CONTACT_RATE * passed).toBeGreaterThan(MAX_CONTACT_RATE * picture * 0.95);
     before = now;
   }

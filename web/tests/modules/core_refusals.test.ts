@@ -1,4 +1,4 @@
-// What the core refuses although the page asks for it: nothing wrong is taken for something else.
+// Invalid requests to the core are refused and not misread.
 
 import { beforeAll, describe, expect, test } from "vitest";
 import { type Core, type LawName, type Preset, Refused, type Solid } from "../../src/core/core";
@@ -28,14 +28,14 @@ const simulate = ({ body, start, contactLaw, options }: SimulationInput) =>
 
 const PLATE: Solid = { shape: "disc", mass: 0.01, radius: 0.03, length: 0, base: 0 };
 
-describe("names that the core does not know", () => {
-  test("a ready-made body", () => {
+describe("unknown names", () => {
+  test("a preset body", () => {
     expect(refusal(() => core.preset("teapot" as Preset))).toMatch(
       /^unknown preset .*: choose from can_2007, .*, euler_disk$/,
     );
   });
 
-  test("a shape, also behind good ones", () => {
+  test("a shape, also after valid ones", () => {
     const cone = { ...PLATE, shape: "cone" as Solid["shape"] };
     for (const solids of [[cone], [PLATE, cone], [cone, PLATE]])
       expect(refusal(() => core.composed(0.03, solids))).toMatch(
@@ -55,10 +55,10 @@ describe("names that the core does not know", () => {
   });
 });
 
-describe("numbers that no motion can be computed from", () => {
+describe("invalid numbers", () => {
   test.each([
     [
-      "no number",
+      "not a number",
       () => ({ ...usual, body: { ...usual.body, mass: NaN } }),
       /^mass must be a finite/,
     ],
@@ -78,7 +78,7 @@ describe("numbers that no motion can be computed from", () => {
       /^tilt must be inside/,
     ],
     [
-      "a table that pushes",
+      "negative friction",
       () => ({ ...usual, contactLaw: { ...usual.contactLaw, friction: -1 } }),
       /^friction must be/,
     ],
@@ -97,7 +97,7 @@ describe("numbers that no motion can be computed from", () => {
   });
 });
 
-test("after a refusal the next question is answered as before", () => {
+test("after a refusal the core works as before", () => {
   const coin = core.preset("coin");
   refusal(() => core.preset("teapot" as Preset));
   expect(core.preset("coin")).toEqual(coin);

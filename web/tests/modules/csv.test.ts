@@ -20,7 +20,7 @@ test("a motion is a table of numbers with all their digits", async () => {
   }
 });
 
-test("where nothing presses, the infinite ratio of friction is written as Python writes it", () => {
+test("an infinite friction ratio is written as in Python", () => {
   const numbers = Float64Array.from([0, 0.5, 1, 0.3, Infinity, NaN]);
   const moments = new Moments(["t", "friction_ratio"], numbers);
   const motion = { samples: () => moments } as unknown as Motion;

@@ -1,4 +1,4 @@
-// Many flicks: how they are made one after the other, counted, and told.
+// Many flicks: their animation, tally and summary.
 
 import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 import type { Core } from "../../src/core/core";
@@ -25,20 +25,20 @@ function tallyFor(changed: Partial<Setup>) {
   return { ...tallyOf(simulateFlicks(core, setup)), limit };
 }
 
-describe("how far round", () => {
-  test("a coin goes more than once, as its theory says", () => {
-    const { word, left, right, limit, directions } = tallyFor({ body: "coin" });
-    expect(word).toBe("rocked");
+describe("angles of turn", () => {
+  test("of a coin exceed 360°, as in theory", () => {
+    const { outcome, left, right, limit, directions } = tallyFor({ body: "coin" });
+    expect(outcome).toBe("rocked");
     expect(limit).toBeCloseTo(393.75, 2);
     expect(Math.abs(left.mean - limit)).toBeLessThan(2);
     expect(Math.abs(right.mean - limit)).toBeLessThan(2);
     expect(left.deviation).toBeLessThan(2);
-    // The dots lie where it came up: 33.75° to either side of where it leaned at first.
+    // The coin comes up 33.75° to either side of its initial lean.
     for (const direction of directions)
       expect(Math.abs(Math.min(direction, 360 - direction) - 33.75)).toBeLessThan(5);
   });
 
-  test("a can that falls lies where it came to by going round so far", () => {
+  test("of a can that falls agree with its direction of fall", () => {
     const setup = { ...INITIAL, tilt_rate: -5, law: "no_slip" } as const;
     const falls = simulateFlicks(core, setup).filter(({ outcome }) => outcome === "toppled");
     expect(falls.length).toBeGreaterThan(30);
@@ -51,7 +51,7 @@ describe("how far round", () => {
     expect(left.count + right.count).toBe(falls.length);
   });
 
-  test("one that rises first turns from where it was highest", () => {
+  test("start at the tilt maximum if the body rises first", () => {
     const setup = { ...INITIAL, tilt_rate: 0.5, unsteady: 0, flicks: 1, law: "no_slip" } as const;
     const [flick] = simulateFlicks(core, setup);
     const { body, start, contactLaw, options } = simulationInput(core, setup);
@@ -62,7 +62,7 @@ describe("how far round", () => {
   });
 });
 
-describe("made one after the other", () => {
+describe("one after the other", () => {
   beforeEach(() => {
     vi.useFakeTimers();
   });
@@ -72,7 +72,7 @@ describe("made one after the other", () => {
 
   const flick = { tilt_rate: -5, flicks: 10 };
 
-  test("they are told when all of them are there", () => {
+  test("flicks are summarised when all of them are shown", () => {
     const lab = labWith(core, flick);
     expect(flickSummary(lab)).toBe("");
     startFlicks(lab);
@@ -83,18 +83,18 @@ describe("made one after the other", () => {
     expect(flickSummary(lab)).toBe("Flicking it …");
     vi.advanceTimersByTime(2000);
     expect([lab.flicking.value, lab.flicksShown.value]).toEqual([false, 10]);
-    expect(flickSummary(lab)).toMatch(/^Of 10 flicks \d fell to the left after 2\d\d\.\d°/);
+    expect(flickSummary(lab)).toMatch(/^Of 10 flicks, \d fell to the left after 2\d\d\.\d°/);
     clearFlicks(lab);
     expect(flickSummary(lab)).toBe("");
   });
 
-  test("all at once for who wants no motion", () => {
+  test("flicks are shown at once with reduced motion", () => {
     const lab = labWith(core, flick, true);
     startFlicks(lab);
     expect([lab.flicking.value, lab.flicksShown.value]).toEqual([false, 10]);
   });
 
-  test("a clear on the way ends it", () => {
+  test("clearing the flicks ends the animation", () => {
     const lab = labWith(core, flick);
     startFlicks(lab);
     vi.advanceTimersByTime(600);
@@ -103,15 +103,15 @@ describe("made one after the other", () => {
     expect([lab.flicking.value, lab.flicksShown.value]).toEqual([false, undefined]);
   });
 
-  test("a set-up that cannot be flicked says so until it is mended", () => {
+  test("a set-up that cannot be flicked says so until it is corrected", () => {
     const lab = labWith(core, { ...flick, tilt: 1e-300 });
     startFlicks(lab);
     expect(flickSummary(lab)).toBe("This set-up cannot be flicked.");
     lab.change({ tilt: 20 });
-    expect(flickSummary(lab)).toMatch(/^Of 10 flicks .* fell/);
+    expect(flickSummary(lab)).toMatch(/^Of 10 flicks, .* fell/);
   });
 
-  test("the words are of the flicks that are shown, whatever is changed", () => {
+  test("the summary covers the flicks that are shown, after every change", () => {
     const lab = labWith(core, flick, true);
     startFlicks(lab);
     lab.change({ flicks: 40 });
@@ -126,7 +126,7 @@ describe("made one after the other", () => {
     expect(flickSummary(lab)).toMatch(/^Of 4 flicks/);
   });
 
-  test("they are computed once, not again for each that is shown", () => {
+  test("flicks are computed once, not again for each one shown", () => {
     const lab = labWith(core, flick);
     const falls = vi.spyOn(core, "falls");
     startFlicks(lab);

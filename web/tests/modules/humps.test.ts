@@ -33,7 +33,7 @@ function shownFor(changed: Partial<Setup>) {
 
 const FRICTION = STEPS.find(({ title }) => title === "Friction")!.setup;
 
-test("of the paper's can it goes from 195° to 230°, a bar a degree", () => {
+test("the axis of the paper's can goes from 195° to 230° in bars of 1°", () => {
   expect(shownFor(FRICTION).bins).toEqual({ from: 195, to: 230, width: 1 });
   expect(binsFor(theoryOf(INITIAL), [])).toEqual({ from: 195, to: 230, width: 1 });
 });
@@ -86,7 +86,7 @@ describe("the picture", () => {
     expect(svg.match(/class="measured"/g)).toHaveLength(2);
   });
 
-  test("is the same for a hand that errs to the other side, its sides changed", () => {
+  test("is mirrored for a hand that errs to the other side", () => {
     const setup = { ...FRICTION, unsteady: 0, flicks: 1 };
     const one = shownFor({ ...setup, sideways: 0.02 });
     const other = shownFor({ ...setup, sideways: -0.02 });
@@ -95,7 +95,7 @@ describe("the picture", () => {
     expect(other.bins).toEqual(one.bins);
   });
 
-  test("of another body has nothing of the paper's can", () => {
+  test("of another body has no measurements of the paper", () => {
     const { theory, tally, bins } = shownFor({ body: "coin" });
     const svg = humps({ tally, theory, bins, measured: false });
     expect(svg).not.toContain("measured");

@@ -1,4 +1,4 @@
-// What everything on the page reads.
+// The state of the page.
 
 import { effect } from "@preact/signals-core";
 import { beforeAll, describe, expect, test, vi } from "vitest";
@@ -14,7 +14,7 @@ beforeAll(async () => {
   core = await loadCore();
 });
 
-test("whoever watches sees a change of the set-up in one piece", () => {
+test("a change of the set-up notifies effects once", () => {
   const lab = labWith(core);
   lab.clock.time.value = 1;
   lab.clock.playing.value = true;
@@ -29,7 +29,7 @@ test("whoever watches sees a change of the set-up in one piece", () => {
   ]);
 });
 
-test("a body let go as before is shown from the release again", () => {
+test("a body that is released as before is shown from the release again", () => {
   const lab = labWith(core, { sideways: 0.003 });
   const hands = new Hands(lab);
   lab.clock.time.value = 0;
@@ -42,11 +42,11 @@ test("a body let go as before is shown from the release again", () => {
 describe("a motion of many steps", () => {
   const LONG = { body: "coin" } as const;
 
-  test("is at first its beginning, the same to the last bit", () => {
+  test("is first computed in part, with the same bits", () => {
     const lab = labWith(core, LONG);
     const begun = lab.motion.value!;
     expect(begun.end).toBeLessThan(3);
-    expect(ending(lab.outcome.value, lab.setup.value)).toMatch(/is being computed/);
+    expect(ending(lab.outcome.value, lab.setup.value)).toMatch(/still being computed/);
     expect(begun.turns.length).toBeGreaterThan(0);
     const times = [0.1, 0.5, 0.9, 0.999].map((part) => part * begun.end);
     const before = times.map((time) => begun.at([time]).moment(0));
@@ -56,14 +56,14 @@ describe("a motion of many steps", () => {
     expect(times.map((time) => whole.at([time]).moment(0))).toEqual(before);
   });
 
-  test("is completed when nothing has changed for a while, at the time that is shown", async () => {
+  test("is completed after a while without a change, at the time shown", async () => {
     const lab = labWith(core, LONG);
     lab.clock.time.value = 0.2;
     await vi.waitFor(() => expect(lab.motion.value!.end).toBe(3), 10_000);
     expect(lab.clock.time.value).toBe(0.2);
   });
 
-  test("gets another beginning when something changes", () => {
+  test("is computed in part again after a change", () => {
     const lab = labWith(core, LONG);
     lab.complete();
     lab.change({ tilt: 21 });
@@ -80,7 +80,7 @@ test("a motion of few steps is computed at once, and once", () => {
 });
 
 describe("where the core gives no answer", () => {
-  test("a motion without a theory is forgotten", () => {
+  test("a motion without a theory is freed", () => {
     const forget = vi.spyOn(Motion.prototype, "forget");
     const theory = vi.spyOn(core, "theory").mockImplementation(() => {
       throw new Refused("there is no theory of it");
@@ -92,18 +92,20 @@ describe("where the core gives no answer", () => {
     forget.mockRestore();
   });
 
-  test("a computation that breaks off is an outcome in words, and the next one goes on", () => {
+  test("a failed computation is an outcome in words, and the next one works", () => {
     const simulate = vi.spyOn(core, "simulate").mockImplementation(() => {
       throw new WebAssembly.RuntimeError("unreachable");
     });
     const lab = labWith(core, { tilt: 22 });
-    expect(ending(lab.outcome.value, lab.setup.value)).toMatch(/^There is no motion.*broke off/);
+    expect(ending(lab.outcome.value, lab.setup.value)).toMatch(
+      /^There is no motion.*computation failed/,
+    );
     simulate.mockRestore();
     lab.change({ tilt: 23 });
     expect(lab.motion.value?.status).toBe("finished");
   });
 
-  test("a fault of the page itself is not hidden", () => {
+  test("an error of the page itself is not hidden", () => {
     const simulate = vi.spyOn(core, "simulate").mockImplementation(() => {
       throw new TypeError("no such thing");
     });

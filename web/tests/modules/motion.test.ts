@@ -1,4 +1,4 @@
-// What the page asks of a motion.
+// Motions as the page uses them.
 
 import { beforeAll, describe, expect, test } from "vitest";
 import { type Core, Refused } from "../../src/core/core";
@@ -18,7 +18,7 @@ function simulate(changed: Partial<Setup>) {
   return core.simulate(body, start, contactLaw, options);
 }
 
-test("time never runs back in it, and it can be looked up anywhere", () => {
+test("time increases, and a motion can be evaluated at any time", () => {
   const motion = simulate({});
   const times = [...motion.samples(4).column("t")];
   expect(times.every((t, k) => k === 0 || t >= (times[k - 1] as number))).toBe(true);
@@ -29,7 +29,7 @@ test("time never runs back in it, and it can be looked up anywhere", () => {
   expect(motion.at([]).length).toBe(0);
 });
 
-test("no energy is lost but what the accounts say", () => {
+test("energy is conserved up to the listed losses", () => {
   const chance = new Chance(5);
   for (let k = 0; k < 40; k++) {
     const motion = simulate(likelySetup(chance));
@@ -49,7 +49,7 @@ test("phases follow each other from the release to the end", () => {
   for (const [k, phase] of phases.entries()) expect(phase.end).toBe(phases[k + 1]?.start ?? end);
 });
 
-test("what was forgotten is not looked up again", () => {
+test("a freed motion cannot be evaluated", () => {
   const motion = simulate({});
   motion.forget();
   expect(() => motion.at([0])).toThrow("forgotten");
@@ -64,7 +64,7 @@ test("two motions do not disturb each other", () => {
   expect(one.at([0.1, 0.2]).column("tilt")).toEqual(before);
 });
 
-describe("an ending is told in a word and a sentence", () => {
+describe("an ending has a status and a message", () => {
   test.each([
     ["face_down", { sideways: 0 }],
     ["toppled", { tilt: 60 }],
@@ -77,8 +77,8 @@ describe("an ending is told in a word and a sentence", () => {
   });
 });
 
-test("what cannot be computed is refused in a sentence", () => {
-  // So little tilt that the body turns about its line of lean beyond all bounds.
+test("invalid input is refused in a sentence", () => {
+  // At such a small tilt, the sideways error gives an unbounded yaw rate.
   expect(() => simulate({ tilt: 1e-300 })).toThrow(Refused);
   expect(() => simulate({ tilt: 1e-300 })).toThrow(/^yaw_rate must be between .* rad\/s$/);
 });

@@ -1,4 +1,4 @@
-// The code that the page gives computes in Python what the page computed, to the last bit.
+// The page's Python code computes the same motion as the page, to the last bit.
 
 import { expect, test } from "vitest";
 import { simulationInput } from "../../src/setup/simulation_input";

@@ -1,4 +1,4 @@
-// What the plots show: the stretch of time, the moments in it, and how both are written.
+// The plots: the stretch of time, the moments in it, and their labels.
 
 import { signal } from "@preact/signals-core";
 import { beforeAll, describe, expect, test } from "vitest";
@@ -68,7 +68,7 @@ describe("the view", () => {
 });
 
 describe("the moments of a curve", () => {
-  test("are as many as asked for in however short a stretch, in order, and the motion's own", () => {
+  test("are as many as requested in any stretch, in order, and equal the motion", () => {
     const motion = motionOf();
     const { t } = motion.turns[0]!;
     const shown = { since: "collision", origin: t, from: -1e-6, to: 1e-6 } as const;

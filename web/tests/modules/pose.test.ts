@@ -1,10 +1,10 @@
-// Where the body of the picture stands, against where the mechanics has its contact point.
+// The drawn body compared with the contact point of the mechanics.
 
 import { Matrix4, Vector3 } from "three";
 import { beforeAll, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import { sizeOf } from "../../src/scene/bodies/shapes";
-import { footingOf, heldPose, placed, poseOf } from "../../src/scene/pose";
+import { footingOf, heldPose, setPose, poseOf } from "../../src/scene/pose";
 import { FIELDS } from "../../src/setup/fields";
 import { bodyOf, simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
@@ -32,9 +32,9 @@ test.each(SETUPS)("%s touches the table where the mechanics says", (_, changes) 
   const { body, motion, footing } = moved(changes);
   for (const t of [0, 0.1, 0.3, 1, 2]) {
     const moment = motion.at([t]).moment(0);
-    const place = placed(new Matrix4(), poseOf(moment, body.height, footing.shift));
+    const place = setPose(new Matrix4(), poseOf(moment, body.height, footing.shift));
     const { spin } = moment;
-    // The point of the rim that is lowest: behind the spin by half a turn.
+    // The lowest point of the rim is half a revolution behind the spin.
     const low = new Vector3(-Math.cos(spin), Math.sin(spin), 0).multiplyScalar(body.radius);
     const { x, y, z } = low.applyMatrix4(place);
     expect(x).toBeCloseTo(moment.contact_x + footing.shift.x, 12);
@@ -52,7 +52,7 @@ test.each(SETUPS)("%s starts where the hand held it", (_, changes) => {
     expect(begun[key]).toBeCloseTo(held[key], 12);
 });
 
-test("what rolls is tipped about its rim at rest, what is on ice about its centre of mass", () => {
+test("a rolling body is tipped about its rim at rest, a body on ice about its centre of mass", () => {
   expect(moved({}).footing.slide).toBeLessThan(0.01);
   expect(moved({ law: "frictionless" }).footing.slide).toBeGreaterThan(0.99);
 });

@@ -53,7 +53,7 @@ test.each([
 });
 
 test("another unit is no number", () => {
-  expect(message("length", "12 mm")).toBe("Height is a number, not “12 mm”.");
+  expect(message("length", "12 mm")).toBe("Height must be a number, not “12 mm”.");
   expect(message("tilt", "°")).toBe("Tilt needs a number.");
 });
 
@@ -74,36 +74,36 @@ test("what `rimroll lab` checks a set-up by is what the page takes", () => {
   }
 });
 
-test("a minus sign may be a real one", () => {
+test("a minus sign is read like a hyphen", () => {
   expect(read("tilt_rate", "−2.5")).toEqual({ value: -2.5 });
 });
 
-describe("what is refused is refused in words", () => {
+describe("refusals have words", () => {
   test.each(["", " "])("nothing: “%s”", (text) => {
     expect(read("tilt", text)).toMatchObject({ field: "tilt", message: "Tilt needs a number." });
   });
 
   test.each(["abc", "1 2", "NaN", "twelve"])("no number: “%s”", (text) => {
-    expect(message("tilt", text)).toBe(`Tilt is a number, not “${text}”.`);
+    expect(message("tilt", text)).toBe(`Tilt must be a number, not “${text}”.`);
   });
 
   test.each(["0", "1e-300", "90", "-20", "Infinity"])("outside open bounds: %s", (text) => {
     expect(message("tilt", text)).toBe(
-      `Tilt is more than 0.000001° and less than 90°; ${text} is outside.`,
+      `Tilt must be more than 0.000001° and less than 90°; ${text} is outside.`,
     );
   });
 
   test.each(["-0.1", "1.1"])("outside bounds: %s", (text) => {
-    expect(message("restitution", text)).toBe(`Bounce is from 0 to 1; ${text} is outside.`);
+    expect(message("restitution", text)).toBe(`Bounce must be from 0 to 1; ${text} is outside.`);
   });
 
   test.each(["1,000", "-12,500", "1,000,000"])("what may be thousands: %s", (text) => {
     expect(message("mass", text)).toBe(
-      `Mass: “${text}” can be read in two ways; write decimals after a point, and nothing between thousands.`,
+      `Mass: “${text}” can be read in two ways; write a point before decimals and nothing between thousands.`,
     );
   });
 
-  test("with what was written, to be mended", () => {
+  test("a refusal holds the text, to be corrected", () => {
     expect(read("tilt", " 95 ")).toMatchObject({ field: "tilt", text: " 95 " });
   });
 

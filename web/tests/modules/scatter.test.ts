@@ -26,7 +26,7 @@ const sideways = ({ spinRate, tilt }: State) => -spinRate * Math.sin(tilt);
 const twist = ({ yawRate, spinRate, tilt }: State) => yawRate + spinRate * Math.cos(tilt);
 
 describe("a thousand flicks of an unsteady hand", () => {
-  // 4.5 standard errors: of a mean σ/√1000, of a spread σ/√2000.
+  // Bounds are 4.5 standard errors, σ/√1000 for a mean and σ/√2000 for a standard deviation.
   const near = (values: number[], middle: number, deviation: number) => {
     expect(Math.abs(mean(values) - middle)).toBeLessThan((4.5 * deviation) / Math.sqrt(1000));
     expect(Math.abs(spread(values) / deviation - 1)).toBeLessThan(4.5 / Math.sqrt(2000));
@@ -51,7 +51,7 @@ describe("a thousand flicks of an unsteady hand", () => {
   });
 });
 
-test("a steady hand repeats the release to the bit", () => {
+test("a steady hand repeats the release to the last bit", () => {
   for (const start of starts({ unsteady: 0, flicks: 5 })) expect(start).toEqual(startOf(flick));
 });
 

@@ -1,4 +1,4 @@
-// What is sent to a friend works there.
+// Links and commands that a visitor sends work elsewhere.
 
 import { describe, expect, test } from "vitest";
 import { INITIAL_PLAYBACK } from "../../src/setup/playback";
@@ -43,12 +43,12 @@ test.each(["https://lab.example/~me/the%20can/?x=1", "http://192.168.1.7:8000/"]
   },
 );
 
-test("a command says every set-up to any shell", () => {
+test("a command passes every set-up through any shell", () => {
   const chance = new Chance(3);
   for (let k = 0; k < 500; k++) {
     const setup = anySetup(chance);
     const { text } = shareLink(toHash(setup), "http://127.0.0.1:1/", "");
-    // Nothing that a shell reads otherwise than it is written.
+    // The text has no characters that a shell treats specially.
     const [, written] = /^rimroll lab --setup "([\w.=&-]+)"$/.exec(text) ?? [];
     expect(fromHash(`#${written}`)).toEqual({ setup, playback: INITIAL_PLAYBACK, refusals: [] });
   }

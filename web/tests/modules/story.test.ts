@@ -1,4 +1,4 @@
-// The story: what its steps say, and that it shows what they say.
+// The story: each step shows what its text says.
 
 import { beforeAll, describe, expect, test } from "vitest";
 import { SPEEDS } from "../../src/setup/playback";
@@ -21,7 +21,7 @@ beforeAll(async () => {
 const step = (title: string) => STEPS.find((one) => one.title === title) as Step;
 
 describe.each(STEPS)("$title", ({ setup, speed, shows }) => {
-  test("is set up as a visitor could do it", () => {
+  test("has a set-up that a visitor could enter", () => {
     const all = { ...INITIAL, ...setup };
     for (const name of FIELD_NAMES)
       expect(read(name, String(all[name]))).toEqual({ value: all[name] });
@@ -67,17 +67,17 @@ describe("a step that is shown", () => {
     expect(lab.clock.time.value).toBe(turn!.end);
     const DEGREES = 180 / Math.PI;
     expect(lab.moment.value!.tilt * DEGREES).toBeGreaterThan(19);
-    // What stands beside it is of that fall, as is the text.
+    // The angle shown and the text agree.
     const angle = lab.turnProgress.value!.angle * DEGREES;
     expect(angle).toBeCloseTo(turn!.angle * DEGREES, 9);
     expect(first.text).toContain(`${(angle - 180).toFixed(0)}° to the side`);
-    // Whoever presses play sees the rest.
+    // Playing again shows the rest.
     lab.clock.play();
     for (let k = 0; k < 100_000 && lab.clock.playing.value; k++) lab.clock.advance(1 / 60);
     expect(lab.clock.time.value).toBe(lab.motion.value!.end);
   });
 
-  test("plays from the release, also when it is set up already", () => {
+  test("plays from the release, also if the set-up is unchanged", () => {
     const lab = labWith(core);
     showStep(lab, STEPS[0] as Step, true);
     lab.clock.time.value = 1;
@@ -85,7 +85,7 @@ describe("a step that is shown", () => {
     expect([lab.clock.time.value, lab.clock.playing.value]).toEqual([0, true]);
   });
 
-  test("rests at the end of its turn for who wants no motion", () => {
+  test("shows the end of its turn at once with reduced motion", () => {
     const lab = labWith(core, {}, true);
     showStep(lab, STEPS[1] as Step, true);
     showStep(lab, STEPS[0] as Step, false);
@@ -93,7 +93,7 @@ describe("a step that is shown", () => {
     expect(((lab.turnProgress.value?.angle ?? 0) * 180) / Math.PI).toBeCloseTo(202.4, 1);
   });
 
-  test("takes away the flicks of another", () => {
+  test("removes the flicks of another step", () => {
     const lab = labWith(core, {}, true);
     showStep(lab, STEPS[3] as Step, false);
     expect(lab.flicksShown.value).toBe(42);

@@ -1,4 +1,4 @@
-// Time passes picture by picture.
+// The ticker advances the clock frame by frame.
 
 import { signal } from "@preact/signals-core";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
@@ -24,7 +24,7 @@ function clockThat(advance: (seconds: number) => void): Clock {
 
 const show = (now: number) => pictures.splice(0).forEach((draw) => draw(now));
 
-test("a picture passes the time since the one before, but not more than a tenth of a second", () => {
+test("a frame advances the time since the previous one, at most a tenth of a second", () => {
   const passed: number[] = [];
   const clock = clockThat((seconds) => passed.push(seconds));
   startTicker(clock);

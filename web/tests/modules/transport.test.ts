@@ -4,7 +4,7 @@ import type { Held } from "../../src/setup/release";
 import { apart } from "../../src/transport/marks";
 import { unlessHeld } from "../../src/transport/transport";
 
-test("marks that would run into each other are one, of the more important kind", () => {
+test("of overlapping marks only the more important one remains", () => {
   const collisions = [0.05, 0.0501, 0.5];
   const landings = [0.0502, 0.2, 0.201, 0.495, 0.9];
   expect(apart([collisions, landings])).toEqual([

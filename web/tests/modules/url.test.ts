@@ -28,19 +28,19 @@ test("a link names only what differs", () => {
   expect(toHash({ ...INITIAL, body: "coin", tilt: 60.5 })).toBe("body=coin&tilt=60.5");
 });
 
-test("what was refused stays as it is initially, the rest is taken", () => {
+test("a refused value keeps the initial one, and the other values are read", () => {
   const { setup, refusals } = fromHash("#tilt=abc&gravity=1.62");
   expect(setup).toEqual({ ...INITIAL, gravity: 1.62 });
   expect(refusals).toEqual([
-    { field: "tilt", text: "abc", message: "Tilt is a number, not “abc”." },
+    { field: "tilt", text: "abc", message: "Tilt must be a number, not “abc”." },
   ]);
 });
 
-test("names that no field has are passed over", () => {
+test("unknown names are ignored", () => {
   expect(fromHash("#utm_source=mail&constructor=1")).toEqual(NOTHING);
 });
 
-test("of what a link says twice the last counts", () => {
+test("the last value of a repeated name counts", () => {
   expect(fromHash("#tilt=abc&tilt=25")).toEqual({ ...NOTHING, setup: { ...INITIAL, tilt: 25 } });
   const { setup, refusals } = fromHash("#tilt=25&tilt=abc");
   expect(setup).toEqual(INITIAL);
@@ -55,8 +55,8 @@ test.each(["", "#", "#tilt=12", "#slow=0"])("“%s” is about the set-up", (has
   expect(holdsSetup(hash)).toBe(true);
 });
 
-describe("the pace", () => {
-  test.each(SPEEDS)("%d is in the link, but that of life", (speed) => {
+describe("the playback", () => {
+  test.each(SPEEDS)("%d is in the link unless it is real time", (speed) => {
     for (const stretched of [true, false]) {
       const playback = { speed, stretched };
       expect(fromHash(toHash(INITIAL, playback))).toEqual({ ...NOTHING, playback });

@@ -1,4 +1,4 @@
-// What the page says about a motion.
+// The verdict on a motion.
 
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { beforeAll, describe, expect, test } from "vitest";
@@ -7,7 +7,7 @@ import type { Moment } from "../../src/core/motion";
 import { formatDuration } from "../../src/format/times";
 import { bodyAngleAlongContact } from "../../src/lab";
 import { Hands } from "../../src/scene/hands";
-import { placed as place } from "../../src/scene/pose";
+import { setPose } from "../../src/scene/pose";
 import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { contentInHand } from "../../src/verdict/in_hand";
@@ -54,14 +54,14 @@ describe("what the rim does", () => {
     expect(story).toContain(words);
   });
 
-  test("is told of the whole turn, not of its swift middle alone", () => {
-    // It slides as long as it leans, and rolls while the contact point races.
+  test("is reported for the whole turn, not for its fast middle alone", () => {
+    // This body slides while it leans, and rolls while the contact point races.
     const { motion, passage } = saidOf({ sideways: 0.3, friction: 0.1 });
     expect(motion.phases[0]?.kind).toBe("sliding");
     expect(passage?.rim).toBe("slipped");
   });
 
-  test("is not told of laws that leave it no choice", () => {
+  test("is not reported under the ideal laws", () => {
     expect(saidOf({ law: "no_slip" }).story).not.toMatch(/rolls|slips|jumps/);
   });
 });
@@ -74,17 +74,17 @@ test("the contact point runs round by the change of yaw, whatever the body does 
 });
 
 describe("the body itself", () => {
-  /** Which way a mark on the body points once it is tipped upright, the shortest way. */
+  /** Direction of a mark on the body after tipping it upright the shortest way, rad. */
   function markOf(moment: Moment): number {
     const placed = new Matrix4();
-    place(placed, { ...moment, x: 0, y: 0, z: 0 });
+    setPose(placed, { ...moment, x: 0, y: 0, z: 0 });
     const axis = new Vector3(0, 0, 1).transformDirection(placed);
     const upright = new Quaternion().setFromUnitVectors(axis, new Vector3(0, 0, 1));
     const mark = new Vector3(1, 0, 0).transformDirection(placed).applyQuaternion(upright);
     return Math.atan2(mark.y, mark.x);
   }
 
-  test("has turned as far as a mark on it has, whatever it does", () => {
+  test("turns as far as a mark on it, in every motion", () => {
     const chance = new Chance(7);
     for (let k = 0; k < 60; k++) {
       const lab = labWith(core, { ...likelySetup(chance), duration: 1 });
@@ -92,45 +92,45 @@ describe("the body itself", () => {
       if (!motion || motion.end === 0) continue;
       for (const part of [0.2, 0.55, 0.9]) {
         lab.clock.time.value = part * motion.end;
-        const { own, start } = lab.turnProgress.value!;
+        const { bodyAngle, start } = lab.turnProgress.value!;
         const turned = markOf(lab.moment.value!) - markOf(motion.at([start]).moment(0));
-        expect(Math.cos(own - turned)).toBeCloseTo(1, 9);
+        expect(Math.cos(bodyAngle - turned)).toBeCloseTo(1, 9);
       }
     }
   });
 
-  test("does not turn while its contact point runs round, and that is said", () => {
+  test("does not turn while its contact point runs round, and the verdict says so", () => {
     const { passage, story } = saidOf({});
-    expect(Math.abs(passage!.own)).toBeLessThan(1e-3);
+    expect(Math.abs(passage!.bodyAngle)).toBeLessThan(1e-3);
     expect(story).toMatch(
       /the contact point runs round by 202\.4°.*; the can itself turns 0\.0°\./,
     );
   });
 
-  test("turns the one way or the other when it is twisted", () => {
+  test("turns in either direction when it is twisted", () => {
     expect(saidOf({ twist: 0.5 }).story).toMatch(/itself turns \d+\.\d° the same way\./);
     expect(saidOf({ twist: 0.5, sideways: -0.3 }).story).toMatch(/itself turns .* the other way\./);
     expect(saidOf({ twist: 0.5, body: "coin" }).story).toMatch(/the coin itself turns/);
   });
 
-  test("is counted positive the way that the contact point runs", () => {
+  test("is positive in the direction of the contact point", () => {
     const lab = labWith(core, { twist: -0.5, sideways: -0.01 });
     const turning = lab.turnProgress.value!;
-    expect(turning.whole!.angle).toBeLessThan(0);
-    lab.clock.time.value = turning.whole!.end;
-    expect(lab.turnProgress.value!.own).toBeLessThan(0);
-    expect(bodyAngleAlongContact(lab.turnProgress.value!)).toBe(-lab.turnProgress.value!.own);
+    expect(turning.turn!.angle).toBeLessThan(0);
+    lab.clock.time.value = turning.turn!.end;
+    expect(lab.turnProgress.value!.bodyAngle).toBeLessThan(0);
+    expect(bodyAngleAlongContact(lab.turnProgress.value!)).toBe(-lab.turnProgress.value!.bodyAngle);
   });
 });
 
-test("it says from where to where the angle is counted", () => {
+test("the verdict says from when to when the angle is counted", () => {
   const { motion } = saidOf({});
   const [first, second] = motion.turns;
   expect(saidOf({}).story).toMatch(
-    `From the release, down and up to the next largest tilt at ${formatDuration(first!.end)}, the contact`,
+    `From the release, down and up to the next tilt maximum at ${formatDuration(first!.end)}, the contact`,
   );
   const later = story(passageFrom(motion, second!.start), motion, INITIAL);
-  expect(later).toMatch(/^From the largest tilt at \S+\sm?s, down and up to the next largest tilt/);
+  expect(later).toMatch(/^From the tilt maximum at \S+\sm?s, down and up to the next tilt maximum/);
   const fallen = saidOf({ tilt_rate: -3 });
   expect(fallen.story).toMatch(/^From the release, down and up to its fall at/);
   expect(fallen.ending).toMatch(/^It falls over after/);
@@ -138,15 +138,15 @@ test("it says from where to where the angle is counted", () => {
 
 describe("in the hand", () => {
   const DEGREE = Math.PI / 180;
-  function foretold(held: { tilt: number; yaw: number }, changed: Partial<Setup> = {}) {
+  function previewed(held: { tilt: number; yaw: number }, changed: Partial<Setup> = {}) {
     const lab = labWith(core, changed);
     lab.held.value = { tilt: held.tilt * DEGREE, yaw: held.yaw * DEGREE };
     const { said, turned } = contentInHand(lab.preview.value!, lab.setup.value);
     return { lab, said, turned };
   }
 
-  test("it tells of the motion that comes when the hand lets go, before it does", () => {
-    const { lab, said, turned } = foretold({ tilt: 12.3, yaw: 40 });
+  test("the preview is the motion that follows when the hand lets go", () => {
+    const { lab, said, turned } = previewed({ tilt: 12.3, yaw: 40 });
     new Hands(lab).release(false);
     expect(lab.setup.value).toMatchObject({ tilt: 12.3, yaw: 40 });
     const angle = (lab.motion.value!.turns[0]!.angle * 180) / Math.PI;
@@ -161,29 +161,33 @@ describe("in the hand", () => {
     ["without any sideways motion", 20, { sideways: 0 }, /would come down flat, after/],
     ["followed for too short a time", 20, { duration: 0.1 }, /not have come down and up again/],
   ] as const)("%s", (_how, tilt, changed, words) => {
-    expect(foretold({ tilt, yaw: 0 }, changed).said).toMatch(words);
+    expect(previewed({ tilt, yaw: 0 }, changed).said).toMatch(words);
   });
 });
 
 describe("the theory", () => {
   test("is so much below or above what happens", () => {
-    expect(saidOf({}).theory).toBe("0.06° below what happens here");
-    expect(saidOf({ tilt: 5, sideways: 1e-9 }).theory).toBe("what happens here");
+    expect(saidOf({}).theory).toBe("0.06° below the computed turn");
+    expect(saidOf({ tilt: 5, sideways: 1e-9 }).theory).toBe("as computed here");
   });
 
   test("is said to be for a body that is not twisted, when it is", () => {
-    expect(saidOf({ twist: 0.01 }).theory).toMatch(/here; it is for a body that is not twisted$/);
+    expect(saidOf({ twist: 0.01 }).theory).toMatch(
+      /turn; it holds for a body that is not twisted$/,
+    );
   });
 
   test("is said to be for coming down flat, when it does not", () => {
-    expect(saidOf({ sideways: 0.3 }).theory).toMatch(/here; it is for coming down flat$/);
+    expect(saidOf({ sideways: 0.3 }).theory).toMatch(
+      /turn; it holds for a body that comes down flat$/,
+    );
   });
 });
 
 describe("how small and how fast it is", () => {
   test.each([
-    ["the paper's can", {}, "a gap of 3.5\u00a0µm", /^rounds per second: 7\.6\skm\/s$/],
-    ["by a hand", { sideways: 0.02 }, "a gap of 140\u00a0µm", /^rounds per second: \d+\sm\/s$/],
+    ["the paper's can", {}, "a gap of 3.5\u00a0µm", /^rounds per second, at 7\.6\skm\/s$/],
+    ["by a hand", { sideways: 0.02 }, "a gap of 140\u00a0µm", /^rounds per second, at \d+\sm\/s$/],
     ["not coming down", { tilt: 60 }, "", /^rounds per second$/],
   ] as const)("%s", (_what, changed, gap, speed) => {
     const lab = labWith(core, changed);
@@ -192,7 +196,7 @@ describe("how small and how fast it is", () => {
     expect(lowest.note).toBe(gap);
     expect(then.note).toMatch(speed);
     if (!passage) return;
-    // Against what the mechanics has at that moment: how far the highest point of the rim is up.
+    // Compare with the height of the highest point of the rim in the mechanics.
     const { radius } = simulationInput(core, lab.setup.value).body;
     const moment = lab.motion.value!.at([lab.motion.value!.turns[0]!.t]).moment(0);
     const up = 2 * radius * Math.sin(moment.tilt) * 1e6;

@@ -1,4 +1,4 @@
-// Where the eye is.
+// The camera.
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { afterEach, describe, expect, test, vi } from "vitest";
@@ -6,7 +6,7 @@ import { View } from "../../src/scene/view";
 
 afterEach(() => vi.unstubAllGlobals());
 
-/** A view of a can whose rim has a radius of half that of the circle of degrees. */
+/** A view of a can whose rim has half the radius of the circle of degrees. */
 function viewOf(aspect: number, still = false) {
   vi.stubGlobal("matchMedia", () => ({ matches: still }));
   const camera = new PerspectiveCamera(30, aspect, 0.1, 60);
@@ -28,7 +28,7 @@ function viewOf(aspect: number, still = false) {
   return { view, contactAt, aside };
 }
 
-describe("who comes near sees the contact point", () => {
+describe("zoomed in, the camera sees the contact point", () => {
   test.each([
     ["a telephone", 360 / 318],
     ["a laptop", 900 / 430],
@@ -47,7 +47,7 @@ describe("who comes near sees the contact point", () => {
         }
   });
 
-  test("on the way there it never leaves the picture", () => {
+  test("the contact point never leaves the picture while zooming in", () => {
     const { view, contactAt, aside } = viewOf(2);
     const spot = contactAt(2);
     for (let press = 0; press < 25; press++) {
@@ -57,14 +57,14 @@ describe("who comes near sees the contact point", () => {
   });
 });
 
-test("from afar the eye stays where it is while the contact point runs round", () => {
+test("from afar the camera stays still while the contact point runs round", () => {
   const { contactAt, aside } = viewOf(2);
   const before = aside(contactAt(0));
   contactAt(2);
   expect(aside(new Vector3(0.5, 0, 0))).toBe(before);
 });
 
-test("nothing moves by itself for who asks for that; the next step nearer looks again", () => {
+test("with reduced motion the camera moves only when the visitor zooms", () => {
   const { view, contactAt, aside } = viewOf(2, true);
   const first = contactAt(0);
   for (let press = 0; press < 15; press++) view.zoom(0.9);

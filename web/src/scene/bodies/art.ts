@@ -1,4 +1,4 @@
-// What is printed on the bodies. Every print shows which way round the body is.
+// The prints on the bodies. Each print shows the orientation of the body.
 
 import { CanvasTexture, SRGBColorSpace } from "three";
 
@@ -35,7 +35,7 @@ function disc(pen: Pen, color: string, x: number, y: number, radius: number) {
   pen.fill();
 }
 
-/** A tin's paper: tomatoes do not roll either. One lozenge of the row is like no other. */
+/** The label of a tin. One lozenge has a different colour from all others. */
 export const tinLabel = () =>
   printed(2048, 768, (pen) => {
     box(pen, "#f6efdf", 0, 0, 2048, 768);
@@ -161,7 +161,7 @@ export const batteryPrint = () =>
     }
   });
 
-/** Seen from above; the rim's picture is the edge of the square. */
+/** The face of a coin, seen from above; its edge touches the edge of the square. */
 export const coinFace = () =>
   printed(1024, 1024, (pen) => {
     disc(pen, "#d9b45a", 512, 512, 512);
@@ -190,7 +190,7 @@ function star(pen: Pen, x: number, y: number, size: number, turned: number) {
   pen.fill();
 }
 
-/** The toy's face: rays of many colours, as its foils have. */
+/** The face of the toy, with coloured rays like its foils. */
 export const diskFace = () =>
   printed(1024, 1024, (pen) => {
     disc(pen, "#cfd6db", 512, 512, 512);

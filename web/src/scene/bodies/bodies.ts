@@ -1,4 +1,4 @@
-// The pictures of the bodies: base at z = 0, axis along z, lengths in metres.
+// The models of the bodies, with the base at z = 0, the axis along z, and lengths in metres.
 
 import {
   CircleGeometry,
@@ -28,7 +28,7 @@ export function pictureOf(setup: Readonly<Setup>): Group {
   return body;
 }
 
-/** Frees what the graphics card keeps of a picture. */
+/** Frees the graphics memory of a body. */
 export function dispose(body: Group): void {
   body.traverse((part) => {
     if (!(part instanceof Mesh)) return;
@@ -39,7 +39,7 @@ export function dispose(body: Group): void {
   });
 }
 
-/** The inner radius of the ring over its outer one. */
+/** Inner over outer radius of the ring. */
 const HOLLOW = 0.95;
 
 const material = (parameters: MeshStandardMaterialParameters) =>
@@ -48,7 +48,7 @@ const steel = () => material({ color: "#c9ced3", metalness: 1, roughness: 0.28 }
 const aluminium = () => material({ color: "#d9dde0", metalness: 1, roughness: 0.36 });
 const lathe = (outline: Outline, look: Material) => new Mesh(revolved(outline), look);
 
-/** A picture seen from above (or below), z up. */
+/** A flat face that is visible from above (or below). */
 function face(radius: number, z: number, look: Material, below = false): Mesh {
   const mesh = new Mesh(new CircleGeometry(radius, 96), look);
   mesh.position.z = z;
@@ -66,11 +66,11 @@ const PICTURES: Record<Exclude<Setup["body"], "own">, (setup: Readonly<Setup>) =
   euler_disk: eulersDisk,
 };
 
-/** A tin: seams at both ends, a sunk lid with rings pressed into it, a paper round the wall. */
+/** A tin with seams at both ends, recessed lids with rings, and a paper label. */
 function tin(radius: number, length: number): Group {
   const [seam, wall] = [0.0042, radius - 0.0013];
   const end = (sign: 1 | -1): [number, number][] => {
-    // From the axis out to the seam, as seen at the lower end; mirrored for the upper.
+    // From the axis out to the seam at the lower end; the upper end is a mirror image.
     const z = (from: number) => (sign < 0 ? from : length - from);
     return [
       [0, z(0.0038)],

@@ -1,4 +1,4 @@
-// Your own body: base plate, wall and filling, with a piece cut out so that one sees what is inside.
+// The visitor's own body: base plate, wall and filling, with a sector cut out to show the inside.
 
 import {
   Color,
@@ -13,14 +13,14 @@ import type { Setup } from "../../setup/setup";
 import { type Outline, revolved } from "./revolved";
 import type { Size } from "./shapes";
 
-/** How much is cut out, rad. */
+/** Angle of the sector that is cut out, rad. */
 const CUT = 1.45;
 
 export function ownBody(setup: Readonly<Setup>, { rim, length }: Size): Group {
   const inBase = setup.base / 100;
   const inWall = (setup.wall / 100) * (1 - inBase);
   const inside = 1 - inBase - inWall;
-  // Thickness stands for mass: the mechanics takes plate and wall as thin.
+  // The drawn thickness indicates the mass; in the mechanics the plate and the wall are thin.
   const plate = Math.min((0.02 + 0.16 * inBase) * length + 0.01 * rim, length);
   const wall = rim * (inWall > 0 ? 0.03 + 0.13 * inWall : 0);
   const body = new Group();

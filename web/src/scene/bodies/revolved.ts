@@ -1,14 +1,14 @@
-// Surfaces of revolution round z from an outline, smooth where it bends little and creased elsewhere.
+// Surfaces of revolution about z from an outline, smooth at small bends and with an edge at large ones.
 
 import { BufferGeometry, Float32BufferAttribute } from "three";
 
-/** Points (r, z) of an outline, m. Walked so that the outside is at the right hand. */
+/** Points (r, z) of an outline, m, in an order that has the outside on the right. */
 export type Outline = readonly (readonly [r: number, z: number])[];
 
-/** Outlines that bend by less than this (rad) at a point look smooth there. */
+/** An outline that bends by less than this (rad) at a point is smooth there. */
 const SMOOTH = 0.6;
 
-/** u runs round the axis, v along the outline. */
+/** In the texture coordinates, u runs round the axis and v along the outline. */
 export function revolved(outline: Outline, sectors = 96, from = 0, sweep = 2 * Math.PI) {
   const points = outline.filter(
     (p, k) => k === 0 || Math.hypot(p[0] - outline[k - 1]![0], p[1] - outline[k - 1]![1]) > 1e-9,
@@ -53,7 +53,7 @@ interface Normal {
   z: number;
 }
 
-/** The normal where an outline's piece meets the next one. */
+/** The normal at the point where two segments of an outline meet. */
 function mixed(own: Normal, other: Normal | undefined): Normal {
   if (!other || own.r * other.r + own.z * other.z < Math.cos(SMOOTH)) return own;
   const [r, z] = [own.r + other.r, own.z + other.z];

@@ -1,13 +1,13 @@
-// How wide and high each body is, as it is drawn: what people have at hand, to their nominal sizes.
+// Drawn sizes of the bodies: nominal sizes of everyday objects.
 
 import type { Setup } from "../../setup/setup";
 import { RING_RADIUS } from "../../setup/simulation_input";
 
 /** m */
 export interface Size {
-  /** of the rim that it stands on */
+  /** radius of the rim on which the body stands */
   rim: number;
-  /** of the widest part */
+  /** radius of the widest part */
   widest: number;
   length: number;
 }
@@ -35,6 +35,6 @@ export function sizeOf(setup: Readonly<Setup>): Size {
   }
 }
 
-/** Radius of the circle of degrees round a body, m: what the whole scene is measured by. */
+/** Radius of the circle of degrees round a body, m, which is the unit of length of the scene. */
 export const reachOf = ({ widest, length }: Size) =>
   Math.max(1.6 * widest, 0.95 * widest + 0.4 * length);
