@@ -52,7 +52,7 @@ def experiment(
         seed=int(rng.integers(2**31)),
         gravity=predicted.gravity,
     )
-    fell = falls["direction"].values[falls["outcome"].values == predicted.counted][:n]
+    fell = falls["direction"].values[falls["outcome"].values == predicted.outcome][:n]
     return bias, fell + bias + predicted.reading_error * rng.standard_normal(len(fell))
 
 

@@ -80,7 +80,7 @@ def explanation(setting: Setting, start: rr.State, exact: Outcomes, stepped: Out
         return f"more than {MOST_STEPS} steps"
     if np.nanmin([exact.min_tilt[0], stepped.min_tilt[0], 1.0]) < 2.0 * FLAT:
         return "the smallest tilt is about that at which a base counts as flat"
-    if stepped.outcome[0] == "hovered" and exact.time[0] > stepped.time[0]:
+    if stepped.outcome[0] == "hovered" and exact.end_time[0] > stepped.end_time[0]:
         return "the turn takes longer than a fall is followed"
     beside = neighbours(start)
     engines = by_quadrature(setting, beside), by_steps(setting, beside, TIGHTEST)

@@ -32,7 +32,7 @@ class Outcomes:
     outcome: NDArray[np.str_]
     turn: Array
     min_tilt: Array
-    time: Array
+    end_time: Array
 
 
 def by_quadrature(setting: Setting, starts: rr.State) -> Outcomes:
@@ -48,7 +48,7 @@ def by_quadrature(setting: Setting, starts: rr.State) -> Outcomes:
         threads=None,
         progress=None,
     )
-    return Outcomes(falls["outcome"], falls["turn"], falls["min_tilt"], falls["time"])
+    return Outcomes(falls["outcome"], falls["turn"], falls["min_tilt"], falls["end_time"])
 
 
 def by_steps(setting: Setting, starts: rr.State, rtol: float = RTOL) -> Outcomes:

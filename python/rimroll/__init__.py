@@ -23,21 +23,22 @@ if TYPE_CHECKING:
     from rimroll import bodies as bodies, solids as solids, surfaces as surfaces
     from rimroll._core import STANDARD_GRAVITY as STANDARD_GRAVITY, __version__ as __version__
     from rimroll.approximations import (
+        Composite as Composite,
         NearCollision as NearCollision,
-        Pasted as Pasted,
+        composite as composite,
         pasted as pasted,
     )
     from rimroll.body import Body as Body
     from rimroll.errors import RimrollError as RimrollError
     from rimroll.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
-    from rimroll.experiment.fitting.angles import read_angles as read_angles
+    from rimroll.experiment.fitting.angles import read_directions as read_directions
     from rimroll.experiment.fitting.fit import Fit as Fit, fit as fit
     from rimroll.experiment.fitting.predicted import (
         Predicted as Predicted,
         predict_falls as predict_falls,
     )
     from rimroll.experiment.fitting.summary import (
-        directions_of_summary as directions_of_summary,
+        directions_from_summary as directions_from_summary,
     )
     from rimroll.experiment.measurement import Measurement as Measurement, measure as measure
     from rimroll.experiment.release import Release as Release
@@ -101,14 +102,14 @@ if TYPE_CHECKING:
 _MODULES = ("bodies", "solids", "surfaces")
 _NAMES = {
     "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
-    "rimroll.approximations": ("NearCollision", "Pasted", "pasted"),
+    "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),
     "rimroll.body": ("Body",),
     "rimroll.errors": ("RimrollError",),
     "rimroll.exact": ("ExactTurn", "exact_turn"),
-    "rimroll.experiment.fitting.angles": ("read_angles",),
+    "rimroll.experiment.fitting.angles": ("read_directions",),
     "rimroll.experiment.fitting.fit": ("Fit", "fit"),
     "rimroll.experiment.fitting.predicted": ("Predicted", "predict_falls"),
-    "rimroll.experiment.fitting.summary": ("directions_of_summary",),
+    "rimroll.experiment.fitting.summary": ("directions_from_summary",),
     "rimroll.experiment.measurement": ("Measurement", "measure"),
     "rimroll.experiment.release": ("Release",),
     "rimroll.experiment.toppling": ("topple",),

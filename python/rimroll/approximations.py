@@ -1,4 +1,4 @@
-"""The paper's approximations: the near-collision alone, and pasted to a pendulum."""
+"""The paper's approximations: the near-collision alone, and matched to a pendulum."""
 
 from __future__ import annotations
 
@@ -68,26 +68,27 @@ class NearCollision:
         return t, tilt, yaw
 
 
-class Pasted:
-    """The uniformly valid approximation: a pendulum pasted to a near-collision.
+class Composite:
+    """The composite approximation: a pendulum matched to a near-collision.
 
     φ ≈ φ_pendulum(|t − t_c|) + √(φ_c² + ω²(t − t_c)²) − ω|t − t_c| and
     ψ ≈ ψ₀ ± √(J'/K') [π/2 + arctan(ω(t − t_c)/φ_c)], with errors of the order φ_c² ln φ_c in φ and
-    φ_c ln φ_c in ψ. It covers one rocking, |t − t_c| ≤ ``half_width``. Make it with :func:`pasted`.
+    φ_c ln φ_c in ψ. It covers one rocking, |t − t_c| ≤ ``half_width``. Make it with
+    :func:`composite`.
     """
 
-    time: float
-    """t_c, s after the release."""
+    min_tilt_time: float
+    """t_c, the time of the smallest tilt, s after the release."""
     half_width: float
-    """Duration of the pendulum's fall, s."""
+    """The time that the pendulum takes to fall, s."""
     min_tilt: float
-    """φ_c, rad."""
+    """φ_c, the smallest tilt, rad."""
     tipping_rate: float
-    """ω, rad/s."""
+    """ω = |dφ/dt| just outside the near-collision, rad/s."""
 
     def __init__(self, core: _core.CorePasted) -> None:
         self._core = core
-        self.time, self.half_width, self.min_tilt, self.tipping_rate, _ = core.numbers
+        self.min_tilt_time, self.half_width, self.min_tilt, self.tipping_rate, _ = core.numbers
 
     def tilt(self, t: Values) -> Array:
         """φ at the times t (s), rad, shape (n,)."""
@@ -99,24 +100,31 @@ class Pasted:
 
     def _inside(self, t: Values) -> Array:
         given = times(t)
-        first, last = self.time - self.half_width, self.time + self.half_width
+        middle = self.min_tilt_time
+        first, last = middle - self.half_width, middle + self.half_width
         bound = f"inside the rocking that is approximated, {first:.6g} to {last:.6g} s"
-        # A few roundings of the end itself are forgiven.
-        near = np.abs(given - self.time) <= self.half_width * (1 + 1e-9)
+        # Rounding may put the end itself slightly outside.
+        near = np.abs(given - middle) <= self.half_width * (1 + 1e-9)
         hold("t", given, near, bound, "s")
         return np.atleast_1d(given)
 
 
-def pasted(body: Body, start: State, law: Law, gravity: Number = _core.STANDARD_GRAVITY) -> Pasted:
-    """Paste a tipping phase and a near-collision together for a body let go at ``start``.
+def composite(
+    body: Body, start: State, law: Law, gravity: Number = _core.STANDARD_GRAVITY
+) -> Composite:
+    """The composite approximation of tipping and near-collision for a body released at ``start``.
 
-    Source: the paper's "pasting-together of two qualitatively distinct motions", given there in
-    words. Everything follows from the start alone: the plane pendulum gives t_c and ω, and l =
-    dψ/dt sin²φ, linear in the sideways rates, gives φ_c = |l| √(K'/J')/ω.
+    Source: the paper's "pasting-together of two qualitatively distinct motions", described there in
+    words. Everything follows from the start alone: the plane pendulum gives t_c and ω; and l =
+    dψ/dt sin²φ, which is linear in the sideways rates, gives φ_c = |l| √(K'/J')/ω.
 
     Raises ``RimrollError`` for a start that never comes down or comes down flat.
     """
     one_body(body)
     expect("start", start, State)
     gravity = number("gravity", gravity, "m/s^2")
-    return Pasted(_core.CorePasted(body, single(start), ideal(law).name, gravity))
+    return Composite(_core.CorePasted(body, single(start), ideal(law).name, gravity))
+
+
+pasted = composite
+"""The paper's name for :func:`composite`."""

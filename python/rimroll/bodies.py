@@ -19,7 +19,7 @@ def can_2007() -> Body:
 
     Source: the paper's section "Quantitative comparisons". C/m = 2.0e-3 m² and not the 8e-3 of its
     simulation figure, which no can inside its own rim can have (C/m ≤ R² = 2.6e-3 m²); a wall with
-    two discs of that size has 1.3e-3 to 2.2e-3. No limiting angle depends on C.
+    two disks of that size has 1.3e-3 to 2.2e-3. No limiting angle depends on C.
     """
     return Body(*_core.preset_can_2007())
 
@@ -66,7 +66,7 @@ def ring(radius: Number = 0.3) -> Body:
 
 
 def disk(radius: Number) -> Body:
-    """A uniform thin disc of mass 1 kg: H = 0, C = mR²/2, A = C/2. No turn depends on its mass."""
+    """A uniform thin disk of mass 1 kg: H = 0, C = mR²/2, A = C/2. No turn depends on its mass."""
     return Body(*_core.preset_disk(number("radius", radius, "m")))
 
 

@@ -137,7 +137,7 @@ class Body:
         The parallel-axis theorem gives A and C; see :mod:`rimroll.solids`.
 
         >>> from rimroll import solids
-        >>> cup = Body.from_solids(0.03, [solids.wall(0.1, 0.03, 0.09), solids.disc(0.02, 0.03)])
+        >>> cup = Body.from_solids(0.03, [solids.wall(0.1, 0.03, 0.09), solids.disk(0.02, 0.03)])
 
         Raises ``RimrollError`` for no solids, or solids that make up no valid body.
         """

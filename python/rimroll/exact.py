@@ -25,54 +25,55 @@ AT_A_TIME = 1 << 16
 """Turns between two moves of a progress bar, and what Ctrl-C may lose: a fraction of a second."""
 
 DERIVED_AT_A_TIME = 1 << 11
-"""The same with derivatives."""
+"""The same number when derivatives are computed, which takes longer."""
 
 OUTCOMES = np.array(_core.OUTCOMES)
-"""What can become of a body, by the core's codes."""
+"""The outcomes by the core's codes."""
 
-NUMBERS = tuple(_core.EXACT_COLUMNS)
-"""Of an :class:`ExactTurn`."""
+NUMBERS = ("turn", "min_tilt", "end_tilt", "min_tilt_time", "end_time", "yaw_change")
+"""The numbers of an :class:`ExactTurn`, in the core's order."""
 
 
 @dataclass(frozen=True, eq=False)
 class ExactTurn:
-    """The first turn from each of some starts: single numbers, or arrays shaped like these.
+    """The first turn from each start: single numbers, or arrays of the starts' shape.
 
-    Where a start or body has data arrays of xarray, so has this.
+    They are data arrays of xarray where a body or start has data arrays. The names are those of the
+    columns of :func:`rimroll.ensemble`, with the same meaning.
 
-    A turn begins at the release or, where the tilt rises then, at the tilt maximum that follows:
-    the sign of ``tilt_rate`` decides, however small it is, and at exactly 0 that of the tilt's
-    acceleration. So a body let go about where its tilt is smallest has half the turn if it falls
-    by however little, and the whole if it is at rest or rises. A turn ends at the first tilt
-    maximum after the near-collision, or where the body topples or its rim leaves the table before
-    that. Numbers that a motion does not have are NaN.
+    A turn begins at the release if the tilt falls then, else at the next tilt maximum. The sign of
+    ``tilt_rate`` decides, however small it is; at exactly 0, the sign of the tilt's acceleration
+    decides. So a body released near its smallest tilt has half a turn if it falls even slightly,
+    and a whole turn if it is at rest or rises. A turn ends at the first tilt maximum after the
+    near-collision, or earlier if the body topples or its rim leaves the table. Numbers that a
+    motion does not have are NaN.
     """
 
     turn: Numbers
-    """Signed change of yaw in the turn, rad: by how much the contact point went round. A body that
-    dips and falls over near where it leaned has a small one."""
+    """Angle of turn, rad: the change of yaw in the turn, with its sign. It is small for a body that
+    dips and falls over near where it leaned at first."""
     min_tilt: Numbers
-    """The smallest tilt, rad: how near the near-collision was."""
-    max_tilt: Numbers
-    """The tilt at which the turn ends, the largest of a body that rocked, rad."""
-    min_time: Numbers
+    """The smallest tilt, rad: how close the near-collision was."""
+    end_tilt: Numbers
+    """The tilt at the end of the turn, rad; for a body that rocked, its largest tilt."""
+    min_tilt_time: Numbers
     """Time of the smallest tilt, s from the release."""
-    time: Numbers
+    end_time: Numbers
     """Time of the end of the turn, s from the release."""
-    yaw: Numbers
+    yaw_change: Numbers
     """Change of yaw from the release to the end of the turn, rad."""
-    status: str | NDArray[np.str_]
-    """What became of the body: ``rocked`` (came down and rose again to a tilt maximum), ``toppled``
-    (came down, be it only a little, and rose over the topple tilt, on whatever side), ``fell_back``
-    (fell over as it leaned: its tilt only grew, or was smallest at the release),
-    ``lifted_off`` (the rim would have to be pulled down), ``face_down`` (came down flat),
-    ``hovered`` (did neither for very long, as in steady precession) or ``failed``. A disk that
-    rises to the vertical counts as ``rocked``. None but ``rocked`` and ``toppled`` have a turn,
-    save one whose rim leaves the table as it rises."""
+    outcome: str | NDArray[np.str_]
+    """What became of the body, as in :func:`rimroll.ensemble`: ``rocked`` (passed a tilt minimum,
+    then a tilt maximum), ``toppled`` (passed a tilt minimum, then reached the topple tilt, or
+    lifted off beyond the balance tilt), ``fell_back`` (fell over without a tilt minimum),
+    ``lifted_off`` (the table would have had to pull the rim down), ``face_down`` (came down flat),
+    ``hovered`` (none of these for very long, as in steady precession) or ``failed``. A disk that
+    rises to the vertical counts as ``rocked``. Only ``rocked`` and ``toppled`` have a turn, and
+    ``lifted_off`` if the rim leaves the table as the body rises."""
     jacobian: Mapping[str, Numbers] | None = None
-    """If asked for: ∂turn/∂parameter for each of ``tilt``, ``tilt_rate``, ``yaw``, ``yaw_rate``,
-    ``spin``, ``spin_rate``, ``mass``, ``radius``, ``height``, ``transverse_inertia``,
-    ``axial_inertia`` and ``gravity``; rad per the parameter's SI unit."""
+    """With ``jacobian=True``: ∂turn/∂parameter for each of ``tilt``, ``tilt_rate``, ``yaw``,
+    ``yaw_rate``, ``spin``, ``spin_rate``, ``mass``, ``radius``, ``height``,
+    ``transverse_inertia``, ``axial_inertia`` and ``gravity``; rad per the parameter's SI unit."""
 
 
 def exact_turn(
@@ -87,23 +88,26 @@ def exact_turn(
 ) -> ExactTurn:
     """The first turn of a body that rocks, from each start, without stepping through its motion.
 
-    Without slip or without friction energy is kept, and yaw and spin rates follow from the tilt
-    alone; so turn and times are integrals over the tilt. The turn is right to 1e-12 rad, whether
-    the body rocks or topples, however flat it comes down and however near the balance point it is
-    let go; and the times to 2e-11 of the whole, or, of one that lingers at the balance point, 1e-9.
-    Where the last digit of a start moves the turn by more (``jacobian`` tells), as that of a coin
-    which all but stands on its edge, the error is some ten times that. Of tilts that hardly change
-    there is a digit less for each digit by which the swing is smaller than a hundredth of the tilt.
-    The few starts that no rule resolves, next to the edge between rocking and toppling, are
-    stepped. The results are the same, to the last bit, for any number of threads and in any
-    company.
+    Without slip or without friction, energy is conserved and the tilt alone determines the yaw and
+    spin rates; so turn and times are integrals over the tilt.
+
+    Errors are below 1e-12 rad in the turn, whether the body rocks or topples, however flat it comes
+    down and however near the balance point it is released. Errors of times are below 2e-11 of the
+    whole time, or 1e-9 for a body that lingers at the balance point. Two kinds of start have larger
+    errors. If a change in the last digit of the start changes the turn by more than this (see
+    ``jacobian``), as for a coin almost on its edge, the error is about ten times that change. For
+    oscillations smaller than 1 % of the tilt, one digit is lost per further factor of ten. A few
+    starts at the boundary between rocking and toppling are too hard for quadrature and are stepped.
+
+    The results are the same, to the last bit, for any number of threads and whatever the other
+    rows.
 
     Parameters
     ----------
     body, start
-        What rolls and how it is let go: single ones, or arrays, which broadcast against one another
-        as in NumPy, and data arrays of xarray by the names of their dimensions. A body is prepared
-        once for all of its starts, which takes as long as about a hundred of them.
+        What rolls and how it is released. Arrays in their fields broadcast as in NumPy, data arrays
+        of xarray by the names of their dimensions. Each body is prepared once for all its starts,
+        which takes as long as about a hundred turns.
     law
         ``NoSlip()`` or ``Frictionless()``.
     gravity
@@ -111,15 +115,15 @@ def exact_turn(
     topple_tilt
         The tilt at which the body counts as toppled, rad; π/2 unless given, none for a disk.
     threads
-        How many to use; as many as there are processors unless given.
+        Number of threads; by default one for each processor.
     jacobian
-        Whether to differentiate the turn by all that it depends on.
+        Whether to compute the derivatives of the turn.
 
     Raises
     ------
     RimrollError
-        Another law, a resistance, a number outside its bounds; of an array the message names the
-        element, ``tilt[1]``.
+        Another law, a resistance, a number outside its bounds; for an array the message names the
+        element, as ``tilt[1]``.
     """
     if not conserves_energy(law):
         raise RimrollError(
@@ -131,10 +135,9 @@ def exact_turn(
     rows = Rows.of(body, start)
     parts = turns_in_parts(rows, law, gravity, topple_tilt, threads, bool(jacobian))
     codes, table, derivatives = (np.concatenate(of, axis=-1) for of in zip(*parts, strict=True))
-    endings, _ = codes
     return ExactTurn(
         **_named(rows.grid, NUMBERS, table),
-        status=rows.grid.laid_out(OUTCOMES[endings]),
+        outcome=rows.grid.laid_out(OUTCOMES[codes]),
         jacobian=_named(rows.grid, PARAMETERS, derivatives) if jacobian else None,
     )
 
@@ -147,10 +150,10 @@ def turns_in_parts(
     threads: int | None,
     jacobian: bool = False,
 ) -> Iterator[tuple[NDArray[np.uint8], Array, Array]]:
-    """The turns of some rows after the other, at least once.
+    """The turns, some rows at a time; one part, which is empty, where there are no rows.
 
-    For each row two codes of :data:`OUTCOMES`, how the turn ended and what became of the body,
-    and a column of the :data:`NUMBERS` and, if asked for, of derivatives.
+    For n rows: their outcomes (n,) as places in :data:`OUTCOMES`, the :data:`NUMBERS`, one column a
+    row, and the derivatives likewise, without a row unless asked for.
     """
     options = (
         number("gravity", gravity, "m/s^2"),
@@ -167,12 +170,13 @@ def turns_in_parts(
             )
         except RimrollError as refusal:
             raise rows.placed(refusal, *options[:2]) from None
-        none = np.empty((0, codes.shape[1]))
-        yield codes, table, none if derivatives is None else derivatives
+        _, outcomes = codes
+        none = np.empty((0, len(outcomes)))
+        yield outcomes, table, none if derivatives is None else derivatives
 
 
 def conserves_energy(law: Law) -> bool:
-    """Whether nothing is lost under a law, so that turns are integrals."""
+    """Whether a law conserves energy, so that turns are integrals."""
     contact_law(law)
     return type(law) in (NoSlip, Frictionless) and not law.resistances
 

@@ -1,4 +1,4 @@
-"""Many falls without stepping: what quadrature has to tell of an ensemble."""
+"""Many falls by quadrature, in the columns of an ensemble."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def exact_falls(
     threads: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> Falls:
-    """Follow a body from starts (n,) through its first turn: a row each, as of an ensemble.
+    """The first turn from each of the starts (n,), as rows of an ensemble.
 
     Raises ``Interrupted`` on Ctrl-C; it carries the falls done so far.
     """
@@ -41,27 +41,25 @@ def exact_falls(
     codes, table = np.empty(total, np.uint8), np.empty((len(NUMBERS), total))
     done = 0
 
-    def told() -> Falls:
+    def so_far() -> Falls:
         options = {"gravity": gravity, "topple_tilt": topple_tilt}
         columns = _columns(codes[:done], table[:, :done])
         return in_rows(columns, parameters(body, law, options))
 
     try:
-        for part, columns, _ in turns_in_parts(rows, law, gravity, topple_tilt, threads):
-            _, outcomes = part
+        for outcomes, columns, _ in turns_in_parts(rows, law, gravity, topple_tilt, threads):
             last = done + len(outcomes)
             codes[done:last], table[:, done:last] = outcomes, columns
             done = last
             if progress is not None:
                 progress(done, total)
     except KeyboardInterrupt:
-        raise Interrupted(told()) from None
-    return told()
+        raise Interrupted(so_far()) from None
+    return so_far()
 
 
 def _columns(codes: NDArray[np.uint8], table: Array) -> dict[str, Column]:
-    told = dict(zip(NUMBERS, table, strict=True))
+    numbers = dict(zip(NUMBERS, table, strict=True))
     with np.errstate(invalid="ignore"):  # a NaN stays one
-        told["direction"] = np.mod(told["yaw"], 2.0 * np.pi)
-    told["near_time"], told["end_tilt"] = told["min_time"], told["max_tilt"]
-    return {"outcome": Column(OUTCOMES[codes]), **described(told)}
+        numbers["direction"] = np.mod(numbers["yaw_change"], 2.0 * np.pi)
+    return {"outcome": Column(OUTCOMES[codes]), **described(numbers)}

@@ -37,7 +37,7 @@ def falling_times(motion: Motion, span: Span) -> Array:
 
 
 def _from_a_face(tilt: Array) -> Array:
-    """The tilt from the nearer face: a disc may lie on either."""
+    """The tilt from the nearer face: a disk may lie on either."""
     return np.minimum(tilt, np.pi - tilt)
 
 

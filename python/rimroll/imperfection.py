@@ -29,11 +29,11 @@ class Collision:
     lean_azimuth: float | None
     """Where the lean moves to right after it; None for a body that stops dead."""
     lean_rate: float
-    """How fast, rad/s."""
-    rise_rate: float
+    """dφ/dt of the lean right after it, rad/s."""
+    vertical_velocity: float
     """Upward velocity of the centre of mass right after it, m/s; negative while the body sinks."""
-    energy_kept: float
-    """The part of the kinetic energy on arrival that is left."""
+    energy_kept_fraction: float
+    """The fraction of the kinetic energy on arrival that is left."""
 
 
 @dataclass(frozen=True)
@@ -42,10 +42,10 @@ class ImperfectRim:
 
     turn: float | None
     """The angle between the leans before and after, rad; None for a body that stops dead."""
-    tipping_rate: float
-    """The rate of tipping with which it rises again, rad/s."""
-    energy_kept: float
-    """The part of the kinetic energy on arrival that is left."""
+    rising_rate: float
+    """dφ/dt at the beginning of the rise, rad/s."""
+    energy_kept_fraction: float
+    """The fraction of the kinetic energy on arrival that is left."""
     collisions: tuple[Collision, ...]
     """Its collisions, one or two."""
 
@@ -92,14 +92,16 @@ def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.
     --------
     >>> import numpy as np, rimroll as rr
     >>> fall = rr.imperfect_rim(rr.bodies.can_2007(), np.radians(120.0), rr.NoSlip())
-    >>> round(float(np.degrees(fall.turn)), 2), round(fall.energy_kept, 3)
+    >>> round(float(np.degrees(fall.turn)), 2), round(fall.energy_kept_fraction, 3)
     (195.53, 0.553)
     """
     one_body(body)
-    turn, rate, energy_kept, collisions = _core.imperfect_rim(
+    turn, rising_rate, energy_kept_fraction, collisions = _core.imperfect_rim(
         body,
         number("angle", angle, "rad"),
         ideal(law).name,
         number("tipping_rate", tipping_rate, "rad/s"),
     )
-    return ImperfectRim(turn, rate, energy_kept, tuple(Collision(*c) for c in collisions))
+    return ImperfectRim(
+        turn, rising_rate, energy_kept_fraction, tuple(Collision(*c) for c in collisions)
+    )

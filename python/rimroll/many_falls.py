@@ -1,4 +1,4 @@
-"""Many falls at once: what became of a body let go from each of many starts."""
+"""Many falls at once: the outcome of a release from each of many starts."""
 
 from __future__ import annotations
 
@@ -40,46 +40,46 @@ Array = NDArray[np.float64]
 
 
 OPTIONS = Options(duration=10.0, rtol=1e-8, max_steps=100_000)
-"""How falls are followed unless the caller says otherwise: the defaults of :func:`ensemble`."""
+"""The defaults of :func:`ensemble`."""
 
 OUTCOMES = {
-    "toppled": "came down, be it only a little, rose again and fell over, on whatever side; also if"
-    " a law that knows no flight ends with the rim's leaving the table past the balance tilt",
-    "rocked": "came down and rose again to a largest tilt",
-    "fell_back": "fell over as it leaned: its tilt only grew, or was smallest at the release",
-    "hovered": "did none of these before time was up",
-    "lifted_off": "would have left the table, under a law that knows no flight",
+    "toppled": "passed a tilt minimum, then reached the topple tilt; or, under a law without"
+    " flight, lifted off beyond the balance tilt",
+    "rocked": "passed a tilt minimum, then a tilt maximum",
+    "fell_back": "fell over without a tilt minimum after the release",
+    "hovered": "did none of these in the time given",
+    "lifted_off": "would have left the table, under a law without flight",
     "face_down": "came down flat",
     "at_rest": "came to rest",
     "painleve": "met Painlevé's paradox",
     "failed": "could not be computed",
 }
-"""What can become of a body, and what the words mean."""
+"""The outcomes and their meaning."""
 
 FELL = ("toppled", "rocked")
-"""Outcomes of which the direction is one of fall, or of the largest tilt."""
+"""The outcomes that have a direction: that of the fall, or that of the largest tilt."""
 
 VARIABLES = {
-    "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the outcome"),
+    "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the end"),
     "direction": (
         "rad",
-        "of fall or of the largest tilt, from that of the first lean: a bearing, 0 to 2 pi, so that"
-        " a turn of -1 degree leads to 359 degrees",
+        "direction of fall or of the largest tilt, counted anticlockwise from that of the first"
+        " lean, 0 to 2 pi: a turn of -1 degree leads to 359 degrees",
     ),
-    "min_tilt": ("rad", "the smallest tilt: how near the near-collision was"),
-    "near_time": ("s", "time of the smallest tilt"),
-    "time": ("s", "time of the outcome"),
-    "end_tilt": ("rad", "tilt at the outcome"),
-    "end_axial_spin": ("rad/s", "spin about the symmetry axis at the outcome"),
-    "energy_lost": ("J", "to friction, resistance and impacts, until the outcome"),
-    "friction_loss": ("J", "of it, to friction"),
-    "resistance_loss": ("J", "of it, to rolling resistance, pivoting friction and air"),
-    "impact_loss": ("J", "of it, in landings"),
-    "slid": ("", "whether the rim slid on the way"),
-    "flew": ("", "whether it left the table on the way"),
+    "min_tilt": ("rad", "smallest tilt: how close the near-collision was"),
+    "min_tilt_time": ("s", "time of the smallest tilt"),
+    "end_time": ("s", "time of the end"),
+    "end_tilt": ("rad", "tilt at the end"),
+    "end_axial_spin": ("rad/s", "angular velocity about the symmetry axis at the end"),
+    "energy_lost": ("J", "energy lost to friction, resistances and impacts"),
+    "friction_loss": ("J", "energy lost to friction"),
+    "resistance_loss": ("J", "energy lost to rolling resistance, pivoting friction and air"),
+    "impact_loss": ("J", "energy lost in landings"),
+    "slid": ("", "whether the rim slid"),
+    "flew": ("", "whether the rim left the table"),
     "steps": ("", "steps of the solver"),
 }
-"""What is told of each fall: units and meaning."""
+"""The columns of falls: unit and meaning."""
 
 
 def ensemble(
@@ -87,7 +87,7 @@ def ensemble(
     starts: State,
     law: Law,
     *,
-    grip: Values = 1.0,
+    friction_scale: Values = 1.0,
     duration: Number = 10.0,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
@@ -98,52 +98,60 @@ def ensemble(
 ) -> xr.Dataset:
     """Follow a body from each of many starts through its first turn, on all processors.
 
-    Each fall is followed until it topples, or until it has come down and risen again to its largest
-    tilt. The results are the same, to the last bit, for any number of threads and any order of the
-    starts, and within ``rtol`` those of :func:`rimroll.simulate`.
+    Each fall ends when the body topples, or when its tilt has passed a minimum and then a maximum.
+    The results are the same, to the last bit, for any number of threads and any order of the
+    starts, and equal those of :func:`rimroll.simulate` within ``rtol``.
 
     Parameters
     ----------
     body, starts, law
-        What rolls, how it is let go, and how its rim meets the table. Arrays in their fields stand
-        for many: they broadcast to n rows, or, where they are data arrays of xarray, by the names
-        of their dimensions, as with :func:`rimroll.axis`. Each row is what its body, start and law
-        give by themselves, to the last bit.
-    grip
-        A factor of the law's friction, a number, (n,) or a data array. A sweep of the coefficient
-        itself is a law of arrays, ``Coulomb([0.1, 0.2])``.
+        What rolls, how it is released, and how its rim meets the table. Arrays in their fields
+        broadcast to n rows; data arrays of xarray, as from :func:`rimroll.axis`, broadcast by the
+        names of their dimensions. Each row is what its body, start and law give by themselves, to
+        the last bit.
+    friction_scale
+        A factor on the law's friction: a number, (n,) or a data array. To sweep the coefficient
+        itself, give the law an array, ``Coulomb([0.1, 0.2])``.
     duration, gravity, rtol, topple_tilt, max_steps
         As for :func:`rimroll.simulate`.
     threads
-        How many to use; as many as there are processors unless given.
+        Number of threads; by default one for each processor.
     progress
-        Called some ten times a second with the number of falls done, and of all.
+        Called about ten times a second with the number of falls done and the number of all falls.
 
     Returns
     -------
     xarray.Dataset
-        One row a ``trial``, or the dimensions that were named with their coordinates: ``outcome``
-        (see :data:`OUTCOMES`), the ``start_...`` and ``grip`` it was computed from, ``body_...``
-        and ``law_...`` where they differ from row to row, and the :data:`VARIABLES`. ``turn`` is by
-        how much the contact point went round, with its sign, and ``direction`` where that led: a
-        body that dips and falls over near where it leaned has a small turn. The turn counts from
-        the release unless the tilt rises there, as told in :class:`rimroll.ExactTurn`. ``turn``,
-        ``direction``, ``min_tilt`` and ``near_time`` are NaN for a fall that did not come down, and
-        for one that ``hovered`` or ``failed``, whose turn was not over when time or steps were up.
-        The attributes hold everything else that it was computed from. ``outcome``, ``near_time``
-        and ``end_tilt`` are what :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and
-        ``max_tilt``.
+        One row for each ``trial``, or one value for each place on the named dimensions. The columns
+        are ``outcome`` (see :data:`OUTCOMES`), the inputs ``start_...`` and ``friction_scale``,
+        ``body_...`` and ``law_...`` where they differ from row to row, and the :data:`VARIABLES`.
+
+        ``turn`` is the angle by which the contact point went round, with its sign, and
+        ``direction`` where that led. A body that dips and falls over near where it leaned at first
+        has a small turn. The turn begins at the release unless the tilt rises there; see
+        :class:`rimroll.ExactTurn`. ``turn``, ``direction``, ``min_tilt`` and ``min_tilt_time`` are
+        NaN for a fall without a tilt minimum, and for one that ``hovered`` or ``failed``, whose
+        turn was not complete when the time or the steps ran out. The attributes hold everything
+        else that the falls were computed from.
 
     Raises
     ------
     RimrollError
-        A number outside its bounds, arrays that do not broadcast, or that are not flat and have no
-        names for their dimensions; of an array the message names the element, ``tilt[1]``.
+        A number outside its bounds; arrays that do not broadcast; arrays of more than one dimension
+        without names for them. For an array the message names the element, as ``tilt[1]``.
     Interrupted
         On Ctrl-C; it carries the falls done so far, in rows.
     """
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
-    falls = follow(body, starts, law, options, grip=grip, threads=threads, progress=progress)
+    falls = follow(
+        body,
+        starts,
+        law,
+        options,
+        friction_scale=friction_scale,
+        threads=threads,
+        progress=progress,
+    )
     return falls.to_xarray()
 
 
@@ -153,11 +161,11 @@ def follow(
     law: Law,
     options: Options,
     *,
-    grip: Values = 1.0,
+    friction_scale: Values = 1.0,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Falls:
-    """What :func:`ensemble` computes, in plain columns: it imports no xarray.
+    """What :func:`ensemble` computes, in plain columns, without importing xarray.
 
     Arguments, errors and columns are those of :func:`ensemble`.
     """
@@ -166,23 +174,30 @@ def follow(
     contact_law(law)
     workers = thread_count(threads)
     callback("progress", progress)
-    grip = _grip(grip)
+    friction_scale = _friction_scale(friction_scale)
     numbers = varied_numbers(law.numbers)
-    rows = _flat(Rows.of(body, starts, {"grip": grip, **numbers}))
+    rows = _flat(Rows.of(body, starts, {"friction_scale": friction_scale, **numbers}))
     varied = {name: rows.grid.flat(value) for name, value in numbers.items()}
-    grips, count = rows.grid.flat(grip), rows.grid.size
+    scales, count = rows.grid.flat(friction_scale), rows.grid.size
 
-    def said(done: int) -> None:
+    def report(done: int) -> None:
         if progress is not None:
             progress(done, count)
 
     try:
         table, stopped = _core.ensemble(
-            rows.bodies, rows.starts, only_fixed(law), varied, grips, *options.values, workers, said
+            rows.bodies,
+            rows.starts,
+            only_fixed(law),
+            varied,
+            scales,
+            *options.values,
+            workers,
+            report,
         )
     except RimrollError as refusal:
         raise rows.placed(refusal, options.gravity, options.topple_tilt) from None
-    columns = _columns(rows, varied, grips, table)
+    columns = _columns(rows, varied, scales, table)
     falls = in_rows(columns, parameters(body, law, asdict(options)))
     if len(table) == count and rows.grid.dims is not None:
         falls = falls.laid_out(rows.grid)
@@ -193,41 +208,41 @@ def follow(
     return falls
 
 
-def _grip(grip: Values) -> Any:
-    given = values("grip", grip)
+def _friction_scale(friction_scale: Values) -> Any:
+    given = values("friction_scale", friction_scale)
     factors = np.asarray(given)
-    hold("grip", factors, np.isfinite(factors) & (factors >= 0.0), "finite and >= 0")
+    hold("friction_scale", factors, np.isfinite(factors) & (factors >= 0.0), "finite and >= 0")
     return given
 
 
 def _flat(rows: Rows) -> Rows:
-    """The rows if they have one dimension, or names for more."""
+    """The rows; ``RimrollError`` if they have several dimensions without names."""
     grid = rows.grid
     if grid.dims is None and len(grid.shape) > 1:
         raise RimrollError(
-            f"bodies, starts, law and grip must be flat arrays, got shape {grid.shape}: for a grid,"
-            " name its dimensions, as with rimroll.axis"
+            f"bodies, starts, law and friction_scale must be flat arrays, got shape {grid.shape}:"
+            " for a grid, name its dimensions, as with rimroll.axis"
         )
     return rows
 
 
 def _columns(
-    rows: Rows, varied: Mapping[str, Array], grips: Array, table: Array
+    rows: Rows, varied: Mapping[str, Array], scales: Array, table: Array
 ) -> dict[str, Column]:
     done = len(table)
-    told = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
-    told["time"] = told.pop("end_time")
-    gone_round = np.mod(told.pop("end_yaw") - rows.starts.yaw[:done], 2.0 * np.pi)
-    told["direction"] = np.where(np.isnan(told["turn"]), np.nan, gone_round)
+    found = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
+    found["min_tilt_time"] = found.pop("near_time")
+    gone_round = np.mod(found.pop("end_yaw") - rows.starts.yaw[:done], 2.0 * np.pi)
+    found["direction"] = np.where(np.isnan(found["turn"]), np.nan, gone_round)
     losses = ("friction_loss", "resistance_loss", "impact_loss")
-    told["energy_lost"] = sum((told[loss] for loss in losses), np.zeros(done))
+    found["energy_lost"] = sum((found[loss] for loss in losses), np.zeros(done))
     for flag in ("slid", "flew"):
-        told[flag] = told[flag] != 0.0
-    told["steps"] = told["steps"].astype(np.int64)
-    outcome = np.array(_core.OUTCOMES)[told["outcome"].astype(np.int64)]
+        found[flag] = found[flag] != 0.0
+    found["steps"] = found["steps"].astype(np.int64)
+    outcome = np.array(_core.OUTCOMES)[found["outcome"].astype(np.int64)]
     return {
         "outcome": Column(outcome),
-        **described(told),
+        **described(found),
         **{
             f"start_{name}": Column(column[:done], START_UNIT_OF[name])
             for name, column in rows.starts._asdict().items()
@@ -238,12 +253,12 @@ def _columns(
             if np.ndim(rows.given[name])
         },
         **{f"law_{name}": Column(column[:done]) for name, column in varied.items()},
-        "grip": Column(grips[:done], ""),
+        "friction_scale": Column(scales[:done], ""),
     }
 
 
 def described(numbers: Mapping[str, NDArray[Any]]) -> dict[str, Column]:
-    """Those of the :data:`VARIABLES` that there are, with unit and meaning."""
+    """The :data:`VARIABLES` among some columns of numbers, with unit and meaning."""
     return {
         name: Column(numbers[name], unit, meaning)
         for name, (unit, meaning) in VARIABLES.items()
@@ -258,17 +273,17 @@ def fell(falls: Falls | xr.Dataset) -> NDArray[np.bool_]:
 
 
 def outcomes(falls: Falls | xr.Dataset) -> dict[str, int]:
-    """How many falls had each outcome, of those that occur."""
+    """How many falls had each of the outcomes that occur."""
     outcome = np.asarray(falls["outcome"])
     counts: dict[str, int] = {}
     for name in OUTCOMES:
-        if sum(counts.values()) < outcome.size:  # a million words are slow to compare
+        if sum(counts.values()) < outcome.size:  # comparing a million words is slow
             counts[name] = int(np.count_nonzero(outcome == name))
     return {name: count for name, count in counts.items() if count}
 
 
 def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str, object]:
-    """The attributes of falls: everything that they were computed from but the starts."""
+    """The attributes of falls: everything that they were computed from, except the starts."""
     return {
         "law": law.name,
         **{f"law_{name}": value for name, value in fixed_numbers(law.numbers).items()},
@@ -279,7 +294,7 @@ def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str,
 
 
 def body_of(falls: Falls | xr.Dataset) -> Body:
-    """The body whose falls they are, or a Body of arrays where it differs from fall to fall.
+    """The body of the falls; a Body of arrays where it differs from fall to fall.
 
     Raises ``RimrollError`` for a dataset of something else.
     """
@@ -287,7 +302,7 @@ def body_of(falls: Falls | xr.Dataset) -> Body:
 
 
 def law_of(falls: Falls | xr.Dataset) -> Law:
-    """The law under which it fell, with arrays of those numbers that differ from fall to fall.
+    """The law of the falls, with arrays where its numbers differ from fall to fall.
 
     Raises ``RimrollError`` for a dataset of something else.
     """
@@ -307,7 +322,7 @@ _RESISTANCES: dict[type[Resistance], tuple[str, ...]] = {
     PivotingFriction: ("pivoting_length",),
     AirDrag: ("air_coefficient", "air_exponent"),
 }
-"""The numbers of resistances, as a law tells them."""
+"""The names of the numbers of resistances, as in :attr:`rimroll.laws.Law.numbers`."""
 
 
 def _has(falls: Falls | xr.Dataset, name: str) -> bool:

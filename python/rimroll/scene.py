@@ -42,7 +42,7 @@ def rgb(color: str) -> Array:
 class RoundBody(Protocol):
     """What the renderer asks of a body: radius of the rim and height of the centre of mass, m.
 
-    A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disc.
+    A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disk.
     """
 
     @property
@@ -109,7 +109,7 @@ class Pose:
         return np.column_stack([c * e_x2 + s * e_y1, c * e_y1 - s * e_x2, e_z2])
 
     def base_center(self, body: RoundBody) -> Array:
-        """Centre of the base disc, (3,), m."""
+        """Centre of the base disk, (3,), m."""
         return np.asarray(self.center - body.height * self.axes()[2])
 
     def contact(self, body: RoundBody) -> Array:
@@ -222,20 +222,20 @@ class Profile:
         return cls(outline, (0.9 * bead, top - 2.0 * bead))
 
     @classmethod
-    def disc(cls, radius: float, thickness: float = 0.0) -> Profile:
-        """A disc, drawn at least 0.04 radii thick."""
+    def disk(cls, radius: float, thickness: float = 0.0) -> Profile:
+        """A disk, drawn at least 0.04 radii thick."""
         top = max(thickness, 0.04 * radius)
         return cls(((radius, 0.0), (radius, top), (0.9 * radius, top)), (top, top))
 
     @classmethod
     def of(cls, body: RoundBody) -> Profile:
-        """The body's own profile; else a can, or a disc if flat, twice as long as G is high."""
+        """The body's own profile; else a can, or a disk if flat, twice as long as G is high."""
         own: Profile | None = getattr(body, "profile", None)
         if own is not None:
             return own
         length = 2.0 * body.height
         flat = length < 0.4 * body.radius
-        return cls.disc(body.radius, length) if flat else cls.can(body.radius, length)
+        return cls.disk(body.radius, length) if flat else cls.can(body.radius, length)
 
     def points(self, count: int = 48) -> Array:
         """Points (n, 3) of the surface, m, from the base's centre: enough for hulls and limits."""

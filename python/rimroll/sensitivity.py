@@ -1,7 +1,7 @@
 """Left or right: the direction of fall over a plane of starts, and the line on which it jumps.
 
-A body let go without yaw and spin comes down flat. The smallest yaw or spin decides to which side
-it rises again; starts that come down flat all the same form a line in the plane of the two rates,
+A body released without yaw rate and spin rate comes down flat. The smallest of either decides to
+which side it rises again. The starts that come down flat form a line in the plane of the two rates:
 the watershed between falls to the left and falls to the right.
 """
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 HALVINGS = 50
-"""Of the stretch in which a watershed is sought: to the last digits of a double."""
+"""How often bisection halves the interval around a watershed: to the last digits of a double."""
 
 
 def turn_map(
@@ -50,41 +50,37 @@ def turn_map(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> xr.Dataset:
-    """Follow a body from each start of a plane of yaw and spin rates: how far it turns, and where.
+    """Follow a body from each start in a plane of yaw and spin rates: its turn and direction.
 
     Parameters
     ----------
     body, law
         What rolls, and how its rim meets the table.
     start
-        One start; the map's yaw and spin rates take the place of its own.
+        One start; the yaw and spin rates of the map replace its own.
     yaw_rates, spin_rates
         dψ/dt and dθ/dt, rad/s, each a flat array in rising order.
     gravity, duration, rtol, topple_tilt, max_steps, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
-        Under ``NoSlip()`` and ``Frictionless()`` nothing is stepped: turns are exact, see
-        :func:`rimroll.exact_turn`; ``duration``, ``rtol`` and ``max_steps`` must be such as a
-        stepped map takes, and play no other part.
+        Under ``NoSlip()`` and ``Frictionless()`` turns are computed by quadrature, see
+        :func:`rimroll.exact_turn`; there ``duration``, ``rtol`` and ``max_steps`` are checked but
+        not used.
 
     Returns
     -------
     xarray.Dataset
         ``outcome`` and the variables of :func:`rimroll.ensemble`, among them ``turn``,
-        ``direction`` and ``min_tilt``, over (``spin_rate``, ``yaw_rate``); without those about
-        losses and steps where nothing is stepped. Angles in rad; a direction above π is a fall to
-        the left of a hand that flicks the body away from itself. The attributes hold all else that
-        it was computed from. ``outcome``, ``near_time`` and ``end_tilt`` are what
-        :func:`rimroll.exact_turn` calls ``status``, ``min_time`` and ``max_tilt``; but a body whose
-        rim leaves the table as it rises past its balance tilt has the outcome ``toppled`` here, and
-        the status ``lifted_off`` there. A start whose rim the table would have to pull down at once
-        is ``lifted_off`` in both, and has no turn.
+        ``direction`` and ``min_tilt``, over (``spin_rate``, ``yaw_rate``). Variables about losses
+        and steps are left out where turns are computed by quadrature. Angles are in rad; a
+        direction above π is a fall to the left of a hand that flicks the body away from itself. The
+        attributes hold everything else that the map was computed from.
 
     Raises
     ------
     RimrollError
-        A number outside its bounds, rates that are no flat array or do not rise.
+        A number outside its bounds, rates that are not a flat array or do not increase.
     Interrupted
-        On Ctrl-C; it carries the map as far as its rows, one a spin rate, are done.
+        On Ctrl-C; it carries the rows of the map, one for each spin rate, that are complete.
     """
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     falls = map_falls(body, start, law, yaw_rates, spin_rates, options, threads, progress)
@@ -110,7 +106,7 @@ def map_falls(
     starts = replace(given, yaw_rate=np.tile(yaw, len(spin)), spin_rate=np.repeat(spin, len(yaw)))
     try:
         if conserves_energy(law):
-            # One step of one fall: what a stepped map would refuse is refused here, too.
+            # One step of one fall, for the errors of a stepped map.
             follow(body, start, law, replace(options, max_steps=1), threads=threads)
             falls = exact_falls(
                 body,
@@ -137,14 +133,14 @@ def watershed(
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: Number = 1e-8,
 ) -> Array:
-    """Yaw rates, rad/s, on one side of which a body falls left and on the other right, by trial.
+    """The yaw rates (n,), rad/s, at which the direction of fall jumps from right to left.
 
-    Found under any law by halving, from falls that are followed, for each of the spin rates (n,),
-    rad/s, that take the place of the start's. Under the two ideal laws it is a straight line, see
-    :func:`watershed_slope`.
+    One for each of the spin rates (n,), rad/s, which replace that of the start. They are found by
+    bisection over simulated falls, under any law. Under the two ideal laws the watershed is a
+    straight line, see :func:`watershed_slope`.
 
-    Raises ``RimrollError`` where the falls on both sides of all plausible yaw rates do not differ,
-    as for starts that do not come down.
+    Raises ``RimrollError`` where no yaw rate in a plausible interval separates left from right, as
+    for starts that do not come down.
     """
     one_body(body)
     expect("start", start, State)
@@ -160,7 +156,7 @@ def watershed(
         starts = replace(given, yaw_rate=yaw_rate, spin_rate=spin)
         return goes_left(body, starts, law, options)
 
-    turning = spin != 0.0  # without spin it is the start without yaw, by symmetry
+    turning = spin != 0.0  # without spin the watershed is at yaw rate 0, by symmetry
     low, high = ends
     if np.any(to_the_left(low)[turning]) or not np.all(to_the_left(high)[turning]):
         raise RimrollError("these starts have no watershed between falls to the left and right")
@@ -168,16 +164,16 @@ def watershed(
 
 
 def goes_left(body: Body, starts: State, law: Law, options: Options) -> NDArray[np.bool_]:
-    """Whether bodies turn left from starts (n,), followed as :func:`rimroll.ensemble` does."""
+    """Whether the body turns left from each of the starts (n,), by :func:`rimroll.ensemble`."""
     turn = follow(body, starts, law, options)["turn"]
-    # Rolling with a spin along its turn, the rim is lifted off before it is lowest.
+    # Rolling with a spin along its turn, the body lifts off before its tilt is smallest.
     return np.where(np.isnan(turn), starts.spin_rate > 0.0, turn > 0.0)
 
 
 def halved(
     to_the_left: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, times: int
 ) -> Array:
-    """Where between yaw rates from which a body turns right and left the side changes, by trial."""
+    """The yaw rates where the side changes, by bisection between ``low`` (right) and ``high``."""
     for _ in range(times):
         middle = 0.5 * (low + high)
         left = to_the_left(middle)
@@ -186,7 +182,7 @@ def halved(
 
 
 def watershed_slope(body: Body, tilt: Number, law: Law) -> float:
-    """Yaw rate over spin rate of the starts at a tilt (rad) that come down flat, dimensionless.
+    """The ratio of yaw rate to spin rate of the starts at a tilt (rad) that come down flat.
 
     Without slip or without friction yaw and spin rates obey linear equations with the tilt as
     independent variable. The watershed is therefore a straight line through the start without
@@ -201,7 +197,7 @@ def watershed_slope(body: Body, tilt: Number, law: Law) -> float:
 
 
 def _plane(falls: Falls, yaw: Array, spin: Array, start: State) -> Falls:
-    """The falls laid out in the plane, as many whole rows as there are."""
+    """The falls laid out in the plane; an incomplete last row is left out."""
     shape = falls.size // len(yaw), len(yaw)
     whole = shape[0] * shape[1]
     kept = ("tilt", "tilt_rate", "yaw", "spin")

@@ -58,8 +58,8 @@ def hollow_cylinder(
     )
 
 
-def disc(mass: Number, radius: Number, height: Number = 0.0) -> Solid:
-    """A thin disc at a height: C = mR²/2, A = C/2."""
+def disk(mass: Number, radius: Number, height: Number = 0.0) -> Solid:
+    """A thin disk at a height: C = mR²/2, A = C/2."""
     return _made(_core.disc, mass=mass, radius=radius, height=height)
 
 

@@ -34,18 +34,23 @@ class Arrival:
     """ω = −dφ/dt, rad/s."""
     slip: float = 0.0
     """Velocity of the rim's lowest point, from it toward the base's centre, m/s."""
-    spin: float = 0.0
+    axial_spin: float = 0.0
     """s = dθ/dt + dψ/dt cos φ, rad/s, positive in the direction of the turn."""
     friction_ratio: float = math.nan
     """The largest |T|/N on the way down: what tipping without slip needs. NaN if not known."""
 
     def __post_init__(self) -> None:
-        units = {"tipping_rate": "rad/s", "slip": "m/s", "spin": "rad/s", "friction_ratio": "1"}
+        units = {
+            "tipping_rate": "rad/s",
+            "slip": "m/s",
+            "axial_spin": "rad/s",
+            "friction_ratio": "1",
+        }
         for name, unit in units.items():
             object.__setattr__(self, name, number(name, getattr(self, name), unit))
 
     def _numbers(self) -> tuple[float, float, float, float]:
-        return self.tipping_rate, self.slip, self.spin, self.friction_ratio
+        return self.tipping_rate, self.slip, self.axial_spin, self.friction_ratio
 
 
 @dataclass(frozen=True)
@@ -55,13 +60,13 @@ class Passage:
     turn: float
     """The limiting angle of turn, rad."""
     rising_rate: float
-    """dφ/dt of the beginning rise, rad/s."""
-    spin: float
-    """s of it, rad/s, positive in the direction of the turn."""
+    """dφ/dt at the beginning of the rise, rad/s."""
+    axial_spin: float
+    """s at the beginning of the rise, rad/s, positive in the direction of the turn."""
     slip: tuple[float, float]
-    """Its slip (m/s), toward the base's centre and across."""
-    loss: float
-    """The part of the kinetic energy that friction takes."""
+    """Slip at the beginning of the rise, m/s: toward the base's centre, and across."""
+    energy_lost_fraction: float
+    """The fraction of the kinetic energy on arrival that is lost to friction."""
 
 
 def arrival(
@@ -115,7 +120,7 @@ def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
     return Passage(*_core.passage(body, law, (arrival or Arrival())._numbers()))
 
 
-def turn_limit_with_spin(body: Body, spin: Values, tipping_rate: Values) -> Any:
+def turn_limit_with_spin(body: Body, axial_spin: Values, tipping_rate: Values) -> Any:
     """Limiting angle without slip, rad, for a body that arrives with a spin about its axis.
 
     √(J/K) [π + 2 arctan(mHR s/(ω √(JK)))], with s = dθ/dt + dψ/dt cos φ (rad/s, positive in the
@@ -124,11 +129,9 @@ def turn_limit_with_spin(body: Body, spin: Values, tipping_rate: Values) -> Any:
     limit a spin against the turn keeps the rim pressed; with one along it the motion lifts off.
     """
     expect("body", body, Body)
-    spin, tipping_rate = (
-        values("spin", spin, "rad/s"),
-        values("tipping_rate", tipping_rate, "rad/s"),
-    )
-    return elementwise(_core.turn_limit_with_spin, body, spin, tipping_rate)
+    axial_spin = values("axial_spin", axial_spin, "rad/s")
+    tipping_rate = values("tipping_rate", tipping_rate, "rad/s")
+    return elementwise(_core.turn_limit_with_spin, body, axial_spin, tipping_rate)
 
 
 def disk_turn_limit(gyration_ratio: Values) -> Any:

@@ -177,14 +177,14 @@ def test_composing_follows_the_parallel_axis_theorem(solids):
         ),
         (rr.solids.filling(800.0, 0.1, 0.3, 0.2), (800.0, 0.0, 0.1, 0.2, 0.5)),
         # Thin things as things of 1e-6 m.
-        (rr.solids.disc(1.0, 0.1, 0.2), (1 / (np.pi * 1e-8), 0.0, 0.1, 0.2, 0.200001)),
+        (rr.solids.disk(1.0, 0.1, 0.2), (1 / (np.pi * 1e-8), 0.0, 0.1, 0.2, 0.200001)),
         (rr.solids.wall(1.0, 0.1, 0.3, 0.2), (1 / (np.pi * 0.06e-6), 0.1, 0.100001, 0.2, 0.5)),
         (
             rr.solids.ring(1.0, 0.1, 0.2),
             (1 / (np.pi * 0.2e-12), 0.1, 0.100001, 0.2, 0.200001),
         ),
     ],
-    ids=["cylinder", "hollow_cylinder", "filling", "disc", "wall", "ring"],
+    ids=["cylinder", "hollow_cylinder", "filling", "disk", "wall", "ring"],
 )
 def test_solids_have_the_moments_of_the_rings_they_are_made_of(solid, part):
     assert_same_body(rr.Body.from_solids(0.1, [solid]), summed([part], 0.1), 5e-5)
@@ -193,14 +193,14 @@ def test_solids_have_the_moments_of_the_rings_they_are_made_of(solid, part):
 @pytest.mark.parametrize(
     ("make", "complaint"),
     [
-        (lambda: rr.solids.disc(-1.0, 0.1), "mass must be > 0, got -1 kg"),
+        (lambda: rr.solids.disk(-1.0, 0.1), "mass must be > 0, got -1 kg"),
         (lambda: rr.solids.ring(1.0, 0.0), "radius must be > 0, got 0 m"),
         (lambda: rr.solids.wall(1.0, 0.1, -0.1), "length must be >= 0, got -0.1 m"),
         (lambda: rr.solids.hollow_cylinder(1, 2, 1, 1), "at most outer_radius = 1 m, got 2 m"),
         (lambda: rr.solids.filling(0.0, 1, 1), "density must be > 0, got 0 kg/m3"),
         (lambda: rr.Body.from_solids(0.1, []), "solids must name at least one solid, got none"),
         (
-            lambda: rr.Body.from_solids(0.1, [rr.solids.disc(1.0, 0.1, -0.2)]),
+            lambda: rr.Body.from_solids(0.1, [rr.solids.disk(1.0, 0.1, -0.2)]),
             "height must be >= 0, got -0.2 m",
         ),
     ],

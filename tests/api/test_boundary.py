@@ -66,9 +66,9 @@ def test_friction_ratio_is_never_negative(rate):
     assert (rr.simulate(CAN, start, rr.NoSlip()).friction_ratio >= 0.0).all()
 
 
-def test_pasted_refuses_arrays_with_a_sentence():
+def test_composite_refuses_arrays_with_a_sentence():
     with pytest.raises(rr.RimrollError):
-        rr.pasted(CAN, rr.State(tilt=np.array([0.1, 0.2]), yaw_rate=1e-3), rr.NoSlip())
+        rr.composite(CAN, rr.State(tilt=np.array([0.1, 0.2]), yaw_rate=1e-3), rr.NoSlip())
 
 
 @pytest.mark.parametrize("t", [[[0.0, 1.0]], "soon"])
@@ -130,7 +130,7 @@ def test_things_of_the_wrong_kind_are_refused_by_name(body, start, law, words):
     with pytest.raises(rr.RimrollError, match=words):
         rr.simulate(body, start, law)
     with pytest.raises(rr.RimrollError, match=words):
-        rr.pasted(body, start, law)
+        rr.composite(body, start, law)
 
 
 @pytest.mark.parametrize(
@@ -146,9 +146,9 @@ def test_things_of_the_wrong_kind_are_refused_by_name(body, start, law, words):
         lambda: rr.Body(1e-170, 0.05, 0.07, 1e-173, 1e-173),
         lambda: rr.State(tilt=0.5, yaw_rate=1e200) and simulate(yaw_rate=1e200),
         lambda: simulate(yaw=1e12),
-        lambda: rr.pasted(CAN, rr.State(tilt=0.3, yaw_rate=1e5), rr.NoSlip()),
-        lambda: rr.pasted(CAN, START, rr.NoSlip(), gravity=0.0),
-        lambda: rr.pasted(
+        lambda: rr.composite(CAN, rr.State(tilt=0.3, yaw_rate=1e5), rr.NoSlip()),
+        lambda: rr.composite(CAN, START, rr.NoSlip(), gravity=0.0),
+        lambda: rr.composite(
             rr.bodies.disk(0.1), rr.State(tilt=2.0, yaw_rate=1e-3), rr.Frictionless()
         ),
         *(

@@ -63,8 +63,8 @@ def test_a_fall_is_the_first_turn_of_its_motion(rocking, law):
         # By steps of its own, to within the tolerance and what a collision makes of it.
         assert falls["turn"].item() == pytest.approx(turn.angle, abs=1e-6)
         assert falls["min_tilt"].item() == pytest.approx(turn.min_tilt, rel=1e-5)
-        assert falls["near_time"].item() == pytest.approx(turn.t, rel=1e-6)
-        assert falls["time"].item() == pytest.approx(turn.end, rel=1e-6)
+        assert falls["min_tilt_time"].item() == pytest.approx(turn.t, rel=1e-6)
+        assert falls["end_time"].item() == pytest.approx(turn.end, rel=1e-6)
         went = motion.evaluate(turn.end).yaw[0] - rocking.start.yaw
         assert np.cos(falls["direction"].item() - went) == pytest.approx(1.0, abs=1e-10)
         assert 0.0 <= falls["direction"].item() <= 2.0 * np.pi
@@ -171,7 +171,7 @@ def test_each_outcome_is_named(name):
     falls = rr.ensemble(body, start, law, **options)
     assert falls["outcome"].item() == name
     came_down = name in ("toppled", "rocked")
-    for column in ("turn", "direction", "min_tilt", "near_time"):
+    for column in ("turn", "direction", "min_tilt", "min_tilt_time"):
         assert bool(np.isnan(falls[column].item())) != came_down
     assert name in OUTCOMES
 
@@ -182,13 +182,13 @@ def test_a_fall_whose_time_is_up_on_its_way_up_has_no_turn(rocking, law, part):
     options = {"gravity": rocking.gravity, "rtol": 1e-8}
     whole = rr.ensemble(rocking.body, rocking.start, law, duration=3.0 * rocking.time, **options)
     assume(whole["outcome"].item() == "rocked")
-    near, end = whole["near_time"].item(), whole["time"].item()
+    near, end = whole["min_tilt_time"].item(), whole["end_time"].item()
     duration = near + part * (end - near)
     cut = rr.ensemble(rocking.body, rocking.start, law, duration=duration, **options)
     assert cut["outcome"].item() == "hovered"
-    for name in ("turn", "direction", "min_tilt", "near_time"):
+    for name in ("turn", "direction", "min_tilt", "min_tilt_time"):
         assert np.isnan(cut[name].item())
-    assert cut["time"].item() == duration
+    assert cut["end_time"].item() == duration
 
 
 def test_a_tall_body_whose_rim_leaves_the_table_as_it_falls_over_has_toppled():
@@ -207,11 +207,11 @@ def test_a_tall_body_whose_rim_leaves_the_table_as_it_falls_over_has_toppled():
 def test_rows_carry_units_meanings_starts_and_everything_else_they_came_from():
     starts = rr.State(tilt=np.array([0.3, 0.4]), yaw=0.5, yaw_rate=0.02, spin_rate=0.01)
     law = rr.Coulomb(0.2, static=0.25) + rr.AirDrag(1e-12) + rr.PivotingFriction(1e-5)
-    falls = rr.ensemble(CAN, starts, law, grip=[1.0, 0.5], duration=2.0, topple_tilt=1.5)
+    falls = rr.ensemble(CAN, starts, law, friction_scale=[1.0, 0.5], duration=2.0, topple_tilt=1.5)
     for name, (unit, meaning) in VARIABLES.items():
         assert falls[name].attrs == {"units": unit, "long_name": meaning}
     assert falls["start_yaw"].values.tolist() == [0.5, 0.5]
-    assert falls["grip"].values.tolist() == [1.0, 0.5]
+    assert falls["friction_scale"].values.tolist() == [1.0, 0.5]
     assert falls.attrs["law_friction"] == 0.2 and falls.attrs["law_air_exponent"] == 4.0
     assert falls.attrs["body_mass"] == CAN.mass and falls.attrs["gravity"] == rr.STANDARD_GRAVITY
     assert falls.attrs["topple_tilt"] == 1.5 and falls.attrs["duration"] == 2.0
@@ -228,12 +228,12 @@ def test_the_law_is_found_again_in_the_attributes(law):
     assert law_of(rr.ensemble(CAN, rr.State(tilt=0.3), law, duration=0.01)) == law
 
 
-def test_grip_is_a_factor_of_the_friction():
+def test_friction_scale_is_a_factor_on_the_friction():
     start = rr.State(tilt=0.35, tilt_rate=-0.5, yaw_rate=0.02)
-    gripped = rr.ensemble(CAN, start, rr.Coulomb(0.1, static=0.2), grip=1.5)
+    scaled = rr.ensemble(CAN, start, rr.Coulomb(0.1, static=0.2), friction_scale=1.5)
     plain = rr.ensemble(CAN, start, rr.Coulomb(1.5 * 0.1, static=1.5 * 0.2))
-    assert gripped["turn"].item() == plain["turn"].item()
-    none = rr.ensemble(CAN, start, rr.Coulomb(0.1), grip=0.0)
+    assert scaled["turn"].item() == plain["turn"].item()
+    none = rr.ensemble(CAN, start, rr.Coulomb(0.1), friction_scale=0.0)
     frictionless = rr.ensemble(CAN, start, rr.Frictionless())
     assert none["turn"].item() == pytest.approx(frictionless["turn"].item(), abs=1e-6)
 
@@ -257,9 +257,12 @@ START = rr.State(tilt=0.3)
         ({"law": "no_slip"}, "law must be a rimroll.Law"),
         ({"starts": 0.3}, "starts must be a rimroll.State"),
         ({"starts": rr.State(tilt=np.full((2, 2), 0.3))}, r"flat arrays, got shape \(2, 2\)"),
-        ({"grip": -0.1}, "grip must be finite and >= 0, got -0.1"),
-        ({"grip": np.nan}, "grip must be finite and >= 0, got nan"),
-        ({"grip": "much"}, 'grip must be a pure number such as "0.5", got "much"'),
+        ({"friction_scale": -0.1}, "friction_scale must be finite and >= 0, got -0.1"),
+        ({"friction_scale": np.nan}, "friction_scale must be finite and >= 0, got nan"),
+        (
+            {"friction_scale": "much"},
+            'friction_scale must be a pure number such as "0.5", got "much"',
+        ),
         ({"threads": 0}, "threads must be a whole number >= 1"),
         ({"threads": 10**6}, "threads must be at most 1024"),
         ({"gravity": -1.0}, "gravity must be"),
@@ -286,22 +289,25 @@ def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
         rr.Tabulated([0.0, 1.0], [0.1, 0.1], static=0.3),
     ],
 )
-def test_the_bound_on_friction_holds_for_friction_times_grip(law):
-    rr.ensemble(CAN, START, law, grip=0.999e6 / 0.3, duration=1e-9)
-    for grip in (1.001e6 / 0.3, 1e9, 1e308):
+def test_the_bound_on_friction_holds_for_friction_times_its_scale(law):
+    rr.ensemble(CAN, START, law, friction_scale=0.999e6 / 0.3, duration=1e-9)
+    for friction_scale in (1.001e6 / 0.3, 1e9, 1e308):
         with pytest.raises(rr.RimrollError, match=r"(friction|frictions|static) must be .*1e6"):
-            rr.ensemble(CAN, START, law, grip=grip, duration=1e-9)
+            rr.ensemble(CAN, START, law, friction_scale=friction_scale, duration=1e-9)
 
 
 @pytest.mark.parametrize("place", [0, 3, 4999])
 def test_the_start_of_many_that_is_at_fault_is_named(place):
     tilts, yaws = np.full(5000, 0.3), np.zeros(5000)
     tilts[place], yaws[place] = 1.2, 2e6
-    grip = np.where(np.arange(5000) == place, -1.0, 1.0)
+    friction_scale = np.where(np.arange(5000) == place, -1.0, 1.0)
     for change, message in (
         ({"starts": rr.State(tilt=tilts), "topple_tilt": 1.0}, "tilt[{}] must be below topple_"),
         ({"starts": rr.State(tilt=0.3, yaw=yaws)}, "yaw[{}] must be between -1e6 and 1e6, got 200"),
-        ({"starts": rr.State(tilt=tilts), "grip": grip}, "grip[{}] must be finite and >= 0, got"),
+        (
+            {"starts": rr.State(tilt=tilts), "friction_scale": friction_scale},
+            "friction_scale[{}] must be finite and >= 0, got",
+        ),
     ):
         with pytest.raises(rr.RimrollError) as refusal:
             rr.ensemble(**{"body": CAN, "law": rr.Coulomb(0.2), **change})

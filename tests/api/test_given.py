@@ -76,7 +76,7 @@ CALLS = {
     "filling density": ("g/cm^3", lambda x: rr.solids.filling(x, 0.03, 0.1)),
     "from_solids radius": (
         "cm",
-        lambda x: rr.Body.from_solids(x, [rr.solids.disc(0.02, 0.03, 0.01)]),
+        lambda x: rr.Body.from_solids(x, [rr.solids.disk(0.02, 0.03, 0.01)]),
     ),
     "disk radius": ("cm", rr.bodies.disk),
     "soda_can fill": ("percent", rr.bodies.soda_can),
@@ -108,7 +108,7 @@ CALLS = {
     "motion(t)": ("ms", lambda x: rr.simulate(CAN, START, rr.NoSlip())(x).tilt),
     "exact_turn gravity": (
         "cm/s^2",
-        lambda x: rr.exact_turn(CAN, START, rr.NoSlip(), gravity=x).time,
+        lambda x: rr.exact_turn(CAN, START, rr.NoSlip(), gravity=x).end_time,
     ),
     "ensemble duration": (
         "ms",
@@ -145,9 +145,9 @@ CALLS = {
         "deg",
         lambda x: rr.NearCollision(CAN, rr.NoSlip(), x, 1.0).tilt("3 ms").tolist(),
     ),
-    "pasted gravity": (
+    "composite gravity": (
         "cm/s^2",
-        lambda x: rr.pasted(CAN, START, rr.NoSlip(), x).time,
+        lambda x: rr.composite(CAN, START, rr.NoSlip(), x).min_tilt_time,
     ),
     "imperfect_rim angle": ("deg", lambda x: rr.imperfect_rim(CAN, x, rr.NoSlip())),
     "measure diameter": (
@@ -156,7 +156,7 @@ CALLS = {
     ),
     "summary left": (
         "deg",
-        lambda x: rr.directions_of_summary(left=(x, x, 5), right=(3.0, 0.1, 5)).tolist(),
+        lambda x: rr.directions_from_summary(left=(x, x, 5), right=(3.0, 0.1, 5)).tolist(),
     ),
     "predict_falls reading_error": (
         "deg",
@@ -206,8 +206,9 @@ def test_a_unit_of_another_kind_is_refused_with_what_it_measures(name):
         call(3.0 * u.kelvin)
 
 
+# Subnormal numbers have too few digits to be converted alike.
 @given(
-    st.floats(-1e6, 1e6),
+    st.floats(-1e6, 1e6, allow_subnormal=False),
     st.sampled_from(["rad", "deg", "arcmin", "turn"]),
 )
 def test_a_pint_number_is_the_double_that_the_text_is(number, unit):

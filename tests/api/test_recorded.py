@@ -47,19 +47,19 @@ def test_a_file_of_the_command_line_is_a_motion_too(tmp_path, capsys):
 def test_falls_can_be_followed_again_from_their_dataset():
     law = LAWS[1]
     starts = rr.State(tilt=np.linspace(0.2, 0.5, 5), tilt_rate=-3.0, yaw_rate=0.1)
-    falls = rr.ensemble(CAN, starts, law, grip=np.linspace(0.5, 1.0, 5), gravity=9.8)
+    falls = rr.ensemble(CAN, starts, law, friction_scale=np.linspace(0.5, 1.0, 5), gravity=9.8)
     again = rr.ensemble(
         rr.Body.from_xarray(falls),
         rr.State.from_xarray(falls),
         rr.Law.from_xarray(falls),
-        grip=falls["grip"].values,
+        friction_scale=falls["friction_scale"].values,
         **{name: falls.attrs[name] for name in ("duration", "gravity", "rtol", "max_steps")},
     )
     xr.testing.assert_identical(again, falls)
 
 
-def test_a_fall_is_no_motion_as_it_has_a_grip_of_its_own():
-    falls = rr.ensemble(CAN, START, rr.Coulomb(0.5), grip=0.2)
+def test_a_fall_is_no_motion_as_it_has_a_friction_scale():
+    falls = rr.ensemble(CAN, START, rr.Coulomb(0.5), friction_scale=0.2)
     with pytest.raises(rr.RimrollError, match="that of a motion, got one of falls"):
         rr.Motion.from_xarray(falls.isel(trial=0))
 

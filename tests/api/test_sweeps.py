@@ -51,7 +51,7 @@ def one_of(many, row):
 
 def results(falls):
     """What falls come to, without what they were computed from."""
-    given = ("start_", "body_", "law_", "grip")
+    given = ("start_", "body_", "law_", "friction_scale")
     told = falls[[name for name in falls.data_vars if not name.startswith(given)]]
     return told.drop_attrs(deep=False)
 
@@ -98,10 +98,10 @@ def test_order_threads_and_company_change_no_bit():
     )
 
 
-def test_a_sweep_of_friction_is_that_of_its_multiplier_grip():
+def test_a_sweep_of_friction_is_that_of_its_scale():
     start, friction = rr.State(tilt=0.5, yaw_rate=0.01), np.linspace(0.05, 0.4, 30)
     swept = rr.ensemble(CAN, start, rr.Coulomb(friction))
-    scaled = rr.ensemble(CAN, start, rr.Coulomb(1.0), grip=friction)
+    scaled = rr.ensemble(CAN, start, rr.Coulomb(1.0), friction_scale=friction)
     xr.testing.assert_identical(results(swept), results(scaled))
 
 
@@ -156,7 +156,7 @@ def test_bodies_by_name_are_a_dimension():
     limits = rr.turn_limit(bodies, rr.NoSlip())
     assert limits.sel(body="can").item() == rr.turn_limit(CAN, rr.NoSlip())
     turns = rr.exact_turn(bodies, rr.State(tilt=tilt, yaw_rate=0.01), rr.NoSlip())
-    assert turns.turn.dims == ("body", "tilt") and turns.status.dims == ("body", "tilt")
+    assert turns.turn.dims == ("body", "tilt") and turns.outcome.dims == ("body", "tilt")
     exact = rr.exact_turn(COIN, rr.State(tilt=0.3, yaw_rate=0.01), rr.NoSlip())
     assert turns.turn.sel(body="coin", tilt=0.3).item() == exact.turn
 
@@ -371,7 +371,7 @@ MANY, START = rr.Body.stack([CAN, COIN]), rr.State(tilt=0.3)
         (lambda: rr.simulate(CAN, START, rr.Coulomb([0.1, 0.2])), "law must be a single law"),
         (lambda: rr.passage(MANY, rr.NoSlip()), "body must be a single body"),
         (lambda: rr.arrival(CAN, START, rr.Coulomb([0.1, 0.2])), "law must be a single law"),
-        (lambda: rr.pasted(MANY, START, rr.NoSlip()), "body must be a single body"),
+        (lambda: rr.composite(MANY, START, rr.NoSlip()), "body must be a single body"),
         (lambda: rr.topple(MANY, rr.NoSlip()), "body must be a single body"),
         (lambda: rr.topple(CAN, rr.Coulomb([0.1, 0.2])), "law must be a single law"),
         (lambda: rr.watershed_slope(MANY, 0.3, rr.NoSlip()), "body must be a single body"),

@@ -157,7 +157,7 @@ def test_turn_with_friction_and_a_start_has_the_limit_of_its_arrival(said):
         "turn_limit": rr.turn_limit(CAN_2007, rr.Coulomb(0.2), arrival),
         "tipping_rate": arrival.tipping_rate,
         "slip": arrival.slip,
-        "spin": arrival.spin,
+        "axial_spin": arrival.axial_spin,
         "friction_ratio": arrival.friction_ratio,
     }
     assert list(answer["motions"]) == ["coulomb"]
@@ -424,7 +424,7 @@ def test_compare_in_json_is_the_api(said):
         assert one["arrival"]["slip"] == arrival.slip
         lost = motion.evaluate(motion.turns[0].end).friction_loss[0] / motion.energy[0]
         # What is told is the change of the energy, which keeps to the tolerance of 1e-10.
-        assert one["energy_lost"] == pytest.approx(lost, abs=1e-11)
+        assert one["energy_lost_fraction"] == pytest.approx(lost, abs=1e-11)
     assert [one["slips_while_tipping"] for one in answer["outcomes"]] == [True, True, False, True]
     assert [one["slips"] for one in answer["outcomes"]] == [True, True, False, True]
 

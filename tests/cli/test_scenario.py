@@ -73,7 +73,7 @@ def test_every_kind_of_solid_is_that_of_the_module(written):
     parts = {
         "cylinder": "mass = 1\nradius = 0.1\nlength = 0.2",
         "hollow_cylinder": "mass = 1\ninner_radius = 0.1\nouter_radius = 0.2\nlength = 0.2",
-        "disc": "mass = 1\nradius = 0.1\nheight = 0.3",
+        "disk": "mass = 1\nradius = 0.1\nheight = 0.3",
         "ring": "mass = 1\nradius = 0.1",
         "wall": "mass = 1\nradius = 0.1\nlength = 0.2\nbase = 0.1",
         "filling": "density = 1000\nradius = 0.1\ndepth = 0.2",
@@ -84,7 +84,7 @@ def test_every_kind_of_solid_is_that_of_the_module(written):
     expected = [
         s.cylinder(1, 0.1, 0.2),
         s.hollow_cylinder(1, 0.1, 0.2, 0.2),
-        s.disc(1, 0.1, 0.3),
+        s.disk(1, 0.1, 0.3),
         s.ring(1, 0.1),
         s.wall(1, 0.1, 0.2, 0.1),
         s.filling(1000, 0.1, 0.2),

@@ -35,7 +35,7 @@ def written(tmp_path):
 
 
 def degrees(file, **how):
-    return np.degrees(rr.read_angles(file, **how))
+    return np.degrees(rr.read_directions(file, **how))
 
 
 def same_directions(found, wanted):
@@ -119,7 +119,7 @@ def test_what_topple_wrote_is_read_back_without_the_falls_that_do_not_count(tmp_
     toppled = falls["outcome"].values == "toppled"
     assert 30 < toppled.sum() < 60
     write(file, Falls.of(falls), NUMBERS)
-    assert rr.read_angles(file) == pytest.approx(falls["direction"].values[toppled], abs=1e-12)
+    assert rr.read_directions(file) == pytest.approx(falls["direction"].values[toppled], abs=1e-12)
 
 
 angle = st.floats(-720.0, 720.0)
@@ -131,7 +131,7 @@ def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data)
     assume(len(falls) <= 3 or max(map(abs, falls)) > 6.3)
     file = tmp_path_factory.mktemp("any") / "falls.txt"
     file.write_text("".join(f"{fall!r}\n" for fall in falls))
-    found = rr.read_angles(file)
+    found = rr.read_directions(file)
     assert np.all((found >= 0.0) & (found <= 2.0 * np.pi))
     assert same_directions(np.degrees(found), falls)
     leans = data.draw(st.lists(angle, min_size=len(falls), max_size=len(falls)))
@@ -181,7 +181,7 @@ def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data)
 )
 def test_what_is_no_table_of_angles_is_refused_by_file_and_line(written, content, message):
     with pytest.raises(rr.RimrollError, match=message) as refused:
-        rr.read_angles(written(content))
+        rr.read_directions(written(content))
     assert "falls.csv" in str(refused.value)
     assert len(str(refused.value)) < 400 + len(str(written("")))
 
@@ -198,36 +198,36 @@ def test_a_column_is_found_by_its_name_with_or_without_its_unit(written):
     both = written("fall [deg];fall [rad]\n213;3\n147;4\n")
     assert same_directions(degrees(both, column="fall [rad]"), np.degrees([3, 4]))
     with pytest.raises(rr.RimrollError, match=r"or of fall \[deg\], fall \[rad\] in .*got 'fall'"):
-        rr.read_angles(both, column="fall")
+        rr.read_directions(both, column="fall")
 
 
 def test_columns_are_told_as_they_are_written(written):
     with pytest.raises(rr.RimrollError, match="it has Nr, Hand, Tisch"):
-        rr.read_angles(written("Nr;Hand;Tisch\n1;2;3\n"))
+        rr.read_directions(written("Nr;Hand;Tisch\n1;2;3\n"))
 
 
 def test_a_file_that_cannot_be_read_is_refused(tmp_path, written):
     with pytest.raises(rr.RimrollError, match=r"cannot read .*no\.csv: No such file"):
-        rr.read_angles(tmp_path / "no.csv")
+        rr.read_directions(tmp_path / "no.csv")
     with pytest.raises(rr.RimrollError, match=r"cannot read .*: Is a directory"):
-        rr.read_angles(tmp_path)
+        rr.read_directions(tmp_path)
     with pytest.raises(rr.RimrollError, match="cannot read"):
-        rr.read_angles("falls\0.csv")
+        rr.read_directions("falls\0.csv")
     with pytest.raises(rr.RimrollError, match=r"falls\.csv is larger than 20 MB"):
-        rr.read_angles(written(b"213\n" * 5_000_001))
+        rr.read_directions(written(b"213\n" * 5_000_001))
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="needs a file without an end")
 def test_a_file_without_an_end_is_refused():
     with pytest.raises(rr.RimrollError, match="/dev/zero is larger than 20 MB"):
-        rr.read_angles("/dev/zero")
+        rr.read_directions("/dev/zero")
 
 
 @pytest.mark.parametrize("separator", ["\n", ";0\n"])
 def test_radians_that_are_not_said_to_be_are_refused(written, separator):
     column = separator.join(map(repr, np.radians(FALLS).tolist())) + separator
     with pytest.raises(rr.RimrollError, match=r"no angle is above 3\.73 degrees.*look like rad"):
-        rr.read_angles(written(column))
+        rr.read_directions(written(column))
     # Whoever says degrees means degrees.
     assert same_directions(degrees(written("direction[deg]\n1\n2\n3\n4\n5\n")), [1, 2, 3, 4, 5])
 
@@ -243,7 +243,7 @@ def test_radians_that_are_not_said_to_be_are_refused(written, separator):
 )
 def test_a_few_commas_that_may_be_decimal_or_separate_columns_are_refused(written, content):
     with pytest.raises(rr.RimrollError, match="may be one number or two; write decimals with a po"):
-        rr.read_angles(written(content))
+        rr.read_directions(written(content))
 
 
 @pytest.mark.parametrize(
@@ -279,7 +279,7 @@ def test_commas_that_cannot_separate_columns_are_decimal(written, content):
 def test_columns_of_small_whole_numbers_are_not_taken_for_decimals(written, first, second):
     file = written("".join(f"{a},{b}\n" for a, b in zip(first, second, strict=True)))
     with pytest.raises(rr.RimrollError, match="may be one number or two"):
-        rr.read_angles(file)
+        rr.read_directions(file)
     assert same_directions(degrees(file, column=2), second)
     assert same_directions(degrees(file, column=2, lean_column=1), second - first)
 
@@ -316,7 +316,7 @@ def test_whole_degrees_in_columns_are_still_columns(written, content):
 def test_a_column_that_counts_the_falls_is_not_taken_for_a_lean(written, first):
     rows = "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS, first))
     with pytest.raises(rr.RimrollError, match="its first column counts the falls"):
-        rr.read_angles(written(rows))
+        rr.read_directions(written(rows))
 
 
 @pytest.mark.parametrize("names", ["no,read", '"","x"', "left,right", "group,number"])
@@ -324,7 +324,7 @@ def test_two_columns_of_other_names_are_refused_until_they_are_chosen(written, n
     rows = "".join(f"{i},{fall}\n" for i, fall in enumerate(FALLS, 190))
     file = written(f"{names}\n{rows}")
     with pytest.raises(rr.RimrollError, match=r"it has .*\. Say which to read by its name or num"):
-        rr.read_angles(file)
+        rr.read_directions(file)
     assert same_directions(degrees(file, column=2), FALLS)
     assert same_directions(degrees(file, column=2, lean_column=1), FALLS - np.arange(190, 194))
 
@@ -332,7 +332,7 @@ def test_two_columns_of_other_names_are_refused_until_they_are_chosen(written, n
 def test_a_column_of_groups_is_not_taken_for_a_lean(written):
     rows = "".join(f"{1 + i % 2},{fall}\n" for i, fall in enumerate(FALLS))
     with pytest.raises(rr.RimrollError, match="small whole numbers that repeat"):
-        rr.read_angles(written(rows))
+        rr.read_directions(written(rows))
     assert same_directions(degrees(written(rows), column=2), FALLS)
     # A hand that always leans the can to where the protractor says 0.
     zeros = "".join(f"0,{fall}\n" for fall in FALLS)
@@ -370,7 +370,7 @@ def test_a_lean_beside_a_direction_is_taken_from_it(written):
 )
 def test_a_column_that_is_not_there_is_refused(written, how, message):
     with pytest.raises(rr.RimrollError, match=message):
-        rr.read_angles(written("n,angle\n1,213\n2,147\n"), **how)
+        rr.read_directions(written("n,angle\n1,213\n2,147\n"), **how)
 
 
 def test_a_stream_is_read_like_a_file():
@@ -393,7 +393,7 @@ def test_a_stream_is_read_like_a_file():
     ],
 )
 def test_what_was_read_is_said(written, content, source):
-    none = dict.fromkeys(("counted", "column", "lean_column"))
+    none = dict.fromkeys(("outcome", "column", "lean_column"))
     read = read_falls(written(content), radians=False, clockwise=False, **none)
     assert read.source == source
 
@@ -407,7 +407,7 @@ def test_what_was_read_is_said(written, content, source):
     st.tuples(st.floats(3.3, 4.5), st.floats(0.0, 0.2), st.integers(2, 60)),
 )
 def test_stand_ins_have_the_means_and_spreads_of_the_summary(left, right):
-    directions = rr.directions_of_summary(left=left, right=right)
+    directions = rr.directions_from_summary(left=left, right=right)
     assert len(directions) == left[2] + right[2]
     turns = directions[: left[2]], 2.0 * np.pi - directions[left[2] :]
     for turn, (mean, spread, _) in zip(turns, (left, right), strict=True):
@@ -431,4 +431,4 @@ def test_stand_ins_have_the_means_and_spreads_of_the_summary(left, right):
 )
 def test_a_summary_needs_a_mean_a_spread_and_a_count(left, message):
     with pytest.raises(rr.RimrollError, match=message):
-        rr.directions_of_summary(left=left, right=(3.8, 0.08, 21))
+        rr.directions_from_summary(left=left, right=(3.8, 0.08, 21))

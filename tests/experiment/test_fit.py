@@ -66,7 +66,7 @@ def coverage():
 
 def summary(lefts, of=42):
     """Srinivasan & Ruina (2007): 42 falls, 213.0 ± 3.9° to the left, 217.9 ± 4.5° to the right."""
-    return rr.directions_of_summary(
+    return rr.directions_from_summary(
         left=(math.radians(213.0), math.radians(3.9), lefts),
         right=(math.radians(217.9), math.radians(4.5), of - lefts),
     )
@@ -122,7 +122,7 @@ def test_frictions_reach_from_none_to_where_the_can_rolls_and_begin_close_togeth
     assert found == pytest.approx(np.arange(33), abs=1e-12)
     assert predicted.frictions[0] == 0.0
     assert predicted.frictions[-1] > 1.25 * rr.needed_friction(CAN)
-    assert predicted.counted == "toppled"
+    assert predicted.outcome == "toppled"
 
 
 @pytest.mark.parametrize("node", [0, 10, 32])
@@ -146,7 +146,7 @@ def at(friction, *, bias=0.0, unsteadiness=1.0, left_share=0.5):
 @pytest.mark.parametrize("unsteadiness", [0.5, 2.0])
 def test_weighted_falls_have_the_mean_and_spread_of_another_hand(predicted, unsteadiness):
     friction = predicted.frictions[12]
-    release = rr.Release.named(RELEASE, CAN, GRAVITY).unsteady(unsteadiness)
+    release = rr.Release.named(RELEASE, CAN, GRAVITY).with_unsteadiness(unsteadiness)
     directions, turns = fallen(rr.Coulomb(friction), 400, 5, release=release)
     gone = np.where(turns > 0.0, directions, TURN - directions)
     likelihood = Likelihood(predicted, directions)
@@ -179,7 +179,7 @@ def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
 def test_a_coin_that_turns_more_than_all_the_way_round_gets_its_sides_right():
     coin = rr.bodies.coin()
     predicted = rr.predict_falls(coin, "let go", frictions=FEWEST_FRICTIONS, falls=128)
-    assert predicted.counted == "rocked"
+    assert predicted.outcome == "rocked"
     falls = rr.topple(coin, rr.Coulomb(predicted.frictions[3]), 60, "let go", seed=1)
     directions, turns = falls["direction"].values, falls["turn"].values
     assert np.all(np.abs(turns[falls["outcome"] == "rocked"]) > TURN)
@@ -194,7 +194,7 @@ def test_directions_count_from_the_first_lean_whatever_is_done_before_the_larges
     """A body thrown up first turns on its way to the largest tilt, from which `turn` counts."""
     up = rr.Release((0.3, 0.0), (2.0, 0.0), (0.4, 0.02), (0.0, 0.02))
     predicted = rr.predict_falls(CAN, up, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=128)
-    assert predicted.counted == "rocked"
+    assert predicted.outcome == "rocked"
     friction = predicted.frictions[-1]
     directions, turns = fallen(rr.Coulomb(friction), 100, 2, release=up, word="rocked")
     assert np.degrees(directions - turns) == pytest.approx(5.6, abs=1.5)
@@ -221,7 +221,7 @@ def test_where_nothing_else_scatters_falls_are_spread_by_reading_alone(degrees):
     predicted = rr.predict_falls(
         CAN, steady, gravity=GRAVITY, reading_error=error, frictions=FEWEST_FRICTIONS, falls=128
     )
-    assert predicted.unsteady.tolist() == [1.0]
+    assert predicted.unsteadiness.tolist() == [1.0]
     hump = (predicted.left[:, 0] - STRAY / TURN) / (1.0 - STRAY) * TURN / ANGLES
     # Points half a degree apart hold a spread of half a degree but for ripples of a part in 100.
     assert hump.sum(axis=-1) == pytest.approx(1.0, abs=0.01)
@@ -498,7 +498,7 @@ def test_falls_all_round_are_excluded(predicted):
 @pytest.mark.parametrize("values", [[3.7], [3.7, 2.6], [0.0], [math.pi]])
 def test_falls_that_are_all_alike_still_give_an_answer(predicted, values):
     found = rr.fit(CAN, np.resize(values, 12), predicted=predicted)
-    assert 0.0 <= found.friction.friction <= found.friction.most
+    assert 0.0 <= found.friction.friction <= found.friction.holding_friction
     assert all(verdict.sentence for verdict in found.verdicts)
 
 
@@ -690,7 +690,7 @@ def test_progress_is_told_friction_by_friction_and_threads_change_nothing():
 def test_a_flick_that_was_slower_or_faster_tells_another_friction(of_the_paper):
     """Faster flicks of the can turn it less at the same friction: the same turns ask for less."""
     told = rr.fit(CAN, of_the_paper, RELEASE, gravity=GRAVITY, tilt_rate_error=0.5)
-    (slower, more), (faster, less) = told.at_other_rates
+    (slower, more), (faster, less) = told.at_other_tilt_rates
     assert (slower, faster) == pytest.approx((-4.5, -5.5))
     assert less < told.friction.friction < more
     with pytest.raises(rr.RimrollError, match="tilt_rate_error must be finite and >= 0, got -1"):
@@ -701,22 +701,22 @@ def test_where_hardly_any_flick_topples_is_told_by_the_share():
     """At 4.3 rad/s from 20 degrees the can topples if it rolls, and often not with friction."""
     gentle = rr.Release((0.35, 0.03), (-4.3, 0.1), (0.0, 0.3), (0.0, 0.3))
     some = rr.predict_falls(CAN, gentle, frictions=FEWEST_FRICTIONS, falls=128)
-    assert some.counted == "toppled"
+    assert some.outcome == "toppled"
     assert some.share[-1] > 0.95 > 0.9 > some.share.min()
     falls = rr.topple(CAN, rr.Coulomb(some.frictions[10]), 400, gentle, seed=2)
     toppled = np.mean(falls["outcome"].values == "toppled")
     assert some.share[10] == pytest.approx(toppled, abs=0.12)  # 128 draws, weighted
     rocked = rr.predict_falls(
-        CAN, "let go", frictions=FEWEST_FRICTIONS, falls=128, counted="rocked"
+        CAN, "let go", frictions=FEWEST_FRICTIONS, falls=128, outcome="rocked"
     )
     assert np.all(rocked.share > 0.99)
-    with pytest.raises(rr.RimrollError, match="counted must be toppled or rocked, got 'fell'"):
-        rr.predict_falls(CAN, "flick", counted="fell")
+    with pytest.raises(rr.RimrollError, match="outcome must be toppled or rocked, got 'fell'"):
+        rr.predict_falls(CAN, "flick", outcome="fell")
 
 
 def test_a_hand_far_unsteadier_than_assumed_does_not_spoil_the_interval():
     predicted = rr.predict_falls(CAN, RELEASE, gravity=GRAVITY)
-    hand = rr.Release.named(RELEASE, CAN, GRAVITY).unsteady(4.0)
+    hand = rr.Release.named(RELEASE, CAN, GRAVITY).with_unsteadiness(4.0)
     held = 0
     for seed in range(6):
         directions, _ = fallen(rr.Coulomb(0.2), 42, seed, release=hand)

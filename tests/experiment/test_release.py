@@ -21,22 +21,22 @@ WIDE = rr.Release(
     tilt_rate=(-3.0, 0.4),
     sideways=(0.2, 0.3),
     twist=(-0.1, 0.6),
-    grip=(1.0, 0.2),
+    friction_scale=(1.0, 0.2),
 )
 
 
 def quantities(release, n, seed):
     """What was drawn, (5, n), with sideways and twist undone from the Euler rates."""
-    start, grip = release.draw(n, seed)
+    start, scales = release.draw(n, seed)
     sideways = -np.sin(start.tilt) * start.spin_rate
     twist = start.yaw_rate + np.cos(start.tilt) * start.spin_rate
-    return np.array([start.tilt, start.tilt_rate, sideways, twist, grip])
+    return np.array([start.tilt, start.tilt_rate, sideways, twist, scales])
 
 
 def test_means_and_spreads_are_those_asked_for():
     drawn = quantities(WIDE, MANY, seed=1)
     for values, (mean, spread) in zip(drawn, vars(WIDE).values(), strict=True):
-        # Tilts beyond 5 and grips below 0 spreads are not told apart from none.
+        # Tilts beyond 5 and scales below 0 spreads are not told apart from none.
         assert stats.kstest((values - mean) / spread, "norm").pvalue > 1e-3
         assert values.mean() == pytest.approx(mean, abs=4.0 * spread / np.sqrt(MANY))
         assert values.std() == pytest.approx(spread, rel=4.0 / np.sqrt(2.0 * MANY))
@@ -49,11 +49,11 @@ def test_the_quantities_are_independent():
 
 
 def test_trial_k_is_the_same_whatever_their_number():
-    few, few_grips = WIDE.draw(7, seed=3)
-    many, many_grips = WIDE.draw(400, seed=3)
+    few, few_scales = WIDE.draw(7, seed=3)
+    many, many_scales = WIDE.draw(400, seed=3)
     for name in ("tilt", "tilt_rate", "yaw_rate", "spin_rate"):
         assert np.array_equal(getattr(few, name), getattr(many, name)[:7])
-    assert np.array_equal(few_grips, many_grips[:7])
+    assert np.array_equal(few_scales, many_scales[:7])
     other, _ = WIDE.draw(7, seed=4)
     assert not np.array_equal(few.tilt, other.tilt)
 
@@ -93,23 +93,27 @@ def test_a_tilt_is_never_drawn_outside_upright_and_lying():
     assert stats.kstest(tilts - 0.1, stats.truncnorm(low, high).cdf).pvalue > 1e-3
 
 
-def test_a_grip_is_never_below_none():
-    grips = quantities(rr.Release(0.5, grip=(0.5, 1.0)), 1000, seed=6)[4]
-    assert grips.min() == 0.0
+def test_a_friction_scale_is_never_below_0():
+    scales = quantities(rr.Release(0.5, friction_scale=(0.5, 1.0)), 1000, seed=6)[4]
+    assert scales.min() == 0.0
 
 
 def test_a_perfect_hand_does_the_same_each_time():
     release = rr.Release(0.4, -2.0)
-    assert release.symmetric and release.tilt == (0.4, 0.0) and release.grip == (1.0, 0.0)
-    start, grip = release.draw(5, seed=7)
-    assert set(start.tilt) == {0.4} and set(start.tilt_rate) == {-2.0} and set(grip) == {1.0}
+    assert release.symmetric and release.tilt == (0.4, 0.0) and release.friction_scale == (1.0, 0.0)
+    start, scales = release.draw(5, seed=7)
+    assert set(start.tilt) == {0.4} and set(start.tilt_rate) == {-2.0} and set(scales) == {1.0}
     assert not np.any(start.yaw_rate) and not np.any(start.spin_rate)
 
 
 def test_an_unsteady_hand_scatters_more_to_the_sides_only():
-    hand = WIDE.unsteady(3.0)
+    hand = WIDE.with_unsteadiness(3.0)
     assert hand.sideways == (0.2, pytest.approx(0.9)) and hand.twist == (-0.1, pytest.approx(1.8))
-    assert (hand.tilt, hand.tilt_rate, hand.grip) == (WIDE.tilt, WIDE.tilt_rate, WIDE.grip)
+    assert (hand.tilt, hand.tilt_rate, hand.friction_scale) == (
+        WIDE.tilt,
+        WIDE.tilt_rate,
+        WIDE.friction_scale,
+    )
 
 
 @settings(max_examples=20, deadline=None)
@@ -193,7 +197,7 @@ def test_presets_are_found_however_they_are_typed():
 def test_parameters_name_means_and_spreads():
     told = WIDE.parameters()
     assert told["release_tilt"] == 0.5 and told["release_tilt_spread"] == 0.1
-    assert told["release_twist"] == -0.1 and told["release_grip_spread"] == 0.2
+    assert told["release_twist"] == -0.1 and told["release_friction_scale_spread"] == 0.2
     assert len(told) == 10
 
 
@@ -207,7 +211,7 @@ def test_parameters_name_means_and_spreads():
         ({"tilt": "steep"}, "tilt must be an angle"),
         ({"tilt": 0.3, "twist": np.inf}, "twist must be finite"),
         ({"tilt": 0.3, "sideways": (0.0, np.nan)}, "sideways spread must be finite"),
-        ({"tilt": 0.3, "grip": 0.0}, "grip must be > 0"),
+        ({"tilt": 0.3, "friction_scale": 0.0}, "friction_scale must be > 0"),
     ],
 )
 def test_what_is_no_release_is_refused_with_a_sentence(wrong, words):

@@ -32,14 +32,14 @@ def test_one_row_a_trial_with_the_release_and_the_seed_told():
     falls = rr.topple(CAN, rr.Coulomb(0.2), 5, "paper", seed=7)
     release = rr.Release.named("paper", CAN)
     assert falls.sizes == {"trial": 5}
-    assert set(falls) >= {"outcome", "grip", *VARIABLES, "start_tilt", "start_yaw_rate"}
+    assert set(falls) >= {"outcome", "friction_scale", *VARIABLES, "start_tilt", "start_yaw_rate"}
     assert falls.attrs.items() >= release.parameters().items()
     assert falls.attrs["seed"] == 7 and falls.attrs["law_friction"] == 0.2
-    starts, grip = release.draw(5, 7)
+    starts, scales = release.draw(5, 7)
     assert np.array_equal(falls["start_tilt"], starts.tilt)
-    assert np.array_equal(falls["grip"], grip)
+    assert np.array_equal(falls["friction_scale"], scales)
     assert falls.drop_attrs().identical(
-        rr.ensemble(CAN, starts, rr.Coulomb(0.2), grip=grip, rtol=1e-6).drop_attrs()
+        rr.ensemble(CAN, starts, rr.Coulomb(0.2), friction_scale=scales, rtol=1e-6).drop_attrs()
     )
 
 
@@ -169,8 +169,8 @@ def test_limits_are_those_of_theory_for_the_mean_release():
     assert list(limits(rr.topple(CAN, rr.NoSlip(), 5, seed=1))) == ["no_slip", "frictionless"]
 
 
-def test_limits_know_the_grip_and_leave_out_what_is_none():
-    half = rr.Release(np.radians(20.0), -5.0, twist=(0.0, 0.1), grip=0.5)
+def test_limits_know_the_friction_scale_and_leave_out_what_is_none():
+    half = rr.Release(np.radians(20.0), -5.0, twist=(0.0, 0.1), friction_scale=0.5)
     told = limits(rr.topple(CAN, rr.Coulomb(0.3), 3, half, seed=1))["coulomb"]
     whole = rr.Release(np.radians(20.0), -5.0, twist=(0.0, 0.1))
     assert told == limits(rr.topple(CAN, rr.Coulomb(0.15), 3, whole, seed=1))["coulomb"]
@@ -377,14 +377,14 @@ def test_topple_in_json_is_the_api(said):
     left = falls["turn"].values[falls["turn"].values > 0]
     assert answer["sides"]["anticlockwise"]["mean_turn"] == float(left.mean())
     assert answer["sides"]["anticlockwise"]["side"] == "left"
-    assert answer["counted"] == "toppled"
+    assert answer["outcome"] == "toppled"
 
 
 def test_options_change_parts_of_the_release(said):
     changes = (
         "--release let-go --tilt 22deg --tilt-spread 1deg --tilt-rate -5rad/s --tilt-rate-spread"
         " 20deg/s --sideways 0.01 --sideways-spread 0.2 --twist -1deg/s --twist-spread 0.1"
-        " --grip-spread 10% --unsteady 2"
+        " --friction-scale-spread 10% --unsteadiness 2"
     )
     told = json.loads(said(f"topple -n 3 --seed 1 {changes} --json"))["parameters"]
     expected = rr.Release(
@@ -392,7 +392,7 @@ def test_options_change_parts_of_the_release(said):
         tilt_rate=(-5.0, np.radians(20.0)),
         sideways=(0.01, 0.4),
         twist=(np.radians(-1.0), 0.2),
-        grip=(1.0, 0.1),
+        friction_scale=(1.0, 0.1),
     )
     for name, value in expected.parameters().items():
         assert told[name] == pytest.approx(value), name
@@ -512,8 +512,8 @@ def test_ctrl_c_before_the_first_fall_says_nothing_of_directions(capsys, monkeyp
         ("--tilt 95deg", "--tilt: tilt must be inside (0, pi/2)"),
         ("--twist-spread -1deg/s", "twist spread must be finite and >= 0"),
         ("--sideways 3kg", '--sideways must be an angular rate such as "-30 deg/s"'),
-        ("--grip-spread 1deg", "--grip-spread must be a pure number"),
-        ("--unsteady -1", "--unsteady must be >= 0"),
+        ("--friction-scale-spread 1deg", "--friction-scale-spread must be a pure number"),
+        ("--unsteadiness -1", "--unsteadiness must be >= 0"),
         ("--threads 0", "threads must be a whole number >= 1"),
         ("-o falls.gif", "its suffix must be one of .csv, .nc, .json, .png, .svg, .pdf"),
         ("no_such_body", "unknown body 'no_such_body'"),

@@ -376,7 +376,7 @@ def test_the_pasted_yaw_errs_like_phi_ln_phi_and_the_tilt_like_phi_squared(drawi
 def test_the_pasted_tilt_is_compared_over_the_whole_rocking():
     one = pasted.approximation(rr.NoSlip(), 0.005)
     t, _, _ = pasted.errors(rr.NoSlip(), 0.005)
-    assert t[0] < 0.01 and t[-1] == pytest.approx(one.time + one.half_width)
+    assert t[0] < 0.01 and t[-1] == pytest.approx(one.min_tilt_time + one.half_width)
 
 
 def test_the_heuristic_turns_by_the_limit(drawings):

@@ -100,10 +100,10 @@ def test_a_lens_is_there_when_the_near_collision_looks_like_a_step(name, lens):
 
 @pytest.mark.parametrize("law", setting.LAWS)
 def test_the_lens_spans_twenty_collision_times_around_the_first_turn(law):
-    pasted = rr.pasted(CAN, setting.start(), law, setting.GRAVITY)
+    composite = rr.composite(CAN, setting.start(), law, setting.GRAVITY)
     window = plot.near_collision_window(setting.motion(law))
-    assert window.t == pytest.approx(pasted.time, rel=1e-6)
-    brief = pasted.min_tilt / pasted.tipping_rate
+    assert window.t == pytest.approx(composite.min_tilt_time, rel=1e-6)
+    brief = composite.min_tilt / composite.tipping_rate
     assert window.half_width == pytest.approx(20.0 * brief, rel=2e-3)
 
 

@@ -21,11 +21,11 @@ def upright_solids(draw, radius):
     across = radius * draw(st.floats(0.3, 1.5))
     length = radius * draw(st.floats(0.1, 5.0))
     base = radius * draw(st.floats(0.0, 2.0))
-    shape = draw(st.sampled_from(["cylinder", "hollow_cylinder", "disc", "ring", "wall"]))
+    shape = draw(st.sampled_from(["cylinder", "hollow_cylinder", "disk", "ring", "wall"]))
     if shape == "hollow_cylinder":
         bore = across * draw(st.floats(0.1, 0.95))
         return rr.solids.hollow_cylinder(mass, bore, across, length, base)
-    if shape in ("disc", "ring"):
+    if shape in ("disk", "ring"):
         return getattr(rr.solids, shape)(mass, across, base)
     return getattr(rr.solids, shape)(mass, across, length, base)
 
@@ -33,7 +33,7 @@ def upright_solids(draw, radius):
 @st.composite
 def flat_solids(draw, radius):
     """A part without height, at the height of the rim: of such a body, H = 0."""
-    shape = draw(st.sampled_from([rr.solids.disc, rr.solids.ring]))
+    shape = draw(st.sampled_from([rr.solids.disk, rr.solids.ring]))
     return shape(draw(sizes(0.01, 3.0)), radius * draw(st.floats(0.6, 1.5)))
 
 

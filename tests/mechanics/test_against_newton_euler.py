@@ -16,7 +16,7 @@ from oracles import rigid_body as rb
 
 CAN = rr.bodies.can_2007()
 DISK = rr.bodies.disk(0.051)
-# All its mass in rings and discs at one height, so that it comes down ever flatter.
+# All its mass in rings and disks at one height, so that it comes down ever flatter.
 FLAT_MASSES = rr.Body(
     mass=1.0,
     radius=0.23353338889240427,
@@ -186,10 +186,10 @@ def test_near_collisions_are_those_of_the_inner_problem(friction, slip, spin):
     omega = 3.0
     arrival = rr.Arrival(omega, slip * CAN.height * omega, spin * omega)
     passage = rr.passage(CAN, rr.Coulomb(friction), arrival)
-    its = inner_problem.near_collision(CAN, friction, arrival.slip, arrival.spin, omega)
+    its = inner_problem.near_collision(CAN, friction, arrival.slip, arrival.axial_spin, omega)
     assert rr.turn_limit(CAN, rr.Coulomb(friction), arrival) == passage.turn
     # What rimroll leaves out is of the third order of 1e-3, with spin of the second.
     digits = 2e-8 if spin == 0.0 else 2e-6
     assert passage.turn == pytest.approx(its.turn, abs=digits)
     assert passage.rising_rate == pytest.approx(its.tilt_rate, abs=digits * omega)
-    assert passage.spin == pytest.approx(its.spin_rate, abs=10 * digits * omega)
+    assert passage.axial_spin == pytest.approx(its.spin_rate, abs=10 * digits * omega)

@@ -96,7 +96,7 @@ def computed_near_collision(law, sideways):
     start = replace(PAPER_START, yaw_rate=sideways, spin_rate=sideways)
     motion = rr.simulate(CAN, start, law, 0.4, gravity=9.8, rtol=1e-13)
     (low,) = (event for event in motion.events if event.kind == "tilt_min")
-    rate = rr.pasted(CAN, start, law, 9.8).tipping_rate
+    rate = rr.composite(CAN, start, law, 9.8).tipping_rate
     fine = motion.samples(8)
     close = fine.tilt < 3 * low.state.tilt
     formula = rr.NearCollision(CAN, law, low.state.tilt, rate)
@@ -158,11 +158,11 @@ def test_the_lean_of_a_thin_tall_body_runs_straight():
     np.testing.assert_allclose(tilt * np.sin(yaw), t, rtol=1e-5)
 
 
-# The pasted approximation
+# The composite approximation
 
 
 @by_law
-def test_pasted_errors_shrink_as_phi_c_ln_phi_c_for_any_body(law):
+def test_composite_errors_shrink_as_phi_c_ln_phi_c_for_any_body(law):
     """Ten times smaller yaw and spin rates: ten times smaller errors, but for the logarithm.
 
     For yaw, that is; where the contact point runs, all of it is the lateness of the collision. The
@@ -174,7 +174,7 @@ def test_pasted_errors_shrink_as_phi_c_ln_phi_c_for_any_body(law):
     @given(rockings())
     def holds(rocking):
         (tilt, yaw), (closer_tilt, closer_yaw) = (
-            pasted_errors(rocking, law, part) for part in (1e-2, 1e-3)
+            composite_errors(rocking, law, part) for part in (1e-2, 1e-3)
         )
         assert closer_yaw < 0.25 * yaw
         assert closer_tilt < 0.03 * tilt
@@ -184,22 +184,22 @@ def test_pasted_errors_shrink_as_phi_c_ln_phi_c_for_any_body(law):
     assert len(tried) >= 30
 
 
-def pasted_errors(rocking, law, part):
+def composite_errors(rocking, law, part):
     """Largest errors of tilt and yaw when yaw and spin rates are this part of what they were."""
     body, start, gravity = rocking.body, rocking.start, rocking.gravity
     start = replace(start, yaw_rate=start.yaw_rate * part, spin_rate=start.spin_rate * part)
     try:
-        pasted = rr.pasted(body, start, law, gravity)
+        composite = rr.composite(body, start, law, gravity)
     except rr.RimrollError as refusal:
         assert "lifted off" in str(refusal)
         assume(False)
-    end = pasted.time + pasted.half_width
+    end = composite.min_tilt_time + composite.half_width
     motion = rr.simulate(body, start, law, end, gravity=gravity, rtol=1e-13)
     assume(motion.status == "finished")
     # It covers one rocking, which begins at the top if the body is released upward.
-    now = motion.evaluate(motion.t[motion.t >= pasted.time - pasted.half_width])
-    tilt_error = np.abs(pasted.tilt(now.t) - now.tilt).max()
-    return tilt_error, np.abs(pasted.yaw(now.t) - now.yaw).max()
+    now = motion.evaluate(motion.t[motion.t >= composite.min_tilt_time - composite.half_width])
+    tilt_error = np.abs(composite.tilt(now.t) - now.tilt).max()
+    return tilt_error, np.abs(composite.yaw(now.t) - now.yaw).max()
 
 
 @by_law
@@ -207,67 +207,69 @@ def test_the_start_alone_tells_the_near_collision_of_the_can(law):
     """Least tilt and time, from a pendulum and a linear equation, to the order left out."""
     for sideways in 1e-1, 1e-3, 1e-5:
         start = replace(PAPER_START, yaw_rate=sideways, spin_rate=sideways)
-        pasted = rr.pasted(CAN, start, law, 9.8)
+        composite = rr.composite(CAN, start, law, 9.8)
         motion = rr.simulate(CAN, start, law, 0.4, gravity=9.8, rtol=1e-13)
         low = next(event for event in motion.events if event.kind == "tilt_min")
         scale = order(low.state.tilt)
-        assert pasted.min_tilt == pytest.approx(low.state.tilt, rel=2 * scale)
-        lasts = low.state.tilt / pasted.tipping_rate
-        assert abs(pasted.time - low.t) < 10 * scale * lasts + 1e-15
+        assert composite.min_tilt == pytest.approx(low.state.tilt, rel=2 * scale)
+        lasts = low.state.tilt / composite.tipping_rate
+        assert abs(composite.min_tilt_time - low.t) < 10 * scale * lasts + 1e-15
 
 
 @by_law
-def test_a_pasted_rocking_is_its_own_mirror_image(law):
-    pasted = rr.pasted(CAN, PAPER_START, law, 9.8)
-    away = np.linspace(0.0, pasted.half_width, 50)
-    before, after = pasted.time - away, pasted.time + away
-    np.testing.assert_allclose(pasted.tilt(before), pasted.tilt(after), rtol=1e-12)
-    middle = pasted.yaw(pasted.time)
-    np.testing.assert_allclose(pasted.yaw(after) - middle, middle - pasted.yaw(before), rtol=1e-12)
-    assert pasted.tilt(pasted.time)[0] == pytest.approx(pasted.min_tilt, rel=1e-9)
+def test_a_composite_rocking_is_its_own_mirror_image(law):
+    composite = rr.composite(CAN, PAPER_START, law, 9.8)
+    away = np.linspace(0.0, composite.half_width, 50)
+    before, after = composite.min_tilt_time - away, composite.min_tilt_time + away
+    np.testing.assert_allclose(composite.tilt(before), composite.tilt(after), rtol=1e-12)
+    middle = composite.yaw(composite.min_tilt_time)
+    np.testing.assert_allclose(
+        composite.yaw(after) - middle, middle - composite.yaw(before), rtol=1e-12
+    )
+    assert composite.tilt(composite.min_tilt_time)[0] == pytest.approx(composite.min_tilt, rel=1e-9)
 
 
 @by_law
-def test_a_pasted_rocking_turns_by_the_limit_but_for_what_the_arctangent_leaves(law):
-    pasted = rr.pasted(CAN, PAPER_START, law, 9.8)
-    ends = pasted.time + pasted.half_width * np.array([-1.0, 1.0])
-    before, after = pasted.yaw(ends)
+def test_a_composite_rocking_turns_by_the_limit_but_for_what_the_arctangent_leaves(law):
+    composite = rr.composite(CAN, PAPER_START, law, 9.8)
+    ends = composite.min_tilt_time + composite.half_width * np.array([-1.0, 1.0])
+    before, after = composite.yaw(ends)
     limit = rr.turn_limit(CAN, law)
-    left = 2 * limit / np.pi * pasted.min_tilt / (pasted.tipping_rate * pasted.half_width)
+    left = 2 * limit / np.pi * composite.min_tilt / (composite.tipping_rate * composite.half_width)
     assert limit - (after - before) == pytest.approx(left, rel=1e-5)
 
 
 @by_law
 @pytest.mark.parametrize("tilt_rate", [-0.5, 0.0, 0.5])
-def test_a_pasted_rocking_goes_through_the_release_and_both_tops(law, tilt_rate):
+def test_a_composite_rocking_goes_through_the_release_and_both_tops(law, tilt_rate):
     """Released upward or downward, it is the rocking from the top before to the top after."""
     start = replace(PAPER_START, tilt_rate=tilt_rate, yaw_rate=1e-6, spin_rate=1e-6, yaw=1.0)
-    pasted = rr.pasted(CAN, start, law, 9.8)
-    first = pasted.time - pasted.half_width
+    composite = rr.composite(CAN, start, law, 9.8)
+    first = composite.min_tilt_time - composite.half_width
     assert np.sign(first) == np.sign(tilt_rate)
-    step = 1e-4 * pasted.half_width
-    top, later = pasted.tilt([first, first + step])
+    step = 1e-4 * composite.half_width
+    top, later = composite.tilt([first, first + step])
     assert 0.0 < top - later < 1e-6
     if first <= 0.0:
-        assert pasted.tilt(0.0)[0] == pytest.approx(start.tilt, rel=1e-9)
-    assert pasted.yaw(first)[0] == pytest.approx(1.0, abs=1e-6)
+        assert composite.tilt(0.0)[0] == pytest.approx(start.tilt, rel=1e-9)
+    assert composite.yaw(first)[0] == pytest.approx(1.0, abs=1e-6)
 
 
 @by_law
-def test_reversed_yaw_and_spin_reverse_the_pasted_turn(law):
+def test_reversed_yaw_and_spin_reverse_the_composite_turn(law):
     start = replace(PAPER_START, yaw_rate=-0.005, spin_rate=-0.005)
-    one, other = rr.pasted(CAN, PAPER_START, law, 9.8), rr.pasted(CAN, start, law, 9.8)
-    times = np.linspace(0.0, one.time + one.half_width, 20)
+    one, other = rr.composite(CAN, PAPER_START, law, 9.8), rr.composite(CAN, start, law, 9.8)
+    times = np.linspace(0.0, one.min_tilt_time + one.half_width, 20)
     np.testing.assert_array_equal(one.tilt(times), other.tilt(times))
     np.testing.assert_allclose(one.yaw(times), -other.yaw(times), rtol=1e-14, atol=1e-16)
 
 
-def test_a_body_flicked_too_fast_to_come_from_a_top_is_pasted_from_its_release():
+def test_a_body_flicked_too_fast_to_come_from_a_top_is_approximated_from_its_release():
     """It would have come from beyond the balance point."""
     start = replace(PAPER_START, tilt_rate=-4.0)
-    pasted = rr.pasted(CAN, start, rr.NoSlip(), 9.8)
-    assert pasted.time == pasted.half_width
-    assert pasted.tilt(0.0)[0] == pytest.approx(start.tilt, rel=1e-6)
+    composite = rr.composite(CAN, start, rr.NoSlip(), 9.8)
+    assert composite.min_tilt_time == composite.half_width
+    assert composite.tilt(0.0)[0] == pytest.approx(start.tilt, rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -280,22 +282,31 @@ def test_a_body_flicked_too_fast_to_come_from_a_top_is_pasted_from_its_release()
 )
 def test_a_start_without_a_near_collision_is_refused_with_the_reason(changed, complaint):
     with pytest.raises(rr.RimrollError) as refusal:
-        rr.pasted(CAN, replace(PAPER_START, **changed), rr.NoSlip())
+        rr.composite(CAN, replace(PAPER_START, **changed), rr.NoSlip())
     assert "this start has no near-collision" in str(refusal.value)
     assert complaint in str(refusal.value)
 
 
-def test_times_outside_the_pasted_rocking_are_refused():
-    pasted = rr.pasted(CAN, PAPER_START, rr.NoSlip(), 9.8)
-    late = pasted.time + 1.01 * pasted.half_width
-    for t, name in ((late, "t"), (-0.1, "t"), ([pasted.time, late], r"t\[1\]"), (np.nan, "t")):
+def test_times_outside_the_composite_rocking_are_refused():
+    composite = rr.composite(CAN, PAPER_START, rr.NoSlip(), 9.8)
+    late = composite.min_tilt_time + 1.01 * composite.half_width
+    for t, name in (
+        (late, "t"),
+        (-0.1, "t"),
+        ([composite.min_tilt_time, late], r"t\[1\]"),
+        (np.nan, "t"),
+    ):
         with pytest.raises(rr.RimrollError, match=f"^{name} must be inside the rocking"):
-            pasted.tilt(t)
+            composite.tilt(t)
         with pytest.raises(rr.RimrollError, match=f"^{name} must be inside the rocking"):
-            pasted.yaw(t)
+            composite.yaw(t)
 
 
-def test_gravity_of_the_pasted_rocking_is_standard_unless_given():
-    default = rr.pasted(CAN, PAPER_START, rr.NoSlip())
-    given = rr.pasted(CAN, PAPER_START, rr.NoSlip(), rr.STANDARD_GRAVITY)
-    assert default.time == given.time != rr.pasted(CAN, PAPER_START, rr.NoSlip(), 9.8).time
+def test_gravity_of_the_composite_rocking_is_standard_unless_given():
+    default = rr.composite(CAN, PAPER_START, rr.NoSlip())
+    given = rr.composite(CAN, PAPER_START, rr.NoSlip(), rr.STANDARD_GRAVITY)
+    assert (
+        default.min_tilt_time
+        == given.min_tilt_time
+        != rr.composite(CAN, PAPER_START, rr.NoSlip(), 9.8).min_tilt_time
+    )

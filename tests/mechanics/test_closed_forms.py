@@ -141,7 +141,7 @@ def test_error_law_coefficient_is_its_formula(law, body, rate, gravity):
 def test_error_law_of_the_can_from_the_paper_s_start():
     """-2.6919 without slip, -2.7181 without friction, by independent integration."""
     for law, expected in zip(LAWS, (-2.6919, -2.7181), strict=True):
-        rate = rr.pasted(CAN, PAPER_START, law, 9.8).tipping_rate
+        rate = rr.composite(CAN, PAPER_START, law, 9.8).tipping_rate
         assert rr.error_law_coefficient(CAN, law, rate, 9.8) == pytest.approx(expected, abs=5e-5)
 
 

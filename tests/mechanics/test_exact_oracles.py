@@ -61,16 +61,16 @@ def test_turns_by_taylor_series_are_those_known_to_twenty_digits(law, k):
         found = taylor_turns.first_turn(can, law, SimpleNamespace(**start), mp.mpf("9.8"))
         assert abs(found.turn - row[f"turn_{law}"]) < 1e-23
         assert abs(found.min_tilt / row[f"min_tilt_{law}"] - 1) < 1e-22
-        assert abs(found.time - row[f"t_{law}"]) < 1e-23
+        assert abs(found.end_time - row[f"t_{law}"]) < 1e-23
 
 
 @pytest.mark.parametrize("row", ROWS[:: len(ROWS) // 4], ids=lambda row: row.kind)
 def test_the_table_of_turns_is_what_taylor_series_give(row):
     for law, tabulated in row.turns.items():
         found = taylor_turns.first_turn(row.body, law, row.start, row.gravity, row.topple_tilt)
-        assert found.status == tabulated.status
+        assert found.outcome == tabulated.outcome
         with mp.workdps(30):
-            for name in tabulated_turns.NUMBERS if found.status != "fell_back" else ():
+            for name in tabulated_turns.NUMBERS if found.outcome != "fell_back" else ():
                 assert abs(getattr(found, name) / getattr(tabulated, name) - 1) < 1e-24, name
 
 
@@ -78,10 +78,10 @@ def test_the_table_has_turns_of_all_kinds():
     kinds = [*tabulated_turns.KINDS, *tabulated_turns.TOPPLING]
     assert {row.kind for row in ROWS} == {kind.__name__ for kind in kinds}
     every = [turn for row in ROWS for turn in row.turns.values()]
-    turns = [turn for turn in every if turn.status != "fell_back"]
+    turns = [turn for turn in every if turn.outcome != "fell_back"]
     assert len(every) - len(turns) >= 10
     toppled = [
-        (row, turn) for row in ROWS for turn in row.turns.values() if turn.status == "toppled"
+        (row, turn) for row in ROWS for turn in row.turns.values() if turn.outcome == "toppled"
     ]
     assert len(toppled) >= 30
     assert min(turn.min_tilt for _, turn in toppled) < 1e-11
@@ -91,7 +91,7 @@ def test_the_table_has_turns_of_all_kinds():
         law
         for row, tilt in zip(ROWS, balance, strict=True)
         for law, turn in row.turns.items()
-        if turn.status == "rocked" and turn.max_tilt > tilt
+        if turn.outcome == "rocked" and turn.end_tilt > tilt
     ]
     assert set(held) == set(taylor_turns.LAWS)
     assert len(turns) >= 150

@@ -171,7 +171,7 @@ def test_the_closest_starts_keep_all_digits():
     """
     for law in LAWS:
         limit = rr.turn_limit(CAN, law)
-        tipping_rate = rr.pasted(CAN, paper_start(1e-12), law, PAPER_GRAVITY).tipping_rate
+        tipping_rate = rr.composite(CAN, paper_start(1e-12), law, PAPER_GRAVITY).tipping_rate
         b = rr.error_law_coefficient(CAN, law, tipping_rate, PAPER_GRAVITY)
         known, closest = (paper_motion(CAN, law, e, 1.5).turns[1] for e in (1e-6, 1e-12))
         a = (known.angle - limit) / known.min_tilt - b * np.log(known.min_tilt)

@@ -215,14 +215,14 @@ def test_painleves_paradox_is_met_where_the_curve_is_high_enough():
 # Where laws are taken
 
 
-def test_a_table_goes_with_resistances_grip_and_ensembles():
+def test_a_table_goes_with_resistances_friction_scale_and_ensembles():
     law = FALLING + rr.RollingResistance(dry=1e-3)
     starts = rr.State(tilt=np.full(5, 0.5), tilt_rate=-0.5, yaw_rate=np.linspace(0.1, 0.6, 5))
-    grip = np.linspace(0.5, 1.5, 5)
-    falls = rr.ensemble(CAN, starts, law, grip=grip, rtol=1e-10)
+    friction_scale = np.linspace(0.5, 1.5, 5)
+    falls = rr.ensemble(CAN, starts, law, friction_scale=friction_scale, rtol=1e-10)
     for i in range(5):
         scaled = rr.Tabulated(
-            law.speeds, np.array(law.frictions) * grip[i], law.static * grip[i]
+            law.speeds, np.array(law.frictions) * friction_scale[i], law.static * friction_scale[i]
         ) + rr.RollingResistance(dry=1e-3)
         start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=float(starts.yaw_rate[i]))
         turn = rr.simulate(CAN, start, scaled, 10.0, rtol=1e-10).turns[0]

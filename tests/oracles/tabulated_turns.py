@@ -24,7 +24,7 @@ TABLE = Path(__file__).parents[1] / "given" / "exact_turns.csv"
 BODY = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 START = ("tilt", "tilt_rate", "yaw_rate", "spin_rate")
 RESULTS = tuple(field.name for field in fields(ExactTurn))
-NUMBERS = tuple(name for name in RESULTS if name != "status")
+NUMBERS = tuple(name for name in RESULTS if name != "outcome")
 
 HEAD = """\
 # First turns of bodies of all kinds, without slip and without friction, by Taylor series in 65
@@ -66,7 +66,7 @@ def _row(line):
 
 def _turn(line, law):
     numbers = {name: mp.mpf(line[f"{name}_{law}"]) for name in NUMBERS}
-    return ExactTurn(line[f"status_{law}"], **numbers)
+    return ExactTurn(line[f"outcome_{law}"], **numbers)
 
 
 # What is drawn
@@ -281,12 +281,12 @@ def turned(body, start, gravity, topple_tilt):
         turns = {law: first_turn(body, law, start, gravity, topple_tilt) for law in LAWS}
     except LeftTheTable:
         return None
-    fell = any(turn.status == "fell_back" for turn in turns.values())
+    fell = any(turn.outcome == "fell_back" for turn in turns.values())
     return None if fell and body.height == 0.0 and topple_tilt is None else turns
 
 
 def rocked(turns):
-    return turns and all(t.status == "rocked" and t.max_tilt <= 1.5 for t in turns.values())
+    return turns and all(t.outcome == "rocked" and t.end_tilt <= 1.5 for t in turns.values())
 
 
 def drawn(seed=2007):

@@ -33,16 +33,16 @@ class LeftTheTable(ArithmeticError):
 class ExactTurn:
     """A first turn; rad, and s from the release.
 
-    `status` is as rimroll's: "rocked", "toppled" or, of a body that falls over without coming down
+    `outcome` is as rimroll's: "rocked", "toppled" or, of a body that falls over without coming down
     and has no turn, "fell_back".
     """
 
-    status: str
+    outcome: str
     turn: mp.mpf = mp.nan
     min_tilt: mp.mpf = mp.nan
-    max_tilt: mp.mpf = mp.nan
-    min_time: mp.mpf = mp.nan
-    time: mp.mpf = mp.nan
+    end_tilt: mp.mpf = mp.nan
+    min_tilt_time: mp.mpf = mp.nan
+    end_time: mp.mpf = mp.nan
 
 
 class Series:
@@ -298,10 +298,10 @@ def first_turn(body, law, start, gravity, topple_tilt=None, digits=DIGITS):
         rocked = kind == "tilt_max" or (topple_tilt is None and body.height == 0)
         sin, cos, *_, highest_yaw, time = highest
         return ExactTurn(
-            status="rocked" if rocked else "toppled",
+            outcome="rocked" if rocked else "toppled",
             turn=highest_yaw - yaw,
             min_tilt=mp.atan2(lowest[0], lowest[1]),
-            max_tilt=mp.atan2(sin, cos),
-            min_time=lowest[6],
-            time=time,
+            end_tilt=mp.atan2(sin, cos),
+            min_tilt_time=lowest[6],
+            end_time=time,
         )

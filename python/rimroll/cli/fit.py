@@ -72,7 +72,7 @@ RateErrorOption = Annotated[
         metavar="RATE",
     ),
 ]
-CountedOption = Annotated[
+OutcomeOption = Annotated[
     str | None,
     typer.Option(
         help="What counts as a fall: toppled or rocked. [what such a flick does]", metavar="WORD"
@@ -121,7 +121,7 @@ def fit(
     gravity: GravityOption = None,
     tilt_rate_error: RateErrorOption = None,
     bias: BiasOption = None,
-    counted: CountedOption = None,
+    outcome: OutcomeOption = None,
     reading_error: ErrorOption = "2deg",
     confidence: ConfidenceOption = "95%",
     column: ColumnOption = None,
@@ -154,7 +154,7 @@ def fit(
         sys.stdin.buffer if str(angles) == "-" else angles,
         radians=radians,
         clockwise=clockwise,
-        counted=counted,
+        outcome=outcome,
         column=column,
         lean_column=lean_column,
     )
@@ -173,7 +173,7 @@ def fit(
             reading_error=_reading_error(reading_error),
             tilt_rate_error=_rate_error(tilt_rate_error),
             bias=None if bias is None else quantity(bias, "rad", "--bias"),
-            counted=counted,
+            outcome=outcome,
             confidence=quantity(confidence, "1", "--confidence"),
             threads=threads,
             progress=lambda done, total: bar(done, total, ""),
@@ -237,7 +237,7 @@ def _show(found: Fit, release: Release) -> None:
     say()
     rows = table("", "best", f"{100.0 * found.confidence:g} %")
     _add_estimate(rows, "friction" if found.supported else "friction, unsupported", found.friction)
-    for rate, friction in found.at_other_rates:
+    for rate, friction in found.at_other_tilt_rates:
         faster = abs(rate) > abs(release.tilt_rate[0])
         rows.add_row(
             f"  if flicked {'faster' if faster else 'slower'}, {rate:.3g} rad/s",
@@ -261,7 +261,7 @@ def _show(found: Fit, release: Release) -> None:
     say(rows)
     say()
     if found.friction.open_above:
-        most = found.friction.most
+        most = found.friction.holding_friction
         say(f"From friction {most:.3g} on the rim holds, and more changes next to nothing.")
     for note in (*_shares(found), *found.warnings):
         say(f"Note: {note}")
@@ -291,7 +291,7 @@ def _shares(found: Fit) -> Iterator[str]:
             between = found.friction.interval_in_words(low, high)
             yield (
                 f"at friction {between} only {100.0 * share:.0f} % of such flicks end "
-                f"{table.counted}; if nearly all of yours did, look elsewhere, or at the tilt rate"
+                f"{table.outcome}; if nearly all of yours did, look elsewhere, or at the tilt rate"
             )
 
 

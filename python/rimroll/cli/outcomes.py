@@ -114,7 +114,7 @@ class Outcome:
             "turn": None if self.turn is None else asdict(self.turn),
             "energy_at_start": float(self.motion.energy[0]),
             "energy_available": self.energy_available,
-            "energy_lost": self.lost,
+            "energy_lost_fraction": self.lost,
             "status": self.motion.status,
             "message": self.motion.message,
             "t": float(self.motion.t[-1]),

@@ -52,11 +52,11 @@ class ReleaseOptions:
     sideways_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
     twist: Annotated[Text, _given("Rate about the vertical.", RATE, "Release")] = None
     twist_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
-    grip_spread: Annotated[
+    friction_scale_spread: Annotated[
         Text,
         _given("Spread of the law's friction, as a part of it: 0.1 or 10%.", "PART", "Release"),
     ] = None
-    unsteady: Annotated[
+    unsteadiness: Annotated[
         Text, _given("Multiply the spreads of sideways and twist.", "FACTOR", "Release")
     ] = None
 
@@ -68,7 +68,7 @@ def release_asked(hand: ReleaseOptions, what: Asked) -> Release:
     """
     release = Release.named(hand.release, what.body, what.options.gravity)
     for field in fields(Release):
-        unit = {"tilt": "rad", "grip": "1"}.get(field.name, "rad/s")
+        unit = {"tilt": "rad", "friction_scale": "1"}.get(field.name, "rad/s")
         mean, spread = getattr(release, field.name)
         if (text := getattr(hand, field.name, None)) is not None:
             read = tilt_angle if field.name == "tilt" else _rate
@@ -79,12 +79,12 @@ def release_asked(hand: ReleaseOptions, what: Asked) -> Release:
             release = replace(release, **{field.name: (mean, spread)})
         except RimrollError as error:
             raise RimrollError(f"{option(field.name)}: {error}") from None
-    if hand.unsteady is None:
+    if hand.unsteadiness is None:
         return release
-    factor = quantity(hand.unsteady, "1", "--unsteady")
+    factor = quantity(hand.unsteadiness, "1", "--unsteadiness")
     if factor < 0.0:
-        raise RimrollError(f"--unsteady must be >= 0, got {factor:g}")
-    return release.unsteady(factor)
+        raise RimrollError(f"--unsteadiness must be >= 0, got {factor:g}")
+    return release.with_unsteadiness(factor)
 
 
 def _rate(text: str, name: str) -> float:
@@ -102,5 +102,6 @@ def release_line(release: Release) -> str:
             ("twist", release.twist),
         )
     )
-    grip = f"; grip ± {100.0 * release.grip[1]:.2g} %" if release.grip[1] else ""
-    return f"from tilt {tilt:.3g}° ± {spread:.2g}°, rates of {rates} rad/s{grip}"
+    scatter = release.friction_scale[1]
+    friction = f"; friction scale ± {100.0 * scatter:.2g} %" if scatter else ""
+    return f"from tilt {tilt:.3g}° ± {spread:.2g}°, rates of {rates} rad/s{friction}"

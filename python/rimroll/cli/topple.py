@@ -124,7 +124,7 @@ def topple(
 
     $ rimroll topple --release paper --friction 0.15 -o falls.svg -o falls.csv
 
-    $ rimroll topple soda_can -n 1000 --surface wood --unsteady 2
+    $ rimroll topple soda_can -n 1000 --surface wood --unsteadiness 2
 
     $ rimroll topple coin --release let-go --twist-spread 3deg/s
     """
@@ -214,7 +214,7 @@ def _answer(falls: Falls, paths: list[Path]) -> dict[str, Any]:
         "parameters": falls.attrs,
         "number": falls.size,
         "outcomes": _outcomes(falls),
-        "counted": word,
+        "outcome": word,
         "sides": {way: {**asdict(one), "side": one.side} for way, one in sides.items()},
         "turn_limit": limits(falls),
         "files": [str(path) for path in paths],

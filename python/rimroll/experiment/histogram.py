@@ -372,5 +372,6 @@ def _release(data: Falls) -> list[str]:
 
     told = f"from tilt {both('tilt', 180.0 / np.pi)}°, tilt rate {both('tilt_rate')}, sideways"
     told += f" {both('sideways')}, twist {both('twist')} rad/s"
-    grip = "" if data.attrs["release_grip_spread"] == 0.0 else f"; grip {both('grip')}"
-    return [f"{told}{grip}; seed {data.attrs['seed']}"]
+    scatters = data.attrs["release_friction_scale_spread"] != 0.0
+    friction = f"; friction scale {both('friction_scale')}" if scatters else ""
+    return [f"{told}{friction}; seed {data.attrs['seed']}"]

@@ -49,8 +49,8 @@ class Release:
         flick misses the middle. ``tilt_rate`` times the tangent of the error of aim.
     twist
         Angular velocity about the vertical, rad/s.
-    grip
-        A factor of the law's friction, since no table is the same everywhere; not below 0.
+    friction_scale
+        A factor on the law's friction, since no table is the same everywhere; not below 0.
 
     Raises
     ------
@@ -62,15 +62,15 @@ class Release:
     tilt_rate: tuple[float, float] = (0.0, 0.0)
     sideways: tuple[float, float] = (0.0, 0.0)
     twist: tuple[float, float] = (0.0, 0.0)
-    grip: tuple[float, float] = (1.0, 0.0)
+    friction_scale: tuple[float, float] = (1.0, 0.0)
 
     def __post_init__(self) -> None:
         for field in fields(self):
             object.__setattr__(self, field.name, _pair(field.name, getattr(self, field.name)))
         if not 0.0 < self.tilt[0] < 0.5 * math.pi:
             raise RimrollError(f"tilt must be inside (0, pi/2), got {self.tilt[0]} rad")
-        if self.grip[0] <= 0.0:
-            raise RimrollError(f"grip must be > 0, got {self.grip[0]}")
+        if self.friction_scale[0] <= 0.0:
+            raise RimrollError(f"friction_scale must be > 0, got {self.friction_scale[0]}")
 
     @classmethod
     def named(cls, name: str, body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> Release:
@@ -84,7 +84,7 @@ class Release:
             raise RimrollError(f"gravity must be > 0 and finite, got {gravity} m/s2")
         return choose("release", name.replace("-", " ").replace("_", " "), PRESETS)(body, gravity)
 
-    def unsteady(self, factor: float) -> Self:
+    def with_unsteadiness(self, factor: float) -> Self:
         """The same release by a hand whose ``sideways`` and ``twist`` scatter by a factor more."""
         return replace(
             self,
@@ -98,7 +98,7 @@ class Release:
         return self.sideways[0] == 0.0 and self.twist[0] == 0.0
 
     def draw(self, n: int, seed: int) -> tuple[State, Array]:
-        """``n`` starts, a State of arrays (n,), and the grip of each, (n,).
+        """``n`` starts, a State of arrays (n,), and the friction scale of each, (n,).
 
         Trial k is the same whatever ``n``. Raises ``RimrollError`` for an ``n`` that is no whole
         number from 1 to :data:`MOST_TRIALS`, a ``seed`` that is none from 0 to 2⁶³.
@@ -110,7 +110,7 @@ class Release:
         return self.at(np.maximum(chances, LEAST_CHANCE))
 
     def at(self, chances: Array) -> tuple[State, Array]:
-        """Starts and grips by inversion of numbers (n, 5) that are even in (0, 1).
+        """Starts and scales by inversion of numbers (n, 5) that are even in (0, 1).
 
         One column a field, in their order, so that releases which differ a little give starts which
         differ a little.
@@ -119,14 +119,14 @@ class Release:
         mean, spread = self.tilt
         low, high = (chance_below((end - mean) / (spread or 1.0)) for end in (0.0, 0.5 * math.pi))
         tilt = mean + spread * quantiles(low + (high - low) * chances[0])
-        tilt_rate, sideways, twist, grip = (
+        tilt_rate, sideways, twist, friction_scale = (
             mean + spread * quantiles(chances[1 + k])
             for k, (mean, spread) in enumerate(
-                (self.tilt_rate, self.sideways, self.twist, self.grip)
+                (self.tilt_rate, self.sideways, self.twist, self.friction_scale)
             )
         )
         start = State(tilt=tilt, tilt_rate=tilt_rate, **_sideways_rates(tilt, sideways, twist))
-        return start, np.maximum(grip, 0.0)
+        return start, np.maximum(friction_scale, 0.0)
 
     def parameters(self) -> dict[str, float]:
         """Means and spreads by name, in SI units and radians."""
@@ -160,7 +160,7 @@ def _pair(name: str, value: Any) -> tuple[float, float]:
     given = value if isinstance(value, tuple | list) else (value, 0.0)
     if len(given) != 2:
         raise RimrollError(f"{name} must be (mean, spread) or a mean, got {value!r}")
-    unit = "1" if name == "grip" else START_UNIT_OF.get(name, "rad/s")
+    unit = "1" if name == "friction_scale" else START_UNIT_OF.get(name, "rad/s")
     mean, spread = number(name, given[0], unit), number(f"{name} spread", given[1], unit)
     if not math.isfinite(mean):
         raise RimrollError(f"{name} must be finite, got {mean}")

@@ -102,10 +102,18 @@ def let_go(
             f"release must be a rimroll.Release or the name of a preset, got {release!r}"
         )
     seed = secrets.randbits(31) if seed is None else seed
-    starts, grip = release.draw(n, seed)
+    starts, friction_scale = release.draw(n, seed)
     hand = release.parameters() | {"seed": int(seed)}
     try:
-        falls = follow(body, starts, law, options, grip=grip, threads=threads, progress=progress)
+        falls = follow(
+            body,
+            starts,
+            law,
+            options,
+            friction_scale=friction_scale,
+            threads=threads,
+            progress=progress,
+        )
     except Interrupted as interrupted:
         raise Interrupted(interrupted.falls.with_attrs(hand)) from None
     return falls.with_attrs(hand)
@@ -128,20 +136,20 @@ def outcome_to_count(outcomes: NDArray[np.str_]) -> str:
 
 
 def limits(falls: Falls | xr.Dataset) -> dict[str, float]:
-    """Limiting angles of turn by the name of the law, rad: the ideal ones, and the falls' own.
+    """Limiting angles of turn, rad, by the name of the law: the ideal laws and that of the falls.
 
-    Under friction the limit depends on how the body comes down: here as from the release's mean
-    tilt and tilt rate, with its mean grip; without sideways rates. Where there is none, as when it
-    then lifts off, the law is left out.
+    Under friction the limit depends on the arrival. It is computed for the release's mean tilt,
+    tilt rate and friction scale, without sideways rates. The law is left out where it has no limit,
+    for example because the rim then lifts off.
     """
     body, law = one_body(body_of(falls)), one_law(law_of(falls))
     found = {ideal.name: turn_limit(body, ideal) for ideal in IDEAL}
     if law.name not in found:
-        gripped = _gripped(law, _mean(falls, "grip"))
+        scaled = _scaled(law, _mean(falls, "friction_scale"))
         start = State(tilt=_mean(falls, "tilt"), tilt_rate=_mean(falls, "tilt_rate"))
         gravity = float(falls.attrs["gravity"])
         with suppress(RimrollError):
-            found[law.name] = turn_limit(body, gripped, arrival(body, start, gripped, gravity))
+            found[law.name] = turn_limit(body, scaled, arrival(body, start, scaled, gravity))
     return found
 
 
@@ -152,7 +160,7 @@ def _mean(falls: Falls | xr.Dataset, name: str) -> float:
     return float(falls[name if name in falls else f"start_{name}"].mean())
 
 
-def _gripped(law: Law, factor: float) -> Law:
+def _scaled(law: Law, factor: float) -> Law:
     """The law with its friction changed by a factor."""
     scaled = {
         field.name: factor * value

@@ -44,7 +44,7 @@ ERRATA = (
     Erratum(
         "Simulation figure, caption",
         "C/m = 8×10⁻³ m²",
-        "C/m ≤ R² = 2.601×10⁻³ m² for anything no wider than its rim; wall and discs have 1.3 to 2.2",
+        "C/m ≤ R² = 2.601×10⁻³ m² for anything no wider than its rim; wall and disks have 1.3 to 2.2",
         "C/m is the mean square distance from the axis.",
         "test_erratum_axial_inertia_is_impossible_for_a_can_no_wider_than_its_rim",
         changes_a_result=True,

@@ -41,7 +41,7 @@ from rimroll.units import LAW_UNIT_OF, UNIT_OF, air_unit, quantity, tilt_angle
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,
     "hollow_cylinder": solids.hollow_cylinder,
-    "disc": solids.disc,
+    "disk": solids.disk,
     "ring": solids.ring,
     "wall": solids.wall,
     "filling": solids.filling,

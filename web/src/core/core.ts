@@ -144,18 +144,18 @@ export class Core {
     return new Motion(this.exchange, this.exchange.checked(this.exchange.core.simulate()));
   }
 
-  /** Computes the first turn from each start; `grip` multiplies the friction. */
+  /** Computes the first turn from each start; `frictionScale` multiplies the friction. */
   falls(
     body: Body,
     contactLaw: ContactLaw,
     options: Options,
-    trials: readonly { start: State; grip: number }[],
+    trials: readonly { start: State; frictionScale: number }[],
   ): Fall[] {
     this.exchange.put([
       ...bodyNumbers(body),
       ...this.contactLawNumbers(contactLaw),
       ...optionNumbers(options),
-      ...trials.flatMap(({ start, grip }) => [...startNumbers(start), grip]),
+      ...trials.flatMap(({ start, frictionScale }) => [...startNumbers(start), frictionScale]),
     ]);
     this.exchange.checked(this.exchange.core.falls());
     const numbers = this.exchange.numbers();

@@ -21,7 +21,7 @@ export interface Flick {
 export function simulateFlicks(core: Core, setup: Readonly<Setup>): Flick[] {
   try {
     const { body, start, contactLaw, options } = simulationInput(core, setup);
-    const trials = scatteredStarts(setup, body).map((start) => ({ start, grip: 1 }));
+    const trials = scatteredStarts(setup, body).map((start) => ({ start, frictionScale: 1 }));
     // This tolerance gives angles to 1e-4 degrees, as in rimroll.topple.
     const coarse = { ...options, duration: 10, rtol: 1e-6 };
     return core

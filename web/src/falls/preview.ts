@@ -22,7 +22,7 @@ export function previewOf(core: Core, setup: Readonly<Setup>, held: Held): Previ
       ...setup,
       ...releasedSetup(held, ZERO_RATE, setup),
     });
-    const [fall] = core.falls(body, contactLaw, options, [{ start, grip: 1 }]);
+    const [fall] = core.falls(body, contactLaw, options, [{ start, frictionScale: 1 }]);
     return { lean, fall, theory: core.theory(body, start, contactLaw, options.gravity) };
   } catch (error) {
     reasonOrRethrow(error);

@@ -10,17 +10,17 @@ import type { Setup } from "../setup/setup";
  * for sideways and twist 5 % of the tilt rate, but at least 0.002 √(g/R). */
 export function scatteredStarts(setup: Readonly<Setup>, body: Body): State[] {
   const random = normal(setup.seed);
-  const unsteady = setup.unsteady / 100;
+  const unsteadiness = setup.unsteadiness / 100;
   const slowest = 0.002 * Math.sqrt(setup.gravity / body.radius);
   const rate = Math.abs(setup.tilt_rate);
-  const aside = unsteady * Math.max(0.05 * rate, slowest);
+  const aside = unsteadiness * Math.max(0.05 * rate, slowest);
   return Array.from({ length: Math.round(setup.flicks) }, () => {
     const [c0, c1, c2, c3] = [random(), random(), random(), random()];
-    const tilt = setup.tilt * (1 + 0.1 * unsteady * c0);
+    const tilt = setup.tilt * (1 + 0.1 * unsteadiness * c0);
     return startOf({
       ...setup,
       tilt: Math.min(Math.max(tilt, 0.01 * setup.tilt), Math.max(89, setup.tilt)),
-      tilt_rate: setup.tilt_rate + unsteady * Math.max(0.07 * rate, 5 * slowest) * c1,
+      tilt_rate: setup.tilt_rate + unsteadiness * Math.max(0.07 * rate, 5 * slowest) * c1,
       sideways: setup.sideways + aside * c2,
       twist: setup.twist + aside * c3,
     });

@@ -250,7 +250,7 @@ export const FIELDS = {
     slider: [1, 200, 1],
     help: "How many times the release is repeated. The paper: 42.",
   },
-  unsteady: {
+  unsteadiness: {
     kind: "number",
     label: "Unsteadiness of the hand",
     unit: "%",
@@ -280,7 +280,11 @@ export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
 export type PlaybackName = "speed" | "slow";
 
 /** Fields of the repeated release; a single motion does not depend on them. */
-export const FLICK_FIELDS = ["flicks", "unsteady", "seed"] as const satisfies readonly FieldName[];
+export const FLICK_FIELDS = [
+  "flicks",
+  "unsteadiness",
+  "seed",
+] as const satisfies readonly FieldName[];
 
 /** Fields that only some bodies have. */
 export const BODY_FIELDS: Record<string, readonly FieldName[]> = {

@@ -44,7 +44,7 @@ export const STEPS: readonly Step[] = [
   {
     title: "The angle is the same every time",
     text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs: close to 202° every time, and closer the flatter the can comes down. The limit depends only on the can, by π\u00a0√((A\u00a0+\u00a0mR²\u00a0+\u00a0mH²)/(A\u00a0+\u00a0mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A its moment of inertia for tipping about that centre.",
-    setup: { law: "no_slip", unsteady: 10 },
+    setup: { law: "no_slip", unsteadiness: 10 },
     speed: 1,
     stretched: true,
     shows: "flicks",

@@ -237,7 +237,7 @@ const quantities = [
   ...["radius", "length", "mass", "wall", "base"],
   ...["tilt", "tilt_rate", "sideways", "friction"],
   ...["twist", "yaw", "rolling", "restitution", "gravity", "duration"],
-  ...["flicks", "unsteady", "seed"],
+  ...["flicks", "unsteadiness", "seed"],
 ];
 
 /** Waits for two frames. */

@@ -49,7 +49,7 @@ describe("unknown names", () => {
     const ask = {
       simulate: () => core.simulate(body, start, contactLaw, options),
       theory: () => core.theory(body, start, contactLaw, options.gravity),
-      falls: () => core.falls(body, contactLaw, options, [{ start, grip: 1 }]),
+      falls: () => core.falls(body, contactLaw, options, [{ start, frictionScale: 1 }]),
     }[asked];
     expect(refusal(ask)).toMatch(/^unknown law .*: choose from no_slip, frictionless, coulomb/);
   });

@@ -52,7 +52,13 @@ describe("angles of turn", () => {
   });
 
   test("start at the tilt maximum if the body rises first", () => {
-    const setup = { ...INITIAL, tilt_rate: 0.5, unsteady: 0, flicks: 1, law: "no_slip" } as const;
+    const setup = {
+      ...INITIAL,
+      tilt_rate: 0.5,
+      unsteadiness: 0,
+      flicks: 1,
+      law: "no_slip",
+    } as const;
     const [flick] = simulateFlicks(core, setup);
     const { body, start, contactLaw, options } = simulationInput(core, setup);
     const motion = core.simulate(body, start, contactLaw, options);

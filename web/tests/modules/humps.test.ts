@@ -87,7 +87,7 @@ describe("the picture", () => {
   });
 
   test("is mirrored for a hand that errs to the other side", () => {
-    const setup = { ...FRICTION, unsteady: 0, flicks: 1 };
+    const setup = { ...FRICTION, unsteadiness: 0, flicks: 1 };
     const one = shownFor({ ...setup, sideways: 0.02 });
     const other = shownFor({ ...setup, sideways: -0.02 });
     expect([one.tally.left.count, other.tally.right.count]).toEqual([1, 1]);

@@ -42,7 +42,7 @@ describe("a thousand flicks of an unsteady hand", () => {
   });
 
   test("scatter half as much from a hand half as unsteady", () => {
-    near(starts({ unsteady: 50 }).map(sideways), 0, 0.1);
+    near(starts({ unsteadiness: 50 }).map(sideways), 0, 0.1);
   });
 
   test("scatter at least by 0.002 √(g/R) when the body is let go at rest", () => {
@@ -52,7 +52,7 @@ describe("a thousand flicks of an unsteady hand", () => {
 });
 
 test("a steady hand repeats the release to the last bit", () => {
-  for (const start of starts({ unsteady: 0, flicks: 5 })) expect(start).toEqual(startOf(flick));
+  for (const start of starts({ unsteadiness: 0, flicks: 5 })) expect(start).toEqual(startOf(flick));
 });
 
 test("the same seed scatters in the same way, another one differently", () => {
@@ -66,7 +66,7 @@ test("more flicks begin with the fewer", () => {
 
 test("no flick begins upright or on the side", () => {
   for (const tilt of [0.001, 45, 89.9])
-    for (const start of starts({ tilt, unsteady: 1000 })) {
+    for (const start of starts({ tilt, unsteadiness: 1000 })) {
       expect(start.tilt).toBeGreaterThan(0);
       expect(start.tilt).toBeLessThan(
         Math.max((89.5 * Math.PI) / 180, (tilt * Math.PI) / 180 + 1e-9),

@@ -6,9 +6,9 @@ friction, `log_densities` interpolates that, `likelihood` compares the data with
 what they exclude, `fit` puts it together and `figure` draws it.
 """
 
-from rimroll.experiment.fitting.angles import read_angles
+from rimroll.experiment.fitting.angles import read_directions
 from rimroll.experiment.fitting.fit import Fit, fit
 from rimroll.experiment.fitting.predicted import Predicted, predict_falls
-from rimroll.experiment.fitting.summary import directions_of_summary
+from rimroll.experiment.fitting.summary import directions_from_summary
 
-__all__ = ["Fit", "Predicted", "directions_of_summary", "fit", "predict_falls", "read_angles"]
+__all__ = ["Fit", "Predicted", "directions_from_summary", "fit", "predict_falls", "read_directions"]

@@ -47,12 +47,12 @@ class FallDirections:
     """The columns, their units and the rows that were read, in words."""
 
 
-def read_angles(
+def read_directions(
     file: Source,
     *,
     radians: bool = False,
     clockwise: bool = False,
-    counted: str | None = None,
+    outcome: str | None = None,
     column: str | int | None = None,
     lean_column: str | int | None = None,
 ) -> Array:
@@ -74,7 +74,7 @@ def read_angles(
         says otherwise, as ``direction[rad]`` does; a cell may carry its unit, as in ``213 deg``.
     clockwise
         Whether angles grow clockwise seen from above, as on a compass.
-    counted
+    outcome
         Which rows to take where there is a column ``outcome``; ``toppled`` if there are 8 of them,
         else ``rocked``, unless given.
     column, lean_column
@@ -98,7 +98,7 @@ def read_angles(
         file,
         radians=radians,
         clockwise=clockwise,
-        counted=counted,
+        outcome=outcome,
         column=column,
         lean_column=lean_column,
     ).directions
@@ -109,13 +109,13 @@ def read_falls(
     *,
     radians: bool,
     clockwise: bool,
-    counted: str | None,
+    outcome: str | None,
     column: str | int | None,
     lean_column: str | int | None,
 ) -> FallDirections:
-    """What :func:`read_angles` gives, with a sentence on what was read."""
+    """What :func:`read_directions` gives, with a sentence on what was read."""
     table = read_table(file, has_columns=lean_column is not None or column not in (None, 1, "1"))
-    rows, kind = _counting(table, counted)
+    rows, kind = _counting(table, outcome)
     if not rows:
         raise RimrollError(f"{table.name} holds no angles")
     columns = (
@@ -225,13 +225,13 @@ def _unit_of(names: list[str], column: int) -> str | None:
     return "deg" if words & {"deg", "degree", "degrees", "°"} else None
 
 
-def _counting(table: Table, counted: str | None) -> tuple[list[Row], str | None]:
+def _counting(table: Table, outcome: str | None) -> tuple[list[Row], str | None]:
     """The rows to take, and their outcome where the file says what became of each fall."""
     if "outcome" not in table.names:
         return table.rows, None
     at = table.names.index("outcome")
     outcomes = [row.cells[at] for row in table.rows]
-    word = counted or ("toppled" if outcomes.count("toppled") >= ENOUGH else "rocked")
+    word = outcome or ("toppled" if outcomes.count("toppled") >= ENOUGH else "rocked")
     return [row for row in table.rows if row.cells[at] == word], word
 
 

@@ -16,17 +16,18 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """A coefficient of friction, and the set of those that the data do not exclude.
+    """A coefficient of friction, and the set of coefficients that the data do not exclude.
 
     ``intervals`` are (low, high), in order; there may be several, since two frictions may turn a
-    body by the same angle. One that ends at 0, or at ``most``, is open there: at ``most`` the rim
-    holds, and more friction changes next to nothing. ``deviance`` (f,) is twice the loss of log
-    likelihood at ``frictions`` (f,), and ``limit`` its value at the ends of the intervals.
+    body by the same angle. An interval that ends at 0 or at ``holding_friction`` is open there: at
+    ``holding_friction`` the rim holds, and more friction changes almost nothing. ``deviance`` (f,)
+    is twice the loss of log likelihood at ``frictions`` (f,), and ``limit`` its value at the ends
+    of the intervals.
     """
 
     friction: float
     intervals: tuple[Interval, ...]
-    most: float
+    holding_friction: float
     frictions: Array = field(repr=False)
     deviance: Array = field(repr=False)
     limit: float = field(repr=False)
@@ -37,7 +38,7 @@ class Estimate:
     @property
     def open_above(self) -> bool:
         """Whether the data set no upper bound: the rim may not have slipped at all."""
-        return self.intervals[-1][1] >= self.most
+        return self.intervals[-1][1] >= self.holding_friction
 
     @property
     def in_words(self) -> str:
@@ -46,7 +47,7 @@ class Estimate:
 
     def interval_in_words(self, low: float, high: float) -> str:
         """One of the intervals."""
-        from_none, to_most = low <= 0.0, high >= self.most
+        from_none, to_most = low <= 0.0, high >= self.holding_friction
         if from_none and to_most:
             return "any friction"
         if from_none:

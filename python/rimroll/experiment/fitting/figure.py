@@ -68,7 +68,7 @@ def _draw_falls(ax: Axes, fit: Fit) -> None:
     for x, side in ((0.01, "left"), (0.99, "right")):
         ax.text(x, 0.98, f"to the {side}", transform=ax.transAxes, ha=side, va="top", fontsize=6.5)
     ax.legend(loc="upper center", ncols=4, bbox_to_anchor=(0.5, -0.2), columnspacing=1.2)
-    what = "fall" if fit.predicted.counted == "toppled" else "largest tilt"
+    what = "fall" if fit.predicted.outcome == "toppled" else "largest tilt"
     style.label(
         ax,
         "a",
@@ -79,7 +79,7 @@ def _draw_falls(ax: Axes, fit: Fit) -> None:
 
 
 def _draw_friction(ax: Axes, fit: Fit) -> None:
-    one, most = fit.friction, fit.friction.most
+    one, most = fit.friction, fit.friction.holding_friction
     for low, high in one.intervals:
         ax.axvspan(low, high, color=FITTED, alpha=0.18, lw=0)
     _curve(ax, one, FITTED, "-", "all falls")

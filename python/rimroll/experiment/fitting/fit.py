@@ -56,7 +56,7 @@ class Fit:
         The chance of a fall to the left.
     left, right
         The estimate from the falls to one side alone, without a bias; None where there are too few.
-    at_other_rates
+    at_other_tilt_rates
         What else the friction would be, (tilt rate in rad/s, friction), were the mean tilt rate off
         by its error; empty where that was not asked for.
     verdicts
@@ -81,7 +81,7 @@ class Fit:
     left_share: float
     left: Estimate | None
     right: Estimate | None
-    at_other_rates: tuple[tuple[float, float], ...]
+    at_other_tilt_rates: tuple[tuple[float, float], ...]
     verdicts: tuple[Verdict, ...]
     shape: Verdict
     at_bounds: dict[str, str]
@@ -117,7 +117,7 @@ class Fit:
             "at_bounds": self.at_bounds,
             "friction": self.friction.friction,
             "friction_intervals": self.friction.intervals,
-            "friction_of_no_slip": self.friction.most,
+            "holding_friction": self.friction.holding_friction,
             "bias": self.bias,
             "bias_interval": self.bias_interval,
             "unsteadiness": self.unsteadiness,
@@ -126,7 +126,7 @@ class Fit:
                 f"{name}_alone": side and {"friction": side.friction, "intervals": side.intervals}
                 for name, side in (("left", self.left), ("right", self.right))
             },
-            "at_other_tilt_rates": self.at_other_rates,
+            "at_other_tilt_rates": self.at_other_tilt_rates,
             "warnings": self.warnings,
             "verdicts": [vars(verdict) for verdict in self.verdicts],
         }
@@ -141,7 +141,7 @@ def fit(
     reading_error: Number = READING_ERROR,
     tilt_rate_error: Number | None = None,
     bias: Number | None = None,
-    counted: str | None = None,
+    outcome: str | None = None,
     confidence: float = 0.95,
     predicted: Predicted | None = None,
     threads: int | None = None,
@@ -159,7 +159,7 @@ def fit(
         What was flicked.
     directions
         Directions of fall (n,), rad, counted anticlockwise from the direction of the first lean; at
-        least 8. :func:`rimroll.read_angles` reads them from a file.
+        least 8. :func:`rimroll.read_directions` reads them from a file.
     release, gravity
         How it was flicked: see :func:`rimroll.topple`. Tilt and tilt rate matter, since a rim may
         slide before the base arrives.
@@ -170,7 +170,7 @@ def fit(
         flicks that much slower and faster. A tenth of the rate unless given; 0 leaves it out.
     bias
         Rotation of all directions, rad; found from the data unless given.
-    counted
+    outcome
         What counts as a fall, see :func:`rimroll.predict_falls`.
     confidence
         Of intervals and verdicts.
@@ -205,7 +205,7 @@ def fit(
             body=body,
             gravity=gravity,
             reading_error=reading_error,
-            counted=counted,
+            outcome=outcome,
             threads=threads,
         )
         predicted, *others = tables
@@ -228,7 +228,7 @@ def fit(
         left_share=best.left_share,
         left=_alone(predicted, lefts, confidence, +1.0),
         right=_alone(predicted, rights, confidence, -1.0),
-        at_other_rates=tuple(
+        at_other_tilt_rates=tuple(
             (other.release.tilt_rate[0], Likelihood(other, data).best(**fixed).friction)
             for other in others
         ),
@@ -285,7 +285,7 @@ def _predictions(
 
 def _at_bounds(likelihood: Likelihood, best: Point, fixed: dict[str, float]) -> dict[str, str]:
     """The parameters found at an end of what is tried, and which end."""
-    hands = likelihood.predicted.unsteady
+    hands = likelihood.predicted.unsteadiness
     found = {}
     if "bias" not in fixed and abs(best.bias) > 0.99 * MOST_BIAS:
         found["bias"] = "highest" if best.bias > 0.0 else "lowest"

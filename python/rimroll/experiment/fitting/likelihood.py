@@ -60,16 +60,16 @@ class Likelihood:
         self.directions = np.mod(directions, TURN)
         self._angles, self._counts = _binned(self.directions)
         self._log_densities = LogDensities(predicted)
-        knows_hands = len(predicted.unsteady) > 1
+        knows_hands = len(predicted.unsteadiness) > 1
         self._bounds = {
             "friction": (float(predicted.frictions[0]), float(predicted.frictions[-1])),
             "bias": (-MOST_BIAS, MOST_BIAS),
-            "log_unsteadiness": tuple(np.log(predicted.unsteady[[0, -1]]).tolist()),
+            "log_unsteadiness": tuple(np.log(predicted.unsteadiness[[0, -1]]).tolist()),
             "logit": (-MOST_LOGIT, MOST_LOGIT),
         }
         self._fixed = {} if knows_hands else {"log_unsteadiness": 0.0}
         self._lattice = predicted.frictions[::2]
-        self._some_hands = np.log(predicted.unsteady[:: max(len(predicted.unsteady) // 4, 1)])
+        self._some_hands = np.log(predicted.unsteadiness[:: max(len(predicted.unsteadiness) // 4, 1)])
         self._known_curves: dict[float, Array] = {}
 
     @property

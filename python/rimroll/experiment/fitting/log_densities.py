@@ -27,7 +27,7 @@ class LogDensities:
         # One row of coefficients for each friction and hand: those of the left, then the right.
         self._rows = np.concatenate([left, right], axis=-1)
         self._frictions = predicted.frictions
-        self._hands = np.log(predicted.unsteady)
+        self._hands = np.log(predicted.unsteadiness)
 
     def curve(self, friction: float, log_unsteadiness: float) -> Array:
         """Coefficients (3, 2, c) along the angle, at a friction and an unsteadiness.

@@ -65,12 +65,12 @@ class Predicted:
     frictions
         Coefficients of dry friction (f,), from 0 to one at which the rim holds; see
         :func:`nodes`.
-    unsteady
-        Factors (k,) of the scatter of the release's ``sideways`` and ``twist``.
+    unsteadiness
+        Factors (k,) on the scatter of the release's ``sideways`` and ``twist``.
     left, right
         Density per radian (f, k, a) of the direction of a fall to the left of the hand (above π)
         and to its right, at a = 720 angles from 0 on.
-    counted
+    outcome
         The outcome that counts as a fall: ``toppled`` or ``rocked``.
     share
         The part (f,) of the releases that end so.
@@ -81,10 +81,10 @@ class Predicted:
     gravity: float
     reading_error: float
     frictions: Array
-    unsteady: Array
+    unsteadiness: Array
     left: Array
     right: Array
-    counted: str
+    outcome: str
     share: Array
 
 
@@ -96,7 +96,7 @@ def predict_falls(
     reading_error: Number = READING_ERROR,
     frictions: int = 33,
     falls: int = 1024,
-    counted: str | None = None,
+    outcome: str | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Predicted:
@@ -110,7 +110,7 @@ def predict_falls(
         Standard deviation of reading a direction, rad.
     frictions, falls
         How many coefficients of friction, and about how many falls at each: a power of two.
-    counted
+    outcome
         The outcome that counts as a fall, ``toppled`` or ``rocked``; unless given, ``toppled``
         where the release topples the body at half of the frictions or more.
     threads, progress
@@ -145,28 +145,32 @@ def predict_falls(
     gone, outcomes = [], []
     for i, friction in enumerate(grid):
         law = Coulomb(float(friction))
-        found = follow(body, draws.starts, law, options, grip=draws.grip, threads=threads)
+        found = follow(
+            body, draws.starts, law, options, friction_scale=draws.friction_scale, threads=threads
+        )
         anticlockwise, direction = found["turn"] > 0.0, found["direction"]
         # Signed, so that the mirror image of a fall has the opposite sign.
         gone.append(np.where(anticlockwise, direction, direction - TURN))
         outcomes.append(found["outcome"])
         if progress is not None:
             progress(i + 1, count)
-    word = _checked(counted) or _usual(outcomes)
+    word = _checked(outcome) or _usual(outcomes)
     fell = np.array([outcome == word for outcome in outcomes])
     angles = np.where(fell, gone, np.nan)
     sides = _humps(angles, draws.weights, release.symmetric, error, word)
-    usual_hand = draws.weights[np.abs(draws.unsteady - 1.0).argmin()]
+    usual_hand = draws.weights[np.abs(draws.unsteadiness - 1.0).argmin()]
     share = fell @ usual_hand / usual_hand.sum()
     # A disk that turns anticlockwise goes more than all the way round, and ends up on the right.
     left, right = sides if np.nanmedian(np.abs(angles)) > math.pi else sides[::-1]
-    return Predicted(body, release, gravity, error, grid, draws.unsteady, left, right, word, share)
+    return Predicted(
+        body, release, gravity, error, grid, draws.unsteadiness, left, right, word, share
+    )
 
 
-def _checked(counted: object) -> str | None:
-    if counted not in (None, "toppled", "rocked"):
-        raise RimrollError(f"counted must be toppled or rocked, got {counted!r}")
-    return None if counted is None else str(counted)
+def _checked(outcome: object) -> str | None:
+    if outcome not in (None, "toppled", "rocked"):
+        raise RimrollError(f"outcome must be toppled or rocked, got {outcome!r}")
+    return None if outcome is None else str(outcome)
 
 
 def _usual(outcomes: list[NDArray[np.str_]]) -> str:
@@ -196,7 +200,7 @@ def _enough(body: Body, release: Release, gravity: float) -> float:
         tipping = arrival(body, straight, NoSlip(), gravity).friction_ratio
     except RimrollError:
         tipping = needed
-    return float(1.3 * max(needed, tipping, 0.1) / release.grip[0])
+    return float(1.3 * max(needed, tipping, 0.1) / release.friction_scale[0])
 
 
 @dataclass(frozen=True)
@@ -204,8 +208,8 @@ class _Draws:
     """Starts by hands of all kinds, and the weight (k, n) of each for a hand of one kind."""
 
     starts: State
-    grip: Array
-    unsteady: Array
+    friction_scale: Array
+    unsteadiness: Array
     weights: Array
 
     @classmethod
@@ -214,16 +218,16 @@ class _Draws:
         steady = sideways == 0.0 and twist == 0.0
         hands = np.array([1.0] if steady else HANDS)
         points = sobol.points(2 ** round(math.log2(count / len(hands))))
-        parts = [release.unsteady(float(hand)).at(points) for hand in hands]
+        parts = [release.with_unsteadiness(float(hand)).at(points) for hand in hands]
         starts = State(
             **{
                 name: np.concatenate([getattr(start, name) for start, _ in parts])
                 for name in ("tilt", "tilt_rate", "yaw_rate", "spin_rate")
             }
         )
-        grip = np.concatenate([grip for _, grip in parts])
+        friction_scale = np.concatenate([friction_scale for _, friction_scale in parts])
         if steady:
-            return cls(starts, grip, np.ones(1), np.ones((1, len(grip))))
+            return cls(starts, friction_scale, np.ones(1), np.ones((1, len(friction_scale))))
         # What was drawn, in units of the release's own scatter, where it has any.
         varied = [column for column, spread in ((2, sideways), (3, twist)) if spread > 0.0]
         drawn = np.concatenate([hand * normal.quantiles(points[:, varied]) for hand in hands])
@@ -234,7 +238,7 @@ class _Draws:
             ] ** len(varied)
 
         weights = density(UNSTEADY) / density(hands).mean(axis=0)
-        return cls(starts, grip, UNSTEADY, weights)
+        return cls(starts, friction_scale, UNSTEADY, weights)
 
 
 def _humps(

@@ -15,7 +15,7 @@ from rimroll.given import number, whole_number
 Array = NDArray[np.float64]
 
 
-def directions_of_summary(
+def directions_from_summary(
     *, left: tuple[float, float, int], right: tuple[float, float, int]
 ) -> Array:
     """Directions (n,), rad, whose turns have exactly the given means and spreads.

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rimroll import style
-from rimroll.approximations import pasted
+from rimroll.approximations import composite
 from rimroll.laws import Law
 from rimroll.motion import Array
 from rimroll.paper import setting
@@ -46,7 +46,7 @@ def approach(law: Law) -> Approach:
     excess = np.array([abs(turn.angle) for turn in turns]) - turn_limit(setting.CAN, law)
     min_tilt = np.array([turn.min_tilt for turn in turns])
     steps = np.array([float(motion.stats.steps) for motion in motions])
-    rate = pasted(setting.CAN, setting.start(), law, setting.GRAVITY).tipping_rate
+    rate = composite(setting.CAN, setting.start(), law, setting.GRAVITY).tipping_rate
     b = error_law_coefficient(setting.CAN, law, rate, setting.GRAVITY)
     a = float(excess[FITTED] / min_tilt[FITTED] - b * np.log(min_tilt[FITTED]))
     return Approach(law, excess, min_tilt, steps, b, a)

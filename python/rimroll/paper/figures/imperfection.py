@@ -90,7 +90,7 @@ def first_directions(law: Law) -> Array:
 
 def kept(law: Law) -> Array:
     """The part of the energy that is left."""
-    return np.array([fall.energy_kept for fall in falls(law)])
+    return np.array([fall.energy_kept_fraction for fall in falls(law)])
 
 
 def spread(law: Law, chosen: Chosen) -> Spread:
@@ -168,7 +168,7 @@ def _draw_falls(ax: Axes, directions_ax: Axes) -> None:
 def _draw_losses(ax: Axes) -> None:
     for law in setting.LAWS:
         color = style.COLORS[law.name]
-        first = np.array([fall.collisions[0].energy_kept for fall in falls(law)])
+        first = np.array([fall.collisions[0].energy_kept_fraction for fall in falls(law)])
         ax.plot(PLACES, 100.0 * (1.0 - first), color=color, lw=0.7, ls=":")
         ax.plot(PLACES, 100.0 * (1.0 - kept(law)), color=color, ls=DASHES[law.name])
     x = "place of the imperfection $β$ (degrees)"

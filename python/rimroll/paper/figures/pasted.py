@@ -8,8 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rimroll import style
-from rimroll.approximations import Pasted
-from rimroll.approximations import pasted as paste
+from rimroll.approximations import Composite, composite
 from rimroll.laws import Law, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting
@@ -38,16 +37,16 @@ def draw() -> Drawing:
     return Drawing("pasted", "Two motions pasted together", figure, _caption(), _numbers())
 
 
-def approximation(law: Law, sideways: float) -> Pasted:
+def approximation(law: Law, sideways: float) -> Composite:
     """The pasted motion from the paper's start."""
-    return paste(setting.CAN, setting.start(sideways), law, setting.GRAVITY)
+    return composite(setting.CAN, setting.start(sideways), law, setting.GRAVITY)
 
 
-def times(one: Pasted) -> Array:
+def times(one: Composite) -> Array:
     """Times over the rocking that is approximated, crowded around the smallest tilt, s, (n,)."""
     brief = one.min_tilt / one.tipping_rate
     away = np.geomspace(1e-2 * brief, one.half_width, 240)
-    t = one.time + np.concatenate([-away[::-1], [0.0], away])
+    t = one.min_tilt_time + np.concatenate([-away[::-1], [0.0], away])
     return t[t >= 0.0]
 
 
@@ -83,7 +82,7 @@ def _draw_near(column: Array) -> None:
     scaled = np.linspace(-NEAR, NEAR, 241)
     for sideways, (color, width) in SHOWN.items():
         one = approximation(NoSlip(), sideways)
-        t = one.time + scaled * one.min_tilt / one.tipping_rate
+        t = one.min_tilt_time + scaled * one.min_tilt / one.tipping_rate
         state = setting.motion(NoSlip(), sideways)(t)
         for ax, values in ((tilt, state.tilt / one.min_tilt), (yaw, state.yaw)):
             ax.plot(scaled, values, color=color, lw=width, alpha=0.7)

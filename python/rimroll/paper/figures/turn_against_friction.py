@@ -269,8 +269,8 @@ def leftovers(start: Start | None = None) -> tuple[Array, Array]:
     for friction in map(float, FRICTIONS):
         arriving = Arrival() if start is None else start.arrival(friction)
         left = passage(setting.CAN, Coulomb(friction), arriving)
-        spins.append(left.spin / arriving.tipping_rate)
-        losses.append(left.loss)
+        spins.append(left.axial_spin / arriving.tipping_rate)
+        losses.append(left.energy_lost_fraction)
     return np.array(spins), np.array(losses)
 
 
