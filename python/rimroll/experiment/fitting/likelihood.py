@@ -69,7 +69,9 @@ class Likelihood:
         }
         self._fixed = {} if knows_hands else {"log_unsteadiness": 0.0}
         self._lattice = predicted.frictions[::2]
-        self._some_hands = np.log(predicted.unsteadiness[:: max(len(predicted.unsteadiness) // 4, 1)])
+        self._some_hands = np.log(
+            predicted.unsteadiness[:: max(len(predicted.unsteadiness) // 4, 1)]
+        )
         self._known_curves: dict[float, Array] = {}
 
     @property
