@@ -127,7 +127,7 @@ pub fn ideal_law(name: &str) -> PyResult<IdealLaw> {
 
 /// Any object with the attributes of `rimroll.laws.Law`: the contact law.
 #[derive(FromPyObject)]
-pub struct SurfaceArgument {
+pub struct ContactLawArgument {
     name: String,
     numbers: HashMap<String, Given>,
 }
@@ -139,7 +139,7 @@ enum Given {
     Table(Vec<f64>),
 }
 
-impl SurfaceArgument {
+impl ContactLawArgument {
     pub fn contact_law(&self) -> PyResult<ContactLaw> {
         let (numbers, tables) = self.given();
         ContactLaw::named(&self.name, &numbers, &tables).map_err(refusal)

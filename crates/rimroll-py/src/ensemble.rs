@@ -1,6 +1,6 @@
 //! Many falls at once.
 
-use crate::arguments::{BodiesArgument, SurfaceArgument, VariedArgument, of_row, refusal};
+use crate::arguments::{BodiesArgument, ContactLawArgument, VariedArgument, of_row, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -131,7 +131,7 @@ pub fn ensemble<'py>(
     py: Python<'py>,
     bodies: BodiesArgument<'py>,
     starts: StartsArgument<'py>,
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     varied: VariedArgument<'py>,
     grip: PyReadonlyArray1<'py, f64>,
     duration: f64,
@@ -160,7 +160,9 @@ pub fn ensemble<'py>(
     let rows = starts.starts()?.zip(grip.iter()).enumerate();
     let trials: Vec<Release<'_>> = rows
         .map(|(row, (start, &factor))| {
-            let contact_law = of_row(&contact_laws, row).clone().with_grip(factor);
+            let contact_law = of_row(&contact_laws, row)
+                .clone()
+                .with_friction_scaled(factor);
             (of_row(&bodies, row), start, contact_law)
         })
         .collect();

@@ -1,6 +1,6 @@
 //! `simulate`, and the tables of numbers that describe a motion.
 
-use crate::arguments::{BodyArgument, RimrollError, StateArgument, SurfaceArgument, refusal};
+use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::{Instant, PARAMETERS, Sensitivity, pose};
@@ -183,7 +183,7 @@ pub fn simulate(
     py: Python<'_>,
     body: BodyArgument,
     start: StateArgument,
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     duration: f64,
     gravity: f64,
     rtol: f64,

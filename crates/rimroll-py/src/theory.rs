@@ -1,7 +1,7 @@
 //! Closed forms and the paper's two approximations.
 
 use crate::arguments::{
-    BodyArgument, StateArgument, SurfaceArgument, VariedArgument, ideal_law, refusal,
+    BodyArgument, ContactLawArgument, StateArgument, VariedArgument, ideal_law, refusal,
 };
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -22,7 +22,7 @@ fn arrival_of((tipping_rate, slip, spin, friction_ratio): ArrivalNumbers) -> Arr
 }
 
 #[pyfunction]
-pub fn check_surface(contact_law: SurfaceArgument) -> PyResult<()> {
+pub fn check_surface(contact_law: ContactLawArgument) -> PyResult<()> {
     contact_law.contact_law().map(|_| ())
 }
 
@@ -30,7 +30,7 @@ pub fn check_surface(contact_law: SurfaceArgument) -> PyResult<()> {
 #[pyfunction]
 pub fn friction_at<'py>(
     py: Python<'py>,
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     speeds: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let FrictionLaw::Tabulated(table) = contact_law.contact_law()?.friction else {
@@ -44,7 +44,7 @@ pub fn friction_at<'py>(
 /// The index of the first invalid contact law and its error, if there is one.
 #[pyfunction]
 pub fn first_bad_surface(
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     varied: VariedArgument<'_>,
 ) -> PyResult<Option<(usize, String)>> {
     let mut each = contact_law.varied(&varied)?.enumerate();
@@ -61,7 +61,7 @@ pub fn arrival(
     py: Python<'_>,
     body: BodyArgument,
     start: StateArgument,
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     gravity: f64,
 ) -> PyResult<ArrivalNumbers> {
     let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
@@ -80,7 +80,7 @@ pub fn arrival(
 pub fn turn_limit(
     py: Python<'_>,
     body: BodyArgument,
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     arrival: ArrivalNumbers,
 ) -> PyResult<f64> {
     let (body, friction) = (body.body()?, contact_law.contact_law()?.friction);
@@ -95,7 +95,7 @@ type PassageNumbers = (f64, f64, f64, (f64, f64), f64);
 pub fn passage(
     py: Python<'_>,
     body: BodyArgument,
-    contact_law: SurfaceArgument,
+    contact_law: ContactLawArgument,
     arrival: ArrivalNumbers,
 ) -> PyResult<PassageNumbers> {
     let (body, friction) = (body.body()?, contact_law.contact_law()?.friction);

@@ -6,7 +6,7 @@ use rimroll::{Body, ContactLaw, FrictionLaw, InvalidInput, Options, Solid, State
 pub const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
 
 /// The parameters of a contact law by name, in the order in which the page writes them; NaN if absent.
-const SURFACE: [&str; 3] = ["friction", "restitution", "rolling_dry"];
+const PARAMETERS: [&str; 3] = ["friction", "restitution", "rolling_dry"];
 
 /// The arguments not yet read.
 pub struct Arguments {
@@ -72,10 +72,10 @@ impl Arguments {
         }
     }
 
-    /// The law's index in [`FrictionLaw::NAMES`], then the numbers of [`SURFACE`].
+    /// The law's index in [`FrictionLaw::NAMES`], then the numbers of [`PARAMETERS`].
     pub fn contact_law(&mut self) -> Result<ContactLaw, InvalidInput> {
         let law = named("law", self.number(), &FrictionLaw::NAMES)?;
-        let given: Vec<_> = SURFACE
+        let given: Vec<_> = PARAMETERS
             .into_iter()
             .filter_map(|name| Some((name.to_owned(), self.given()?)))
             .collect();

@@ -46,8 +46,8 @@ fn followed(mut arguments: Arguments) -> Result<Vec<Fall>, InvalidInput> {
     let mut falls = Vec::new();
     while arguments.any_left() {
         let start = arguments.start();
-        let gripped = contact_law.clone().with_grip(arguments.number());
-        falls.push(fall(&body, &start, &gripped, &options)?);
+        let contact_law = contact_law.clone().with_friction_scaled(arguments.number());
+        falls.push(fall(&body, &start, &contact_law, &options)?);
     }
     Ok(falls)
 }

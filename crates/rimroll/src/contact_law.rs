@@ -284,7 +284,7 @@ impl ContactLaw {
 
     /// This contact law with all coefficients of friction multiplied by `factor`.
     #[must_use]
-    pub fn with_grip(mut self, factor: f64) -> ContactLaw {
+    pub fn with_friction_scaled(mut self, factor: f64) -> ContactLaw {
         match &mut self.friction {
             FrictionLaw::NoSlip | FrictionLaw::Frictionless => {}
             FrictionLaw::Viscous { coefficient } => *coefficient *= factor,

@@ -81,12 +81,12 @@ impl<T: Real> ErrorScale<T> {
         let small_gap = T::from(SMALL_GAP) * self.radius;
         let tilting = self.tilt_rate(u);
         let slip = slip_speed(u) + T::from(SLOW) * self.radius * tilting;
-        let fallen = self.falling_rate * self.falling_rate;
-        let away = self.radius + u.x1.abs() + u.y1.abs();
+        let falling_rate_squared = self.falling_rate * self.falling_rate;
+        let distance = self.radius + u.x1.abs() + u.y1.abs();
         let energy = self.mass
             * self.radius
             * self.radius
-            * (tilting * tilting + u.s * u.s + u.sin * fallen);
+            * (tilting * tilting + u.s * u.s + u.sin * falling_rate_squared);
         Coordinates {
             yaw: one,
             spin: one,
@@ -96,8 +96,8 @@ impl<T: Real> ErrorScale<T> {
             p: tilting,
             w: u.w.abs() + u.sin * u.s.abs() + never_zero,
             s: u.s.abs() + u.sin * u.w.abs() + never_zero,
-            x1: away,
-            y1: away,
+            x1: distance,
+            y1: distance,
             slip_x: slip,
             slip_y: u.slip_y.abs() + slip.min(self.sideways_speed(u)) + never_zero,
             gap: u.gap.abs() + small_gap,

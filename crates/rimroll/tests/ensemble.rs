@@ -329,12 +329,12 @@ fn bad_options_are_refused_even_where_nothing_starts() {
 }
 
 #[test]
-fn grip_scales_every_coefficient_of_friction() {
+fn a_factor_scales_every_coefficient_of_friction() {
     let dry = FrictionLaw::Coulomb {
         friction: 0.2,
         static_friction: 0.3,
     };
-    let twice = ContactLaw::from(dry).with_grip(2.0);
+    let twice = ContactLaw::from(dry).with_friction_scaled(2.0);
     assert_eq!(
         twice.friction,
         FrictionLaw::Coulomb {
@@ -343,7 +343,7 @@ fn grip_scales_every_coefficient_of_friction() {
         }
     );
     let ideal = ContactLaw::from(IdealLaw::NoSlip);
-    assert_eq!(ideal.clone().with_grip(2.0), ideal);
+    assert_eq!(ideal.clone().with_friction_scaled(2.0), ideal);
 }
 
 /// Cans released from rest where friction cannot hold them slip at once without an initial direction. The

@@ -196,7 +196,7 @@ fn any_start() -> impl Strategy<Value = State> {
         })
 }
 
-fn any_surface() -> impl Strategy<Value = ContactLaw> {
+fn any_contact_law() -> impl Strategy<Value = ContactLaw> {
     let restitution =
         prop_oneof![2 => Just(0.0), 1 => Just(1.0), 1 => powers_of_ten(-6.0, -1.0), 3 => 0.0..1.0];
     (any_friction(), restitution, any_resistance()).prop_map(
@@ -224,7 +224,7 @@ fn wild_case() -> impl Strategy<Value = Case> {
 
 fn any_case_of(body: impl Strategy<Value = Body>) -> impl Strategy<Value = Case> {
     let rtol = prop_oneof![1 => powers_of_ten(-13.0, -4.0), 1 => powers_of_ten(-13.0, -11.0)];
-    (body, any_surface(), any_start(), 0.5..10.0, rtol).prop_map(
+    (body, any_contact_law(), any_start(), 0.5..10.0, rtol).prop_map(
         |(body, contact_law, start, duration, rtol)| {
             let rate = falling_rate(&body);
             let mut start = State {
