@@ -6,8 +6,7 @@ import { FIELDS, type NumberField, type ChoiceField } from "./src/setup/fields";
 import { SPEEDS } from "./src/setup/playback";
 
 /** The accepted values of a quantity: choices, or numbers within bounds. */
-type Allowed =
-  { choices: string[] } | Pick<NumberField, "unit" | "least" | "most" | "open" | "whole">;
+type Allowed = { choices: string[] } | Pick<NumberField, "unit" | "min" | "max" | "open" | "whole">;
 
 export function fields(file: string): Plugin {
   return {
@@ -24,10 +23,10 @@ export function allowed(): Record<string, Allowed> {
   const quantities = Object.entries<NumberField | ChoiceField>(FIELDS).map(
     ([name, field]): [string, Allowed] => {
       if (field.kind === "choice") return [name, { choices: Object.keys(field.choices) }];
-      const { unit, least, most, open = false, whole = false } = field;
-      return [name, { unit, least, most, open, whole }];
+      const { unit, min, max, open = false, whole = false } = field;
+      return [name, { unit, min, max, open, whole }];
     },
   );
-  const pace = { speed: { choices: SPEEDS.map(String) }, slow: { choices: ["0", "1"] } };
-  return { ...Object.fromEntries(quantities), ...pace };
+  const playback = { speed: { choices: SPEEDS.map(String) }, slow: { choices: ["0", "1"] } };
+  return { ...Object.fromEntries(quantities), ...playback };
 }

@@ -19,8 +19,8 @@ FILES = {
     "assets/core.wasm": (b"\0asm\1\0\0\0" + bytes(range(256)), "application/wasm"),
     "setup.json": (
         b'{"body": {"choices": ["can_2007", "coin"]},'
-        b' "tilt": {"unit": "\xc2\xb0", "least": 0, "most": 90, "open": true, "whole": false},'
-        b' "flicks": {"unit": "", "least": 1, "most": 1000, "open": false, "whole": true}}',
+        b' "tilt": {"unit": "\xc2\xb0", "min": 0, "max": 90, "open": true, "whole": false},'
+        b' "flicks": {"unit": "", "min": 1, "max": 1000, "open": false, "whole": true}}',
         "application/json",
     ),
     "licences.txt": ("François".encode(), "text/plain; charset=utf-8"),

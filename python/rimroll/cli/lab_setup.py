@@ -44,19 +44,19 @@ def _check_value(name: str, value: str, allowed: dict[str, Any]) -> None:
                 f"--setup: {name} cannot be {value!r}{nearest(value, allowed['choices'])}"
             )
         return
-    least, most, unit = allowed["least"], allowed["most"], allowed["unit"]
+    low, high, unit = allowed["min"], allowed["max"], allowed["unit"]
     number = _number(value, unit)
     if number is None:
         raise RimrollError(f"--setup: {name} must be a number, got {value!r}")
     if allowed["whole"] and not number.is_integer():
         raise RimrollError(f"--setup: {name} must be a whole number, got {value!r}")
-    inside = least < number < most if allowed["open"] else least <= number <= most
+    inside = low < number < high if allowed["open"] else low <= number <= high
     if not inside:
         bounds = "between" if allowed["open"] else "from"
         joint = "and" if allowed["open"] else "to"
         in_unit = f" ({unit})" if unit else ""
         raise RimrollError(
-            f"--setup: {name} must be {bounds} {least} {joint} {most}{in_unit}, got {value!r}"
+            f"--setup: {name} must be {bounds} {low} {joint} {high}{in_unit}, got {value!r}"
         )
 
 

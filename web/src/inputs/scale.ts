@@ -13,7 +13,7 @@ export interface Scale {
 }
 
 export function scaleOf(field: NumberField): Scale {
-  const [low, high, step] = field.slider ?? [field.least, field.most, 0];
+  const [low, high, step] = field.slider ?? [field.min, field.max, 0];
   if (field.finest !== undefined) return signedLog(field.finest, high);
   const identity = (x: number) => x;
   return { low, high, step, value: identity, position: identity };

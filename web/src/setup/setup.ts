@@ -41,16 +41,16 @@ const withoutUnit = (text: string, { unit }: NumberField): string =>
 const THOUSANDS = /^\s*[-+−]?[1-9]\d{0,2}(,\d{3})+\s*$/;
 
 function outOfBounds(field: NumberField, value: number, text: string): string | undefined {
-  const { label, unit, least, most, open, whole } = field;
+  const { label, unit, min, max, open, whole } = field;
   if (THOUSANDS.test(text))
     return `${label}: “${text.trim()}” can be read in two ways; write a point before decimals and nothing between thousands.`;
   if (text.trim() === "") return `${label} needs a number.`;
   if (Number.isNaN(value)) return `${label} must be a number, not “${text}”.`;
   if (whole && !Number.isInteger(value))
     return `${label} must be a whole number, not ${text.trim()}.`;
-  const inside = open ? value > least && value < most : value >= least && value <= most;
+  const inside = open ? value > min && value < max : value >= min && value <= max;
   if (inside) return undefined;
-  const [low, high] = [withUnit(String(least), unit), withUnit(String(most), unit)];
-  const bounds = open ? `more than ${low} and less than ${high}` : `from ${least} to ${high}`;
+  const [low, high] = [withUnit(String(min), unit), withUnit(String(max), unit)];
+  const bounds = open ? `more than ${low} and less than ${high}` : `from ${min} to ${high}`;
   return `${label} must be ${bounds}; ${text.trim()} is outside.`;
 }

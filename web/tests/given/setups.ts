@@ -8,9 +8,9 @@ import type { Chance } from "./chance";
 function anyValue(name: FieldName, chance: Chance): number | string {
   const field: (typeof FIELDS)[FieldName] = FIELDS[name];
   if (field.kind === "choice") return chance.one(Object.keys(field.choices));
-  const between = chance.between(field.least, field.most);
+  const between = chance.between(field.min, field.max);
   const inside = "whole" in field ? Math.round(between) : between;
-  return chance.one([inside, field.initial, "open" in field ? inside : field.least]);
+  return chance.one([inside, field.initial, "open" in field ? inside : field.min]);
 }
 
 /** A set-up that the fields accept, whether it can be computed or not. */

@@ -66,10 +66,10 @@ test("what `rimroll lab` checks a set-up by is what the page takes", () => {
       for (const choice of entry.choices) expect(message(name, choice)).toBe(undefined);
       continue;
     }
-    for (const end of [entry.least, entry.most])
+    for (const end of [entry.min, entry.max])
       expect(message(name, String(end)) === undefined).toBe(!entry.open);
-    expect(message(name, String(entry.most + 1))).toContain("is outside");
-    const half = entry.least + 0.5;
+    expect(message(name, String(entry.max + 1))).toContain("is outside");
+    const half = entry.min + 0.5;
     expect(message(name, String(half)) === undefined).toBe(!entry.whole);
   }
 });
