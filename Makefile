@@ -13,7 +13,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web test bench coverage census lint clean toolchain
+.PHONY: help demo web check test soak bench coverage census lint clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -24,9 +24,19 @@ demo: $(REPORT) ## redo the paper's figures and tables as one page
 web: $(PAGE) ## build the lab, the page that `rimroll lab` opens
 	@echo "The page is $(PAGE): .venv/bin/rimroll lab opens it."
 
+check: lint .venv/.extension ## lint, and run the tests that are quick and find most mistakes
+	cargo test --package rimroll --lib
+	.venv/bin/python -m pytest -m "not slow and not soak" tests/api tests/cli tests/mechanics
+	tools/test_page.sh --project modules
+
 test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the package (Python) and of the page (in a browser)
 	cargo test
 	.venv/bin/python -m pytest
+	tools/test_page.sh
+
+soak: .venv/.extension $(PAGE) ## run all tests, with four times as many random examples, as before a release
+	cargo test
+	.venv/bin/python -m pytest -m "" --hypothesis-profile soak
 	tools/test_page.sh
 
 bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)

@@ -6,10 +6,10 @@ from hypothesis import HealthCheck, settings
 from given.motions import LAWS, paper_motion
 
 # How long an example takes depends on what else the machine does.
-settings.register_profile(
-    "any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow]
-)
-settings.load_profile("any machine")
+anywhere = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile("test", anywhere, max_examples=25)
+settings.register_profile("soak", anywhere, max_examples=100)
+settings.load_profile("test")
 
 
 @pytest.fixture(scope="session", params=LAWS, ids=lambda law: law.name)

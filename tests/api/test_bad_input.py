@@ -373,6 +373,7 @@ def test_ctrl_c_in_a_long_motion_is_one_line_and_leaves_nothing(tmp_path):
     assert os.listdir(tmp_path) == ["ready"]
 
 
+@pytest.mark.slow
 @needs_signals
 def test_ctrl_c_in_a_report_is_one_line_and_leaves_no_page(tmp_path):
     folder = tmp_path / "paper"

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.motions import CAN, few
-from given.strategies import upright_solids
+from given.motions import CAN
+from given.strategies import few, upright_solids
 
 
 def test_a_body_is_a_value():

@@ -4,11 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.strategies import composed_bodies
+from given.strategies import composed_bodies, examples
 
 CAN = rr.bodies.can_2007()
 START = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.05, spin_rate=0.02)
@@ -94,7 +94,7 @@ def test_a_dead_band_is_met_where_it_begins(per_step):
 
 
 @given(st.floats(0.001, 2.999))
-@settings(max_examples=50, deadline=None)
+@examples(50)
 def test_a_time_is_met_at_that_time(moment):
     (event,) = ROLLING.crossings(lambda at: at.t - moment)
     assert event.t == pytest.approx(moment, abs=1e-15)
@@ -132,7 +132,7 @@ def test_the_gap_comes_back_to_zero_in_each_landing():
 
 
 @given(composed_bodies(), st.floats(0.3, 0.6), st.floats(0.05, 0.5), st.floats(-0.5, 0.5))
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_between_any_two_tilts_the_way_is_met_in_turns(body, part, yaw, spin):
     rate = np.sqrt(9.8 / body.radius)
     start = rr.State(

@@ -7,12 +7,12 @@ import signal
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import rimroll as rr
 from given.ctrl_c import heard
-from given.strategies import bodies, rockings
+from given.strategies import bodies, examples, rockings
 from rimroll.many_falls import OUTCOMES, VARIABLES, body_of, law_of
 
 CAN = rr.bodies.can_2007()
@@ -50,7 +50,7 @@ def outcome(body, motion):
     return "fell_back" if motion.status == "toppled" and not came_down else motion.status
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(rockings(), st.sampled_from(LAWS))
 def test_a_fall_is_the_first_turn_of_its_motion(rocking, law):
     options = {"duration": 3.0 * rocking.time, "gravity": rocking.gravity, "rtol": 1e-8}
@@ -88,7 +88,7 @@ def trials(draw):
     return body, draw(st.lists(starts, min_size=1, max_size=7))
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(trials(), st.sampled_from(LAWS), st.randoms())
 def test_the_bits_depend_on_neither_threads_nor_order_nor_splitting(drawn, law, random):
     body, starts = drawn
@@ -176,7 +176,7 @@ def test_each_outcome_is_named(name):
     assert name in OUTCOMES
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(rockings(), st.sampled_from(LAWS), st.floats(0.05, 0.95))
 def test_a_fall_whose_time_is_up_on_its_way_up_has_no_turn(rocking, law, part):
     options = {"gravity": rocking.gravity, "rtol": 1e-8}

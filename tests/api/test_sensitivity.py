@@ -7,12 +7,12 @@ import re
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import rimroll as rr
-from given.strategies import bodies
+from given.strategies import bodies, examples
 from rimroll.cli import main
 from rimroll.map_plot import directions, map_figure, middle_of_map, span
 from rimroll.paper import setting
@@ -144,7 +144,7 @@ def test_a_map_refuses_a_bad_option_whether_it_is_stepped_or_not(law, option, me
         rr.turn_map(CAN, FLICK, law, [0.1, 0.2], [0.1], **option)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(bodies(), st.floats(0.1, 0.9), st.sampled_from(IDEAL))
 def test_the_watershed_of_linear_theory_is_where_falls_change_sides(body, share, law):
     tilt = share * min(rr.balance_tilt(body), 1.2)
@@ -181,7 +181,7 @@ def rolled_up_from_flat(body, tilt):
     return done.y[:, -1]
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(bodies(), st.floats(0.01, 1.5))
 def test_the_watershed_of_rolling_is_the_motion_that_rises_from_lying_flat(body, tilt):
     l, s = rolled_up_from_flat(body, tilt)
@@ -191,7 +191,7 @@ def test_the_watershed_of_rolling_is_the_motion_that_rises_from_lying_flat(body,
     assert rr.watershed_slope(body, tilt, rr.NoSlip()) == pytest.approx(slope, rel=1e-11)
 
 
-@settings(max_examples=25, deadline=None)
+@examples(25)
 @given(bodies(), st.floats(0.05, 1.4))
 def test_the_watershed_without_friction_keeps_the_angular_momentum_of_a_flat_spin(body, tilt):
     spin_rate = 1.0

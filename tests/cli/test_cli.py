@@ -52,6 +52,7 @@ def test_each_command_has_help_with_an_example(said, command):
     assert "Example" in text
 
 
+@pytest.mark.slow
 def test_the_examples_in_the_help_work(said, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     Path("examples").symlink_to(Path(CAN).parent)

@@ -6,10 +6,11 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import rimroll as rr
+from given.strategies import examples
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import write
 from rimroll.experiment.fitting.angles import read_falls
@@ -125,7 +126,7 @@ def test_what_topple_wrote_is_read_back_without_the_falls_that_do_not_count(tmp_
 angle = st.floats(-720.0, 720.0)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(st.lists(angle, min_size=1, max_size=40), st.sampled_from([",", ";", "\t", " "]), st.data())
 def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data):
     assume(len(falls) <= 3 or max(map(abs, falls)) > 6.3)
@@ -401,7 +402,7 @@ def test_what_was_read_is_said(written, content, source):
 # The stand-ins for data of which only means and spreads were published
 
 
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(
     st.tuples(st.floats(3.3, 4.5), st.floats(0.0, 0.2), st.integers(2, 60)),
     st.tuples(st.floats(3.3, 4.5), st.floats(0.0, 0.2), st.integers(2, 60)),

@@ -6,14 +6,14 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 from scipy.linalg import eigh
 from scipy.special import ellipk
 
 import rimroll as rr
-from given.strategies import bodies
+from given.strategies import bodies, examples
 from rimroll import units
 from rimroll.cli import main
 from rimroll.cli.measure import measure as command
@@ -32,7 +32,7 @@ KITCHEN = {
 }
 LINE = "--mass 70g --diameter 10.2cm --balance-point 6.9cm --swings 50 --swings-time 38.3s"
 
-many = settings(max_examples=60, derandomize=True, deadline=None)
+many = examples(60, derandomize=True)
 
 
 # An independent account of the pendulum: the tensor of inertia about the pivot
@@ -540,7 +540,7 @@ def test_the_examples_in_the_help_work(said, monkeypatch, tmp_path):
     assert "$ rimroll measure" in said("measure --help")
 
 
-@settings(max_examples=20, derandomize=True, deadline=None)
+@examples(20, derandomize=True)
 @given(bodies())
 def test_any_measured_body_can_be_written_and_read(tmp_path_factory, body):
     file = tmp_path_factory.mktemp("measured") / "body.toml"

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from scipy.spatial.transform import Rotation
 
 import rimroll as rr
-from given.strategies import bodies
+from given.strategies import bodies, examples
 from rimroll.experiment.release import MOST_TRIALS, PRESETS
 
 CAN = rr.bodies.can_2007()
@@ -116,7 +116,7 @@ def test_an_unsteady_hand_scatters_more_to_the_sides_only():
     )
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(bodies(), st.sampled_from([rr.NoSlip(), rr.Frictionless(), rr.Coulomb(0.3)]), st.data())
 def test_a_mirrored_release_falls_to_the_mirror_image(body, law, data):
     gravity = 9.8
@@ -175,7 +175,7 @@ def test_the_papers_can_topples_from_the_papers_release(law):
     assert share(CAN, law, "paper", "toppled") >= 0.95
 
 
-@settings(max_examples=50)
+@examples(50)
 @given(bodies(), st.sampled_from(list(PRESETS)), st.sampled_from([1.62, 9.8]))
 def test_presets_are_releases_of_any_body(body, name, gravity):
     release = rr.Release.named(name, body, gravity)

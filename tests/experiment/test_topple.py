@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.text import Text
 
 import rimroll as rr
+from given.strategies import examples
 from rimroll import style
 from rimroll.cli import main
 from rimroll.experiment.histogram import falls_figure
@@ -113,7 +114,7 @@ def test_falls_of_a_steadier_hand_come_closer_to_the_limits(law, limit):
     assert farthest[1] < farthest[0] / 6.0 and farthest[2] < farthest[1] / 6.0
 
 
-@settings(max_examples=15, deadline=None)
+@examples(15)
 @given(
     st.sampled_from([rr.NoSlip(), rr.Frictionless(), rr.Coulomb(0.1), rr.Coulomb(0.3)]),
     st.integers(0, 2**32),

@@ -7,13 +7,13 @@ import zlib
 import matplotlib as mpl
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Circle, Rectangle, Wedge
 
 import rimroll as rr
-from given.strategies import bodies
+from given.strategies import bodies, examples
 from rimroll import style
 from rimroll.cli import main
 from rimroll.experiment import protractor
@@ -147,7 +147,7 @@ def test_everything_is_on_the_printable_page_and_the_text_keeps_clear_of_the_box
     assert ring.radius + PRINTABLE < 0.5 * kind.width
 
 
-@settings(max_examples=15, derandomize=True, deadline=None)
+@examples(15, derandomize=True)
 @given(bodies())
 def test_every_body_has_a_sheet_unless_it_is_too_wide_for_the_paper(body):
     limit = protractor.widest(protractor.PAPERS["a4"])

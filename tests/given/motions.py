@@ -6,14 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import settings
 
 import rimroll as rr
 import rimroll.motion
 
 LAWS = [rr.NoSlip(), rr.Frictionless()]
 by_law = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
-few = settings(max_examples=60, derandomize=True, deadline=None)
 
 PAPER_GRAVITY = 9.8  # m/s²
 CAN = rr.bodies.can_2007()

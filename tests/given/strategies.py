@@ -3,10 +3,21 @@
 from dataclasses import dataclass
 
 import numpy as np
+from hypothesis import settings
 from hypothesis import strategies as st
 
 import rimroll as rr
 from oracles.paper_equations import LAWS, doubled_kinetic_energy
+
+
+def examples(count, **options):
+    """Settings for so many random examples in `make soak`; for as large a part of them as the
+    profile in force has of a hundred (`conftest.py`) otherwise.
+    """
+    return settings(max_examples=max(1, count * settings.default.max_examples // 100), **options)
+
+
+few = examples(60, derandomize=True)
 
 
 def sizes(low, high):

@@ -6,13 +6,15 @@ velocity in space with SciPy there, Euler angles and the slip in the yawing fram
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.strategies import composed_bodies
+from given.strategies import composed_bodies, examples
 from oracles import inner_problem
 from oracles import rigid_body as rb
+
+pytestmark = pytest.mark.slow
 
 CAN = rr.bodies.can_2007()
 DISK = rr.bodies.disk(0.051)
@@ -150,7 +152,7 @@ def test_flights_and_landings(friction, restitution):
     assert "land" in changes
 
 
-@settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@examples(3)
 @example(FLAT_MASSES, 0.19655753405807966, 0.27792054907871055, 0.1, 0.36)
 @given(
     composed_bodies(),

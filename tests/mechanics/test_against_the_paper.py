@@ -12,10 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 
 import rimroll as rr
-from given.strategies import rockings
+from given.strategies import examples, rockings
 from oracles import paper_equations as paper
 
 LAWS = [rr.NoSlip(), rr.Frictionless()]
@@ -246,7 +246,7 @@ def test_nine_digits_of_the_turns_come_without_asking(can):
 def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
     turns = []
 
-    @settings(max_examples=30, derandomize=True, deadline=None)
+    @examples(30, derandomize=True)
     @given(rockings())
     def holds(rocking):
         case = rocking.body, rocking.start, law, 1.5 * rocking.time

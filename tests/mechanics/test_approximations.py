@@ -4,15 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.strategies import bodies, rockings, sizes
+from given.strategies import bodies, examples, rockings, sizes
 
 LAWS = [rr.NoSlip(), rr.Frictionless()]
 by_law = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
-few = settings(max_examples=60, derandomize=True, deadline=None)
+few = examples(60, derandomize=True)
 
 CAN = rr.bodies.can_2007()
 PAPER_START = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
@@ -170,7 +170,7 @@ def test_composite_errors_shrink_as_phi_c_ln_phi_c_for_any_body(law):
     """
     tried = []
 
-    @settings(max_examples=40, derandomize=True, deadline=None)
+    @examples(40, derandomize=True)
     @given(rockings())
     def holds(rocking):
         (tilt, yaw), (closer_tilt, closer_yaw) = (

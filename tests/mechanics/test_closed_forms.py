@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.motions import CAN, DISK, LAWS, PAPER_START, by_law, few
-from given.strategies import bodies, disks
+from given.motions import CAN, DISK, LAWS, PAPER_START, by_law
+from given.strategies import bodies, disks, few
 
 
 def inertias(body, law):

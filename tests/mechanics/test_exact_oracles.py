@@ -4,14 +4,16 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp
 
 from given.motions import sixty_starts
-from given.strategies import bodies
+from given.strategies import bodies, examples
 from oracles import paper_equations as paper
 from oracles import rolling_disk, tabulated_turns, taylor_turns
+
+pytestmark = pytest.mark.slow
 
 by_law = pytest.mark.parametrize("law", taylor_turns.LAWS)
 BODY = tabulated_turns.BODY
@@ -21,7 +23,7 @@ rates = st.floats(-30.0, 30.0)
 
 
 @by_law
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(bodies(), st.floats(1e-6, 1.5), rates, rates, rates)
 def test_the_rates_by_taylor_s_clock_are_those_of_the_printed_equations(law, body, tilt, p, w, s):
     with mp.workdps(40):

@@ -9,13 +9,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mp
 
 import rimroll as rr
 from given.motions import CAN, LAWS, PAPER_GRAVITY, by_law, sixty_starts
-from given.strategies import bodies, rockings
+from given.strategies import bodies, examples, rockings
 from oracles import rolling_disk, tabulated_turns, taylor_turns
 from rimroll.exact import AT_A_TIME, NUMBERS
 from rimroll.jacobian import PARAMETERS
@@ -160,7 +160,7 @@ def outcome_of(motion):
     return "fell_back" if motion.status == "toppled" and not came_down else motion.status
 
 
-@settings(max_examples=100, deadline=None)
+@examples(100)
 @given(rockings(least_sideways=1e-9), st.sampled_from(LAWS))
 def test_an_exact_turn_is_the_first_of_the_motion(rocking, law):
     body, start, gravity = rocking.body, rocking.start, rocking.gravity
@@ -189,7 +189,7 @@ def throws(draw):
     )
 
 
-@settings(max_examples=100, deadline=None)
+@examples(100)
 @given(throws(), st.sampled_from(LAWS))
 def test_what_becomes_of_a_body_is_what_its_motion_says(throw, law):
     """Short of the vertical, past which a disk falls to its other face."""
@@ -300,7 +300,7 @@ def test_yaw_and_spin_at_the_start_do_not_matter():
 
 
 @by_law
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(rockings())
 def test_mirrored_starts_turn_the_other_way(law, rocking):
     body, start = rocking.body, rocking.start
@@ -356,7 +356,7 @@ def test_the_derivatives_are_those_of_turns_in_multiprecision(law, start):
     assert found.jacobian["yaw"] == found.jacobian["spin"] == 0.0
 
 
-@settings(max_examples=50, deadline=None)
+@examples(50)
 @given(rockings(), st.sampled_from(LAWS))
 def test_the_derivatives_are_those_of_finite_differences(rocking, law):
     """Where the tilt does not rest at the release: there a turn begins later if it rises."""

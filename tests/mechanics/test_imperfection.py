@@ -4,16 +4,16 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.optimize import brentq, nnls
 
 import rimroll as rr
-from given.strategies import bodies
+from given.strategies import bodies, examples
 
 LAWS = [rr.NoSlip(), rr.Frictionless()]
 by_law = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
-many = settings(max_examples=150, derandomize=True, deadline=None)
+many = examples(150, derandomize=True)
 
 CAN = rr.bodies.can_2007()
 BODIES = {"can": CAN, "disk": rr.bodies.disk(0.1), "ring": rr.bodies.ring(0.1)}

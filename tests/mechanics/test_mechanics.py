@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.motions import CAN, PAPER_START, by_law, few, paper_motion
-from given.strategies import bodies
+from given.motions import CAN, PAPER_START, by_law, paper_motion
+from given.strategies import bodies, few
 
 
 def test_the_center_is_where_the_tilt_puts_it_over_the_contact(motion):

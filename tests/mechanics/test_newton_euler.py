@@ -54,6 +54,8 @@ from oracles.newton_euler import (
 )
 from oracles.paper_equations import integrate
 
+pytestmark = pytest.mark.slow
+
 LAWS = ["no_slip", "frictionless"]
 # K and J of each law: the turn is pi sqrt(J/K), with K = A alone where friction cannot act.
 K_OF = {"no_slip": K, "frictionless": A}

@@ -4,12 +4,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import rimroll as rr
-from given.strategies import rockings, sizes
+from given.strategies import examples, rockings, sizes
 from oracles import paper_equations as paper
 
 CAN = rr.bodies.can_2007()
@@ -38,7 +38,7 @@ def resistance(kind, strength, body=CAN, gravity=9.8):
 
 
 @given(rockings(least_sideways=1e-13), st.sampled_from(IDEAL_LAWS), st.sampled_from(KINDS))
-@settings(max_examples=60)
+@examples(60)
 def test_a_resistance_next_to_nothing_changes_nothing(rocking, law, kind):
     none = rr.simulate(rocking.body, rocking.start, law, rocking.time, gravity=rocking.gravity)
     law = law + resistance(kind, 1e-300, rocking.body, rocking.gravity)
@@ -115,7 +115,7 @@ def test_below_the_least_tilt_the_message_is_that_without_resistance(kind):
     st.floats(1.5, 2.0, exclude_max=True),
     sizes(1e-8, 0.1),
 )
-@settings(max_examples=100)
+@examples(100)
 def test_drag_below_an_exponent_of_2_costs_no_more_than_usual(rocking, law, exponent, strength):
     body, g = rocking.body, rocking.gravity
     unit = body.mass * g * body.radius * np.sqrt(g / body.radius) ** (1 - exponent)

@@ -6,12 +6,12 @@ import pickle
 import numpy as np
 import pytest
 import xarray as xr
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
 import rimroll as rr
-from given.strategies import composed_bodies
+from given.strategies import composed_bodies, examples
 from rimroll import cli
 from rimroll.many_falls import law_of
 
@@ -54,7 +54,7 @@ def test_the_curve_takes_numbers_and_arrays():
 
 
 @given(st.floats(0.01, 0.5), st.floats(0.0, 0.5), st.floats(0.005, 1.0), st.floats(1e-8, 1e-3))
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_a_function_is_followed_to_its_tolerance_everywhere(least, more, width, tolerance):
     def mu(speed):
         return least + more * np.exp(-((speed / width) ** 2))
@@ -138,7 +138,7 @@ def test_what_is_no_curve_is_refused_in_words(make, says):
     st.floats(0.1, 1.0),
     st.floats(-1.0, 1.0),
 )
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_a_constant_curve_is_coulombs_law(
     body, friction, excess, restitution, part, tilting, yaw, spin
 ):
@@ -163,7 +163,7 @@ def test_a_constant_curve_is_coulombs_law(
 
 
 @given(composed_bodies(), tables(), st.floats(0.2, 0.6), st.floats(0.1, 1.0), st.floats(-1.0, 1.0))
-@settings(max_examples=30, deadline=None)
+@examples(30)
 def test_friction_is_that_of_the_curve_and_the_energy_is_accounted_for(body, law, part, yaw, spin):
     rate = np.sqrt(9.8 / body.radius)
     start = rr.State(
