@@ -13,7 +13,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web check test soak bench coverage census lint clean toolchain
+.PHONY: help demo web dev check test soak bench coverage census lint clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -23,6 +23,11 @@ demo: $(REPORT) ## redo the paper's figures and tables as one page
 
 web: $(PAGE) ## build the lab, the page that `rimroll lab` opens
 	@echo "The page is $(PAGE): .venv/bin/rimroll lab opens it."
+
+# What is built for users is built again by whatever needs it next.
+dev: .venv/.packages ## build the extension soon and slow, for work on the core
+	tools/build_extension.sh --profile quick
+	@rm -f .venv/.extension
 
 check: lint .venv/.extension ## lint, and run the tests that are quick and find most mistakes
 	cargo test --package rimroll --lib

@@ -22,7 +22,7 @@ pub(super) fn fits_lanes(contact_law: &ContactLaw) -> bool {
 pub(super) fn batch(
     trials: &[Release<'_>],
     options: &Options,
-    should_continue: impl Fn() -> bool,
+    should_continue: &dyn Fn() -> bool,
 ) -> Vec<Fall> {
     let mut falls = Falls {
         chunk: Chunk::new(trials, options),

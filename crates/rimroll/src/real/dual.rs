@@ -34,7 +34,11 @@ impl<const K: usize> Add for Slopes<K> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Slopes(core::array::from_fn(|i| self.0[i] + other.0[i]))
+        let mut result = self;
+        for i in 0..K {
+            result.0[i] += other.0[i];
+        }
+        result
     }
 }
 
@@ -42,7 +46,11 @@ impl<const K: usize> Sub for Slopes<K> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Slopes(core::array::from_fn(|i| self.0[i] - other.0[i]))
+        let mut result = self;
+        for i in 0..K {
+            result.0[i] -= other.0[i];
+        }
+        result
     }
 }
 
@@ -50,7 +58,11 @@ impl<const K: usize> Mul<f64> for Slopes<K> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: f64) -> Self {
-        Slopes(core::array::from_fn(|i| self.0[i] * factor))
+        let mut result = self;
+        for i in 0..K {
+            result.0[i] *= factor;
+        }
+        result
     }
 }
 

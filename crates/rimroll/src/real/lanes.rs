@@ -23,12 +23,33 @@ pub type Bits = u8;
 
 const _: () = assert!(Bits::BITS as usize == LANES);
 
+/// Does something for each index below `COUNT`, the number of registers. Where these are few it is spelled out: a loop
+/// that is inlined a thousand times is also unrolled a thousand times, for a good part of the time that the core takes
+/// to compile.
+macro_rules! for_each_register {
+    ($count:expr, $i:ident => $body:expr) => {
+        if $count > 8 {
+            for $i in 0..$count {
+                $body;
+            }
+        } else {
+            for_each_register!(@spelled $count, $i => $body; 0 1 2 3 4 5 6 7);
+        }
+    };
+    (@spelled $count:expr, $i:ident => $body:expr; $($index:literal)*) => {
+        $(if $count > $index {
+            let $i = $index;
+            $body;
+        })*
+    };
+}
+
 /// As many numbers side by side, in `COUNT` registers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct Packed<R, const COUNT: usize>(pub [R; COUNT]);
 
-/// The same by themselves: as they are kept in memory, and for processors without wide registers.
+/// The same by themselves: as they are kept in memory, and for processors whose registers are not named here.
 pub type Lanes = Packed<f64, LANES>;
 
 /// A yes or no for each lane.
@@ -146,18 +167,14 @@ impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
     #[inline(always)]
     fn each(self, f: impl Fn(R) -> R) -> Self {
         let mut result = self;
-        for i in 0..COUNT {
-            result.0[i] = f(self.0[i]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = f(self.0[i]));
         result
     }
 
     #[inline(always)]
     fn each_with(self, other: Self, f: impl Fn(R, R) -> R) -> Self {
         let mut result = self;
-        for i in 0..COUNT {
-            result.0[i] = f(self.0[i], other.0[i]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = f(self.0[i], other.0[i]));
         result
     }
 
@@ -176,17 +193,13 @@ impl<R: Register, const COUNT: usize> Part for Packed<R, COUNT> {
     #[inline(always)]
     fn load_part(lanes: &Lanes, part: usize) -> Self {
         let mut result = Self::from(0.0);
-        for i in 0..COUNT {
-            result.0[i] = R::load(&lanes.0[(part * COUNT + i) * R::WIDTH..]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = R::load(&lanes.0[(part * COUNT + i) * R::WIDTH..]));
         result
     }
 
     #[inline(always)]
     fn store_part(self, lanes: &mut Lanes, part: usize) {
-        for i in 0..COUNT {
-            R::store(self.0[i], &mut lanes.0[(part * COUNT + i) * R::WIDTH..]);
-        }
+        for_each_register!(COUNT, i => R::store(self.0[i], &mut lanes.0[(part * COUNT + i) * R::WIDTH..]));
     }
 
     #[inline(always)]
@@ -213,16 +226,10 @@ impl<R: Grouped, const COUNT: usize> Vector for Packed<R, COUNT> {
     type Part = R::Part;
     type Mask = Flagged<R, COUNT>;
 
-    #[expect(
-        clippy::needless_range_loop,
-        reason = "an iterator's closures might not be inlined"
-    )]
     #[inline(always)]
     fn at_most(self, other: Self) -> Self::Mask {
         let mut flags = [R::at_most(self.0[0], other.0[0]); COUNT];
-        for i in 1..COUNT {
-            flags[i] = R::at_most(self.0[i], other.0[i]);
-        }
+        for_each_register!(COUNT - 1, i => flags[i + 1] = R::at_most(self.0[i + 1], other.0[i + 1]));
         Flagged(flags)
     }
 }
@@ -231,45 +238,35 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
     #[inline(always)]
     fn choose(self, yes: Packed<R, COUNT>, no: Packed<R, COUNT>) -> Packed<R, COUNT> {
         let mut result = no;
-        for i in 0..COUNT {
-            result.0[i] = R::choose(self.0[i], yes.0[i], no.0[i]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = R::choose(self.0[i], yes.0[i], no.0[i]));
         result
     }
 
     #[inline(always)]
     fn opaque(self) -> Self {
         let mut result = self;
-        for i in 0..COUNT {
-            result.0[i] = R::opaque(self.0[i]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = R::opaque(self.0[i]));
         result
     }
 
     #[inline(always)]
     fn bits(self) -> Bits {
         let mut bits = 0;
-        for i in 0..COUNT {
-            bits |= Bits::from(R::bits(self.0[i])) << (i * R::WIDTH);
-        }
+        for_each_register!(COUNT, i => bits |= Bits::from(R::bits(self.0[i])) << (i * R::WIDTH));
         bits
     }
 
     #[inline(always)]
     fn or(self, other: Self) -> Self {
         let mut result = self;
-        for i in 0..COUNT {
-            result.0[i] = R::or(self.0[i], other.0[i]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = R::or(self.0[i], other.0[i]));
         result
     }
 
     #[inline(always)]
     fn and(self, other: Self) -> Self {
         let mut result = self;
-        for i in 0..COUNT {
-            result.0[i] = R::and(self.0[i], other.0[i]);
-        }
+        for_each_register!(COUNT, i => result.0[i] = R::and(self.0[i], other.0[i]));
         result
     }
 }
@@ -279,9 +276,7 @@ impl<R: Register, const COUNT: usize> Not for Flagged<R, COUNT> {
     #[inline(always)]
     fn not(self) -> Self {
         let mut result = self;
-        for flags in &mut result.0 {
-            *flags = R::not(*flags);
-        }
+        for_each_register!(COUNT, i => result.0[i] = R::not(self.0[i]));
         result
     }
 }
@@ -387,10 +382,10 @@ impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
     #[inline(always)]
     fn where_negative(self, yes: Self, no: Self) -> Self {
         let mut result = no;
-        for i in 0..COUNT {
+        for_each_register!(COUNT, i => {
             let is_negative = R::less(self.0[i], R::all(0.0));
             result.0[i] = R::choose(is_negative, yes.0[i], no.0[i]);
-        }
+        });
         result
     }
 }
@@ -404,9 +399,7 @@ impl<R: Register, const COUNT: usize> elementary::FloatBits for Packed<R, COUNT>
     #[inline(always)]
     fn frexp(self) -> [Self; 2] {
         let [mut k, mut m] = [self; 2];
-        for i in 0..COUNT {
-            [k.0[i], m.0[i]] = R::frexp(self.0[i]);
-        }
+        for_each_register!(COUNT, i => [k.0[i], m.0[i]] = R::frexp(self.0[i]));
         [k, m]
     }
 

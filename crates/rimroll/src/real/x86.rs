@@ -1,9 +1,10 @@
-//! The registers of four and of eight numbers that x86-64 processors with AVX2 and with AVX-512 have.
+//! The registers of two numbers that all x86-64 processors have, and those of four and of eight that those with AVX2
+//! and with AVX-512 have.
 //!
 //! Of numbers in arrays a compiler, left to itself, loses the order on its way to registers: many of its
 //! instructions then do nothing but bring numbers from one place to another.
 //!
-//! These numbers are made and calculated with only in [`in_avx512`] and [`in_avx2`], which are compiled for such
+//! The wider ones are made and calculated with only in [`in_avx512`] and [`in_avx2`], which are compiled for such
 //! processors, and in what is inlined there. So whatever takes a [`Vector`](super::Vector) has to be
 //! `#[inline(always)]`, and has no closures and no `map` of an array: they would be compiled without its registers.
 
@@ -19,6 +20,7 @@ const ROUNDED: i64 = ROUNDER.to_bits().cast_signed();
 
 type Avx512 = Packed<__m512d, { LANES / 8 }>;
 type Avx2 = Packed<__m256d, { LANES / 4 }>;
+pub(super) type Sse2 = Packed<__m128d, { LANES / 2 }>;
 
 impl Grouped for __m512d {
     type Part = Avx512;
@@ -27,6 +29,11 @@ impl Grouped for __m512d {
 /// Two at once: there are sixteen registers, and four for each number would not be enough.
 impl Grouped for __m256d {
     type Part = Packed<__m256d, 2>;
+}
+
+/// The same.
+impl Grouped for __m128d {
+    type Part = Packed<__m128d, 4>;
 }
 
 /// Does a task in registers of eight.
@@ -53,15 +60,6 @@ macro_rules! instruction {
         // SAFETY: the processor has it, or there would be no such number: see above.
         unsafe { $operation }
     };
-}
-
-/// A shift of whole numbers to the right that keeps the sign, which AVX2 does not have: from 2⁶³ on.
-macro_rules! shift_right {
-    ($numbers:expr, $by:expr) => {{
-        let from_least = _mm256_xor_si256($numbers, _mm256_set1_epi64x(i64::MIN));
-        let shifted = _mm256_srli_epi64::<{ $by }>(from_least);
-        _mm256_sub_epi64(shifted, _mm256_set1_epi64x(1 << (63 - $by)))
-    }};
 }
 
 impl Register for __m512d {
@@ -125,65 +123,100 @@ impl Register for __m512d {
     }
 }
 
-impl Register for __m256d {
-    type Flags = __m256d;
-    const WIDTH: usize = 4;
+/// A register whose flags are numbers of which all bits are set or none, and which has no shift of whole numbers to the
+/// right that keeps the sign: that is made from 2⁶³ on.
+macro_rules! register_without_masks {
+    (
+        $register:ident of $width:literal,
+        $all:ident $load:ident $store:ident
+        $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident
+        $xor:ident $and:ident $and_not:ident $or:ident $bits:ident
+        ($less:expr) ($at_most:expr);
+        $whole:ident $as_whole:ident $as_numbers:ident
+        $add_whole:ident $sub_whole:ident $xor_whole:ident $shift_left:ident $shift_right:ident
+    ) => {
+        impl Register for $register {
+            type Flags = $register;
+            const WIDTH: usize = $width;
 
-    inlined! {
-        all(value: f64) -> __m256d = instruction!(_mm256_set1_pd(value));
-        add(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_add_pd(a, b));
-        sub(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_sub_pd(a, b));
-        mul(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_mul_pd(a, b));
-        div(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_div_pd(a, b));
-        neg(a: __m256d) -> __m256d = instruction!(_mm256_xor_pd(a, _mm256_set1_pd(-0.0)));
-        sqrt(a: __m256d) -> __m256d = instruction!(_mm256_sqrt_pd(a));
-        abs(a: __m256d) -> __m256d = instruction!(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a));
-        max(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_max_pd(a, b));
-        min(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_min_pd(a, b));
-        less(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b));
-        at_most(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b));
-        // Flags are all bits or none. The instruction for this is made a comparison by compilers, and so undoes
-        // what `opaque` is for; where they may see through this, they choose it themselves.
-        choose(flags: __m256d, yes: __m256d, no: __m256d) -> __m256d =
-            instruction!(_mm256_or_pd(_mm256_and_pd(flags, yes), _mm256_andnot_pd(flags, no)));
-        and(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_and_pd(a, b));
-        or(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_or_pd(a, b));
-        not(a: __m256d) -> __m256d = instruction!(
-            _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))
-        );
-        opaque(a: __m256d) -> __m256d = black_box(a);
-        bits(a: __m256d) -> u8 = instruction!(_mm256_movemask_pd(a)) as u8;
-        ldexp_one(shifted: __m256d) -> __m256d = instruction!({
-            let k = _mm256_slli_epi64::<{ FRACTION as i32 }>(_mm256_castpd_si256(shifted));
-            _mm256_castsi256_pd(_mm256_add_epi64(k, _mm256_set1_epi64x(ONE_BITS)))
-        });
-        approx_16th_root_of(a: __m256d, b: __m256d) -> __m256d = instruction!({
-            let logarithm = _mm256_sub_epi64(_mm256_castpd_si256(a), _mm256_castpd_si256(b));
-            let root = shift_right!(logarithm, 4);
-            _mm256_castsi256_pd(_mm256_add_epi64(root, _mm256_set1_epi64x(ONE_BITS)))
-        });
-        frexp(x: __m256d) -> [__m256d; 2] = instruction!({
-            let bits = _mm256_castpd_si256(x);
-            let from_half = _mm256_sub_epi64(bits, _mm256_set1_epi64x(SQRT_HALF));
-            let exponent = shift_right!(from_half, FRACTION as i32);
-            let m = _mm256_sub_epi64(bits, _mm256_slli_epi64::<{ FRACTION as i32 }>(exponent));
-            let k = _mm256_add_epi64(exponent, _mm256_set1_epi64x(ROUNDED));
-            let k = _mm256_sub_pd(_mm256_castsi256_pd(k), _mm256_set1_pd(ROUNDER));
-            [k, _mm256_castsi256_pd(m)]
-        });
-    }
+            inlined! {
+                all(value: f64) -> $register = instruction!($all(value));
+                add(a: $register, b: $register) -> $register = instruction!($add(a, b));
+                sub(a: $register, b: $register) -> $register = instruction!($sub(a, b));
+                mul(a: $register, b: $register) -> $register = instruction!($mul(a, b));
+                div(a: $register, b: $register) -> $register = instruction!($div(a, b));
+                neg(a: $register) -> $register = instruction!($xor(a, $all(-0.0)));
+                sqrt(a: $register) -> $register = instruction!($sqrt(a));
+                abs(a: $register) -> $register = instruction!($and_not($all(-0.0), a));
+                max(a: $register, b: $register) -> $register = instruction!($max(a, b));
+                min(a: $register, b: $register) -> $register = instruction!($min(a, b));
+                less(a: $register, b: $register) -> $register = instruction!($less(a, b));
+                at_most(a: $register, b: $register) -> $register = instruction!($at_most(a, b));
+                // The instruction for this is made a comparison by compilers, and so undoes what `opaque` is for;
+                // where they may see through this, they choose it themselves.
+                choose(flags: $register, yes: $register, no: $register) -> $register =
+                    instruction!($or($and(flags, yes), $and_not(flags, no)));
+                and(a: $register, b: $register) -> $register = instruction!($and(a, b));
+                or(a: $register, b: $register) -> $register = instruction!($or(a, b));
+                not(a: $register) -> $register = instruction!($xor(a, $as_numbers($whole(-1))));
+                opaque(a: $register) -> $register = black_box(a);
+                bits(a: $register) -> u8 = instruction!($bits(a)) as u8;
+                ldexp_one(shifted: $register) -> $register = instruction!({
+                    let k = $shift_left::<{ FRACTION as i32 }>($as_whole(shifted));
+                    $as_numbers($add_whole(k, $whole(ONE_BITS)))
+                });
+                approx_16th_root_of(a: $register, b: $register) -> $register = instruction!({
+                    let logarithm = $sub_whole($as_whole(a), $as_whole(b));
+                    let shifted = $shift_right::<4>($xor_whole(logarithm, $whole(i64::MIN)));
+                    let root = $sub_whole(shifted, $whole(1 << (63 - 4)));
+                    $as_numbers($add_whole(root, $whole(ONE_BITS)))
+                });
+                frexp(x: $register) -> [$register; 2] = instruction!({
+                    let bits = $as_whole(x);
+                    let from_half = $sub_whole(bits, $whole(SQRT_HALF));
+                    let shifted = $shift_right::<{ FRACTION as i32 }>($xor_whole(from_half, $whole(i64::MIN)));
+                    let exponent = $sub_whole(shifted, $whole(1 << (63 - FRACTION)));
+                    let m = $sub_whole(bits, $shift_left::<{ FRACTION as i32 }>(exponent));
+                    let k = $add_whole(exponent, $whole(ROUNDED));
+                    let k = $sub($as_numbers(k), $all(ROUNDER));
+                    [k, $as_numbers(m)]
+                });
+            }
 
-    #[inline(always)]
-    fn load(numbers: &[f64]) -> __m256d {
-        let numbers = &numbers[..Self::WIDTH];
-        // SAFETY: there are so many numbers, and the processor has the register.
-        unsafe { _mm256_loadu_pd(numbers.as_ptr()) }
-    }
+            #[inline(always)]
+            fn load(numbers: &[f64]) -> $register {
+                let numbers = &numbers[..Self::WIDTH];
+                // SAFETY: there are so many numbers, and the processor has the register.
+                unsafe { $load(numbers.as_ptr()) }
+            }
 
-    #[inline(always)]
-    fn store(a: __m256d, numbers: &mut [f64]) {
-        let numbers = &mut numbers[..Self::WIDTH];
-        // SAFETY: there are so many places, and the processor has the register.
-        unsafe { _mm256_storeu_pd(numbers.as_mut_ptr(), a) }
-    }
+            #[inline(always)]
+            fn store(a: $register, numbers: &mut [f64]) {
+                let numbers = &mut numbers[..Self::WIDTH];
+                // SAFETY: there are so many places, and the processor has the register.
+                unsafe { $store(numbers.as_mut_ptr(), a) }
+            }
+        }
+    };
+}
+
+register_without_masks! {
+    __m256d of 4,
+    _mm256_set1_pd _mm256_loadu_pd _mm256_storeu_pd
+    _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd _mm256_min_pd
+    _mm256_xor_pd _mm256_and_pd _mm256_andnot_pd _mm256_or_pd _mm256_movemask_pd
+    (_mm256_cmp_pd::<_CMP_LT_OQ>) (_mm256_cmp_pd::<_CMP_LE_OQ>);
+    _mm256_set1_epi64x _mm256_castpd_si256 _mm256_castsi256_pd
+    _mm256_add_epi64 _mm256_sub_epi64 _mm256_xor_si256 _mm256_slli_epi64 _mm256_srli_epi64
+}
+
+// What every processor of this kind has.
+register_without_masks! {
+    __m128d of 2,
+    _mm_set1_pd _mm_loadu_pd _mm_storeu_pd
+    _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_max_pd _mm_min_pd
+    _mm_xor_pd _mm_and_pd _mm_andnot_pd _mm_or_pd _mm_movemask_pd
+    (_mm_cmplt_pd) (_mm_cmple_pd);
+    _mm_set1_epi64x _mm_castpd_si128 _mm_castsi128_pd
+    _mm_add_epi64 _mm_sub_epi64 _mm_xor_si128 _mm_slli_epi64 _mm_srli_epi64
 }

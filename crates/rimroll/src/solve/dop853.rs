@@ -87,14 +87,16 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     #[inline(always)]
     fn take_anywhere<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
+        let with = Scalar {
+            ignorable: S::IGNORABLE,
+        };
         let mut step = Step::empty(start, &system.rates(start));
-        step.compute(
-            Scalar {
-                ignorable: S::IGNORABLE,
-            },
-            system,
-            h,
-        );
+        // Not unrolled: dual numbers gain nothing from it, and it takes far longer to compile.
+        for (i, row) in STAGES.iter().enumerate() {
+            let argument = stage_argument(with, start, h, row, &step.stages);
+            step.stages[i + 1] = system.rates(&argument);
+        }
+        step.finish(with, system, h);
         step
     }
 
@@ -133,13 +135,19 @@ impl<T: Real, const N: usize> Step<T, N> {
             )*};
         }
         stages!(0 1 2 3 4 5 6 7 8 9 10);
+        self.finish(with, system, h);
+        argument
+    }
+
+    /// Computes the end of a step of size h from its stages, and the rates there.
+    #[inline(always)]
+    fn finish<S: System<T, N>>(&mut self, with: impl Registers<T, N>, system: &S, h: T) {
         self.h = h;
-        let sum = weighted_sum(with, SOLUTION, stages);
-        self.end = *start;
+        let sum = weighted_sum(with, SOLUTION, &self.stages);
+        self.end = self.start;
         with.add(&mut self.end, h, &sum);
         with.add_ignorable(&mut self.end, h, &sum);
-        with.store_rates(&mut stages[12], &system.rates(&self.end));
-        argument
+        with.store_rates(&mut self.stages[12], &system.rates(&self.end));
     }
 
     /// Rates at the start.

@@ -228,7 +228,7 @@ impl Exact {
 
     fn scalar<T: Scalar>(
         &self,
-        motion: &impl Tilting<T>,
+        motion: &dyn Tilting<T>,
         k: &Parameters<T>,
         start: Start<T>,
     ) -> Option<Quadrature<T>> {

@@ -35,7 +35,7 @@ impl<T: Real> Extreme<T> {
 /// The smallest tilt, from a guess of y and η, by `rounds` of Newton's iteration.
 #[inline(always)]
 pub(super) fn lowest<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     guess: [T; 2],
     rounds: usize,
 ) -> Extreme<T> {
@@ -50,7 +50,7 @@ pub(super) fn lowest<T: Real>(
 /// The largest tilt, from a guess of y and η, by `rounds` of Newton's iteration.
 #[inline(always)]
 pub(super) fn highest<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     guess: [T; 2],
     rounds: usize,
 ) -> Extreme<T> {
@@ -101,7 +101,7 @@ impl<T: Real> Search<T> {
 
     /// G over dG/dη.
     #[inline(always)]
-    fn excess(&self, motion: &impl Tilting<T>) -> T {
+    fn excess(&self, motion: &(impl Tilting<T> + ?Sized)) -> T {
         let point = motion.at(self.y, self.eta);
         point.drive / point.slope
     }
@@ -114,7 +114,7 @@ impl<T: Real> Search<T> {
     }
 
     #[inline(always)]
-    fn met(self, motion: &impl Tilting<T>) -> Extreme<T> {
+    fn met(self, motion: &(impl Tilting<T> + ?Sized)) -> Extreme<T> {
         Extreme {
             y: self.y,
             eta: self.eta,

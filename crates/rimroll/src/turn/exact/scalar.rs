@@ -71,8 +71,11 @@ enum Top<T> {
 }
 
 /// One motion and what is looked up on the way.
-pub(super) struct ScalarQuadrature<'a, M, T> {
-    motion: &'a M,
+///
+/// The motion is known by its table of functions, so that all this is compiled once for each kind of number and not
+/// for each law, too; what a rule asks of it at a node takes far longer than the call.
+pub(super) struct ScalarQuadrature<'a, T> {
+    motion: &'a dyn Tilting<T>,
     start: Start<T>,
     /// Where it ends if nothing turns it back: tan(φ/2), and what that is called.
     end: (f64, Outcome),
@@ -91,9 +94,9 @@ const ROUNDS: usize = 4;
 /// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
 const SHORTEST: f64 = 1e-4;
 
-impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
+impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     pub(super) fn new(
-        motion: &'a M,
+        motion: &'a dyn Tilting<T>,
         start: Start<T>,
         end: (f64, Outcome),
         balance: Balance,
@@ -143,7 +146,7 @@ impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
     /// Along the whole, or to where the table would have to pull.
     fn pressed(
         &self,
-        motion: &impl Tilting<T>,
+        motion: &dyn Tilting<T>,
         start: &Start<T>,
         low: &Extreme<T>,
         top: Top<T>,
@@ -218,7 +221,7 @@ impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
     /// Yaw and time along the whole.
     fn along(
         &self,
-        motion: &impl Tilting<T>,
+        motion: &dyn Tilting<T>,
         start: &Start<T>,
         low: &Extreme<T>,
         top: &Top<T>,
@@ -287,7 +290,7 @@ impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
     /// From the smallest tilt to the start, `to_start` in η of a way of `length`.
     fn next_to_lowest(
         &self,
-        motion: &impl Tilting<T>,
+        motion: &dyn Tilting<T>,
         start: &Start<T>,
         low: &Extreme<T>,
         [to_start, length]: [T; 2],
@@ -307,7 +310,7 @@ impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
     /// From the start to the largest tilt, `from_start` in η of a way of `length`, of a motion that lasts `time` (s).
     fn next_to_highest(
         &self,
-        motion: &impl Tilting<T>,
+        motion: &dyn Tilting<T>,
         start: &Start<T>,
         high: &Extreme<T>,
         [from_start, length]: [T; 2],
@@ -334,7 +337,7 @@ impl<'a, T: Scalar, M: Tilting<T>> ScalarQuadrature<'a, M, T> {
     }
 
     /// How much farther than the largest tilt G has its next root, in η.
-    fn gap(&self, motion: &impl Tilting<T>, high: &Extreme<T>) -> f64 {
+    fn gap(&self, motion: &dyn Tilting<T>, high: &Extreme<T>) -> f64 {
         /// So near to the balance point, G is a parabola: yaw and spin move that, but bend it little.
         const NEAR: f64 = 0.2;
         /// As if there were a root here: nearer than that rounding decides.
@@ -495,7 +498,7 @@ fn agreed<T: Scalar>(
 }
 
 /// From the smallest tilt up by `length` in η.
-fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Option<Segment<T>> {
+fn foot<T: Scalar>(motion: &dyn Tilting<T>, low: &Extreme<T>, length: T) -> Option<Segment<T>> {
     // With each unit of η the time grows e-fold over it.
     let choice = Choice::plain(9.0 + 0.8 * length.value());
     agreed(choice, 0.0, 1.0, |rule| {
@@ -511,7 +514,7 @@ fn foot<T: Scalar>(motion: &impl Tilting<T>, low: &Extreme<T>, length: T) -> Opt
 /// Up to the largest tilt by `length` in η, of a motion that lasts `whole` (s) or as long; `gap` beyond it G has its
 /// next root.
 fn head<T: Scalar>(
-    motion: &impl Tilting<T>,
+    motion: &dyn Tilting<T>,
     high: &Extreme<T>,
     length: T,
     gap: f64,
@@ -539,11 +542,11 @@ fn is_short<T: Scalar>(segment: T, whole: f64) -> bool {
 }
 
 /// From the start to `away` in η and a little beyond.
-fn wobble_to<'a, M: Tilting<T>, T: Scalar>(
-    motion: &'a M,
+fn wobble_to<'a, T: Scalar>(
+    motion: &'a dyn Tilting<T>,
     start: &Start<T>,
     away: T,
-) -> Wobble<'a, M, T> {
+) -> Wobble<'a, T> {
     let (near, far) = (-0.1 * away.value(), 1.1 * away.value());
     Wobble::new(motion, *start, near.min(far), near.max(far))
 }

@@ -209,7 +209,7 @@ impl<T: Real> Sub for Segment<T> {
 /// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
 #[inline(always)]
 pub(super) fn from_lowest<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     low: [T; 3],
     length: T,
     rule: &Rule,
@@ -228,7 +228,7 @@ pub(super) fn from_lowest<T: Real>(
 /// its Legendre coefficients swing; the table's push is watched.
 #[inline(always)]
 pub(super) fn from_lowest_passing<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     low: [T; 3],
     length: T,
     rule: &Rule,
@@ -300,7 +300,7 @@ fn risen<T: Real>(excess: T) -> T {
 /// From `length` in η below the largest tilt, at y and η, up to it.
 #[inline(always)]
 pub(super) fn to_highest<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     high: [T; 2],
     length: T,
     rule: &Rule,
@@ -333,7 +333,7 @@ pub(super) fn outer_to_highest<V: Vector>(
 /// Of yaw and time, at a node below the largest tilt, where y is `less` + 1 times as large as there.
 #[inline(always)]
 fn below_highest<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     [y_high, eta_high]: [T; 2],
     length: T,
     at: T,
@@ -347,7 +347,7 @@ fn below_highest<T: Real>(
 /// From one η to another without a turning back, over the balance point or to its side.
 #[inline(always)]
 pub(super) fn across<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     [from, to]: [T; 2],
     ridge: &Ridge<T>,
     rule: &Rule,
@@ -375,7 +375,7 @@ pub(super) fn across<T: Real>(
 /// digits left in between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
 #[inline(always)]
 pub(super) fn short<T: Real>(
-    motion: &impl Tilting<T>,
+    motion: &(impl Tilting<T> + ?Sized),
     [y_extreme, eta_extreme]: [T; 2],
     length: T,
     speed: T,
@@ -425,7 +425,7 @@ impl<T: Real> Segment<T> {
     }
 
     #[inline(always)]
-    fn watch(&mut self, motion: &impl Tilting<T>, point: &Point<T>) {
+    fn watch(&mut self, motion: &(impl Tilting<T> + ?Sized), point: &Point<T>) {
         let least = T::from(MIN_PUSH) * motion.resting(point);
         self.pull = self.pull.max(least - motion.pressing(point));
     }

@@ -40,7 +40,7 @@ pub(super) fn is_on_top(start: &Start<f64>, a: f64, balance: &Balance) -> bool {
 
 /// Whether a motion from near the balance point lingers there.
 pub(super) fn lingers<T: Scalar>(
-    motion: &impl Tilting<T>,
+    motion: &dyn Tilting<T>,
     start: &Start<T>,
     balance: &Balance,
 ) -> bool {
@@ -50,8 +50,8 @@ pub(super) fn lingers<T: Scalar>(
 }
 
 /// The motion from such a start.
-pub(super) struct OnTop<'a, M, T> {
-    motion: &'a M,
+pub(super) struct OnTop<'a, T> {
+    motion: &'a dyn Tilting<T>,
     start: Start<T>,
     drive_start: T,
     /// 2mg ρ and 2mg z at the start.
@@ -62,10 +62,10 @@ pub(super) struct OnTop<'a, M, T> {
     range: [T; 2],
 }
 
-impl<'a, M: Tilting<T>, T: Scalar> OnTop<'a, M, T> {
+impl<'a, T: Scalar> OnTop<'a, T> {
     /// Of a motion that is followed up to `end`; that and the balance point in η.
     pub(super) fn new(
-        motion: &'a M,
+        motion: &'a dyn Tilting<T>,
         k: &Parameters<T>,
         start: Start<T>,
         [balance, end]: [f64; 2],
@@ -105,7 +105,7 @@ impl<'a, M: Tilting<T>, T: Scalar> OnTop<'a, M, T> {
     }
 }
 
-impl<M: Tilting<T>, T: Scalar> Tilting<T> for OnTop<'_, M, T> {
+impl<T: Scalar> Tilting<T> for OnTop<'_, T> {
     fn conserved(&self) -> Conserved<T> {
         self.motion.conserved()
     }

@@ -16,16 +16,16 @@ pub(super) const LONGEST: f64 = 0.4;
 const POINTS: usize = 16;
 
 /// One motion whose η counts from its start.
-pub(super) struct Wobble<'a, M, T> {
-    motion: &'a M,
+pub(super) struct Wobble<'a, T> {
+    motion: &'a dyn Tilting<T>,
     start: Start<T>,
     drive_start: T,
     gained: Antiderivative<T, POINTS>,
 }
 
-impl<'a, M: Tilting<T>, T: Real> Wobble<'a, M, T> {
+impl<'a, T: Real> Wobble<'a, T> {
     /// From a start, for η between `from` and `to` counted from it.
-    pub(super) fn new(motion: &'a M, start: Start<T>, from: f64, to: f64) -> Self {
+    pub(super) fn new(motion: &'a dyn Tilting<T>, start: Start<T>, from: f64, to: f64) -> Self {
         let Start { y, eta, p, .. } = start;
         let slope = |away: T| motion.at(y + y * away.exp_m1(), eta + away).slope;
         Wobble {
@@ -56,7 +56,7 @@ impl<'a, M: Tilting<T>, T: Real> Wobble<'a, M, T> {
     }
 }
 
-impl<M: Tilting<T>, T: Real> Tilting<T> for Wobble<'_, M, T> {
+impl<T: Real> Tilting<T> for Wobble<'_, T> {
     fn conserved(&self) -> Conserved<T> {
         self.motion.conserved()
     }
