@@ -24,7 +24,7 @@ class NearCollision:
     Parameters
     ----------
     body, law
-        Who rocks, and how its rim meets the table.
+        What rocks, and how its rim meets the table.
     min_tilt
         φ_c > 0, rad.
     tipping_rate

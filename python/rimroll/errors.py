@@ -1,4 +1,4 @@
-"""The errors rimroll raises on purpose."""
+"""The errors that rimroll raises."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class RimrollError(ValueError):
-    """A request that cannot be met; the message names the value at fault and what is allowed."""
+    """An invalid request; the message names the value and what is allowed."""
 
 
 def expect(field: str, value: object, kind: Any) -> None:
@@ -31,7 +31,7 @@ def hold(
 ) -> None:
     """Raise ``RimrollError`` unless the bound holds for a number, or for each element of an array.
 
-    The message names the first that is at fault, as in ``tilt[1] must be finite, got nan``.
+    The message names the first invalid element, as in ``tilt[1] must be finite, got nan``.
     """
     if not holds.all():
         import numpy as np  # not before: whoever only reports errors needs none

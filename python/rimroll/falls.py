@@ -1,6 +1,6 @@
-"""Many falls as plain columns, which become an :class:`xarray.Dataset` for whoever asks for one.
+"""Many falls as plain columns, which can become an :class:`xarray.Dataset`.
 
-xarray takes longer to import than most falls to compute, so it is imported only then.
+Importing xarray takes longer than computing most falls, so it is imported only when needed.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """One number or word for each fall: values, their SI unit ("" for pure numbers), meaning."""
+    """One number or word for each fall: values, their SI unit ("" for pure numbers) and meaning."""
 
     values: NDArray[Any]
     units: str | None = None
@@ -29,7 +29,7 @@ class Column:
 
     @property
     def attrs(self) -> dict[str, str]:
-        """Unit and meaning, as xarray and netCDF name them."""
+        """Unit and meaning by the names that xarray and netCDF use."""
         both = {"units": self.units, "long_name": self.meaning}
         return {name: text for name, text in both.items() if text is not None}
 
@@ -39,10 +39,10 @@ class Falls:
     """Falls in rows, or laid out in a plane.
 
     ``axes`` are the coordinates by name, one flat column each: ``trial`` (n,) for rows; for a map
-    ``spin_rate`` (s,) and ``yaw_rate`` (y,). The ``columns`` have their shape, (n,) or (s, y):
-    ``outcome`` and the numbers of each fall. ``attrs`` are what all the falls have in common.
-    ``falls["turn"]`` is the array of one column or axis. ``labels`` are further coordinates, each
-    along some of the axes.
+    ``spin_rate`` (s,) and ``yaw_rate`` (y,). ``columns`` have the shape of the axes, (n,) or
+    (s, y): ``outcome`` and the numbers of each fall. ``attrs`` hold everything that all falls have
+    in common. ``falls["turn"]`` is the array of one column or axis. ``labels`` are further
+    coordinates, each along some of the axes.
     """
 
     columns: Mapping[str, Column]
@@ -73,17 +73,17 @@ class Falls:
 
     @property
     def size(self) -> int:
-        """How many falls there are."""
+        """Number of falls."""
         return int(self["outcome"].size)
 
     def with_attrs(self, attrs: Mapping[str, Any]) -> Falls:
-        """These falls with more attributes; those given win."""
+        """These falls with more attributes, which replace existing ones."""
         return replace(self, attrs=self.attrs | dict(attrs))
 
     def laid_out(self, grid: Grid) -> Falls:
         """Falls in rows, laid out on a grid of named dimensions.
 
-        Raises ``RimrollError`` for a dimension that is called as a column is.
+        Raises ``RimrollError`` for a dimension with the name of a column.
         """
         assert grid.dims is not None
         axes: dict[str, Column] = {}
@@ -131,7 +131,7 @@ class Interrupted(KeyboardInterrupt):
 
     @property
     def done(self) -> xr.Dataset:
-        """The falls so far, as of the function that was interrupted."""
+        """The completed falls, in the form that the interrupted function returns."""
         return self.falls.to_xarray()
 
     def __reduce__(self) -> tuple[type[Interrupted], tuple[Falls]]:

@@ -1,10 +1,10 @@
-"""Numbers as users give them, turned into floats and arrays in SI units and radians.
+"""Numbers as users give them, converted to floats and arrays in SI units and radians.
 
 One rule holds for every number of the Python interface that has a unit. It may be a plain number or
-array, which is in the SI unit already; a text such as ``"30 deg"``, as in scenario files; a
-quantity of pint or of a package with the same interface; or a data array with a ``units``
-attribute. All of these are converted. A unit that does not fit is refused, and none is ever
-dropped. No unit package is imported here: what carries a unit brings the means to convert it.
+array in the SI unit; a text such as ``"30 deg"``, as in scenario files; a quantity of pint or of a
+package with the same interface; or a data array with a ``units`` attribute. All of these are
+converted. A unit of another kind raises an error; no unit is ignored. This module imports no unit
+package: quantities convert themselves.
 """
 
 from __future__ import annotations

@@ -39,7 +39,7 @@ def is_array(value: object) -> bool:
 
 @dataclass(frozen=True)
 class Grid:
-    """What some values broadcast to."""
+    """The shape and dimensions that some values broadcast to."""
 
     shape: tuple[int, ...] = ()
     dims: tuple[str, ...] | None = None
@@ -103,11 +103,11 @@ class Grid:
         return np.ascontiguousarray(self._spread(value), np.float64).reshape(-1)
 
     def column(self, value: Any) -> Array:
-        """The value of each row, (n,), or (1,) for a single number, which stands for all rows."""
+        """The value of each row, (n,), or (1,) for a single number, which applies to all rows."""
         return self.flat(value) if np.ndim(value) else np.array([value], np.float64)
 
     def laid_out(self, rows: NDArray[Any]) -> Any:
-        """One result a row, (n,), as a single number, an array or a data array."""
+        """Results of the rows, (n,), as a single number, an array or a data array."""
         if self.dims is not None:
             import xarray as xr
 
@@ -119,16 +119,16 @@ class Grid:
         return tuple(map(int, np.unravel_index(row, self.shape))) if self.shape else ()
 
     def index_in(self, value: Any, row: int) -> tuple[int, ...]:
-        """The place in a value, as it was given, of what stands for a row."""
+        """The index in a value, as it was given, of the element that applies to a row."""
         places = np.arange(int(np.size(value))).reshape(np.shape(value))
         place = self._spread(value.copy(data=places) if is_labelled(value) else places)
         flat = int(np.reshape(place, -1)[row])
         return tuple(map(int, np.unravel_index(flat, np.shape(value)))) if np.ndim(value) else ()
 
     def placed(self, message: str, given: Mapping[str, Any], row: int) -> str:
-        """What is wrong with a row, ``height must be``, with the element: ``height[3] must be``.
+        """A message about a row, ``height must be``, with the element: ``height[3] must be``.
 
-        ``given`` has the values by name, as they were given.
+        ``given`` are the values by name, as they were given.
         """
         name, rest = message.split(" ", 1)
         index = self.index_in(given[name], row) if name in given else ()
@@ -170,7 +170,7 @@ def same(a: Any, b: Any) -> bool:
 
 
 def key(value: Any) -> object:
-    """Something to hash in place of a value: equal for values that are the :func:`same`."""
+    """A hashable stand-in for a value; equal for values that are the :func:`same`."""
     if isinstance(value, np.ndarray) or is_labelled(value):
         # -0.0 equals 0.0
         return np.shape(value), (np.asarray(value, np.float64) + 0.0).tobytes()
@@ -185,10 +185,10 @@ def shape_of(values: Iterable[Any]) -> tuple[int, ...]:
 def axis(name: str, values: Any, units: str | None = None) -> xr.DataArray:
     """A named dimension of a sweep: a data array of ``values`` (n,), labelled by themselves.
 
-    Hand it to a field of ``State``, ``Body`` or a law. ``units`` is written into the attributes, as
-    for ``"deg"``, from which the field converts it; so the axis is not to be converted before
-    (``np.radians`` keeps the attribute), and is refused if it is. A quantity of pint brings its
-    own.
+    Use it as a field of ``State``, ``Body`` or a law. ``units``, such as ``"deg"``, is stored in
+    the attributes, and the field converts from it. So do not convert the axis yourself:
+    ``np.radians`` keeps the attribute, and the field then raises an error. A quantity of pint has
+    its own unit.
 
     >>> import rimroll as rr
     >>> law = rr.Coulomb(rr.axis("friction", [0.1, 0.2, 0.3]))

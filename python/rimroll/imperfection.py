@@ -19,35 +19,35 @@ class Collision:
     """
 
     azimuth: float
-    """Of the point that strikes."""
+    """Azimuth of the point that strikes."""
     scaled_tilt: float
-    """The tilt at which it happens, in units of (height of the imperfection)/R."""
+    """The tilt at the collision, in units of (height of the imperfection)/R."""
     impulse: float
     """The table's upward impulse at the point that strikes, N s."""
     held_impulse: float
-    """The same at the point that rested on the table, N s: 0 when it lifts off."""
+    """The table's upward impulse at the point that rested on the table, N s; 0 if it lifts off."""
     lean_azimuth: float | None
-    """Where the lean moves to right after it; None for a body that stops dead."""
+    """Azimuth toward which the lean moves after the collision; None for a body that stops."""
     lean_rate: float
-    """dφ/dt of the lean right after it, rad/s."""
+    """Rate of the lean after the collision, rad/s."""
     vertical_velocity: float
-    """Upward velocity of the centre of mass right after it, m/s; negative while the body sinks."""
+    """Upward velocity of the centre of mass after the collision, m/s; negative if it sinks."""
     energy_kept_fraction: float
     """The fraction of the kinetic energy on arrival that is left."""
 
 
 @dataclass(frozen=True)
 class ImperfectRim:
-    """What becomes of a body that falls on its rim's imperfection; see :func:`imperfect_rim`."""
+    """The result of a fall on an imperfection of the rim; see :func:`imperfect_rim`."""
 
     turn: float | None
-    """The angle between the leans before and after, rad; None for a body that stops dead."""
+    """The angle between the leans before and after, rad; None for a body that stops."""
     rising_rate: float
     """dφ/dt at the beginning of the rise, rad/s."""
     energy_kept_fraction: float
     """The fraction of the kinetic energy on arrival that is left."""
     collisions: tuple[Collision, ...]
-    """Its collisions, one or two."""
+    """The collisions, one or two."""
 
 
 def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.0) -> ImperfectRim:
@@ -67,8 +67,8 @@ def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.
       near-collision. For K' < mR² the body rocks over the chord BC first, and the turn is β plus a
       number of the body, for β < π.
 
-    At β = π the turn is π and the tipping rate falls by the factor (K' − mR²)/(K' + mR²), as of a
-    rocking block; bodies with K' ≤ mR² stop dead.
+    At β = π the turn is π and the tipping rate falls by the factor (K' − mR²)/(K' + mR²), as for
+    a rocking block; bodies with K' ≤ mR² stop.
 
     Source: the paper's "Candidate theories for symmetry breaking" names this theory and rejects it
     without computing it: the outcome depends on where the imperfection is. (The other theory named
@@ -77,7 +77,7 @@ def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.
     Parameters
     ----------
     body, law
-        Who falls, and how its rim meets the table.
+        What falls, and how its rim meets the table.
     angle
         β, rad, inside (0, 2π). The turn is counted in the same direction.
     tipping_rate

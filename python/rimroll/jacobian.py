@@ -1,4 +1,4 @@
-"""How a motion changes with what it was computed from: exact derivatives."""
+"""Exact derivatives of a motion by what it was computed from."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 QUANTITIES = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
-"""What of the state changes, in the order of :attr:`Jacobian.values`."""
+"""The differentiated quantities, in the order of :attr:`Jacobian.values`."""
 
 PARAMETERS = tuple(_core.PARAMETERS)
-"""With what: the start, the body and gravity, in the order of :attr:`Jacobian.values`."""
+"""The parameters: start, body and gravity, in the order of :attr:`Jacobian.values`."""
 
 _INDEX_OF_QUANTITY = {name: i for i, name in enumerate(QUANTITIES)}
 _INDEX_OF_PARAMETER = {name: i for i, name in enumerate(PARAMETERS)}
@@ -29,9 +29,9 @@ _INDEX_OF_PARAMETER = {name: i for i, name in enumerate(PARAMETERS)}
 class Jacobian:
     """The derivatives of a motion's state at fixed times.
 
-    ``jacobian["yaw", "tilt_rate"]`` is by how much the yaw there changes for each rad/s by which
-    the tilt rate at the start is larger, all other parameters being what they are. Units: those of
-    the quantity over those of the parameter, SI and radians.
+    ``jacobian["yaw", "tilt_rate"]`` is the derivative of the yaw at that time by the tilt rate at
+    the start, with all other parameters fixed. Its unit is the quantity's unit over the
+    parameter's, in SI units and radians.
     """
 
     values: NDArray[np.float64]
@@ -49,7 +49,7 @@ class Jacobian:
     def to_xarray(self) -> xr.Dataset:
         """The derivatives as ``derivative`` over (``t``,) ``quantity`` and ``parameter``.
 
-        The coordinates ``quantity_units`` and ``parameter_units`` say the units.
+        The coordinates ``quantity_units`` and ``parameter_units`` hold the units.
         """
         import xarray as xr
 

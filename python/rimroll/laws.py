@@ -1,4 +1,4 @@
-"""The contact laws: how the rim meets the table, and what wears its motion down.
+"""The contact laws: how the rim meets the table, and the resistances to its motion.
 
 >>> import rimroll as rr
 >>> rr.Coulomb(0.3) + rr.RollingResistance(dry=1e-3)
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
 TABLES = ("speeds", "frictions")
-"""The numbers of a law that are lists of numbers."""
+"""The parameters of a law that are lists of numbers."""
 
 
 class _Numbered:
-    """Numbers, or arrays of them, that are checked when they are given."""
+    """A dataclass whose numbers, or arrays of numbers, are checked when it is made."""
 
     def _read(self) -> None:
         for item in fields(self):  # type: ignore[arg-type]
@@ -69,7 +69,7 @@ class _Numbered:
 def listed(field: str, values: object, unit: str = "1") -> tuple[float, ...]:
     """The values of a field as a tuple of floats in an SI unit.
 
-    Raises ``RimrollError`` naming the field when they are not a flat list of numbers.
+    Raises ``RimrollError`` naming the field unless they are a flat list of numbers.
     """
     flat = array(field, values, unit)
     if flat.ndim != 1:
@@ -78,7 +78,7 @@ def listed(field: str, values: object, unit: str = "1") -> tuple[float, ...]:
 
 
 def _brief(value: object) -> str:
-    """A number, or a list of numbers without its middle where it is long."""
+    """The text of a number, or of a list of numbers, without the middle of a long one."""
     if not isinstance(value, tuple) or len(value) <= 8:
         return repr(value)
     return f"({value[0]!r}, {value[1]!r}, ..., {value[-1]!r}: {len(value)} numbers)"
@@ -92,12 +92,12 @@ class OneLaw(NamedTuple):
 
 
 def varied_numbers(numbers: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of a law's numbers that are arrays."""
+    """The numbers of a law that are arrays."""
     return {name: value for name, value in numbers.items() if is_array(value)}
 
 
 def fixed_numbers(numbers: Mapping[str, Any]) -> dict[str, float]:
-    """Those that are single numbers."""
+    """The numbers of a law that are single numbers."""
     return {name: value for name, value in numbers.items() if not is_array(value)}
 
 
@@ -121,14 +121,14 @@ def _check(name: str, numbers: Mapping[str, Any]) -> None:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RollingResistance(_Numbered):
-    """What the contact point's running along the rim at R |dθ/dt| costs.
+    """Resistance to the motion of the contact point along the rim, at speed R |dθ/dt|.
 
-    The resisting force is ``dry`` for each newton of normal force plus ``viscous`` (N s/m) for each
-    m/s. Also called contour friction. In a near-collision the contact point runs without bound: the
-    closer, the more it takes. The sign of ``dry`` is smoothed where the base turns slower than
-    0.001 √(g/R). Source: R. I. Leine, Arch. Appl. Mech. 79 (2009).
+    The resisting force is ``dry`` times the normal force plus ``viscous`` (N s/m) times the speed.
+    It is also called contour friction. The closer a near-collision, the faster the contact point
+    runs and the more energy is lost, without bound. The sign function of ``dry`` is smoothed where
+    the base turns slower than 0.001 √(g/R). Source: R. I. Leine, Arch. Appl. Mech. 79 (2009).
 
-    A resistance can stop the contact point in a near-collision: see the endings of
+    A resistance can stop the contact point in a near-collision: see the notes of
     :func:`rimroll.simulate`.
     """
 
@@ -149,7 +149,7 @@ class RollingResistance(_Numbered):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class PivotingFriction(_Numbered):
-    """What turning about the vertical costs: a moment of ``length`` (m) times the normal force."""
+    """Resistance to turning about the vertical: a moment ``length`` (m) times the normal force."""
 
     length: float
 
@@ -167,14 +167,14 @@ class PivotingFriction(_Numbered):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class AirDrag(_Numbered):
-    """What the wobble costs in the air under the base: ``coefficient`` |dψ/dt|^``exponent``, W.
+    """Dissipation of the wobble in the air under the base: ``coefficient`` |dψ/dt|^``exponent``, W.
 
     ``coefficient`` in W (s/rad)^exponent; ``exponent`` from 1.5 to 8: 4 for a viscous film
     (Moffatt, Nature 404, 2000), 5/2 for boundary layers (Bildsten, Phys. Rev. E 66, 2002).
 
-    Below 2 the moment has an infinite slope at dψ/dt = 0. There |dψ/dt| is taken as
-    √((dψ/dt)² + ω₀²) with ω₀ = 1e-15 (√(g/R) + axial spin rate), which changes dψ/dt by some ω₀ at
-    most, far less than any ``rtol`` allows.
+    For exponents below 2 the moment has an infinite slope at dψ/dt = 0. There |dψ/dt| is replaced
+    by √((dψ/dt)² + ω₀²) with ω₀ = 1e-15 (√(g/R) + axial spin rate). This changes dψ/dt by about ω₀
+    at most, far less than any ``rtol`` allows.
     """
 
     coefficient: float
@@ -231,14 +231,13 @@ Resistances = Resistance | tuple[Resistance, ...]
 class Law(_Numbered):
     """How the rim meets the table; add resistances with ``+``.
 
-    The numbers of laws and resistances may be arrays, which stand for many laws: they broadcast
-    against one another, as in NumPy, and data arrays of xarray by the names of their dimensions.
-    :func:`rimroll.ensemble` and :func:`rimroll.turn_limit` take many laws; a single motion takes
-    one.
+    The numbers of laws and resistances may be arrays, for many laws at once. They broadcast as in
+    NumPy, data arrays of xarray by the names of their dimensions. :func:`rimroll.ensemble` and
+    :func:`rimroll.turn_limit` take many laws; a single motion takes one.
     """
 
     name: ClassVar[str]
-    """What a user types on the command line and in scenario files."""
+    """The name of the law on the command line and in scenario files."""
 
     resistances: tuple[Resistance, ...] = field(default=(), kw_only=True, repr=False)
 
@@ -295,7 +294,7 @@ class Law(_Numbered):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """What the numbers broadcast to; () for one law."""
+        """The shape that the numbers broadcast to; () for one law."""
         return Grid.over(varied_numbers(self.numbers)).shape
 
 
@@ -303,8 +302,8 @@ class Law(_Numbered):
 class NoSlip(Law):
     """Rolling without slip: the point of the rim that touches the table is at rest.
 
-    Source: the paper, Eqs. ``noslip_eqs`` and appendix A. A motion ends where the rim would have to
-    be pulled down.
+    Source: the paper, Eqs. ``noslip_eqs`` and appendix A. A motion ends where the table would have
+    to pull the rim down.
     """
 
     name: ClassVar[str] = "no_slip"
@@ -315,7 +314,7 @@ class Frictionless(Law):
     """Sliding without friction: the table only pushes upward.
 
     Source: the paper, Eqs. ``nofric_eqs`` and appendix A. The centre of mass moves only vertically.
-    A motion ends where the rim would have to be pulled down.
+    A motion ends where the table would have to pull the rim down.
     """
 
     name: ClassVar[str] = "frictionless"

@@ -1,4 +1,4 @@
-"""The line of a map of falls on which their side changes: from theory, or by trial."""
+"""The line of a map of falls at which their side changes: from theory, or by bisection."""
 
 from __future__ import annotations
 
@@ -21,31 +21,31 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 ROWS = 60
-"""Of the map in which the line is sought by trial; between them it is nearly straight."""
+"""Largest number of rows in which bisection seeks the line; between them it is nearly straight."""
 
 HALVINGS = 8
-"""Of the stretch between two starts of a map: to what no picture shows."""
+"""Bisections between two starts of a map: to less than a picture shows."""
 
 
 def side_line(falls: Falls | xr.Dataset, lowest: float, highest: float) -> tuple[Array, Array]:
     """Yaw and spin rates along the line between falls to the right and to the left, rad/s.
 
-    Under the ideal laws it is straight and goes from one spin rate to the other; under friction it
-    has a point for each row of the map (some, of large ones) in which the side changes once, from
-    right to left. Without such rows, or falls at all, there is none: the arrays are empty.
+    Under the ideal laws it is straight, from one spin rate to the other. Under friction it has a
+    point for each row of the map (for some rows of a large map) in which the side changes once,
+    from right to left. Without such rows, or without falls, the arrays are empty.
     """
     falls = Falls.of(falls)
     law, tilt = law_of(falls), falls.attrs["start_tilt"]
     if not fell(falls).any():
         return np.empty(0), np.empty(0)
     if law not in IDEAL:
-        return _by_trial(falls)
+        return _by_bisection(falls)
     spin = np.array([lowest, highest] if tilt < 0.5 * np.pi else [])
     slope = watershed_slope(body_of(falls), tilt, law) if spin.size else 0.0
     return slope * spin, spin
 
 
-def _by_trial(falls: Falls) -> tuple[Array, Array]:
+def _by_bisection(falls: Falls) -> tuple[Array, Array]:
     told = falls.attrs
     rows = np.unique(np.linspace(0, len(falls["spin_rate"]) - 1, ROWS).astype(int))
     between = {k: ends for k in rows if (ends := _change(falls, k)) is not None}

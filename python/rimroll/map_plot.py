@@ -33,20 +33,20 @@ Array = NDArray[np.float64]
 Line = tuple[Array, Array]
 
 LINE_WIDTH = 1.0
-"""Of the line on which the side changes, points."""
+"""Width of the line at which the side changes, points."""
 
 FEW = 0.01
-"""Of the falls, for which the scale of colours is not drawn out."""
+"""Fraction of outlying falls below which the colour scale leaves them out."""
 
 SPOT = 1.0
-"""What can be seen, square points."""
+"""Smallest visible area, square points."""
 
 YAW, SPIN = "yaw rate at the start (rad/s)", "spin rate at the start (rad/s)"
 DIRECTION = "direction of fall (degrees)"
 
 
 def map_figure(falls: Falls | xr.Dataset) -> Figure:
-    """A page with one map, as of :func:`rimroll.turn_map`, and its scale of colours."""
+    """A page with one map from :func:`rimroll.turn_map` and its colour scale."""
     falls = Falls.of(falls)
     with style.figure_style():
         figure = style.page(86.0, 110.0)

@@ -1,4 +1,4 @@
-"""Whole motions: simulate one, and read everything off it."""
+"""Whole motions: simulate one, and read all its quantities."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ UNITS = {
 
 
 class Moments:
-    """What is known of a motion at n moments: arrays (n,), or (n, 2) and (n, 3) for vectors."""
+    """A motion at n moments: arrays (n,), or (n, 2) and (n, 3) for vectors."""
 
     def __init__(self, table: Array) -> None:
         self._table = table
@@ -116,7 +116,7 @@ class Moments:
 
     @property
     def center(self) -> Array:
-        """Centre of mass (x, y, z), m, shape (n, 3); it starts over the origin."""
+        """Centre of mass (x, y, z), m, shape (n, 3); it starts above the origin."""
         return self._vector("x", "y", "z")
 
     @property
@@ -138,8 +138,8 @@ class Moments:
     def friction_ratio(self) -> Array:
         """|T|/N: the friction coefficient that the motion needs.
 
-        While the rim slides under dry friction it is what the law says. It is infinite where a
-        rim that rolls needs friction and nothing presses it any more, as at a lift-off.
+        While the rim slides under dry friction, it is the law's coefficient. It is infinite where a
+        rolling rim needs friction but the normal force is zero, as at a lift-off.
         """
         return self["friction_ratio"]
 
@@ -150,7 +150,7 @@ class Moments:
 
     @property
     def gap(self) -> Array:
-        """Height of the rim's lowest point over the table, m: zero but in flight."""
+        """Height of the rim's lowest point over the table, m: zero except in flight."""
         return self["gap"]
 
     @property
@@ -185,7 +185,7 @@ class Moments:
 
     @property
     def energy_budget(self) -> Array:
-        """Energy and all that was lost of it, J: constant, but for the errors of computing."""
+        """Energy and all losses so far, J: constant except for numerical errors."""
         return self.energy + self.friction_loss + self.resistance_loss + self.impact_loss
 
     @property
@@ -215,7 +215,7 @@ class Moments:
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happened.
+    """An event of a motion.
 
     ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
     faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``) or an ending
@@ -230,7 +230,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of a motion under one law: ``rolling``, ``sliding`` or ``flying``; times in s."""
+    """A part of a motion of one kind: ``rolling``, ``sliding`` or ``flying``; times in s."""
 
     kind: str
     start: float
@@ -239,11 +239,11 @@ class Phase:
 
 @dataclass(frozen=True)
 class Turn:
-    """From one tilt maximum (or the release) to the next, through a tilt minimum; rad and s.
+    """The motion from one tilt maximum to the next, through a tilt minimum; rad and s.
 
-    The first begins at the release or, where the tilt rises then, at the maximum that follows: the
-    sign of ``tilt_rate`` decides, however small it is, and at exactly 0 that of the tilt's
-    acceleration. A disk that passes the vertical ends one turn there and begins another.
+    The first turn begins at the release if the tilt falls then, else at the next tilt maximum. The
+    sign of ``tilt_rate`` decides, however small it is; at exactly 0, the sign of the tilt's
+    acceleration decides. When a disk passes the vertical, one turn ends and another begins.
 
     When the minimum is a near-collision, ``angle`` is the paper's angle of turn. ``angle``: change
     of yaw, with its sign. ``min_tilt``, ``t``, ``yaw_rate``: the smallest tilt, its time and the
@@ -269,7 +269,7 @@ class Turn:
 
 @dataclass(frozen=True)
 class Stats:
-    """What the steps cost: accepted, tried again, right-hand sides evaluated (12 a step)."""
+    """The solver's work: accepted steps, rejected steps, right-hand sides evaluated (12 a step)."""
 
     steps: int
     rejected: int
@@ -279,9 +279,9 @@ class Stats:
 class Motion(Moments):
     """A computed motion.
 
-    Its arrays are at the solver's accepted steps, close together where the motion is fast; a moment
-    at which the contact changes is there twice, as it is before and after. Call it with times for
-    anything in between: ``motion(t)``.
+    Its arrays are at the solver's accepted steps, which are close together where the motion is
+    fast. A moment at which the contact changes is there twice, before and after the change. For
+    other times, call it: ``motion(t)``.
 
     Attributes
     ----------
@@ -325,7 +325,7 @@ class Motion(Moments):
     def __getitem__(self, column: str) -> Array:
         """One column by its name in :data:`rimroll.motion.UNITS`."""
         row = _ROW[column]
-        # Forces and energies are computed for those who ask for them.
+        # Forces and energies are computed only when needed.
         table = self._poses if row < len(self._poses) else self._table
         values: Array = table[row]
         return values
@@ -335,12 +335,12 @@ class Motion(Moments):
 
     @cached_property
     def message(self) -> str:
-        """How it ended, in a sentence."""
+        """The ending in a sentence."""
         return self._core.message
 
     @cached_property
     def stats(self) -> Stats:
-        """What it cost."""
+        """The solver's work."""
         return Stats(*self._core.work)
 
     @cached_property
@@ -350,12 +350,12 @@ class Motion(Moments):
 
     @cached_property
     def events(self) -> list[Event]:
-        """What happened, in order of time."""
+        """The events, in order of time."""
         return _events(*self._core.events())
 
     @cached_property
     def phases(self) -> list[Phase]:
-        """How the rim met the table, in order of time."""
+        """The phases of contact, in order of time."""
         begins = self._core.phases()
         ends = [*(start for _, start in begins[1:]), float(self.t[-1])][: len(begins)]
         return [Phase(kind, start, end) for (kind, start), end in zip(begins, ends, strict=True)]
@@ -369,13 +369,13 @@ class Motion(Moments):
         )
 
     def _repr_html_(self) -> str:
-        """How notebooks show it: the ending, the first turns and the losses, in degrees."""
+        """The view in notebooks: the ending, the first turns in degrees and the losses."""
         from rimroll.notebook import motion_in_html
 
         return motion_in_html(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """A copy is the motion computed again: the same to the last bit."""
+        """Pickling computes the motion again, with the same bits."""
         return _follow, (self.body, self.start, self.law, self._options, self._has_jacobian)
 
     @overload
@@ -396,14 +396,14 @@ class Motion(Moments):
         return State(**{name: float(values[0]) for name, values in vars(states).items()})
 
     def evaluate(self, t: Values) -> Moments:
-        """Everything at times t (s, shape (n,), inside the motion)."""
+        """All quantities at times t (s, shape (n,), inside the motion)."""
         return Moments(self._core.at(np.atleast_1d(self._inside(t))))
 
     def jacobian(self, t: Values) -> Jacobian:
-        """How the state at a time t (s, inside the motion), or at times (n,), would change.
+        """Derivatives of the state at a time t (s, inside the motion), or at times (n,).
 
-        Exact derivatives by the start, the body and gravity, of a motion from
-        ``simulate(..., jacobian=True)``; about as accurate as the motion.
+        They are exact derivatives by the start, the body and gravity, for a motion from
+        ``simulate(..., jacobian=True)``, and about as accurate as the motion.
 
         >>> import rimroll as rr
         >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
@@ -421,8 +421,8 @@ class Motion(Moments):
     def turn_jacobians(self) -> list[dict[str, float]]:
         """For each of the turns, the derivative of its angle by each parameter, rad over SI units.
 
-        The moments at which the tilt is largest move with the parameters, too. As
-        :meth:`jacobian`, of a motion simulated with ``jacobian=True``.
+        They include the change of the times at which the tilt is largest. Like :meth:`jacobian`,
+        they need a motion simulated with ``jacobian=True``.
         """
         rows = self._core.turn_jacobian().tolist()
         return [dict(zip(PARAMETERS, row, strict=True)) for row in rows]
@@ -435,7 +435,7 @@ class Motion(Moments):
         return moments
 
     def samples(self, per_step: int = 4) -> Moments:
-        """Everything at the accepted steps and evenly inside each: for smooth curves."""
+        """All quantities at the accepted steps and evenly inside each, for smooth curves."""
         return Moments(self._core.samples(self._fitting(whole_number("per_step", per_step))))
 
     def crossings(
@@ -445,27 +445,27 @@ class Motion(Moments):
         rising: bool | None = None,
         per_step: int = 4,
     ) -> list[Event]:
-        """Events of one's own: where a function of the motion passes through zero.
+        """Events of your own: where a function of the motion passes through zero.
 
         Parameters
         ----------
         function
-            Takes the :class:`Moments` at n places of the motion and gives n numbers: whatever
-            changes its sign at the event, such as ``lambda at: at.tilt - 0.3``.
+            Takes the :class:`Moments` at n times of the motion and returns n numbers that
+            change sign at the event, such as ``lambda at: at.tilt - 0.3``.
         rising
-            Whether the function has to rise through zero (True) or fall (False); either unless
-            given.
+            True for zeros at which the function rises, False for those at which it falls; both by
+            default.
         per_step
-            How often to look in each of the solver's steps. Two zeros between two looks are missed,
-            and a zero that the function touches without changing its sign is no event.
+            Samples in each of the solver's steps. Two zeros between two samples are missed, and
+            a zero without a change of sign is not an event.
 
         Returns
         -------
         list of Event
             In order of time, of kind ``crossing``: where the function changes its sign inside a
-            step or becomes exactly 0, as the slip does when the rim sticks and a clipped function
-            at its bound, to the last digits of the dense output. A jump over zero where the contact
-            changes, as of a velocity in a landing, is no event.
+            step or becomes exactly 0, as the slip does when the rim sticks, or a clipped function
+            at its bound. Times are as accurate as the dense output. A jump over zero where the
+            contact changes, as of a velocity in a landing, is not an event.
 
         >>> import rimroll as rr
         >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
@@ -474,7 +474,7 @@ class Motion(Moments):
         >>> round(down.state.tilt, 12), round(down.t, 4)
         (0.3, 0.1423)
 
-        Raises ``RimrollError`` where the function gives anything but n numbers.
+        Raises ``RimrollError`` where the function returns anything but n numbers.
         """
         from rimroll.crossings import checked, crossings
 
@@ -494,7 +494,7 @@ class Motion(Moments):
         return _events(["crossing"] * table.shape[1], table)
 
     def _fitting(self, per_step: int) -> int:
-        """As many samples a step, if that is not too many in all."""
+        """The number of samples a step, or ``RimrollError`` if there are too many in all."""
         if per_step * len(self) > MOST_SAMPLES:
             most = MOST_SAMPLES // len(self)
             raise RimrollError(
@@ -512,7 +512,7 @@ class Motion(Moments):
     def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
         """Write the motion as a film: GIF, self-contained HTML page or MP4, by the suffix.
 
-        Time is stretched by itself while the contact point races round the rim. For ``seconds``,
+        Time slows down while the contact point runs fast round the rim. For ``seconds``,
         ``speed``, ``fps``, ``view`` and the other options see :func:`rimroll.animation.animate`.
         """
         from rimroll.animation import animate
@@ -520,13 +520,13 @@ class Motion(Moments):
         return animate(self, path, **options)
 
     def to_xarray(self) -> xr.Dataset:
-        """The motion as a dataset over ``t`` with units, and all that it was computed from.
+        """The motion as a dataset over ``t`` with units and everything that it was computed from.
 
-        A moment at which the contact changes is there once, as it is after the change.
+        A moment at which the contact changes is there once, after the change.
         """
         import xarray as xr
 
-        # An index has each time once: of a change of the contact, what is after it.
+        # An index has each time once: at a change of contact, the moment after it.
         last = np.append(np.diff(self.t) > 0.0, True)
         dataset = xr.Dataset(
             {
@@ -556,7 +556,7 @@ class Motion(Moments):
         return _follow(body_of(dataset), start, law_of(dataset), options_of(dataset), jacobian)
 
     def parameters(self) -> dict[str, Any]:
-        """All that the motion was computed from, as plain numbers and texts."""
+        """Everything that the motion was computed from, as plain numbers and texts."""
         options = {k: v for k, v in asdict(self._options).items() if v is not None}
         return {
             "law": self.law.name,
@@ -596,50 +596,50 @@ def simulate(
     Parameters
     ----------
     body, start, law
-        What rolls, from where (single numbers), and how its rim meets the table.
+        What rolls, how it is released (single numbers), and how its rim meets the table.
     duration
-        How long to follow it, s. The motion may end earlier, with a status that says why.
+        Length of the motion, s. The motion may end earlier; its status says why.
     gravity
         m/s²; 9.80665 unless given. The paper used 9.8.
     rtol
-        The error to aim at over some tens of rockings, relative to each quantity's size, 1e-14 to
-        1e-3; from 1e-13 on rounding decides. A step may err by a fiftieth of it, and the errors of
-        steps add up: after thousands of steps the energy can be off by some hundred times `rtol`,
-        which matters for a large one.
+        Intended error over some tens of rockings, relative to the size of each quantity, 1e-14 to
+        1e-3; below 1e-13 rounding dominates. Each step may have a fiftieth of this error, and the
+        errors add up: after thousands of steps, the energy may be wrong by a hundred times
+        ``rtol``, which matters if ``rtol`` is large.
     topple_tilt
-        The tilt that counts as toppled, rad. By default π/2 for a body with height, where its side
-        meets the table; none for a disk, which may stand on its edge and fall to either face.
+        The tilt that counts as toppled, rad. By default π/2 for a body with height, whose side
+        then meets the table; none for a disk, which may stand on its edge and fall to either face.
     max_steps
-        Most steps to make before giving up with the status ``failed``; a step takes 0.3 kB.
+        Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB.
     progress
-        Called now and then in a long motion with the time reached, s. With ``jacobian`` the
+        Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.
     jacobian
-        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. For rolling without slip
-        and frictionless sliding without resistance; some thirty times the work.
+        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. They exist for ``NoSlip``
+        and ``Frictionless`` without resistance, and take about thirty times as long.
 
     Returns
     -------
     Motion
-        Whatever happens to a valid start is a status of the motion, not an error. A start with
-        yaw_rate = spin_rate = 0 falls exactly face down and ends there.
+        A valid start never raises an error: the status of the motion says how it ended. A start
+        with yaw_rate = spin_rate = 0 falls exactly face down and ends there.
 
     Notes
     -----
-    Near-collisions are followed down to a tilt of 1e-16 rad; below it a motion ends as
-    ``face_down``. With a resistance it ends below 1e-9 rad, but only where resistance has stopped
-    the contact point on the rim for good: where it would take a hundred times as much from a
-    contact point that runs fast enough to raise the body again as the falling tilt gives. A
-    resistance that is too weak for that ends no motion, and as it vanishes the motion becomes that
-    without it. A motion that ends so is ``at_rest`` instead when at most 1 % of its energy at the
-    start is left, which then goes with the last slap; the message says how much. With friction or a
-    resistance a motion is also ``at_rest`` when 1e-10 of its energy is left.
+    Near-collisions are computed down to a tilt of 1e-16 rad; below it a motion ends as
+    ``face_down``. With a resistance it ends below 1e-9 rad, but only if the resistance has stopped
+    the contact point on the rim for good. The criterion: the resistance would slow down a contact
+    point that is fast enough to raise the body again a hundred times as strongly as the falling
+    tilt accelerates it. A weaker resistance ends no motion, and as it vanishes the motion becomes
+    that without it. Such an ending is ``at_rest`` if at most 1 % of the energy at the start is
+    left, which the last slap takes; the message says how much. With friction or a resistance, a
+    motion is also ``at_rest`` when 1e-10 of its energy is left.
 
     Raises
     ------
     RimrollError
-        A number outside its bounds, or a start of arrays; derivatives of a motion that has none,
-        since its contact changes on the way, or under a law for which they are not offered.
+        A number outside its bounds, or a start of arrays; derivatives of a motion whose contact
+        changes on the way, or under a law without derivatives.
     """
     one_body(body)
     expect("start", start, State)

@@ -1,4 +1,4 @@
-"""Names as people type them, and what is meant by one that is not known."""
+"""Names as people type them, and suggestions for unknown names."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ T = TypeVar("T")
 def choose(what: str, name: str, choices: Mapping[str, T]) -> T:
     """The choice of that name: ``no-slip`` is found as ``no_slip``, ``noslip`` and ``No Slip`` too.
 
-    Raises ``RimrollError`` with the nearest name and all that there are.
+    Raises ``RimrollError`` with the nearest name and all choices.
     """
     found = {_bare(known): choice for known, choice in choices.items()}
     if _bare(name) not in found:
@@ -23,7 +23,7 @@ def choose(what: str, name: str, choices: Mapping[str, T]) -> T:
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """A suggestion, and all that would be known: the end of a message."""
+    """The end of a message: the nearest known name, and all known names."""
     names = list(known)
     near = difflib.get_close_matches(name, names, n=1)
     choices = ", ".join(names) or "none"
@@ -31,7 +31,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
 
 
 def typed(name: str) -> str:
-    """A field's or a law's name as it is typed: ``no-slip``."""
+    """The name of a field or law as users type it: ``no-slip``."""
     return name.replace("_", "-")
 
 

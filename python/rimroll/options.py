@@ -22,7 +22,7 @@ class Options:
     def read(
         cls, duration: object, gravity: object, rtol: object, topple_tilt: object, max_steps: object
     ) -> Options:
-        """Options as users give them; raises ``RimrollError`` for what is no such quantity."""
+        """Options as users give them; raises ``RimrollError`` for other values."""
         return cls(
             number("duration", duration, "s"),
             number("gravity", gravity, "m/s^2"),
@@ -33,5 +33,5 @@ class Options:
 
     @property
     def values(self) -> tuple[float, float, float, float | None, int]:
-        """The same as the core takes them."""
+        """The options in the order of the core's arguments."""
         return self.duration, self.gravity, self.rtol, self.topple_tilt, self.max_steps

@@ -165,7 +165,7 @@ def _draw_rate_plane(ax: Axes, moments: Moments, color: str) -> None:
 
 
 def _power(values: Array) -> int:
-    """The power of a thousand, as a power of ten, in which the largest value is told."""
+    """The exponent, a multiple of 3, of the unit in which the largest value is shown."""
     peak = float(np.abs(values).max())
     return 3 * int(np.floor(np.log10(peak) / 3.0)) if peak > 0.0 else 0
 

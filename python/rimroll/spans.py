@@ -1,4 +1,4 @@
-"""The turns of a motion as pictures show them: from when to when, and by what angle."""
+"""The turns of a motion as pictures show them: their times and angles."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from rimroll.scene import Motion
 
 @dataclass(frozen=True)
 class Span:
-    """A turn: tilt maximum or release, near collision, next maximum or end, s; yaw's change, rad.
+    """A turn: times of its start, tilt minimum and end, s; and its angle, rad.
 
-    Unlike the turns that a motion counts, the last may be cut short, as by toppling.
+    Unlike the last of :attr:`rimroll.Motion.turns`, the last span may end early, as by toppling.
     """
 
     start: float
@@ -24,7 +24,7 @@ class Span:
 
 
 def turn_spans(motion: Motion) -> list[Span]:
-    """All turns of a motion, in order of time, told by its events."""
+    """All turns of a motion, in order of time, from its events."""
     highest = ("tilt_max", "on_edge")
     near = [float(event.t) for event in motion.events if event.kind == "tilt_min"]
     high = np.array([float(event.t) for event in motion.events if event.kind in highest])

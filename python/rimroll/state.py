@@ -1,4 +1,4 @@
-"""Where the body is and how it moves."""
+"""Position and velocity of a body."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ else:
 class State(Generic[FieldT]):
     """Position and motion in the paper's Euler angles (rad, rad/s).
 
-    Every field is a number or an array, or carries a unit as :mod:`rimroll.given` describes; arrays
-    must agree in shape, and numbers stand for all. Data arrays of xarray broadcast by the names of
-    their dimensions. For type checkers a state of single numbers is a ``State[float]``, whose
-    fields are floats.
+    Every field is a number or an array, with or without a unit (see :mod:`rimroll.given`). Arrays
+    must have the same shape; single numbers apply to all elements. Data arrays of xarray broadcast
+    by the names of their dimensions. For type checkers, a state of single numbers is a
+    ``State[float]``, whose fields are floats.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class State(Generic[FieldT]):
     ------
     RimrollError
         A value that is not a finite number, a unit of another kind, a tilt outside (0, π), arrays
-        that differ in shape; of an array the message names the element, ``tilt[1]``.
+        that differ in shape; for an array the message names the element, as ``tilt[1]``.
     """
 
     tilt: FieldT
@@ -115,7 +115,7 @@ class State(Generic[FieldT]):
             raise RimrollError(f"the arrays of a State must agree in shape, got {arrays}")
 
     def _is_plain(self) -> bool:
-        """Whether it is of valid floats, as most are, for which nothing more is to be done."""
+        """Whether all fields are valid floats, the usual case, which needs no conversion."""
         values = vars(self).values()
         plain = all(type(value) is float and math.isfinite(value) for value in values)
         return plain and 0.0 < self.tilt < math.pi  # type: ignore[return-value]
@@ -133,13 +133,13 @@ class State(Generic[FieldT]):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """What the fields broadcast to; () when every field is a single number."""
+        """The shape that the fields broadcast to; () when every field is a single number."""
         return Grid.over({f.name: getattr(self, f.name) for f in fields(self)}).shape
 
 
 def single(start: State) -> State[float]:
     """The start itself, when it is one; raises ``RimrollError`` for a State of arrays."""
-    # Its fields are floats or arrays; numpy is slow to say so.
+    # Faster than asking NumPy.
     if not all(isinstance(value, float) for value in vars(start).values()):
         raise RimrollError(f"a motion has one start, got arrays of shape {start.shape}")
     return cast("State[float]", start)

@@ -1,11 +1,11 @@
-"""The angle of turn in closed form, how motions approach it, and what they ask of the table.
+"""The angle of turn in closed form, how motions approach it, and the friction that they need.
 
 Symbols: K = A + mH², J = K + mR². SI units and radians. Every function raises ``RimrollError`` for
 numbers outside the bounds that it states.
 
-The functions of a body that return one number take arrays, too: bodies, laws and numbers broadcast,
-and the result is an array of that shape, to the last bit that of each by itself. Data arrays of
-xarray broadcast by the names of their dimensions, and the result is one, too.
+Functions that return one number take arrays, too: bodies, laws and numbers broadcast, and the
+result is an array of that shape; each element equals the single result to the last bit. Data arrays
+of xarray broadcast by the names of their dimensions, and then the result is a data array.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from rimroll.state import State, single
 
 @dataclass(frozen=True)
 class Arrival:
-    """How a body comes down on the table at the end of its tipping phase; the limit of ε → 0.
+    """The state of a body at the end of its tipping phase, in the limit ε → 0.
 
-    A near-collision under friction depends on slip and spin relative to H ω and ω.
+    A near-collision under friction depends on the ratios slip/(H ω) and axial_spin/ω.
     """
 
     tipping_rate: float = 1.0
@@ -37,7 +37,7 @@ class Arrival:
     axial_spin: float = 0.0
     """s = dθ/dt + dψ/dt cos φ, rad/s, positive in the direction of the turn."""
     friction_ratio: float = math.nan
-    """The largest |T|/N on the way down: what tipping without slip needs. NaN if not known."""
+    """The largest |T|/N on the way down: the friction that tipping needs. NaN if unknown."""
 
     def __post_init__(self) -> None:
         units = {
@@ -55,7 +55,7 @@ class Arrival:
 
 @dataclass(frozen=True)
 class Passage:
-    """What a near-collision makes of an arrival, in the limit of ε → 0."""
+    """The result of a near-collision, in the limit ε → 0."""
 
     turn: float
     """The limiting angle of turn, rad."""
@@ -72,10 +72,10 @@ class Passage:
 def arrival(
     body: Body, start: State, law: Law, gravity: Number = _core.STANDARD_GRAVITY
 ) -> Arrival:
-    """How a body let go at ``start`` comes down, in the limit of ever smaller sideways rates.
+    """How a body released at ``start`` comes down, in the limit of ever smaller sideways rates.
 
-    The start's yaw rate and spin rate are taken for zero. Raises ``RimrollError`` where the base
-    does not come down flat: for a start that topples, a rim that lifts off on the way.
+    The yaw rate and spin rate of the start are ignored. Raises ``RimrollError`` if the base
+    does not come down flat, because the body topples or its rim lifts off on the way.
     """
     one_body(body)
     expect("start", start, State)
@@ -91,16 +91,15 @@ def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> Any:
     Source: the paper, Eqs. (15) and (19) of the preprint. Erratum: the last two
     lines of the former print the fraction upside down.
 
-    Other laws: the near-collision is computed by itself, to 3e-8 rad. It depends on how the body
-    arrives: at rest on its rim and without spin unless ``arrival`` says otherwise (see
-    :func:`arrival`); under ``Stribeck`` and ``Tabulated`` friction, which have speeds of their own,
-    on the tipping rate as well. Under Coulomb friction it is the no-slip angle from
-    μ = ``needed_friction(body)`` on, the frictionless one at μ = 0, and for a body like the can it
-    falls steadily between; a low, wide body may turn a little more under a little friction than
-    under none. Under friction a body goes on turning as it rises: its whole turn from release to
-    tilt maximum tends to another value.
+    Other laws: the near-collision is computed numerically, to 3e-8 rad. It depends on the arrival:
+    by default the rim is at rest and the body has no spin (see :func:`arrival`). Under ``Stribeck``
+    and ``Tabulated`` friction, which contain speeds, it also depends on the tipping rate. Under
+    Coulomb friction it is the no-slip angle for μ ≥ ``needed_friction(body)`` and the frictionless
+    angle at μ = 0. For a body like the can it decreases steadily in between; a low, wide body may
+    turn slightly more under weak friction than without friction. Under friction a body continues
+    to turn as it rises, so its whole turn from release to tilt maximum tends to another value.
 
-    Raises ``RimrollError`` when the rim lifts off on the way or Painlevé's paradox is met.
+    Raises ``RimrollError`` if the rim lifts off on the way or at Painlevé's paradox.
     """
     expect("body", body, Body)
     contact_law(law)
@@ -110,9 +109,9 @@ def turn_limit(body: Body, law: Law, arrival: Arrival | None = None) -> Any:
 
 
 def passage(body: Body, law: Law, arrival: Arrival | None = None) -> Passage:
-    """The near-collision by itself, computed: its turn, and how the body leaves it.
+    """The near-collision in the limit ε → 0: its turn, and the state of the body after it.
 
-    ``arrival`` as for :func:`turn_limit`, which has the errors too.
+    ``arrival`` and errors are those of :func:`turn_limit`.
     """
     one_body(body)
     one_law(law)
@@ -137,7 +136,7 @@ def turn_limit_with_spin(body: Body, axial_spin: Values, tipping_rate: Values) -
 def disk_turn_limit(gyration_ratio: Values) -> Any:
     """Limiting angle of a disk, rad: π √(2 + k²)/k for the radius of gyration kR, k > 0.
 
-    Source: the paper, Eq. (23). The same with and without friction. Uniform disk:
+    Source: the paper, Eq. (23). It holds with and without friction. Uniform disk:
     k = 1/√2, π√5; ring: k = 1, π√3; it grows without bound as k → 0.
     """
     return elementwise(_core.disk_turn_limit, values("gyration_ratio", gyration_ratio))
@@ -169,7 +168,7 @@ def point_mass_turn_limit(radius: Values, height: Values, law: Law) -> Any:
 def needed_friction(body: Body) -> Any:
     """Friction coefficient needed to roll through the near-collision: μ* = mHR/(A + mH²).
 
-    |T|/N tends to it, and stays there throughout, however violent the near-collision. The paper
+    |T|/N tends to this constant throughout the near-collision, however violent it is. The paper
     shows a finite ratio in its simulation figure and gives no formula.
     """
     expect("body", body, Body)
@@ -177,9 +176,9 @@ def needed_friction(body: Body) -> Any:
 
 
 def painleve_friction(body: Body) -> Any:
-    """Friction coefficient from which on sliding can meet Painlevé's paradox: 2 √(q (1 + q)).
+    """Smallest friction coefficient at which Painlevé's paradox can occur: 2 √(q (1 + q)).
 
-    q = A/(m (R² + H²)). Below it the normal force is determined however the body slides.
+    q = A/(m (R² + H²)). Below it the normal force is unique for every direction of slip.
     """
     expect("body", body, Body)
     return elementwise(_core.painleve_friction, body)
@@ -209,8 +208,8 @@ def error_law_coefficient(
 def steady_wobble_rate(body: Body, tilt: Values, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
     """Yaw rate of the steady wobble at a tilt with the centre of mass at rest, rad/s.
 
-    ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate that
-    goes with it is ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
+    ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate is
+    ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
     """
     expect("body", body, Body)
     tilt, gravity = values("tilt", tilt, "rad"), values("gravity", gravity, "m/s^2")
@@ -224,7 +223,7 @@ def balance_tilt(body: Body) -> Any:
 
 
 def lift_off_rate(body: Body, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
-    """Rate of tipping on arrival above which rolling needs pull from the table, rad/s: √(gK/(JH)).
+    """Tipping rate on arrival above which a rolling rim lifts off, rad/s: √(gK/(JH)).
 
     Infinite for a disk. The paper warns that a flick too fast lifts the can off.
     """
@@ -233,7 +232,7 @@ def lift_off_rate(body: Body, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
 
 
 def slip_rate(body: Body, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
-    """Rate of tipping on arrival above which tipping needs more friction than μ*, rad/s.
+    """Tipping rate on arrival above which tipping needs more friction than μ*, rad/s.
 
     √(2mgHK/(J(K + mH²))): the ratio |T|/N at the end of the tipping phase passes μ* there.
     """

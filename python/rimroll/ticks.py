@@ -1,6 +1,6 @@
 """Ticks of zoomed axes in few digits: the power of ten and the offset go into the axis's label.
 
-Beside the axis, where matplotlib writes them, they run into the title or another label.
+Where matplotlib writes them, beside the axis, they collide with the title or another label.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from rimroll.style import superscript
 
 FAR = 20.0
-"""So many times their range from zero, ticks are told from one of them."""
+"""If ticks are farther from zero than this multiple of their range, they get an offset."""
 
 PLAIN = range(-1, 4)
-"""Powers of ten that are not taken out of the ticks."""
+"""Powers of ten that stay in the ticks."""
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ def powers_into_label(axis: Axis) -> None:
 
 
 def _power(number: float) -> int:
-    """Of ten, of a number's first digit."""
+    """The power of ten of a number's first digit."""
     return int(f"{number:.3e}".split("e")[1])
 
 

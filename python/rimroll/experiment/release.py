@@ -1,4 +1,4 @@
-"""How a hand lets go: the scatter of starts from one flick to the next."""
+"""How a hand releases a body: the scatter of starts from one flick to the next."""
 
 from __future__ import annotations
 
@@ -25,28 +25,29 @@ Array = NDArray[np.float64]
 MOST_TRIALS = 10_000_000
 
 SURPLUS = 1.7
-"""Energy of a flick over what toppling takes: friction in the near-collision wants its part."""
+"""Ratio of a flick's energy to that needed to topple, since friction takes some of it."""
 
 LEAST_CHANCE = 2.0**-54
-"""In place of a drawn 0, which no quantile belongs to."""
+"""Replaces a random number 0, which has no quantile."""
 
 
 @dataclass(frozen=True)
 class Release:
-    """The distribution of starts of a body that a hand tilts and lets go or flicks.
+    """The distribution of starts of a body that a hand tilts and releases or flicks.
 
     Each quantity is normally distributed, given as ``(mean, spread)`` or as a mean alone; the
-    spread is a standard deviation. A perfect hand has all spreads, ``sideways`` and ``twist`` zero.
+    spread is a standard deviation. For a perfect hand all spreads, ``sideways`` and ``twist`` are
+    zero.
 
     Parameters
     ----------
     tilt
-        Tilt, rad; what is drawn lies inside (0, π/2).
+        Tilt, rad; its distribution is truncated to (0, π/2).
     tilt_rate
-        dφ/dt, rad/s: 0 for a body just let go, negative for one flicked upright.
+        dφ/dt, rad/s: 0 for a body released at rest, negative for one flicked upright.
     sideways
-        Angular velocity about the horizontal line along which the body leans, rad/s: how far the
-        flick misses the middle. ``tilt_rate`` times the tangent of the error of aim.
+        Angular velocity about the horizontal line along which the body leans, rad/s: ``tilt_rate``
+        times the tangent of the error of aim.
     twist
         Angular velocity about the vertical, rad/s.
     friction_scale
@@ -85,7 +86,7 @@ class Release:
         return choose("release", name.replace("-", " ").replace("_", " "), PRESETS)(body, gravity)
 
     def with_unsteadiness(self, factor: float) -> Self:
-        """The same release by a hand whose ``sideways`` and ``twist`` scatter by a factor more."""
+        """A copy with the spreads of ``sideways`` and ``twist`` multiplied by a factor."""
         return replace(
             self,
             sideways=(self.sideways[0], factor * self.sideways[1]),
@@ -94,14 +95,14 @@ class Release:
 
     @property
     def symmetric(self) -> bool:
-        """Whether it favours neither left nor right."""
+        """Whether left and right are equally likely."""
         return self.sideways[0] == 0.0 and self.twist[0] == 0.0
 
     def draw(self, n: int, seed: int) -> tuple[State, Array]:
         """``n`` starts, a State of arrays (n,), and the friction scale of each, (n,).
 
-        Trial k is the same whatever ``n``. Raises ``RimrollError`` for an ``n`` that is no whole
-        number from 1 to :data:`MOST_TRIALS`, a ``seed`` that is none from 0 to 2⁶³.
+        Trial k is the same whatever ``n``. Raises ``RimrollError`` unless ``n`` is a whole number
+        from 1 to :data:`MOST_TRIALS` and ``seed`` one from 0 to below 2⁶³.
         """
         count = whole_number("n", n)
         if count > MOST_TRIALS:
@@ -110,10 +111,10 @@ class Release:
         return self.at(np.maximum(chances, LEAST_CHANCE))
 
     def at(self, chances: Array) -> tuple[State, Array]:
-        """Starts and scales by inversion of numbers (n, 5) that are even in (0, 1).
+        """Starts and friction scales from numbers (n, 5) that are uniform in (0, 1), by inversion.
 
-        One column a field, in their order, so that releases which differ a little give starts which
-        differ a little.
+        There is one column for each field, in their order, so that similar releases give similar
+        starts.
         """
         chances = chances.T
         mean, spread = self.tilt
@@ -138,9 +139,9 @@ class Release:
 
 
 def _sideways_rates(tilt: Any, sideways: Any, twist: Any) -> dict[str, Any]:
-    """Euler rates of a rotation ``sideways`` e_x1 + ``twist`` e_z, besides the tilting.
+    """Yaw and spin rate of the rotation ``sideways`` e_x1 + ``twist`` e_z.
 
-    It is ψ̇ e_z + θ̇ e_z2 with the axis e_z2 = −sin φ e_x1 + cos φ e_z.
+    The rotation is ψ̇ e_z + θ̇ e_z2 with the axis e_z2 = −sin φ e_x1 + cos φ e_z.
     """
     sin, cos = np.sin(tilt), np.cos(tilt)
     return {"yaw_rate": twist + sideways * cos / sin, "spin_rate": -sideways / sin}
@@ -176,7 +177,7 @@ def _let_go(body: Body, gravity: float) -> Release:
 
 
 def _flick(body: Body, gravity: float) -> Release:
-    """As fast as toppling takes with much to spare, unless the rim would leave the table."""
+    """A flick with more energy than toppling needs, unless the rim would then leave the table."""
     tilt = 0.5 * balance_tilt(body)
     weight = body.mass * gravity
     over = body.radius * math.sin(tilt) + body.height * math.cos(tilt)
@@ -190,10 +191,10 @@ def _flick(body: Body, gravity: float) -> Release:
 
 
 def nudged(body: Body, gravity: float, tilt: float | None = None) -> State:
-    """A start from which a body rocks: let go at half its balance tilt, pushed aside a little.
+    """A start from which a body rocks: released at half its balance tilt with a small side push.
 
-    It is the mean of the release ``let go`` with a push of one standard deviation; another ``tilt``
-    (rad) may take the place of its own.
+    It is the mean of the release ``let go`` with a push of one standard deviation; ``tilt`` (rad)
+    replaces its tilt.
     """
     release = _let_go(body, gravity)
     start = State(tilt=release.tilt[0] if tilt is None else tilt)
@@ -208,9 +209,9 @@ def _rim_inertia(body: Body) -> float:
 
 
 def _fastest_squared(body: Body, tilt: float, gravity: float) -> float:
-    """(dφ/dt)² up to which a rim that rolls stays on the table while tipping from a tilt to 0.
+    """The largest (dφ/dt)² with which a rolling rim stays on the table from a tilt down to 0.
 
-    Below 0 where it does not stay even when let go at rest, as of a disk that leans far over.
+    Negative if the rim leaves the table even when released at rest, like a disk at a large tilt.
     """
     m, r, h = body.mass, body.radius, body.height
     tilts = np.linspace(0.0, tilt, 101)
@@ -235,11 +236,11 @@ def _paper(body: Body, gravity: float) -> Release:
 PRESETS = {"let go": _let_go, "flick": _flick, "paper": _paper}
 """Releases by name, for a body under gravity.
 
-let go: tilted to half the balance tilt and let go by a steady hand; the body rocks.
+let go: tilted to half the balance tilt and released by a steady hand; the body rocks.
 flick: flicked over from half the balance tilt, with energy to spare and an error of aim of 3
-degrees. A low, wide body that cannot be toppled so without leaving the table is flicked less, and
-rocks; on a table without friction a tall, thin one may rock, too.
-paper: a guess at the flicks of the paper, which did not control them. From 20 degrees at 5 rad/s
-its can topples without lifting off; an error of aim of 6 degrees spreads the falls by about the
-4 degrees that were measured.
+degrees. A low, wide body that would then leave the table before it topples is flicked less hard,
+and rocks. On a table without friction a tall, thin body may rock, too.
+paper: an estimate of the flicks of the paper, which did not control them. From 20 degrees at
+5 rad/s its can topples without lifting off; an error of aim of 6 degrees spreads the falls by
+about 4 degrees, as measured.
 """

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 FALLING = replace(OPTIONS, rtol=1e-6)
-"""How these falls are followed unless the caller says otherwise: the defaults of :func:`topple`."""
+"""The defaults of :func:`topple`."""
 
 
 def topple(
@@ -46,29 +46,29 @@ def topple(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> xr.Dataset:
-    """Let a body go ``n`` times by hand and tell what became of it.
+    """Release a body ``n`` times by hand, and compute each fall.
 
     Parameters
     ----------
     body, law
         What is flicked, and how its rim meets the table.
     n
-        How many times. The paper: 42.
+        Number of releases. The paper: 42.
     release
-        How the hand lets go: a :class:`rimroll.Release`, or the name of a preset, ``let go``,
-        ``flick`` or ``paper`` (see :data:`rimroll.experiment.release.PRESETS`).
+        How the hand releases the body: a :class:`rimroll.Release`, or the name of a preset,
+        ``let go``, ``flick`` or ``paper`` (see :data:`rimroll.experiment.release.PRESETS`).
     seed
-        Of the scatter, a whole number >= 0; drawn by chance and told in the attributes unless
-        given. Trial k is the same whatever ``n`` and ``threads``.
+        Seed of the scatter, a whole number >= 0. By default it is random, and stored in the
+        attributes. Trial k is the same whatever ``n`` and ``threads``.
     gravity, duration, rtol, topple_tilt, max_steps, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
 
     Returns
     -------
     xarray.Dataset
-        As of :func:`rimroll.ensemble`, one row a trial, with the release and the seed among the
-        attributes. Angles in rad; ``direction`` is counted anticlockwise from the direction in
-        which the body leaned at first, so falls to the left of a hand that flicks it away from
+        The columns of :func:`rimroll.ensemble`, one row for each trial; the attributes include the
+        release and the seed. Angles are in rad. ``direction`` is counted anticlockwise from the
+        direction of the first lean, so falls to the left of a hand that flicks the body away from
         itself are above π.
 
     Raises
@@ -120,10 +120,10 @@ def let_go(
 
 
 def counted(falls: Falls | xr.Dataset) -> tuple[NDArray[np.float64], str]:
-    """The directions that count as those of the falls, rad, and what the body did: a word.
+    """The directions of the falls that count, rad, and their outcome.
 
-    ``toppled``: where it fell over, if it did so after coming down. ``rocked``: if that is more
-    common, where it leaned at its largest tilt, as a coin that gets up again.
+    The outcome is ``toppled`` or, if that is more common, ``rocked``; the directions of the latter
+    are those at the largest tilt, as for a coin that gets up again.
     """
     outcome = np.asarray(falls["outcome"])
     word = outcome_to_count(outcome)
