@@ -1,4 +1,4 @@
-"""Where a body falls: the directions of many falls, as a histogram and as seen from above."""
+"""The directions of many falls, as a histogram and as seen from above."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 WIDTHS = (0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)
-"""What bins may be wide, degrees: each divides 180, so that no bin has falls of both sides."""
+"""Widths of bins, degrees: each divides 180, so that no bin has falls of both sides."""
 
 DASHES: dict[str, Any] = {"no_slip": "-", "frictionless": (0, (4, 1.5))}
-"""Lines of the ideal limits; that of another law is dash-dotted."""
+"""Line styles of the ideal limits; the limit of another law is dash-dotted."""
 
 LETTERS = 125  # in a line across the page
 TITLE_PAD = 17.0  # leaves room for the rose's 180°
@@ -42,12 +42,12 @@ ROSE_WIDTH = 2.0  # of bins seen from above, degrees: narrower ones are no more 
 INK = "#555555"  # of small print
 
 SERIES = tuple(color for color in style.SERIES if color != style.MEASURED)
-"""Colours of several falls, beside which those that were measured stay apart."""
+"""Colours of several data sets, distinct from the colour of measured falls."""
 
 
 @dataclass(frozen=True)
 class _Falls:
-    """What is drawn of one dataset: directions that count, in degrees, and what the body did."""
+    """The drawn part of one dataset: directions that count, in degrees, and their outcome."""
 
     label: str
     data: Falls
@@ -58,7 +58,7 @@ class _Falls:
 
 @dataclass(frozen=True)
 class _View:
-    """The stretch of directions that is shown, degrees, and the bins in it."""
+    """The range of directions that is shown, degrees, and its bins."""
 
     center: float
     half: float
@@ -66,7 +66,7 @@ class _View:
 
     @property
     def edges(self) -> Array:
-        """Of the bins; the center is one of them."""
+        """The edges of the bins; the center is one of them."""
         count = round(self.half / self.width)
         edges: Array = self.center + self.width * np.arange(-count, count + 1.0)
         return edges
@@ -76,12 +76,12 @@ class _View:
         return around(self.center, degrees)
 
     def count(self, falls: _Falls) -> Array:
-        """How many falls there are in each bin."""
+        """The number of falls in each bin."""
         counts, _ = np.histogram(self.turned(falls.directions), self.edges)
         return counts.astype(np.float64)
 
     def highest(self, shown: list[_Falls]) -> float:
-        """The most falls in a bin, or 1."""
+        """The largest number of falls in a bin, but at least 1."""
         return max(1.0, *(float(self.count(one).max()) for one in shown))
 
 
@@ -151,7 +151,7 @@ def _shown(several: Mapping[str, Any]) -> list[_Falls]:
 
 
 def _limits(shown: list[_Falls]) -> dict[str, float]:
-    """Limiting turns by what they are called, degrees; those of several laws by their labels."""
+    """Limiting turns by label, degrees."""
     several = len({(one.data.attrs["law"], *law_of(one.data).numbers.items()) for one in shown}) > 1
     found: dict[str, float] = {}
     for one in shown:
@@ -188,7 +188,7 @@ def _view(shown: list[_Falls], marks: list[float]) -> _View:
 
 
 def _bin_width(shown: list[_Falls]) -> float:
-    """Freedman and Diaconis' rule for the two humps laid over each other, made round; degrees."""
+    """The rule of Freedman and Diaconis for the two humps, overlaid and rounded; degrees."""
     most = max(shown, key=lambda one: one.directions.size)
     if most.directions.size < 2:
         return 2.0
@@ -213,7 +213,7 @@ def _draw_flat(
         where = float(view.turned(np.array(mean)))
         ax.errorbar(where, 1.1 * highest, xerr=spread, **_mark_style())
     ax.axvline(view.center, color=style.CONTRAST, lw=0.6, ls=":", zorder=0)
-    # What is on the left of the hand, on the left: angles grow that way, but for falls back to it.
+    # Falls to the left of the hand are on the left: angles grow leftward, except for falls back.
     left = view.half if view.center else -view.half
     ax.set_xlim(view.center + left, view.center - left)
     ax.set_ylim(0.0, 1.2 * highest)
@@ -238,7 +238,7 @@ _OF = {"toppled": "fall", "rocked": "the largest tilt"}
 
 
 def _faint(shown: list[_Falls]) -> float:
-    """How strongly histograms are filled."""
+    """The opacity of histograms."""
     return 0.35 if len(shown) == 1 else 0.2
 
 
@@ -261,7 +261,7 @@ def _say_sides(ax: Axes) -> None:
 def _draw_rose(
     ax: PolarAxes, shown: list[_Falls], view: _View, turns: dict[str, float], marks: Any
 ) -> None:
-    """Radii go as the root of the counts, so that areas go as the counts."""
+    """Radii are proportional to the root of the counts, so areas are proportional to the counts."""
     view = replace(view, half=180.0, width=max(view.width, ROSE_WIDTH))
     ax.set_theta_zero_location("S")  # the hand, which flicks away from itself, is at the bottom
     highest = view.highest(shown)
@@ -285,7 +285,7 @@ def _draw_rose(
 
 
 def _draw_rings(ax: PolarAxes, view: _View, highest: float) -> None:
-    """Counts and directions around the rose, where they leave it free."""
+    """Counts and directions around the rose, where there is room."""
     ticks = MaxNLocator(3, integer=True, steps=[1, 2, 5, 10]).tick_values(0.0, highest)
     counts = [tick for tick in ticks if 0 < tick <= highest]
     ax.set_rgrids(np.sqrt(counts), [f"{tick:g}" for tick in counts], size=6.0, color=INK)
@@ -298,7 +298,7 @@ def _draw_rings(ax: PolarAxes, view: _View, highest: float) -> None:
 
 
 def _line(name: str, shown: list[_Falls]) -> dict[str, Any]:
-    """How the limit of a law is drawn: in the law's colour, or that of its falls."""
+    """The style of a law's limit: in the colour of the law, or of its falls."""
     own = {one.label: one.color for one in shown if one.label}
     ideal = style.THEORY if own else style.COLORS.get(name)
     return {"color": own.get(name, ideal), "ls": DASHES.get(name, (0, (5, 1, 1, 1))), "lw": 1.1}
@@ -309,7 +309,7 @@ def _mark_style() -> dict[str, Any]:
 
 
 def _patches(shown: list[_Falls]) -> list[Patch]:
-    """Of several falls, which is which."""
+    """The legend of several data sets."""
     if len(shown) == 1:
         return []
     return [
@@ -334,7 +334,7 @@ def _mark(marks: Any) -> list[Line2D]:
 
 
 def _title(shown: list[_Falls], name: str) -> str:
-    """The body, the law and the release, how many there were and what became of them."""
+    """The body, the law, the release, the number of falls and their outcomes."""
     if len(shown) > 1:
         return name
     data = shown[0].data
@@ -362,7 +362,7 @@ def _share(falls: _Falls) -> str:
 
 
 def _release(data: Falls) -> list[str]:
-    """Means and spreads of the release, if there was one, in a line."""
+    """Means and spreads of the release, if there was one, in one line."""
     if "release_tilt" not in data.attrs:
         return []
 

@@ -1,4 +1,4 @@
-"""A body from measurements that a kitchen allows: R, H, A and C with a ruler and a stopwatch.
+"""A body from kitchen measurements: R, H, A and C with a ruler and a stopwatch.
 
 L = √(R² + H²) is the distance from the rim to the centre of mass, g gravity.
 
@@ -10,7 +10,7 @@ L = √(R² + H²) is the distance from the rim to the centre of mass, g gravity
 * C: the same pendulum swinging across, about the horizontal axis perpendicular to that tangent. Or
   the time in which it rolls down a slope on its side. No limiting angle of turn depends on C.
 
-The paper gives A/m = 5.13e-3 m² of its can and not how that was measured.
+The paper gives A/m = 5.13e-3 m² for its can, but not how this was measured.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ SLOPE = (
     ("slope_length", "slope_height", "slope_time"),
     ("slope_length", "slope_angle", "slope_time"),
 )
-"""The ways to measure each."""
+"""The ways to measure each number."""
 
 PIVOTS = {name: name for name in ("edge", "point")}
-"""What the body hangs on while it swings across."""
+"""Supports of the body while it swings across."""
 
-ROUNDING = 1e-9  # by which numbers may miss a bound that they are to meet
+ROUNDING = 1e-9  # relative tolerance of bounds
 
 Reading = Number | None
 
@@ -51,8 +51,8 @@ Reading = Number | None
 class Measurement:
     """A measured body: numbers with standard uncertainties, SI units and radians.
 
-    The numbers are ``uncertainties.UFloat``, with ``.nominal_value`` and ``.std_dev``. They know
-    how they hang together: ``transverse_inertia / mass`` has the uncertainty of that ratio.
+    The numbers are ``uncertainties.UFloat``, with ``.nominal_value`` and ``.std_dev``. They are
+    correlated: ``transverse_inertia / mass`` has the uncertainty of that ratio.
     """
 
     body: Body
@@ -63,9 +63,9 @@ class Measurement:
     transverse_inertia: UFloat
     axial_inertia: UFloat
     readings: Mapping[str, UFloat]
-    """What it was computed from."""
+    """The readings that it was computed from."""
     axial_inertia_measured: bool
-    """False where C is an estimate for a hollow vessel."""
+    """False if C is an estimate for a hollow vessel."""
 
     @property
     def turn_no_slip(self) -> UFloat:
@@ -129,42 +129,42 @@ def measure(
     Parameters
     ----------
     mass
-        m; needed, as is one way each to R, H and A.
+        m. It is required, and so is one way each to measure R, H and A.
     radius, diameter
         R of the rim, or 2R.
     length
-        How tall the body is, from its base to its top. Nothing is computed from it; but its centre
-        of mass and where it hangs must lie within.
+        Length of the body from its base to its top. It is only used to check that the centre of
+        mass and the pivot lie within.
     balance_point, balance_tilt
         H, the distance from the base at which the body on its side balances across an edge; or the
         tilt at which it balances on its rim.
     swings, swings_time, swing_period
-        How many swings there and back took how long; or the time of one. Hung from a point of the
-        rim of its base and swinging about the tangent there.
+        Number of swings, each there and back, and their total time; or the time of one swing. The
+        body hangs from a point of the rim of its base and swings about the tangent there.
     across_swings, across_time, across_period
-        The same swinging across, for C.
+        Number of swings across, and their total time; or the time of one swing; for C.
     across_pivot
-        What it hangs on then: an ``"edge"`` that holds its axis, unless given, or a ``"point"``, a
-        hook or a thread, on which it is free to twist as it swings.
+        Support of the swings across: an ``"edge"`` that holds the axis of rotation (the default),
+        or a ``"point"``, a hook or a thread, on which the body can twist as it swings.
     swing_amplitude
-        Angle to which it swung on either side; small unless given.
+        Angle to which it swung on either side; by default small.
     pivot_radius, pivot_height
-        Where it hangs if not on the rim of its base: distance from the symmetry axis, and height
-        above the base; a mug on its lip.
+        The pivot, if it is not on the rim of the base: distance from the symmetry axis, and height
+        above the base, as for a mug that hangs on its lip.
     rocking_tilt, rocking_time
-        Let go at rest from this tilt, how long until the next tilt maximum, for A. Losses shorten
-        it; so it is second best.
+        Tilt of a release at rest, and the time until the next tilt maximum, for A. Losses shorten
+        this time, so swings are better.
     slope_length, slope_height, slope_angle, slope_time, side_radius
-        Rolling on its side from rest down a slope, for C: the way, by how much that falls or its
-        angle, the time, and the radius on which it rolls, R unless given.
+        Rolling on its side from rest down a slope, for C: the distance, its height or angle, the
+        time, and the radius on which the body rolls, by default R.
     gravity
-        g; standard gravity unless given.
+        g; by default standard gravity.
 
     Raises
     ------
     RimrollError
-        Something missing, given twice, or that no rigid body can have done; the message names the
-        measurement that is most likely wrong.
+        A measurement is missing, given twice, or impossible for a rigid body; the message names
+        the measurement that is most likely wrong.
     """
     given = dict(locals())
     return measured(given, given.pop("across_pivot"))
@@ -214,7 +214,7 @@ class _Bench:
         return self.radius * umath.cos(tilt) / umath.sin(tilt)
 
     def _check_length(self) -> None:
-        """Refuse what lies above the top of the body, by more than its readings leave open."""
+        """Raise ``RimrollError`` if the pivot or centre of mass is clearly above the body's top."""
         if "length" not in self.readings:
             return
         length, way = self.readings["length"], self.readings.way(HEIGHT)
@@ -261,7 +261,7 @@ class _Bench:
         return self._estimate()
 
     def _period(self, way: tuple[str, ...]) -> UFloat:
-        """Of one swing, in the limit of small ones: T times the arithmetic-geometric mean of 1 and
+        """The period in the limit of small swings: T times the arithmetic-geometric mean of 1 and
         cos(a/2) for the amplitude a (Gauss), 1 − a²/16 ...
         """
         period = self.readings[way[-1]]
@@ -275,12 +275,12 @@ class _Bench:
         return period * mean
 
     def _swinging_inertia(self, period: UFloat) -> UFloat:
-        """About the axis of the swings, less mL²."""
+        """The moment of inertia about the axis of the swings, less mL²."""
         arm = self.arm[2]
         return self.mass * arm * (self.gravity * (period / (2.0 * math.pi)) ** 2 - arm)
 
     def _swing_period_of(self, inertia: UFloat) -> float:
-        """The period that an inertia, less mL², makes, s."""
+        """The period, s, for a moment of inertia less mL²."""
         arm = self.arm[2]
         period = 2.0 * math.pi * umath.sqrt((inertia / (self.mass * arm) + arm) / self.gravity)
         return float(period.nominal_value)
@@ -325,7 +325,7 @@ class _Bench:
         p, q, arm = self.arm
         if self.pivot == "edge":  # (A q² + C p²)/L²
             least, most = transverse * q**2 / arm**2, transverse * (q**2 + 2.0 * p**2) / arm**2
-        else:  # it twists so as to have no angular momentum about the vertical
+        else:  # it twists, with no angular momentum about the vertical
             least, most = 0.0 * transverse, 2.0 * transverse * arm**2 / (p**2 + 2.0 * q**2)
         low, high = self._swing_period_of(least), self._swing_period_of(most)
         if not low < period.nominal_value <= high * (1.0 + ROUNDING):

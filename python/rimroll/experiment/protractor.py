@@ -1,4 +1,4 @@
-"""A sheet to print and lay under a can, to read in which direction it falls.
+"""A sheet to print and lay under a can, to read the direction in which it falls.
 
 The page is drawn at true size, on axes that cover it in mm from its lower left corner. Directions
 are counted in degrees anticlockwise as seen from above, from 0 at the foot of the page, toward
@@ -31,7 +31,7 @@ from rimroll.theory import turn_limit
 
 @dataclass(frozen=True)
 class Paper:
-    """A sheet of paper and how it is divided, mm."""
+    """A sheet of paper and its layout, mm."""
 
     width: float
     height: float
@@ -156,7 +156,7 @@ class _Page:
         )
 
     def bands(self) -> None:
-        """The directions between the two limits, to either side; a line where they are one."""
+        """The directions between the two limits, on both sides; a line if the limits coincide."""
         rolling, sliding = falls(self.body)
         between = math.degrees(
             turn_limit(self.body, Frictionless()) - turn_limit(self.body, NoSlip())
@@ -198,14 +198,14 @@ class _Page:
             self._along(direction, end, text)
 
     def _end_of_labels(self, near_foot: bool) -> float:
-        """How far from the middle labels 19 mm long end; clear of what is said at the foot."""
+        """Distance from the middle where labels 19 mm long end, clear of the text at the foot."""
         if self.inner - self.rim_radius > 19.0:
             crowded = near_foot and self.outside and self.rim_radius > 40.0
             return self.rim_radius - 6.0 if crowded else self.inner - 1.5
         return self.rim_radius - (34.0 if near_foot else 8.0)
 
     def _along(self, direction: float, end: float, text: str) -> None:
-        """Writes along a ray up to ``end``, turned so that it is read from the foot of the page."""
+        """Writes along a ray up to ``end``, readable from the foot of the page."""
         leftward = direction > 180.0
         self.write(
             *self.at(direction, end),
@@ -254,7 +254,7 @@ class _Page:
             side = "right" if direction == 90 else "left"
             self.write(*self.at(direction, self.ring - 5.4), f"{direction}", ha=side, **style)
             return
-        lower = direction < 90 or direction > 270  # the other way up, for who reads at the foot
+        lower = direction < 90 or direction > 270  # the other way up, for a reader at the foot
         style["rotation"] = direction if lower else direction - 180.0
         place = self.at(direction, self.ring - NUMBERS + 0.9)
         self.write(*place, f"{direction}", ha="center", **style)
@@ -270,7 +270,7 @@ class _Page:
         self.ax.add_patch(Circle(self.at(0.0, self.rim_radius), 1.4, fc=INK, ec="white", zorder=5))
 
     def lean(self) -> None:
-        """Where to lean it, at the foot."""
+        """The direction in which to lean the body, at the foot."""
         if self.outside:
             tail, words = self.rim_radius + 3.0, self.rim_radius + 15.5
         else:
@@ -281,7 +281,7 @@ class _Page:
         self.write(*self.at(0.0, words), text, **style)
 
     def flick(self) -> None:
-        """Which way to flick it, from 0 to 180."""
+        """The direction in which to flick it, from 0 to 180."""
         inside = self.rim_radius > 30.0
         tail = 5.0 if inside else self.rim_radius + 3.0
         head = 0.6 * self.rim_radius if inside else tail + 16.0
@@ -322,7 +322,7 @@ class _Page:
             self.write(right, top - 15.0 - 4.0 * row, fact, 7.5, ha="right")
 
     def key(self) -> None:
-        """What shade and lines mean, in the corner beside the ring."""
+        """The legend of shade and lines, in the corner beside the ring."""
         x, y = MARGIN, self.foot_of_ring + 10.5
         rolling, sliding = falls(self.body)
         self.line((x, y), (x, y + 4.5), lw=1.2)
@@ -334,7 +334,7 @@ class _Page:
         self.write(x, y - 1.6, said, 6.4, va="top")
 
     def steps(self) -> None:
-        """What to do, numbered, beside the boxes."""
+        """The numbered instructions beside the boxes."""
         size, letters = self.paper.type
         y = self.foot_of_ring - 7.0
         for number, step in enumerate(STEPS, 1):
@@ -344,7 +344,7 @@ class _Page:
             y -= 0.478 * size * len(lines) + 1.2
 
     def boxes(self) -> None:
-        """Boxes for readings, and lines for what else to remember."""
+        """Boxes for readings, and lines for notes."""
         width, height = self.paper.box
         right = self.paper.width - MARGIN
         left, top = right - COLUMNS * width, self.foot_of_ring - 9.5
@@ -362,7 +362,7 @@ class _Page:
             )
 
     def foot(self) -> None:
-        """The bar that shows whether the printer kept the scale, and who made the sheet."""
+        """The bar that checks the scale of the print, and the name of the program."""
         y = MARGIN
         self.line((MARGIN, y), (MARGIN + BAR, y), lw=1.2, gid="bar")
         for mm in range(0, int(BAR) + 1, 10):
@@ -377,7 +377,7 @@ class _Page:
 
 
 def _apart(directions: list[float], least: float) -> list[float]:
-    """Sorted directions (degrees), moved so as to be ``least`` apart, each as little as it may."""
+    """Sorted directions (degrees), moved as little as possible to be ``least`` apart."""
     moved = np.array(directions)
     for _ in range(50):
         short = np.clip(least - np.diff(moved), 0.0, None)

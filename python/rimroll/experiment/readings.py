@@ -1,4 +1,4 @@
-"""What was read off scales, rulers and stopwatches, and how far each reading can be trusted.
+"""Readings of scales, rulers and stopwatches, with their uncertainties.
 
 A reading is a quantity with its standard uncertainty (one standard deviation), in SI units and
 radians. Readings are independent of each other; each is tagged with its name, so that whatever is
@@ -43,15 +43,15 @@ UNITS = {
     "side_radius": "m",
     "gravity": "m/s^2",
 }
-"""What can be measured, and the SI unit of each."""
+"""The readings, and their SI units."""
 
 HAND = 0.1
-"""The least uncertainty of a stopwatch in a hand, s, where none is given."""
+"""The smallest uncertainty of a hand-held stopwatch, s, if none is given."""
 FRAME = 1.0 / 30.0
-"""The same of what is read off a film, a frame of it, s."""
+"""The smallest uncertainty of a time read from a film, one frame, s, if none is given."""
 
 ESTIMATE = "estimate"
-"""The tag of what was not read but guessed."""
+"""The tag of an estimated number."""
 
 _LEAST = {"swings_time": HAND, "across_time": HAND, "slope_time": HAND, "rocking_time": FRAME}
 _COUNTS = ("swings", "across_swings")
@@ -59,27 +59,27 @@ _FEWEST = 5  # swings that a hand can time
 _MAY_BE_ZERO = ("balance_point", "pivot_height")
 
 Way = tuple[str, ...]
-"""Readings that together give one number of a body."""
+"""Readings that together determine one number of a body."""
 
 
 class Readings(Mapping[str, UFloat]):
-    """The readings that are given, by name.
+    """The given readings, by name.
 
     Parameters
     ----------
     given
-        Numbers in SI units, taken to be exact; texts as :func:`rimroll.units.reading` takes them;
-        quantities with units, or of ``uncertainties``; None is left out. A text that does not say
-        its uncertainty has half a unit of its last digit, times also at least :data:`HAND` or
-        :data:`FRAME`; counts and gravity are exact.
+        Exact numbers in SI units; texts as for :func:`rimroll.units.reading`; quantities with
+        units, or numbers of ``uncertainties``. None is left out. The uncertainty of a text is half
+        a unit of its last digit unless stated, and for times at least :data:`HAND` or
+        :data:`FRAME`. Counts and gravity are exact.
     typed
         How messages write the name of a reading.
 
     Raises
     ------
     RimrollError
-        What is no such quantity, or not positive; counts that are not whole or below 5; angles
-        beyond 90 degrees.
+        A value that is not such a quantity or not positive; a count that is not a whole number of
+        at least 5; an angle above 90 degrees.
     """
 
     def __init__(self, given: Mapping[str, object], typed: Callable[[str], str] = str) -> None:
@@ -132,7 +132,7 @@ class Readings(Mapping[str, UFloat]):
         return number, max(uncertainty, _LEAST.get(name, 0.0)) if isinstance(value, str) else 0.0
 
     def way(self, ways: Sequence[Way]) -> Way | None:
-        """Which of the ways to measure one number was taken; None if none was.
+        """The way in which a number was measured; None if it was not.
 
         Raises ``RimrollError`` for one that lacks a reading, and for two at once.
         """
@@ -152,7 +152,7 @@ class Readings(Mapping[str, UFloat]):
         raise RimrollError(f"{self.typed(used[0])} also needs {missing}")
 
     def lacking(self, needs: Sequence[Sequence[Way]]) -> list[str]:
-        """Of numbers that can be measured in some ways each, those that are not, in words."""
+        """The numbers that were not measured in any of their ways, in words."""
         return [
             " or ".join("+".join(map(self.typed, way)) for way in ways)
             for ways in needs
@@ -173,7 +173,7 @@ _SHOWN = {
 
 
 def pretty(value: UFloat | float, unit: str) -> str:
-    """A quantity in the units of a kitchen, to the digits that its uncertainty leaves it.
+    """A quantity in kitchen units, rounded to the digits that its uncertainty allows.
 
     >>> pretty(0.069, "m")
     '6.9 cm'
@@ -200,6 +200,6 @@ def _leading(number: float) -> int:
 
 
 def main_source(number: UFloat) -> str:
-    """The reading from which most of a number's uncertainty comes; empty if it has none."""
+    """The reading that contributes most to a number's uncertainty; empty if there is none."""
     parts = {part.tag: size for part, size in number.error_components().items() if size > 0.0}
     return max(parts, key=parts.__getitem__, default="")

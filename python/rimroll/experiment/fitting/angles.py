@@ -1,4 +1,4 @@
-"""Directions of fall from a file: which columns hold them, and what their numbers mean."""
+"""Directions of fall from a file: the columns that contain them, and their units."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LEANS = re.compile(r"lean|(direction of |angle of )?(the )?first|start direction
 _UNIT_AT_END = re.compile(r"\s*(\[[^\]]*\]|\([^)]*\))$")
 
 ENOUGH = 8
-"""Falls of a kind that are worth a fit."""
+"""The smallest number of falls of one outcome for a fit."""
 
 MOST_LINES = 10
 """Lines without an angle that a message lists."""
@@ -39,7 +39,7 @@ FEWEST_LABELS = 4
 
 @dataclass(frozen=True)
 class FallDirections:
-    """Directions of fall, and what they were read from."""
+    """Directions of fall, and the columns that they were read from."""
 
     directions: Array = field(repr=False)
     """Angles (n,), rad, 0 to 2π, counted anticlockwise from the direction of the first lean."""
@@ -59,10 +59,10 @@ def read_directions(
     """Directions of fall from a file of comma, semicolon, tab or space separated values.
 
     One column: the direction of fall, counted from the direction of the first lean. Two: the
-    direction of the first lean and that of the fall, by the same protractor. More need a line of
-    names with ``direction`` among them, or ``column``; a column named ``lean`` is the first lean.
-    A file written by ``rimroll topple`` gives the falls that count. Lines that begin with #
-    are passed over. Files that spreadsheets write are read as they are: semicolons, decimal
+    direction of the first lean and that of the fall, by the same protractor. A file with more
+    columns needs a line of names with ``direction`` among them, or ``column``; a column named
+    ``lean`` is the first lean. From a file of ``rimroll topple``, the falls that count are read.
+    Lines that begin with # are skipped. Files of spreadsheets work unchanged: semicolons, decimal
     commas, quotes, UTF-8, UTF-16 or Windows' code page 1252.
 
     Parameters
@@ -75,8 +75,8 @@ def read_directions(
     clockwise
         Whether angles grow clockwise seen from above, as on a compass.
     outcome
-        Which rows to take where there is a column ``outcome``; ``toppled`` if there are 8 of them,
-        else ``rocked``, unless given.
+        The outcome of the rows to read, if there is a column ``outcome``; by default ``toppled``
+        if there are at least 8 of them, else ``rocked``.
     column, lean_column
         The columns of the direction of fall and of the first lean, by name, with or without the
         unit in brackets at its end, or by number from 1.
@@ -90,9 +90,9 @@ def read_directions(
     Raises
     ------
     RimrollError
-        With file, line and cell, for what is no angle; for columns that may be something else
-        than directions, such as numbers of the falls or of groups, for commas that may be decimal
-        or not, and for angles that look like radians but are not said to be.
+        For a cell that is not an angle, with file, line and cell; for columns that may not be
+        directions, such as numbers of falls or groups; for commas that may be decimal commas or
+        not; and for angles that look like radians without saying so.
     """
     return read_falls(
         file,

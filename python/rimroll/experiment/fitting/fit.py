@@ -1,4 +1,4 @@
-"""The friction of a table, the bias of a hand, and what the directions of fall exclude."""
+"""The friction of a table, the bias of a hand, and the laws that directions of fall exclude."""
 
 from __future__ import annotations
 
@@ -32,46 +32,46 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 FEWEST = 8
-"""Falls that a fit needs."""
+"""The smallest number of falls for a fit."""
 
 LEAST_SIMULATED, MOST_SIMULATED = 1024, 16384
-"""Falls simulated at each friction: several times those measured, within reason."""
+"""Bounds of the number of falls simulated at each friction, several times those measured."""
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """What directions of fall say of the table and the hand.
+    """The result of a fit: what directions of fall say about the table and the hand.
 
     Attributes
     ----------
     friction
         The coefficient of dry friction, an :class:`Estimate`.
     bias
-        By how much all directions are turned, rad, anticlockwise: what tells left from right.
+        The angle by which all directions are turned anticlockwise, rad.
     bias_interval
-        The biases not excluded, rad; None where the bias was given.
+        The interval of biases that are not excluded, rad; None if the bias was given.
     unsteadiness
-        Scatter of the release's ``sideways`` and ``twist`` over what the release says.
+        Fitted factor on the spreads of the release's ``sideways`` and ``twist``.
     left_share
-        The chance of a fall to the left.
+        The probability of a fall to the left.
     left, right
-        The estimate from the falls to one side alone, without a bias; None where there are too few.
+        The estimate from the falls to one side alone, without a bias; None if there are too few.
     at_other_tilt_rates
-        What else the friction would be, (tilt rate in rad/s, friction), were the mean tilt rate off
-        by its error; empty where that was not asked for.
+        Pairs (tilt rate in rad/s, friction) for a mean tilt rate that is off by its error; empty
+        if that error is 0.
     verdicts
-        What the data exclude, ``shape`` included.
+        The verdicts on all hypotheses, including ``shape``.
     shape
-        The verdict on whether the data have the shape that friction gives at all.
+        The verdict on whether the data have the shape that friction gives.
     at_bounds
-        The parameters whose best value is at an end of what is tried, ``bias`` or
-        ``unsteadiness``, with the end, ``lowest`` or ``highest``: a better value may lie beyond.
+        The parameters, ``bias`` or ``unsteadiness``, whose best value is at an end of the range
+        that is tried, with that end, ``lowest`` or ``highest``. A better value may lie beyond.
     warnings
-        What to doubt, and what was assumed, in sentences.
+        Doubts and assumptions, in sentences.
     confidence
-        Of the intervals and verdicts.
+        Confidence level of the intervals and verdicts.
     directions, predicted
-        The data (n,), rad, and what they were held against.
+        The data (n,), rad, and the predictions that they were compared with.
     """
 
     friction: Estimate
@@ -93,7 +93,7 @@ class Fit:
 
     @property
     def supported(self) -> bool:
-        """Whether the falls have the shape that friction gives; if not, it means nothing."""
+        """Whether the falls have the shape that friction gives; if not, the fit means nothing."""
         return not self.shape.excluded
 
     def density(self, angles: ArrayLike) -> Array:
@@ -103,7 +103,7 @@ class Fit:
         )
 
     def plot(self) -> Figure:
-        """The predicted histogram over the measured one, and how well each friction suits."""
+        """The predicted histogram over the measured one, and how well each friction fits."""
         from rimroll.experiment.fitting.figure import fit_figure
 
         return fit_figure(self)
@@ -147,10 +147,10 @@ def fit(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Fit:
-    """Find the friction of a table from directions in which a body fell.
+    """Estimate the friction of a table from directions in which a body fell.
 
-    Falls are simulated at every friction with the scatter of the release, the unsteadiness of the
-    hand left open, and the directions held against them by maximum likelihood (see
+    Falls are simulated at many frictions with the scatter of the release and hands of different
+    unsteadiness. The estimate maximises the likelihood of the directions (see
     :mod:`rimroll.experiment.fitting.likelihood`).
 
     Parameters
@@ -161,26 +161,27 @@ def fit(
         Directions of fall (n,), rad, counted anticlockwise from the direction of the first lean; at
         least 8. :func:`rimroll.read_directions` reads them from a file.
     release, gravity
-        How it was flicked: see :func:`rimroll.topple`. Tilt and tilt rate matter, since a rim may
-        slide before the base arrives.
+        The release, see :func:`rimroll.topple`, and gravity, m/s². Tilt and tilt rate matter,
+        since a rim may slide before the base arrives.
     reading_error
         Standard deviation of reading a direction, rad.
     tilt_rate_error
-        How well the mean tilt rate of the release is known, rad/s: the friction is told also for
-        flicks that much slower and faster. A tenth of the rate unless given; 0 leaves it out.
+        Uncertainty of the mean tilt rate of the release, rad/s: the friction is also estimated for
+        flicks that much slower and faster. By default a tenth of the rate; 0 leaves this out.
     bias
-        Rotation of all directions, rad; found from the data unless given.
+        Rotation of all directions, rad; by default fitted.
     outcome
-        What counts as a fall, see :func:`rimroll.predict_falls`.
+        The outcome that counts as a fall, see :func:`rimroll.predict_falls`.
     confidence
-        Of intervals and verdicts.
+        Confidence level of intervals and verdicts.
     predicted
-        What :func:`rimroll.predict_falls` gave, to be used again; the release, gravity and
-        reading error are then its own.
+        A result of :func:`rimroll.predict_falls` to use again; its release, gravity and reading
+        error then apply.
     threads, progress
         As for :func:`rimroll.predict_falls`.
 
-    With fewer than 3 falls to one side a bias cannot be told from friction, and is taken for 0.
+    With fewer than 3 falls to one side, bias and friction cannot be distinguished, and the bias is
+    assumed to be 0.
 
     Raises ``RimrollError`` for too few falls and numbers outside their bounds.
     """
@@ -246,7 +247,7 @@ def fit(
 def _releases(
     body: Body, release: Release | str, gravity: Number, error: Number | None
 ) -> list[Release | str]:
-    """The release, and the same with its tilt rate off by its error either way."""
+    """The release, and two copies with its tilt rate off by its error, up and down."""
     named = Release.named(release, body, gravity) if isinstance(release, str) else release
     if not isinstance(named, Release):
         return [release]  # for the prediction to refuse
@@ -266,7 +267,7 @@ def _predictions(
     count: int,
     **options: Any,
 ) -> list[Predicted]:
-    """Of the first release in full; less of the others, which are asked only for one friction."""
+    """Predictions, with fewer falls for all but the first release."""
     whole = min(max(LEAST_SIMULATED, 4 * count), MOST_SIMULATED)
     sizes = [whole, *(whole // 4 for _ in releases[1:])]
     done = 0
@@ -284,7 +285,7 @@ def _predictions(
 
 
 def _at_bounds(likelihood: Likelihood, best: Point, fixed: dict[str, float]) -> dict[str, str]:
-    """The parameters found at an end of what is tried, and which end."""
+    """The parameters at an end of the range that is tried, and which end."""
     hands = likelihood.predicted.unsteadiness
     found = {}
     if "bias" not in fixed and abs(best.bias) > 0.99 * MOST_BIAS:
@@ -299,7 +300,7 @@ def _at_bounds(likelihood: Likelihood, best: Point, fixed: dict[str, float]) -> 
 def _warnings(
     likelihood: Likelihood, best: Point, at_bounds: dict[str, str], assumed: bool
 ) -> Iterator[str]:
-    """What the parameters at the ends of what is tried mean, and readings like none predicted."""
+    """Warnings about parameters at the ends of their ranges, and about stray readings."""
     if assumed:
         yield "too few falls to one side to tell a bias from friction: none was assumed"
     if "bias" in at_bounds:
@@ -327,7 +328,7 @@ def _warnings(
 def _alone(
     predicted: Predicted, directions: Array, confidence: float, side: float
 ) -> Estimate | None:
-    """From the falls to one side (+1: left), which cannot tell a bias."""
+    """The estimate from the falls to one side (+1: left), without a bias."""
     if len(directions) < FEWEST_OF_A_SIDE:
         return None
     likelihood = Likelihood(predicted, directions)

@@ -1,4 +1,4 @@
-"""How well directions of fall go with a friction, a bias, an unsteady hand and a share of lefts.
+"""The likelihood of directions of fall, given friction, bias, unsteadiness and share of lefts.
 
 The probability density of one direction d is
 
@@ -6,12 +6,12 @@ The probability density of one direction d is
 
 with the densities of :mod:`rimroll.experiment.fitting.predicted`, interpolated as in
 :mod:`rimroll.experiment.fitting.log_densities`; falls are independent.
-Parameters that are not asked for are profiled: set to what suits the data best.
+Other parameters are profiled: set to the values that maximise the likelihood.
 
-A confidence set is where twice the loss of log likelihood, D, stays below n log(1 + F/(n − 2)), F
-the quantile of Fisher's distribution with 1 and n − 2 degrees of freedom. For normal humps of
-unknown means and a common unknown spread that is Student's interval, exact for any n; for large n
-it is Wilks' χ² interval.
+A confidence set is where twice the loss of log likelihood, D, stays below n log(1 + F/(n − 2)),
+with F the quantile of Fisher's distribution with 1 and n − 2 degrees of freedom. For normal humps
+with unknown means and a common unknown spread this is Student's interval, exact for any n; for
+large n it is Wilks' χ² interval.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN, Predicted
 Array = NDArray[np.float64]
 
 MOST_BIAS = math.radians(60.0)
-"""As far as is looked for one; no protractor lies more askew."""
+"""The largest bias that is tried, rad."""
 
 MOST_LOGIT = 6.0
 FEWEST_OF_A_SIDE = 3
-"""Falls to the rarer side without which a bias cannot be told from friction."""
+"""Falls to the rarer side that are needed to distinguish a bias from friction."""
 
 BINS = 2 * ANGLES
-"""A quarter of a degree each: less than any error of reading."""
+"""Bins of a quarter of a degree, smaller than any error of reading."""
 
 _BIASES = np.radians(np.linspace(-54.0, 54.0, 37))
 
 
 @dataclass(frozen=True)
 class Point:
-    """Parameters of the likelihood, and its logarithm there."""
+    """Parameters of the likelihood, and its logarithm."""
 
     friction: float
     bias: float
@@ -53,7 +53,7 @@ class Point:
 
 
 class Likelihood:
-    """The likelihood of n directions of fall (rad) under what was predicted."""
+    """The likelihood of n directions of fall (rad) under predicted densities."""
 
     def __init__(self, predicted: Predicted, directions: Array) -> None:
         self.predicted = predicted

@@ -1,7 +1,7 @@
-"""How directions of fall scatter, for each friction of the table and each unsteadiness of the hand.
+"""Densities of the direction of fall for each friction of the table and unsteadiness of the hand.
 
-Falls are simulated once for each friction, with hands from steady to unsteady; for a hand of any
-unsteadiness between they are weighted by how likely it is to let go that way.
+Falls are simulated once for each friction, with hands from steady to unsteady. For a hand of any
+unsteadiness in between, they are weighted by the likelihood ratio of their release.
 """
 
 from __future__ import annotations
@@ -33,25 +33,25 @@ ANGLES = 720
 """Points of a density round the circle, half a degree apart."""
 
 READING_ERROR = math.radians(2.0)
-"""Standard deviation with which a direction is read unless given, rad."""
+"""Default standard deviation of the reading of a direction, rad."""
 
 LEAST_ERROR = math.radians(0.5)
-"""The least error of reading: below, densities would be narrower than their points are apart."""
+"""The smallest error of reading, rad: below, densities would be narrower than their spacing."""
 
 STRAY = 0.01
-"""The part of the readings that may be anything at all: a slip of the pen."""
+"""The fraction of readings that are assumed to be mistakes, with any value."""
 
 HANDS = (0.25, 0.7, 2.0, 6.0)
-"""The unsteadinesses that are simulated, as factors of the release's scatter."""
+"""The unsteadiness of the simulated hands, as factors on the release's scatter."""
 
 UNSTEADY = np.geomspace(0.2, 6.0, 15)
-"""Those for which densities are kept."""
+"""The unsteadiness of the hands for which densities are stored."""
 
 FEWEST_FRICTIONS = 25
-"""Between fewer, humps move by more than splines can follow, and intervals come out too narrow."""
+"""With fewer frictions, splines between them are inaccurate and intervals too narrow."""
 
 FEWEST = 20
-"""Simulated falls to one side that a density needs."""
+"""The smallest number of simulated falls to one side for a density."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Predicted:
     Attributes
     ----------
     body, release, gravity, reading_error
-        What it was computed from.
+        The inputs.
     frictions
         Coefficients of dry friction (f,), from 0 to one at which the rim holds; see
         :func:`nodes`.
@@ -73,7 +73,7 @@ class Predicted:
     outcome
         The outcome that counts as a fall: ``toppled`` or ``rocked``.
     share
-        The part (f,) of the releases that end so.
+        The fraction (f,) of the releases with that outcome.
     """
 
     body: Body
@@ -100,7 +100,7 @@ def predict_falls(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Predicted:
-    """Simulate falls at each friction, from none to more than enough to roll.
+    """Simulate falls at each friction, from 0 to more than rolling needs.
 
     Parameters
     ----------
@@ -109,15 +109,15 @@ def predict_falls(
     reading_error
         Standard deviation of reading a direction, rad.
     frictions, falls
-        How many coefficients of friction, and about how many falls at each: a power of two.
+        Number of coefficients of friction, and approximate number of falls at each, a power of two.
     outcome
-        The outcome that counts as a fall, ``toppled`` or ``rocked``; unless given, ``toppled``
-        where the release topples the body at half of the frictions or more.
+        The outcome that counts as a fall, ``toppled`` or ``rocked``. By default ``toppled`` if the
+        release topples the body at half of the frictions or more, else ``rocked``.
     threads, progress
         As for :func:`rimroll.ensemble`.
 
-    Raises ``RimrollError`` for numbers outside their bounds and where the body neither topples nor
-    rocks from such a release.
+    Raises ``RimrollError`` for numbers outside their bounds and if the body neither topples nor
+    rocks after such a release.
     """
     one_body(body)
     callback("progress", progress)

@@ -1,4 +1,4 @@
-"""Stand-ins for directions of fall of which only means and spreads were published."""
+"""Directions of fall that stand in for published means and spreads."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ def directions_from_summary(
 ) -> Array:
     """Directions (n,), rad, whose turns have exactly the given means and spreads.
 
-    ``left`` and ``right``: mean turn and standard deviation (rad) of the falls to a side, and how
-    many. The values are spread as those of a normal distribution; under normal errors a mean, a
-    spread and a number are all that a likelihood asks of data.
+    ``left`` and ``right``: mean turn, standard deviation (rad) and number of the falls to a side.
+    The values are spread like a normal distribution; for normal errors, the likelihood depends on
+    the data only through mean, spread and number.
     """
     sides = []
     for name, sign, given in (("left", 1.0, left), ("right", -1.0, right)):

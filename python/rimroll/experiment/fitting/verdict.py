@@ -1,4 +1,4 @@
-"""What directions of fall say of a hypothesis, in a plain sentence."""
+"""Whether directions of fall exclude a hypothesis, in a sentence."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from rimroll.experiment.fitting.shape import Hump, chance_of_uniform
 Array = NDArray[np.float64]
 
 MUCH_BETTER = 3.0
-"""Gain of log likelihood, odds of twenty to one, that counts as evidence for another shape."""
+"""Gain of log likelihood that counts as evidence for another shape: odds of twenty to one."""
 
 SIMPLER = 2.0
-"""Gain of log likelihood that two parameters more must bring to be worth it (Akaike)."""
+"""Gain of log likelihood that justifies two more parameters (Akaike)."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Verdict:
 def of_hypothesis(
     likelihood: Likelihood, name: str, point: Point, best: Point, confidence: float
 ) -> Verdict:
-    """By the loss of likelihood when the hypothesis is imposed."""
+    """The verdict by the loss of likelihood under the hypothesis."""
     chance = likelihood.chance(likelihood.worse(point, best))
     excluded = chance < 1.0 - confidence
     word = "excluded" if excluded else "possible"
@@ -46,7 +46,7 @@ def of_hypothesis(
 
 
 def of_shape(likelihood: Likelihood, best: Point, confidence: float) -> Verdict:
-    """Whether two humps, wherever they are, describe the data at all.
+    """Whether two humps, at any directions, describe the data.
 
     By Cramér and von Mises' test of the fitted distribution, which errs on the side of letting it
     pass since it was fitted; and against one hump, a von Mises distribution.
@@ -76,7 +76,7 @@ def of_shape(likelihood: Likelihood, best: Point, confidence: float) -> Verdict:
 
 
 def in_words(chance: float) -> str:
-    """A chance as ``p = 0.03``, with no more digits than it has."""
+    """A probability as ``p = 0.03``, with its significant digits only."""
     if chance < 1e-4:
         return "p < 0.0001"
     return "p > 0.99" if chance > 0.99 else f"p = {chance:.2g}"
