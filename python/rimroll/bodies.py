@@ -1,4 +1,4 @@
-"""Bodies that people have at hand.
+"""Everyday bodies.
 
 Each says where its numbers come from. Those made from nominal sizes are typical of their kind, not
 of one specimen: weigh and measure yours, or put it together with :mod:`rimroll.solids`.
@@ -94,7 +94,7 @@ PRESETS: dict[str, Callable[[], Body]] = {
     "ring": ring,
     "euler_disk": euler_disk,
 }
-"""The bodies that a name alone stands for."""
+"""The bodies without parameters, by name."""
 
 
 def by_name(name: str) -> Body:

@@ -60,7 +60,7 @@ class Body:
     axial_inertia: float
 
     if TYPE_CHECKING:
-        # The fields are typed as those of one body, of which most programs are.
+        # The fields have the types of a single body, the usual case.
         def __init__(
             self,
             mass: Values,
@@ -90,12 +90,12 @@ class Body:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """What the fields broadcast to; () for one body."""
+        """The shape that the fields broadcast to; () for one body."""
         return Grid.over({field.name: getattr(self, field.name) for field in fields(self)}).shape
 
     @classmethod
     def stack(cls, bodies: Iterable[Body] | Mapping[str, Body], dim: str = "body") -> Body:
-        """Some bodies, each a single one, as one Body of arrays (n,).
+        """Several single bodies as one Body of arrays (n,).
 
         Bodies by name become data arrays of xarray, which name them along the dimension ``dim``.
 
@@ -132,7 +132,7 @@ class Body:
 
     @classmethod
     def from_solids(cls, radius: Number, solids: Sequence[Solid]) -> Body:
-        """A body put together from coaxial solids, standing on a rim of the given radius (m).
+        """A body composed of coaxial solids, on a rim of the given radius (m).
 
         The parallel-axis theorem gives A and C; see :mod:`rimroll.solids`.
 
@@ -161,7 +161,7 @@ def _numbers(body: Body) -> tuple[float, ...]:
 
 
 class Bodies(NamedTuple):
-    """Bodies as the core reads them: each array is (1,), for all rows, or (n,)."""
+    """Bodies in the form of the core: each array is (1,), for all rows, or (n,)."""
 
     mass: NDArray[np.float64]
     radius: NDArray[np.float64]
@@ -175,7 +175,7 @@ class Bodies(NamedTuple):
         return cls(*(grid.column(getattr(body, name)) for name in cls._fields))
 
     def part(self, rows: slice) -> Bodies:
-        """Those of some of the rows."""
+        """The bodies of some of the rows."""
         return Bodies(*(column if len(column) == 1 else column[rows] for column in self))
 
 

@@ -1,4 +1,4 @@
-"""Where a function of a motion passes through zero: looked for inside each step, and closed in on.
+"""Zeros of a function of a motion: sampled inside each step, then bracketed and refined.
 
 A step is looked at by the solver's clock, in which the motion is as smooth in a near-collision as
 elsewhere, and by itself: what a landing changes at once is no passage through zero.
@@ -17,16 +17,16 @@ from rimroll.errors import RimrollError
 Array = NDArray[np.float64]
 Places = NDArray[np.int64]
 Values = Callable[[Places, Array], Array]
-"""The function's values at places inside steps: their numbers, and fractions of them, 0 to 1."""
+"""The function's values inside steps, given the steps' numbers and fractions of them, 0 to 1."""
 
 ROUNDS = 100
 CLOSE = 4.0 * np.finfo(np.float64).eps
-"""Brackets this narrow, as fractions of a step, are closed."""
+"""Width of a final bracket, as a fraction of a step."""
 
 
 @dataclass(frozen=True)
 class Crossings:
-    """Places inside steps, in order, and whether the function rises there."""
+    """Zeros inside steps, in order, and whether the function rises there."""
 
     steps: Places
     fractions: Array
@@ -34,7 +34,7 @@ class Crossings:
 
 
 def crossings(values: Values, step_count: int, per_step: int) -> Crossings:
-    """Where the function changes its sign inside a step, or comes to be zero.
+    """Where the function changes its sign inside a step, or becomes zero.
 
     It is looked at ``per_step`` times in each step.
     """
@@ -49,7 +49,7 @@ def crossings(values: Values, step_count: int, per_step: int) -> Crossings:
     roots = _closed_in(values, at, low, high, before[tuple(changes.T)], after[tuple(changes.T)])
     zeros = np.argwhere(_comes_to_zero(found))
     all_steps = np.concatenate([at, zeros[:, 0]])
-    # A zero at the start of a step has no earlier sample inside the step, and stays where it is.
+    # A zero at the start of a step has no earlier sample in the step, and needs no refinement.
     all_low = np.concatenate([low, looks[np.maximum(zeros[:, 1] - 1, 0)]])
     all_fractions = np.concatenate([roots, looks[zeros[:, 1]]])
     all_fractions = _first_zeros(values, all_steps, all_low, all_fractions)
@@ -117,7 +117,7 @@ def _closed_in(values: Values, steps: Places, a: Array, b: Array, fa: Array, fb:
 
 
 def _next_part(a: Array, fa: Array, b: Array, fb: Array, c: Array, fc: Array) -> Array:
-    """Where to look next between a and b, as a part of the way."""
+    """The next point between a and b, as a fraction of the interval."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         safe = (phi**2 < xi) & ((1.0 - phi) ** 2 < 1.0 - xi)
@@ -130,7 +130,7 @@ def _next_part(a: Array, fa: Array, b: Array, fb: Array, c: Array, fc: Array) ->
 
 
 def checked(values: object, count: int, t: Array) -> Array:
-    """What a function has given for ``count`` moments, as finite numbers.
+    """The values that a function returned for ``count`` moments, as finite numbers.
 
     Raises ``RimrollError`` for anything but ``count`` real numbers, and for NaN.
     """

@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 
 
 def away(middle: float, degrees: ArrayLike) -> Array:
-    """How far directions are from another, −180 to 180."""
+    """Differences of directions from another one, −180 to 180."""
     return np.asarray(np.mod(np.asarray(degrees, np.float64) - middle + 180.0, 360.0) - 180.0)
 
 
@@ -19,5 +19,5 @@ def around(middle: float, degrees: ArrayLike) -> Array:
 
 
 def middle_of(degrees: ArrayLike) -> float:
-    """180 or 0, whichever the directions are nearer to on average."""
+    """180 or 0, whichever is closer to the directions on average."""
     return min((180.0, 0.0), key=lambda middle: float(np.abs(away(middle, degrees)).mean()))

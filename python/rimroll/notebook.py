@@ -1,4 +1,4 @@
-"""How notebooks show a motion."""
+"""The view of a motion in notebooks."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def motion_in_html(motion: Motion) -> str:
 
 
 def _losses(motion: Motion) -> str:
-    """The energy that was lost by the end, J, by what it was lost to."""
+    """The energy that was lost by the end, J, by cause."""
     lost = ", ".join(
         f"{loss[-1]:.4g} J to {name}"
         for name, loss in (

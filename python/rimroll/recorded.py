@@ -33,9 +33,9 @@ def start_of(dataset: xr.Dataset) -> State:
 
 
 def options_of(dataset: xr.Dataset) -> Options:
-    """How the motion or the falls were followed.
+    """The options of a motion or of falls.
 
-    Raises ``RimrollError`` for a dataset that does not say.
+    Raises ``RimrollError`` for a dataset without them.
     """
     told = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
     for name, value in told.items():

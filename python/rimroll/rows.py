@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 
 class Starts(NamedTuple):
-    """Starts as the core reads them: arrays (n,)."""
+    """Starts in the form of the core: arrays (n,)."""
 
     tilt: Array
     tilt_rate: Array
@@ -36,7 +36,7 @@ class Starts(NamedTuple):
 
 
 class OneBody(NamedTuple):
-    """The numbers of a body, which have been checked."""
+    """The numbers of a body, already checked."""
 
     mass: float
     radius: float
@@ -47,7 +47,7 @@ class OneBody(NamedTuple):
 
 @dataclass(frozen=True)
 class Rows:
-    """A body and a start for each row of what they broadcast to, with whatever else varies."""
+    """A body, a start and other varied values for each row that they broadcast to."""
 
     grid: Grid
     given: Mapping[str, Any]
@@ -70,7 +70,7 @@ class Rows:
     def placed(
         self, refusal: RimrollError, gravity: float, topple_tilt: float | None
     ) -> RimrollError:
-        """A refusal by the core, with the element of the array that it is about: ``tilt[3]``."""
+        """An error of the core, with the element of the array: ``tilt[3]``."""
         name, _ = str(refusal).split(" ", 1)
         if name not in self.given:
             return refusal
@@ -83,7 +83,7 @@ class Rows:
 
 
 def elementwise(function: Callable[..., float], *things: Any) -> Any:
-    """A function of single bodies, laws and numbers, for each row of what these broadcast to.
+    """A function of single bodies, laws and numbers, for each row that these broadcast to.
 
     A single number where nothing is an array; else an array, or a data array if names are given to
     dimensions. A refusal names the row that it is about.

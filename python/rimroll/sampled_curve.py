@@ -1,4 +1,4 @@
-"""Points of a function, as many as a curve through them needs to follow it."""
+"""Points of a function, dense enough for a curve through them to approximate it."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ Array = NDArray[np.float64]
 Curve = Callable[[Array], Array]
 
 MOST_POINTS = 10_000
-"""Where more would be needed, the function is refused."""
+"""The largest number of points; a function that needs more raises an error."""
 
 CLOSEST = 1e-9
 """How close two points may be, relative to the range of speeds."""
 
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 PLACES = np.sort(np.arange(1, 65) * GOLDEN % 1.0)
-"""Parts of each interval between given speeds at which the curve is always compared.
+"""Divisions of each interval between given speeds at which the curve is always compared.
 
 Multiples of the golden ratio are spread almost evenly, and have no common measure with a periodic
 function, whose every quarter of an interval may look alike. Neighbours are 1/46 apart at most.
@@ -35,7 +35,7 @@ def sampled(
     curve_through: Callable[[Sequence[float], Sequence[float]], Curve],
     tolerance: float,
 ) -> tuple[list[float], list[float]]:
-    """Speeds and frictions of points through which a curve follows ``mu`` to ``tolerance``.
+    """Speeds and frictions of points, such that the curve is within ``tolerance`` of ``mu``.
 
     They begin with ``speeds``. The middle is added of each interval in which the curve is farther
     from ``mu`` at a quarter, half or three quarters of it, or at one of 64 places between each two
@@ -82,7 +82,7 @@ def _frictions(mu: Callable[[float], float], speeds: Array) -> Array:
 def _off_at_quarters(
     mu: Callable[[float], float], points: Array, curve: Curve, tolerance: float
 ) -> NDArray[np.bool_]:
-    """Which intervals between points have the curve too far from mu at one of their quarters."""
+    """The intervals in which the curve is too far from mu at one of their quarters."""
     looks = points[:-1] + np.array([[0.25], [0.5], [0.75]]) * np.diff(points)
     bad: NDArray[np.bool_] = np.abs(curve(looks) - _frictions(mu, looks)).max(axis=0) > tolerance
     return bad

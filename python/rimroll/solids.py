@@ -1,4 +1,4 @@
-"""Solids of revolution from which a :class:`rimroll.Body` is put together.
+"""Solids of revolution, the parts of a :class:`rimroll.Body`.
 
 All share the symmetry axis. Heights are measured from the table when the body stands upright, in
 metres; masses in kg. Each function raises ``RimrollError`` for a number outside its bound.

@@ -1,7 +1,7 @@
-"""How rimroll's figures look: type, lines, colours by meaning.
+"""The style of rimroll's figures: type, lines, colours by meaning.
 
-Sizes are those of a page 180 mm wide. Colours are Okabe and Ito's, told apart whatever the reader's
-colour vision; line styles and markers differ as well, so that nothing hangs on colour alone.
+Sizes are those of a page 180 mm wide. Colours are Okabe and Ito's, distinguishable with any colour
+vision; line styles and markers differ as well, so that no meaning depends on colour alone.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ MEASURED = "#009E73"
 CONTRAST = "#8A8A8A"
 NORMAL_FORCE = "#56B4E9"
 SERIES = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
-"""Colours of things that have no colour of their own, in order."""
+"""Colours of data series without a colour of their own, in order."""
 
 COLORS = {
     "no_slip": NO_SLIP,
@@ -48,7 +48,7 @@ MARKERS = {
     "tabulated": "P",
 }
 SLIDING = "#F0E442"
-"""Behind the stretches of time in which the rim slides; drawn faintly."""
+"""Background colour of the times at which the rim slides; drawn faintly."""
 
 PAGE_WIDTH = 180.0
 """Width of the page, mm."""
@@ -59,7 +59,7 @@ STYLE: dict[str, Any] = {
     "mathtext.fontset": "dejavusans",
     "axes.titlesize": 8.0,
     "axes.titlepad": 4.0,
-    "axes.titley": 1.0,  # fixed, not sought anew for each picture
+    "axes.titley": 1.0,  # fixed, not computed for each picture
     "axes.labelsize": 7.5,
     "axes.labelpad": 2.5,
     "axes.linewidth": 0.6,
@@ -98,12 +98,12 @@ STYLE: dict[str, Any] = {
 }
 
 _DATE = {".pdf": "CreationDate", ".svg": "Date"}
-"""What formats call the date at which they were written."""
+"""The names of the date of writing in file formats."""
 
 
 @contextmanager
 def figure_style() -> Iterator[None]:
-    """The style while figures are drawn and saved; whatever was set before comes back after."""
+    """The style while figures are drawn and saved; previous settings are restored afterwards."""
     with mpl.rc_context(STYLE):  # type: ignore[arg-type]  # its keys are literals
         yield
 
@@ -128,7 +128,7 @@ def save(figure: Figure, path: str | os.PathLike[str], dpi: int = 200) -> None:
     """Write a figure in its style; without a date, so that the same figure is the same file."""
     suffix = Path(path).suffix.lower()
     undated = {_DATE[suffix]: None} if suffix in _DATE else {}
-    drawn = io.BytesIO()  # written at once: not every backend gets over a full disk
+    drawn = io.BytesIO()  # written at once: not every backend handles a full disk
     with figure_style():
         figure.savefig(drawn, format=suffix[1:], dpi=dpi, metadata=undated)
     Path(path).write_bytes(drawn.getvalue())
@@ -142,7 +142,7 @@ def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
 
 
 def look(law: Law) -> dict[str, Any]:
-    """Colour and marker of what was computed under a law; filled where the rim can stick."""
+    """Colour and marker of results under a law; filled if the rim can stick."""
     color = COLORS[law.name]
     face = color if law.name in ("no_slip", "coulomb", "tabulated") else "white"
     return {"color": color, "marker": MARKERS[law.name], "markerfacecolor": face}
@@ -157,7 +157,7 @@ def decades(*axes: Axis) -> None:
 
 
 def power_of_ten(value: float) -> str:
-    """A power of ten as text, 10⁻³; ones, tens and what is no power of ten as they are."""
+    """A power of ten as text, 10⁻³; 1, 10 and other numbers in digits."""
     if value == 0.0:
         return "0"
     power = float(np.log10(abs(value)))

@@ -84,5 +84,5 @@ SURFACES: dict[str, Callable[..., Coulomb]] = {
 
 
 def by_name(name: str, static: float | None = None, restitution: float = 0.0) -> Coulomb:
-    """The surface of that name; raises ``RimrollError`` with the nearest when there is none."""
+    """The surface of that name; raises ``RimrollError`` with the nearest name if there is none."""
     return choose("surface", name, SURFACES)(static, restitution)

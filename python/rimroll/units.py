@@ -30,7 +30,7 @@ KINDS = {
     "Pa s": ("a viscosity", "1.8e-5 Pa s"),
     "1": ("a pure number", "0.5"),
 }
-"""What an SI unit measures, in words, and an example of it."""
+"""The quantity of each SI unit in words, and an example."""
 
 UNIT_OF = {
     "mass": "kg",
@@ -62,7 +62,7 @@ LAW_UNIT_OF = {
     "length": "m",
     "exponent": "1",
 }
-"""The SI unit of each number of a law or resistance but one: see :func:`air_unit`."""
+"""The SI unit of each number of a law or resistance, except one: see :func:`air_unit`."""
 
 START_UNIT_OF = {
     "tilt": "rad",
@@ -93,7 +93,7 @@ _EVERYDAY = {
     ("N s/m", "N s/m"): 1.0,
     ("%", "1"): 0.01,
 }
-"""Factors that need no registry, which takes longer to load than most motions to compute."""
+"""Factors without the registry, whose loading takes longer than most motions."""
 
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[\s*]*(.*)", re.DOTALL)
 _NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
@@ -105,7 +105,7 @@ _LAST_DIGITS = re.compile(r"\s*([+-]?\d+\.?\d*)\((\d+)\)(.*)", re.DOTALL)
 
 
 def tilt_angle(value: object, name: str) -> float:
-    """A tilt, rad, with a hint for whoever meant degrees and wrote a plain number.
+    """A tilt, rad, with a hint for users who meant degrees and wrote a plain number.
 
     Raises ``UnitError`` as :func:`quantity` does, and for a plain number too large for radians.
     """
@@ -151,7 +151,7 @@ def quantity(value: object, unit: str, name: str = "the value") -> float:
 
 
 def reading(value: object, unit: str, name: str = "the value") -> tuple[float, float]:
-    """A quantity as it was measured: its value and its standard uncertainty, in its SI unit.
+    """A measured quantity: its value and standard uncertainty, in its SI unit.
 
     Texts may carry the uncertainty, as in ``70 ± 1 g``, ``70 +- 1 g``, ``6.9 cm ± 2%`` or
     ``6.9(1) cm``, where 1 is of the last digit; in others it is half a unit of the last digit
@@ -179,7 +179,7 @@ def reading(value: object, unit: str, name: str = "the value") -> tuple[float, f
 
 
 def has_uncertainty(value: object) -> bool:
-    """Whether a text says how uncertain it is."""
+    """Whether a text states its uncertainty."""
     return isinstance(value, str) and bool(_PLUS_MINUS.search(value) or _LAST_DIGITS.match(value))
 
 
@@ -211,7 +211,7 @@ def _last_place(digits: str) -> int:
 
 
 def _read(text: str, unit: str, name: str) -> tuple[float, float]:
-    """The number in a text and the factor that its unit stands for."""
+    """The number in a text and the factor of its unit."""
     plain = text.strip().replace("−", "-")
     if not plain:
         raise _refusal(name, unit, text, "an empty text")
@@ -227,7 +227,7 @@ def _read(text: str, unit: str, name: str) -> tuple[float, float]:
 
 
 def factor_of(given: str, unit: str, name: str, value: object) -> float:
-    """How many SI units a ``given`` unit is; ``value`` is what the message quotes."""
+    """The factor from a ``given`` unit to the SI unit; the message quotes ``value``."""
     given = _BARE_POWER.sub(r"\1^\2", given.replace("²", "^2").replace("³", "^3").strip())
     everyday = _EVERYDAY.get((given.replace("°", "deg"), unit))
     if everyday is not None:
@@ -241,7 +241,7 @@ def factor_of(given: str, unit: str, name: str, value: object) -> float:
         unknown = getattr(error, "unit_names", given)
         first = unknown if isinstance(unknown, str) else next(iter(unknown))
         raise _refusal(name, unit, value, f'unknown unit "{first}"') from None
-    except Exception:  # pint's parser fails in its own many ways on what is no unit
+    except Exception:  # pint's parser raises many kinds of error
         raise _refusal(name, unit, value, f'"{given}" is no unit') from None
     theirs = units.parse_units("dimensionless" if unit == "1" else unit.replace(" ", "*"))
     # Root units keep radians apart from pure numbers, as a comparison of dimensions does not.
@@ -255,12 +255,12 @@ def factor_of(given: str, unit: str, name: str, value: object) -> float:
 
 
 def tidy(factor: float) -> float:
-    """A factor without the rounding errors of its making: 1e-06 for 9.999999999999999e-07."""
+    """A factor without rounding errors: 1e-06 for 9.999999999999999e-07."""
     return float(f"{factor:.15g}") if math.isclose(factor, float(f"{factor:.6g}")) else factor
 
 
 def mismatch(name: str, unit: str, value: object, given: str) -> UnitError:
-    """The refusal of a value because its unit, ``given``, measures something else."""
+    """The error for a value whose unit, ``given``, is of another kind."""
     return _refusal(name, unit, value, f'"{given}" does not measure {_kind(unit)[0]}')
 
 
@@ -279,7 +279,7 @@ def _refusal(name: str, unit: str, value: object, why: str) -> UnitError:
 
 @cache
 def registry() -> UnitRegistry[Any]:
-    """The one registry of units, loaded when first needed."""
+    """The registry of units, loaded when first needed."""
     from pint import UnitRegistry
 
     units: UnitRegistry[Any] = UnitRegistry()

@@ -500,7 +500,7 @@ def test_ctrl_c_before_the_first_fall_says_nothing_of_directions(capsys, monkeyp
     assert main(["topple", "-n", "5", "--seed", "1"]) == 130
     out = capsys.readouterr().out
     assert "\n0 falls; seed 1\n" in out and "interrupted after 0 of 5 falls" in out
-    assert "None came down" not in out and "limit" not in out
+    assert "No body came down" not in out and "limit" not in out
 
 
 @pytest.mark.parametrize(

@@ -67,15 +67,16 @@ AnglesArgument = Annotated[
 RateErrorOption = Annotated[
     str | None,
     typer.Option(
-        help="How well the mean tilt rate is known: the friction is told also for flicks that much"
-        " slower and faster. [a tenth of it]",
+        help="Uncertainty of the mean tilt rate: the friction is also estimated for flicks that"
+        " much slower and faster. [a tenth of it]",
         metavar="RATE",
     ),
 ]
 OutcomeOption = Annotated[
     str | None,
     typer.Option(
-        help="What counts as a fall: toppled or rocked. [what such a flick does]", metavar="WORD"
+        help="The outcome that counts as a fall: toppled or rocked. [what such a flick does]",
+        metavar="WORD",
     ),
 ]
 ColumnOption = Annotated[
@@ -96,7 +97,7 @@ ErrorOption = Annotated[
     str, typer.Option(help="Standard deviation of reading a direction.", metavar="ANGLE")
 ]
 ConfidenceOption = Annotated[
-    str, typer.Option(help="Of the intervals and verdicts.", metavar="PART")
+    str, typer.Option(help="Confidence level of the intervals and verdicts.", metavar="PART")
 ]
 GravityOption = Annotated[
     str | None,

@@ -124,12 +124,12 @@ class MotionOptions:
         _option("Tilt that counts as toppled. [90 deg; a disk: none]", "ANGLE", "Motion"),
     ] = None
     rtol: Annotated[
-        float | None, _option("Relative error to aim at. [1e-10]", "NUMBER", "Motion")
+        float | None, _option("Intended relative error. [1e-10]", "NUMBER", "Motion")
     ] = None
     max_steps: Annotated[
         int | None,
         typer.Option(
-            help="Most steps of the solver. [1000000]",
+            help="Largest number of solver steps. [1000000]",
             metavar="NUMBER",
             parser=whole(1, MOST_STEPS),
             rich_help_panel="Motion",
@@ -168,19 +168,25 @@ class LawOptions:
     ] = None
     static_friction: Annotated[
         str | None,
-        _option("The most of it while the rim sticks. [the same]", "NUMBER", "Table"),
+        _option(
+            "Largest friction over normal force while the rim sticks. [as --friction]",
+            "NUMBER",
+            "Table",
+        ),
     ] = None
     viscous_coefficient: Annotated[
         str | None,
-        _option('Of viscous: friction over slip speed, such as "0.5 N s/m".', "NUMBER", "Table"),
+        _option('For viscous: friction over slip speed, such as "0.5 N s/m".', "NUMBER", "Table"),
     ] = None
     stribeck_speed: Annotated[
         str | None,
-        _option("Of stribeck: static friction wears off about here. [1 cm/s]", "SPEED", "Table"),
+        _option(
+            "For stribeck: slip speed at which static friction fades. [1 cm/s]", "SPEED", "Table"
+        ),
     ] = None
     creep_speed: Annotated[
         str | None,
-        _option("Of stribeck: what should stick creeps up to here. [1 mm/s]", "SPEED", "Table"),
+        _option("For stribeck: slip speed up to which the rim creeps. [1 mm/s]", "SPEED", "Table"),
     ] = None
 
 
@@ -190,11 +196,11 @@ class ResistanceOptions:
 
     restitution: Annotated[
         str | None,
-        _option("Of a landing after flight, 0 to 1; not of no-slip. [0]", "NUMBER", "Table"),
+        _option("Restitution of landings, 0 to 1; not for no-slip. [0]", "NUMBER", "Table"),
     ] = None
     rolling_resistance: Annotated[
         str | None,
-        _option("Resisting force over normal force, against rolling along.", "NUMBER", "Table"),
+        _option("Resisting force over normal force, against rolling.", "NUMBER", "Table"),
     ] = None
     rolling_viscous: Annotated[
         str | None,
@@ -202,7 +208,11 @@ class ResistanceOptions:
     ] = None
     pivoting_friction: Annotated[
         str | None,
-        _option("Resisting moment over normal force, against turning.", "LENGTH", "Table"),
+        _option(
+            "Resisting moment over normal force, against turning about the vertical.",
+            "LENGTH",
+            "Table",
+        ),
     ] = None
     air_drag: Annotated[
         str | None,
@@ -222,7 +232,7 @@ ThreadsOption = Annotated[
     int | None,
     typer.Option(
         parser=whole(),
-        help="Processors to use; the results do not depend on it. [all]",
+        help="Number of threads; it does not affect the results. [one for each processor]",
         metavar="NUMBER",
     ),
 ]

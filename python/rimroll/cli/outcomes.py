@@ -1,4 +1,4 @@
-"""How the same flick turns out on one table and on another."""
+"""The outcomes of one flick on several tables."""
 
 from __future__ import annotations
 

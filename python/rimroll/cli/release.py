@@ -1,4 +1,4 @@
-"""How a hand lets go, as commands ask for it."""
+"""Options of a release by hand."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ RATE = "RATE"
 
 @dataclass(frozen=True)
 class ReleaseOptions:
-    """How the hand lets go, and how much that scatters."""
+    """The release by a hand, and its scatter."""
 
     release: Annotated[
         str,
@@ -37,7 +37,7 @@ class ReleaseOptions:
     ] = "flick"
     tilt: Annotated[Text, _given("Mean tilt.", "ANGLE", "Release")] = None
     tilt_spread: Annotated[
-        Text, _given("Standard deviation, as of all spreads.", "ANGLE", "Release")
+        Text, _given("Standard deviation, like all spreads.", "ANGLE", "Release")
     ] = None
     tilt_rate: Annotated[
         Text, _given("Mean tilt rate; negative: flicked upright.", RATE, "Release")
@@ -54,7 +54,7 @@ class ReleaseOptions:
     twist_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
     friction_scale_spread: Annotated[
         Text,
-        _given("Spread of the law's friction, as a part of it: 0.1 or 10%.", "PART", "Release"),
+        _given("Spread of the friction, relative to it: 0.1 or 10%.", "PART", "Release"),
     ] = None
     unsteadiness: Annotated[
         Text, _given("Multiply the spreads of sideways and twist.", "FACTOR", "Release")

@@ -45,19 +45,19 @@ class FallOptions(MotionOptions):
     duration: Annotated[
         str | None,
         typer.Option(
-            help="Longest to follow a fall. [10 s]", metavar="TIME", rich_help_panel="Motion"
+            help="Longest duration of a fall. [10 s]", metavar="TIME", rich_help_panel="Motion"
         ),
     ] = None
     rtol: Annotated[
         float | None,
         typer.Option(
-            help="Relative error to aim at. [1e-6]", metavar="NUMBER", rich_help_panel="Motion"
+            help="Intended relative error. [1e-6]", metavar="NUMBER", rich_help_panel="Motion"
         ),
     ] = None
     max_steps: Annotated[
         int | None,
         typer.Option(
-            help="Most steps of the solver for a fall. [100000]",
+            help="Largest number of solver steps of a fall. [100000]",
             metavar="NUMBER",
             parser=whole(1, MOST_STEPS),
             rich_help_panel="Motion",
@@ -68,13 +68,15 @@ class FallOptions(MotionOptions):
 NumberOption = Annotated[
     int,
     typer.Option(
-        "--number", "-n", parser=whole(), help="How many times. The paper: 42.", metavar="NUMBER"
+        "--number", "-n", parser=whole(), help="Number of flicks. The paper: 42.", metavar="NUMBER"
     ),
 ]
 SeedOption = Annotated[
     int | None,
     typer.Option(
-        parser=whole(), help="Of the scatter: the same falls again. [by chance]", metavar="NUMBER"
+        parser=whole(),
+        help="Seed of the scatter; the same seed gives the same falls. [random]",
+        metavar="NUMBER",
     ),
 ]
 FallsOption = Annotated[
@@ -255,5 +257,5 @@ def _show_sides(falls: Falls) -> None:
         rows.add_row(f"limit, {typed(law)}", "", angle(limit), "", "")
     say(rows)
     if not several:
-        say("None came down, so there is no direction to tell.")
+        say("No body came down, so there are no directions.")
     say()

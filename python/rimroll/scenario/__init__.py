@@ -1,4 +1,4 @@
-"""Scenario files: a body, a start, a law and how long to follow them, in TOML.
+"""Scenario files: a body, a start, a law and the options of a motion, in TOML.
 
 Numbers are SI and radians; texts carry their unit. See ``examples/`` for files that explain
 themselves.
@@ -19,12 +19,12 @@ from rimroll.options import Options
 from rimroll.state import State
 
 MOST_STEPS = 2_000_000_000
-"""The most that max_steps may be: what the files of a motion can still count."""
+"""The upper bound of max_steps: the largest number that the files of a motion can hold."""
 
 
 @dataclass(frozen=True)
 class Scenario:
-    """What a scenario file says. ``start`` is None where it only describes a body."""
+    """The content of a scenario file. ``start`` is None if it only describes a body."""
 
     body: Body
     start: State | None
@@ -48,7 +48,7 @@ def load(path: str | os.PathLike[str]) -> Scenario:
 
 
 def presets() -> dict[str, Callable[..., Body]]:
-    """All presets by name: those that a name alone stands for, and those that need a size."""
+    """All presets by name: those without parameters, and those that need a size."""
     return {**bodies.PRESETS, "disk": bodies.disk, "cylinder": bodies.cylinder}
 
 
@@ -57,7 +57,7 @@ RESISTANCES: dict[str, type[Resistance]] = {
     "pivoting_friction": PivotingFriction,
     "air_drag": AirDrag,
 }
-"""What can be added to a law, by the name of its table."""
+"""The resistances that can be added to a law, by the name of their table."""
 
 FILM = "film"
-"""In place of a coefficient of air drag: that of Moffatt's viscous film under the body."""
+"""The word for the air drag of Moffatt's viscous film under the body."""

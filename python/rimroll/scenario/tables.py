@@ -1,4 +1,4 @@
-"""The tables of a scenario file, and what is wrong with them when something is."""
+"""The tables of a scenario file, and their errors."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "filling": solids.filling,
     "solid": solids.Solid,
 }
-"""What [[body.solids]] may be; "solid" is a part given by its four numbers."""
+"""The kinds of [[body.solids]]; "solid" is a part given by its four numbers."""
 
 
 @dataclass(frozen=True)
 class _Shown:
-    """A value that messages show as it stands in the file."""
+    """A value that messages show as it is written in the file."""
 
     value: object
 
@@ -61,13 +61,13 @@ class _Shown:
 
 
 def _readable(value: object) -> object:
-    """A number or a text as it is, and anything else so that messages show it as TOML."""
+    """A number or text unchanged; another value in a form that messages show as TOML."""
     known = isinstance(value, str | int | float) and not isinstance(value, bool)
     return value if known else _Shown(value)
 
 
 def as_toml(value: object) -> str:
-    """A value as a TOML file has it: ``true``, ``"text"``, ``[1, 2]``, ``{ a = 1 }``."""
+    """A value in TOML: ``true``, ``"text"``, ``[1, 2]``, ``{ a = 1 }``."""
     match value:
         case bool():
             return str(value).lower()
@@ -101,7 +101,7 @@ AngularRate = Annotated[float, _in("rad/s")]
 
 
 class _Table(BaseModel):
-    """A table of the file: nothing unknown, nothing converted behind one's back."""
+    """A table of the file, without unknown keys and without silent conversions."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
@@ -191,7 +191,7 @@ def read(file: Path) -> dict[str, Any]:
 
 
 def scenario(content: dict[str, Any]) -> Scenario:
-    """What the content of a scenario file describes."""
+    """The scenario that the content of a file describes."""
     if "body" not in content and content.keys() <= _File.model_fields.keys():
         what = "has no table [body]" if content else "is empty"
         raise RimrollError(f'{what}: write what rolls, such as [body] and preset = "can_2007"')
@@ -318,7 +318,7 @@ def _solid(table: dict[str, Any], where: str) -> solids.Solid:
 
 
 def _made(where: str, make: Callable[[], T]) -> T:
-    """What ``make`` makes; its complaint, if any, says where in the file."""
+    """The result of ``make``; its error names the place in the file."""
     try:
         return make()
     except RimrollError as error:
@@ -326,25 +326,25 @@ def _made(where: str, make: Callable[[], T]) -> T:
 
 
 def _checked(model: type[TableT], table: dict[str, Any], where: str, *other_keys: str) -> TableT:
-    """The table as a model; the first thing wrong with it is a ``RimrollError``."""
+    """The table as a model; its first error is a ``RimrollError``."""
     try:
         return model.model_validate(table)
     except ValidationError as error:
-        # A misspelt key is also a missing one; what was typed says more than what was not.
+        # A misspelt key is also a missing key; the misspelling is the better message.
         problems = sorted(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
     known = [*model.model_fields, *other_keys]
     raise RimrollError(f"{where} {_problem(problems[0], known)}".strip())
 
 
 def _problem(found: ErrorDetails, known: list[str]) -> str:
-    """What pydantic found wrong, in our words where it is ours to say."""
+    """The message of an error of pydantic, in our words where possible."""
     key = ".".join(str(part) for part in found["loc"])
     match found["type"]:
         case "extra_forbidden":
             return f"has an unknown key {key!r}{nearest(key, known)}"
         case "missing":
             return f"lacks {key!r}"
-        case "value_error":  # a quantity's own refusal, which names the field
+        case "value_error":  # the error of a quantity, which names the field
             return str(found.get("ctx", {}).get("error", found["msg"]))
         case "dict_type" | "list_type" | "string_type" | "int_type" as kind:
             return f"{key} must be a {_KINDS[kind]}, got {as_toml(found['input'])}"

@@ -80,7 +80,7 @@ def read_directions(
     column, lean_column
         The columns of the direction of fall and of the first lean, by name, with or without the
         unit in brackets at its end, or by number from 1.
-        Given ``column`` alone, directions are counted from the first lean already.
+        With ``column`` alone, directions are already counted from the first lean.
 
     Returns
     -------
