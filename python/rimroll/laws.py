@@ -324,11 +324,11 @@ class Frictionless(Law):
 class Coulomb(Law):
     """Dry friction, with exact phases of rolling, sliding and flight.
 
-    The rim rolls while |T| ≤ ``static`` · N, then slips under |T| = ``friction`` · N against the
-    slip, and rolls again when the slip stops and friction can hold it. ``static`` is ``friction``
-    unless given, and not below it. Where the normal force reaches zero the rim leaves the table; it
-    lands with the energetic coefficient of ``restitution``, 0 to 1, and with ``friction`` in the
-    impulse, whether it slips or sticks.
+    The rim rolls while |T| ≤ ``static`` · N. Then it slips with |T| = ``friction`` · N against the
+    slip, and rolls again when the slip stops and friction can hold it. ``static`` is by default
+    ``friction``, and must not be smaller. The rim leaves the table where the normal force reaches
+    zero. It lands with the energetic coefficient of ``restitution``, 0 to 1, and with ``friction``
+    in the impulse, whether it slips or sticks.
     """
 
     friction: float
@@ -352,8 +352,8 @@ class Coulomb(Law):
 class Viscous(Law):
     """A film of oil: T = −``coefficient`` (N s/m) times the slip, whatever the normal force.
 
-    In the limit of a near-collision, which takes no time, it does nothing. It flies and lands like
-    :class:`Coulomb`, without friction in the impulse.
+    In the limit of a near-collision, which takes no time, it has no effect. The rim flies and lands
+    as under :class:`Coulomb`, but without friction in the impulse.
     """
 
     coefficient: float
@@ -373,12 +373,12 @@ class Viscous(Law):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Stribeck(Law):
-    """Dry friction made smooth: T = −μ(u) N u/√(u² + creep_speed²).
+    """Regularised dry friction: T = −μ(u) N u/√(u² + creep_speed²).
 
-    μ(u) = friction + (static − friction) exp(−(u/stribeck_speed)²). With ``static`` left out it is
+    μ(u) = friction + (static − friction) exp(−(u/stribeck_speed)²). Without ``static`` it is
     the regularised Coulomb friction of most physics engines: the rim creeps where it should stick.
-    Speeds in m/s. Source of the curve: Armstrong-Hélouvry, Dupont & Canudas de Wit, Automatica 30
-    (1994).
+    Speeds are in m/s. Source of the curve: Armstrong-Hélouvry, Dupont & Canudas de Wit,
+    Automatica 30 (1994).
     """
 
     friction: float
@@ -404,17 +404,17 @@ class Stribeck(Law):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Tabulated(Law):
-    """Dry friction whose coefficient is a curve μ(u) over the slip speed: T = −μ(u) N against it.
+    """Dry friction whose coefficient is a curve μ(u) of the slip speed u: T = −μ(u) N u/|u|.
 
     The curve goes through the points (``speeds`` in m/s, ``frictions``). Between them it is the
     monotone piecewise cubic of Fritsch & Butland (SIAM J. Sci. Stat. Comput. 5, 1984; SciPy's
     ``PchipInterpolator``), which has a continuous slope and overshoots no point; below the first
     speed and beyond the last it is constant. A curve may fall and rise.
 
-    Everything else is as under :class:`Coulomb`: exact phases of rolling, sliding and flight, none
-    of them regularised. The rim rolls while |T| ≤ ``static`` · N; ``static`` is the friction at the
-    lowest speed unless given, and not below it. In a landing the coefficient is that of the slip
-    with which the rim comes down, all through the impulse.
+    Everything else is as under :class:`Coulomb`: exact phases of rolling, sliding and flight,
+    without regularisation. The rim rolls while |T| ≤ ``static`` · N; ``static`` is by default the
+    friction at the lowest speed, and must not be smaller. In a landing, the coefficient is that of
+    the slip speed with which the rim comes down, throughout the impulse.
 
     >>> import rimroll as rr
     >>> law = rr.Tabulated(speeds=[0.0, 0.05, 0.2], frictions=[0.3, 0.22, 0.2], static=0.35)
@@ -432,7 +432,7 @@ class Tabulated(Law):
     name: ClassVar[str] = "tabulated"
 
     def friction_at(self, speeds: Values) -> Any:
-        """μ of slips at ``speeds`` (m/s, not negative): a number, or an array of their shape."""
+        """μ at slip speeds (m/s, >= 0): a number, or an array of their shape."""
         given = array("speeds", speeds, "m/s")
         hold("speeds", given, given >= 0.0, ">= 0", "m/s")
         values = _core.friction_at(self, np.ascontiguousarray(given).ravel())
@@ -455,13 +455,13 @@ class Tabulated(Law):
         mu
             The coefficient of friction: a continuous function.
         speeds
-            The speeds to begin with, m/s, at least two: from the lowest to the one beyond which
-            the friction counts as constant.
+            The initial speeds, m/s, at least two: from the lowest to the one beyond which the
+            friction is taken as constant.
         tolerance
-            How far the curve may be from ``mu``. Points are added in the middle of each interval
-            in which it is farther at a quarter, half or three quarters of the interval, or at one
-            of 64 places between each two of ``speeds``. A feature of ``mu`` that is narrower than
-            1/46 of the interval between two ``speeds`` can be missed: give speeds around it.
+            Largest difference between the curve and ``mu``. Intervals are halved where the
+            difference is larger at a quarter, half or three quarters of the interval, or at one of
+            64 places between each two of ``speeds``. A feature of ``mu`` that is narrower than 1/46
+            of the interval between two ``speeds`` can be missed: give speeds around it.
         static, restitution
             As for :class:`Tabulated`.
 
@@ -473,8 +473,8 @@ class Tabulated(Law):
         >>> round(fading.friction_at(0.05), 5)
         0.23679
 
-        Raises ``RimrollError`` where ``mu`` gives anything but a number from 0 to 1e6, and where
-        it is not continuous or needs more than ten thousand points.
+        Raises ``RimrollError`` if ``mu`` returns anything but a number from 0 to 1e6, is not
+        continuous, or needs more than ten thousand points.
         """
         if not callable(mu):
             raise RimrollError(f"mu must be a function of the slip speed, got {mu!r}")
@@ -482,7 +482,7 @@ class Tabulated(Law):
         if not tolerance > 0.0:
             raise RimrollError(f"tolerance must be > 0, got {tolerance:g}")
         begin = listed("speeds", speeds, "m/s")
-        # Refuses speeds that are no speeds before the function is asked about them.
+        # Raises errors about the speeds before the function is called.
         cls(begin, [0.0] * len(begin))
         points = sampled(mu, begin, lambda u, mus: cls(u, mus).friction_at, tolerance)
         sticking = None if static is None else number("static", static)
@@ -498,7 +498,7 @@ assert list(LAWS) == list(_core.LAWS)
 
 
 def one_law(law: Any) -> Law:
-    """The law itself, if it is a single one of the core's; else ``RimrollError``."""
+    """The law itself, if it is a single law of the core; else ``RimrollError``."""
     contact_law(law)
     if law.shape:
         raise RimrollError(
@@ -510,7 +510,7 @@ def one_law(law: Any) -> Law:
 
 
 def contact_law(law: object) -> Law:
-    """The law, if it is one that the core computes; else ``RimrollError``."""
+    """The law, if it is a law of the core; else ``RimrollError``."""
     expect("law", law, Law)
     assert isinstance(law, Law)
     _expect_known(type(law))
@@ -518,7 +518,7 @@ def contact_law(law: object) -> Law:
 
 
 def _expect_known(kind: type[Law]) -> None:
-    """Refuse a class of one's own: the core knows laws by name, not what Python adds to them."""
+    """Raise ``RimrollError`` for a user's class: the core knows laws by name only."""
     if kind not in LAWS.values():
         known = ", ".join(known.__name__ for known in LAWS.values())
         raise RimrollError(
@@ -532,7 +532,7 @@ IDEAL: tuple[Law, ...] = (NoSlip(), Frictionless())
 
 
 def in_brief(value: float | tuple[float, ...]) -> str:
-    """A number of a law for people, or from where to where the numbers of a table go."""
+    """A number of a law as text, or the range of the numbers of a table."""
     if isinstance(value, tuple):
         return f"{min(value):g} to {max(value):g}"
     return f"{value:g}"
@@ -549,13 +549,13 @@ def ideal(law: object) -> Law:
 def kind(name: str) -> type[Law]:
     """The class of law of that name, typed like ``no-slip`` or ``no_slip``.
 
-    Raises ``RimrollError`` with the nearest name when there is none such.
+    Raises ``RimrollError`` with the nearest name if there is none.
     """
     return choose("law", name, {typed(known): law for known, law in LAWS.items()})
 
 
 def numbers_of(law: type[Law]) -> dict[str, bool]:
-    """The numbers that a law takes by name, and whether it cannot do without."""
+    """The numbers of a law by name, and whether each is required."""
     return {
         item.name: item.default is MISSING for item in fields(law) if item.name != "resistances"
     }
@@ -564,7 +564,7 @@ def numbers_of(law: type[Law]) -> dict[str, bool]:
 def by_name(name: str, numbers: Mapping[str, float | tuple[float, ...]] | None = None) -> Law:
     """The law of that name with these numbers; ``-`` may stand for ``_``.
 
-    Raises ``RimrollError`` with the nearest name when there is none such, and naming the number
+    Raises ``RimrollError`` with the nearest name if there is none, or with the name of a number
     that is missing or does not belong to the law.
     """
     numbers = numbers or {}

@@ -1,4 +1,4 @@
-"""What the options of a command amount to, over a scenario file if there is one."""
+"""The set-up that the options of a command describe, with a scenario file if there is one."""
 
 from __future__ import annotations
 

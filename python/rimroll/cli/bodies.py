@@ -60,6 +60,6 @@ def _by_name_alone(preset: Callable[..., Body]) -> Body | None:
 
 
 def _about(preset: Callable[..., Body]) -> str:
-    """What a preset's docstring says, in one line."""
+    """The docstring of a preset in one line."""
     text = re.sub(r":\w+:`(\w+)`", r"\1", inspect.getdoc(preset) or "")
     return " ".join(text.split())

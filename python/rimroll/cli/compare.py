@@ -178,7 +178,7 @@ def _way_round(one: Outcome) -> list[str]:
 
 
 def _remarks(one: Outcome) -> list[str]:
-    """What to try instead; else why there is no limit, without the numbers of each table."""
+    """Hints; without any, the reason why there is no limit, without the numbers of each table."""
     if found := hints(one.motion, "--on"):
         return found
     return [in_degrees(one.limit.why_not.split(" at t = ")[0])] if one.limit.why_not else []

@@ -1,4 +1,4 @@
-"""What the options say of the contact with the table, over the law of a scenario file."""
+"""The contact law that the options describe, with the law of a scenario file."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ OPTION_OF = {number: option for option, number in NUMBER_OF.items()}
 
 
 def option(name: str) -> str:
-    """How a field is typed: ``--tilt-rate``."""
+    """The option of a field: ``--tilt-rate``."""
     return "--" + typed(name)
 
 

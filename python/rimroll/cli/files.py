@@ -15,7 +15,7 @@ from rimroll.cli.screen import Bar
 from rimroll.motion import UNITS, Moments, Motion
 
 TWICE = "times may repeat where the contact changes: once as before, once as after"
-"""What there is to know about the times in the files."""
+"""A comment on the times in the files."""
 
 ROWS = 4096  # written between two looks at the progress bar
 
@@ -39,7 +39,7 @@ class Record:
 
 
 def summary(record: Record) -> dict[str, Any]:
-    """What there is to say about a motion, short of its samples."""
+    """A motion without its samples, as a dictionary."""
     motion = record.motion
     return {
         "parameters": record.parameters,

@@ -41,7 +41,7 @@ Answer = dict[str, Any]
 
 @dataclass(frozen=True)
 class BodyByOption(BodyOptions):
-    """What was flicked; the file of angles stands where other commands have the body."""
+    """The body as an option, since the argument is the file of angles."""
 
     body: Annotated[
         str | None,
@@ -297,7 +297,7 @@ def _shares(found: Fit) -> Iterator[str]:
 
 
 def _falls_line(found: Fit) -> str:
-    """How many fell to each side, and where."""
+    """The number and direction of falls to each side."""
     parts = []
     for side, there in (
         ("left", found.directions > math.pi),

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 Forms = Mapping[str, Callable[[Path, T, Bar], None]]
-"""What writes a thing to a path, by suffix."""
+"""The functions that write something to a path, by suffix."""
 
 
 STDOUT = Path("-")

@@ -1,4 +1,4 @@
-"""What to try when a motion ends before it shows anything."""
+"""Suggestions for motions that end before they show anything."""
 
 from __future__ import annotations
 

@@ -40,10 +40,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_POINTS = 3000
-"""Of a map, each way: nine million falls."""
+"""The largest number of points in each direction of a map: nine million falls."""
 
 RTOL = 1e-6
-"""Unless told otherwise: a turn is right to 1e-4 degrees."""
+"""The default: errors of turns are below 1e-4 degrees."""
 
 
 @dataclass(frozen=True)
@@ -204,7 +204,7 @@ def _follow(
 
 
 def summary(what: Asked, falls: Falls) -> dict[str, Any]:
-    """What there is to say about a map, short of its falls."""
+    """A map without its falls, as a dictionary."""
     directions = falls["direction"][fell(falls)]
     left, right = directions[directions > np.pi], directions[directions < np.pi]
     ideal = is_ideal(what.law) and not what.law.resistances

@@ -48,7 +48,7 @@ ROLLED = "Instead of swinging across: rolling down a slope on its side (for C)"
 
 @dataclass(frozen=True)
 class MeasureOptions:
-    """What was measured."""
+    """The readings."""
 
     mass: Annotated[Text, _given("On the scales.", "MASS", SIZE)] = None
     radius: Annotated[Text, _given("Of the rim that touches the table.", "LENGTH", SIZE)] = None

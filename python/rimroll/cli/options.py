@@ -16,7 +16,7 @@ from rimroll.scenario import MOST_STEPS, presets
 
 
 def whole(least: int | None = None, most: int | None = None) -> Callable[[str], int]:
-    """What reads a whole number, also as 1e3, and refuses others in words."""
+    """A parser of whole numbers, also as 1e3, with error messages."""
 
     def read(text: str | int) -> int:
         try:
@@ -39,7 +39,7 @@ def _option(help: str, metavar: str, panel: str, choices: Iterable[str] = ()) ->
 
 
 def completing(choices: Iterable[str]) -> Callable[[str], list[str]] | None:
-    """What tells a shell how a word goes on; None where there is nothing to choose from."""
+    """The completion of a word for a shell; None without choices."""
     known = list(choices)
 
     def those_that_begin(incomplete: str) -> list[str]:
@@ -111,11 +111,11 @@ class StartOptions:
 
 @dataclass(frozen=True)
 class MotionOptions:
-    """How long and how exactly to follow the motion."""
+    """Duration and accuracy of the motion."""
 
-    duration: Annotated[
-        str | None, _option("How long to follow the motion. [2 s]", "TIME", "Motion")
-    ] = None
+    duration: Annotated[str | None, _option("Duration of the motion. [2 s]", "TIME", "Motion")] = (
+        None
+    )
     gravity: Annotated[
         str | None, _option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", "Motion")
     ] = None
@@ -192,7 +192,7 @@ class LawOptions:
 
 @dataclass(frozen=True)
 class ResistanceOptions:
-    """How bodies rebound from the table, and what wears their motion down besides friction."""
+    """Restitution of landings, and resistances besides friction."""
 
     restitution: Annotated[
         str | None,

@@ -173,7 +173,7 @@ def _table(name: str, restitution: float) -> Law:
 
 
 def outcome(what: Asked, name: str, law: Law) -> Outcome:
-    """What becomes of a flick on a table."""
+    """The outcome of a flick on a table."""
     assert what.start is not None
     law = replace(law, resistances=what.law.resistances)
     motion = simulate(what.body, what.start, law, **asdict(what.options))

@@ -1,4 +1,4 @@
-"""What commands show: tables and JSON on stdout, progress on stderr."""
+"""Output of commands: tables and JSON on stdout, progress on stderr."""
 
 from __future__ import annotations
 

@@ -22,12 +22,12 @@ DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1)), (
 ROCKINGS = 4  # that are drawn at most: of more, nothing could be read off
 
 MOST = len(style.SERIES)
-"""Tables in one figure: more could not be told apart."""
+"""The largest number of tables in one figure; more would be indistinguishable."""
 
 
 @dataclass(frozen=True)
 class Curve:
-    """What is drawn of one outcome: the whole motion, and its near-collision under a lens."""
+    """The drawing of one outcome: the whole motion, and its near-collision magnified."""
 
     name: str
     look: dict[str, Any]
@@ -98,7 +98,7 @@ def _until(motion: Motion) -> float:
 
 
 def _curves(outcomes: list[Outcome], until: float) -> tuple[list[Curve], float]:
-    """What is drawn, and half the span of time under the lens, s."""
+    """The drawings, and half the time span of the magnified part, s."""
     windows = [near_collision_window(one.motion) for one in outcomes]
     half = max((window.half_width for window in windows if window is not None), default=1e-3)
     curves = []

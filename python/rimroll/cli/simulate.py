@@ -163,7 +163,7 @@ def _show(record: Record, files: list[Path]) -> None:
 
 
 def _phases(motion: Motion) -> list[str]:
-    """How often and how long the rim rolled, slid and flew."""
+    """The number and duration of phases in which the rim rolled, slid and flew."""
     said = []
     for kind in ("rolling", "sliding", "flying"):
         spans = [phase.end - phase.start for phase in motion.phases if phase.kind == kind]

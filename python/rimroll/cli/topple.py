@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class FallOptions(MotionOptions):
-    """How long and how exactly to follow each fall."""
+    """Duration and accuracy of each fall."""
 
     duration: Annotated[
         str | None,

@@ -1,4 +1,4 @@
-"""``rimroll turn``: the angle of turn in the limit, and of a real motion beside it."""
+"""``rimroll turn``: the limiting angle of turn, and that of a motion."""
 
 from __future__ import annotations
 
@@ -97,12 +97,12 @@ class Limit:
 
 
 def is_ideal(law: Law) -> bool:
-    """Whether there is a closed form of the limit, whatever the arrival without spin."""
+    """Whether the limit has a closed form that holds for every arrival without spin."""
     return type(law) in map(type, IDEAL)
 
 
 def limit_of(what: Asked, law: Law) -> Limit:
-    """The limit under a law, and of the start that was asked for."""
+    """The limit under a law, for the given start."""
     try:
         limit = Limit(law, turn_limit(what.body, law))
     except RimrollError as error:
@@ -118,8 +118,8 @@ def limit_of(what: Asked, law: Law) -> Limit:
 
 
 def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
-    """How a start comes down; ``RimrollError`` for one whose sideways motion is no small push."""
-    most = 0.2  # of the rate of falling: from there on it wobbles rather than falls
+    """The arrival of a start; ``RimrollError`` if its sideways motion is not small."""
+    most = 0.2  # of the rate of falling: above this the body wobbles rather than falls
     turning = math.hypot(
         start.yaw_rate * math.sin(start.tilt),
         start.spin_rate + start.yaw_rate * math.cos(start.tilt),
@@ -132,7 +132,7 @@ def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
 
 
 def _limits(what: Asked, named: bool) -> list[Limit]:
-    """Those of the two ideal laws, of a law named with ``--law``, or of all three."""
+    """The limits under the two ideal laws, under the law of ``--law``, or under all three."""
     ideals = [replace(law, resistances=what.law.resistances) for law in IDEAL]
     if not is_ideal(what.law):
         laws: list[Law] = [*ideals, what.law]
@@ -188,7 +188,7 @@ def body_line(name: str, body: Body) -> str:
 
 
 def start_line(motion: Motion, nudged: bool = False) -> str:
-    """A start and the gravity in one line; ``nudged`` where nobody asked for another start."""
+    """A start and the gravity in one line; ``nudged`` if it is the default start."""
     start = motion.start
     rates = ", ".join(
         f"{name} {getattr(start, f'{name}_rate'):.4g}" for name in ("tilt", "yaw", "spin")
@@ -235,7 +235,7 @@ def _row(rows: Table, law: str, limit: float | None) -> None:
 
 
 def _show_arrival(what: Asked, limit: Limit) -> None:
-    """How the body arrives, and what of the limits depends on it."""
+    """The arrival, and the limits that depend on it."""
     name = typed(limit.law.name)
     if limit.arrival is not None:
         say(f"arrival from this start           {arrival_words(limit.arrival)}")
@@ -246,14 +246,14 @@ def _show_arrival(what: Asked, limit: Limit) -> None:
 
 
 def arrival_words(comes: Arrival) -> str:
-    """How a body arrives, in one line."""
+    """The arrival in one line."""
     way = "outward" if comes.slip < 0.0 else "inward"
     slip = f"slipping {way} at {100 * abs(comes.slip):.3g} cm/s" if comes.slip else "without slip"
     return f"tipping at {comes.tipping_rate:.4g} rad/s, {slip}"
 
 
 def _depends(law: Law, needed: float) -> str:
-    """What of a limit depends on the arrival."""
+    """How a limit depends on the arrival."""
     name = typed(law.name)
     if isinstance(law, Viscous):
         said = f"Viscous friction does nothing in the limit: it has no time to. So {name}, too, has"
@@ -271,7 +271,7 @@ def _depends(law: Law, needed: float) -> str:
 
 
 def show_turns(motion: Motion) -> None:
-    """How a motion ended, and its first turns, beside their limit if it is that of each."""
+    """The ending of a motion and its first turns, with their limit if it applies to each."""
     say()
     say(f"{in_words(motion.law)}: {in_degrees(motion.message)}")
     for hint in hints(motion, "--law coulomb --friction"):
