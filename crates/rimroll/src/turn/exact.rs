@@ -1,41 +1,41 @@
 //! The turn by quadrature, under the two laws without loss.
 //!
-//! Without slip and without friction energy is conserved and the other velocities follow from the tilt,
-//! so that the whole motion is quadrature (the paper says so of the frictionless one, section
-//! "Frictionless sliding"). No steps are made: the smallest and the largest tilt are roots, and yaw and
-//! time integrals with a rule that gains digits with every node. What makes that work however near the
-//! near-collision is:
+//! Under no slip and without friction, energy is conserved and the tilt determines the other velocities.
+//! The whole motion is therefore a quadrature (the paper states this for the frictionless law, section
+//! "Frictionless sliding"). The smallest and the largest tilt are roots of the tilt's energy. Yaw and time
+//! are integrals, which Gauss-Legendre rules evaluate with spectral convergence. Three measures keep the
+//! accuracy for any smallest tilt:
 //!
-//! * the tilt's logarithm as clock (`tilting`), in which the collision and the rest of the motion are of
-//!   like length,
-//! * for rolling, a table of the body's fundamental solutions (`fundamental`),
-//! * the part of the yaw that the collision alone makes in closed form (`segments`).
+//! * the independent variable ln tan(φ/2) (`tilting`), in which the near-collision and the rest of the
+//!   motion have similar lengths,
+//! * for no slip, a table of the body's fundamental solutions (`fundamental`),
+//! * a closed form for the part of the yaw that the near-collision alone produces (`segments`).
 //!
-//! `scalar` treats one start with all that can become of it; `rocking` sixteen at a time that rock,
-//! `toppling` sixteen that topple. `bodies` sorts many starts by their bodies.
+//! `scalar` handles one start with any outcome. In batches of sixteen lanes, `rocking` handles starts that
+//! rock and `toppling` starts that topple. `bodies` groups many starts by their bodies.
 
 mod antiderivative;
 mod batch;
 mod bodies;
 mod dispatch;
 mod extremes;
+mod frictionless;
 mod fundamental;
+mod near_balance;
+mod no_slip;
 mod ridge;
 mod rocking;
-mod rolling;
 mod rule;
+mod rule_queue;
 mod scalar;
 mod segments;
 mod sensitivity;
 mod sign_search;
-mod sliding;
+mod small_oscillation;
 mod start;
 mod tilting;
-mod top;
 mod toppling;
-mod waiting;
 mod watershed;
-mod wobble;
 
 use crate::body::Body;
 use crate::error::{InvalidInput, positive};
@@ -45,69 +45,69 @@ use crate::state::State;
 pub use bodies::ExactRows;
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
+use frictionless::FrictionlessTilt;
 use fundamental::Fundamental;
+use near_balance::{NearBalance, lingers};
+use no_slip::NoSlipTilt;
 use ridge::Balance;
-use rolling::Rolling;
 use scalar::{Quadrature, Scalar, ScalarQuadrature};
-use sliding::Sliding;
 use start::Start;
 use tilting::Tilting;
-use top::{OnTop, lingers};
 pub use watershed::watershed_slope;
 
-/// Below this sin φ the base counts as flat on the table, as in a simulated motion.
+/// If sin φ is smaller than this, the base counts as flat on the table, as in a simulated motion.
 const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
 
-/// Nearer to an extreme than this, in η, G has no digits left.
+/// Distance in η from a turning point below which rounding errors dominate G.
 const SHORT: f64 = 3e-6;
 
-/// A body that turns back so near to the balance point, in η, lingers.
+/// Distance in η from the balance point within which a body with its turning point there lingers.
 const LINGERING: f64 = 0.03;
 
-/// Of the way between the smallest and the largest tilt, in η, at most this much belongs to the latter.
+/// The maximum length in η of the segment next to the largest tilt.
 const MAX_OUTER: f64 = 2.6;
 
-/// Points at which the sign of a function is looked at in search of a first root.
+/// Number of samples in the search for the first root of a function.
 const SAMPLES: usize = 24;
 
-/// The first turn of a motion, and what became of it. What does not exist is NaN.
+/// The first turn of a motion and its outcome. Quantities that do not exist are NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExactTurn {
-    /// How it ended. A rim that leaves the table ends the turn wherever the body leans.
+    /// How the turn ended. It ends with [`Outcome::LiftedOff`] at any tilt at which the rim leaves the table.
     pub ending: Outcome,
-    /// What became of the body: the same, except that it falls over if its rim leaves the table as it rises
-    /// past the balance point.
+    /// What became of the body. This equals `ending`, except that a body whose rim leaves the table as it
+    /// rises past the balance point falls over.
     pub outcome: Outcome,
-    /// Change of yaw from the release, or the largest tilt after it, through the smallest tilt to the
-    /// end, rad.
+    /// Change of yaw, rad, from the release to the end through the smallest tilt. If the tilt increases at
+    /// the release, the turn begins at the following largest tilt.
     pub turn: f64,
     /// The smallest tilt, rad.
     pub min_tilt: f64,
-    /// The tilt at the end, the largest if it rocked, rad.
+    /// The tilt at the end, rad. If the body rocked, this is the largest tilt.
     pub max_tilt: f64,
-    /// When the tilt was smallest, s.
+    /// Time of the smallest tilt, s.
     pub min_time: f64,
-    /// When it was over, s.
+    /// Time of the end, s.
     pub time: f64,
-    /// Change of yaw from the release to the end, rad: the turn, and what came before it.
+    /// Change of yaw from the release to the end, rad, including the part before the turn begins.
     pub yaw: f64,
 }
 
-/// A body under one of the two laws, ready for many starts.
+/// A body under one of the two ideal laws, prepared for many starts.
 pub struct Exact {
     body: Body,
     law: IdealLaw,
     parameters: Parameters<f64>,
-    /// For rolling, over all tilts below the end.
+    /// For no slip: covers all tilts below the end.
     table: Option<Fundamental<f64>>,
-    /// For rolling, over the tilts in which a body rocks: shorter.
+    /// For no slip: covers the tilts up to the balance point, with fewer terms.
     rocking_table: Option<Fundamental<f64>>,
     balance: Balance,
     options: Options,
 }
 
 impl Exact {
-    /// Prepares for starts under gravity g (m/s²). `topple_tilt` (rad) as in [`Options`].
+    /// Prepares the body for starts under gravity g (m/s²). `topple_tilt` (rad) is that of [`Options`].
     ///
     /// # Errors
     /// Refuses numbers outside their bounds.
@@ -125,7 +125,7 @@ impl Exact {
             rtol: 1e-13,
             ..Options::default()
         };
-        // A start that none refuses shows whether the rest is in order.
+        // With a start that is always valid, this checks the options.
         let start = State {
             tilt: 1e-300,
             ..State::default()
@@ -151,17 +151,17 @@ impl Exact {
         end(&self.options)
     }
 
-    /// How far a body that rocks may tilt, tan(φ/2): to the balance point.
+    /// The upper bound of the tilt of a rocking body, as tan(φ/2): the balance point.
     fn highest(&self) -> f64 {
         self.balance.y
     }
 
-    /// At the largest tilt of a body that rocks and does not all but linger there, dG/dη is steeper.
-    fn least_slope(&self) -> f64 {
+    /// The minimum of |dG/dη| at the largest tilt, below which a rocking body lingers there.
+    fn min_slope(&self) -> f64 {
         LINGERING * self.balance.curvature
     }
 
-    /// Whether quadrature does not reach the start.
+    /// Whether the start lies outside the range of the quadrature.
     fn is_beyond(&self, start: &State) -> bool {
         start.tilt >= FRAC_PI_2 || self.options.topple_tilt > Some(FRAC_PI_2)
     }
@@ -179,20 +179,20 @@ impl Exact {
         self.options.check(start)
     }
 
-    /// For starts that rock.
+    /// The engine for starts that rock.
     fn rocking_engine(&self) -> Engine<'_> {
         self.engine(&self.rocking_table)
     }
 
-    /// For all others.
-    fn passing_engine(&self) -> Engine<'_> {
+    /// The engine for all other starts.
+    fn general_engine(&self) -> Engine<'_> {
         self.engine(&self.table)
     }
 
     fn engine<'a>(&'a self, table: &'a Option<Fundamental<f64>>) -> Engine<'a> {
         match table {
-            Some(table) => Engine::Rolling(table),
-            None => Engine::Sliding(&self.parameters),
+            Some(table) => Engine::NoSlip(table),
+            None => Engine::Frictionless(&self.parameters),
         }
     }
 
@@ -217,9 +217,9 @@ impl Exact {
     fn quadrature(&self, start: &State) -> Option<Quadrature<f64>> {
         let start = Start::of(start);
         match &self.table {
-            Some(table) => self.scalar(&Rolling::new(table, &start), &self.parameters, start),
+            Some(table) => self.scalar(&NoSlipTilt::new(table, &start), &self.parameters, start),
             None => self.scalar(
-                &Sliding::new(self.parameters, &start),
+                &FrictionlessTilt::new(self.parameters, &start),
                 &self.parameters,
                 start,
             ),
@@ -234,15 +234,15 @@ impl Exact {
     ) -> Option<Quadrature<T>> {
         let (end, balance) = (self.end(), self.balance);
         if lingers(motion, &start, &balance) {
-            let motion = OnTop::new(motion, k, start, [balance.eta, libm::log(end.0)]);
+            let motion = NearBalance::new(motion, k, start, [balance.eta, libm::log(end.0)]);
             return ScalarQuadrature::new(&motion, start, end, balance).quadrature();
         }
         ScalarQuadrature::new(motion, start, end, balance).quadrature()
     }
 
-    /// The same by steps, where quadrature does not reach.
+    /// The turn by time integration, for starts outside the range of the quadrature.
     fn stepped(&self, start: &State) -> ExactTurn {
-        // The turn does not depend on where yaw and spin begin, nor shall its last digit.
+        // Zero initial yaw and spin make the result independent of them to the last bit.
         let start = &State {
             yaw: 0.0,
             spin: 0.0,
@@ -254,8 +254,8 @@ impl Exact {
     }
 }
 
-/// Where a motion ends that nothing turns back, tan(φ/2), and what that is called. A disk may pass
-/// the vertical, where its turn is over, and fall to the other face.
+/// The end of a motion without an upper turning point, as tan(φ/2), and its outcome. For a disk this can be
+/// the vertical: its turn ends there, and it falls to the other face.
 fn end(options: &Options) -> (f64, Outcome) {
     match options.topple_tilt {
         Some(tilt) if tilt < FRAC_PI_2 => (half_tangent(tilt), Outcome::Toppled),
@@ -264,7 +264,7 @@ fn end(options: &Options) -> (f64, Outcome) {
     }
 }
 
-/// √(J/(mg√(R² + H²))): how long it takes to fall over, s.
+/// √(J/(mg√(R² + H²))), the time scale of falling over, s.
 fn natural_time(body: &Body, gravity: f64) -> f64 {
     let arm = libm::hypot(body.radius(), body.height());
     (body.rim_inertia() / (body.mass() * gravity * arm)).sqrt()

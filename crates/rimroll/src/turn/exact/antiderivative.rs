@@ -1,20 +1,20 @@
-//! What a smooth function sums to along a short stretch.
+//! The antiderivative of a smooth function on a short interval.
 
 use crate::real::Real;
 use core::f64::consts::PI;
 
-/// ∫f from zero on, by f's Chebyshev coefficients from N points.
+/// The integral of f from zero, by the Chebyshev interpolant of f at N points.
 pub(super) struct Antiderivative<T, const N: usize> {
-    /// Middle and half the length of the stretch.
+    /// Centre and half-length of the interval.
     middle: f64,
     half: f64,
-    /// Of the Chebyshev polynomials from the first on.
+    /// Coefficients of the Chebyshev polynomials T₁ … T_N.
     coefficients: [T; N],
     at_zero: T,
 }
 
 impl<T: Real, const N: usize> Antiderivative<T, N> {
-    /// For arguments between `from` and `to`.
+    /// The antiderivative for arguments between `from` and `to`.
     pub(super) fn new(from: f64, to: f64, f: impl Fn(T) -> T) -> Self {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let angle = |i: usize| PI * (i as f64 + 0.5) / N as f64;
@@ -40,7 +40,7 @@ impl<T: Real, const N: usize> Antiderivative<T, N> {
         sum
     }
 
-    /// By Clenshaw's recurrence.
+    /// The integral from zero to x, by Clenshaw's recurrence.
     pub(super) fn at(&self, x: T) -> T {
         let u = (x - T::from(self.middle)) * T::from(1.0 / self.half);
         let (mut next, mut one_after) = (T::from(0.0), T::from(0.0));

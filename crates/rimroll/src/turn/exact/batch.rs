@@ -1,18 +1,18 @@
-//! Many starts, by lanes and threads.
+//! Many starts, in SIMD lanes and threads.
 //!
-//! A block of starts goes through the parts of its turns one after another; in each, starts that need
-//! rules of the same size share lanes. What is rare is treated alone.
+//! The segments of the turns of a block are integrated one after another. For each segment, starts that
+//! need the same quadrature rule share a group of lanes. Rare cases are left to the scalar code.
 
 use super::dispatch::Group;
+use super::near_balance::is_near_balance;
 use super::rocking::TurnPart;
 use super::rule::{Choice, RULES};
+use super::rule_queue::RuleQueue;
 use super::scalar::Quadrature;
 use super::segments::Integral;
 use super::start::Start;
 use super::tilting::Conserved;
-use super::top::is_on_top;
-use super::toppling::{Stretch, ToppleLimits};
-use super::waiting::Waiting;
+use super::toppling::{ToppleLimits, TopplePart};
 use super::{Exact, ExactTurn, Outcome, SHORT, turn_of_quadrature};
 use crate::error::InvalidInput;
 use crate::real::{LANES, Lanes, Real};
@@ -20,69 +20,70 @@ use crate::state::State;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// Starts that a thread takes at a time: so many that most rules find sixteen.
+/// Starts per thread and block, large enough to fill the lanes of most rules.
 const BLOCK: usize = 1024;
 
-/// A start on its way through the lanes.
+/// One start and the results for it so far.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lane {
     pub(super) start: Start<f64>,
     pub(super) conserved: Conserved<f64>,
-    /// At the smallest tilt tan(φ/2), its logarithm, and how much the collision counts there.
+    /// tan(φ/2), its logarithm and the singular coefficient at the smallest tilt.
     pub(super) low: [f64; 3],
-    /// At the largest tan(φ/2) and its logarithm.
+    /// tan(φ/2) and its logarithm at the largest tilt.
     pub(super) high: [f64; 2],
-    /// Both tilts, rad.
+    /// The smallest and the largest tilt, or the tilt at the end, rad.
     tilts: [f64; 2],
-    /// Of the ridge that it passes.
+    /// Width in η of the [`Ridge`](super::ridge::Ridge) at the balance point, if it topples.
     pub(super) width: f64,
-    /// About how many nodes its three pieces need.
+    /// Estimated numbers of nodes for its three segments.
     nodes: [f64; 3],
+    /// −τ² at the singularity of the integrand, for the two segments that end at the largest tilt.
     square: [f64; 2],
-    course: Course,
-    /// Yaw and time from the smallest tilt to the largest or, of one that passes, to the start.
-    half: [f64; 2],
-    /// Yaw and time from the start's tilt to the largest, or to the end.
-    leg: [f64; 2],
+    class: Class,
+    /// Yaw (rad) and time (s) from the smallest tilt to the largest, or to the start if the body topples.
+    from_lowest: [f64; 2],
+    /// Yaw (rad) and time (s) from the start to the largest tilt, or to the end if the body topples.
+    from_start: [f64; 2],
 }
 
-/// What is known of what becomes of it.
+/// The outcome of a start, as far as it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Course {
-    /// Nothing: it is treated alone.
-    ScalarQuadrature,
-    /// It is past the balance point or, but for yaw and spin, goes there.
-    GoesOver,
-    /// It is not, and does not.
-    StaysUnder,
-    /// It comes down and rocks.
+enum Class {
+    /// Unknown; the scalar code handles it.
+    NeedsScalar,
+    /// It starts past the balance point, or its energy without yaw and spin suffices to reach it.
+    AboveBalance,
+    /// Neither holds.
+    BelowBalance,
+    /// Its tilt has a minimum and then a maximum.
     Rocks,
-    /// It comes down and passes over the balance point.
-    Passes,
-    /// It falls over as it is.
+    /// Its tilt has a minimum, and then it passes the balance point.
+    Topples,
+    /// Its tilt increases from the start until it topples.
     FallsBack,
 }
 
 impl Exact {
-    /// The turns of many starts, on the threads of the pool that it is called from. Those of a start do
-    /// not depend on the others, nor on the number of threads.
+    /// The turns of many starts, computed in the current thread pool. The result for a start depends neither
+    /// on the other starts nor on the number of threads.
     ///
     /// # Errors
-    /// Refuses a start outside its bounds: the first.
+    /// Refuses the first start that is outside its bounds.
     pub fn turns(&self, starts: &[State]) -> Result<Vec<ExactTurn>, InvalidInput> {
         let turns = self.turns_while(starts, || true)?;
         Ok(turns.expect("nothing has ended the work"))
     }
 
-    /// The same, unless `goes_on`, which is asked every few thousandths of a second, says that it is no longer
-    /// wanted.
+    /// The turns of many starts, or `None` if `should_continue` returns false. It is called every few
+    /// milliseconds.
     ///
     /// # Errors
     /// As [`Exact::turns`].
     pub fn turns_while(
         &self,
         starts: &[State],
-        goes_on: impl Fn() -> bool + Sync,
+        should_continue: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
         let refused = |block: &[State]| block.iter().find_map(|start| self.check(start).err());
         let mut turns = vec![
@@ -104,56 +105,56 @@ impl Exact {
         }
         let done = of_turns
             .zip(of_starts)
-            .try_for_each(|(turns, starts)| self.block(starts, turns, &goes_on));
+            .try_for_each(|(turns, starts)| self.block(starts, turns, &should_continue));
         Ok(done.map(|()| turns))
     }
 
-    /// Fills in the turns of some starts, unless the work is no longer wanted.
+    /// Writes the turns of some starts; `None` if the computation is cancelled.
     fn block(
         &self,
         starts: &[State],
         turns: &mut [ExactTurn],
-        goes_on: impl Fn() -> bool,
+        should_continue: impl Fn() -> bool,
     ) -> Option<()> {
-        if !goes_on() {
+        if !should_continue() {
             return None;
         }
         let mut lanes = Lane::of(self, starts);
         self.find_rocking(&mut lanes);
-        self.find_passing(&mut lanes);
+        self.find_toppling(&mut lanes);
         self.rock(&mut lanes);
-        self.pass(&mut lanes);
+        self.topple(&mut lanes);
         let end = self.end();
         for ((turn, lane), start) in turns.iter_mut().zip(&lanes).zip(starts) {
-            *turn = match lane.course {
-                Course::Rocks => lane.rocked(),
-                Course::Passes => lane.passed(end),
-                Course::FallsBack => {
+            *turn = match lane.class {
+                Class::Rocks => lane.rocked(),
+                Class::Topples => lane.toppled(end),
+                Class::FallsBack => {
                     turn_of_quadrature(&Quadrature::without_turn(Outcome::FellBack, None))
                 }
-                // One that has to be stepped may take long.
-                _ if goes_on() => self.turn_of(start),
+                // Time integration, where it is needed, may take long.
+                _ if should_continue() => self.turn_of(start),
                 _ => return None,
             };
         }
         Some(())
     }
 
-    /// Finds those that rock; the others may pass.
+    /// Finds the extremes of the starts that rock. The others may topple.
     fn find_rocking(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
-        let (highest, least_slope) = (self.highest(), self.least_slope());
-        for group in which(lanes, |lane| lane.course == Course::StaysUnder).chunks(LANES) {
-            let found = engine.extremes(&Group::of(lanes, group), highest, least_slope);
-            let sound = found.sound;
+        let (highest, min_slope) = (self.highest(), self.min_slope());
+        for group in indices_where(lanes, |lane| lane.class == Class::BelowBalance).chunks(LANES) {
+            let found = engine.extremes(&Group::of(lanes, group), highest, min_slope);
+            let valid = found.valid;
             for (place, &i) in group.iter().enumerate() {
                 let lane = &mut lanes[i];
-                if sound & (1 << place) == 0 {
-                    lane.course = Course::GoesOver;
+                if valid & (1 << place) == 0 {
+                    lane.class = Class::AboveBalance;
                     continue;
                 }
                 let here = |all: Lanes| all.0[place];
-                lane.course = Course::Rocks;
+                lane.class = Class::Rocks;
                 lane.conserved = found.conserved.map(here);
                 lane.low = found.low.map(here);
                 lane.high = found.high.map(here);
@@ -164,21 +165,21 @@ impl Exact {
         }
     }
 
-    /// Finds those that nothing turns back below the end.
-    fn find_passing(&self, lanes: &mut [Lane]) {
-        let (engine, way) = (self.passing_engine(), self.way());
-        let over = which(lanes, |lane| lane.course == Course::GoesOver);
+    /// Finds the starts that have no upper turning point below the end.
+    fn find_toppling(&self, lanes: &mut [Lane]) {
+        let (engine, limits) = (self.general_engine(), self.topple_limits());
+        let over = indices_where(lanes, |lane| lane.class == Class::AboveBalance);
         let (falling, rising): (Vec<_>, Vec<_>) =
             over.into_iter().partition(|&i| lanes[i].start.p < 0.0);
         for group in falling.chunks(LANES) {
-            let found = engine.toppling(&Group::of(lanes, group), &way);
-            let sound = found.sound;
+            let found = engine.toppling(&Group::of(lanes, group), &limits);
+            let valid = found.valid;
             for (place, &i) in group.iter().enumerate() {
-                if sound & (1 << place) == 0 {
+                if valid & (1 << place) == 0 {
                     continue;
                 }
                 let (lane, here) = (&mut lanes[i], |all: Lanes| all.0[place]);
-                lane.course = Course::Passes;
+                lane.class = Class::Topples;
                 lane.conserved = found.conserved.map(here);
                 lane.low = found.low.map(here);
                 lane.tilts = [here(found.tilt), self.end_tilt()];
@@ -186,66 +187,72 @@ impl Exact {
                 lane.nodes = found.nodes.map(here);
             }
         }
-        if way.ending == Outcome::Rocked {
-            return; // A disk goes on to its other face.
+        if limits.ending == Outcome::Rocked {
+            return; // A disk passes the vertical and falls to its other face.
         }
         for group in rising.chunks(LANES) {
-            let sound = engine.falling_back(&Group::of(lanes, group), &way);
+            let valid = engine.falling_back(&Group::of(lanes, group), &limits);
             for (place, &i) in group.iter().enumerate() {
-                if sound & (1 << place) != 0 {
-                    lanes[i].course = Course::FallsBack;
+                if valid & (1 << place) != 0 {
+                    lanes[i].class = Class::FallsBack;
                 }
             }
         }
     }
 
-    /// Yaw and time of those that rock.
+    /// Integrates yaw and time of the starts that rock.
     fn rock(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
         for part in [
-            TurnPart::Foot,
-            TurnPart::Head,
-            TurnPart::Leg,
-            TurnPart::ShortLeg,
+            TurnPart::FromLowest,
+            TurnPart::ToHighest,
+            TurnPart::StartToHighest,
+            TurnPart::ShortStartToHighest,
         ] {
-            add(
+            integrate_part(
                 lanes,
                 |lane| self.choice(part, lane),
-                |group, choice| engine.part(part, group, choice),
+                |group, choice| engine.turn_part(part, group, choice),
                 |lane, segment| match part {
-                    TurnPart::Foot => lane.half = segment,
-                    TurnPart::Head => lane.half = sum(lane.half, segment),
-                    TurnPart::Leg | TurnPart::ShortLeg => lane.leg = segment,
+                    TurnPart::FromLowest => lane.from_lowest = segment,
+                    TurnPart::ToHighest => lane.from_lowest = sum(lane.from_lowest, segment),
+                    TurnPart::StartToHighest | TurnPart::ShortStartToHighest => {
+                        lane.from_start = segment
+                    }
                 },
             );
         }
     }
 
-    /// Yaw and time of those that pass.
-    fn pass(&self, lanes: &mut [Lane]) {
-        let (engine, way) = (self.passing_engine(), self.way());
-        for stretch in [Stretch::Foot, Stretch::Approach, Stretch::Rest] {
-            add(
+    /// Integrates yaw and time of the starts that topple.
+    fn topple(&self, lanes: &mut [Lane]) {
+        let (engine, limits) = (self.general_engine(), self.topple_limits());
+        for part in [
+            TopplePart::FromLowest,
+            TopplePart::ToStart,
+            TopplePart::ToEnd,
+        ] {
+            integrate_part(
                 lanes,
                 |lane| {
-                    let has = match stretch {
-                        Stretch::Foot | Stretch::Rest => true,
-                        Stretch::Approach => way.has_approach(lane.start.eta),
+                    let has = match part {
+                        TopplePart::FromLowest | TopplePart::ToEnd => true,
+                        TopplePart::ToStart => limits.starts_near_balance(lane.start.eta),
                     };
-                    let passes = lane.course == Course::Passes && has;
-                    passes.then(|| Choice::plain(lane.nodes[stretch as usize]))
+                    let passes = lane.class == Class::Topples && has;
+                    passes.then(|| Choice::plain(lane.nodes[part as usize]))
                 },
-                |group, choice| engine.stretch(stretch, group, &way, choice),
-                |lane, segment| match stretch {
-                    Stretch::Foot => lane.half = segment,
-                    Stretch::Approach => lane.half = sum(lane.half, segment),
-                    Stretch::Rest => lane.leg = segment,
+                |group, choice| engine.topple_part(part, group, &limits, choice),
+                |lane, segment| match part {
+                    TopplePart::FromLowest => lane.from_lowest = segment,
+                    TopplePart::ToStart => lane.from_lowest = sum(lane.from_lowest, segment),
+                    TopplePart::ToEnd => lane.from_start = segment,
                 },
             );
         }
     }
 
-    pub(super) fn way(&self) -> ToppleLimits {
+    pub(super) fn topple_limits(&self) -> ToppleLimits {
         let (end, ending) = self.end();
         ToppleLimits {
             balance: self.balance,
@@ -258,28 +265,30 @@ impl Exact {
         2.0 * Real::atan(self.end().0)
     }
 
-    /// The rule to begin with, where a lane that rocks has that part.
+    /// The first rule to try for a part of a rocking turn; `None` if the turn has no such part.
     fn choice(&self, part: TurnPart, lane: &Lane) -> Option<Choice> {
-        if lane.course != Course::Rocks {
+        if lane.class != Class::Rocks {
             return None;
         }
-        let leg = lane.high[1] - lane.start.eta;
-        let has_leg = lane.start.p != 0.0;
-        let [foot, head, along_leg] = lane.nodes;
+        let start_to_highest = lane.high[1] - lane.start.eta;
+        let starts_moving = lane.start.p != 0.0;
+        let [from_lowest, to_highest, from_start] = lane.nodes;
         match part {
-            TurnPart::Foot => Some(Choice::plain(foot)),
-            TurnPart::Head => Some(Choice::to_highest(head, lane.square[0])),
-            TurnPart::Leg if has_leg && leg >= SHORT => {
-                Some(Choice::to_highest(along_leg, lane.square[1]))
+            TurnPart::FromLowest => Some(Choice::plain(from_lowest)),
+            TurnPart::ToHighest => Some(Choice::to_highest(to_highest, lane.square[0])),
+            TurnPart::StartToHighest if starts_moving && start_to_highest >= SHORT => {
+                Some(Choice::to_highest(from_start, lane.square[1]))
             }
-            TurnPart::ShortLeg if has_leg && leg < SHORT => Some(Choice::plain(0.0)),
-            TurnPart::Leg | TurnPart::ShortLeg => None,
+            TurnPart::ShortStartToHighest if starts_moving && start_to_highest < SHORT => {
+                Some(Choice::plain(0.0))
+            }
+            TurnPart::StartToHighest | TurnPart::ShortStartToHighest => None,
         }
     }
 }
 
 impl Lane {
-    /// Of the starts of a block.
+    /// Converts and classifies the starts of a block.
     pub(super) fn of(exact: &Exact, starts: &[State]) -> Vec<Lane> {
         let engine = exact.rocking_engine();
         let mut lanes = Vec::with_capacity(starts.len());
@@ -287,23 +296,23 @@ impl Lane {
             let (start, over) = engine.start(columns(group), &exact.balance);
             lanes.extend(group.iter().enumerate().map(|(place, given)| {
                 let start = start.lane(place);
-                // One that lingers next to the balance point takes more care.
-                let lingers = is_on_top(&start, exact.parameters.a, &exact.balance);
-                let course = match over & (1 << place) {
-                    _ if lingers || exact.is_beyond(given) => Course::ScalarQuadrature,
-                    0 => Course::StaysUnder,
-                    _ => Course::GoesOver,
+                // Next to the balance point, only the scalar code keeps the digits of G.
+                let lingers = is_near_balance(&start, exact.parameters.a, &exact.balance);
+                let class = match over & (1 << place) {
+                    _ if lingers || exact.is_beyond(given) => Class::NeedsScalar,
+                    0 => Class::BelowBalance,
+                    _ => Class::AboveBalance,
                 };
-                Lane::new(start, course)
+                Lane::new(start, class)
             }));
         }
         lanes
     }
 
-    fn new(start: Start<f64>, course: Course) -> Lane {
+    fn new(start: Start<f64>, class: Class) -> Lane {
         Lane {
             start,
-            course,
+            class,
             conserved: [0.0; 4],
             low: [0.0; 3],
             high: [0.0; 2],
@@ -311,19 +320,19 @@ impl Lane {
             width: 0.0,
             nodes: [0.0; 3],
             square: [0.0; 2],
-            half: [0.0; 2],
-            leg: [0.0; 2],
+            from_lowest: [0.0; 2],
+            from_start: [0.0; 2],
         }
     }
 
     fn rocked(&self) -> ExactTurn {
-        let ([half_yaw, half_time], [leg_yaw, leg_time]) = (self.half, self.leg);
+        let ([half_yaw, half_time], [start_yaw, start_time]) = (self.from_lowest, self.from_start);
         let (turn, min_time, yaw) = if self.start.p > 0.0 {
             let turn = 2.0 * half_yaw;
-            (turn, leg_time + half_time, turn + leg_yaw)
+            (turn, start_time + half_time, turn + start_yaw)
         } else {
-            let turn = 2.0 * half_yaw - leg_yaw;
-            (turn, half_time - leg_time, turn)
+            let turn = 2.0 * half_yaw - start_yaw;
+            (turn, half_time - start_time, turn)
         };
         ExactTurn {
             ending: Outcome::Rocked,
@@ -337,9 +346,9 @@ impl Lane {
         }
     }
 
-    fn passed(&self, (_, ending): (f64, Outcome)) -> ExactTurn {
-        let ([half_yaw, half_time], [leg_yaw, leg_time]) = (self.half, self.leg);
-        let turn = half_yaw + (half_yaw + leg_yaw);
+    fn toppled(&self, (_, ending): (f64, Outcome)) -> ExactTurn {
+        let ([half_yaw, half_time], [start_yaw, start_time]) = (self.from_lowest, self.from_start);
+        let turn = half_yaw + (half_yaw + start_yaw);
         ExactTurn {
             ending,
             outcome: ending,
@@ -347,13 +356,13 @@ impl Lane {
             min_tilt: self.tilts[0],
             max_tilt: self.tilts[1],
             min_time: half_time,
-            time: half_time + (half_time + leg_time),
+            time: half_time + (half_time + start_time),
             yaw: turn,
         }
     }
 }
 
-/// [tilt, tilt rate, yaw rate, spin rate] of sixteen starts; where there are fewer, the last repeat the first.
+/// [tilt, tilt rate, yaw rate, spin rate] of up to sixteen starts. Unused lanes repeat the first start.
 pub(super) fn columns(group: &[State]) -> [Lanes; 4] {
     let mut columns = [Lanes::from(0.0); 4];
     for place in 0..LANES {
@@ -366,44 +375,44 @@ pub(super) fn columns(group: &[State]) -> [Lanes; 4] {
     columns
 }
 
-/// The lanes of which something is true.
-fn which(lanes: &[Lane], is_so: impl Fn(&Lane) -> bool) -> Vec<usize> {
-    (0..lanes.len()).filter(|&i| is_so(&lanes[i])).collect()
+/// The indices of the lanes that satisfy a condition.
+fn indices_where(lanes: &[Lane], condition: impl Fn(&Lane) -> bool) -> Vec<usize> {
+    (0..lanes.len()).filter(|&i| condition(&lanes[i])).collect()
 }
 
 fn sum([yaw, time]: [f64; 2], [more_yaw, more_time]: [f64; 2]) -> [f64; 2] {
     [yaw + more_yaw, time + more_time]
 }
 
-/// Adds a piece, yaw and time, to all lanes that have it, each by the smallest rule that resolves it.
-fn add(
+/// Integrates one part, yaw and time, in all lanes that have it, each with the smallest rule that resolves it.
+fn integrate_part(
     lanes: &mut [Lane],
     choice: impl Fn(&Lane) -> Option<Choice>,
     answer: impl Fn(&Group, Choice) -> Integral,
     done: impl Fn(&mut Lane, [f64; 2]),
 ) {
-    let mut waiting = Waiting::new(lanes.len());
+    let mut queue = RuleQueue::new(lanes.len());
     for (i, lane) in lanes.iter().enumerate() {
         if let Some(choice) = choice(lane) {
-            waiting.push(choice, i);
+            queue.push(choice, i);
         }
     }
     let mut group = Vec::with_capacity(LANES);
-    for choice in (0..RULES).map(Choice::at) {
-        while waiting.take(choice, &mut group) {
+    for choice in (0..RULES).map(Choice::from_index) {
+        while queue.take(choice, &mut group) {
             let integral = answer(&Group::of(lanes, &group), choice);
-            let (resolved, pushed) = (integral.resolved, integral.pushed);
+            let (resolved, in_contact) = (integral.resolved, integral.in_contact);
             for (place, &i) in group.iter().enumerate() {
                 let segment = [integral.yaw.0[place], integral.time.0[place]];
-                // Where G has been negative at a node, what was taken for the motion's extremes are not.
+                // If G is negative at a node, the computed extremes are not those of the motion.
                 let is_real = segment.iter().all(|number| number.is_finite());
                 match choice.larger() {
-                    _ if !is_real || pushed & (1 << place) == 0 => {
-                        lanes[i].course = Course::ScalarQuadrature
+                    _ if !is_real || in_contact & (1 << place) == 0 => {
+                        lanes[i].class = Class::NeedsScalar
                     }
                     _ if resolved & (1 << place) != 0 => done(&mut lanes[i], segment),
-                    Some(larger) => waiting.push(larger, i),
-                    None => lanes[i].course = Course::ScalarQuadrature,
+                    Some(larger) => queue.push(larger, i),
+                    None => lanes[i].class = Class::NeedsScalar,
                 }
             }
         }
@@ -418,7 +427,7 @@ mod tests {
     use crate::presets;
     use crate::state::State;
 
-    /// Throws of all kinds, by Halton's points.
+    /// Starts of all kinds, from a Halton sequence.
     fn throws(body: &Body, count: usize) -> Vec<State> {
         let natural = (9.8 / body.radius()).sqrt();
         let digits_reversed = |mut i: usize, base: usize| {
@@ -431,7 +440,7 @@ mod tests {
             sum
         };
         let thrown = |i: usize| {
-            // Every third comes down all but flat.
+            // Every third start comes down nearly flat.
             let sideways = natural * if i.is_multiple_of(3) { 1e-5 } else { 0.1 };
             State {
                 tilt: 0.05 + 1.35 * digits_reversed(i, 2),
@@ -445,7 +454,7 @@ mod tests {
     }
 
     #[test]
-    fn many_end_and_turn_as_each_does_alone() {
+    fn batch_and_scalar_turns_agree() {
         let bodies = [
             presets::can_2007().unwrap(),
             Body::new(0.3, 0.1, 0.05, 0.003, 0.005).unwrap(),
@@ -460,12 +469,12 @@ mod tests {
             let starts = throws(body, 600);
             let rocking = exact.turns(&starts).unwrap();
             for (start, batch) in starts.iter().zip(&rocking) {
-                let by_itself = &exact.turns(&[*start]).unwrap()[0];
-                assert_eq!(format!("{by_itself:?}"), format!("{batch:?}"), "{start:?}");
+                let single = &exact.turns(&[*start]).unwrap()[0];
+                assert_eq!(format!("{single:?}"), format!("{batch:?}"), "{start:?}");
                 let one = exact.turn(start).unwrap();
                 assert_eq!(one.ending, batch.ending, "{start:?}");
                 assert_eq!(one.turn.is_nan(), batch.turn.is_nan(), "{start:?}");
-                // Next to the balance point the last digits of a start decide more.
+                // Next to the balance point the result is more sensitive to the last digits of the start.
                 for (a, b) in [(one.turn, batch.turn), (one.time, batch.time)] {
                     assert!(
                         a.is_nan() || (a - b).abs() < 1e-11 * (1.0 + a.abs()),
@@ -477,7 +486,7 @@ mod tests {
     }
 
     #[test]
-    fn work_that_is_no_longer_wanted_ends_without_turns() {
+    fn a_cancelled_computation_returns_no_turns() {
         let can = presets::can_2007().unwrap();
         let exact = Exact::new(&can, IdealLaw::NoSlip, 9.8, None).unwrap();
         let starts = throws(&can, 100);

@@ -1,4 +1,4 @@
-//! Turns of many bodies: the starts of equal bodies go together, so that each body is prepared only once.
+//! Turns of many bodies. Starts are grouped by body, so that each body is prepared only once.
 
 use super::{Exact, ExactTurn};
 use crate::body::Body;
@@ -10,7 +10,7 @@ use crate::state::State;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Many bodies under one of the two laws, each let go from a start of its own.
+/// Rows of a body and a start each, under one of the two ideal laws.
 pub struct ExactRows<'a> {
     law: IdealLaw,
     options: Options,
@@ -18,7 +18,7 @@ pub struct ExactRows<'a> {
 }
 
 impl<'a> ExactRows<'a> {
-    /// Prepares for gravity g (m/s²). `topple_tilt` (rad) as in [`Options`].
+    /// Prepares the rows for gravity g (m/s²). `topple_tilt` (rad) is that of [`Options`].
     pub fn new(
         law: IdealLaw,
         gravity: f64,
@@ -33,29 +33,30 @@ impl<'a> ExactRows<'a> {
         ExactRows { law, options, rows }
     }
 
-    /// The turns of all rows, as [`Exact::turns_while`] of each body gives them to the last bit.
+    /// The turns of all rows, equal to the last bit to those of [`Exact::turns_while`] for each body.
     ///
     /// # Errors
-    /// Refuses numbers outside their bounds, in the first row that has one.
+    /// Refuses the first row with a number outside its bounds.
     pub fn turns_while(
         &self,
-        goes_on: impl Fn() -> bool + Sync,
+        should_continue: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<ExactTurn>>, InvalidInput> {
-        self.by_body(|exact, starts| exact.turns_while(starts, &goes_on))
+        self.by_body(|exact, starts| exact.turns_while(starts, &should_continue))
     }
 
-    /// The derivatives of the turns of all rows, as [`Exact::turn_slopes_while`] of each body gives them.
+    /// The derivatives of the turns of all rows, equal to those of [`Exact::turn_slopes_while`] for each body.
     ///
     /// # Errors
     /// As [`ExactRows::turns_while`].
     pub fn turn_slopes_while(
         &self,
-        goes_on: impl Fn() -> bool + Sync,
+        should_continue: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<Slope>>, InvalidInput> {
-        self.by_body(|exact, starts| exact.turn_slopes_while(starts, &goes_on))
+        self.by_body(|exact, starts| exact.turn_slopes_while(starts, &should_continue))
     }
 
-    /// The results of all rows, from those of the starts of each body; none if one of these is.
+    /// Applies a function to the starts of each body and returns the results in the order of the rows, or
+    /// `None` if the function returns `None` for any body.
     fn by_body<R: Send>(
         &self,
         of_body: impl Fn(&Exact, &[State]) -> Result<Option<Vec<R>>, InvalidInput> + Sync,
@@ -82,7 +83,7 @@ impl<'a> ExactRows<'a> {
         Ok(done.map(|done| in_order(&groups, done)))
     }
 
-    /// Each body with its rows, in the order of its first row.
+    /// Each body with the indices of its rows, ordered by its first row.
     fn groups(&self) -> Vec<(&'a Body, Vec<usize>)> {
         let mut place_of = HashMap::new();
         let mut groups: Vec<(&Body, Vec<usize>)> = Vec::new();
@@ -103,7 +104,7 @@ impl<'a> ExactRows<'a> {
     }
 }
 
-/// What tells one body from another.
+/// The bits of all numbers of a body, as a key.
 fn bits(body: &Body) -> [u64; 5] {
     [
         body.mass(),
@@ -115,7 +116,7 @@ fn bits(body: &Body) -> [u64; 5] {
     .map(f64::to_bits)
 }
 
-/// What was done for the groups, in the order of the rows.
+/// The results of the groups, reordered by row.
 fn in_order<R>(groups: &[(&Body, Vec<usize>)], done: Vec<Vec<R>>) -> Vec<R> {
     let rows = groups.iter().flat_map(|(_, rows)| rows);
     let mut all: Vec<(usize, R)> = rows.copied().zip(done.into_iter().flatten()).collect();
@@ -141,7 +142,7 @@ mod tests {
         }
     }
 
-    /// What `Exact` gives for rows one after the other, digits enough for every bit.
+    /// The results of `Exact` for each row alone, printed with enough digits to identify every bit.
     fn one_by_one(law: IdealLaw, rows: &[(&Body, State)]) -> Vec<[String; 2]> {
         let of_row = |(body, start): &(&Body, State)| {
             let exact = Exact::new(body, law, 9.8, None).expect("a valid body");
@@ -153,13 +154,13 @@ mod tests {
     }
 
     #[test]
-    fn rows_of_many_bodies_are_those_of_each_body_to_the_last_bit() {
+    fn rows_of_many_bodies_equal_those_of_each_body_to_the_last_bit() {
         let bodies = [
             presets::can_2007().expect("a can"),
             presets::coin().expect("a coin"),
             presets::cylinder(0.03, 0.1).expect("a cylinder"),
         ];
-        // Not sorted by their bodies; one of them only once.
+        // The rows are not sorted by body, and one body occurs only once.
         let rows: Vec<_> = (0..100)
             .map(|i| (&bodies[if i == 41 { 2 } else { i / 3 % 2 }], start(i)))
             .collect();

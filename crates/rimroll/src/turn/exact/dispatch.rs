@@ -1,30 +1,30 @@
-//! Sixteen starts at a time under one of the laws, compiled three times: for processors with registers of eight or of
-//! four numbers, and for any. The numbers are the same to the last bit.
+//! Dispatch of the computations on sixteen starts by law and by register width. Each is compiled three times:
+//! for registers of eight and of four numbers, and for any processor. The results are equal to the last bit.
 
 use super::batch::Lane;
+use super::frictionless::FrictionlessTilt;
 use super::fundamental::Fundamental;
+use super::no_slip::NoSlipTilt;
 use super::ridge::Balance;
-use super::rocking::{Extremes, TurnPart, extremes, part};
-use super::rolling::Rolling;
+use super::rocking::{Extremes, TurnPart, extremes, turn_part};
 use super::rule::{Choice, Rule};
 use super::segments::Integral;
-use super::sliding::Sliding;
 use super::start::Start;
 use super::tilting::{Conserved, Tilting};
-use super::toppling::{Stretch, ToppleLimits, Toppling, falling_back, stretch, toppling};
+use super::toppling::{ToppleLimits, TopplePart, Toppling, falling_back, topple_part, toppling};
 use crate::law::Parameters;
 use crate::real::{Bits, LANES, Lanes, Mask, Packed, Real, SimdKernel, Vector, run_widest};
 
-/// A body under one of the laws.
+/// A body under one of the ideal laws, selected at run time.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Engine<'a> {
-    /// Without slip, by its table.
-    Rolling(&'a Fundamental<f64>),
-    /// Without friction.
-    Sliding(&'a Parameters<f64>),
+    /// No slip, with the table of the body.
+    NoSlip(&'a Fundamental<f64>),
+    /// Frictionless.
+    Frictionless(&'a Parameters<f64>),
 }
 
-/// Sixteen motions; where there are fewer, the last lanes repeat the first.
+/// Up to sixteen motions in lanes. Unused lanes repeat the first motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Group {
     start: Start<Lanes>,
@@ -70,57 +70,57 @@ impl Group {
     }
 }
 
-/// A body under one of the laws, as the compiler knows it.
+/// A body under one of the ideal laws, selected at compile time.
 trait ReducedBody {
     /// The motion from a start.
-    fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T>;
-    /// A motion that has been looked at before.
-    fn again<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T>;
-    /// Twice the energy over the body at rest upright, but for yaw and spin.
+    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T>;
+    /// The motion with known conserved quantities.
+    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T>;
+    /// Twice the energy relative to the body at rest upright, without that of yaw and spin, J.
     fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T;
 }
 
 impl ReducedBody for Fundamental<f64> {
     #[inline(always)]
-    fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
-        Rolling::new(self, start)
+    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
+        NoSlipTilt::new(self, start)
     }
 
     #[inline(always)]
-    fn again<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
-        Rolling::with(self, conserved)
+    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
+        NoSlipTilt::from_conserved(self, conserved)
     }
 
     #[inline(always)]
     fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T {
-        Rolling::tilting_energy(self, start)
+        NoSlipTilt::tilting_energy(self, start)
     }
 }
 
 impl ReducedBody for Parameters<f64> {
     #[inline(always)]
-    fn from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
-        Sliding::new(*self, start)
+    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
+        FrictionlessTilt::new(*self, start)
     }
 
     #[inline(always)]
-    fn again<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
-        Sliding::with(*self, conserved)
+    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
+        FrictionlessTilt::from_conserved(*self, conserved)
     }
 
     #[inline(always)]
     fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T {
-        Sliding::tilting_energy(self, start)
+        FrictionlessTilt::tilting_energy(self, start)
     }
 }
 
-/// What is asked of sixteen starts.
+/// A computation on sixteen starts.
 trait Query {
     type Answer;
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Self::Answer;
 }
 
-/// [tilt, tilt rate, yaw rate, spin rate], and the balance point.
+/// Converts starts given as [tilt, tilt rate, yaw rate, spin rate] and compares them with the balance point.
 struct StartQuery([Lanes; 4], Balance);
 
 impl Query for StartQuery {
@@ -138,8 +138,8 @@ impl Query for StartQuery {
 
 struct ExtremesQuery<'a> {
     group: &'a Group,
-    most: f64,
-    least_slope: f64,
+    max_y: f64,
+    min_slope: f64,
 }
 
 impl Query for ExtremesQuery<'_> {
@@ -148,18 +148,18 @@ impl Query for ExtremesQuery<'_> {
     #[inline(always)]
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Extremes {
         let start = &Start::<V>::load(&self.group.start);
-        let motion = body.from(start);
-        extremes(&motion, start, self.most, self.least_slope)
+        let motion = body.motion_from(start);
+        extremes(&motion, start, self.max_y, self.min_slope)
     }
 }
 
-struct PieceQuery<'a> {
+struct TurnPartQuery<'a> {
     group: &'a Group,
     part: TurnPart,
     rule: &'static Rule,
 }
 
-impl Query for PieceQuery<'_> {
+impl Query for TurnPartQuery<'_> {
     type Answer = Integral;
 
     #[inline(always)]
@@ -171,15 +171,15 @@ impl Query for PieceQuery<'_> {
             high,
             ..
         } = self.group;
-        let motion = body.again::<V>(V::load_all(conserved));
+        let motion = body.motion_with::<V>(V::load_all(conserved));
         let (start, low, high) = (Start::load(start), V::load_all(low), V::load_all(high));
-        part(self.part, &motion, &start, low, high, self.rule).integral(self.rule.nodes.len())
+        turn_part(self.part, &motion, &start, low, high, self.rule).integral(self.rule.nodes.len())
     }
 }
 
 struct TopplingQuery<'a> {
     group: &'a Group,
-    way: &'a ToppleLimits,
+    limits: &'a ToppleLimits,
 }
 
 impl Query for TopplingQuery<'_> {
@@ -188,13 +188,13 @@ impl Query for TopplingQuery<'_> {
     #[inline(always)]
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Toppling {
         let start = &Start::<V>::load(&self.group.start);
-        toppling(&body.from(start), start, self.way)
+        toppling(&body.motion_from(start), start, self.limits)
     }
 }
 
 struct FallingBackQuery<'a> {
     group: &'a Group,
-    way: &'a ToppleLimits,
+    limits: &'a ToppleLimits,
 }
 
 impl Query for FallingBackQuery<'_> {
@@ -203,18 +203,18 @@ impl Query for FallingBackQuery<'_> {
     #[inline(always)]
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Bits {
         let start = &Start::<V>::load(&self.group.start);
-        falling_back(&body.from(start), start, self.way)
+        falling_back(&body.motion_from(start), start, self.limits)
     }
 }
 
-struct StretchQuery<'a> {
+struct TopplePartQuery<'a> {
     group: &'a Group,
-    stretch: Stretch,
-    way: &'a ToppleLimits,
+    part: TopplePart,
+    limits: &'a ToppleLimits,
     rule: &'static Rule,
 }
 
-impl Query for StretchQuery<'_> {
+impl Query for TopplePartQuery<'_> {
     type Answer = Integral;
 
     #[inline(always)]
@@ -226,60 +226,61 @@ impl Query for StretchQuery<'_> {
             width,
             ..
         } = self.group;
-        let motion = body.again::<V>(V::load_all(conserved));
-        stretch(
-            self.stretch,
+        let motion = body.motion_with::<V>(V::load_all(conserved));
+        topple_part(
+            self.part,
             &motion,
             &Start::load(start),
             V::load_all(low),
             V::load(width),
-            self.way,
+            self.limits,
             self.rule,
         )
-        .integral_if_sure(self.rule.nodes.len())
+        .conservative_integral(self.rule.nodes.len())
     }
 }
 
 impl Engine<'_> {
-    /// Starts in the terms of the quadrature, and which of them, as bits, are past the balance point or, but for
-    /// yaw and spin, go there; of [tilt, tilt rate, yaw rate, spin rate].
+    /// Converts starts given as [tilt, tilt rate, yaw rate, spin rate] to the variables of the quadrature. The
+    /// bits mark the lanes that start past the balance point or whose energy without yaw and spin suffices to
+    /// reach it.
     pub(super) fn start(&self, given: [Lanes; 4], balance: &Balance) -> (Start<Lanes>, Bits) {
         self.answer(&StartQuery(given, *balance))
     }
 
-    pub(super) fn extremes(&self, group: &Group, most: f64, least_slope: f64) -> Extremes {
+    pub(super) fn extremes(&self, group: &Group, max_y: f64, min_slope: f64) -> Extremes {
         self.answer(&ExtremesQuery {
             group,
-            most,
-            least_slope,
+            max_y,
+            min_slope,
         })
     }
 
-    pub(super) fn part(&self, part: TurnPart, group: &Group, choice: Choice) -> Integral {
+    pub(super) fn turn_part(&self, part: TurnPart, group: &Group, choice: Choice) -> Integral {
         let rule = choice.rule();
-        self.answer(&PieceQuery { group, part, rule })
+        self.answer(&TurnPartQuery { group, part, rule })
     }
 
-    pub(super) fn toppling(&self, group: &Group, way: &ToppleLimits) -> Toppling {
-        self.answer(&TopplingQuery { group, way })
+    pub(super) fn toppling(&self, group: &Group, limits: &ToppleLimits) -> Toppling {
+        self.answer(&TopplingQuery { group, limits })
     }
 
-    pub(super) fn falling_back(&self, group: &Group, way: &ToppleLimits) -> Bits {
-        self.answer(&FallingBackQuery { group, way })
+    pub(super) fn falling_back(&self, group: &Group, limits: &ToppleLimits) -> Bits {
+        self.answer(&FallingBackQuery { group, limits })
     }
 
-    pub(super) fn stretch(
+    pub(super) fn topple_part(
         &self,
-        stretch: Stretch,
+        part: TopplePart,
         group: &Group,
-        way: &ToppleLimits,
+        limits: &ToppleLimits,
         choice: Choice,
     ) -> Integral {
         let rule = choice.rule();
-        self.answer(&StretchQuery {
+        self.answer(&TopplePartQuery {
             group,
-            stretch,
-            way,
+            part,
+            limits,
             rule,
         })
     }
@@ -289,7 +290,7 @@ impl Engine<'_> {
     }
 }
 
-/// Something that is asked of a body.
+/// A query to an engine, as a kernel for any register width.
 struct QueryKernel<'a, A>(&'a Engine<'a>, &'a A);
 
 impl<A: Query> SimdKernel for QueryKernel<'_, A> {
@@ -299,8 +300,8 @@ impl<A: Query> SimdKernel for QueryKernel<'_, A> {
     fn run<V: Vector>(self) -> A::Answer {
         let QueryKernel(engine, query) = self;
         match engine {
-            Engine::Rolling(table) => query.of::<V>(*table),
-            Engine::Sliding(k) => query.of::<V>(*k),
+            Engine::NoSlip(table) => query.of::<V>(*table),
+            Engine::Frictionless(k) => query.of::<V>(*k),
         }
     }
 }
@@ -308,8 +309,8 @@ impl<A: Query> SimdKernel for QueryKernel<'_, A> {
 #[cfg(test)]
 mod tests {
     use super::{
-        Engine, ExtremesQuery, FallingBackQuery, Group, PieceQuery, Query, QueryKernel, StartQuery,
-        StretchQuery, TopplingQuery,
+        Engine, ExtremesQuery, FallingBackQuery, Group, Query, QueryKernel, StartQuery,
+        TopplePartQuery, TopplingQuery, TurnPartQuery,
     };
     use crate::law::IdealLaw;
     use crate::presets;
@@ -319,10 +320,11 @@ mod tests {
     use crate::turn::exact::batch::{Lane, columns};
     use crate::turn::exact::rocking::TurnPart;
     use crate::turn::exact::rule::Choice;
-    use crate::turn::exact::toppling::Stretch;
+    use crate::turn::exact::toppling::TopplePart;
     use core::fmt::Debug;
 
-    /// What is told by registers of each width that the processor has; digits enough for every bit.
+    /// The results in registers of each width that the processor has, printed with enough digits to identify
+    /// every bit.
     fn integral<A: Query<Answer: Debug>>(engine: &Engine<'_>, query: &A) -> Vec<String> {
         let integral = in_every_width(|| QueryKernel(engine, query));
         integral
@@ -342,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn registers_of_every_width_tell_the_same_bits() {
+    fn registers_of_every_width_give_the_same_bits() {
         let can = presets::can_2007().unwrap();
         let same = |integral: Vec<String>| {
             assert!(
@@ -352,7 +354,7 @@ mod tests {
         };
         for law in [IdealLaw::NoSlip, IdealLaw::Frictionless] {
             let exact = Exact::new(&can, law, 9.8, None).unwrap();
-            let way = &exact.way();
+            let limits = &exact.topple_limits();
             let rule = Choice::plain(20.0).rule();
             let lanes = |rate: f64| Lane::of(&exact, &group(rate));
             let all: Vec<usize> = (0..LANES).collect();
@@ -361,15 +363,15 @@ mod tests {
             let given = columns(&group(-1.0));
             same(integral(&engine, &StartQuery(given, exact.balance)));
             let mut rocking = Group::of(&lanes(-1.0), &all);
-            let most = exact.highest();
-            let least_slope = exact.least_slope();
-            let found = engine.extremes(&rocking, most, least_slope);
-            assert_eq!(found.sound, Bits::MAX);
+            let max_y = exact.highest();
+            let min_slope = exact.min_slope();
+            let found = engine.extremes(&rocking, max_y, min_slope);
+            assert_eq!(found.valid, Bits::MAX);
             let group = &rocking;
             let query = ExtremesQuery {
                 group,
-                most,
-                least_slope,
+                max_y,
+                min_slope,
             };
             same(integral(&engine, &query));
             rocking = Group {
@@ -380,20 +382,20 @@ mod tests {
             };
             let group = &rocking;
             for part in [
-                TurnPart::Foot,
-                TurnPart::Head,
-                TurnPart::Leg,
-                TurnPart::ShortLeg,
+                TurnPart::FromLowest,
+                TurnPart::ToHighest,
+                TurnPart::StartToHighest,
+                TurnPart::ShortStartToHighest,
             ] {
-                same(integral(&engine, &PieceQuery { group, part, rule }));
+                same(integral(&engine, &TurnPartQuery { group, part, rule }));
             }
 
-            let engine = exact.passing_engine();
+            let engine = exact.general_engine();
             let mut toppling = Group::of(&lanes(-5.0), &all);
-            let found = engine.toppling(&toppling, way);
-            assert_eq!(found.sound, Bits::MAX);
+            let found = engine.toppling(&toppling, limits);
+            assert_eq!(found.valid, Bits::MAX);
             let group = &toppling;
-            same(integral(&engine, &TopplingQuery { group, way }));
+            same(integral(&engine, &TopplingQuery { group, limits }));
             toppling = Group {
                 conserved: found.conserved,
                 low: found.low,
@@ -401,19 +403,23 @@ mod tests {
                 ..toppling
             };
             let group = &toppling;
-            for stretch in [Stretch::Foot, Stretch::Approach, Stretch::Rest] {
-                let query = StretchQuery {
+            for part in [
+                TopplePart::FromLowest,
+                TopplePart::ToStart,
+                TopplePart::ToEnd,
+            ] {
+                let query = TopplePartQuery {
                     group,
-                    stretch,
-                    way,
+                    part,
+                    limits,
                     rule,
                 };
                 same(integral(&engine, &query));
             }
 
             let group = &Group::of(&lanes(4.0), &all);
-            assert_eq!(engine.falling_back(group, way), Bits::MAX);
-            same(integral(&engine, &FallingBackQuery { group, way }));
+            assert_eq!(engine.falling_back(group, limits), Bits::MAX);
+            same(integral(&engine, &FallingBackQuery { group, limits }));
         }
     }
 }

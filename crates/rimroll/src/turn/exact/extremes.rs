@@ -1,9 +1,9 @@
-//! The smallest and the largest tilt: where the tilt's energy G is zero.
+//! The smallest and the largest tilt: the zeros of the tilt's energy G.
 
 use super::tilting::{Point, Tilting};
 use crate::real::{Mask, Real, Vector};
 
-/// A tilt where the motion turns back.
+/// A turning point of the tilt.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extreme<T> {
     /// tan(φ/2).
@@ -12,27 +12,27 @@ pub(super) struct Extreme<T> {
     pub(super) eta: T,
     /// The motion there.
     pub(super) point: Point<T>,
-    /// How much the last step of the iteration changed y, relative to it.
+    /// Relative change of y, or change of η, in the last Newton step.
     pub(super) change: T,
 }
 
 impl<T: Copy> Extreme<T> {
     /// y and η.
     #[inline(always)]
-    pub(super) fn place(&self) -> [T; 2] {
+    pub(super) fn position(&self) -> [T; 2] {
         [self.y, self.eta]
     }
 }
 
 impl<T: Real> Extreme<T> {
-    /// Of a smallest tilt at y_c, what ∫ y_c dη / √(y² − y_c²) is to be taken times to be the yaw nearby.
+    /// The singular coefficient c of a smallest tilt y_c, with ψ ≈ c ∫ y_c dη / √(y² − y_c²) nearby.
     #[inline(always)]
     pub(super) fn singular_coefficient(&self) -> T {
         self.point.w * (T::from(2.0) * self.point.inertia / self.point.slope).sqrt()
     }
 }
 
-/// The smallest tilt, from a guess of y and η, by `rounds` of Newton's iteration.
+/// The smallest tilt, from a guess of y and η, by `rounds` Newton iterations.
 #[inline(always)]
 pub(super) fn lowest<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -42,12 +42,12 @@ pub(super) fn lowest<T: Real>(
     let mut search = Search::from(guess);
     for _ in 0..rounds {
         let excess = search.excess(motion);
-        search.go(lower(excess));
+        search.step(lower(excess));
     }
-    search.met(motion)
+    search.finish(motion)
 }
 
-/// The largest tilt, from a guess of y and η, by `rounds` of Newton's iteration.
+/// The largest tilt, from a guess of y and η, by `rounds` Newton iterations.
 #[inline(always)]
 pub(super) fn highest<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -57,35 +57,35 @@ pub(super) fn highest<T: Real>(
     let mut search = Search::from(guess);
     for _ in 0..rounds {
         let excess = search.excess(motion);
-        search.go(higher(excess));
+        search.step(higher(excess));
     }
-    search.met(motion)
+    search.finish(motion)
 }
 
-/// Both, in at most so many `rounds`, by turns, so that a processor need not wait for the one. An extreme whose y the
-/// last round has changed by less than `met`, relative to it, has been met: it stays whatever the other lanes do, and
-/// where all have there are no more rounds.
+/// Both turning points, in at most `rounds` Newton iterations. The two iterations alternate, so that the processor can
+/// overlap them. A lane has converged when the relative change of y is below `tolerance`. Its value then stays fixed,
+/// whatever the other lanes do, and the iteration ends when all lanes have converged.
 #[inline(always)]
 pub(super) fn lowest_and_highest<V: Vector>(
     motion: &impl Tilting<V>,
     [low, high]: [[V; 2]; 2],
     rounds: usize,
-    met: f64,
+    tolerance: f64,
 ) -> [Extreme<V>; 2] {
     let (mut low, mut high) = (Search::from(low), Search::from(high));
     for _ in 0..rounds {
-        let has_met = [low.has_met(met), high.has_met(met)];
-        if has_met[0].and(has_met[1]).in_all() {
+        let has_converged = [low.has_converged(tolerance), high.has_converged(tolerance)];
+        if has_converged[0].and(has_converged[1]).in_all() {
             break;
         }
         let excess = [low.excess(motion), high.excess(motion)];
-        low.go_unless(has_met[0], lower(excess[0]));
-        high.go_unless(has_met[1], higher(excess[1]));
+        low.step_unless(has_converged[0], lower(excess[0]));
+        high.step_unless(has_converged[1], higher(excess[1]));
     }
-    [low.met(motion), high.met(motion)]
+    [low.finish(motion), high.finish(motion)]
 }
 
-/// On the way to an extreme.
+/// The state of a Newton iteration.
 struct Search<T> {
     y: T,
     eta: T,
@@ -107,14 +107,14 @@ impl<T: Real> Search<T> {
     }
 
     #[inline(always)]
-    fn go(&mut self, factor: T) {
+    fn step(&mut self, factor: T) {
         self.change = factor - T::from(1.0);
         self.y = self.y * factor;
         self.eta = self.eta + factor.ln();
     }
 
     #[inline(always)]
-    fn met(self, motion: &(impl Tilting<T> + ?Sized)) -> Extreme<T> {
+    fn finish(self, motion: &(impl Tilting<T> + ?Sized)) -> Extreme<T> {
         Extreme {
             y: self.y,
             eta: self.eta,
@@ -126,29 +126,28 @@ impl<T: Real> Search<T> {
 
 impl<V: Vector> Search<V> {
     #[inline(always)]
-    fn has_met(&self, met: f64) -> V::Mask {
-        self.change.abs().at_most(V::from(met))
+    fn has_converged(&self, tolerance: f64) -> V::Mask {
+        self.change.abs().at_most(V::from(tolerance))
     }
 
     #[inline(always)]
-    fn go_unless(&mut self, has_met: V::Mask, factor: V) {
+    fn step_unless(&mut self, has_converged: V::Mask, factor: V) {
         let Search { y, eta, change } = *self;
-        self.go(factor);
-        self.y = has_met.choose(y, self.y);
-        self.eta = has_met.choose(eta, self.eta);
-        self.change = has_met.choose(change, self.change);
+        self.step(factor);
+        self.y = has_converged.choose(y, self.y);
+        self.eta = has_converged.choose(eta, self.eta);
+        self.change = has_converged.choose(change, self.change);
     }
 }
 
-/// By which factor a round of Newton's iteration changes y, in y⁻², of which the energy of yaw is all but a linear
-/// function.
+/// The factor by which a Newton iteration in the variable y⁻² changes y. The energy of yaw is nearly linear in y⁻².
 #[inline(always)]
 fn lower<T: Real>(excess: T) -> T {
     let one = T::from(1.0);
     one / (one + (excess + excess)).sqrt()
 }
 
-/// The same in y.
+/// The factor by which a Newton iteration in the variable y changes y.
 #[inline(always)]
 fn higher<T: Real>(excess: T) -> T {
     T::from(1.0) - excess

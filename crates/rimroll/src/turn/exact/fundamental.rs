@@ -1,32 +1,32 @@
-//! Rolling without slip: all motions of a body as functions of the tilt.
+//! No slip: all motions of a body as functions of the tilt.
 //!
-//! Rows 1 and 3 of the paper's `noslip_eqs`, linear in l = ψ̇ sin² φ and s = θ̇ + ψ̇ cos φ, are by the
-//! clock η = ln y, y = tan(φ/2),
+//! Rows 1 and 3 of the paper's `noslip_eqs` are linear in l = ψ̇ sin² φ and s = θ̇ + ψ̇ cos φ. With the
+//! independent variable η = ln y, y = tan(φ/2), they are
 //!
 //! ```text
 //! dl/dη = a sin² φ s − b sin φ l          a = C (C + mR²)/D     b = C mHR/D
 //! ds/dη = κ l + b sin φ s                 κ = mR² A/D           D = C (A + mH²) + mR² A
 //! ```
 //!
-//! with a trace of zero, and a regular singular point at φ = 0: one solution is regular there,
-//! (l, s) = (l₁, s₁), the other is (l₂, s₂) + κ (l₁, s₁) ln y. The four functions are power series in
-//! φ, from the method of Frobenius, and converge to φ = π. They depend on the body alone and are
-//! tabulated once for it, as polynomials in y through Chebyshev points.
+//! The system has zero trace and a regular singular point at φ = 0. One solution, (l, s) = (l₁, s₁), is
+//! regular there; the other is (l₂, s₂) + κ (l₁, s₁) ln y. The method of Frobenius gives the four functions
+//! as power series in φ, which converge for φ < π. They depend on the body alone and are tabulated once per
+//! body, as polynomials in y that interpolate at Chebyshev points.
 
 use crate::law::Parameters;
 use crate::real::Real;
 use core::f64::consts::PI;
 
-/// Terms of the power series: at φ = π/2 the last is 2⁻⁶⁴ of the first.
+/// Number of terms of the power series. At φ = π/2 the last term is about 2⁻⁶⁴ of the first.
 const TERMS: usize = 64;
 
-/// Chebyshev points: enough for tilts up to π/2.
+/// Number of Chebyshev points, sufficient for tilts up to π/2.
 const POINTS: usize = 28;
 
-/// Chebyshev coefficients below this part of the largest are nothing but rounding.
+/// Size, relative to the largest Chebyshev coefficient, below which coefficients are rounding errors.
 const NEGLIGIBLE: f64 = 5e-16;
 
-/// The solutions for one body, and its numbers.
+/// The fundamental solutions of one body, and its constants.
 #[derive(Debug, Clone)]
 pub(super) struct Fundamental<C> {
     pub(super) parameters: Parameters<C>,
@@ -40,9 +40,9 @@ pub(super) struct Fundamental<C> {
     pub(super) axial_inertia: C,
     /// a, b, κ.
     pub(super) rates: [C; 3],
-    /// 2/y at the end of the table: the polynomials are in z = 2y/y_end − 1.
+    /// 2/y_end. The polynomials are in z = 2y/y_end − 1.
     scale: f64,
-    /// Coefficients by falling power, of l₁/y², s₁, l₂, s₂/y.
+    /// Polynomial coefficients of l₁/y², s₁, l₂, s₂/y, highest power first.
     coefficients: Vec<[C; 4]>,
 }
 
@@ -61,7 +61,7 @@ impl Fundamental<f64> {
 }
 
 impl<C: Real> Fundamental<C> {
-    /// The same table for another kind of number.
+    /// The table for another number type, with as many terms.
     pub(super) fn like(table: &Fundamental<f64>, k: Parameters<C>) -> Self {
         Fundamental::with_terms(k, table.end(), table.coefficients.len())
     }
@@ -96,13 +96,13 @@ fn rates<C: Real>(k: &Parameters<C>) -> [C; 3] {
 }
 
 impl<C: Copy> Fundamental<C> {
-    /// Where the table ends: tan(φ/2).
+    /// The end of the table, tan(φ/2).
     pub(super) fn end(&self) -> f64 {
         2.0 / self.scale
     }
 
-    /// [l, s] of the solution that is regular at φ = 0, and of the other, where tan(φ/2) is y and η its
-    /// logarithm.
+    /// [l, s] of the solution that is regular at φ = 0, and of the other one, at y = tan(φ/2) with the logarithm
+    /// η.
     #[inline(always)]
     pub(super) fn solutions<T: Real>(&self, y: T, eta: T) -> [T; 4]
     where
@@ -117,7 +117,7 @@ impl<C: Copy> Fundamental<C> {
     }
 }
 
-/// [l, s] at a tilt (rad) of the solution that is regular at φ = 0, where it is [0, 1].
+/// [l, s] at a tilt (rad), for the solution that is regular at φ = 0 with the value [0, 1] there.
 pub(super) fn regular_solution(k: &Parameters<f64>, tilt: f64) -> [f64; 2] {
     let [l_1, s_1, ..] = Series::new(rates(k)).at(tilt);
     [l_1, s_1]
@@ -156,7 +156,7 @@ impl<C: Real> Series<C> {
         series
     }
 
-    /// [l₁, s₁, l₂, s₂] at a tilt.
+    /// [l₁, s₁, l₂, s₂] at a tilt, rad.
     fn at(&self, tilt: f64) -> [C; 4] {
         let value = |series: &[C; TERMS]| {
             let sum = |sum: C, &term: &C| sum * C::from(tilt) + term;
@@ -197,7 +197,7 @@ fn tilt_over_sine() -> [f64; TERMS] {
 
 /// Chebyshev coefficients over (0, end) of l₁/y², s₁, l₂, s₂/y.
 fn chebyshev<C: Real>(series: &Series<C>, end: f64) -> [[C; 4]; POINTS] {
-    // cos(n (i + ½) π / POINTS), the angle first brought to the first turn.
+    // cos(n (i + ½) π / POINTS), with the angle reduced modulo 2π.
     let cos = |n: usize, i: usize| {
         libm::cos(PI * (n * (2 * i + 1) % (4 * POINTS)) as f64 / (2 * POINTS) as f64)
     };
@@ -214,8 +214,8 @@ fn chebyshev<C: Real>(series: &Series<C>, end: f64) -> [[C; 4]; POINTS] {
     })
 }
 
-/// From the coefficients of Chebyshev polynomials those of powers, the highest first. Where the former
-/// fall off as fast as here nothing is lost by that.
+/// Converts coefficients of Chebyshev polynomials to those of powers, highest power first. The Chebyshev
+/// coefficients decrease so fast here that the conversion loses no accuracy.
 fn powers<C: Real>(chebyshev: &[[C; 4]]) -> Vec<[C; 4]> {
     let terms = chebyshev.len();
     let mut polynomials = vec![vec![0.0; terms]; terms];

@@ -1,31 +1,31 @@
-//! The passage over the balance point.
+//! The change of variable for the passage over the balance point.
 //!
-//! There the tilt slows down: G ≈ G_b + c (η − η_b)², with c = mg √(R² + H²) sin² φ_b, all but vanishes at
-//! η_b ± iδ, δ² = G_b/c. By the clock η = η_b + δ sinh u the passage is of length ln 1/δ and the integrand
-//! singular at u = ± i π/2, however near the balance point the body comes to rest.
+//! The tilt rate has a minimum there: G ≈ G_b + c (η − η_b)² with c = mg √(R² + H²) sin² φ_b, so G nearly
+//! vanishes at η_b ± iδ, δ² = G_b/c. With η = η_b + δ sinh u, the length of the passage in u grows only like
+//! ln 1/δ and the singularities of the integrand are at u = ± i π/2, for any δ.
 
 use super::half_tangent;
 use crate::body::Body;
 use crate::real::{Real, asinh};
 
-/// Wider than this, in η, the clock need not be slowed.
-const WIDEST: f64 = 1.0;
+/// The maximum of δ in the change of variable. For a wider ridge it suffices.
+const MAX_WIDTH: f64 = 1.0;
 
-/// The balance point, or the end if that is before it.
+/// The balance point, or the end of the motion if that is at a smaller tilt.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Balance {
     /// tan(φ/2).
     pub(super) y: f64,
-    /// Its logarithm.
+    /// η, the logarithm of y.
     pub(super) eta: f64,
-    /// c, J.
+    /// The curvature c of G there, J.
     pub(super) curvature: f64,
-    /// 2mg times how much higher the centre of mass is there than upright, J.
+    /// 2mg times the height of the centre of mass relative to upright, J.
     pub(super) energy: f64,
 }
 
 impl Balance {
-    /// Of a body that is followed up to `end`, tan(φ/2).
+    /// The balance point of a body whose motion ends at tan(φ/2) = `end`.
     pub(super) fn new(body: &Body, gravity: f64, end: f64) -> Self {
         let y = half_tangent(body.balance_tilt()).min(end);
         let sin = 2.0 * y / (1.0 + y * y);
@@ -40,33 +40,33 @@ impl Balance {
     }
 }
 
-/// The clock of one passage.
+/// The change of variable of one passage. G has a minimum there because the potential energy has a ridge.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ridge<T> {
     balance: Balance,
-    /// δ.
+    /// δ, in η.
     width: T,
 }
 
 impl<T: Real> Ridge<T> {
-    /// From G at the balance point.
+    /// The change of variable for a given G at the balance point.
     #[inline(always)]
     pub(super) fn new(balance: Balance, drive: T) -> Self {
         let width = (drive * T::from(1.0 / balance.curvature)).sqrt();
-        let over = width - T::from(WIDEST);
+        let over = width - T::from(MAX_WIDTH);
         Ridge {
             balance,
-            width: over.where_negative(width, T::from(WIDEST)),
+            width: over.where_negative(width, T::from(MAX_WIDTH)),
         }
     }
 
-    /// With a width that is known.
+    /// The change of variable with a known width.
     #[inline(always)]
     pub(super) fn of_width(balance: Balance, width: T) -> Self {
         Ridge { balance, width }
     }
 
-    /// δ, or what stands for it.
+    /// δ, at most [`MAX_WIDTH`].
     #[inline(always)]
     pub(super) fn width(&self) -> T {
         self.width
@@ -74,23 +74,23 @@ impl<T: Real> Ridge<T> {
 
     /// u at η.
     #[inline(always)]
-    pub(super) fn clock(&self, eta: T) -> T {
+    pub(super) fn u(&self, eta: T) -> T {
         asinh((eta - T::from(self.balance.eta)) / self.width)
     }
 
     /// y, η and dη/du at u.
     #[inline(always)]
-    pub(super) fn at(&self, clock: T) -> (T, T, T) {
+    pub(super) fn at(&self, u: T) -> (T, T, T) {
         let (half, one) = (T::from(0.5), T::from(1.0));
-        let up = clock.abs().exp_m1();
+        let up = u.abs().exp_m1();
         let down = up / (up + one);
         let sinh = half * (up + down);
-        let away = self.width * clock.where_negative(-sinh, sinh);
+        let offset = self.width * u.where_negative(-sinh, sinh);
         let y = T::from(self.balance.y);
         let rate = self.width * (one + half * (up - down));
         (
-            y + y * away.exp_m1(),
-            T::from(self.balance.eta) + away,
+            y + y * offset.exp_m1(),
+            T::from(self.balance.eta) + offset,
             rate,
         )
     }

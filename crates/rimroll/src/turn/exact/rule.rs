@@ -1,161 +1,163 @@
-//! Gauss-Legendre rules for even functions: the n nodes in (0, 1) of the rule with 2n on (−1, 1).
+//! Gauss-Legendre rules for even functions: the n nodes in (0, 1) of the rule with 2n nodes on (−1, 1).
 //!
-//! Of a function that is singular close to 0, at τ = ± i ε, they see little. τ = ε sinh(A u), sinh A = 1/ε,
-//! brings both ends of (0, 1) to those of u and the singularity to u = ± i π/(2A), far from them.
+//! These rules converge slowly for a function with singularities close to 0, at τ = ± i ε. The change of
+//! variable τ = ε sinh(A u), sinh A = 1/ε, maps (0, 1) onto itself and moves the singularities to
+//! u = ± i π/(2A), far from it.
 
 use super::MAX_OUTER;
 use crate::real::{Real, approx_acosh, approx_asinh};
 use std::sync::OnceLock;
 
-/// How many nodes each rule of the ladder has.
+/// The available numbers of nodes, in increasing order. An index into them is a rung.
 const LADDER: [usize; 16] = [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];
 
-/// The first rung with so many nodes.
-const ENOUGH: [u8; MOST + 1] = {
-    let (mut enough, mut nodes, mut rung) = ([0; MOST + 1], 0, 0);
-    while nodes <= MOST {
+/// For each number of nodes, the first rung with at least as many.
+const SMALLEST_RUNG: [u8; MAX_NODES + 1] = {
+    let (mut smallest, mut nodes, mut rung) = ([0; MAX_NODES + 1], 0, 0);
+    while nodes <= MAX_NODES {
         if nodes > LADDER[rung as usize] {
             rung += 1;
         }
-        enough[nodes] = rung;
+        smallest[nodes] = rung;
         nodes += 1;
     }
-    enough
+    smallest
 };
-const MOST: usize = LADDER[LADDER.len() - 1];
+const MAX_NODES: usize = LADDER[LADDER.len() - 1];
 
-/// How many rungs a rule is taken larger when it has not resolved its piece.
+/// Number of rungs to the next rule to try when a rule has not resolved its segment.
 const CLIMB: usize = 1;
 
-/// How often ε is halved, from 1 on; before that, rules that stretch nothing.
-const STRETCHES: usize = 13;
+/// Number of changes of variable: the identity, then ε = 1, 1/2, 1/4 and so on.
+const MAPS: usize = 13;
 
-/// How many rules there are.
-pub(super) const RULES: usize = STRETCHES * LADDER.len();
+/// Number of rules.
+pub(super) const RULES: usize = MAPS * LADDER.len();
 
-static SHELF: [OnceLock<Rule>; RULES] = [const { OnceLock::new() }; RULES];
+static CACHE: [OnceLock<Rule>; RULES] = [const { OnceLock::new() }; RULES];
 
-/// Which of the rules.
+/// One of the rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Choice {
-    /// 0: none; k: ε = 2^(1 − k).
-    stretch: usize,
+    /// The change of variable. 0: identity; k > 0: ε = 2^(1 − k).
+    map: usize,
     rung: usize,
 }
 
 impl Choice {
-    /// About so many nodes, and nothing stretched.
+    /// The rule with at least the given number of nodes, as far as available, without a change of variable.
     pub(super) fn plain(nodes: f64) -> Choice {
-        // Rounded up, for which processors of old have no instruction.
-        let whole = nodes.min(MOST as f64 + 1.0) as usize;
-        let enough = ENOUGH.get(whole + usize::from((whole as f64) < nodes));
+        // This rounds up without `ceil`, for which old processors have no instruction.
+        let whole = nodes.min(MAX_NODES as f64 + 1.0) as usize;
+        let smallest = SMALLEST_RUNG.get(whole + usize::from((whole as f64) < nodes));
         Choice {
-            stretch: 0,
-            rung: enough.map_or(LADDER.len() - 1, |&rung| rung.into()),
+            map: 0,
+            rung: smallest.map_or(LADDER.len() - 1, |&rung| rung.into()),
         }
     }
 
-    /// For a piece to the largest tilt, of so many nodes, where the integrand is singular at τ² = −`square`.
+    /// The rule for a segment to the largest tilt whose integrand is singular at τ² = −`square`.
     pub(super) fn to_highest(nodes: f64, square: f64) -> Choice {
         let plain = Choice::plain(nodes);
-        if square >= UNSTRETCHED {
+        if square >= UNMAPPED {
             return plain;
         }
-        // The least k for which ε² = 4^(1 − k) is not above the square, by the square's exponent.
+        // The smallest k with ε² = 4^(1 − k) ≤ `square`, from the exponent of `square`.
         let exponent = ((square.to_bits() >> 52) & 0x7FF) as i64 - 1023;
         let halvings = (1 - exponent.min(0)) as usize / 2;
         Choice {
-            stretch: (1 + halvings).min(STRETCHES - 1),
+            map: (1 + halvings).min(MAPS - 1),
             ..plain
         }
     }
 
-    /// One with more nodes.
+    /// The next rule with more nodes and the same change of variable.
     pub(super) fn larger(self) -> Option<Choice> {
         let rung = self.rung + CLIMB;
         (rung < LADDER.len()).then_some(Choice { rung, ..self })
     }
 
-    /// Its place among the [`RULES`].
-    pub(super) fn place(self) -> usize {
-        self.stretch * LADDER.len() + self.rung
+    /// Its index among the [`RULES`].
+    pub(super) fn index(self) -> usize {
+        self.map * LADDER.len() + self.rung
     }
 
-    /// The one in that place.
-    pub(super) fn at(place: usize) -> Choice {
+    /// The rule with the given index.
+    pub(super) fn from_index(index: usize) -> Choice {
         Choice {
-            stretch: place / LADDER.len(),
-            rung: place % LADDER.len(),
+            map: index / LADDER.len(),
+            rung: index % LADDER.len(),
         }
     }
 
-    /// How many nodes it has.
+    /// Number of nodes.
     pub(super) fn nodes(self) -> usize {
         LADDER[self.rung]
     }
 
-    /// The rule itself, made when it is first used.
+    /// The nodes and weights, computed at the first use.
     pub(super) fn rule(self) -> &'static Rule {
-        SHELF[self.place()].get_or_init(|| Rule::new(self))
+        CACHE[self.index()].get_or_init(|| Rule::new(self))
     }
 }
 
-/// Where the integrand is singular at a greater distance, squared, nothing is stretched.
-const UNSTRETCHED: f64 = 2.0;
+/// Squared distance of the singularity from which no change of variable is needed.
+const UNMAPPED: f64 = 2.0;
 
-/// Nodes that a piece from the smallest tilt needs, times the error's logarithmic decrement ln ρ: it falls off
-/// like ρ^−4n.
+/// Number of nodes for a segment from the smallest tilt, times the logarithmic decrement ln ρ of the error, which
+/// decreases like ρ^−4n.
 const LOW_DIGITS: f64 = 8.2;
 
-/// The same for a piece to the largest.
+/// As [`LOW_DIGITS`], for a segment to the largest tilt.
 const HIGH_DIGITS: f64 = 9.5;
 
-/// The same where it takes more to be sure.
-const SURE_DIGITS: f64 = 11.0;
+/// As [`LOW_DIGITS`], for [`conservative_integral`](super::segments::Segment::conservative_integral).
+const CONSERVATIVE_DIGITS: f64 = 11.0;
 
-/// Nodes for what else the integrand does in a passage.
+/// Additional nodes in a passage, for the variation of the integrand that its singularities do not cause.
 const ELSEWHERE: f64 = 2.0;
 
-/// About how many nodes a piece from the smallest tilt needs, `length` long in η, where beyond that the integrand
-/// is singular after another `rest`: in the plane of τ at √(1 + rest/length).
+/// Estimated number of nodes for a segment from the smallest tilt of the given length in η. The integrand is singular
+/// at a distance `rest` in η beyond the segment, which is at √(1 + rest/length) in the plane of τ.
 #[inline(always)]
 pub(super) fn nodes_from_lowest<T: Real>(length: T, rest: T) -> T {
     T::from(LOW_DIGITS) / approx_asinh((rest / length).sqrt())
 }
 
-/// The same for a piece on to the balance point, that far, to whose sides the integrand is singular.
+/// Estimated number of nodes for a segment from the smallest tilt towards the balance point. The integrand is singular
+/// at the distances `rest` along η and ± `width` along the imaginary axis from the end of the segment.
 #[inline(always)]
-pub(super) fn nodes_towards<T: Real>(length: T, rest: T, aside: T) -> T {
-    let distance = (rest * rest + aside * aside).sqrt();
+pub(super) fn nodes_towards<T: Real>(length: T, rest: T, width: T) -> T {
+    let distance = (rest * rest + width * width).sqrt();
     let decrement = approx_asinh(((distance + rest) / (length + length)).sqrt());
-    T::from(SURE_DIGITS) / decrement
+    T::from(CONSERVATIVE_DIGITS) / decrement
 }
 
-/// For a passage over the balance point, `half` long to both sides by its clock, in whose plane the integrand is
-/// singular at ± i π/2.
+/// Estimated number of nodes for a passage over the balance point of length 2 `half` in u. The integrand is singular
+/// at u = ± i π/2.
 #[inline(always)]
 pub(super) fn nodes_across<T: Real>(half: T) -> T {
     let decrement = approx_asinh(T::from(core::f64::consts::FRAC_PI_2) / half);
-    T::from(ELSEWHERE) + T::from(SURE_DIGITS) / decrement
+    T::from(ELSEWHERE) + T::from(CONSERVATIVE_DIGITS) / decrement
 }
 
-/// For a piece to the largest tilt, where beyond the balance point the integrand is singular at τ² = −`square`, and
-/// at the smallest tilt at τ² = `far`.
+/// Estimated number of nodes for a segment to the largest tilt. The integrand is singular at τ² = −`square`, beyond
+/// the balance point, and at τ² = `far`, the smallest tilt.
 #[inline(always)]
 pub(super) fn nodes_to_highest<T: Real>(square: T, far: T) -> T {
     let one = T::from(1.0);
     let (near, far) = (square.sqrt(), far.sqrt());
     let plain = approx_asinh(near).min(approx_acosh(far));
-    // Of a stretch between the distance and half of it.
+    // The ε of the rules lies between the distance of the singularity and half of it; this is a typical value.
     let epsilon = (T::from(0.7) * near).min(one);
     let length = approx_asinh(one / epsilon);
-    let aside = approx_asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
-    let stretched = aside.min(approx_acosh(approx_asinh(far / epsilon) / length));
-    let is_stretched = square - T::from(UNSTRETCHED);
-    T::from(HIGH_DIGITS) / is_stretched.where_negative(stretched, plain)
+    let width = approx_asinh(T::from(core::f64::consts::FRAC_PI_2) / length);
+    let mapped = width.min(approx_acosh(approx_asinh(far / epsilon) / length));
+    let is_mapped = square - T::from(UNMAPPED);
+    T::from(HIGH_DIGITS) / is_mapped.where_negative(mapped, plain)
 }
 
-/// How far a node at τ is from the end of a piece, to the largest tilt, of some length, in η.
+/// The offset in η of the node τ from the largest tilt, at which a segment of the given length ends.
 #[inline(always)]
 pub(super) fn below<T: Real>(length: T, at: T) -> T {
     -(length * (at * at))
@@ -166,7 +168,7 @@ pub(super) struct Rule {
     pub(super) nodes: Vec<Node>,
 }
 
-/// One of them.
+/// One node of a rule.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
     /// τ.
@@ -174,14 +176,14 @@ pub(super) struct Node {
     /// exp(−Λτ²) − 1 for a Λ of [`MAX_OUTER`].
     pub(super) less: f64,
     pub(super) weight: f64,
-    /// Weight, times P_{2n−2} at the node and its norm: what sums to the coefficient of the last
-    /// Legendre polynomial that the rule can see.
+    /// Weight times P_{2n−2}(node) times its normalisation. The sum with an integrand is the coefficient of the
+    /// last Legendre polynomial that the rule resolves.
     pub(super) last: f64,
-    /// The same of P_{2n−6}.
+    /// The corresponding weight for P_{2n−6}.
     pub(super) before: f64,
-    /// The same of P_{2n−4} and P_{2n−8}, to look beside the two.
-    pub(super) beside: [f64; 2],
-    /// The same of P_{2n−1} and P_{2n−5}, of functions that are odd.
+    /// The corresponding weights for P_{2n−4} and P_{2n−8}, the even neighbours of these two.
+    pub(super) neighbours: [f64; 2],
+    /// The corresponding weights for P_{2n−1} and P_{2n−5}, for odd functions.
     pub(super) odd: [f64; 2],
 }
 
@@ -189,10 +191,10 @@ impl Rule {
     fn new(choice: Choice) -> Rule {
         let n = choice.nodes();
         let plain = (0..n).map(|i| node(2 * n, i));
-        let nodes = match choice.stretch {
+        let nodes = match choice.map {
             0 => plain.collect(),
             k => plain
-                .map(|node| node.stretched(libm::ldexp(1.0, 1 - k as i32)))
+                .map(|node| node.mapped(libm::ldexp(1.0, 1 - k as i32)))
                 .collect(),
         };
         Rule { nodes }
@@ -200,7 +202,7 @@ impl Rule {
 }
 
 impl Node {
-    fn stretched(self, epsilon: f64) -> Node {
+    fn mapped(self, epsilon: f64) -> Node {
         let length = libm::asinh(1.0 / epsilon);
         let factor = epsilon * length * libm::cosh(length * self.at);
         let at = epsilon * libm::sinh(length * self.at);
@@ -210,14 +212,14 @@ impl Node {
             weight: factor * self.weight,
             last: factor * self.last,
             before: factor * self.before,
-            beside: self.beside.map(|weight| factor * weight),
+            neighbours: self.neighbours.map(|weight| factor * weight),
             odd: self.odd.map(|weight| factor * weight),
         }
     }
 }
 
-/// Node i of the rule with `degree` nodes, counted from the middle, by Newton's iteration on the
-/// Legendre polynomial (Numerical Recipes' first guess).
+/// Node i of the rule with `degree` nodes, counted from the middle, by Newton iteration on the Legendre
+/// polynomial (initial guess of Numerical Recipes).
 fn node(degree: usize, i: usize) -> Node {
     let outward = (degree / 2 - 1 - i) as f64;
     let guess = core::f64::consts::PI * (outward + 0.75) / (degree as f64 + 0.5);
@@ -235,12 +237,12 @@ fn node(degree: usize, i: usize) -> Node {
         weight,
         last: of_degree(degree - 2),
         before: of_degree(degree - 6),
-        beside: [of_degree(degree - 4), of_degree(degree - 8)],
+        neighbours: [of_degree(degree - 4), of_degree(degree - 8)],
         odd: [of_degree(degree - 1), of_degree(degree - 5)],
     }
 }
 
-/// P_n(x) and its slope.
+/// P_n(x) and its derivative.
 fn legendre(n: usize, x: f64) -> (f64, f64) {
     if n == 0 {
         return (1.0, 0.0);
@@ -257,7 +259,7 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Choice, LADDER, RULES, STRETCHES, nodes_to_highest};
+    use super::{Choice, LADDER, MAPS, RULES, nodes_to_highest};
 
     #[test]
     fn each_rule_integrates_even_polynomials() {
@@ -278,9 +280,9 @@ mod tests {
     }
 
     #[test]
-    fn stretched_rules_see_what_is_singular_near_the_end() {
-        // ∫₀¹ dτ/√(ε² + τ²) = asinh(1/ε), with ε not quite the rule's own.
-        for k in 0..2 * STRETCHES as i32 - 4 {
+    fn mapped_rules_resolve_a_singularity_near_the_end() {
+        // ∫₀¹ dτ/√(ε² + τ²) = asinh(1/ε), where ε may differ from that of the rule.
+        for k in 0..2 * MAPS as i32 - 4 {
             let epsilon = libm::exp2(-0.5 * f64::from(k));
             let square = epsilon * epsilon;
             let choice = Choice::to_highest(nodes_to_highest(square, 100.0), square);
@@ -297,9 +299,9 @@ mod tests {
     }
 
     #[test]
-    fn every_choice_has_its_place() {
-        for place in 0..RULES {
-            assert_eq!(Choice::at(place).place(), place);
+    fn every_index_identifies_one_rule() {
+        for index in 0..RULES {
+            assert_eq!(Choice::from_index(index).index(), index);
         }
     }
 }

@@ -1,19 +1,21 @@
-//! One start by itself, whatever becomes of it.
+//! The turn of one start, with any outcome.
 
 use super::extremes::{Extreme, highest, lowest};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
 use super::segments::{Segment, across, from_lowest, short, to_highest};
-use super::sign_search::{Energy, Unclear, first_sign_change, first_turn_back, is_clear};
+use super::sign_search::{
+    Energy, Undecided, first_sign_change, first_turning_point, is_positive_between,
+};
+use super::small_oscillation::{MAX_SPAN, SmallOscillation};
 use super::start::Start;
 use super::tilting::Tilting;
-use super::wobble::{LONGEST, Wobble};
 use super::{FLAT, MAX_OUTER, Outcome, SHORT};
 use crate::real::{Dual, Real, Slope};
 
-/// A number that stands for one motion, so that it can decide.
+/// A number type with one value, so that it can be used in branches, unlike SIMD lanes.
 pub(super) trait Scalar: Real {
-    /// Its value.
+    /// The value, without derivatives.
     fn value(self) -> f64;
 }
 
@@ -35,17 +37,17 @@ impl<T: Scalar> Segment<T> {
     }
 }
 
-/// What quadrature has found: as [`ExactTurn`](super::ExactTurn), with tan(φ/2) for the tilts.
+/// The result of the quadrature: as [`ExactTurn`](super::ExactTurn), with tilts given as tan(φ/2).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quadrature<T> {
     pub(super) ending: Outcome,
     pub(super) low: Option<T>,
     pub(super) high: Option<T>,
-    /// Yaw and time from the release to the first largest tilt, if it rises at first.
+    /// Yaw and time from the release to the first largest tilt, if the tilt increases at the release.
     pub(super) before: Option<Segment<T>>,
-    /// From there, or the release, down to the smallest tilt.
+    /// From there, or from the release, to the smallest tilt.
     pub(super) down: Option<Segment<T>>,
-    /// From there up to the end.
+    /// From the smallest tilt to the end.
     pub(super) up: Option<Segment<T>>,
 }
 
@@ -62,36 +64,36 @@ impl<T> Quadrature<T> {
     }
 }
 
-/// Where the way up ends.
-enum Top<T> {
-    /// At a largest tilt.
-    Rest(Extreme<T>),
-    /// On the move, at tan(φ/2).
-    Toppling(T, Outcome),
+/// The upper end of the motion after the smallest tilt.
+enum UpperEnd<T> {
+    /// The largest tilt.
+    TurningPoint(Extreme<T>),
+    /// A tilt, as tan(φ/2), at which the motion ends with a positive tilt rate, and its outcome.
+    Moving(T, Outcome),
 }
 
-/// One motion and what is looked up on the way.
+/// One motion and its limits.
 ///
-/// The motion is known by its table of functions, so that all this is compiled once for each kind of number and not
-/// for each law, too; what a rule asks of it at a node takes far longer than the call.
+/// The motion is a trait object, so that this code is compiled once per number type and not once per law. The
+/// evaluation at a node takes far longer than the dynamic call.
 pub(super) struct ScalarQuadrature<'a, T> {
     motion: &'a dyn Tilting<T>,
     start: Start<T>,
-    /// Where it ends if nothing turns it back: tan(φ/2), and what that is called.
+    /// The end of a motion without an upper turning point: tan(φ/2) and the outcome.
     end: (f64, Outcome),
     balance: Balance,
 }
 
-/// A start nearer to an extreme, in η, is followed there with η and G counted from it.
+/// Distance in η between a start and a turning point below which η and G are measured from the start.
 const CLOSE: f64 = 0.1;
 
-/// By its clock, to both sides of its middle, a passage that one rule resolves.
+/// Half-length in u of the longest passage over the balance point that one rule resolves.
 const LONGEST_PASSAGE: f64 = 5.0;
 
-/// Of Newton's iteration, where only the last digits of an extreme are missing.
+/// Number of Newton iterations if only the last digits of a turning point are missing.
 const ROUNDS: usize = 4;
 
-/// Changes of the tilt, in η, in which even the slope of its energy has no digits left.
+/// Distance in η between two turning points below which rounding errors dominate even dG/dη.
 const SHORTEST: f64 = 1e-4;
 
 impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
@@ -109,16 +111,16 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         }
     }
 
-    /// `None` where quadrature does not reach: near the edge between rocking and toppling, and where
-    /// the tilt hardly changes.
+    /// The turn. `None` outside the range of the quadrature: near the boundary between rocking and toppling, and
+    /// for oscillations of very small amplitude.
     pub(super) fn quadrature(&self) -> Option<Quadrature<T>> {
         let start = self.start;
         let point = self.motion.at(start.y, start.eta);
-        if self.motion.pressing(&point).value() < 0.0 {
+        if self.motion.scaled_normal_force(&point).value() < 0.0 {
             return Some(Quadrature::without_turn(Outcome::LiftedOff, None));
         }
         let p = start.p.value();
-        // At rest the tilt's acceleration decides, if rounding leaves it a sign.
+        // At rest, the sign of the tilt acceleration decides, unless it is within rounding errors.
         let at_rest = p == 0.0;
         if at_rest && point.slope.value().abs() <= self.motion.rounding(&point, start.eta).value() {
             return None;
@@ -132,85 +134,97 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
             _ => return Some(self.came_down_flat(high.filter(|_| rising))),
         };
         let top = match high {
-            Some(high) => Top::Rest(high),
-            None => Top::Toppling(T::from(self.end.0), self.end.1),
+            Some(high) => UpperEnd::TurningPoint(high),
+            None => UpperEnd::Moving(T::from(self.end.0), self.end.1),
         };
         match top {
-            Top::Rest(high) if (high.eta - low.eta).value() < LONGEST => {
-                self.wobbling(&low, &high, rising)
+            UpperEnd::TurningPoint(high) if (high.eta - low.eta).value() < MAX_SPAN => {
+                self.small_oscillation(&low, &high, rising)
             }
-            top => self.pressed(self.motion, &start, &low, top, rising),
+            top => self.until_lift_off(self.motion, &start, &low, top, rising),
         }
     }
 
-    /// Along the whole, or to where the table would have to pull.
-    fn pressed(
+    /// Integrates the motion to its end, or to the tilt at which the normal force becomes zero.
+    fn until_lift_off(
         &self,
         motion: &dyn Tilting<T>,
         start: &Start<T>,
         low: &Extreme<T>,
-        top: Top<T>,
+        top: UpperEnd<T>,
         rising: bool,
     ) -> Option<Quadrature<T>> {
-        // Extremes may be counted from the start; the table's push is not.
+        // The turning points may be given relative to the start. The normal force needs absolute η.
         let counted_from = self.start.eta - start.eta;
         let moved = |extreme: &Extreme<T>| Extreme {
             eta: extreme.eta + counted_from,
             ..*extreme
         };
         let absolute = match top {
-            Top::Rest(high) => Top::Rest(moved(&high)),
-            Top::Toppling(y, outcome) => Top::Toppling(y, outcome),
+            UpperEnd::TurningPoint(high) => UpperEnd::TurningPoint(moved(&high)),
+            UpperEnd::Moving(y, outcome) => UpperEnd::Moving(y, outcome),
         };
-        let low_there = moved(low);
-        match self.lifting(&low_there, &absolute, rising) {
-            None => self.along(motion, start, low, &top, rising),
+        let absolute_low = moved(low);
+        match self.lift_off(&absolute_low, &absolute, rising) {
+            None => self.integrate(motion, start, low, &top, rising),
             Some(None) => Some(Quadrature::without_turn(Outcome::LiftedOff, None)),
             Some(Some(y)) => {
-                let top = Top::Toppling(y, Outcome::LiftedOff);
-                self.along(self.motion, &self.start, &low_there, &top, rising)
+                let top = UpperEnd::Moving(y, Outcome::LiftedOff);
+                self.integrate(self.motion, &self.start, &absolute_low, &top, rising)
             }
         }
     }
 
-    /// The same with the energy of a tilt that hardly changes.
-    fn wobbling(&self, low: &Extreme<T>, high: &Extreme<T>, rising: bool) -> Option<Quadrature<T>> {
+    /// Integrates an oscillation of small amplitude.
+    fn small_oscillation(
+        &self,
+        low: &Extreme<T>,
+        high: &Extreme<T>,
+        rising: bool,
+    ) -> Option<Quadrature<T>> {
         let eta = self.start.eta;
         let (from, to) = ((low.eta - eta).value(), (high.eta - eta).value());
         let margin = 0.1 * (to - from);
         if to - from < SHORTEST {
             return None;
         }
-        let wobble = Wobble::new(self.motion, self.start, from - margin, to + margin);
-        let [low, high] = [low, high].map(|extreme| wobble.extreme(extreme.eta - eta, ROUNDS));
+        let oscillation =
+            SmallOscillation::new(self.motion, self.start, from - margin, to + margin);
+        let [low, high] = [low, high].map(|extreme| oscillation.extreme(extreme.eta - eta, ROUNDS));
         let start = Start {
             eta: T::from(0.0),
             ..self.start
         };
-        self.pressed(&wobble, &start, &low, Top::Rest(high), rising)
+        self.until_lift_off(
+            &oscillation,
+            &start,
+            &low,
+            UpperEnd::TurningPoint(high),
+            rising,
+        )
     }
 
     fn fell_back(&self) -> Option<Quadrature<T>> {
         if self.end.1 == Outcome::Rocked {
-            // A disk, which goes on to its other face.
+            // A disk passes the vertical and falls to its other face.
             return None;
         }
         let eta = self.start.eta.value();
         let end = libm::log(self.end.0);
-        let ending = match first_sign_change(eta, end, |eta| self.pressing(eta)) {
+        let ending = match first_sign_change(eta, end, |eta| self.scaled_normal_force(eta)) {
             Some(_) => Outcome::LiftedOff,
             None => Outcome::FellBack,
         };
         Some(Quadrature::without_turn(ending, None))
     }
 
-    /// Without a smallest tilt: the whole rim meets the table, unless it leaves it on the way from the
-    /// start or, if it rises at first, from the largest tilt.
+    /// The result without a smallest tilt. The body comes down flat, unless it lifts off on the way down from the
+    /// start or, if the tilt increases at first, from the largest tilt `from`.
     fn came_down_flat(&self, from: Option<Extreme<T>>) -> Quadrature<T> {
         let highest = from.map_or(self.start.eta, |high| high.eta.max(self.start.eta));
-        // Where sin φ = 2 tan(φ/2) is that at which steps end.
+        // Here sin φ ≈ 2 tan(φ/2) equals FLAT, at which time integration ends, too.
         let flat = libm::log(0.5 * FLAT);
-        let ending = if self.lifts_coming_down(highest.value(), flat) {
+        let ending = if self.lifts_off_coming_down(highest.value(), flat) {
             Outcome::LiftedOff
         } else {
             Outcome::FaceDown
@@ -218,18 +232,18 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         Quadrature::without_turn(ending, None)
     }
 
-    /// Yaw and time along the whole.
-    fn along(
+    /// Integrates yaw and time along all segments.
+    fn integrate(
         &self,
         motion: &dyn Tilting<T>,
         start: &Start<T>,
         low: &Extreme<T>,
-        top: &Top<T>,
+        top: &UpperEnd<T>,
         rising: bool,
     ) -> Option<Quadrature<T>> {
         let eta_top = match top {
-            Top::Rest(high) => high.eta,
-            Top::Toppling(y, _) => y.ln(),
+            UpperEnd::TurningPoint(high) => high.eta,
+            UpperEnd::Moving(y, _) => y.ln(),
         };
         let length = eta_top - low.eta;
         let outer = if length.value() > 2.0 * MAX_OUTER {
@@ -239,20 +253,22 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         };
         let inner = length - outer;
         let split = low.eta + inner;
-        let bottom = foot(motion, low, inner)?;
+        let bottom = segment_from_lowest(motion, low, inner)?;
         let upper = match top {
-            Top::Rest(high) => head(motion, high, outer, self.gap(motion, high), 0.0)?,
-            Top::Toppling(..) => self.passage([split, eta_top])?,
+            UpperEnd::TurningPoint(high) => {
+                segment_to_highest(motion, high, outer, self.gap(motion, high), 0.0)?
+            }
+            UpperEnd::Moving(..) => self.passage([split, eta_top])?,
         };
         let up = bottom + upper;
         let from_start = eta_top - start.eta;
         let to_start = start.eta - low.eta;
-        // From the smallest tilt to the start's.
-        let risen = if to_start.value() <= inner.value() {
+        // From the smallest tilt to the start.
+        let low_to_start = if to_start.value() <= inner.value() {
             self.next_to_lowest(motion, start, low, [to_start, length], rising)?
         } else {
             match top {
-                Top::Rest(high) => {
+                UpperEnd::TurningPoint(high) => {
                     let time = up.values().time;
                     up - self.next_to_highest(
                         motion,
@@ -263,23 +279,23 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
                         rising,
                     )?
                 }
-                Top::Toppling(..) => bottom + self.passage([split, start.eta])?,
+                UpperEnd::Moving(..) => bottom + self.passage([split, start.eta])?,
             }
         };
         let (before, down) = if rising {
-            (Some(up - risen), up)
+            (Some(up - low_to_start), up)
         } else {
-            (None, risen)
+            (None, low_to_start)
         };
         Some(Quadrature {
             ending: match top {
-                Top::Rest(_) => Outcome::Rocked,
-                Top::Toppling(_, ending) => *ending,
+                UpperEnd::TurningPoint(_) => Outcome::Rocked,
+                UpperEnd::Moving(_, ending) => *ending,
             },
             low: Some(low.y),
             high: Some(match top {
-                Top::Rest(high) => high.y,
-                Top::Toppling(y, _) => *y,
+                UpperEnd::TurningPoint(high) => high.y,
+                UpperEnd::Moving(y, _) => *y,
             }),
             before,
             down: Some(down),
@@ -287,7 +303,8 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         })
     }
 
-    /// From the smallest tilt to the start, `to_start` in η of a way of `length`.
+    /// Integrates from the smallest tilt to the start, `to_start` in η above it. `length` is the distance in η to the
+    /// upper end.
     fn next_to_lowest(
         &self,
         motion: &dyn Tilting<T>,
@@ -297,17 +314,18 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         rising: bool,
     ) -> Option<Segment<T>> {
         if is_short(to_start, length.value()) {
-            Some(short(motion, low.place(), to_start, self.speed(rising)))
+            Some(short(motion, low.position(), to_start, self.speed(rising)))
         } else if to_start.value() < CLOSE {
-            let wobble = wobble_to(motion, start, -to_start);
-            let low = wobble.extreme(-to_start, ROUNDS);
-            foot(&wobble, &low, -low.eta)
+            let oscillation = oscillation_to(motion, start, -to_start);
+            let low = oscillation.extreme(-to_start, ROUNDS);
+            segment_from_lowest(&oscillation, &low, -low.eta)
         } else {
-            foot(motion, low, to_start)
+            segment_from_lowest(motion, low, to_start)
         }
     }
 
-    /// From the start to the largest tilt, `from_start` in η of a way of `length`, of a motion that lasts `time` (s).
+    /// Integrates from the start to the largest tilt, `from_start` in η above it. `length` is the distance in η between
+    /// the turning points, and `time` (s) the time between them.
     fn next_to_highest(
         &self,
         motion: &dyn Tilting<T>,
@@ -319,28 +337,34 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     ) -> Option<Segment<T>> {
         let gap = self.gap(motion, high);
         if is_short(from_start, length.value().min(gap)) {
-            Some(short(motion, high.place(), -from_start, self.speed(rising)))
+            Some(short(
+                motion,
+                high.position(),
+                -from_start,
+                self.speed(rising),
+            ))
         } else if from_start.value() < gap.min(CLOSE) {
-            let wobble = wobble_to(motion, start, from_start);
-            let high = wobble.extreme(from_start, ROUNDS);
-            head(&wobble, &high, high.eta, gap, time)
+            let oscillation = oscillation_to(motion, start, from_start);
+            let high = oscillation.extreme(from_start, ROUNDS);
+            segment_to_highest(&oscillation, &high, high.eta, gap, time)
         } else {
-            head(motion, high, from_start, gap, time)
+            segment_to_highest(motion, high, from_start, gap, time)
         }
     }
 
-    /// √G at the start. Its derivative has a sign also where the tilt is at rest.
+    /// √G at the start, in a form whose derivative has the correct sign even if the tilt is at rest.
     fn speed(&self, rising: bool) -> T {
         let Start { y, eta, p, .. } = self.start;
         let rate = if rising { p } else { -p };
         self.motion.at(y, eta).inertia.sqrt() * rate
     }
 
-    /// How much farther than the largest tilt G has its next root, in η.
+    /// Distance in η from the largest tilt to the next root of G above it.
     fn gap(&self, motion: &dyn Tilting<T>, high: &Extreme<T>) -> f64 {
-        /// So near to the balance point, G is a parabola: yaw and spin move that, but bend it little.
+        /// Relative distance from the balance point within which G is taken as a parabola. Yaw and spin shift it but
+        /// hardly change its curvature.
         const NEAR: f64 = 0.2;
-        /// As if there were a root here: nearer than that rounding decides.
+        /// Minimum of the distance. Smaller ones depend on rounding errors.
         const LEAST: f64 = 1e-9;
         let gap = if (high.y.value() / self.balance.y - 1.0).abs() < NEAR {
             -high.point.slope.value() / self.balance.curvature
@@ -350,54 +374,62 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         gap.max(LEAST)
     }
 
-    /// From one η to another on the move.
+    /// Integrates between two η without a turning point in between.
     fn passage(&self, [from, to]: [T; 2]) -> Option<Segment<T>> {
         let Balance { y, eta, .. } = self.balance;
         let drive = self.motion.at(T::from(y), T::from(eta)).drive;
         let ridge = Ridge::new(self.balance, drive);
-        let half = T::from(0.5) * (ridge.clock(to) - ridge.clock(from));
+        let half = T::from(0.5) * (ridge.u(to) - ridge.u(from));
         if half.value() > LONGEST_PASSAGE {
-            let (_, between, _) = ridge.at(ridge.clock(from) + half);
+            let (_, between, _) = ridge.at(ridge.u(from) + half);
             return Some(self.passage([from, between])? + self.passage([between, to])?);
         }
         let choice = Choice::plain(nodes_across(half.value()));
-        agreed(choice, 0.0, ridge.width().value(), |rule| {
+        by_agreeing_rules(choice, 0.0, ridge.width().value(), |rule| {
             across(self.motion, [from, to], &ridge, rule)
         })
     }
 
-    /// The smallest tilt, at the start if `here`.
-    fn low(&self, here: bool) -> Result<Option<Extreme<T>>, Unclear> {
+    /// The smallest tilt. If `here`, it is at the start.
+    fn low(&self, here: bool) -> Result<Option<Extreme<T>>, Undecided> {
         let start = self.start;
-        let guess = if here { start.y } else { self.motion.lowest() };
+        let guess = if here {
+            start.y
+        } else {
+            self.motion.guess_lowest()
+        };
         let guess = [guess, guess.ln()];
         let good = |low: &Extreme<T>| {
             low.change.value() < 1e-12
                 && low.point.slope.value() > 0.0
                 && low.y.value() <= start.y.value() * (1.0 + 1e-9)
-                && self.clear(low.eta.value(), start.eta.value())
+                && self.has_no_turning_point(low.eta.value(), start.eta.value())
         };
         let low = lowest(self.motion, guess, 12);
         if good(&low) {
             return Ok(Some(low));
         }
         let flat = libm::log(0.25 * FLAT);
-        let root = first_turn_back(start.eta.value(), flat, |eta| self.energy(eta))?;
-        root.map(|eta| met(lowest(self.motion, at(eta), 4)))
+        let root = first_turning_point(start.eta.value(), flat, |eta| self.energy(eta))?;
+        root.map(|eta| converged(lowest(self.motion, at(eta), 4)))
             .transpose()
     }
 
-    /// The largest tilt, at the start if `here`; none if it goes past the end.
-    fn high(&self, here: bool) -> Result<Option<Extreme<T>>, Unclear> {
+    /// The largest tilt, or `None` if it would be past the end. If `here`, it is at the start.
+    fn high(&self, here: bool) -> Result<Option<Extreme<T>>, Undecided> {
         let start = self.start;
-        let guess = if here { start.y } else { self.motion.highest() };
+        let guess = if here {
+            start.y
+        } else {
+            self.motion.guess_highest()
+        };
         let guess = [guess, guess.ln()];
         let good = |high: &Extreme<T>| {
             high.change.value() < 1e-12
                 && high.point.slope.value() < 0.0
                 && high.y.value() >= start.y.value() * (1.0 - 1e-9)
                 && high.y.value() < self.end.0
-                && self.clear(start.eta.value(), high.eta.value())
+                && self.has_no_turning_point(start.eta.value(), high.eta.value())
         };
         if guess[0].value() < self.end.0 {
             let high = highest(self.motion, guess, 12);
@@ -406,46 +438,49 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
             }
         }
         let end = libm::log(self.end.0);
-        let root = first_turn_back(start.eta.value(), end, |eta| self.energy(eta))?;
-        root.map(|eta| met(highest(self.motion, at(eta), 4)))
+        let root = first_turning_point(start.eta.value(), end, |eta| self.energy(eta))?;
+        root.map(|eta| converged(highest(self.motion, at(eta), 4)))
             .transpose()
     }
 
-    /// Whether the tilt does not turn back between two others.
-    fn clear(&self, from: f64, to: f64) -> bool {
-        (to - from).abs() < SHORT || is_clear(from, to, |eta| self.energy(eta))
+    /// Whether there is no turning point between two η.
+    fn has_no_turning_point(&self, from: f64, to: f64) -> bool {
+        (to - from).abs() < SHORT || is_positive_between(from, to, |eta| self.energy(eta))
     }
 
-    /// Where the table would have to pull: `Some(None)` before the smallest tilt is reached.
-    fn lifting(&self, low: &Extreme<T>, top: &Top<T>, rising: bool) -> Option<Option<T>> {
+    /// The tilt of lift-off, where the normal force becomes zero, as tan(φ/2). `Some(None)` if that happens before the
+    /// smallest tilt is reached, `None` if it does not happen.
+    fn lift_off(&self, low: &Extreme<T>, top: &UpperEnd<T>, rising: bool) -> Option<Option<T>> {
         let (bottom, start) = (low.eta.value(), self.start.eta.value());
         let end = match top {
-            Top::Rest(high) => high.eta.value(),
-            Top::Toppling(y, _) => libm::log(y.value()),
+            UpperEnd::TurningPoint(high) => high.eta.value(),
+            UpperEnd::Moving(y, _) => libm::log(y.value()),
         };
         let turned = if rising { end } else { start };
-        if !self.is_sure(low, turned) && self.lifts_coming_down(turned, bottom) {
+        if !self.surely_in_contact(low, turned) && self.lifts_off_coming_down(turned, bottom) {
             return Some(None);
         }
-        if self.is_sure(low, end) {
+        if self.surely_in_contact(low, end) {
             return None;
         }
-        let pressing = |eta| self.pressing(eta);
-        let eta = first_sign_change(start.max(bottom), end, pressing)?;
+        let scaled_normal_force = |eta| self.scaled_normal_force(eta);
+        let eta = first_sign_change(start.max(bottom), end, scaled_normal_force)?;
         Some(Some(T::from(eta).exp()))
     }
 
-    /// Whether the table would have to pull on the way down from one η, where the tilt may turn back, to another.
-    fn lifts_coming_down(&self, from: f64, to: f64) -> bool {
-        let pressing = |eta| self.pressing(eta);
-        pressing(from) < 0.0 || first_sign_change(from, to, pressing).is_some()
+    /// Whether the normal force becomes negative on the way down from one η, which may be a turning point, to
+    /// another.
+    fn lifts_off_coming_down(&self, from: f64, to: f64) -> bool {
+        let scaled_normal_force = |eta| self.scaled_normal_force(eta);
+        scaled_normal_force(from) < 0.0
+            || first_sign_change(from, to, scaled_normal_force).is_some()
     }
 
-    /// Whether it is sure that the table pushes all the way from the smallest tilt up to another.
-    fn is_sure(&self, low: &Extreme<T>, eta: f64) -> bool {
+    /// Whether the bound shows that the normal force is positive everywhere between the smallest tilt and η.
+    fn surely_in_contact(&self, low: &Extreme<T>, eta: f64) -> bool {
         let y = libm::exp(eta);
         let point = self.motion.at(T::from(y), T::from(eta));
-        y < self.balance.y && self.motion.surely_pressing(&low.point, &point).value() > 0.0
+        y < self.balance.y && self.motion.normal_force_bound(&low.point, &point).value() > 0.0
     }
 
     fn energy(&self, eta: f64) -> Energy {
@@ -457,25 +492,28 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
         }
     }
 
-    fn pressing(&self, eta: f64) -> f64 {
+    fn scaled_normal_force(&self, eta: f64) -> f64 {
         let point = self.motion.at(T::from(libm::exp(eta)), T::from(eta));
-        self.motion.pressing(&point).value()
+        self.motion.scaled_normal_force(&point).value()
     }
 }
 
-/// A piece by the first rule, from a choice on, with which the next but one agrees: what one rule tells of
-/// itself can deceive where the integrand is singular at two points to the sides, as past the balance
-/// point, and its Legendre coefficients swing. Of the two the smaller, whose nodes keep farther from where
-/// G is rounding: of which there is the more the closer to one another, `gap` in η, it has two roots.
-fn agreed<T: Scalar>(
+/// Integrates a segment with increasing rules, from `choice` on, until a rule agrees with the next but one.
+///
+/// The error estimate of a single rule can mislead if the integrand has a conjugate pair of singularities, as past the
+/// balance point, because its Legendre coefficients then oscillate. The result is that of the smaller of the two
+/// rules, whose nodes stay farther from the turning point, where rounding errors dominate G. These errors are the
+/// larger the smaller the distance `gap` in η between two roots of G is. `whole` is the time (s) of
+/// [`Segment::difference`].
+fn by_agreeing_rules<T: Scalar>(
     choice: Choice,
     whole: f64,
     gap: f64,
     segment: impl Fn(&Rule) -> Segment<T>,
 ) -> Option<Segment<T>> {
-    /// Where G is a small difference, rounding lets rules agree no better than to so many tolerances.
+    /// Accepted difference of two rules, in tolerances, if rounding errors of G prevent better agreement.
     const ROUNDING: f64 = 20.0;
-    /// The same where that is as small as it can be: less than the start's own rounding decides.
+    /// Maximum of the accepted difference, in tolerances. It is below the effect of rounding the start.
     const MAX_ROUNDING: f64 = 1e4;
     let rounding = (1e-4 / (gap * gap)).clamp(ROUNDING, MAX_ROUNDING);
     let mut before = segment(choice.rule());
@@ -497,11 +535,15 @@ fn agreed<T: Scalar>(
         .map(|(_, segment)| segment)
 }
 
-/// From the smallest tilt up by `length` in η.
-fn foot<T: Scalar>(motion: &dyn Tilting<T>, low: &Extreme<T>, length: T) -> Option<Segment<T>> {
-    // With each unit of η the time grows e-fold over it.
+/// Integrates from the smallest tilt up to `length` in η above it.
+fn segment_from_lowest<T: Scalar>(
+    motion: &dyn Tilting<T>,
+    low: &Extreme<T>,
+    length: T,
+) -> Option<Segment<T>> {
+    // The integrand of the time grows by a factor of e per unit of η.
     let choice = Choice::plain(9.0 + 0.8 * length.value());
-    agreed(choice, 0.0, 1.0, |rule| {
+    by_agreeing_rules(choice, 0.0, 1.0, |rule| {
         from_lowest(
             motion,
             [low.y, low.eta, low.singular_coefficient()],
@@ -511,47 +553,47 @@ fn foot<T: Scalar>(motion: &dyn Tilting<T>, low: &Extreme<T>, length: T) -> Opti
     })
 }
 
-/// Up to the largest tilt by `length` in η, of a motion that lasts `whole` (s) or as long; `gap` beyond it G has its
-/// next root.
-fn head<T: Scalar>(
+/// Integrates from `length` in η below the largest tilt up to it. The next root of G is `gap` in η above it. `whole` is
+/// the time (s) of [`Segment::difference`].
+fn segment_to_highest<T: Scalar>(
     motion: &dyn Tilting<T>,
     high: &Extreme<T>,
     length: T,
     gap: f64,
     whole: f64,
 ) -> Option<Segment<T>> {
-    // The smallest tilt, in the plane of τ².
+    // τ² of the smallest tilt, which is far away.
     const FAR: f64 = 100.0;
     let square = gap / length.value();
     let choice = Choice::to_highest(nodes_to_highest(square, FAR), square);
-    agreed(choice, whole, gap, |rule| {
-        to_highest(motion, high.place(), length, rule)
+    by_agreeing_rules(choice, whole, gap, |rule| {
+        to_highest(motion, high.position(), length, rule)
     })
 }
 
-/// An extreme on which the iteration settles; where it does not, two of them are close together.
-fn met<T: Scalar>(extreme: Extreme<T>) -> Result<Extreme<T>, Unclear> {
+/// A turning point, if the iteration has converged. It does not if two turning points nearly coincide.
+fn converged<T: Scalar>(extreme: Extreme<T>) -> Result<Extreme<T>, Undecided> {
     let settled = extreme.change.value() < 1e-8;
-    settled.then_some(extreme).ok_or(Unclear)
+    settled.then_some(extreme).ok_or(Undecided)
 }
 
-/// Whether a piece next to an extreme is so short that G has no digits left in it, but not for being part
-/// of a motion that is no longer, `whole` in η, or for being next to where G is smaller still.
+/// Whether a segment next to a turning point is so short that rounding errors dominate G in it. This does not apply if
+/// the whole motion is similarly short (`whole`, in η), or if another root of G is that near.
 fn is_short<T: Scalar>(segment: T, whole: f64) -> bool {
     segment.value() < SHORT.min(1e-5 * whole)
 }
 
-/// From the start to `away` in η and a little beyond.
-fn wobble_to<'a, T: Scalar>(
+/// The motion with η and G measured from the start, in an interval that extends slightly beyond `away` in η.
+fn oscillation_to<'a, T: Scalar>(
     motion: &'a dyn Tilting<T>,
     start: &Start<T>,
     away: T,
-) -> Wobble<'a, T> {
+) -> SmallOscillation<'a, T> {
     let (near, far) = (-0.1 * away.value(), 1.1 * away.value());
-    Wobble::new(motion, *start, near.min(far), near.max(far))
+    SmallOscillation::new(motion, *start, near.min(far), near.max(far))
 }
 
-/// A guess of y and η.
+/// y and η, as a guess.
 fn at<T: Scalar>(eta: f64) -> [T; 2] {
     [T::from(libm::exp(eta)), T::from(eta)]
 }

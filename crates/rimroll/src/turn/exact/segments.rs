@@ -1,11 +1,11 @@
-//! Yaw and time along a piece of the motion, by quadrature in the tilt:
+//! Yaw and time along a segment of the motion, by quadrature in the tilt:
 //!
 //! ```text
 //! dψ = w √(I/G) dη        dt = sin φ √(I/G) dη
 //! ```
 //!
-//! At the smallest and the largest tilt G is zero; there η = η_end ± Λτ² makes the integrand an even
-//! analytic function of τ, for which a Gauss-Legendre rule gains digits with every node.
+//! At the smallest and the largest tilt, G is zero. There the change of variable η = η_end ± Λτ² makes the
+//! integrand an even analytic function of τ, for which Gauss-Legendre rules converge geometrically.
 
 use super::MAX_OUTER;
 use super::ridge::Ridge;
@@ -14,48 +14,51 @@ use super::tilting::{Pace, Point, Tilting};
 use crate::real::{Bits, Lanes, Mask, Real, Vector};
 use core::ops::{Add, Sub};
 
-/// By how much the yaws of a piece by two rules may differ, rad, or relative to a larger one.
+/// Tolerated difference of the yaw of a segment between two rules: rad, or relative where the yaw exceeds 1 rad.
 const YAW_DIFFERENCE: f64 = 3e-14;
 
-/// The same for its time, relative to it.
+/// Tolerated relative difference of the time of a segment between two rules.
 const TIME_DIFFERENCE: f64 = 1e-11;
 
-/// What a rule may tell of its error of the yaw, rad, or relative to a larger one. It is far smaller as a rule.
+/// Tolerance for the error estimate of the yaw: rad, or relative where the yaw exceeds 1 rad. The actual error is
+/// usually far smaller.
 const YAW_TOLERANCE: f64 = 1e-13;
 
-/// The same of the time, relative to it.
+/// Relative tolerance for the error estimate of the time.
 const TIME_TOLERANCE: f64 = 2e-11;
 
-/// Where the table pushes less than this part of the weight at a node or a look, it may have to pull between two.
-pub(super) const MIN_PUSH: f64 = 0.05;
+/// Minimum of the normal force at a node or sample, relative to its value under static weight. Where it is smaller,
+/// it may be negative between two samples.
+pub(super) const MIN_NORMAL_FORCE: f64 = 0.05;
 
-/// Yaw and time along a piece, and what tells how well the rule has resolved it.
+/// Yaw and time along a segment, with the Legendre coefficients that estimate the error of the rule.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Segment<T> {
     /// rad.
     pub(super) yaw: T,
     /// s.
     pub(super) time: T,
-    /// The last Legendre coefficients of both integrands that the rule can see: one, or, where they may
-    /// swing through zero, one beside it.
+    /// The last Legendre coefficients of both integrands that the rule resolves. The second pair holds their
+    /// neighbours, where the coefficients may oscillate through zero, and otherwise zero.
     last: [[T; 2]; 2],
-    /// Those four degrees lower.
+    /// The coefficients four degrees lower.
     before: [[T; 2]; 2],
-    /// Above zero if the table pushed little at a node, or had to pull, where that was watched.
-    pull: T,
+    /// Positive if the normal force was below [`MIN_NORMAL_FORCE`] at a node, where it was checked.
+    force_deficit: T,
 }
 
-/// What sixteen lanes are told of a piece.
+/// The integrals along a segment in sixteen lanes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Integral {
     /// rad.
     pub(super) yaw: Lanes,
     /// s.
     pub(super) time: Lanes,
-    /// Where the rule has made no error that counts, as bits.
+    /// The lanes in which the error estimate is within the tolerances, as bits.
     pub(super) resolved: Bits,
-    /// Where the table pushed at every node, if that was watched.
-    pub(super) pushed: Bits,
+    /// The lanes in which the normal force passed the check at every node, as bits. All bits are set where it was not
+    /// checked.
+    pub(super) in_contact: Bits,
 }
 
 impl<T: Real> Segment<T> {
@@ -67,27 +70,27 @@ impl<T: Real> Segment<T> {
             time: zero,
             last: [[zero; 2]; 2],
             before: [[zero; 2]; 2],
-            pull: T::from(f64::NEG_INFINITY),
+            force_deficit: T::from(f64::NEG_INFINITY),
         }
     }
 }
 
 impl<T: Copy> Segment<T> {
-    /// Number by number.
+    /// Applies a function to every number.
     pub(super) fn map<U>(&self, f: impl Fn(T) -> U) -> Segment<U> {
         Segment {
             yaw: f(self.yaw),
             time: f(self.time),
             last: self.last.map(|pair| pair.map(&f)),
             before: self.before.map(|pair| pair.map(&f)),
-            pull: f(self.pull),
+            force_deficit: f(self.force_deficit),
         }
     }
 }
 
 impl Segment<f64> {
-    /// How much another, by another rule, differs, in tolerances, of a motion that lasts `whole` (s) or as
-    /// long as the piece itself.
+    /// The difference from the result of another rule, in units of the tolerances. The tolerance of the time is
+    /// relative to the longer of this segment and `whole` (s).
     pub(super) fn difference(&self, other: &Segment<f64>, whole: f64) -> f64 {
         let yaw = (self.yaw - other.yaw).abs() / (YAW_DIFFERENCE * (1.0 + self.yaw.abs()));
         let time = (self.time - other.time).abs() / (TIME_DIFFERENCE * self.time.abs().max(whole));
@@ -96,16 +99,17 @@ impl Segment<f64> {
 }
 
 impl<V: Vector> Segment<V> {
-    /// As a rule of n nodes tells it.
+    /// The integrals with their error estimate, by a rule of n nodes.
     #[inline(always)]
     pub(super) fn integral(&self, nodes: usize) -> Integral {
         self.integral_where(self.is_resolved(nodes))
     }
 
-    /// The same where the coefficients swing, so that their last ratio may deceive: as they have fallen off
-    /// from the first to the last they also have to go on.
+    /// The integrals with a second condition on the error, for oscillating coefficients, where the ratio of the
+    /// last ones can mislead: the decrease from the first coefficient to the last, applied once more, must also
+    /// reach the tolerances.
     #[inline(always)]
-    pub(super) fn integral_if_sure(&self, nodes: usize) -> Integral {
+    pub(super) fn conservative_integral(&self, nodes: usize) -> Integral {
         let margin = V::from(30.0);
         let [yaw, time] = self.tolerances();
         let [of_yaw, of_time] = larger(self.last);
@@ -116,15 +120,15 @@ impl<V: Vector> Segment<V> {
         self.integral_where(is_sure)
     }
 
-    /// Legendre coefficients of an analytic function fall off like ρ^−k with the degree k, the error of
-    /// a rule of n nodes like ρ^−4n: what is seen of the former at k = 2n − 2 is carried on to there.
+    /// The Legendre coefficients of an analytic function decrease like ρ^−k with the degree k, and the error of a
+    /// rule of n nodes like ρ^−4n. The coefficient at k = 2n − 2 is extrapolated to k = 4n.
     #[inline(always)]
     fn is_resolved(&self, nodes: usize) -> V::Mask {
         let [yaw, time] = self.tolerances();
         let (last, before) = (larger(self.last), larger(self.before));
-        carried_on(last[0], before[0], nodes)
+        extrapolated(last[0], before[0], nodes)
             .at_most(yaw)
-            .and(carried_on(last[1], before[1], nodes).at_most(time))
+            .and(extrapolated(last[1], before[1], nodes).at_most(time))
     }
 
     #[inline(always)]
@@ -133,11 +137,11 @@ impl<V: Vector> Segment<V> {
             yaw: self.yaw.store(),
             time: self.time.store(),
             resolved: is_resolved.bits(),
-            pushed: self.pull.at_most(V::from(0.0)).bits(),
+            in_contact: self.force_deficit.at_most(V::from(0.0)).bits(),
         }
     }
 
-    /// Errors of yaw and time that do not count.
+    /// Absolute tolerances of yaw (rad) and time (s).
     #[inline(always)]
     fn tolerances(&self) -> [V; 2] {
         [
@@ -147,18 +151,18 @@ impl<V: Vector> Segment<V> {
     }
 }
 
-/// Of two coefficients beside one another the larger, for yaw and time.
+/// The larger of two neighbouring coefficients, for yaw and time.
 #[inline(always)]
-fn larger<T: Real>([one, beside]: [[T; 2]; 2]) -> [T; 2] {
+fn larger<T: Real>([one, neighbours]: [[T; 2]; 2]) -> [T; 2] {
     [
-        one[0].abs().max(beside[0].abs()),
-        one[1].abs().max(beside[1].abs()),
+        one[0].abs().max(neighbours[0].abs()),
+        one[1].abs().max(neighbours[1].abs()),
     ]
 }
 
-/// The error of a rule of n nodes, from coefficients four degrees apart.
+/// The error estimate of a rule of n nodes, extrapolated from coefficients four degrees apart.
 #[inline(always)]
-fn carried_on<T: Real>(last: T, before: T, nodes: usize) -> T {
+fn extrapolated<T: Real>(last: T, before: T, nodes: usize) -> T {
     const TINY: f64 = 1e-300;
     let ratio = (last / before.max(T::from(TINY))).min(T::from(1.0));
     last * power(ratio, nodes / 2)
@@ -202,11 +206,11 @@ impl<T: Real> Sub for Segment<T> {
     }
 }
 
-/// From the smallest tilt, where y, η and [`Extreme::singular_coefficient`](super::extremes::Extreme::singular_coefficient) are `low`, up
-/// by `length` in η.
+/// Integrates from the smallest tilt y_c up to `length` in η above it. `low` is y, η and
+/// [`Extreme::singular_coefficient`](super::extremes::Extreme::singular_coefficient) there.
 ///
-/// The closer to a face-down collision, the more of the yaw is ∫ y_c dη / √(y² − y_c²), times its
-/// factor at y_c: that part is done in closed form, so that the rule need not resolve it.
+/// As y_c → 0, the integral ∫ y_c dη / √(y² − y_c²) times the singular coefficient becomes the dominant part of the
+/// yaw. That part is evaluated in closed form, so that the rule need not resolve it.
 #[inline(always)]
 pub(super) fn from_lowest<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -224,10 +228,11 @@ pub(super) fn from_lowest<T: Real>(
     segment
 }
 
-/// The same on to the balance point and over it, to both sides of which the integrand is singular, so that
-/// its Legendre coefficients swing; the table's push is watched.
+/// Integrates as [`from_lowest`] for a motion that topples. The integrand has a conjugate pair of singularities near
+/// the balance point, so its Legendre coefficients oscillate and the neighbouring ones are computed, too. The normal
+/// force is checked at the nodes.
 #[inline(always)]
-pub(super) fn from_lowest_passing<T: Real>(
+pub(super) fn from_lowest_toppling<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
     low: [T; 3],
     length: T,
@@ -237,26 +242,26 @@ pub(super) fn from_lowest_passing<T: Real>(
     for node in &rule.nodes {
         let above = Above::lowest(low, length, T::from(node.at));
         let point = motion.at(above.y, above.eta);
-        segment.watch(motion, &point);
+        segment.check_normal_force(motion, &point);
         let integrands = above.integrands(&Pace::of(&point));
         segment.add_node(integrands, node);
-        segment.look_beside(integrands, node.beside);
+        segment.add_neighbouring_coefficients(integrands, node.neighbours);
     }
     segment.yaw = segment.yaw + singular_yaw(low, length);
     segment
 }
 
-/// What the part in closed form comes to.
+/// The part of the yaw in closed form, rad.
 #[inline(always)]
 fn singular_yaw<T: Real>([_, _, singular_coefficient]: [T; 3], length: T) -> T {
-    singular_coefficient * risen(length.exp_m1()).sqrt().atan()
+    singular_coefficient * square_excess(length.exp_m1()).sqrt().atan()
 }
 
 /// A node above the smallest tilt.
 struct Above<T> {
     y: T,
     eta: T,
-    /// y over the smallest, less 1.
+    /// y/y_c − 1.
     excess: T,
     singular_coefficient: T,
     /// dη/dτ.
@@ -277,11 +282,11 @@ impl<T: Real> Above<T> {
         }
     }
 
-    /// Of yaw, without the part in closed form, and time.
+    /// The integrands of yaw, without the part in closed form, and of time.
     #[inline(always)]
     fn integrands(&self, pace: &Pace<T>) -> [T; 2] {
-        // 1/√square and 1/√(y²/y_c² − 1) by one division.
-        let (root, rise) = (pace.square.sqrt(), risen(self.excess).sqrt());
+        // One division gives both 1/√square and 1/√(y²/y_c² − 1).
+        let (root, rise) = (pace.square.sqrt(), square_excess(self.excess).sqrt());
         let both = self.measure / (root * rise);
         let rate = rise * both;
         [
@@ -293,11 +298,11 @@ impl<T: Real> Above<T> {
 
 /// (1 + e)² − 1.
 #[inline(always)]
-fn risen<T: Real>(excess: T) -> T {
+fn square_excess<T: Real>(excess: T) -> T {
     excess * (excess + T::from(2.0))
 }
 
-/// From `length` in η below the largest tilt, at y and η, up to it.
+/// Integrates from `length` in η below the largest tilt up to it. `high` is y and η there.
 #[inline(always)]
 pub(super) fn to_highest<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -314,7 +319,8 @@ pub(super) fn to_highest<T: Real>(
     segment
 }
 
-/// The same where all lengths are [`MAX_OUTER`], for which the rule knows the exponentials.
+/// Integrates as [`to_highest`] with a length of [`MAX_OUTER`] in all lanes, for which the rule holds the
+/// exponentials.
 #[inline(always)]
 pub(super) fn outer_to_highest<V: Vector>(
     motion: &impl Tilting<V>,
@@ -330,7 +336,7 @@ pub(super) fn outer_to_highest<V: Vector>(
     segment
 }
 
-/// Of yaw and time, at a node below the largest tilt, where y is `less` + 1 times as large as there.
+/// The integrands of yaw and time at a node below the largest tilt y_high, where y = (1 + `less`) y_high.
 #[inline(always)]
 fn below_highest<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -344,7 +350,7 @@ fn below_highest<T: Real>(
     paced(&pace, length * (at + at))
 }
 
-/// From one η to another without a turning back, over the balance point or to its side.
+/// Integrates between two η without a turning point in between, across the balance point or on one side of it.
 #[inline(always)]
 pub(super) fn across<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -352,7 +358,7 @@ pub(super) fn across<T: Real>(
     ridge: &Ridge<T>,
     rule: &Rule,
 ) -> Segment<T> {
-    let (first, last) = (ridge.clock(from), ridge.clock(to));
+    let (first, last) = (ridge.u(from), ridge.u(to));
     let half = T::from(0.5) * (last - first);
     let middle = first + half;
     let mut segment = Segment::nothing();
@@ -361,18 +367,18 @@ pub(super) fn across<T: Real>(
         for (integrands, at) in to_sides.iter_mut().zip([node.at, -node.at]) {
             let (y, eta, rate) = ridge.at(middle + half * T::from(at));
             let point = motion.at(y, eta);
-            segment.watch(motion, &point);
+            segment.check_normal_force(motion, &point);
             *integrands = paced(&Pace::of(&point), half * rate);
         }
         let [up, down] = to_sides;
         segment.add_node([up[0] + down[0], up[1] + down[1]], node);
-        segment.look_beside([up[0] - down[0], up[1] - down[1]], node.odd);
+        segment.add_neighbouring_coefficients([up[0] - down[0], up[1] - down[1]], node.odd);
     }
     segment
 }
 
-/// Between the start, where √G is `speed`, and the extreme, at y and η, so close to it that G has no
-/// digits left in between: by √G as clock, and Simpson's rule. Right to the square of `length` and less.
+/// Integrates between the start, where √G is `speed`, and a turning point at y and η so close that rounding errors
+/// dominate G in between. Simpson's rule with √G as variable has an error of second or higher order in `length`.
 #[inline(always)]
 pub(super) fn short<T: Real>(
     motion: &(impl Tilting<T> + ?Sized),
@@ -392,7 +398,7 @@ pub(super) fn short<T: Real>(
     segment
 }
 
-/// dψ and dt for a bit dη = `measure`.
+/// dψ and dt for dη = `measure`.
 #[inline(always)]
 fn paced<T: Real>(pace: &Pace<T>, measure: T) -> [T; 2] {
     let rate = measure / pace.square.sqrt();
@@ -404,12 +410,12 @@ impl<T: Real> Segment<T> {
     fn add_node(&mut self, integrands: [T; 2], node: &Node) {
         self.yaw = self.yaw + T::from(node.weight) * integrands[0];
         self.time = self.time + T::from(node.weight) * integrands[1];
-        self.look(0, integrands, [node.last, node.before]);
+        self.add_coefficients(0, integrands, [node.last, node.before]);
     }
 
     #[inline(always)]
-    fn look_beside(&mut self, integrands: [T; 2], weights: [f64; 2]) {
-        self.look(1, integrands, weights);
+    fn add_neighbouring_coefficients(&mut self, integrands: [T; 2], weights: [f64; 2]) {
+        self.add_coefficients(1, integrands, weights);
     }
 
     #[expect(
@@ -417,16 +423,24 @@ impl<T: Real> Segment<T> {
         reason = "an iterator's closures might not be inlined"
     )]
     #[inline(always)]
-    fn look(&mut self, beside: usize, integrands: [T; 2], [last, before]: [f64; 2]) {
+    fn add_coefficients(
+        &mut self,
+        neighbours: usize,
+        integrands: [T; 2],
+        [last, before]: [f64; 2],
+    ) {
         for i in 0..2 {
-            self.last[beside][i] = self.last[beside][i] + T::from(last) * integrands[i];
-            self.before[beside][i] = self.before[beside][i] + T::from(before) * integrands[i];
+            self.last[neighbours][i] = self.last[neighbours][i] + T::from(last) * integrands[i];
+            self.before[neighbours][i] =
+                self.before[neighbours][i] + T::from(before) * integrands[i];
         }
     }
 
     #[inline(always)]
-    fn watch(&mut self, motion: &(impl Tilting<T> + ?Sized), point: &Point<T>) {
-        let least = T::from(MIN_PUSH) * motion.resting(point);
-        self.pull = self.pull.max(least - motion.pressing(point));
+    fn check_normal_force(&mut self, motion: &(impl Tilting<T> + ?Sized), point: &Point<T>) {
+        let least = T::from(MIN_NORMAL_FORCE) * motion.scaled_weight(point);
+        self.force_deficit = self
+            .force_deficit
+            .max(least - motion.scaled_normal_force(point));
     }
 }

@@ -1,8 +1,8 @@
-//! How a turn changes with its start, its body and gravity: the same formulas on dual numbers.
+//! Derivatives of the turn with respect to start, body and gravity, by the quadrature in dual numbers.
 
+use super::frictionless::FrictionlessTilt;
 use super::fundamental::Fundamental;
-use super::rolling::Rolling;
-use super::sliding::Sliding;
+use super::no_slip::NoSlipTilt;
 use super::start::Start;
 use super::{Exact, Outcome};
 use crate::error::InvalidInput;
@@ -16,8 +16,9 @@ use rayon::prelude::*;
 type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
 
 impl Exact {
-    /// The derivatives of the turns of many starts by each of [`PARAMETERS`] (rad per SI unit), for
-    /// bodies that rock or topple; NaN for others, and for the few starts whose turn is not quadrature.
+    /// The derivatives of the turns of many starts with respect to each of [`PARAMETERS`] (rad per SI unit), for
+    /// bodies that rock or topple. NaN for other outcomes and for the few starts outside the range of the
+    /// quadrature.
     ///
     /// # Errors
     /// As [`Exact::turns`].
@@ -26,14 +27,15 @@ impl Exact {
         Ok(slopes.expect("nothing has ended the work"))
     }
 
-    /// The same, unless `goes_on`, which is asked before each start, says that it is no longer wanted.
+    /// The derivatives of the turns of many starts, or `None` if `should_continue` returns false. It is called
+    /// before each start.
     ///
     /// # Errors
     /// As [`Exact::turns`].
     pub fn turn_slopes_while(
         &self,
         starts: &[State],
-        goes_on: impl Fn() -> bool + Sync,
+        should_continue: impl Fn() -> bool + Sync,
     ) -> Result<Option<Vec<Slope>>, InvalidInput> {
         for start in starts {
             self.check(start)?;
@@ -42,7 +44,7 @@ impl Exact {
         let table = self.table.as_ref().map(|table| Fundamental::like(table, k));
         let slope = |start: &State| {
             let slope = || self.slope_of(start, k, table.as_ref());
-            goes_on().then(|| slope().unwrap_or([f64::NAN; PARAMETERS.len()]))
+            should_continue().then(|| slope().unwrap_or([f64::NAN; PARAMETERS.len()]))
         };
         #[cfg(feature = "threads")]
         let starts = starts.par_iter();
@@ -68,8 +70,8 @@ impl Exact {
         ];
         let start = Start::new(varied.map(|(value, name)| along(value, name)));
         let outcome = match table {
-            Some(table) => self.scalar(&Rolling::new(table, &start), &k, start),
-            None => self.scalar(&Sliding::new(k, &start), &k, start),
+            Some(table) => self.scalar(&NoSlipTilt::new(table, &start), &k, start),
+            None => self.scalar(&FrictionlessTilt::new(k, &start), &k, start),
         }?;
         let known = matches!(outcome.ending, Outcome::Rocked | Outcome::Toppled);
         let turn = (outcome.down? + outcome.up?).yaw;
@@ -89,7 +91,7 @@ impl Exact {
     }
 }
 
-/// A number whose derivative is taken by itself.
+/// A dual number whose slope is 1 in the direction of the named parameter.
 fn along(value: f64, name: &str) -> Number {
     Dual {
         value,

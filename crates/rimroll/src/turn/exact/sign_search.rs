@@ -1,39 +1,39 @@
-//! The first place where a function of the tilt is negative, by looking at it here and there.
+//! Search for the first sign change of a function of the tilt, by sampling.
 //!
-//! The slope of the tilt's energy G is known, too, and how far rounding can be off: its minima are found as
-//! roots of the slope, however narrow the stretch in which it is negative, and a minimum whose sign
-//! rounding decides is [`Unclear`].
+//! For the tilt's energy G, the slope and a rounding error bound are known, too. Its minima are found as
+//! roots of the slope, so an interval of negative G is found however narrow it is. A minimum whose sign
+//! depends on rounding errors is [`Undecided`].
 
 use super::SAMPLES;
 use crate::solve::bracketed_root;
 
-/// Farther apart, in η, looks at G may miss a minimum: what makes one, gravity and the energies of yaw and
-/// spin, changes over about a unit of η.
-const FARTHEST: f64 = 0.25;
+/// Maximum spacing of the samples in η. With larger spacing, a minimum of G could be missed: the terms that cause one,
+/// gravity and the energies of yaw and spin, vary over about one unit of η.
+const MAX_SPACING: f64 = 0.25;
 
-/// The fewest steps from look to look.
-const FEWEST: f64 = 8.0;
+/// Minimum number of steps between samples.
+const MIN_STEPS: f64 = 8.0;
 
-/// Where rounding decides what becomes of the body.
-pub(super) struct Unclear;
+/// The outcome depends on rounding errors.
+pub(super) struct Undecided;
 
-/// G at some η.
+/// The tilt's energy G at some η.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Energy {
-    /// G.
+    /// G, J.
     pub(super) drive: f64,
-    /// dG/dη.
+    /// dG/dη, J.
     pub(super) slope: f64,
-    /// A bound of the rounding error of G.
+    /// Rounding error bound of G, J.
     pub(super) rounding: f64,
 }
 
-/// Where G, not negative at `from`, first is zero on the way to `to`.
-pub(super) fn first_turn_back(
+/// The first zero of G between `from`, where G is not negative, and `to`.
+pub(super) fn first_turning_point(
     from: f64,
     to: f64,
     energy: impl Fn(f64) -> Energy,
-) -> Result<Option<f64>, Unclear> {
+) -> Result<Option<f64>, Undecided> {
     let drive = |eta: f64| energy(eta).drive;
     let mut before = (from, energy(from));
     for eta in steps(from, to) {
@@ -41,7 +41,7 @@ pub(super) fn first_turn_back(
         if let Some(low) = minimum_between(before, after, &energy) {
             let least = energy(low);
             if least.drive.abs() <= least.rounding {
-                return Err(Unclear);
+                return Err(Undecided);
             }
             if least.drive < 0.0 {
                 return Ok(Some(bracketed_root(before.0, low, drive)));
@@ -53,13 +53,13 @@ pub(super) fn first_turn_back(
         before = after;
     }
     if before.1.drive <= before.1.rounding {
-        return Err(Unclear);
+        return Err(Undecided);
     }
     Ok(None)
 }
 
-/// Whether G is surely positive between two η, at which it may be zero.
-pub(super) fn is_clear(from: f64, to: f64, energy: impl Fn(f64) -> Energy) -> bool {
+/// Whether G is positive beyond rounding errors between two η. At both ends it may be zero.
+pub(super) fn is_positive_between(from: f64, to: f64, energy: impl Fn(f64) -> Energy) -> bool {
     let mut before = (from, energy(from));
     steps(from, to).all(|eta| {
         let after = (eta, energy(eta));
@@ -70,9 +70,9 @@ pub(super) fn is_clear(from: f64, to: f64, energy: impl Fn(f64) -> Energy) -> bo
     })
 }
 
-/// η from look to look, without the first.
+/// The η of the samples, without the first.
 fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
-    let count = ((to - from).abs() / FARTHEST).max(FEWEST) as usize;
+    let count = ((to - from).abs() / MAX_SPACING).max(MIN_STEPS) as usize;
     (1..=count).map(move |i| {
         if i == count {
             to
@@ -82,7 +82,7 @@ fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Where G is least between two looks, if it falls after the one and rises before the other.
+/// The minimum of G between two samples, if G decreases at the first and increases at the second.
 fn minimum_between(
     (from, before): (f64, Energy),
     (to, after): (f64, Energy),
@@ -93,17 +93,17 @@ fn minimum_between(
     has_minimum.then(|| bracketed_root(from, to, |eta| energy(eta).slope))
 }
 
-/// Where a function that is not negative at first changes its sign, be it for less than from one look to
-/// the next.
+/// The first sign change of a function that is not negative at `from`. Intervals of negative values that are shorter
+/// than the spacing of the samples are found, too.
 pub(super) fn first_sign_change(from: f64, to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
-    let sign_search = (SAMPLES as f64).max((to - from).abs() / 0.2) as usize;
-    let at = |i: usize| from + (to - from) * i as f64 / sign_search as f64;
-    let seen: Vec<f64> = (0..=sign_search).map(|i| f(at(i))).collect();
-    (0..=sign_search).find_map(|i| {
-        let (before, after) = (i.saturating_sub(1), (i + 1).min(sign_search));
-        let beyond = if i > 0 && seen[i] < 0.0 {
+    let intervals = (SAMPLES as f64).max((to - from).abs() / 0.2) as usize;
+    let at = |i: usize| from + (to - from) * i as f64 / intervals as f64;
+    let values: Vec<f64> = (0..=intervals).map(|i| f(at(i))).collect();
+    (0..=intervals).find_map(|i| {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(intervals));
+        let beyond = if i > 0 && values[i] < 0.0 {
             Some(at(i))
-        } else if may_dip(&seen, i) {
+        } else if may_dip(&values, i) {
             negative_between(at(before), at(after), &f)
         } else {
             None
@@ -112,27 +112,28 @@ pub(super) fn first_sign_change(from: f64, to: f64, f: impl Fn(f64) -> f64) -> O
     })
 }
 
-/// Whether a function that has been seen in equal steps may be negative next to its i-th value, the least of
-/// those around it. A parabola is lower between two of them by an eighth of their second difference at most.
-fn may_dip(seen: &[f64], i: usize) -> bool {
+/// Whether a function sampled in equal steps may be negative next to its i-th value, if that is a local minimum of the
+/// samples. The minimum of a parabola is below the samples by at most an eighth of their second difference.
+fn may_dip(values: &[f64], i: usize) -> bool {
     const MARGIN: f64 = 4.0;
-    let last = seen.len() - 1;
+    let last = values.len() - 1;
     let middle = i.clamp(1, last - 1);
-    let bend = seen[middle - 1] - 2.0 * seen[middle] + seen[middle + 1];
-    let is_least = (i == 0 || seen[i] <= seen[i - 1]) && (i == last || seen[i] <= seen[i + 1]);
-    is_least && seen[i] < MARGIN / 8.0 * bend
+    let bend = values[middle - 1] - 2.0 * values[middle] + values[middle + 1];
+    let is_least =
+        (i == 0 || values[i] <= values[i - 1]) && (i == last || values[i] <= values[i + 1]);
+    is_least && values[i] < MARGIN / 8.0 * bend
 }
 
-/// A place where a function with one minimum between two others is negative, by golden sections.
+/// A point between two others where a function with one minimum is negative, by golden-section search.
 fn negative_between(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    /// Of the golden sections: the last is of a 1e-4 of the first.
+    /// Number of golden sections. The last interval is 1e-4 of the first.
     const SECTIONS: usize = 20;
     let section = |from: f64, to: f64| {
         let x = from + GOLDEN * (to - from);
         (x, f(x))
     };
-    // The one is nearer to `to`, the other to `from`.
+    // `one` is nearer to `to`, `other` to `from`.
     let (mut one, mut other) = (section(from, to), section(to, from));
     for _ in 0..SECTIONS {
         for (x, value) in [other, one] {

@@ -1,9 +1,9 @@
-//! Where a motion starts, in the terms of the quadrature.
+//! The start of a motion, in the variables of the quadrature.
 
 use crate::real::{Lanes, Real, Vector, sin_cos_below_eighth};
 use crate::state::State;
 
-/// A start.
+/// A start of a motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Start<T> {
     /// tan(φ/2).
@@ -19,7 +19,7 @@ pub(super) struct Start<T> {
 }
 
 impl<T: Real> Start<T> {
-    /// From [tilt, tilt rate, yaw rate, spin rate], the tilt below π/2.
+    /// Converts [tilt, tilt rate, yaw rate, spin rate], in rad and rad/s, for tilts below π/2.
     #[inline(always)]
     pub(super) fn new([tilt, tilt_rate, yaw_rate, spin_rate]: [T; 4]) -> Self {
         let half = T::from(0.5);
@@ -31,7 +31,7 @@ impl<T: Real> Start<T> {
             eta: y.ln(),
             p: tilt_rate,
             w,
-            // Where the two rates are large and all but cancel, as in a near-collision.
+            // This form is accurate if the two rates are large and nearly cancel, as in a near-collision.
             s: (spin_rate + yaw_rate) - w * y,
         }
     }
@@ -62,7 +62,7 @@ impl<V: Vector> Start<V> {
 }
 
 impl Start<Lanes> {
-    /// One of sixteen.
+    /// The start in one lane.
     #[inline(always)]
     pub(super) fn lane(&self, place: usize) -> Start<f64> {
         Start {

@@ -1,12 +1,12 @@
-//! What the two laws have in common: the tilt by itself.
+//! The reduction to one degree of freedom, the tilt, that the two ideal laws share.
 //!
-//! Under both laws the other velocities follow from the tilt alone, so that energy says how fast the
-//! tilt changes at each tilt: I φ̇² = G(φ). The clock is η = ln y with y = tan(φ/2), dφ = sin φ dη,
-//! by which a near-collision, however near, is no shorter than the rest of the motion.
+//! Under both laws the tilt determines the other velocities, so conservation of energy gives the tilt rate
+//! at each tilt: I φ̇² = G(φ). The independent variable is η = ln y with y = tan(φ/2), dφ = sin φ dη. In η
+//! the near-collision is not shorter than the rest of the motion, for any smallest tilt.
 
 use crate::real::Real;
 
-/// The terms of G are known to within this part of their size: some roundings.
+/// Relative rounding error bound of the terms of G.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The motion at one tilt.
@@ -24,16 +24,16 @@ pub(super) struct Point<T> {
     pub(super) inertia: T,
     /// G = I φ̇², J.
     pub(super) drive: T,
-    /// dG/dη.
+    /// dG/dη, J.
     pub(super) slope: T,
 }
 
-/// How fast yaw and time go by the tilt's clock: dψ/dη = `yaw`/√`square`, dt/dη = `time`/√`square`.
+/// The rates of yaw and time with respect to η: dψ/dη = `yaw`/√`square`, dt/dη = `time`/√`square`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace<T> {
     pub(super) yaw: T,
     pub(super) time: T,
-    /// Positive as G is.
+    /// Has the sign of G.
     pub(super) square: T,
 }
 
@@ -49,53 +49,52 @@ impl<T: Real> Pace<T> {
     }
 }
 
-/// Numbers that stay the same all through a motion and, together with the body's, determine it.
+/// Conserved quantities, which determine a motion of a given body.
 pub(super) type Conserved<T> = [T; 4];
 
 /// A motion under one of the laws, from a start.
 pub(super) trait Tilting<T: Real> {
-    /// The numbers that make one motion of a body differ from another.
+    /// The conserved quantities.
     fn conserved(&self) -> Conserved<T>;
 
-    /// The motion where tan(φ/2) is y, whose logarithm is η.
+    /// The motion at tan(φ/2) = y with the logarithm η.
     fn at(&self, y: T, eta: T) -> Point<T>;
 
-    /// How fast yaw and time go there. Where it takes only this, a law may know how to do without divisions.
+    /// The rates of yaw and time at y, which a law may compute without divisions.
     #[inline(always)]
     fn pace(&self, y: T, eta: T) -> Pace<T> {
         Pace::of(&self.at(y, eta))
     }
 
-    /// How large the terms are of which G is the difference at a point: those of energy and weight, and those
-    /// of yaw and spin, J.
+    /// The magnitudes of the terms of G at a point: those of energy and gravity, and those of yaw and spin, J.
     fn terms(&self, point: &Point<T>) -> [T; 2];
 
     /// A bound of the rounding error of G at a point, J.
     #[inline(always)]
     fn rounding(&self, point: &Point<T>, _eta: T) -> T {
-        let [weight, turning] = self.terms(point);
-        T::from(ROUNDING) * (weight + turning)
+        let [weight, gyroscopic] = self.terms(point);
+        T::from(ROUNDING) * (weight + gyroscopic)
     }
 
-    /// About where the tilt is smallest: tan(φ/2).
-    fn lowest(&self) -> T;
+    /// A guess of the smallest tilt, tan(φ/2).
+    fn guess_lowest(&self) -> T;
 
-    /// About where it is largest, but for the energy of yaw and spin; not a number for a start with
-    /// the energy to pass the balance point.
-    fn highest(&self) -> T;
+    /// A guess of the largest tilt, tan(φ/2), without the energy of yaw and spin. NaN if the energy suffices to
+    /// pass the balance point.
+    fn guess_highest(&self) -> T;
 
-    /// About how much farther than a largest tilt at y the drive has its next root, in η.
+    /// Estimated distance in η from a largest tilt at y to the next root of G above it.
     fn gap_beyond(&self, y: T) -> T;
 
-    /// Of the sign of the table's push N, and finite.
-    fn pressing(&self, point: &Point<T>) -> T;
+    /// A finite quantity with the sign of the normal force N.
+    fn scaled_normal_force(&self, point: &Point<T>) -> T;
 
-    /// About what that is, at a tilt, where the body rests on the table.
-    fn resting(&self, point: &Point<T>) -> T;
+    /// The scale of [`Self::scaled_normal_force`]: its approximate value under static weight.
+    fn scaled_weight(&self, point: &Point<T>) -> T;
 
-    /// Positive where it is sure that the table pushes all the way between two tilts, the second below
-    /// the balance point; it may not be sure.
-    fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T;
+    /// A lower bound that is positive only if the normal force is positive everywhere between two tilts, the second
+    /// of which is below the balance point. It can be negative even if the normal force is positive.
+    fn normal_force_bound(&self, low: &Point<T>, high: &Point<T>) -> T;
 }
 
 /// sin φ and 1 − cos φ.
@@ -105,22 +104,21 @@ pub(super) fn sin_and_versine<T: Real>(y: T) -> (T, T) {
     (sin, sin * y)
 }
 
-/// How much farther, in η, the tilt's energy has its next root, but for yaw and spin, for a largest
-/// tilt at y = tan(φ/2): R sin φ + H cos φ is there the same again.
+/// Estimated distance in η from a largest tilt at y = tan(φ/2) to the next root of G above it, without the energy of
+/// yaw and spin. R sin φ + H cos φ has equal values at both.
 #[inline(always)]
 pub(super) fn gap_beyond<T: Real>(radius: T, height: T, y: T) -> T {
     let (sin, versine) = sin_and_versine(y);
     let two = T::from(2.0);
     let rise = radius * sin - height * versine;
     let next = rise / (rise + two * height) / y;
-    // A little less than ln(next/y). Past the balance point yaw or spin hold the body back, and where the
-    // next root is cannot be told: far, until the rule says otherwise.
+    // This is slightly less than ln(next/y). A largest tilt past the balance point is due to yaw or spin, and the
+    // next root is unknown. It is taken to be far; the error estimate of the rule detects if it is not.
     let gap = two * (next - y) / (next + y);
     gap.where_negative(two, gap)
 }
 
-/// tan(φ/2) where a centre of mass R beside and H over the rim is `rise` over H: R sin φ + H cos φ =
-/// H + rise.
+/// tan(φ/2) at which the centre of mass is `rise` higher than upright: R sin φ + H cos φ = H + rise.
 #[inline(always)]
 pub(super) fn half_tangent_at_rise<T: Real>(radius: T, height: T, rise: T) -> T {
     let two = T::from(2.0);
@@ -133,12 +131,13 @@ mod tests {
     use crate::law::Parameters;
     use crate::presets;
     use crate::state::State;
+    use crate::turn::exact::frictionless::FrictionlessTilt;
     use crate::turn::exact::fundamental::Fundamental;
-    use crate::turn::exact::rolling::Rolling;
-    use crate::turn::exact::sliding::Sliding;
+    use crate::turn::exact::no_slip::NoSlipTilt;
     use crate::turn::exact::start::Start;
 
-    /// How far dψ/dη and dt/dη are from w √(I/G) and sin φ √(I/G), relative to these, and at how many tilts.
+    /// The largest relative difference of dψ/dη and dt/dη from w √(I/G) and sin φ √(I/G), and the number of tilts
+    /// compared.
     fn off(motion: &impl Tilting<f64>) -> (f64, usize) {
         let rates = |pace: Pace<f64>| [pace.yaw, pace.time].map(|part| part / pace.square.sqrt());
         let etas = (-60..0).map(|i| 0.1 * f64::from(i));
@@ -155,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn the_pace_without_divisions_is_that_of_the_motion_at_its_tilt() {
+    fn the_pace_without_divisions_agrees_with_the_definition() {
         let k = Parameters::new(&presets::can_2007().unwrap(), 9.8);
         let start = Start::of(&State {
             tilt: 0.5,
@@ -165,10 +164,10 @@ mod tests {
             ..State::default()
         });
         let table = Fundamental::new(k, 1.0);
-        // Near the smallest tilt G is a small difference, a hundredth of its parts at the least here.
+        // Near the smallest tilt G is a small difference; here it is at least 1 % of its terms.
         for (off, count) in [
-            off(&Rolling::new(&table, &start)),
-            off(&Sliding::new(k, &start)),
+            off(&NoSlipTilt::new(&table, &start)),
+            off(&FrictionlessTilt::new(k, &start)),
         ] {
             assert!(count > 20, "{count}");
             assert!(off < 1e-13, "{off:e}");

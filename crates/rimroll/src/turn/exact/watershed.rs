@@ -1,4 +1,4 @@
-//! The line between the starts that come down to the left and those that come down to the right.
+//! The line that separates the starts that come down to the left from those that come down to the right.
 //!
 //! Under both ideal laws l = ψ̇ sin² φ and s = θ̇ + ψ̇ cos φ obey linear equations with the tilt as
 //! independent variable. The body comes down flat if l = 0 at φ = 0, so the starts that do lie on a
@@ -25,7 +25,7 @@ pub fn watershed_slope(body: &Body, law: IdealLaw, tilt: f64) -> Result<f64, Inv
     let (a, c) = (body.transverse_inertia(), body.axial_inertia());
     Ok(match law {
         IdealLaw::Frictionless => {
-            // A sum of two terms that are not negative: a flat body, C = 2A, leaves only the second.
+            // This is a sum of two terms that are not negative. For a flat body, C = 2A, the first one is zero.
             let half = libm::sin(0.5 * tilt);
             c / ((2.0 * a - c) * cos + 2.0 * a * half * half)
         }

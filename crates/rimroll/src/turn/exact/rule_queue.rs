@@ -1,36 +1,36 @@
-//! Starts that wait for a rule.
+//! Queues of starts, one for each quadrature rule.
 
 use super::rule::{Choice, RULES};
 use crate::real::LANES;
 
-/// No start.
+/// The end of a list.
 const NONE: u32 = u32::MAX;
 
-/// A list of starts for each rule. A start is in one at most.
-pub(super) struct Waiting {
-    /// The first of each list.
+/// A linked list of starts for each rule. A start is in at most one list.
+pub(super) struct RuleQueue {
+    /// The first start of each list.
     first: [u32; RULES],
-    /// After each start the next of its list.
+    /// For each start, the next in its list.
     next: Vec<u32>,
 }
 
-impl Waiting {
-    /// For so many starts.
-    pub(super) fn new(starts: usize) -> Waiting {
-        Waiting {
+impl RuleQueue {
+    /// Empty queues for the given number of starts.
+    pub(super) fn new(starts: usize) -> RuleQueue {
+        RuleQueue {
             first: [NONE; RULES],
             next: vec![NONE; starts],
         }
     }
 
     pub(super) fn push(&mut self, choice: Choice, start: usize) {
-        let first = &mut self.first[choice.place()];
+        let first = &mut self.first[choice.index()];
         self.next[start] = core::mem::replace(first, start as u32);
     }
 
-    /// Takes up to [`LANES`] that wait for a rule into `group`; false if there are none.
+    /// Moves up to [`LANES`] starts from the list of a rule into `group`. Returns false if the list is empty.
     pub(super) fn take(&mut self, choice: Choice, group: &mut Vec<usize>) -> bool {
-        let first = &mut self.first[choice.place()];
+        let first = &mut self.first[choice.index()];
         group.clear();
         while *first != NONE && group.len() < LANES {
             let start = *first as usize;

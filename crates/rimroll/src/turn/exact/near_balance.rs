@@ -1,13 +1,13 @@
-//! A start next to the balance point, where the tilt's energy G is a small difference of large parts.
+//! Starts next to the balance point, where the tilt's energy G is a small difference of large terms.
 //!
-//! There the loss of height, as the body turns about its rim by Δ from the start, and the energy that yaw and spin lose
-//! are taken from the start on, where G = I φ̇² is known in full:
+//! There G is computed as its value at the start, I φ̇², plus the changes since the start: the energy that yaw and spin
+//! lose, and the loss of height as the tilt increases by Δ,
 //!
 //! ```text
 //! z₀ − z = z₀ (1 − cos Δ) − ρ₀ sin Δ
 //! ```
 //!
-//! So G keeps its digits however long the body lingers there.
+//! This is accurate however long the body lingers there.
 
 use super::antiderivative::Antiderivative;
 use super::ridge::Balance;
@@ -16,26 +16,26 @@ use super::start::Start;
 use super::tilting::{Conserved, Point, ROUNDING, Tilting, sin_and_versine};
 use crate::law::Parameters;
 
-/// So near to the balance point, in η, what a start has of energy is little beside that of its height.
+/// Distance in η from the balance point within which a start can linger there.
 const NEAR: f64 = 1.0;
 
-/// So much nearer, and so slow, G loses digits that count.
-const NEXT: f64 = 0.05;
+/// Distance in η from the balance point, and bound of the ridge's width in η, below which G loses significant digits.
+const VERY_NEAR: f64 = 0.05;
 
-/// A body that passes the balance point with less G, over its [curvature](Balance), or lacks no more, lingers.
-const LITTLE: f64 = 0.01;
+/// Maximum |G| at the balance point, relative to the [curvature](Balance) there, of a body that lingers.
+const MAX_DRIVE: f64 = 0.01;
 
-/// So far beyond start and balance point, in η, G need not be as exact.
-const REACH: f64 = 0.2;
+/// Distance in η beyond the start and the balance point up to which this form of G is used.
+const MARGIN: f64 = 0.2;
 
-/// Chebyshev points for up to NEAR + 2 REACH.
+/// Number of Chebyshev points, for an interval of up to NEAR + 2 MARGIN in η.
 const POINTS: usize = 24;
 
-/// Whether a start is so near to the balance point, and so slow, that many at a time would lose digits; A is the least
-/// there is of inertia.
-pub(super) fn is_on_top(start: &Start<f64>, a: f64, balance: &Balance) -> bool {
+/// Whether a start is so near to the balance point, and so slow, that the batch code would lose digits. A is a lower
+/// bound of the inertia I.
+pub(super) fn is_near_balance(start: &Start<f64>, a: f64, balance: &Balance) -> bool {
     let drive = a * start.p * start.p;
-    (start.eta - balance.eta).abs() < NEXT && drive < NEXT * NEXT * balance.curvature
+    (start.eta - balance.eta).abs() < VERY_NEAR && drive < VERY_NEAR * VERY_NEAR * balance.curvature
 }
 
 /// Whether a motion from near the balance point lingers there.
@@ -46,24 +46,24 @@ pub(super) fn lingers<T: Scalar>(
 ) -> bool {
     let drive = motion.at(balance.y.into(), balance.eta.into()).drive;
     (start.eta.value() - balance.eta).abs() < NEAR
-        && drive.value().abs() < LITTLE * balance.curvature
+        && drive.value().abs() < MAX_DRIVE * balance.curvature
 }
 
-/// The motion from such a start.
-pub(super) struct OnTop<'a, T> {
+/// The motion from a start next to the balance point.
+pub(super) struct NearBalance<'a, T> {
     motion: &'a dyn Tilting<T>,
     start: Start<T>,
     drive_start: T,
-    /// 2mg ρ and 2mg z at the start.
+    /// 2mg ρ and 2mg z at the start, J.
     levers: [T; 2],
-    /// What yaw and spin have lost of G, from the start on.
+    /// The gain of G from the energy that yaw and spin have lost since the start, J.
     lost: Antiderivative<T, POINTS>,
-    /// Where it ends, in η from the start.
+    /// The interval in which this form of G is used, as η relative to the start.
     range: [T; 2],
 }
 
-impl<'a, T: Scalar> OnTop<'a, T> {
-    /// Of a motion that is followed up to `end`; that and the balance point in η.
+impl<'a, T: Scalar> NearBalance<'a, T> {
+    /// The motion from a start. `balance` and `end` are the η of the balance point and of the end of the motion.
     pub(super) fn new(
         motion: &'a dyn Tilting<T>,
         k: &Parameters<T>,
@@ -73,8 +73,8 @@ impl<'a, T: Scalar> OnTop<'a, T> {
         let Start { y, eta, p, .. } = start;
         let (balance, end) = (balance - eta.value(), end - eta.value());
         let (from, to) = (
-            balance.min(0.0) - REACH,
-            (balance.max(0.0) + REACH).min(end),
+            balance.min(0.0) - MARGIN,
+            (balance.max(0.0) + MARGIN).min(end),
         );
         let weight = T::from(2.0) * k.m * k.g;
         let (sin, versine) = sin_and_versine(y);
@@ -83,7 +83,7 @@ impl<'a, T: Scalar> OnTop<'a, T> {
             let at = motion.at(y + y * away.exp_m1(), eta + away);
             at.slope + weight * at.sin * (k.r * at.cos - k.h * at.sin)
         };
-        OnTop {
+        NearBalance {
             motion,
             start,
             drive_start: motion.at(y, eta).inertia * p * p,
@@ -96,7 +96,7 @@ impl<'a, T: Scalar> OnTop<'a, T> {
         }
     }
 
-    /// G.
+    /// G, J.
     fn drive(&self, y: T, away: T) -> T {
         let tangent = (y - self.start.y) / (T::from(1.0) + y * self.start.y);
         let (sin, versine) = sin_and_versine(tangent);
@@ -105,7 +105,7 @@ impl<'a, T: Scalar> OnTop<'a, T> {
     }
 }
 
-impl<T: Scalar> Tilting<T> for OnTop<'_, T> {
+impl<T: Scalar> Tilting<T> for NearBalance<'_, T> {
     fn conserved(&self) -> Conserved<T> {
         self.motion.conserved()
     }
@@ -126,8 +126,8 @@ impl<T: Scalar> Tilting<T> for OnTop<'_, T> {
         self.motion.terms(point)
     }
 
-    /// The weight's part has the rounding of the way from the start; what yaw and spin have lost, that of all
-    /// the way on which it is summed up.
+    /// The gravity term has a rounding error proportional to the distance from the start. The error of the
+    /// antiderivative is proportional to the length of its interval.
     fn rounding(&self, point: &Point<T>, eta: T) -> T {
         let away = eta - self.start.eta;
         let [from, to] = self.range;
@@ -135,31 +135,32 @@ impl<T: Scalar> Tilting<T> for OnTop<'_, T> {
         if is_outside {
             return self.motion.rounding(point, eta);
         }
-        let [weight, turning] = self.terms(point);
-        T::from(ROUNDING) * (self.drive_start.abs() + weight * away.abs() + turning * (to - from))
+        let [weight, gyroscopic] = self.terms(point);
+        T::from(ROUNDING)
+            * (self.drive_start.abs() + weight * away.abs() + gyroscopic * (to - from))
     }
 
-    fn lowest(&self) -> T {
-        self.motion.lowest()
+    fn guess_lowest(&self) -> T {
+        self.motion.guess_lowest()
     }
 
-    fn highest(&self) -> T {
-        self.motion.highest()
+    fn guess_highest(&self) -> T {
+        self.motion.guess_highest()
     }
 
     fn gap_beyond(&self, y: T) -> T {
         self.motion.gap_beyond(y)
     }
 
-    fn pressing(&self, point: &Point<T>) -> T {
-        self.motion.pressing(point)
+    fn scaled_normal_force(&self, point: &Point<T>) -> T {
+        self.motion.scaled_normal_force(point)
     }
 
-    fn resting(&self, point: &Point<T>) -> T {
-        self.motion.resting(point)
+    fn scaled_weight(&self, point: &Point<T>) -> T {
+        self.motion.scaled_weight(point)
     }
 
-    fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T {
-        self.motion.surely_pressing(low, high)
+    fn normal_force_bound(&self, low: &Point<T>, high: &Point<T>) -> T {
+        self.motion.normal_force_bound(low, high)
     }
 }

@@ -1,5 +1,7 @@
-//! The tilt of a body that slides without friction: with s and the vertical angular momentum
-//! A l + C s cos φ constant (Eqs. `slipangmom` and `generalcyl`),
+//! The tilt of a body that slides without friction.
+//!
+//! s = θ̇ + ψ̇ cos φ and the vertical angular momentum A l + C s cos φ are constant (Eqs. `slipangmom` and
+//! `generalcyl`), hence
 //!
 //! ```text
 //! l = l₀ + (C s/A)(1 − cos φ)           w = l / sin φ
@@ -13,23 +15,24 @@ use super::tilting::{
 use crate::law::Parameters;
 use crate::real::Real;
 
-/// A body that slides from one start; C the number of its constants, T of the start.
+/// The motion of a frictionless body from one start. C is the number type of the body's constants, T that of the
+/// start.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sliding<C, T> {
+pub(super) struct FrictionlessTilt<C, T> {
     k: Parameters<C>,
-    /// s.
+    /// s, rad/s.
     s: T,
-    /// l₀ = l at φ = 0.
+    /// l₀ = l at φ = 0, rad/s.
     l_flat: T,
-    /// C s/A.
+    /// C s/A, rad/s.
     l_of_versine: T,
-    /// 2E over the body at rest upright, without the spin's.
+    /// 2E relative to the body at rest upright, without the energy of spin, J.
     energy: T,
-    /// The same without the yaw's.
+    /// `energy` without that of yaw, J.
     tilting_energy: T,
 }
 
-impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
+impl<C: Copy + Into<T>, T: Real> FrictionlessTilt<C, T> {
     #[inline(always)]
     pub(super) fn new(k: Parameters<C>, start: &Start<T>) -> Self {
         let Start { y, w, s, .. } = *start;
@@ -37,7 +40,7 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
         let (sin, versine) = sin_and_versine(y);
         let l_of_versine = c * s / a;
         let tilting_energy = Self::tilting_energy(&k, start);
-        Sliding {
+        FrictionlessTilt {
             k,
             s,
             l_flat: w * sin - l_of_versine * versine,
@@ -47,7 +50,7 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
         }
     }
 
-    /// Twice the energy over the body at rest upright, but for yaw and spin.
+    /// Twice the energy relative to the body at rest upright, without that of yaw and spin, J.
     #[inline(always)]
     pub(super) fn tilting_energy(k: &Parameters<C>, start: &Start<T>) -> T {
         let [m, r, h, a, _, g] = k.as_array::<T>();
@@ -57,12 +60,12 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
         (a + m * rho * rho) * start.p * start.p + T::from(2.0) * m * g * rise
     }
 
-    /// From what [`Tilting::conserved`] has told.
+    /// The motion with the quantities of [`Tilting::conserved`].
     #[inline(always)]
-    pub(super) fn with(k: Parameters<C>, conserved: Conserved<T>) -> Self {
+    pub(super) fn from_conserved(k: Parameters<C>, conserved: Conserved<T>) -> Self {
         let [s, l_flat, energy, tilting_energy] = conserved;
         let (a, c): (T, T) = (k.a.into(), k.c.into());
-        Sliding {
+        FrictionlessTilt {
             k,
             s,
             l_flat,
@@ -73,7 +76,7 @@ impl<C: Copy + Into<T>, T: Real> Sliding<C, T> {
     }
 }
 
-impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
+impl<C: Copy + Into<T>, T: Real> Tilting<T> for FrictionlessTilt<C, T> {
     #[inline(always)]
     fn conserved(&self) -> Conserved<T> {
         [self.s, self.l_flat, self.energy, self.tilting_energy]
@@ -99,8 +102,8 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
         }
     }
 
-    /// With q = 1 + y², sin φ = 2y/q and 1 − cos φ = 2y²/q, G sin² φ q³ and I q² are polynomials in y and l q,
-    /// and w √(I/G) = l I q⁴/√(I q² · q³ · that).
+    /// With q = 1 + y², sin φ = 2y/q and 1 − cos φ = 2y²/q, the products P = G sin² φ q³ and I q² are polynomials in
+    /// y and l q, and w √(I/G) = l I q⁴/√(I q⁵ P).
     #[inline(always)]
     fn pace(&self, y: T, _: T) -> Pace<T> {
         let [m, r, h, a, _, g] = self.k.as_array::<T>();
@@ -124,20 +127,20 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
         let [m, r, h, a, _, g] = self.k.as_array::<T>();
         let two = T::from(2.0);
         let weight = two * m * g * (r + h) * at.sin;
-        // w is a difference, too.
+        // The two terms of w may nearly cancel, too.
         let parts = (self.l_flat.abs() + (self.l_of_versine * (at.sin * at.sin)).abs()) / at.sin;
-        let turning = two * a * (at.w * parts).abs();
-        [self.energy.abs() + weight, turning]
+        let gyroscopic = two * a * (at.w * parts).abs();
+        [self.energy.abs() + weight, gyroscopic]
     }
 
     #[inline(always)]
-    fn lowest(&self) -> T {
+    fn guess_lowest(&self) -> T {
         let a: T = self.k.a.into();
         T::from(0.5) * self.l_flat.abs() * (a / self.energy).sqrt()
     }
 
     #[inline(always)]
-    fn highest(&self) -> T {
+    fn guess_highest(&self) -> T {
         let [m, r, h, .., g] = self.k.as_array::<T>();
         half_tangent_at_rise(r, h, self.tilting_energy / (T::from(2.0) * m * g))
     }
@@ -147,9 +150,9 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
         gap_beyond(self.k.r.into(), self.k.h.into(), y)
     }
 
-    /// N (A + mρ²) sin φ / m, from the vertical momentum N = m (g + ρ φ̈ − z φ̇²).
+    /// N (A + mρ²) sin φ / m, from the vertical momentum balance N = m (g + ρ φ̈ − z φ̇²).
     #[inline(always)]
-    fn pressing(&self, at: &Point<T>) -> T {
+    fn scaled_normal_force(&self, at: &Point<T>) -> T {
         let [_, r, h, a, c, g] = self.k.as_array::<T>();
         let (rho, z) = (r * at.cos - h * at.sin, r * at.sin + h * at.cos);
         let falling = a * at.sin * (g - z * at.drive / at.inertia);
@@ -157,14 +160,14 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for Sliding<C, T> {
     }
 
     #[inline(always)]
-    fn resting(&self, at: &Point<T>) -> T {
+    fn scaled_weight(&self, at: &Point<T>) -> T {
         let g: T = self.k.g.into();
         g * at.inertia * at.sin
     }
 
-    /// The yaw's part of `pressing` is, whatever w, no less than −ρ (C s)² sin φ / (4 A cos φ).
+    /// For any w, the gyroscopic term of `scaled_normal_force` is at least −ρ (C s)² sin φ / (4 A cos φ).
     #[inline(always)]
-    fn surely_pressing(&self, _: &Point<T>, high: &Point<T>) -> T {
+    fn normal_force_bound(&self, _: &Point<T>, high: &Point<T>) -> T {
         let [_, r, h, a, c, g] = self.k.as_array::<T>();
         let z = (r * r + h * h).sqrt();
         let cs = c * self.s;

@@ -1,7 +1,7 @@
-//! A tilt that hardly changes, so that its energy G is a small difference of large parts.
+//! Oscillations of small amplitude, in which the tilt's energy G is a small difference of large terms.
 //!
-//! dG/dη is not that small and keeps its digits. Integrated from the start, where G = I φ̇² is known
-//! in full, it gives G in full.
+//! dG/dη suffers no such cancellation. Its integral from the start, where G = I φ̇² is known to full
+//! precision, gives G to full precision.
 
 use super::antiderivative::Antiderivative;
 use super::extremes::Extreme;
@@ -9,26 +9,26 @@ use super::start::Start;
 use super::tilting::{Conserved, Point, ROUNDING, Tilting};
 use crate::real::Real;
 
-/// Up to this length in η.
-pub(super) const LONGEST: f64 = 0.4;
+/// Maximum distance in η between the turning points.
+pub(super) const MAX_SPAN: f64 = 0.4;
 
-/// Chebyshev points: for an entire function over so short a stretch more than enough.
+/// Number of Chebyshev points, more than sufficient for an entire function on so short an interval.
 const POINTS: usize = 16;
 
-/// One motion whose η counts from its start.
-pub(super) struct Wobble<'a, T> {
+/// A motion whose η is measured from its start.
+pub(super) struct SmallOscillation<'a, T> {
     motion: &'a dyn Tilting<T>,
     start: Start<T>,
     drive_start: T,
     gained: Antiderivative<T, POINTS>,
 }
 
-impl<'a, T: Real> Wobble<'a, T> {
-    /// From a start, for η between `from` and `to` counted from it.
+impl<'a, T: Real> SmallOscillation<'a, T> {
+    /// The motion from a start, for η between `from` and `to` relative to it.
     pub(super) fn new(motion: &'a dyn Tilting<T>, start: Start<T>, from: f64, to: f64) -> Self {
         let Start { y, eta, p, .. } = start;
         let slope = |away: T| motion.at(y + y * away.exp_m1(), eta + away).slope;
-        Wobble {
+        SmallOscillation {
             motion,
             start,
             drive_start: motion.at(y, eta).inertia * p * p,
@@ -36,8 +36,8 @@ impl<'a, T: Real> Wobble<'a, T> {
         }
     }
 
-    /// An extreme, from a guess of η by so many rounds of Newton's iteration: in η, which of a small swing has more
-    /// digits than y.
+    /// A turning point, from a guess of η by the given number of Newton iterations. The variable is the relative η,
+    /// which for a small oscillation has more significant digits than y.
     pub(super) fn extreme(&self, mut eta: T, rounds: usize) -> Extreme<T> {
         let y_start = self.start.y;
         let y = |eta: T| y_start + y_start * eta.exp_m1();
@@ -56,7 +56,7 @@ impl<'a, T: Real> Wobble<'a, T> {
     }
 }
 
-impl<T: Real> Tilting<T> for Wobble<'_, T> {
+impl<T: Real> Tilting<T> for SmallOscillation<'_, T> {
     fn conserved(&self) -> Conserved<T> {
         self.motion.conserved()
     }
@@ -72,33 +72,33 @@ impl<T: Real> Tilting<T> for Wobble<'_, T> {
         self.motion.terms(point)
     }
 
-    /// What is added to G on the way has its rounding, and what there was at the start.
+    /// The bound for the change of G since the start, plus that for G at the start.
     fn rounding(&self, point: &Point<T>, eta: T) -> T {
         self.motion.rounding(point, eta) * eta.abs() + T::from(ROUNDING) * self.drive_start.abs()
     }
 
-    fn lowest(&self) -> T {
-        self.motion.lowest()
+    fn guess_lowest(&self) -> T {
+        self.motion.guess_lowest()
     }
 
-    fn highest(&self) -> T {
-        self.motion.highest()
+    fn guess_highest(&self) -> T {
+        self.motion.guess_highest()
     }
 
-    /// Far, against a tilt that hardly changes.
+    /// A distance that is large compared with the oscillation.
     fn gap_beyond(&self, _: T) -> T {
         T::from(1.0)
     }
 
-    fn pressing(&self, point: &Point<T>) -> T {
-        self.motion.pressing(point)
+    fn scaled_normal_force(&self, point: &Point<T>) -> T {
+        self.motion.scaled_normal_force(point)
     }
 
-    fn resting(&self, point: &Point<T>) -> T {
-        self.motion.resting(point)
+    fn scaled_weight(&self, point: &Point<T>) -> T {
+        self.motion.scaled_weight(point)
     }
 
-    fn surely_pressing(&self, low: &Point<T>, high: &Point<T>) -> T {
-        self.motion.surely_pressing(low, high)
+    fn normal_force_bound(&self, low: &Point<T>, high: &Point<T>) -> T {
+        self.motion.normal_force_bound(low, high)
     }
 }
