@@ -74,7 +74,7 @@ impl Arguments {
 
     /// The law's index in [`FrictionLaw::NAMES`], then the numbers of [`PARAMETERS`].
     pub fn contact_law(&mut self) -> Result<ContactLaw, InvalidInput> {
-        let law = named("law", self.number(), &FrictionLaw::NAMES)?;
+        let law = named("law", self.number(), FrictionLaw::NAMES)?;
         let given: Vec<_> = PARAMETERS
             .into_iter()
             .filter_map(|name| Some((name.to_owned(), self.given()?)))

@@ -26,7 +26,7 @@ fn computed(mut arguments: Arguments) -> Result<Motion, InvalidInput> {
 /// The names of the friction laws.
 #[unsafe(no_mangle)]
 pub extern "C" fn laws() {
-    name(FrictionLaw::NAMES);
+    name(FrictionLaw::NAMES.iter().copied());
 }
 
 /// Frees the memory of a motion.

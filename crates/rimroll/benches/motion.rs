@@ -3,6 +3,7 @@
 //! `cargo bench --bench motion` prints the best time of many runs, and the error of the turns against a
 //! motion at the tightest tolerance.
 
+use rimroll::law::Coulomb;
 use rimroll::{ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets, simulate};
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -34,10 +35,10 @@ fn main() {
         ("frictionless", ContactLaw::from(IdealLaw::Frictionless)),
         (
             "friction 0.2",
-            ContactLaw::from(FrictionLaw::Coulomb {
+            ContactLaw::from(FrictionLaw::Coulomb(Coulomb {
                 friction: 0.2,
                 static_friction: 0.2,
-            }),
+            })),
         ),
     ];
     println!("law           rtol     time/ms   steps  evaluations  error of the turns/rad");

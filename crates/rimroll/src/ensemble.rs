@@ -171,8 +171,10 @@ fn done_in_order<R>(
 mod tests {
     use super::{MAX_CHUNK, MIN_CHUNK, Release, SCALAR_COST, chunks};
     use crate::body::Body;
-    use crate::contact_law::{ContactLaw, FrictionLaw};
+    use crate::contact_law::ContactLaw;
+    use crate::law::FrictionLaw;
     use crate::law::IdealLaw;
+    use crate::law::Viscous;
     use crate::state::State;
 
     fn can() -> Body {
@@ -209,7 +211,7 @@ mod tests {
 
     #[test]
     fn falls_that_go_by_themselves_are_few_in_a_piece() {
-        let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
+        let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
         let trials = trials(&can, 1000, viscous);
         let chunks: Vec<_> = chunks(&trials, 2).collect();
@@ -220,7 +222,7 @@ mod tests {
 
     #[test]
     fn falls_of_both_kinds_share_the_pieces() {
-        let viscous = FrictionLaw::Viscous { coefficient: 1.0 };
+        let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
         let rolling = trials(&can, 3000, IdealLaw::NoSlip);
         // Every tenth goes by itself.
@@ -259,10 +261,14 @@ mod tests {
         use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
         let can = can();
-        let trials: Vec<_> = trials(&can, 100, FrictionLaw::Viscous { coefficient: 1.0 })
-            .into_iter()
-            .map(|(body, start, contact_law)| (body, State { tilt: 0.3, ..start }, contact_law))
-            .collect();
+        let trials: Vec<_> = trials(
+            &can,
+            100,
+            FrictionLaw::Viscous(Viscous { coefficient: 1.0 }),
+        )
+        .into_iter()
+        .map(|(body, start, contact_law)| (body, State { tilt: 0.3, ..start }, contact_law))
+        .collect();
         let go_on = |_| ControlFlow::Continue(());
         let whole = ensemble(&trials, &Options::default(), go_on).expect("valid starts");
         let result = AtomicUsize::new(0);

@@ -13,6 +13,7 @@
 
 mod coulomb;
 mod flight;
+mod friction_law;
 mod frictionless;
 mod no_slip;
 mod resisted;
@@ -21,15 +22,17 @@ mod stribeck;
 mod tabulated;
 mod viscous;
 
-pub use coulomb::Coulomb;
+pub use coulomb::{Coulomb, MAX_FRICTION};
 pub use flight::Flight;
+pub(crate) use friction_law::SlidingDynamics;
+pub use friction_law::{DryFrictionModel, FrictionLaw, FrictionModel, NamedParameters};
 pub use frictionless::Frictionless;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
 pub use sliding::{DryFriction, Friction, FrictionForce, Sliding};
 pub use stribeck::Stribeck;
-pub use tabulated::{MAX_FRICTION, Tabulated};
+pub use tabulated::Tabulated;
 pub use viscous::Viscous;
 
 use crate::body::Body;
@@ -255,7 +258,7 @@ impl IdealLaw {
     pub const ALL: [IdealLaw; 2] = [IdealLaw::NoSlip, IdealLaw::Frictionless];
 
     /// The name that users type.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             IdealLaw::NoSlip => "no_slip",
             IdealLaw::Frictionless => "frictionless",

@@ -68,10 +68,10 @@ pub mod state;
 pub mod turn;
 
 pub use body::Body;
-pub use contact_law::{ContactLaw, FrictionLaw};
+pub use contact_law::ContactLaw;
 pub use ensemble::{Release, ensemble};
 pub use error::InvalidInput;
-pub use law::IdealLaw;
+pub use law::{FrictionLaw, IdealLaw};
 pub use motion::{Motion, Options, Status, simulate};
 pub use solids::Solid;
 pub use state::State;

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
+use rimroll::law::Stribeck;
 use rimroll::motion::{EventKind, Phase};
 use rimroll::{Body, ContactLaw, FrictionLaw, Motion, Options, State, Status, presets, simulate};
 
@@ -91,12 +92,12 @@ fn each_turn_begins_where_the_last_one_ended_also_in_bounces() {
     };
     let table = ContactLaw {
         restitution: 0.47093740623372704,
-        ..FrictionLaw::Stribeck {
+        ..FrictionLaw::Stribeck(Stribeck {
             friction: 0.13717910009398204,
             static_friction: 0.1371792258810158,
             stribeck_speed: 0.0050360221607629015,
             creep_speed: 7.888789016071018e-05,
-        }
+        })
         .into()
     };
     let options = Options {

@@ -68,7 +68,7 @@ fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     match mode {
         NoSlip => Box::new(law::NoSlip::new(k)),
         Frictionless => Box::new(law::Frictionless::new(k)),
-        Coulomb => Box::new(law::Sliding::new(k, law::Coulomb { friction })),
+        Coulomb => Box::new(law::Sliding::new(k, law::Coulomb::uniform(friction))),
         Viscous => {
             let coefficient = T::from(0.3 * body.mass());
             Box::new(law::Sliding::new(k, law::Viscous { coefficient }))

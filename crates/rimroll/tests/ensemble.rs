@@ -9,6 +9,7 @@ mod bodies;
 use bodies::{any_body, cases};
 use core::ops::ControlFlow;
 use proptest::prelude::*;
+use rimroll::law::Coulomb;
 use rimroll::motion::{EventKind, Fall, Outcome, fall};
 use rimroll::{
     Body, ContactLaw, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, Release, State, Status,
@@ -330,17 +331,17 @@ fn bad_options_are_refused_even_where_nothing_starts() {
 
 #[test]
 fn a_factor_scales_every_coefficient_of_friction() {
-    let dry = FrictionLaw::Coulomb {
+    let dry = FrictionLaw::Coulomb(Coulomb {
         friction: 0.2,
         static_friction: 0.3,
-    };
+    });
     let twice = ContactLaw::from(dry).with_friction_scaled(2.0);
     assert_eq!(
         twice.friction,
-        FrictionLaw::Coulomb {
+        FrictionLaw::Coulomb(Coulomb {
             friction: 0.4,
             static_friction: 0.6
-        }
+        })
     );
     let ideal = ContactLaw::from(IdealLaw::NoSlip);
     assert_eq!(ideal.clone().with_friction_scaled(2.0), ideal);

@@ -11,6 +11,7 @@ mod motions;
 use bodies::{any_body, cases};
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
+use rimroll::law::{Coulomb, Stribeck, Viscous};
 use rimroll::motion::EventKind;
 use rimroll::turn::{
     Arrival, disk_turn_limit, needed_friction, painleve_friction, passage, turn_limit,
@@ -86,7 +87,7 @@ fn the_computed_near_collision_is_that_of_the_closed_forms() {
     let with_spin = turn_limit_with_spin(&can(), -2.0, 3.0).expect("a tipping rate");
     assert!((turn(FrictionLaw::NoSlip, &spinning) - with_spin).abs() < 1e-5);
     let sliding = turn_limit(&can(), IdealLaw::Frictionless);
-    let film = FrictionLaw::Viscous { coefficient: 3.0 };
+    let film = FrictionLaw::Viscous(Viscous { coefficient: 3.0 });
     for law in [FrictionLaw::Frictionless, FrictionLaw::coulomb(0.0), film] {
         assert!((turn(law, &at_rest) - sliding).abs() < 1e-8);
     }
@@ -204,18 +205,18 @@ fn laws() -> Vec<FrictionLaw> {
     let mut laws = vec![
         FrictionLaw::NoSlip,
         FrictionLaw::Frictionless,
-        FrictionLaw::Viscous { coefficient: 0.1 },
-        FrictionLaw::Viscous { coefficient: 10.0 },
-        FrictionLaw::Coulomb {
+        FrictionLaw::Viscous(Viscous { coefficient: 0.1 }),
+        FrictionLaw::Viscous(Viscous { coefficient: 10.0 }),
+        FrictionLaw::Coulomb(Coulomb {
             friction: 0.1,
             static_friction: 0.3,
-        },
-        FrictionLaw::Stribeck {
+        }),
+        FrictionLaw::Stribeck(Stribeck {
             friction: 0.2,
             static_friction: 0.3,
             stribeck_speed: 0.01,
             creep_speed: 1e-3,
-        },
+        }),
     ];
     laws.extend([0.01, 0.1, 0.3, 0.8].map(FrictionLaw::coulomb));
     laws

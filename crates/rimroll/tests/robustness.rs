@@ -16,6 +16,7 @@ use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use rimroll::law::{
     AirDrag, DryFriction, PivotingFriction, Resistance, RollingResistance, Tabulated,
 };
+use rimroll::law::{Coulomb, DryFrictionModel, Stribeck, Viscous};
 use rimroll::motion::{COLUMNS, EventKind, Instant, Phase};
 use rimroll::turn::painleve_friction;
 use rimroll::{Body, ContactLaw, FrictionLaw, Motion, Options, State, Status, simulate};
@@ -51,20 +52,20 @@ fn any_friction() -> impl Strategy<Value = FrictionLaw> {
     prop_oneof![
         1 => Just(FrictionLaw::NoSlip),
         1 => Just(FrictionLaw::Frictionless),
-        10 => (coefficient(), excess.clone()).prop_map(|(friction, excess)| FrictionLaw::Coulomb {
+        10 => (coefficient(), excess.clone()).prop_map(|(friction, excess)| FrictionLaw::Coulomb(Coulomb {
             friction,
             static_friction: friction * excess,
-        }),
+        })),
         // In units of m √(g/R) and √(gR): see `any_case`.
         4 => any_table(),
-        2 => powers_of_ten(-3.0, 1.0).prop_map(|coefficient| FrictionLaw::Viscous { coefficient }),
+        2 => powers_of_ten(-3.0, 1.0).prop_map(|coefficient| FrictionLaw::Viscous(Viscous { coefficient })),
         2 => (coefficient(), excess, speed(), speed()).prop_map(|(friction, excess, stribeck_speed, creep_speed)| {
-            FrictionLaw::Stribeck {
+            FrictionLaw::Stribeck(Stribeck {
                 friction,
                 static_friction: friction * excess,
                 stribeck_speed,
                 creep_speed,
-            }
+            })
         }),
     ]
 }
@@ -100,20 +101,20 @@ fn in_units_of(body: &Body, contact_law: ContactLaw) -> ContactLaw {
     let (m, r, rate) = (body.mass(), body.radius(), falling_rate(body));
     let friction = match contact_law.friction {
         FrictionLaw::Tabulated(table) => faster(&table, r * rate),
-        FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
+        FrictionLaw::Viscous(Viscous { coefficient }) => FrictionLaw::Viscous(Viscous {
             coefficient: coefficient * m * rate,
-        },
-        FrictionLaw::Stribeck {
+        }),
+        FrictionLaw::Stribeck(Stribeck {
             friction,
             static_friction,
             stribeck_speed,
             creep_speed,
-        } => FrictionLaw::Stribeck {
+        }) => FrictionLaw::Stribeck(Stribeck {
             friction,
             static_friction,
             stribeck_speed: stribeck_speed * r * rate,
             creep_speed: creep_speed * r * rate,
-        },
+        }),
         dry => dry,
     };
     let Resistance {
@@ -400,10 +401,10 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
         }
         let [slip_x, slip_y] = law.slip(&at);
         let coefficients = match &contact_law.friction {
-            FrictionLaw::Coulomb {
+            FrictionLaw::Coulomb(Coulomb {
                 friction,
                 static_friction,
-            } => Some((*friction, *static_friction)),
+            }) => Some((*friction, *static_friction)),
             FrictionLaw::Tabulated(table) => {
                 let kinetic = table.coefficient(libm::hypot(slip_x, slip_y));
                 Some((kinetic, table.static_friction()))
@@ -593,12 +594,12 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
                 let frictions = table.points().map(|(_, friction)| friction);
                 paradoxical(frictions.fold(table.static_friction(), f64::max))
             }
-            FrictionLaw::Coulomb {
+            FrictionLaw::Coulomb(Coulomb {
                 static_friction, ..
-            }
-            | FrictionLaw::Stribeck {
+            })
+            | FrictionLaw::Stribeck(Stribeck {
                 static_friction, ..
-            } => paradoxical(*static_friction),
+            }) => paradoxical(*static_friction),
             _ => false,
         },
         Status::Failed => motion.work.steps >= options.max_steps,
@@ -687,16 +688,16 @@ proptest! {
             contact_law: ContactLaw {
                 friction: match case.contact_law.friction.clone() {
                     FrictionLaw::Tabulated(table) => faster(&table, length / time),
-                    FrictionLaw::Viscous { coefficient } => FrictionLaw::Viscous {
+                    FrictionLaw::Viscous(Viscous { coefficient }) => FrictionLaw::Viscous(Viscous {
                         coefficient: coefficient * mass / time,
-                    },
-                    FrictionLaw::Stribeck { friction, static_friction, stribeck_speed, creep_speed } => {
-                        FrictionLaw::Stribeck {
+                    }),
+                    FrictionLaw::Stribeck(Stribeck { friction, static_friction, stribeck_speed, creep_speed }) => {
+                        FrictionLaw::Stribeck(Stribeck {
                             friction,
                             static_friction,
                             stribeck_speed: stribeck_speed * length / time,
                             creep_speed: creep_speed * length / time,
-                        }
+                        })
                     }
                     dry => dry,
                 },

@@ -6,6 +6,7 @@ mod motions;
 
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
+use rimroll::law::Coulomb;
 use rimroll::motion::{PARAMETERS, Sensitivity, Slope};
 use rimroll::{Body, ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets};
 
@@ -194,10 +195,10 @@ fn derivatives_know_the_units_of_the_parameters() {
 
 #[test]
 fn a_motion_joined_from_phases_has_no_derivative() {
-    let dry = ContactLaw::from(FrictionLaw::Coulomb {
+    let dry = ContactLaw::from(FrictionLaw::Coulomb(Coulomb {
         friction: 0.2,
         static_friction: 0.2,
-    });
+    }));
     let motion = follow(&can(), &paper_start(0.005), dry, &tight(1.0));
     let refusal = motion
         .sensitivity(|_| CONTINUE)

@@ -6,7 +6,9 @@ use super::dry::Dry;
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedFrictionless, ReducedNoSlip, ReducedSystem};
 use super::trial::Trial;
-use crate::contact_law::{ContactLaw, FrictionLaw};
+use crate::contact_law::ContactLaw;
+use crate::law::Coulomb;
+use crate::law::FrictionLaw;
 use crate::motion::{Fall, Options, Status, fall};
 use crate::real::LANES;
 use crate::state::Coordinates;
@@ -31,7 +33,8 @@ pub(super) fn batch(
     falls.conservative::<ReducedNoSlip<f64, false>>(FrictionLaw::NoSlip);
     falls.conservative::<ReducedFrictionless<f64>>(FrictionLaw::Frictionless);
     let dry = |(_, _, contact_law): &Release<'_>| {
-        matches!(contact_law.friction, FrictionLaw::Coulomb { .. }) && fits_lanes(contact_law)
+        matches!(contact_law.friction, FrictionLaw::Coulomb(Coulomb { .. }))
+            && fits_lanes(contact_law)
     };
     if trials.iter().any(dry) {
         let waiting = (0..trials.len()).filter(|&index| dry(&trials[index]));

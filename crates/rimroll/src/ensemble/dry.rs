@@ -6,7 +6,8 @@ use super::onset::{OnsetResult, OnsetStart, begin};
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedNoSlip, ReducedSliding, ReducedSystem};
 use super::trial::Trial;
-use crate::contact_law::FrictionLaw;
+use crate::law::Coulomb;
+use crate::law::FrictionLaw;
 use crate::law::{Dynamics, NoSlip};
 use crate::motion::{Contacts, Fall, Transition, stopped};
 use crate::real::LANES;
@@ -118,10 +119,10 @@ impl<'a> Dry<'a> {
     /// Coefficients of friction: of slipping and static.
     fn frictions(&self, trial: &Trial) -> (f64, f64) {
         match self.chunk.trials[trial.index].2.friction {
-            FrictionLaw::Coulomb {
+            FrictionLaw::Coulomb(Coulomb {
                 friction,
                 static_friction,
-            } => (friction, static_friction),
+            }) => (friction, static_friction),
             _ => unreachable!("only falls under dry friction are followed here"),
         }
     }
@@ -304,7 +305,7 @@ fn onset_length(tolerance: f64) -> f64 {
 mod tests {
     use super::super::chunk::Chunk;
     use super::Dry;
-    use crate::contact_law::FrictionLaw;
+    use crate::law::FrictionLaw;
     use crate::motion::Options;
     use crate::presets;
     use crate::state::State;

@@ -413,7 +413,7 @@ mod tests {
     use super::super::reduced_system::{ReducedSliding, ReducedSystem};
     use super::super::trial::Trial;
     use super::{Exit, Pool};
-    use crate::contact_law::FrictionLaw;
+    use crate::law::FrictionLaw;
     use crate::motion::Options;
     use crate::presets;
     use crate::state::{Coordinates, State};

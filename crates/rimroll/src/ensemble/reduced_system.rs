@@ -236,7 +236,7 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
     fn new(k: Parameters<T>, friction: T) -> Self {
         ReducedSliding {
             error_scale: ErrorScale::new(&k),
-            law: Sliding::new(k, Coulomb { friction }),
+            law: Sliding::new(k, Coulomb::uniform(friction)),
         }
     }
 

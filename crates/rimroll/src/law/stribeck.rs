@@ -8,12 +8,14 @@
 //! rim should stick it creeps at a speed of about v₀ |T|/(μN). Source of the curve μ(v):
 //! Armstrong-Hélouvry, Dupont & Canudas de Wit, Automatica 30 (1994), Eq. (3).
 
-use super::{Friction, FrictionForce};
+use super::coulomb::{check_coefficients, named_coefficients};
+use super::{Friction, FrictionForce, FrictionModel, NamedParameters};
+use crate::error::{InvalidInput, positive};
 use crate::real::Real;
 
-/// Stribeck friction on a rim that slips or creeps.
-#[derive(Debug, Clone, Copy)]
-pub struct Stribeck<T> {
+/// Stribeck friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stribeck<T = f64> {
     /// μ_k, at high slip speed.
     pub friction: T,
     /// μ_s, at low slip speed.
@@ -31,5 +33,50 @@ impl<T: Real> Friction<T> for Stribeck<T> {
         let friction = self.friction + (self.static_friction - self.friction) * decay;
         let smoothed = (square + self.creep_speed * self.creep_speed).sqrt();
         FrictionForce::proportional_to_normal(slip, friction / smoothed)
+    }
+}
+
+impl FrictionModel for Stribeck {
+    const NAME: &'static str = "stribeck";
+
+    type Friction<T: Real> = Stribeck<T>;
+
+    /// `friction`, `stribeck_speed`, `creep_speed`, and `static` if it differs from `friction`.
+    fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
+        let (friction, static_friction) = named_coefficients(given);
+        Ok(Stribeck {
+            friction,
+            static_friction,
+            stribeck_speed: given.number("stribeck_speed"),
+            creep_speed: given.number("creep_speed"),
+        })
+    }
+
+    fn check(&self) -> Result<(), InvalidInput> {
+        check_coefficients(self.friction, self.static_friction)?;
+        positive("stribeck_speed", self.stribeck_speed, "m/s")?;
+        positive("creep_speed", self.creep_speed, "m/s")?;
+        Ok(())
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Stribeck {
+            friction: self.friction * factor,
+            static_friction: self.static_friction * factor,
+            ..*self
+        }
+    }
+
+    fn impact_coefficient(&self, _slip_speed: f64) -> f64 {
+        self.friction
+    }
+
+    fn friction<T: Real>(&self) -> Stribeck<T> {
+        Stribeck {
+            friction: self.friction.into(),
+            static_friction: self.static_friction.into(),
+            stribeck_speed: self.stribeck_speed.into(),
+            creep_speed: self.creep_speed.into(),
+        }
     }
 }

@@ -7,12 +7,13 @@
 //! F. N. Fritsch & J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984), with the three-point formula at the
 //! ends of C. Moler, *Numerical Computing with MATLAB* (2004), section 3.6.
 
-use super::{DryFriction, Friction, FrictionForce};
+use super::coulomb::MAX_FRICTION;
+use super::{
+    DryFriction, DryFrictionModel, Friction, FrictionForce, FrictionModel, NamedParameters,
+};
 use crate::error::{InvalidInput, bounded, entry};
+use crate::real::Real;
 use std::sync::Arc;
-
-/// Coefficients of friction above this are refused.
-pub const MAX_FRICTION: f64 = 1e6;
 
 /// Friction whose coefficient is a function of the slip speed, interpolated between points.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,45 +54,12 @@ impl Tabulated {
         })
     }
 
-    /// Checks the coefficients, since [`Tabulated::times`] can put them out of bounds.
-    ///
-    /// # Errors
-    /// Refuses a largest kinetic coefficient or a static coefficient outside 0 to 1e6.
-    pub(crate) fn check(&self) -> Result<(), InvalidInput> {
-        let sensible = |f: f64| (0.0..=MAX_FRICTION).contains(&f);
-        let largest = self.factor * self.curve.largest;
-        bounded("frictions", largest, sensible, "between 0 and 1e6", "")?;
-        bounded(
-            "static",
-            self.static_friction,
-            sensible,
-            "between 0 and 1e6",
-            "",
-        )?;
-        Ok(())
-    }
-
-    /// μ_s, the coefficient of static friction.
-    pub fn static_friction(&self) -> f64 {
-        self.static_friction
-    }
-
     /// The points of the curve: speeds (m/s) and coefficients of friction.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
         let curve = &self.curve;
         let points = curve.pieces.iter().map(|piece| (piece.begin, piece.value));
         let points = points.chain([(curve.end, curve.value_at_end)]);
         points.map(|(speed, value)| (speed, self.factor * value))
-    }
-
-    /// This friction with all its coefficients multiplied by a factor.
-    #[must_use]
-    pub fn times(&self, factor: f64) -> Tabulated {
-        Tabulated {
-            curve: Arc::clone(&self.curve),
-            factor: self.factor * factor,
-            static_friction: self.static_friction * factor,
-        }
     }
 }
 
@@ -106,6 +74,55 @@ impl DryFriction<f64> for Tabulated {
     #[inline]
     fn coefficient(&self, speed: f64) -> f64 {
         self.factor * self.curve.at(speed)
+    }
+}
+
+impl FrictionModel for Tabulated {
+    const NAME: &'static str = "tabulated";
+
+    type Friction<T: Real> = Tabulated;
+
+    /// The lists `speeds` and `frictions`, and `static` if it differs from the friction at the lowest speed.
+    fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
+        let (speeds, frictions) = (given.table("speeds"), given.table("frictions"));
+        Tabulated::new(speeds, frictions, given.optional("static"))
+    }
+
+    /// Checks the coefficients, since [`scaled`](FrictionModel::scaled) can put them out of bounds.
+    fn check(&self) -> Result<(), InvalidInput> {
+        let sensible = |f: f64| (0.0..=MAX_FRICTION).contains(&f);
+        let largest = self.factor * self.curve.largest;
+        bounded("frictions", largest, sensible, "between 0 and 1e6", "")?;
+        bounded(
+            "static",
+            self.static_friction,
+            sensible,
+            "between 0 and 1e6",
+            "",
+        )?;
+        Ok(())
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Tabulated {
+            curve: Arc::clone(&self.curve),
+            factor: self.factor * factor,
+            static_friction: self.static_friction * factor,
+        }
+    }
+
+    fn impact_coefficient(&self, slip_speed: f64) -> f64 {
+        self.coefficient(slip_speed)
+    }
+
+    fn friction<T: Real>(&self) -> Tabulated {
+        self.clone()
+    }
+}
+
+impl DryFrictionModel for Tabulated {
+    fn static_friction(&self) -> f64 {
+        self.static_friction
     }
 }
 
@@ -301,7 +318,7 @@ mod tests {
     fn few_points_give_a_line_and_the_end_slope_of_a_parabola() {
         let line = Tabulated::new(&[0.0, 2.0], &[0.4, 0.2], None).unwrap();
         assert!((line.coefficient(0.5) - 0.35).abs() < 1e-16);
-        assert_eq!(line.static_friction(), 0.4);
+        assert_eq!(line.static_friction, 0.4);
         let parabola = Tabulated::new(&[0.0, 1.0, 2.0], &[0.0, 0.1, 0.4], None).unwrap();
         assert!(parabola.coefficient(1e-9).abs() < 1e-17);
     }

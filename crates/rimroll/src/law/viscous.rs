@@ -3,12 +3,13 @@
 //! Where a force this large would lift the rim off the film, it is reduced to T = −λ c u with the λ < 1 at
 //! which the normal force is zero.
 
-use super::{Friction, FrictionForce};
+use super::{Friction, FrictionForce, FrictionModel, NamedParameters};
+use crate::error::{InvalidInput, not_negative};
 use crate::real::Real;
 
-/// Viscous friction on a rim that slips.
-#[derive(Debug, Clone, Copy)]
-pub struct Viscous<T> {
+/// Viscous friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Viscous<T = f64> {
     /// c, N s/m.
     pub coefficient: T,
 }
@@ -20,6 +21,41 @@ impl<T: Real> Friction<T> for Viscous<T> {
             numerator: [zero, zero],
             denominator: T::from(1.0),
             load_independent: Some([-self.coefficient * slip[0], -self.coefficient * slip[1]]),
+        }
+    }
+}
+
+impl FrictionModel for Viscous {
+    const NAME: &'static str = "viscous";
+
+    type Friction<T: Real> = Viscous<T>;
+
+    /// `coefficient`.
+    fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
+        let coefficient = given.number("coefficient");
+        Ok(Viscous { coefficient })
+    }
+
+    fn check(&self) -> Result<(), InvalidInput> {
+        not_negative("coefficient", self.coefficient, "N s/m")?;
+        Ok(())
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Viscous {
+            coefficient: self.coefficient * factor,
+        }
+    }
+
+    /// The impulse of a force that does not depend on the normal force vanishes with the duration of the
+    /// impact.
+    fn impact_coefficient(&self, _slip_speed: f64) -> f64 {
+        0.0
+    }
+
+    fn friction<T: Real>(&self) -> Viscous<T> {
+        Viscous {
+            coefficient: self.coefficient.into(),
         }
     }
 }

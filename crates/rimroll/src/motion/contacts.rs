@@ -4,12 +4,11 @@
 use super::mechanics::Mechanics;
 use super::track::Instant;
 use crate::body::Body;
-use crate::contact_law::{ContactLaw, FrictionLaw};
+use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::impact;
 use crate::law::{
-    Coulomb, DryDynamics, Dynamics, Flight, Frictionless, NoSlip, Parameters, Resisted, Sliding,
-    Stribeck, Tabulated, Viscous,
+    DryDynamics, Dynamics, Flight, FrictionLaw, NoSlip, Parameters, Resisted, SlidingDynamics,
 };
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
@@ -36,81 +35,6 @@ impl Phase {
             Phase::Sliding => "sliding",
             Phase::Flying => "flying",
             Phase::Lying => "lying",
-        }
-    }
-}
-
-/// A law of sliding with resistance.
-type Slides<F> = Resisted<Sliding<f64, F>>;
-
-/// The law of a rim that slides.
-#[derive(Clone)]
-enum SlidingDynamics {
-    Never,
-    Free(Resisted<Frictionless<f64>>),
-    Coulomb(Slides<Coulomb<f64>>),
-    Tabulated(Slides<Tabulated>),
-    Viscous(Slides<Viscous<f64>>),
-    Stribeck(Slides<Stribeck<f64>>),
-}
-
-impl SlidingDynamics {
-    /// That of a friction, with resistance.
-    fn new(contact_law: &ContactLaw, parameters: Parameters<f64>) -> SlidingDynamics {
-        let resistance = contact_law.resistance;
-        match contact_law.friction.clone() {
-            FrictionLaw::NoSlip => SlidingDynamics::Never,
-            FrictionLaw::Frictionless => {
-                SlidingDynamics::Free(Resisted::new(Frictionless::new(parameters), resistance))
-            }
-            FrictionLaw::Coulomb { friction, .. } => {
-                let law = Sliding::new(parameters, Coulomb { friction });
-                SlidingDynamics::Coulomb(Resisted::new(law, resistance))
-            }
-            FrictionLaw::Tabulated(table) => {
-                let law = Sliding::new(parameters, table);
-                SlidingDynamics::Tabulated(Resisted::new(law, resistance))
-            }
-            FrictionLaw::Viscous { coefficient } => {
-                let law = Sliding::new(parameters, Viscous { coefficient });
-                SlidingDynamics::Viscous(Resisted::new(law, resistance))
-            }
-            FrictionLaw::Stribeck {
-                friction,
-                static_friction,
-                stribeck_speed,
-                creep_speed,
-            } => {
-                let friction = Stribeck {
-                    friction,
-                    static_friction,
-                    stribeck_speed,
-                    creep_speed,
-                };
-                let law = Sliding::new(parameters, friction);
-                SlidingDynamics::Stribeck(Resisted::new(law, resistance))
-            }
-        }
-    }
-
-    /// The law, where the rim can slide.
-    fn dynamics(&self) -> Option<&dyn Dynamics<f64>> {
-        match self {
-            SlidingDynamics::Never => None,
-            SlidingDynamics::Free(law) => Some(law),
-            SlidingDynamics::Coulomb(law) => Some(law),
-            SlidingDynamics::Tabulated(law) => Some(law),
-            SlidingDynamics::Viscous(law) => Some(law),
-            SlidingDynamics::Stribeck(law) => Some(law),
-        }
-    }
-
-    /// The law, where the friction is dry.
-    fn dry(&self) -> Option<&dyn DryDynamics> {
-        match self {
-            SlidingDynamics::Coulomb(law) => Some(law),
-            SlidingDynamics::Tabulated(law) => Some(law),
-            _ => None,
         }
     }
 }
@@ -148,7 +72,7 @@ pub struct Contacts {
     /// Below this part of the velocities at hand a slip counts as none.
     stopped: f64,
     rolling: Resisted<NoSlip<f64>>,
-    sliding: SlidingDynamics,
+    sliding: SlidingDynamics<f64>,
     flying: Flight<f64>,
 }
 
@@ -162,7 +86,11 @@ impl Contacts {
             contact_law: contact_law.clone(),
             stopped: 0.1 * tolerance,
             rolling: Resisted::new(NoSlip::new(parameters), contact_law.resistance),
-            sliding: SlidingDynamics::new(contact_law, parameters),
+            sliding: SlidingDynamics::new(
+                &contact_law.friction,
+                contact_law.resistance,
+                parameters,
+            ),
             flying: Flight::new(parameters),
         }
     }
@@ -195,7 +123,7 @@ impl Contacts {
             {
                 task.with::<_, RIGID_COORDINATES>(&Mechanics::new(self.rolling.dynamics()))
             }
-            (Phase::Sliding, SlidingDynamics::Free(law)) if law.is_conservative() => {
+            (Phase::Sliding, SlidingDynamics::Frictionless(law)) if law.is_conservative() => {
                 task.with::<_, RIGID_COORDINATES>(&Mechanics::new(law.dynamics()))
             }
             (Phase::Sliding, SlidingDynamics::Coulomb(law)) => {
@@ -370,7 +298,7 @@ impl Contacts {
 
     /// The coordinates after a landing, and how the rim goes on; none where the impact cannot be followed.
     pub(super) fn land(&self, u: &Coordinates<f64>) -> Option<(Coordinates<f64>, Transition)> {
-        let friction = self.contact_law.friction.friction_in_impact(u.slip_speed());
+        let friction = self.contact_law.friction.impact_coefficient(u.slip_speed());
         let restitution = self.contact_law.restitution;
         // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
         let rest = self.stopped_speed(u);

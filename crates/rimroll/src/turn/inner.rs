@@ -14,9 +14,11 @@
 
 use super::{needed_friction, turn_limit, turn_limit_with_spin};
 use crate::body::Body;
-use crate::contact_law::{ContactLaw, FrictionLaw};
+use crate::contact_law::ContactLaw;
 use crate::error::{InvalidInput, finite, positive};
+use crate::law::FrictionLaw;
 use crate::law::IdealLaw;
+use crate::law::{Coulomb, Viscous};
 use crate::motion::{Contacts, Options, Phase, Status, pass_near_collision, simulate};
 use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;
@@ -140,8 +142,8 @@ pub fn turn_limit_of(
         FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
         // The impulse of a viscous force vanishes with the duration of the near-collision.
         FrictionLaw::Frictionless
-        | FrictionLaw::Viscous { .. }
-        | FrictionLaw::Coulomb { friction: 0.0, .. } => {
+        | FrictionLaw::Viscous(Viscous { .. })
+        | FrictionLaw::Coulomb(Coulomb { friction: 0.0, .. }) => {
             Ok(turn_limit(body, IdealLaw::Frictionless))
         }
         _ if at_rest && sticks(friction, needed_friction(body)) => {
@@ -166,7 +168,7 @@ pub fn passage(
         _ if at_rest && sticks(friction, needed) => {
             computed_passage(body, &FrictionLaw::NoSlip, arrival)
         }
-        FrictionLaw::Coulomb { friction, .. }
+        FrictionLaw::Coulomb(Coulomb { friction, .. })
             if at_rest && friction > needed * (1.0 - NEAR_CRITICAL) =>
         {
             just_below_rolling(

@@ -1,0 +1,274 @@
+//! The list of friction laws.
+//!
+//! A new law is a file beside this one, with a type that implements [`FrictionModel`] and, if the friction
+//! is dry, [`DryFrictionModel`], and one line in the list below. Its name, its parameters, their bounds,
+//! its equations of motion and its part in impacts then follow everywhere.
+
+use super::{
+    Coulomb, DryDynamics, Dynamics, Friction, Frictionless, IdealLaw, Parameters, Resistance,
+    Resisted, Sliding, Stribeck, Tabulated, Viscous,
+};
+use crate::error::InvalidInput;
+use crate::real::Real;
+
+/// A friction law with its parameters, as a user chooses it.
+pub trait FrictionModel: Clone + PartialEq + core::fmt::Debug {
+    /// The name that users type.
+    const NAME: &'static str;
+
+    /// The friction as a function of the slip, for numbers of type `T`.
+    type Friction<T: Real>: Clone;
+
+    /// The law with parameters given by name.
+    ///
+    /// # Errors
+    /// Refuses parameters from which no law can be made. Bounds are for [`check`](Self::check).
+    fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput>;
+
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    /// Names the first parameter that is out of bounds.
+    fn check(&self) -> Result<(), InvalidInput>;
+
+    /// This law with all coefficients of friction multiplied by `factor`.
+    #[must_use]
+    fn scaled(&self, factor: f64) -> Self;
+
+    /// The coefficient of Coulomb friction in an impact that begins with this slip speed (m/s); 0 if the
+    /// friction does not grow with the normal force.
+    fn impact_coefficient(&self, slip_speed: f64) -> f64;
+
+    /// The friction for numbers of type `T`.
+    fn friction<T: Real>(&self) -> Self::Friction<T>;
+}
+
+/// Dry friction: the rim sticks until |T| exceeds the static coefficient times N.
+pub trait DryFrictionModel: FrictionModel {
+    /// μ_s.
+    fn static_friction(&self) -> f64;
+}
+
+/// Parameters of a law by the names that users type.
+#[derive(Debug, Clone, Copy)]
+pub struct NamedParameters<'a> {
+    /// Single numbers.
+    pub numbers: &'a [(String, f64)],
+    /// Lists of numbers.
+    pub tables: &'a [(String, Vec<f64>)],
+}
+
+impl NamedParameters<'_> {
+    /// A number, or 0 if it is missing.
+    pub fn number(&self, name: &str) -> f64 {
+        self.optional(name).unwrap_or(0.0)
+    }
+
+    /// A number that may be missing.
+    pub fn optional(&self, name: &str) -> Option<f64> {
+        let found = self.numbers.iter().find(|(given, _)| given == name);
+        found.map(|&(_, value)| value)
+    }
+
+    /// A list of numbers, empty if it is missing.
+    pub fn table(&self, name: &str) -> &[f64] {
+        let found = self.tables.iter().find(|(given, _)| given == name);
+        found.map_or(&[], |(_, values)| values)
+    }
+}
+
+/// Selects what only dry friction has.
+macro_rules! if_dry {
+    (dry, $value:expr) => {
+        Some($value)
+    };
+    (smooth, $value:expr) => {
+        None
+    };
+}
+
+/// Defines [`FrictionLaw`] and [`SlidingDynamics`] for a list of laws.
+macro_rules! friction_laws {
+    ($($(#[doc = $doc:literal])* $law:ident: $kind:ident,)*) => {
+        /// The friction between rim and table.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum FrictionLaw {
+            /// The rim never slips.
+            NoSlip,
+            /// The table exerts only a normal force.
+            Frictionless,
+            $($(#[doc = $doc])* $law($law),)*
+        }
+
+        impl FrictionLaw {
+            /// The names that users type, in the order in which they are listed.
+            pub const NAMES: &[&str] = &[
+                IdealLaw::NoSlip.name(),
+                IdealLaw::Frictionless.name(),
+                $($law::NAME,)*
+            ];
+
+            /// The name that a user types.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    FrictionLaw::NoSlip => IdealLaw::NoSlip.name(),
+                    FrictionLaw::Frictionless => IdealLaw::Frictionless.name(),
+                    $(FrictionLaw::$law(_) => $law::NAME,)*
+                }
+            }
+
+            /// The friction law with this name and these parameters.
+            ///
+            /// # Errors
+            /// Refuses an unknown name and parameters from which no law can be made.
+            pub fn named(name: &str, given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
+                let typed = name.replace('-', "_");
+                match IdealLaw::from_name(&typed) {
+                    Ok(IdealLaw::NoSlip) => return Ok(FrictionLaw::NoSlip),
+                    Ok(IdealLaw::Frictionless) => return Ok(FrictionLaw::Frictionless),
+                    Err(_) => {}
+                }
+                $(if typed == $law::NAME {
+                    return $law::from_named(given).map(FrictionLaw::$law);
+                })*
+                Err(InvalidInput::UnknownName {
+                    what: "law",
+                    name: name.to_owned(),
+                    choices: FrictionLaw::NAMES.join(", "),
+                })
+            }
+
+            /// Checks the parameters.
+            pub(crate) fn check(&self) -> Result<(), InvalidInput> {
+                match self {
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless => Ok(()),
+                    $(FrictionLaw::$law(law) => law.check(),)*
+                }
+            }
+
+            /// This law with all coefficients of friction multiplied by `factor`.
+            pub(crate) fn scaled(&self, factor: f64) -> Self {
+                match self {
+                    FrictionLaw::NoSlip => FrictionLaw::NoSlip,
+                    FrictionLaw::Frictionless => FrictionLaw::Frictionless,
+                    $(FrictionLaw::$law(law) => FrictionLaw::$law(law.scaled(factor)),)*
+                }
+            }
+
+            /// [`FrictionModel::impact_coefficient`].
+            pub(crate) fn impact_coefficient(&self, slip_speed: f64) -> f64 {
+                match self {
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless => 0.0,
+                    $(FrictionLaw::$law(law) => law.impact_coefficient(slip_speed),)*
+                }
+            }
+
+            /// μ_s of dry friction; `None` for other laws.
+            pub(crate) fn static_friction(&self) -> Option<f64> {
+                match self {
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless => None,
+                    $(#[allow(unused_variables)]
+                    FrictionLaw::$law(law) => if_dry!($kind, law.static_friction()),)*
+                }
+            }
+        }
+
+        $(impl From<$law> for FrictionLaw {
+            fn from(law: $law) -> Self {
+                FrictionLaw::$law(law)
+            }
+        })*
+
+        /// The dynamics of a rim that slides, with resistance.
+        #[derive(Clone)]
+        pub(crate) enum SlidingDynamics<T: Real> {
+            /// The rim cannot slide.
+            Never,
+            Frictionless(Resisted<Frictionless<T>>),
+            $($law(Resisted<Sliding<T, <$law as FrictionModel>::Friction<T>>>),)*
+        }
+
+        impl<T: Real> SlidingDynamics<T>
+        where
+            $(<$law as FrictionModel>::Friction<T>: Friction<T>,)*
+        {
+            pub(crate) fn new(friction: &FrictionLaw, resistance: Resistance, k: Parameters<T>) -> Self {
+                match friction {
+                    FrictionLaw::NoSlip => SlidingDynamics::Never,
+                    FrictionLaw::Frictionless => {
+                        SlidingDynamics::Frictionless(Resisted::new(Frictionless::new(k), resistance))
+                    }
+                    $(FrictionLaw::$law(law) => {
+                        let sliding = Sliding::new(k, law.friction::<T>());
+                        SlidingDynamics::$law(Resisted::new(sliding, resistance))
+                    })*
+                }
+            }
+
+            /// The equations of motion, if the rim can slide.
+            pub(crate) fn dynamics(&self) -> Option<&dyn Dynamics<T>> {
+                match self {
+                    SlidingDynamics::Never => None,
+                    SlidingDynamics::Frictionless(dynamics) => Some(dynamics),
+                    $(SlidingDynamics::$law(dynamics) => Some(dynamics),)*
+                }
+            }
+        }
+
+        impl SlidingDynamics<f64> {
+            /// The equations of motion, if the friction is dry.
+            pub(crate) fn dry(&self) -> Option<&dyn DryDynamics> {
+                match self {
+                    SlidingDynamics::Never | SlidingDynamics::Frictionless(_) => None,
+                    $(#[allow(unused_variables)]
+                    SlidingDynamics::$law(dynamics) => if_dry!($kind, dynamics),)*
+                }
+            }
+        }
+    };
+}
+
+friction_laws! {
+    /// Dry friction: the rim sticks while |T| ≤ μ_s N; when it slips, |T| = μN, opposite to the slip.
+    Coulomb: dry,
+    /// Viscous friction: T = −c u.
+    Viscous: smooth,
+    /// Regularised dry friction that falls from static to kinetic.
+    Stribeck: smooth,
+    /// Dry friction whose kinetic coefficient is a function of the slip speed.
+    Tabulated: dry,
+}
+
+impl FrictionLaw {
+    /// Dry friction whose static and kinetic coefficients are equal.
+    pub fn coulomb(friction: f64) -> Self {
+        Coulomb::uniform(friction).into()
+    }
+
+    /// The ideal law that this is, if it is one.
+    pub fn ideal(&self) -> Option<IdealLaw> {
+        match self {
+            FrictionLaw::NoSlip => Some(IdealLaw::NoSlip),
+            FrictionLaw::Frictionless => Some(IdealLaw::Frictionless),
+            _ => None,
+        }
+    }
+}
+
+impl From<IdealLaw> for FrictionLaw {
+    fn from(law: IdealLaw) -> Self {
+        match law {
+            IdealLaw::NoSlip => FrictionLaw::NoSlip,
+            IdealLaw::Frictionless => FrictionLaw::Frictionless,
+        }
+    }
+}
+
+impl From<&FrictionLaw> for FrictionLaw {
+    fn from(law: &FrictionLaw) -> Self {
+        law.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests;
