@@ -53,5 +53,26 @@ def callback(field: str, value: object) -> None:
         raise RimrollError(f"{field} must be None or something to call, got {value!r}")
 
 
+class NoNearCollision(RimrollError):
+    """A start whose motion has no near-collision to describe.
+
+    Attributes
+    ----------
+    in_degrees
+        The message with angles in degrees instead of radians.
+    status
+        How the motion ends that comes in place of one, as ``Motion.status``; None where the start
+        is refused for another reason.
+    """
+
+    def __init__(self, message: str, in_degrees: str, status: str | None) -> None:
+        super().__init__(message, in_degrees, status)
+        self.in_degrees = in_degrees
+        self.status = status
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 class UnitError(RimrollError):
     """A quantity whose text has no number, an unknown unit, or a unit of another kind."""

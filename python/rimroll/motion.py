@@ -335,8 +335,13 @@ class Motion(Moments):
 
     @cached_property
     def message(self) -> str:
-        """The ending in a sentence."""
-        return self._core.message
+        """The ending in a sentence with angles in radians."""
+        return self._core.message(False)
+
+    @property
+    def message_in_degrees(self) -> str:
+        """The ending in a sentence with angles in degrees."""
+        return self._core.message(True)
 
     @cached_property
     def stats(self) -> Stats:

@@ -2,14 +2,24 @@
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
+use rimroll::motion::AngleUnit;
 use rimroll::{Body, ContactLaw, IdealLaw, InvalidInput, Solid, State};
 use std::collections::HashMap;
 
 pyo3::import_exception!(rimroll.errors, RimrollError);
+pyo3::import_exception!(rimroll.errors, NoNearCollision);
 
 /// The core's error as the Python package's own exception.
 pub fn refusal(error: InvalidInput) -> PyErr {
-    RimrollError::new_err(error.to_string())
+    match error {
+        InvalidInput::NoNearCollision { ref ending, .. } => {
+            let status = ending.map(|ending| ending.status().name());
+            let texts = [AngleUnit::Radians, AngleUnit::Degrees].map(|unit| error.sentence(unit));
+            let [text, in_degrees] = texts;
+            NoNearCollision::new_err((text, in_degrees, status))
+        }
+        _ => RimrollError::new_err(error.to_string()),
+    }
 }
 
 /// Any object with the attributes of `rimroll.Body`.

@@ -3,7 +3,7 @@
 use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::motion::{Instant, PARAMETERS, Sensitivity, pose};
+use rimroll::motion::{AngleUnit, Instant, PARAMETERS, Sensitivity, pose};
 use rimroll::{Options, Status, simulate as simulate_in_core};
 use std::ops::ControlFlow;
 
@@ -164,9 +164,14 @@ impl CoreMotion {
         self.motion.status.name()
     }
 
-    #[getter]
-    fn message(&self) -> &str {
-        &self.motion.message
+    /// How it ended, in a sentence with its angles in degrees or radians.
+    fn message(&self, degrees: bool) -> String {
+        let unit = if degrees {
+            AngleUnit::Degrees
+        } else {
+            AngleUnit::Radians
+        };
+        self.motion.ending.sentence(unit)
     }
 
     /// (steps, rejected, evaluations)

@@ -102,7 +102,7 @@ pub extern "C" fn status(motion: &Motion) {
 /// A sentence on how the motion ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn message(motion: &Motion) {
-    say(&motion.message);
+    say(&motion.message());
 }
 
 fn provide_moments(motion: &Motion, instants: &[Instant]) {

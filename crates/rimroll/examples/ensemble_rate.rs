@@ -1,11 +1,19 @@
-//! The cost and the accuracy of a fall in an ensemble: microseconds per turn on one thread, for one body and
-//! for a different body in each row, and the errors against falls at a far tighter tolerance. It measures the
-//! CPU time of the thread, which needs Linux.
+//! What a fall costs in an ensemble, and how exact it is: microseconds a turn on one thread, for one body and for a
+//! body in each row, and the errors against falls followed at a far tighter tolerance. The time of the thread is
+//! Linux's.
 
+#[path = "timing/bodies.rs"]
+mod bodies;
+#[path = "timing/thread_time.rs"]
+mod thread_time;
+
+use bodies::all_but_equal;
 use rimroll::motion::{Fall, fall};
-use rimroll::{
-    Body, ContactLaw, FrictionLaw, IdealLaw, Options, Release, State, ensemble, presets,
-};
+use rimroll::{ContactLaw, FrictionLaw, IdealLaw, Options, Release, State, ensemble, presets};
+use thread_time::timed;
+
+/// How often everything is computed.
+const RUNS: usize = 6;
 
 fn starts(n: usize) -> Vec<State> {
     let mut seed = 1u64;
@@ -27,41 +35,6 @@ fn starts(n: usize) -> Vec<State> {
             }
         })
         .collect()
-}
-
-/// The CPU time of this thread, which on a busy machine is less than the elapsed time.
-fn seconds() -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
-    let first = told.split(' ').next().and_then(|ns| ns.parse::<f64>().ok());
-    first.expect("nanoseconds") * 1e-9
-}
-
-/// The falls, and the smallest (least disturbed) time of several runs, in microseconds per fall.
-fn timed(trials: &[Release<'_>], options: &Options) -> (Vec<Fall>, f64) {
-    let once = || {
-        let begin = seconds();
-        let watch = |_| core::ops::ControlFlow::Continue(());
-        let falls = ensemble(trials, options, watch).expect("valid");
-        (falls, (seconds() - begin) / trials.len() as f64 * 1e6)
-    };
-    let runs = (1..7).map(|_| once());
-    runs.min_by(|a, b| a.1.total_cmp(&b.1)).expect("a run")
-}
-
-/// Bodies that move alike although no two are equal.
-fn all_but_equal(body: &Body, n: usize) -> Vec<Body> {
-    let heavier = |i: usize| {
-        let more = 1.0 + 1e-13 * i as f64;
-        let (transverse, axial) = (body.transverse_inertia(), body.axial_inertia());
-        Body::new(
-            more * body.mass(),
-            body.radius(),
-            body.height(),
-            more * transverse,
-            more * axial,
-        )
-    };
-    (0..n).map(|i| heavier(i).expect("a body")).collect()
 }
 
 fn main() {
@@ -95,12 +68,16 @@ fn main() {
                 .num_threads(1)
                 .build()
                 .expect("a thread");
-            let (falls, us) = pool.install(|| timed(&trials, &options));
+            let follow = |trials: &[Release<'_>]| {
+                let watch = |_| core::ops::ControlFlow::Continue(());
+                ensemble(trials, &options, watch).expect("valid")
+            };
+            let (falls, us) = pool.install(|| timed(n, RUNS, || follow(&trials)));
             let bodies = all_but_equal(&can, n);
             let mixed: Vec<_> = (bodies.iter().zip(&trials))
                 .map(|(body, (_, start, contact_law))| (body, *start, contact_law.clone()))
                 .collect();
-            let (_, us_mixed) = pool.install(|| timed(&mixed, &options));
+            let (_, us_mixed) = pool.install(|| timed(n, RUNS, || follow(&mixed)));
             let few = 300;
             let tight = Options {
                 rtol: 1e-13,
@@ -110,12 +87,11 @@ fn main() {
                 .iter()
                 .map(|(_, s, f)| fall(&can, s, f, &tight).expect("valid"))
                 .collect();
-            let begin = seconds();
-            let scalar: Vec<Fall> = trials[..few]
-                .iter()
-                .map(|(_, s, f)| fall(&can, s, f, &options).expect("valid"))
-                .collect();
-            let us1 = (seconds() - begin) / few as f64 * 1e6;
+            let alone = || -> Vec<Fall> {
+                let one = |(_, s, f): &Release<'_>| fall(&can, s, f, &options).expect("valid");
+                trials[..few].iter().map(one).collect()
+            };
+            let (scalar, us1) = timed(few, 1, alone);
             let errors = |found: &[Fall]| {
                 let mut e: Vec<f64> = found
                     .iter()

@@ -1,12 +1,18 @@
-//! The cost of a turn by quadrature: microseconds on one thread for starts that rock, for a flick that
-//! topples and for throws of all kinds, with their outcomes; for one body and for a different body in each
-//! row. It measures the CPU time of the thread, which needs Linux.
+//! What an exact turn costs: microseconds on one thread, of starts that rock, of a flick that topples and of
+//! throws of all kinds, with what becomes of them; for one body, and for a body in each row. The time of the thread is Linux's.
 
+#[path = "timing/bodies.rs"]
+mod bodies;
+#[path = "timing/thread_time.rs"]
+mod thread_time;
+
+use bodies::all_but_equal;
 use rimroll::motion::Outcome;
 use rimroll::turn::exact::{Exact, ExactRows};
-use rimroll::{Body, IdealLaw, State, presets};
+use rimroll::{IdealLaw, State, presets};
+use thread_time::timed;
 
-/// Pseudo-random numbers between 0 and 1.
+/// Numbers between 0 and 1 without a pattern.
 fn random(seed: &mut u64) -> f64 {
     *seed = seed
         .wrapping_mul(6_364_136_223_846_793_005)
@@ -45,42 +51,6 @@ fn starts(kind: &str, n: usize) -> Vec<State> {
         .collect()
 }
 
-/// The CPU time of this thread, which on a busy machine is less than the elapsed time.
-fn seconds() -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
-    let first = told.split(' ').next().and_then(|ns| ns.parse::<f64>().ok());
-    first.expect("nanoseconds") * 1e-9
-}
-
-/// The smallest (least disturbed) time of several runs, in microseconds per turn.
-fn measured<T>(count: usize, runs: usize, work: impl Fn() -> T) -> (T, f64) {
-    let once = |_| {
-        let begin = seconds();
-        let turns = work();
-        (turns, (seconds() - begin) / count as f64 * 1e6)
-    };
-    (0..runs)
-        .map(once)
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .expect("a run")
-}
-
-/// Bodies that move alike although no two are equal.
-fn all_but_equal(body: &Body, n: usize) -> Vec<Body> {
-    let heavier = |i: usize| {
-        let more = 1.0 + 1e-13 * i as f64;
-        let (transverse, axial) = (body.transverse_inertia(), body.axial_inertia());
-        Body::new(
-            more * body.mass(),
-            body.radius(),
-            body.height(),
-            more * transverse,
-            more * axial,
-        )
-    };
-    (0..n).map(|i| heavier(i).expect("a body")).collect()
-}
-
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let number = |i: usize, default| {
@@ -103,14 +73,14 @@ fn main() {
             let exact = Exact::new(&can, law, 9.8, None).expect("valid");
             let starts = starts(kind, n);
             let of_one = || exact.turns(&starts).expect("valid");
-            let (turns, cost) = pool.install(|| measured(n, runs, of_one));
+            let (turns, cost) = pool.install(|| timed(n, runs, of_one));
             let bodies = all_but_equal(&can, n.min(1 << 11));
             let rows: Vec<_> = bodies.iter().zip(starts.iter().copied()).collect();
             let of_each = || {
                 let exact = ExactRows::new(law, 9.8, None, &rows);
                 exact.turns_while(|| true).expect("valid")
             };
-            let (_, cost_of_each) = pool.install(|| measured(rows.len(), runs, of_each));
+            let (_, cost_of_each) = pool.install(|| timed(rows.len(), runs, of_each));
             print!(
                 "{kind:8} {:13} {cost:7.3} us, {cost_of_each:7.3} us with a body a row ",
                 law.name()

@@ -89,36 +89,31 @@ pub fn composite(
     let (top, since_release) = top_of_the_fall(&planar, simulated)?;
     let fall = simulated(&top)?;
     if fall.status != Status::FaceDown {
-        return Err(InvalidInput::NoNearCollision {
-            why: format!("its plane pendulum does not come down: {}", fall.message),
-        });
+        let why = "its plane pendulum does not come down";
+        return Err(InvalidInput::no_near_collision(why, Some(fall.ending)));
     }
     let end = fall.track.end();
     if end.cos < 0.0 {
-        return Err(InvalidInput::NoNearCollision {
-            why: "it falls to the disk's other face; turn the disk over, tilt -> pi - tilt"
-                .to_owned(),
-        });
+        let why = "it falls to the disk's other face; turn the disk over, tilt -> pi - tilt";
+        return Err(InvalidInput::no_near_collision(why, None));
     }
     let half_width = end.t + end.sin / -end.p;
     let tipping_rate = -end.p;
     let l = end.w * end.sin / INFINITESIMAL;
     if l == 0.0 {
-        return Err(InvalidInput::NoNearCollision {
-            why: "with no yaw_rate and spin_rate to speak of it falls face down".to_owned(),
-        });
+        let why = "with no yaw_rate and spin_rate to speak of it falls face down";
+        return Err(InvalidInput::no_near_collision(why, None));
     }
     let stretch = NearCollision::new(body, law, 1.0, tipping_rate, l.signum())?.stretch;
     let min_tilt = l / (tipping_rate * stretch);
     if min_tilt > MAX_TILT_RATIO * top.tilt {
-        return Err(InvalidInput::NoNearCollision {
-            why: format!(
-                "the smallest tilt, {} rad, would be no small part of the largest, {} rad; \
-                 reduce yaw_rate and spin_rate",
-                formatted(min_tilt),
-                formatted(top.tilt)
-            ),
-        });
+        let why = format!(
+            "the smallest tilt, {} rad, would be no small part of the largest, {} rad; \
+             reduce yaw_rate and spin_rate",
+            formatted(min_tilt),
+            formatted(top.tilt)
+        );
+        return Err(InvalidInput::no_near_collision(&why, None));
     }
     Ok(Composite {
         near_collision: NearCollision {

@@ -1,5 +1,6 @@
 //! Invalid input and its messages, which name the field, the value, the bound and the unit.
 
+use crate::motion::{AngleUnit, Ending};
 use thiserror::Error;
 
 /// An input from which no motion can be computed.
@@ -74,10 +75,12 @@ pub enum InvalidInput {
         choices: String,
     },
     /// An initial state whose motion has no near-collision.
-    #[error("this start has no near-collision: {why}")]
+    #[error("{}", no_near_collision(why, ending.as_ref(), AngleUnit::Radians))]
     NoNearCollision {
         /// Why not.
         why: String,
+        /// The ending of the motion that comes in place of one.
+        ending: Option<Ending>,
     },
     /// A motion that is not a smooth function of its parameters.
     #[error("no derivative of this motion is offered: {why}")]
@@ -88,6 +91,30 @@ pub enum InvalidInput {
     /// A body composed of no solids.
     #[error("solids must name at least one solid, got none")]
     NoSolids,
+}
+
+impl InvalidInput {
+    /// What is wrong, in a sentence with the angles of a motion in this unit.
+    pub fn sentence(&self, unit: AngleUnit) -> String {
+        match self {
+            InvalidInput::NoNearCollision { why, ending } => {
+                no_near_collision(why, ending.as_ref(), unit)
+            }
+            other => other.to_string(),
+        }
+    }
+
+    pub(crate) fn no_near_collision(why: &str, ending: Option<Ending>) -> InvalidInput {
+        let why = why.to_owned();
+        InvalidInput::NoNearCollision { why, ending }
+    }
+}
+
+fn no_near_collision(why: &str, ending: Option<&Ending>, unit: AngleUnit) -> String {
+    let ended = ending.map_or(String::new(), |ending| {
+        format!(": {}", ending.sentence(unit))
+    });
+    format!("this start has no near-collision: {why}{ended}")
 }
 
 fn with_unit(value: f64, unit: &str) -> String {

@@ -6,10 +6,10 @@
 //! `onset` integrates slip from rest, and `run` combines them.
 
 mod contacts;
+mod ending;
 mod events;
 mod fall;
 mod mechanics;
-mod message;
 mod moment;
 mod onset;
 mod outcome;
@@ -22,6 +22,7 @@ mod turns;
 
 pub(crate) use contacts::Transition;
 pub use contacts::{Contacts, Phase};
+pub use ending::{AngleUnit, Ending, EndingKind, OnItsSide};
 pub use events::{Event, EventKind};
 pub(crate) use fall::FallRecord;
 pub use fall::{EndState, Fall, fall};
@@ -42,7 +43,6 @@ use crate::state::{Coordinates, State};
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use events::Goal;
-use message::message;
 use run::Run;
 use std::sync::Arc;
 
@@ -261,8 +261,8 @@ pub struct Motion {
     pub turns: Vec<Turn>,
     /// The way in which the motion ended.
     pub status: Status,
-    /// A sentence on how the motion ended.
-    pub message: String,
+    /// The way in which the motion ended, with the time, the tilt and further numbers.
+    pub ending: Ending,
     /// The work of the solver.
     pub work: Work,
 }
@@ -287,6 +287,11 @@ impl Motion {
         mut watch: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Sensitivity>, InvalidInput> {
         Sensitivity::new(self, &mut watch)
+    }
+
+    /// A sentence on how the motion ended, with angles in radians.
+    pub fn message(&self) -> String {
+        self.ending.sentence(AngleUnit::Radians)
     }
 
     /// All quantities at an instant of the motion.
@@ -324,10 +329,11 @@ pub fn simulate(
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
     let status = run.follow_to_the_end(&mut watch);
+    let by = run.last_switch();
     let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),
-        message: message(status, &contacts, &track, &options, &work),
+        ending: Ending::of((status, by), &contacts, &track, &options, &work),
         contacts,
         track,
         events,

@@ -390,7 +390,7 @@ proptest! {
             let motion = follow(&body, &start, law, &options);
             let drift = drift(&motion);
             prop_assert!(motion.status != Status::Failed);
-            prop_assert!(drift < 1e-10, "{:?} {}: {:e}", law, motion.message, drift);
+            prop_assert!(drift < 1e-10, "{:?} {}: {:e}", law, motion.message(), drift);
         }
     }
 }

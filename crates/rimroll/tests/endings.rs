@@ -6,7 +6,7 @@ mod motions;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
-use rimroll::motion::EventKind;
+use rimroll::motion::{AngleUnit, EndingKind, EventKind};
 use rimroll::turn::{lift_off_rate, steady_wobble_rate, turn_limit};
 use rimroll::{Body, IdealLaw, Motion, Options, State, Status, presets, simulate};
 
@@ -92,8 +92,36 @@ fn face_down_says_why_nothing_follows_and_what_to_do() {
         "simultaneous impacts",
         "1e-12",
     ] {
-        assert!(motion.message.contains(words), "{}", motion.message);
+        assert!(motion.message().contains(words), "{}", motion.message());
     }
+}
+
+#[test]
+fn an_ending_is_told_in_the_unit_that_is_asked_for() {
+    let start = State {
+        tilt: 0.7,
+        yaw_rate: 0.1,
+        ..State::default()
+    };
+    let options = Options {
+        topple_tilt: Some(1.5),
+        ..tight(5.0)
+    };
+    let ending = follow(&can(), &start, IdealLaw::NoSlip, &options).ending;
+    assert_eq!(
+        (ending.kind, ending.status()),
+        (EndingKind::Toppled, Status::Toppled)
+    );
+    assert!((ending.tilt - 1.5).abs() < 1e-10);
+    let t = format!("t = {:.6} s", ending.t);
+    assert_eq!(
+        ending.sentence(AngleUnit::Radians),
+        format!("toppled: the tilt reached 1.500000 rad at {t}")
+    );
+    assert_eq!(
+        ending.sentence(AngleUnit::Degrees),
+        format!("toppled: the tilt reached 85.944° at {t}")
+    );
 }
 
 /// Beyond the balance point tan φ* = R/H, 0.6365 rad for the can, the can falls on its side.
@@ -128,6 +156,9 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
             (Some(1.5), 1.5),
             (Some(0.70001), 0.70001),
             (Some(1.8), 1.8),
+            (Some(FRAC_PI_2 - 1e-12), FRAC_PI_2),
+            (Some(FRAC_PI_2.next_up()), FRAC_PI_2),
+            (Some(FRAC_PI_2 + 1e-9), FRAC_PI_2 + 1e-9),
         ] {
             let options = Options {
                 topple_tilt: asked,
@@ -140,7 +171,10 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
             let end = motion.track.end();
             assert!((end.tilt() - expected).abs() < 1e-10, "{}", end.tilt());
             assert_eq!(motion.events.last().map(|event| event.at), Some(end));
-            assert!(motion.message.contains("toppled: the tilt reached"));
+            assert!(motion.message().contains("toppled: the tilt reached"));
+            // It passes its edge only on its way to a tilt beyond.
+            let passes = kinds(&motion).contains(&EventKind::OnEdge);
+            assert_eq!(passes, expected > FRAC_PI_2, "{asked:?}");
         }
     }
 }
@@ -197,7 +231,7 @@ fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
     let above = follow(&can(), &flick(limit * 1.00001), IdealLaw::NoSlip, &options);
     assert_eq!(above.status, Status::LiftedOff);
     assert_eq!(kinds(&above), [EventKind::LiftOff]);
-    assert!(above.message.contains("lifted off at t = "));
+    assert!(above.message().contains("lifted off at t = "));
     let end = above.track.end();
     assert!(end.tilt() < 1e-3 && end.p < 0.0);
     let contact = above.dynamics(&end).contact(&end);
@@ -500,9 +534,9 @@ fn a_motion_that_runs_out_of_steps_says_so() {
     assert_eq!(motion.status, Status::Failed);
     assert_eq!(motion.work.steps, 50);
     assert!(
-        motion.message.contains("max_steps = 50"),
+        motion.message().contains("max_steps = 50"),
         "{}",
-        motion.message
+        motion.message()
     );
 }
 
@@ -525,7 +559,7 @@ fn a_caller_can_stop_a_long_motion() {
     .expect("valid input");
     assert_eq!(motion.status, Status::Interrupted);
     assert!(motion.track.end().t > 20.0 && motion.track.end().t < 100.0);
-    assert!(motion.message.contains("interrupted at t = "));
+    assert!(motion.message().contains("interrupted at t = "));
 }
 
 /// The tilt exceeds the topple tilt and returns within one step, so only the dense output shows it.

@@ -239,7 +239,7 @@ fn a_disk_turns_by_the_same_angle_under_every_law() {
                 .events
                 .iter()
                 .find(|event| event.kind == EventKind::TiltMin)
-                .unwrap_or_else(|| panic!("{law:?}: {}", motion.message));
+                .unwrap_or_else(|| panic!("{law:?}: {}", motion.message()));
             let turn = near_collision_turn(&motion, low.at.tilt());
             let off = (turn.abs() - expected).to_degrees();
             assert!(off.abs() < 0.05, "{law:?}: {off} degrees off");

@@ -606,7 +606,7 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         Status::Interrupted => false,
     };
     if !fits {
-        found.violations.push(motion.message.clone());
+        found.violations.push(motion.message());
     }
 }
 
@@ -904,7 +904,7 @@ impl Census {
         if slow || !found.violations.is_empty() {
             println!(
                 "#{i} {} {work:?} way {:.0} rtol {:.0e}",
-                motion.message,
+                motion.message(),
                 way(motion),
                 case.options.rtol
             );

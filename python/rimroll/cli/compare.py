@@ -22,7 +22,7 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
-from rimroll.cli.screen import angle, in_degrees, say, show_json, table, working
+from rimroll.cli.screen import angle, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, start_line
 from rimroll.errors import RimrollError
 from rimroll.laws import Law, NoSlip, numbers_of
@@ -181,7 +181,9 @@ def _remarks(one: Outcome) -> list[str]:
     """Hints; without any, the reason why there is no limit, without the numbers of each table."""
     if found := hints(one.motion, "--on"):
         return found
-    return [in_degrees(one.limit.why_not.split(" at t = ")[0])] if one.limit.why_not else []
+    if one.limit.ends is not None:
+        return [f"no limit: tipping ends as {typed(one.limit.ends)} and not with the base flat"]
+    return [one.limit.why_not] if one.limit.why_not else []
 
 
 def _slips(one: Outcome) -> str:

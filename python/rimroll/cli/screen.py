@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -13,8 +12,6 @@ import numpy as np
 from rich import box
 from rich.console import Console
 from rich.table import Table
-
-_RADIANS = re.compile(r"(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?) rad(?![/\w])")
 
 Bar = Callable[[int, int, str], None]
 """Takes what is done, what is to do in all, and what comes next."""
@@ -85,12 +82,6 @@ def angle(radians: float) -> str:
     """An angle in degrees, to a thousandth; smaller ones to four digits."""
     degrees = math.degrees(radians)
     return f"{degrees:.3f}°" if abs(degrees) >= 1.0 or degrees == 0.0 else f"{degrees:.4g}°"
-
-
-def in_degrees(text: str) -> str:
-    """A sentence about angles in radians, as the core makes them, with degrees instead."""
-    text = _RADIANS.sub(lambda found: angle(float(found[1])), text)
-    return re.sub(r"\bpi/2\b", "90°", text)
 
 
 def _silent(done: int, total: int, what: str) -> None:

@@ -22,8 +22,8 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
-from rimroll.cli.screen import angle, in_degrees, say, show_json, table, working
-from rimroll.errors import RimrollError
+from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.errors import NoNearCollision, RimrollError
 from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
 from rimroll.motion import Motion, simulate
 from rimroll.names import typed
@@ -86,7 +86,8 @@ class Limit:
     """The limiting angle of turn under a law, arriving in one way or another.
 
     ``from_start`` and ``arrival`` belong to the start that was asked for, if there is one and it
-    has a near-collision; if it has none, ``why_not`` says why.
+    has a near-collision; if it has none, ``why_not`` says why, and ``ends`` is the status with
+    which the motion ends that comes in place of one.
     """
 
     law: Law
@@ -94,6 +95,7 @@ class Limit:
     arrival: Arrival | None = None
     from_start: float | None = None
     why_not: str = ""
+    ends: str | None = None
 
 
 def is_ideal(law: Law) -> bool:
@@ -106,7 +108,7 @@ def limit_of(what: Asked, law: Law) -> Limit:
     try:
         limit = Limit(law, turn_limit(what.body, law))
     except RimrollError as error:
-        limit = Limit(law, None, why_not=str(error))
+        limit = Limit(law, None, why_not=_in_degrees(error))
     if what.start is None:
         return limit
     try:
@@ -114,7 +116,12 @@ def limit_of(what: Asked, law: Law) -> Limit:
         limit = replace(limit, arrival=comes)
         return replace(limit, from_start=turn_limit(what.body, law, comes))
     except RimrollError as error:
-        return replace(limit, why_not=str(error))
+        ends = error.status if isinstance(error, NoNearCollision) else None
+        return replace(limit, why_not=_in_degrees(error), ends=ends)
+
+
+def _in_degrees(error: RimrollError) -> str:
+    return error.in_degrees if isinstance(error, NoNearCollision) else str(error)
 
 
 def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
@@ -241,7 +248,7 @@ def _show_arrival(what: Asked, limit: Limit) -> None:
         say(f"arrival from this start           {arrival_words(limit.arrival)}")
     say()
     if limit.why_not:
-        say(in_degrees(f"{name}: {limit.why_not}"))
+        say(f"{name}: {limit.why_not}")
     say(_depends(limit.law, needed_friction(what.body)))
 
 
@@ -273,7 +280,7 @@ def _depends(law: Law, needed: float) -> str:
 def show_turns(motion: Motion) -> None:
     """The ending of a motion and its first turns, with their limit if it applies to each."""
     say()
-    say(f"{in_words(motion.law)}: {in_degrees(motion.message)}")
+    say(f"{in_words(motion.law)}: {motion.message_in_degrees}")
     for hint in hints(motion, "--law coulomb --friction"):
         say(hint)
     if not motion.turns:

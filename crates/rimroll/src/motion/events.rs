@@ -88,6 +88,8 @@ pub(super) enum Switch {
     Topple,
     /// The tilt is zero.
     Flat,
+    /// Resistance has stopped the contact point's running round the rim, and the tilt is all but zero.
+    StoppedRunning,
     /// The normal force is zero.
     LiftOff,
     /// Friction can no longer hold the rim.
@@ -246,18 +248,18 @@ impl<'a> Watch<'a> {
         self.follow_tilt_rate(&at);
     }
 
-    /// Whether a body whose base has come down flat has no energy to speak of any more, since resistance
-    /// has taken it.
-    pub(super) fn rests(&self, at: &Instant) -> bool {
+    /// Whether a body whose contact point resistance has stopped has no energy to speak of any more.
+    pub(super) fn has_spent_its_energy(&self, at: &Instant) -> bool {
         let energy = energy_above_rest(self.contacts.dynamics(at.phase), at);
-        was_stopped(at) && energy < REST_ENERGY_FLAT * self.start_energy
+        energy < REST_ENERGY_FLAT * self.start_energy
     }
 
     /// What a phase can end with, and the sign that its level has before.
     fn switches(&self, phase: Phase) -> impl Iterator<Item = (Switch, f64)> + use<> {
         let dry = self.contacts.dry().is_some();
         let ideal = !self.contacts.can_fly();
-        let loses = !ideal || self.contacts.contact_law().resists();
+        let resists = self.contacts.contact_law().resists();
+        let loses = !ideal || resists;
         let on_table = phase != Phase::Flying;
         let in_time = !matches!(self.goal, Goal::Passed(_));
         [
@@ -265,6 +267,7 @@ impl<'a> Watch<'a> {
             (Switch::Topple, -1.0, self.topple.is_some()),
             (Switch::LiftOff, 1.0, on_table),
             (Switch::Flat, 1.0, in_time),
+            (Switch::StoppedRunning, 1.0, in_time && on_table && resists),
             (Switch::Break, 1.0, dry && phase == Phase::Rolling),
             (Switch::Stop, 1.0, dry && phase == Phase::Sliding),
             (Switch::Paradox, 1.0, !ideal && phase == Phase::Sliding),
@@ -386,7 +389,8 @@ impl<'a> Watch<'a> {
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
             Switch::LiftOff if phase == Phase::Sliding => self.contacts.scaled_normal_force(u),
             Switch::LiftOff => law.contact(u).normal,
-            Switch::Flat => self.over_flat(phase, u),
+            Switch::Flat => u.sin - FACE_DOWN_TILT,
+            Switch::StoppedRunning => self.over_stopped(phase, u),
             Switch::Break => self.contacts.friction_cone_margin(u),
             Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
             Switch::Paradox => law.consistency(u) - PARADOX,
@@ -395,13 +399,12 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Positive until the base counts as flat: the sine of the tilt over that at which it does.
-    fn over_flat(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        let resists = self.contacts.contact_law().resists();
-        if resists && (u.sin > STOPPED_TILT || self.contacts.has_stopped_running(phase, u)) {
+    /// Positive until resistance has stopped the contact point's running and the rim is all but flat.
+    fn over_stopped(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
+        if u.sin > STOPPED_TILT || self.contacts.has_stopped_running(phase, u) {
             u.sin - STOPPED_TILT
         } else {
-            u.sin - FACE_DOWN_TILT
+            u.sin
         }
     }
 
@@ -492,7 +495,8 @@ impl<'a> Watch<'a> {
     }
 
     fn note_on_edge(&mut self, part: StepPart<'_>, samples: &[Sample]) {
-        // What topples there does not go past it.
+        // What topples there does not go past it. The cosine of the double next to pi/2 is 6e-17; from a
+        // topple tilt farther beyond the edge the edge is passed first.
         if self.topple.is_some_and(|(_, cos)| cos.abs() < 1e-15) {
             return;
         }
@@ -550,12 +554,6 @@ impl<'a> Watch<'a> {
 fn energy_above_rest(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> f64 {
     let energy = law.energy(u);
     energy.kinetic + energy.potential.abs()
-}
-
-/// Whether the base counts as flat because resistance has stopped the contact point on the rim, and not
-/// because of the tilt alone.
-pub(super) fn was_stopped(at: &Instant) -> bool {
-    at.sin > 2.0 * FACE_DOWN_TILT
 }
 
 fn extreme_kind(direction: f64) -> EventKind {

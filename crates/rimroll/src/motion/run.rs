@@ -52,6 +52,8 @@ pub(super) struct Run<'a> {
     empty_phases: usize,
     /// Time and yaw at which the last phase ended.
     last_end: (f64, f64),
+    /// What the last phase ended by.
+    last_switch: Option<Switch>,
 }
 
 impl<'a> Run<'a> {
@@ -78,6 +80,7 @@ impl<'a> Run<'a> {
             next: AfterEvent::EndState(Status::Failed),
             empty_phases: 0,
             last_end: (f64::NAN, f64::NAN),
+            last_switch: None,
         };
         run.next = match run.watch.at_start(&first) {
             Some(switch) => run.after(switch, &first),
@@ -107,6 +110,11 @@ impl<'a> Run<'a> {
                 }
             }
         }
+    }
+
+    /// What the last phase ended by; none where no phase ended by itself.
+    pub(super) fn last_switch(&self) -> Option<Switch> {
+        self.last_switch
     }
 
     pub(super) fn into_parts(self) -> (Track, Vec<Event>, Work) {
@@ -283,6 +291,7 @@ impl<'a> Run<'a> {
 
     /// What follows the switch at which a phase has ended.
     fn after(&mut self, switch: Switch, at: &Instant) -> AfterEvent {
+        self.last_switch = Some(switch);
         let end = |run: &mut Self, kind, status| {
             run.watch.note(kind, *at);
             AfterEvent::EndState(status)
@@ -310,8 +319,12 @@ impl<'a> Run<'a> {
                 let direction = None;
                 AfterEvent::Phase(phase, PhaseStart { u, direction })
             }
-            Switch::Flat if self.watch.rests(at) => end(self, EventKind::Rest, Status::AtRest),
-            Switch::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
+            Switch::StoppedRunning if self.watch.has_spent_its_energy(at) => {
+                end(self, EventKind::Rest, Status::AtRest)
+            }
+            Switch::Flat | Switch::StoppedRunning => {
+                end(self, EventKind::FaceDown, Status::FaceDown)
+            }
             Switch::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)
             }

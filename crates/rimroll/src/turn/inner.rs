@@ -75,14 +75,12 @@ impl Arrival {
             ControlFlow::Continue(())
         })?;
         if fall.status != Status::FaceDown {
-            return Err(InvalidInput::NoNearCollision {
-                why: format!("the tipping phase does not end flat: {}", fall.message),
-            });
+            let why = "the tipping phase does not end flat";
+            return Err(InvalidInput::no_near_collision(why, Some(fall.ending)));
         }
         if fall.track.phases().any(|at| at.phase == Phase::Flying) {
-            return Err(InvalidInput::NoNearCollision {
-                why: "the rim lifts off on the way down".to_owned(),
-            });
+            let why = "the rim lifts off on the way down";
+            return Err(InvalidInput::no_near_collision(why, None));
         }
         let end = fall.track.end();
         let ratio = |contact: crate::law::Contact<f64>| {
@@ -250,9 +248,7 @@ fn computed_passage(
             Status::Painleve => "with this friction it meets Painlevé's paradox",
             _ => "the rim lifts off on the way through it, or falls back flat",
         };
-        return Err(InvalidInput::NoNearCollision {
-            why: why.to_owned(),
-        });
+        return Err(InvalidInput::no_near_collision(why, None));
     }
     let kinetic = |u: &crate::motion::Instant| contacts.dynamics(u.phase).energy(u).kinetic;
     let (before, after) = (kinetic(&track.start()), kinetic(&end));
