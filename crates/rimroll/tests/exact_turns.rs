@@ -318,7 +318,7 @@ fn turns_alone_and_among_many_are_those_of_the_table_in_multiprecision_to_1e_12(
             for found in [alone, among] {
                 assert_eq!(
                     found.ending.name(),
-                    row.text(&format!("status_{of_law}")),
+                    row.text(&format!("outcome_{of_law}")),
                     "{line}"
                 );
                 assert_eq!(found.turn.is_nan(), known.is_nan(), "{line}");
