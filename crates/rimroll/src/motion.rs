@@ -329,11 +329,11 @@ pub fn simulate(
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
     let status = run.follow_to_the_end(&mut watch);
-    let by = run.last_switch();
+    let last_event = run.last_event();
     let (track, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),
-        ending: Ending::of((status, by), &contacts, &track, &options, &work),
+        ending: Ending::new((status, last_event), &contacts, &track, &options, &work),
         contacts,
         track,
         events,

@@ -1,5 +1,4 @@
-//! How the rim can meet the table on a given surface, and what follows when one way gives over to
-//! another.
+//! The laws of the possible contacts between rim and table, and the transitions between them.
 
 use super::mechanics::Mechanics;
 use super::track::Instant;
@@ -14,21 +13,21 @@ use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-/// How the rim meets the table at a moment.
+/// The kind of contact between rim and table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
-    /// It rolls: its lowest point is at rest.
+    /// The rim rolls: its lowest point is at rest.
     Rolling,
-    /// Its lowest point slips.
+    /// The lowest point of the rim slips.
     Sliding,
-    /// It is off the table.
+    /// The rim is off the table.
     Flying,
     /// The body lies on its side: the end of a motion that topples.
     Lying,
 }
 
 impl Phase {
-    /// The name that the user reads.
+    /// The name that users read.
     pub fn name(self) -> &'static str {
         match self {
             Phase::Rolling => "rolling",
@@ -39,37 +38,36 @@ impl Phase {
     }
 }
 
-/// Something to do with the system of equations that holds in a phase. It is compiled anew for each of
-/// the laws that most motions follow.
+/// A computation with the system of equations of a phase. It is compiled separately for each of the most
+/// frequent laws.
 pub(super) trait SystemVisitor {
-    /// What comes of it.
     type Output;
 
-    /// Does it: the first N coordinates are all that change.
+    /// Runs the computation on a system in which only the first N coordinates change.
     fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Self::Output;
 }
 
-/// What becomes of a rim on the table.
+/// The next phase of a rim on the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Transition {
-    /// It rolls.
+    /// The rim rolls.
     Roll,
-    /// It slides on with the slip that it has.
+    /// The rim slides with its present slip.
     Slide,
-    /// It begins to slip in this direction (unit vector along e_x1, e_y1), from rest.
+    /// The rim begins to slip from rest in this direction (unit vector along e_x1, e_y1).
     BeginToSlip([f64; 2]),
-    /// It leaves the table.
+    /// The rim leaves the table.
     Fly,
-    /// Rigid-body mechanics does not say.
+    /// The Painlevé paradox: rigid-body mechanics does not determine the motion.
     Paradox,
 }
 
-/// The laws of a body on a surface.
+/// The equations of motion of a body under a contact law, in each phase.
 #[derive(Clone)]
 pub struct Contacts {
     parameters: Parameters<f64>,
     contact_law: ContactLaw,
-    /// Below this part of the velocities at hand a slip counts as none.
+    /// A slip below this fraction of the other velocities counts as none.
     stopped: f64,
     rolling: Resisted<NoSlip<f64>>,
     sliding: SlidingDynamics<f64>,
@@ -77,8 +75,8 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// The laws of a body on a surface under gravity g (m/s²), for steps that may err by `tolerance`:
-    /// slower than a tenth of that, relative to the velocities at hand, no slip is followed.
+    /// The equations of a body under a contact law and gravity g (m/s²), for steps with the given tolerance.
+    /// A slip below a tenth of the tolerance, relative to the other velocities, counts as none.
     pub(crate) fn new(body: &Body, contact_law: &ContactLaw, gravity: f64, tolerance: f64) -> Self {
         let parameters = Parameters::new(body, gravity);
         Contacts {
@@ -95,17 +93,17 @@ impl Contacts {
         }
     }
 
-    /// The law that holds in a phase.
+    /// The equations of motion in a phase.
     pub fn dynamics(&self, phase: Phase) -> &dyn Dynamics<f64> {
         match phase {
             Phase::Rolling => &self.rolling,
             Phase::Sliding => self.sliding.dynamics().unwrap_or(&self.rolling),
-            // Of a body that lies nothing is asked but its energy.
+            // For a body that lies on its side only the energy is used.
             Phase::Flying | Phase::Lying => &self.flying,
         }
     }
 
-    /// The law that holds in a phase, as the solver sees it.
+    /// The system of differential equations of a phase.
     pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_> {
         let law = self.dynamics(phase);
         if phase == Phase::Sliding && self.dry().is_some() {
@@ -115,21 +113,21 @@ impl Contacts {
         }
     }
 
-    /// Does something with the system of equations that holds in a phase.
-    pub(super) fn solve<K: SystemVisitor>(&self, phase: Phase, task: K) -> K::Output {
+    /// Runs a computation with the system of differential equations of a phase.
+    pub(super) fn solve<K: SystemVisitor>(&self, phase: Phase, visitor: K) -> K::Output {
         match (phase, &self.sliding) {
             (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
                 if self.rolling.is_conservative() =>
             {
-                task.with::<_, RIGID_COORDINATES>(&Mechanics::new(self.rolling.dynamics()))
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(self.rolling.dynamics()))
             }
             (Phase::Sliding, SlidingDynamics::Frictionless(law)) if law.is_conservative() => {
-                task.with::<_, RIGID_COORDINATES>(&Mechanics::new(law.dynamics()))
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(law.dynamics()))
             }
             (Phase::Sliding, SlidingDynamics::Coulomb(law)) => {
-                task.with::<_, COORDINATES>(&Mechanics::slipping(law))
+                visitor.with::<_, COORDINATES>(&Mechanics::slipping(law))
             }
-            _ => task.with::<_, COORDINATES>(&self.mechanics(phase)),
+            _ => visitor.with::<_, COORDINATES>(&self.mechanics(phase)),
         }
     }
 
@@ -138,22 +136,22 @@ impl Contacts {
         &self.parameters
     }
 
-    /// The surface.
+    /// The contact law.
     pub fn contact_law(&self) -> &ContactLaw {
         &self.contact_law
     }
 
-    /// The law of sliding under dry friction, where there is dry friction.
+    /// The equations of sliding under dry friction, if the friction is dry.
     pub(super) fn dry(&self) -> Option<&dyn DryDynamics> {
         self.sliding.dry()
     }
 
-    /// Whether the contact may be lost and found again: the two ideal laws end there instead.
+    /// Whether motions can contain flights. Under the two ideal laws they end at a lift-off instead.
     pub(super) fn can_fly(&self) -> bool {
         self.contact_law.friction.ideal().is_none()
     }
 
-    /// By how much dry friction could hold the rolling rim yet, N sin φ: μ_s N − |T|.
+    /// The margin of a rolling rim to the friction cone, (μ_s N − |T|) sin φ.
     pub(super) fn friction_cone_margin(&self, u: &Coordinates<f64>) -> f64 {
         let Some(static_friction) = self.contact_law.friction.static_friction() else {
             return 1.0;
@@ -168,14 +166,14 @@ impl Contacts {
         self.stopped * k.r * ErrorScale::new(k).rate(u)
     }
 
-    /// How a rim on the table goes on.
+    /// The next phase of a rim on the table.
     pub(crate) fn settle(&self, u: &Coordinates<f64>) -> Transition {
         match self.contact_law.friction {
             FrictionLaw::NoSlip => Transition::Roll,
             FrictionLaw::Frictionless => Transition::Slide,
             _ if self.dry().is_some() && u.slip_speed() <= self.stopped_speed(u) => {
-                let pressed = self.rolling.contact(u).normal > 0.0;
-                if pressed && self.friction_cone_margin(u) >= 0.0 {
+                let in_contact = self.rolling.contact(u).normal > 0.0;
+                if in_contact && self.friction_cone_margin(u) >= 0.0 {
                     Transition::Roll
                 } else {
                     self.begin_to_slip(u)
@@ -186,7 +184,7 @@ impl Contacts {
                 if law.consistency(u) <= 0.0 {
                     Transition::Paradox
                 } else if self.scaled_normal_force(u) >= -1e-14 * self.force_scale(u) {
-                    // A flight that rises by a rounding error ends where it begins.
+                    // The tolerance avoids flights that are due to a rounding error.
                     Transition::Slide
                 } else {
                     Transition::Fly
@@ -195,39 +193,40 @@ impl Contacts {
         }
     }
 
-    /// A force times sin φ, of what throws the rim about, to compare [`Self::scaled_normal_force`] with.
+    /// The scale of [`Self::scaled_normal_force`]: weight and inertial forces, times sin φ.
     fn force_scale(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
         let rates = u.p * u.p + u.w * u.w + u.s * u.s;
         k.m * (u.sin * k.g + (k.r + k.h) * rates)
     }
 
-    /// Whether resistance has stopped the contact point's running round the rim for good: the tilt falls to
-    /// zero and does not rise again.
+    /// Whether resistance has stopped the motion of the contact point along the rim for good, so that the
+    /// tilt falls to zero and does not rise again.
     ///
-    /// For the tilt to rise, w, which grows at the rate |φ̇| w as the tilt falls, has to reach the size of φ̇.
-    /// It cannot where resistance would take a hundred times as much from a w of that size, since
-    /// resistance grows beside that rate as the tilt falls on. Of the two signs of w one may lift the rim
-    /// off the table, where nothing resists; the other counts.
+    /// For the tilt to rise, w, which grows at the rate |φ̇| w as the tilt falls, has to reach the size of
+    /// φ̇. It cannot if resistance would reduce a w of that size a hundred times as fast, since resistance
+    /// grows relative to that rate as the tilt falls further. A w of one sign can lift the rim off the table,
+    /// where there is no resistance; the other sign is decisive then.
     pub(super) fn has_stopped_running(&self, phase: Phase, u: &Coordinates<f64>) -> bool {
-        const FOR_GOOD: f64 = 100.0;
+        const MIN_RATIO: f64 = 100.0;
         if u.p >= 0.0 || u.w.abs() > 0.5 * u.p.abs() {
             return false;
         }
         let law = self.dynamics(phase);
-        let taken_from = |w: f64| -w.signum() * law.resistance_rate(&Coordinates { w, ..*u });
-        taken_from(u.p).max(taken_from(-u.p)) > FOR_GOOD * u.p * u.p
+        let deceleration = |w: f64| -w.signum() * law.resistance_rate(&Coordinates { w, ..*u });
+        deceleration(u.p).max(deceleration(-u.p)) > MIN_RATIO * u.p * u.p
     }
 
-    /// Positive where a rim that slides is pressed to the table, N sin φ: where it is by its friction, or
-    /// where, without the table, it would go through it.
+    /// N sin φ of a rim that slides or, if larger, m sin φ times the downward acceleration that the rim would
+    /// have in flight. It is positive where friction presses the rim to the table, or where the rim would
+    /// penetrate the table in flight.
     pub(super) fn scaled_normal_force(&self, u: &Coordinates<f64>) -> f64 {
         let falling = -self.parameters.m * self.flying.rates(u).gap_rate;
         self.dynamics(Phase::Sliding).contact(u).normal.max(falling)
     }
 
-    /// How a rim at rest that friction cannot hold begins to slip: in the direction in which it then
-    /// accelerates, which is against the friction that would be needed where that is just too much.
+    /// The onset of slip of a rim at rest that friction cannot hold. It slips in the direction in which it
+    /// then accelerates. If friction is only just exceeded, that is opposite to the friction needed to stick.
     pub(crate) fn begin_to_slip(&self, u: &Coordinates<f64>) -> Transition {
         let Some(dry) = self.dry() else {
             return Transition::Slide;
@@ -239,39 +238,38 @@ impl Contacts {
         } else {
             [1.0, 0.0]
         };
-        if let Some(angle) = kept_angle(dry, u, against) {
-            return Transition::BeginToSlip(turned(against, angle));
+        if let Some(angle) = stable_angle(dry, u, against) {
+            return Transition::BeginToSlip(rotated(against, angle));
         }
         const SAMPLES: u32 = 64;
         let angle = |i: u32| TAU * (f64::from(i) / f64::from(SAMPLES) - 0.5);
         let sideways = |angle: f64| onset(dry, u, against, angle).sideways;
-        let kept = (0..SAMPLES).filter_map(|i| {
-            // A direction attracts when the slip is turned toward it from both sides.
+        let stable = (0..SAMPLES).filter_map(|i| {
+            // A direction is stable if the slip on both sides of it turns toward it.
             let (from, to) = (angle(i), angle(i + 1));
-            let attracts = sideways(from) >= 0.0 && sideways(to) < 0.0;
-            let root = attracts.then(|| crate::solve::bracketed_root(from, to, sideways))?;
-            let e = turned(against, root);
-            kept_angle(dry, u, e).map(|more| (root.abs(), turned(e, more)))
+            let is_stable = sideways(from) >= 0.0 && sideways(to) < 0.0;
+            let root = is_stable.then(|| crate::solve::bracketed_root(from, to, sideways))?;
+            let e = rotated(against, root);
+            stable_angle(dry, u, e).map(|more| (root.abs(), rotated(e, more)))
         });
-        match kept.min_by(|a, b| a.0.total_cmp(&b.0)) {
+        match stable.min_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((_, e)) => Transition::BeginToSlip(e),
             None if self.scaled_normal_force(u) < 0.0 => Transition::Fly,
             None => Transition::Paradox,
         }
     }
 
-    /// Whether toppling here means that the side of the body meets the table: not in the air, and the two
-    /// ideal laws, which know no landing, leave it at that.
+    /// Whether toppling means here that the side of the body strikes the table. It does not in flight, nor
+    /// under the two ideal laws, which have no impacts.
     pub(super) fn falls_on_its_side(&self, at: &Instant) -> bool {
         let on_table = at.phase != Phase::Flying;
         let upright_base = (at.tilt() - FRAC_PI_2).abs() < 1e-9;
         self.can_fly() && self.parameters.h > 0.0 && on_table && upright_base
     }
 
-    /// The body after its side has met the table without rebound: neither tilting nor rising, and
-    /// with the horizontal momentum that it had. Where along the side the table has pushed does not
-    /// matter. What is left rolls on its side. The rim stays on the table: what ends is the motion of
-    /// the centre of mass down and the tilting, ½ (A + mρ²) φ̇².
+    /// The body after its side has struck the table without rebound. The tilt rate and the vertical velocity
+    /// of the centre of mass become zero, which dissipates ½ (A + mρ²) φ̇²; the horizontal momentum is
+    /// conserved. The position of the impulse along the side does not matter. The rim stays on the table.
     pub(super) fn fallen_on_its_side(&self, at: &Instant) -> Instant {
         let k = &self.parameters;
         let [slip_x, slip_y] = self.dynamics(at.phase).slip(at);
@@ -287,7 +285,7 @@ impl Contacts {
         Instant { phase, u }
     }
 
-    /// The rates at the start of a motion, by the law that then holds.
+    /// The rates at the start of a motion, under the law that holds there.
     pub(crate) fn first_rates(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         match (self.settle(u), self.dry()) {
             (Transition::Roll, _) => self.rolling.rates(u),
@@ -296,11 +294,14 @@ impl Contacts {
         }
     }
 
-    /// The coordinates after a landing, and how the rim goes on; none where the impact cannot be followed.
-    pub(super) fn land(&self, u: &Coordinates<f64>) -> Option<(Coordinates<f64>, Transition)> {
+    /// The coordinates after an impact and the next phase; `None` where the impact cannot be computed.
+    pub(super) fn resolve_impact(
+        &self,
+        u: &Coordinates<f64>,
+    ) -> Option<(Coordinates<f64>, Transition)> {
         let friction = self.contact_law.friction.impact_coefficient(u.slip_speed());
         let restitution = self.contact_law.restitution;
-        // Rebounds that fall off by a factor need an end: one that lasts no time to speak of.
+        // A geometric sequence of rebounds needs an end: rebounds slower than this speed are ignored.
         let rest = self.stopped_speed(u);
         let after = impact::resolve(&self.parameters, u, friction, restitution, rest)?;
         let next = if after.gap_rate > 0.0 {
@@ -312,38 +313,38 @@ impl Contacts {
     }
 }
 
-/// How a slip from rest would begin in a direction.
-struct Onset {
+/// The onset of a slip from rest in a trial direction.
+struct TrialOnset {
     /// The slip's acceleration across the direction.
     sideways: f64,
-    /// The same along it.
+    /// The slip's acceleration along the direction.
     forward: f64,
-    /// Of the forces on it, to compare with.
+    /// The scale of the accelerations.
     size: f64,
     normal: f64,
     consistency: f64,
 }
 
-impl Onset {
-    /// At loose tolerances sin² φ + cos² φ = 1, and with it the laws' agreement on when slip begins, is
-    /// kept to some 1e-8.
+impl TrialOnset {
+    /// At loose tolerances sin² φ + cos² φ = 1 holds to about 1e-8, and so does the agreement of the laws on
+    /// when the slip begins.
     fn is_possible(&self) -> bool {
         self.forward >= -1e-6 * self.size && self.normal > 0.0 && self.consistency > 0.0
     }
 }
 
-/// The direction close by, as an angle from `base`, that a slip which begins in it keeps: to the
-/// last digit, since any other is left at once. By Newton's method.
-fn kept_angle(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
-    const NUDGE: f64 = 1e-5;
-    const CLOSE_BY: f64 = 0.3;
+/// The angle from `base` to a nearby direction that is constant as the slip begins, to the last digit,
+/// because the slip would leave any other direction at once. It is found by Newton's method.
+fn stable_angle(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2]) -> Option<f64> {
+    const INCREMENT: f64 = 1e-5;
+    const MAX_ANGLE: f64 = 0.3;
     let sideways = |angle: f64| onset(dry, u, base, angle).sideways;
     let mut angle = 0.0;
     for _ in 0..20 {
-        let slope = (sideways(angle + NUDGE) - sideways(angle - NUDGE)) / (2.0 * NUDGE);
+        let slope = (sideways(angle + INCREMENT) - sideways(angle - INCREMENT)) / (2.0 * INCREMENT);
         let correction = -sideways(angle) / slope;
         angle += correction;
-        if !(slope < 0.0 && angle.abs() < CLOSE_BY) {
+        if !(slope < 0.0 && angle.abs() < MAX_ANGLE) {
             return None;
         }
         if correction.abs() <= 4.0 * f64::EPSILON * angle.abs() {
@@ -353,8 +354,8 @@ fn kept_angle(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2]) -> Op
     onset(dry, u, base, angle).is_possible().then_some(angle)
 }
 
-fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> Onset {
-    let e = turned(base, angle);
+fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64) -> TrialOnset {
+    let e = rotated(base, angle);
     let at_rest = Coordinates {
         slip_x: 0.0,
         slip_y: 0.0,
@@ -362,7 +363,7 @@ fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64
     };
     let (contact, rates) = dry.slipping(&at_rest, e, 0.0);
     let k = dry.parameters();
-    Onset {
+    TrialOnset {
         sideways: rates.slip_y * e[0] - rates.slip_x * e[1],
         forward: rates.slip_x * e[0] + rates.slip_y * e[1],
         size: libm::hypot(contact.along, contact.across) * k.sideways_mobility()
@@ -372,8 +373,8 @@ fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64
     }
 }
 
-/// A unit vector turned by an angle.
-pub(super) fn turned(e: [f64; 2], angle: f64) -> [f64; 2] {
+/// A unit vector rotated by an angle.
+pub(super) fn rotated(e: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(angle);
     [e[0] * cos - e[1] * sin, e[1] * cos + e[0] * sin]
 }

@@ -1,14 +1,14 @@
-//! How a motion ended, in numbers and in a sentence for the user.
+//! The ending of a motion, in numbers and as a sentence for the user.
 
 use super::contacts::{Contacts, Phase};
-use super::events::Switch;
+use super::events::TerminalEvent;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status};
 use crate::error::formatted;
 use crate::solve::Work;
 use crate::turn::painleve_friction_at;
 
-/// The unit in which a sentence tells angles.
+/// The unit of the angles in a sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleUnit {
     /// rad.
@@ -18,15 +18,15 @@ pub enum AngleUnit {
 }
 
 impl AngleUnit {
-    fn tell(self, angle: f64) -> String {
+    fn formatted(self, angle: f64) -> String {
         match self {
             AngleUnit::Radians => format!("{angle:.6} rad"),
             AngleUnit::Degrees => format!("{:.3}°", angle.to_degrees()),
         }
     }
 
-    /// To one digit.
-    fn tell_roughly(self, angle: f64) -> String {
+    /// The angle to one significant digit.
+    fn rounded(self, angle: f64) -> String {
         match self {
             AngleUnit::Radians => format!("{angle:.0e} rad"),
             AngleUnit::Degrees => format!("{:.0e}°", angle.to_degrees()),
@@ -41,21 +41,21 @@ impl AngleUnit {
     }
 }
 
-/// How and when a motion ended.
+/// The ending of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ending {
-    /// How.
+    /// The kind of ending.
     pub kind: EndingKind,
-    /// When, s.
+    /// The time of the ending, s.
     pub t: f64,
-    /// φ then, rad.
+    /// φ at the ending, rad.
     pub tilt: f64,
 }
 
-/// What a motion ends with, in more detail than its [`Status`], and the numbers that belong to it.
+/// The kind of ending, in more detail than its [`Status`], with the numbers that belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum EndingKind {
-    /// Time is up.
+    /// The duration is reached.
     Finished,
     /// The topple tilt is reached on the rim.
     Toppled,
@@ -63,13 +63,13 @@ pub enum EndingKind {
     ToppledInTheAir,
     /// The side meets the table.
     FellOnItsSide(OnItsSide),
-    /// The rim would have to be pulled down.
+    /// The normal force would become negative.
     LiftedOff,
     /// The base comes down flat without any sideways motion.
     FaceDown,
     /// The tilt falls below [`FACE_DOWN_TILT`].
     TooFlat,
-    /// Resistance has stopped the contact point's running round the rim, and the base comes down flat.
+    /// Resistance has stopped the contact point on the rim, and the base comes down flat.
     StoppedRunning {
         /// φ̇, rad/s.
         tilt_rate: f64,
@@ -78,42 +78,42 @@ pub enum EndingKind {
     },
     /// The base lies flat.
     AtRest {
-        /// The part of the energy that goes with it.
+        /// The remaining fraction of the initial energy, which is lost.
         energy_left: f64,
     },
-    /// Painlevé's paradox.
+    /// The Painlevé paradox.
     Painleve {
         /// The coefficient of friction at which it begins at this tilt.
         friction: f64,
     },
-    /// As many steps as are allowed are made.
+    /// The maximal number of steps is reached.
     OutOfSteps {
-        /// How many.
+        /// The maximal number of steps.
         max_steps: usize,
     },
-    /// The solver found no step short enough.
+    /// The step size of the solver underflowed.
     NoStep,
-    /// The caller asked to stop.
+    /// The caller stopped the computation.
     Interrupted,
 }
 
-/// What a body does whose side has just met the table.
+/// The motion of a body whose side has just struck the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OnItsSide {
-    /// Its speed of sliding, m/s.
+    /// The speed of sliding, m/s.
     pub sliding: f64,
-    /// s, about its axis, rad/s.
+    /// s, the spin about the axis, rad/s.
     pub axial_spin: f64,
-    /// Its rate of turning about the vertical, rad/s.
+    /// The rate of rotation about the vertical, rad/s.
     pub turning: f64,
-    /// Whether all of this is too slow to speak of.
-    pub rests: bool,
+    /// Whether all of these are negligible.
+    pub is_at_rest: bool,
 }
 
 impl Ending {
-    /// The ending of a motion with this status, whose last phase ended `by` a switch.
-    pub(super) fn of(
-        (status, by): (Status, Option<Switch>),
+    /// The ending of a motion with this status and the terminal event of its last phase.
+    pub(super) fn new(
+        (status, last_event): (Status, Option<TerminalEvent>),
         contacts: &Contacts,
         track: &Track,
         options: &Options,
@@ -123,16 +123,18 @@ impl Ending {
         let kind = match status {
             Status::Finished => EndingKind::Finished,
             Status::Toppled if end.phase == Phase::Lying => {
-                EndingKind::FellOnItsSide(OnItsSide::of(contacts, &end))
+                EndingKind::FellOnItsSide(OnItsSide::new(contacts, &end))
             }
             Status::Toppled if end.phase == Phase::Flying => EndingKind::ToppledInTheAir,
             Status::Toppled => EndingKind::Toppled,
             Status::LiftedOff => EndingKind::LiftedOff,
             Status::FaceDown if end.w == 0.0 && end.s == 0.0 => EndingKind::FaceDown,
-            Status::FaceDown if by == Some(Switch::StoppedRunning) => EndingKind::StoppedRunning {
-                tilt_rate: end.p,
-                axial_spin: end.s,
-            },
+            Status::FaceDown if last_event == Some(TerminalEvent::StoppedRunning) => {
+                EndingKind::StoppedRunning {
+                    tilt_rate: end.p,
+                    axial_spin: end.s,
+                }
+            }
             Status::FaceDown => EndingKind::TooFlat,
             Status::AtRest => EndingKind::AtRest {
                 energy_left: remaining_energy(contacts, track),
@@ -153,7 +155,7 @@ impl Ending {
         }
     }
 
-    /// Its status.
+    /// The status that corresponds to this ending.
     pub fn status(&self) -> Status {
         match self.kind {
             EndingKind::Finished => Status::Finished,
@@ -174,7 +176,7 @@ impl Ending {
     /// The ending in a sentence.
     pub fn sentence(&self, unit: AngleUnit) -> String {
         let t = formatted_time(self.t);
-        let tilt = unit.tell(self.tilt);
+        let tilt = unit.formatted(self.tilt);
         match self.kind {
             EndingKind::Finished => format!("followed for the whole {} s", formatted(self.t)),
             EndingKind::FellOnItsSide(after) => format!(
@@ -206,9 +208,9 @@ impl Ending {
             ),
             EndingKind::TooFlat => format!(
                 "face down at t = {t} s: the tilt falls below {}, where the contact point \
-                 would run round the rim in less time than the last digit of t can tell. A start with a \
+                 would run round the rim in less time than the last digit of t can formatted. A start with a \
                  larger yaw_rate or spin_rate can be followed past this point",
-                unit.tell_roughly(FACE_DOWN_TILT)
+                unit.rounded(FACE_DOWN_TILT)
             ),
             EndingKind::AtRest { energy_left } => format!(
                 "at rest at t = {t} s: the base lies flat, and the last {energy_left:.1e} of the energy goes with it"
@@ -228,7 +230,7 @@ impl Ending {
 }
 
 impl OnItsSide {
-    fn of(contacts: &Contacts, end: &Instant) -> OnItsSide {
+    fn new(contacts: &Contacts, end: &Instant) -> OnItsSide {
         let k = contacts.parameters();
         let [along, across] = contacts.dynamics(end.phase).slip(end);
         let sliding = libm::hypot(along, across);
@@ -237,12 +239,12 @@ impl OnItsSide {
             sliding,
             axial_spin: end.s,
             turning: end.w,
-            rests: sliding + turning < 1e-3 * (k.g * k.r).sqrt(),
+            is_at_rest: sliding + turning < 1e-3 * (k.g * k.r).sqrt(),
         }
     }
 
     fn in_words(self) -> String {
-        if self.rests {
+        if self.is_at_rest {
             return "comes to rest".to_owned();
         }
         format!(

@@ -1,4 +1,4 @@
-//! What happens on the way: extremes of the tilt, the upright edge, and changes of the contact.
+//! Events: extrema of the tilt, passages over the edge, changes of the contact, and endings.
 
 use super::contacts::{Contacts, Phase};
 use super::step_bounds::{StepBounds, are_clear};
@@ -10,20 +10,20 @@ use crate::law::Dynamics;
 use crate::solve::Step;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES, TIME};
 
-/// What happened.
+/// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
-    /// The tilt is smallest: the near-collision.
+    /// A minimum of the tilt: the near-collision.
     TiltMin,
-    /// The tilt is largest.
+    /// A maximum of the tilt.
     TiltMax,
-    /// The base is vertical, tilt π/2: a disk stands on its edge on its way from one face to the other.
+    /// The base is vertical, tilt π/2: a disk passes over its edge from one face to the other.
     OnEdge,
-    /// Friction no longer holds the rim: it begins to slip.
+    /// Friction no longer suffices to hold the rim, which begins to slip.
     Slip,
-    /// The slip has stopped and friction holds the rim: it rolls.
+    /// The slip has stopped and friction holds the rim, which rolls.
     Stick,
-    /// The normal force is zero and about to turn negative: the rim leaves the table.
+    /// The normal force is zero and about to become negative: the rim leaves the table.
     LiftOff,
     /// The rim strikes the table.
     Land,
@@ -31,10 +31,10 @@ pub enum EventKind {
     Topple,
     /// The base lands flat; the motion ends.
     FaceDown,
-    /// The energy is spent: all but the last 1e-10 of it or, where the base has come down flat under
-    /// a resistance, all but the last hundredth. The motion ends.
+    /// The energy has fallen to 1e-10 of its initial value or, if the base has come down flat under a
+    /// resistance, to 1e-2 of it. The motion ends.
     Rest,
-    /// Rigid-body mechanics with this friction has no one answer; the motion ends.
+    /// Rigid-body mechanics with this friction has no unique solution; the motion ends.
     Painleve,
 }
 
@@ -57,82 +57,82 @@ impl EventKind {
     }
 }
 
-/// Something that happened, and the coordinates at that moment.
+/// An event and the motion at that moment.
 #[derive(Debug, Clone, Copy)]
 pub struct Event {
-    /// What.
+    /// The kind of the event.
     pub kind: EventKind,
-    /// Where and when.
+    /// The motion at the event.
     pub at: Instant,
 }
 
-/// Looked at inside each step, and where the tilt is extreme: a topple tilt is not stepped over, and
-/// the normal force can dip below zero unseen only within a quarter of a step.
+/// The fractions of a step at which the event functions are sampled, in addition to the extrema of the tilt.
+/// So no topple tilt is missed, and the normal force can be negative unnoticed only within a quarter of a
+/// step.
 const SAMPLES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// The part of the energy at the start at which a motion counts as over.
+/// The fraction of the initial energy at which a motion counts as over.
 const REST_ENERGY: f64 = 1e-10;
 
-/// The same where a resistance has worn the motion down until the base lies flat: what is left is
-/// spent in the last slap.
+/// The same fraction for a base that resistance has brought down flat: the last impact dissipates the rest.
 const REST_ENERGY_FLAT: f64 = 1e-2;
 
-/// Painlevé's paradox counts as reached where so little is left of what determines the normal force.
+/// The value of [`Dynamics::consistency`] at which the Painlevé paradox counts as reached.
 const PARADOX: f64 = 1e-6;
 
-/// What a phase ends with.
+/// The terminal events of a phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Switch {
-    /// What was to be followed is followed.
+pub(super) enum TerminalEvent {
+    /// The goal is reached.
     Done,
     Topple,
     /// The tilt is zero.
     Flat,
-    /// Resistance has stopped the contact point's running round the rim, and the tilt is all but zero.
+    /// Resistance has stopped the contact point on the rim, and the tilt is nearly zero.
     StoppedRunning,
     /// The normal force is zero.
     LiftOff,
     /// Friction can no longer hold the rim.
-    Break,
-    /// Slip has stopped.
-    Stop,
+    SlipOnset,
+    /// The slip has stopped.
+    SlipEnd,
     Land,
     Rest,
     Paradox,
 }
 
-/// When a motion has been followed far enough.
+/// The goal of a simulation.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Goal {
-    /// At a time, s.
+    /// A time, s.
     Time(f64),
-    /// After one turn; at a time (s) at the latest.
+    /// The end of the first turn, or a time (s) if that comes first.
     Turn(f64),
-    /// When it rises again and |w| has fallen to this, rad/s.
+    /// The end of a near-collision: the tilt rises, and |w| has fallen to this value, rad/s.
     Passed(f64),
 }
 
 impl Goal {
-    /// Whether more is asked for than where the motion ends.
-    pub(super) fn wants_the_way(self) -> bool {
+    /// Whether the whole track is needed, and not only its end.
+    pub(super) fn needs_track(self) -> bool {
         !matches!(self, Goal::Turn(_))
     }
 }
 
-/// A change of sign of the tilt rate that is not yet known to be more than rounding.
+/// A sign change of the tilt rate that might still be a rounding error.
 enum Crossing {
-    /// Between two looks into a step.
+    /// Between two samples of a step.
     Within {
         record: Box<StepRecord>,
         dense: Box<Polynomial>,
         from: f64,
         to: f64,
     },
-    /// At once, in a landing or a flight through upright.
+    /// In a jump: an impact, or the change of coordinates in a flight through upright.
     Jump(Instant),
 }
 
-/// A finished step, and the polynomial that it is.
+/// A finished step with its dense output.
 #[derive(Clone, Copy)]
 struct StepPart<'p> {
     record: &'p StepRecord,
@@ -153,21 +153,21 @@ impl Sample {
     }
 }
 
-/// Where the tilt rate changes sign between two looks.
-fn extreme(dense: &Polynomial, from: &Sample, to: &Sample) -> Option<f64> {
+/// The fraction of the step at which the tilt rate changes sign between two samples.
+fn tilt_extremum(dense: &Polynomial, from: &Sample, to: &Sample) -> Option<f64> {
     let reverses = (from.u.p < 0.0) != (to.u.p < 0.0);
     reverses.then(|| dense.root(from.x, to.x, |u| Coordinates::from_array(u).p))
 }
 
-/// The looks, and one more wherever the tilt is extreme between two of them: what is reached there may be
-/// left again before the next look.
-fn with_extremes(dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
+/// The samples, with one more at each extremum of the tilt between two of them. A tilt reached there can be
+/// left again before the next sample.
+fn with_extrema(dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
     let mut all = Vec::with_capacity(samples.len() + 1);
     for (i, sample) in samples.iter().enumerate() {
         let before = i.checked_sub(1).map(|before| &samples[before]);
-        // A release from rest has its extreme where it begins: nothing has happened yet.
+        // The extremum at a release from rest is no event.
         let between = before
-            .and_then(|before| extreme(dense, before, sample))
+            .and_then(|before| tilt_extremum(dense, before, sample))
             .filter(|&x| x > 0.0);
         all.extend(between.map(|x| Sample::at(dense, x)));
         all.push(*sample);
@@ -175,9 +175,9 @@ fn with_extremes(dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
     all
 }
 
-/// A fraction of a step not before `from`, from which a flight that begins there and is over by `to`
-/// can be seen to land.
-fn in_the_air(dense: &Polynomial, from: f64, to: f64) -> f64 {
+/// A fraction of a step from `from` on at which the gap is positive, for a flight that begins at `from` and
+/// ends before `to`. The event function of landing has a sign change between that fraction and `to`.
+fn fraction_with_gap(dense: &Polynomial, from: f64, to: f64) -> f64 {
     let gap = |x: f64| Coordinates::from_array(&dense.at(x)).gap;
     let halves = (1..40).scan(to - from, |width, _| {
         *width *= 0.5;
@@ -189,24 +189,24 @@ fn in_the_air(dense: &Polynomial, from: f64, to: f64) -> f64 {
     halves.into_iter().find(|&x| gap(x) > 0.0).unwrap_or(from)
 }
 
-/// Watches the steps go by.
-pub(super) struct Watch<'a> {
+/// Detects and locates the events in each accepted step.
+pub(super) struct EventDetector<'a> {
     contacts: &'a Contacts,
     error_scale: ErrorScale<f64>,
     goal: Goal,
     topple: Option<(f64, f64)>,
     start_energy: f64,
-    /// A tilt rate counts as having a sign when it is larger than this part of its scale: a steady
-    /// wobble has none.
+    /// The sign of a tilt rate is significant if the rate exceeds this fraction of its scale. In a steady
+    /// wobble it never is.
     significant: f64,
-    /// The last such sign, and at first [that of the release](turns::direction_at_release).
+    /// The last significant sign; at first [that of the release](turns::direction_at_release).
     direction: f64,
     started_on_first_face: bool,
     crossing: Option<Crossing>,
     events: Vec<Event>,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> EventDetector<'a> {
     pub(super) fn new(
         contacts: &'a Contacts,
         options: &Options,
@@ -214,7 +214,7 @@ impl<'a> Watch<'a> {
         start: &Instant,
     ) -> Self {
         let energy = energy_above_rest(contacts.dynamics(start.phase), start);
-        Watch {
+        EventDetector {
             contacts,
             error_scale: ErrorScale::new(contacts.parameters()),
             goal,
@@ -228,34 +228,34 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// What happened, in order of time.
+    /// The events in order of time.
     pub(super) fn into_events(self) -> Vec<Event> {
         self.events
     }
 
-    /// Notes an event in its place: that a tilt was extreme is known only some time after.
-    pub(super) fn note(&mut self, kind: EventKind, at: Instant) {
+    /// Inserts an event in order of time, since an extremum of the tilt is only confirmed some time later.
+    pub(super) fn add(&mut self, kind: EventKind, at: Instant) {
         let earlier = |event: &Event| event.at.t.total_cmp(&at.t).is_le();
-        let place = self.events.partition_point(earlier);
-        self.events.insert(place, Event { kind, at });
+        let index = self.events.partition_point(earlier);
+        self.events.insert(index, Event { kind, at });
     }
 
-    /// The motion has changed at once from `before`, and with it perhaps the sign of the tilt rate.
-    pub(super) fn note_jump(&mut self, before: &Coordinates<f64>, at: Instant) {
+    /// Takes account of a jump of the motion from `before`, which can change the sign of the tilt rate.
+    pub(super) fn process_jump(&mut self, before: &Coordinates<f64>, at: Instant) {
         if (before.p < 0.0) != (at.p < 0.0) {
             self.crossing = Some(Crossing::Jump(at));
         }
-        self.follow_tilt_rate(&at);
+        self.update_direction(&at);
     }
 
-    /// Whether a body whose contact point resistance has stopped has no energy to speak of any more.
+    /// Whether the remaining energy of a body whose contact point resistance has stopped is negligible.
     pub(super) fn has_spent_its_energy(&self, at: &Instant) -> bool {
         let energy = energy_above_rest(self.contacts.dynamics(at.phase), at);
         energy < REST_ENERGY_FLAT * self.start_energy
     }
 
-    /// What a phase can end with, and the sign that its level has before.
-    fn switches(&self, phase: Phase) -> impl Iterator<Item = (Switch, f64)> + use<> {
+    /// The possible terminal events of a phase, with the signs of their event functions before the event.
+    fn terminal_events(&self, phase: Phase) -> impl Iterator<Item = (TerminalEvent, f64)> + use<> {
         let dry = self.contacts.dry().is_some();
         let ideal = !self.contacts.can_fly();
         let resists = self.contacts.contact_law().resists();
@@ -263,31 +263,48 @@ impl<'a> Watch<'a> {
         let on_table = phase != Phase::Flying;
         let in_time = !matches!(self.goal, Goal::Passed(_));
         [
-            (Switch::Done, -1.0, true),
-            (Switch::Topple, -1.0, self.topple.is_some()),
-            (Switch::LiftOff, 1.0, on_table),
-            (Switch::Flat, 1.0, in_time),
-            (Switch::StoppedRunning, 1.0, in_time && on_table && resists),
-            (Switch::Break, 1.0, dry && phase == Phase::Rolling),
-            (Switch::Stop, 1.0, dry && phase == Phase::Sliding),
-            (Switch::Paradox, 1.0, !ideal && phase == Phase::Sliding),
-            (Switch::Land, 1.0, !on_table),
-            (Switch::Rest, 1.0, loses && in_time && on_table),
+            (TerminalEvent::Done, -1.0, true),
+            (TerminalEvent::Topple, -1.0, self.topple.is_some()),
+            (TerminalEvent::LiftOff, 1.0, on_table),
+            (TerminalEvent::Flat, 1.0, in_time),
+            (
+                TerminalEvent::StoppedRunning,
+                1.0,
+                in_time && on_table && resists,
+            ),
+            (
+                TerminalEvent::SlipOnset,
+                1.0,
+                dry && phase == Phase::Rolling,
+            ),
+            (TerminalEvent::SlipEnd, 1.0, dry && phase == Phase::Sliding),
+            (
+                TerminalEvent::Paradox,
+                1.0,
+                !ideal && phase == Phase::Sliding,
+            ),
+            (TerminalEvent::Land, 1.0, !on_table),
+            (TerminalEvent::Rest, 1.0, loses && in_time && on_table),
         ]
         .into_iter()
         .filter(|&(.., possible)| possible)
-        .map(|(switch, before, _)| (switch, before))
+        .map(|(event, before, _)| (event, before))
     }
 
-    /// Whether there is no motion to follow: the start cannot be or must not be left.
-    pub(super) fn at_start(&self, start: &Instant) -> Option<Switch> {
-        self.switches(start.phase)
-            .filter(|(switch, _)| !matches!(switch, Switch::Break | Switch::Stop | Switch::Land))
-            .find(|&(switch, before)| before * self.level(switch, start.phase, start) < 0.0)
-            .map(|(switch, _)| switch)
+    /// The terminal event that has already occurred at the start, if there is one.
+    pub(super) fn event_at_start(&self, start: &Instant) -> Option<TerminalEvent> {
+        self.terminal_events(start.phase)
+            .filter(|(event, _)| {
+                !matches!(
+                    event,
+                    TerminalEvent::SlipOnset | TerminalEvent::SlipEnd | TerminalEvent::Land
+                )
+            })
+            .find(|&(event, before)| before * self.event_function(event, start.phase, start) < 0.0)
+            .map(|(event, _)| event)
     }
 
-    /// Whether it is clear at a glance that nothing happens in a step, as in most.
+    /// Whether the exclusion tests show that a step contains no event, as most steps do.
     #[inline]
     pub(super) fn is_uneventful<const N: usize>(&self, phase: Phase, step: &Step<f64, N>) -> bool {
         if self.direction == 0.0 {
@@ -301,15 +318,15 @@ impl<'a> Watch<'a> {
                 Goal::Time(end) | Goal::Turn(end)
                     if N == RIGID_COORDINATES && !self.contacts.can_fly() =>
                 {
-                    self.stays_on_an_ideal_table(&bounds, end)
+                    self.excludes_ideal_endings(&bounds, end)
                 }
-                _ => self.ends_by_nothing(phase, &bounds),
+                _ => self.excludes_endings(phase, &bounds),
             }
     }
 
-    /// Whether it does not come near any of the few endings under an ideal law.
+    /// Whether the step contains none of the few terminal events of an ideal law.
     #[inline(always)]
-    fn stays_on_an_ideal_table(&self, bounds: &StepBounds, end: f64) -> bool {
+    fn excludes_ideal_endings(&self, bounds: &StepBounds, end: f64) -> bool {
         let upright = |(sin, cos)| bounds.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
         bounds.end().t < end
             && bounds.stays_above(FACE_DOWN_TILT, |u| u.sin)
@@ -317,90 +334,96 @@ impl<'a> Watch<'a> {
             && bounds.keeps_contact(self.contacts.parameters())
     }
 
-    /// Whether it does not come near any ending.
-    fn ends_by_nothing(&self, phase: Phase, bounds: &StepBounds) -> bool {
+    /// Whether the step contains no terminal event.
+    fn excludes_endings(&self, phase: Phase, bounds: &StepBounds) -> bool {
         let three_points = bounds.three_points();
-        self.switches(phase).all(|(switch, before)| {
-            are_clear([0, 1, 2].map(|i| before * self.level(switch, phase, &three_points[i])))
+        self.terminal_events(phase).all(|(event, before)| {
+            are_clear(
+                [0, 1, 2].map(|i| before * self.event_function(event, phase, &three_points[i])),
+            )
         })
     }
 
-    /// Takes in an accepted step: notes what happened and adds it to the track, cut short where the
-    /// phase ends.
-    pub(super) fn pass(
+    /// Processes an accepted step: locates its events and adds the step to the track, shortened to the end
+    /// of the phase if that lies in the step.
+    pub(super) fn process(
         &mut self,
         record: StepRecord,
         dense: &Polynomial,
         track: &mut Track,
-    ) -> Option<Switch> {
+    ) -> Option<TerminalEvent> {
         let phase = record.phase;
         let part = StepPart {
             record: &record,
             dense,
         };
         let samples = SAMPLES.map(|x| Sample::at(dense, x)).to_vec();
-        let closer = with_extremes(dense, &samples);
-        let Some((switch, x)) = self.first_ending(phase, dense, &closer) else {
-            self.note_extremes(part, &samples);
-            self.note_on_edge(part, &closer);
+        let with_tilt_extrema = with_extrema(dense, &samples);
+        let Some((event, x)) = self.first_terminal_event(phase, dense, &with_tilt_extrema) else {
+            self.detect_extrema(part, &samples);
+            self.detect_edge(part, &with_tilt_extrema);
             track.push(record);
-            return self.has_turned().then_some(Switch::Done);
+            return self.has_turned().then_some(TerminalEvent::Done);
         };
-        let up_to_the_end = |mut samples: Vec<Sample>| {
+        let until_end = |mut samples: Vec<Sample>| {
             samples.retain(|sample| sample.x < x);
             samples.push(Sample::at(dense, x));
             samples
         };
-        let mut last = self.refine(part, x, |u| self.level(switch, phase, u));
-        if let (Switch::Done, Goal::Time(duration) | Goal::Turn(duration)) = (switch, self.goal) {
-            // Neither a rounding error short of what was asked for nor one beyond it.
+        let mut last = self.refine(part, x, |u| self.event_function(event, phase, u));
+        if let (TerminalEvent::Done, Goal::Time(duration) | Goal::Turn(duration)) =
+            (event, self.goal)
+        {
+            // The motion must end exactly at the given time, without a rounding error.
             last.end[TIME] = duration;
         }
-        self.note_extremes(part, &up_to_the_end(samples));
-        self.note_on_edge(part, &up_to_the_end(closer));
-        // Each time is right but for rounding, and nothing happens after the end.
+        self.detect_extrema(part, &until_end(samples));
+        self.detect_edge(part, &until_end(with_tilt_extrema));
+        // Rounding must not put an event after the end.
         for event in &mut self.events {
             if event.at.t > last.end[TIME] {
                 event.at.u = Coordinates::from_array(&last.end);
             }
         }
         track.push(last);
-        Some(switch)
+        Some(event)
     }
 
-    /// Whether one turn was asked for and is over.
+    /// Whether the goal is one turn and that turn is complete.
     fn has_turned(&self) -> bool {
         matches!(self.goal, Goal::Turn(_))
             && turns::end_of_first_turn(self.started_on_first_face, &self.events).is_some()
     }
 
-    /// A function of the coordinates that changes sign where the phase ends.
-    fn level(&self, switch: Switch, phase: Phase, u: &Coordinates<f64>) -> f64 {
+    /// The event function: it changes sign at the event.
+    fn event_function(&self, event: TerminalEvent, phase: Phase, u: &Coordinates<f64>) -> f64 {
         let law = self.contacts.dynamics(phase);
-        match switch {
-            Switch::Done => match self.goal {
+        match event {
+            TerminalEvent::Done => match self.goal {
                 Goal::Time(duration) | Goal::Turn(duration) => u.t - duration,
                 Goal::Passed(w) if u.p > 0.0 => w - u.w.abs(),
                 Goal::Passed(_) => -1.0,
             },
             // sin(φ − φ_topple) has the sign of φ − φ_topple within (0, π).
-            Switch::Topple => self
+            TerminalEvent::Topple => self
                 .topple
                 .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
-            Switch::LiftOff if phase == Phase::Sliding => self.contacts.scaled_normal_force(u),
-            Switch::LiftOff => law.contact(u).normal,
-            Switch::Flat => u.sin - FACE_DOWN_TILT,
-            Switch::StoppedRunning => self.over_stopped(phase, u),
-            Switch::Break => self.contacts.friction_cone_margin(u),
-            Switch::Stop => u.slip_speed() - self.contacts.stopped_speed(u),
-            Switch::Paradox => law.consistency(u) - PARADOX,
-            Switch::Land => u.gap,
-            Switch::Rest => energy_above_rest(law, u) - REST_ENERGY * self.start_energy,
+            TerminalEvent::LiftOff if phase == Phase::Sliding => {
+                self.contacts.scaled_normal_force(u)
+            }
+            TerminalEvent::LiftOff => law.contact(u).normal,
+            TerminalEvent::Flat => u.sin - FACE_DOWN_TILT,
+            TerminalEvent::StoppedRunning => self.excess_over_stopped(phase, u),
+            TerminalEvent::SlipOnset => self.contacts.friction_cone_margin(u),
+            TerminalEvent::SlipEnd => u.slip_speed() - self.contacts.stopped_speed(u),
+            TerminalEvent::Paradox => law.consistency(u) - PARADOX,
+            TerminalEvent::Land => u.gap,
+            TerminalEvent::Rest => energy_above_rest(law, u) - REST_ENERGY * self.start_energy,
         }
     }
 
-    /// Positive until resistance has stopped the contact point's running and the rim is all but flat.
-    fn over_stopped(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
+    /// The event function of [`TerminalEvent::StoppedRunning`].
+    fn excess_over_stopped(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
         if u.sin > STOPPED_TILT || self.contacts.has_stopped_running(phase, u) {
             u.sin - STOPPED_TILT
         } else {
@@ -408,48 +431,50 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// The first ending inside a step and the fraction of the step where it is.
-    fn first_ending(
+    /// The first terminal event inside a step and the fraction of the step at which it occurs.
+    fn first_terminal_event(
         &self,
         phase: Phase,
         dense: &Polynomial,
         samples: &[Sample],
-    ) -> Option<(Switch, f64)> {
-        let ends = |sample: &[Sample]| self.ending_between(phase, dense, &sample[0], &sample[1]);
+    ) -> Option<(TerminalEvent, f64)> {
+        let ends =
+            |sample: &[Sample]| self.terminal_event_between(phase, dense, &sample[0], &sample[1]);
         samples.windows(2).find_map(ends)
     }
 
-    fn ending_between(
+    fn terminal_event_between(
         &self,
         phase: Phase,
         dense: &Polynomial,
         from: &Sample,
         to: &Sample,
-    ) -> Option<(Switch, f64)> {
-        self.switches(phase)
-            .filter(|&(switch, before)| before * self.level(switch, phase, &to.u) <= 0.0)
-            // A slip that has just begun is slow, too.
-            .filter(|&(switch, _)| {
-                switch != Switch::Stop || to.u.slip_speed() < from.u.slip_speed()
+    ) -> Option<(TerminalEvent, f64)> {
+        self.terminal_events(phase)
+            .filter(|&(event, before)| before * self.event_function(event, phase, &to.u) <= 0.0)
+            // A slip that has just begun is slow, but it does not end.
+            .filter(|&(event, _)| {
+                event != TerminalEvent::SlipEnd || to.u.slip_speed() < from.u.slip_speed()
             })
-            .map(|(switch, _)| {
-                let level =
-                    |u: &[f64; COORDINATES]| self.level(switch, phase, &Coordinates::from_array(u));
-                let from = match switch {
-                    Switch::Land => in_the_air(dense, from.x, to.x),
+            .map(|(event, _)| {
+                let level = |u: &[f64; COORDINATES]| {
+                    self.event_function(event, phase, &Coordinates::from_array(u))
+                };
+                let from = match event {
+                    TerminalEvent::Land => fraction_with_gap(dense, from.x, to.x),
                     _ => from.x,
                 };
-                (switch, dense.root(from, to.x, level))
+                (event, dense.root(from, to.x, level))
             })
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
+    /// The sign of the tilt rate, or 0 if it is not significant.
     fn sign_of_tilt_rate(&self, u: &Coordinates<f64>) -> f64 {
         self.error_scale.sign_of_tilt_rate(u, self.significant)
     }
 
-    fn note_extremes(&mut self, part: StepPart<'_>, samples: &[Sample]) {
+    fn detect_extrema(&mut self, part: StepPart<'_>, samples: &[Sample]) {
         for sample in samples.windows(2) {
             let (before, after) = (&sample[0], &sample[1]);
             if (before.u.p < 0.0) != (after.u.p < 0.0) {
@@ -460,20 +485,20 @@ impl<'a> Watch<'a> {
                     to: after.x,
                 });
             }
-            self.follow_tilt_rate(&after.u);
+            self.update_direction(&after.u);
         }
     }
 
-    /// Notes an extreme once the tilt rate clearly has the other sign.
-    fn follow_tilt_rate(&mut self, u: &Coordinates<f64>) {
+    /// Adds an extremum of the tilt once the opposite sign of the tilt rate is significant.
+    fn update_direction(&mut self, u: &Coordinates<f64>) {
         let direction = self.sign_of_tilt_rate(u);
         if direction == 0.0 || direction == self.direction {
             return;
         }
-        // The first clear direction after a release from rest is no reversal.
+        // The first significant sign after a release from rest is no reversal.
         if let Some(crossing) = self.crossing.take().filter(|_| self.direction != 0.0) {
             let at = self.instant_of(&crossing);
-            self.note(extreme_kind(direction), at);
+            self.add(extremum_kind(direction), at);
         }
         self.direction = direction;
     }
@@ -494,9 +519,9 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn note_on_edge(&mut self, part: StepPart<'_>, samples: &[Sample]) {
-        // What topples there does not go past it. The cosine of the double next to pi/2 is 6e-17; from a
-        // topple tilt farther beyond the edge the edge is passed first.
+    fn detect_edge(&mut self, part: StepPart<'_>, samples: &[Sample]) {
+        // A body that topples at π/2 does not pass over its edge. The cosine of the double next to π/2 is
+        // 6e-17; a body with a larger topple tilt passes its edge first.
         if self.topple.is_some_and(|(_, cos)| cos.abs() < 1e-15) {
             return;
         }
@@ -506,7 +531,7 @@ impl<'a> Watch<'a> {
                 let cos = |u: &[f64; COORDINATES]| Coordinates::from_array(u).cos;
                 let x = part.dense.root(before.x, after.x, cos);
                 let at = self.instant(part, x, |u| u.cos);
-                self.note(EventKind::OnEdge, at);
+                self.add(EventKind::OnEdge, at);
             }
         }
     }
@@ -523,40 +548,41 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// The step cut where `level` is zero, to the accuracy of the steps and not only of the dense
-    /// output, which is one order less: x is corrected by the level that a real step finds there.
+    /// The step shortened to the root of `level` near x. The dense output is one order less accurate than the
+    /// steps, so x is corrected by the value of `level` at the end of a recomputed step.
     fn refine(
         &self,
         part: StepPart<'_>,
         x: f64,
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> StepRecord {
-        const NUDGE: f64 = 1e-3;
+        const INCREMENT: f64 = 1e-3;
         let StepPart { record, dense } = part;
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
-        let first = record.cut(self.contacts, x);
+        let shortened = record.cut(self.contacts, x);
         if record.is_polynomial() {
-            return first;
+            return shortened;
         }
-        let slope = (level(&dense.at(x + NUDGE)) - level(&dense.at(x - NUDGE))) / (2.0 * NUDGE);
-        let correction = level(&first.end) / slope;
-        // A level that only grazes zero has no slope to go by; then x stays.
+        let slope =
+            (level(&dense.at(x + INCREMENT)) - level(&dense.at(x - INCREMENT))) / (2.0 * INCREMENT);
+        let correction = level(&shortened.end) / slope;
+        // At a double root the slope vanishes and gives no correction.
         if correction.abs() < 0.01 {
             record.cut(self.contacts, x - correction)
         } else {
-            first
+            shortened
         }
     }
 }
 
-/// Energy that a body lying flat has lost. One that leans far may have its centre of mass lower yet,
-/// and is not at rest for that.
+/// The energy above that of a body lying flat. The absolute value counts, because a body that leans far can
+/// have its centre of mass lower than a flat one without being at rest.
 fn energy_above_rest(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> f64 {
     let energy = law.energy(u);
     energy.kinetic + energy.potential.abs()
 }
 
-fn extreme_kind(direction: f64) -> EventKind {
+fn extremum_kind(direction: f64) -> EventKind {
     if direction > 0.0 {
         EventKind::TiltMin
     } else {

@@ -1,4 +1,4 @@
-//! The mechanics of one phase as the solver sees it.
+//! The system of differential equations of one phase, with its error scales and time transformation.
 
 use crate::error_scale::ErrorScale;
 use crate::law::Dynamics;
@@ -6,7 +6,7 @@ use crate::real::Real;
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, IGNORABLE, RIGID_COORDINATES};
 
-/// A law, and the sizes that errors are compared with.
+/// A law with its error scales.
 pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
     pub law: &'a L,
     pub error_scale: ErrorScale<T>,
@@ -23,7 +23,8 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
         }
     }
 
-    /// For slip under dry friction, by a clock that slows down with it.
+    /// The system for slip under dry friction, whose independent variable is the σ of
+    /// [`ErrorScale::sundman_denominator`].
     pub(super) fn slipping(law: &'a L) -> Self {
         Mechanics {
             dry: true,
@@ -31,7 +32,7 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
         }
     }
 
-    /// How fast the solver's clock goes, as a part of τ.
+    /// dτ/dσ, where σ is the independent variable.
     #[inline(always)]
     pub(super) fn sundman_factor(&self, u: &Coordinates<T>) -> T {
         if self.dry {
@@ -51,7 +52,7 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
     }
 }
 
-/// Every coordinate.
+/// All coordinates.
 impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
     const IGNORABLE: usize = IGNORABLE;
 
@@ -62,8 +63,8 @@ impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, 
         if !self.dry {
             return rates;
         }
-        let clock = self.sundman_factor(&u);
-        rates.map(|rate| clock * rate)
+        let factor = self.sundman_factor(&u);
+        rates.map(|rate| factor * rate)
     }
 
     #[inline(always)]
@@ -72,24 +73,24 @@ impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, 
     }
 }
 
-/// Those that say where the body is and how it turns, under a law by which
-/// [only they change](Dynamics::is_conservative).
+/// The coordinates that describe the body's position and rotation, under a law that
+/// [changes no others](Dynamics::is_conservative).
 impl<T: Real, L: Dynamics<T> + ?Sized> System<T, RIGID_COORDINATES> for Mechanics<'_, T, L> {
     const IGNORABLE: usize = IGNORABLE;
 
     #[inline(always)]
     fn rates(&self, u: &[T; RIGID_COORDINATES]) -> [T; RIGID_COORDINATES] {
-        first(&self.law.rates(&Coordinates::from_first(u)).into_array())
+        leading(&self.law.rates(&Coordinates::from_first(u)).into_array())
     }
 
     #[inline(always)]
     fn scale(&self, u: &[T; RIGID_COORDINATES]) -> [T; RIGID_COORDINATES] {
-        first(&self.scales(&Coordinates::from_first(u)).into_array())
+        leading(&self.scales(&Coordinates::from_first(u)).into_array())
     }
 }
 
-/// The first of them.
+/// The first N coordinates.
 #[inline(always)]
-pub(super) fn first<T: Copy, const N: usize>(all: &[T; COORDINATES]) -> [T; N] {
-    core::array::from_fn(|i| all[i])
+pub(super) fn leading<T: Copy, const N: usize>(coordinates: &[T; COORDINATES]) -> [T; N] {
+    core::array::from_fn(|i| coordinates[i])
 }

@@ -12,7 +12,7 @@
 //! collocation, with Newton's method for δ and fixed-point iteration for everything else. Explicit steps
 //! take over as soon as the equations are not stiff for them.
 
-use super::contacts::turned;
+use super::contacts::rotated;
 use super::mechanics::Mechanics;
 use crate::error_scale::direction_scale;
 use crate::law::DryDynamics;
@@ -81,7 +81,7 @@ struct CollocationStep {
 
 /// Integrates a slip, from rest or from its present value, in a direction (unit vector) until explicit
 /// steps can take over; `h` is a first guess for the step size.
-pub(super) fn begin(
+pub(super) fn integrate(
     dry: &dyn DryDynamics,
     mechanics: &Mechanics<'_>,
     start: &Coordinates<f64>,
@@ -138,7 +138,7 @@ pub(super) fn begin(
 
 impl PolarSystem<'_> {
     fn direction(&self, turn: f64) -> [f64; 2] {
-        turned(self.direction, turn)
+        rotated(self.direction, turn)
     }
 
     /// The coordinates with the Cartesian slip.

@@ -1,8 +1,8 @@
 //! The phases of a motion, one after another.
 
 use super::contacts::{Contacts, Phase, SystemVisitor, Transition};
-use super::events::{Event, EventKind, Goal, Switch, Watch};
-use super::mechanics::{Mechanics, first};
+use super::events::{Event, EventDetector, EventKind, Goal, TerminalEvent};
+use super::mechanics::{Mechanics, leading};
 use super::step_record::StepRecord;
 use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
@@ -14,14 +14,14 @@ use core::f64::consts::PI;
 use core::ops::ControlFlow;
 use std::sync::Arc;
 
-/// So many phases of no length one after another are no motion.
+/// The simulation fails after this many consecutive phases of zero length.
 const MAX_EMPTY_PHASES: usize = 30;
 
-/// A body in flight, level, and no farther from the table than this part of its radius lands flat.
+/// A level body in flight lands flat if its gap is smaller than this fraction of its radius.
 const TOUCHING: f64 = 1e-12;
 
-/// After so many explicit steps it is asked whether implicit ones would do better.
-const STIFF_AFTER: usize = 64;
+/// The number of explicit steps between two tests for stiffness.
+const STIFFNESS_TEST_INTERVAL: usize = 64;
 
 /// What follows a phase.
 enum AfterEvent {
@@ -29,31 +29,31 @@ enum AfterEvent {
     EndState(Status),
 }
 
-/// How a phase begins: where, and a slip from rest in which direction.
+/// The start of a phase: the coordinates, and the direction of a slip that begins from rest.
 struct PhaseStart {
     u: Coordinates<f64>,
     direction: Option<[f64; 2]>,
 }
 
-/// What ends a phase.
+/// The end of a phase: a terminal event, or the end of the motion without one.
 enum PhaseEnd {
-    By(Switch),
-    For(Status),
+    Event(TerminalEvent),
+    Motion(Status),
 }
 
-/// A motion in the making.
+/// A simulation in progress.
 pub(super) struct Run<'a> {
     contacts: &'a Contacts,
     options: &'a Options,
-    watch: Watch<'a>,
+    detector: EventDetector<'a>,
     track: Track,
     work: Work,
     next: AfterEvent,
     empty_phases: usize,
-    /// Time and yaw at which the last phase ended.
+    /// Time and yaw at the end of the last phase.
     last_end: (f64, f64),
-    /// What the last phase ended by.
-    last_switch: Option<Switch>,
+    /// The terminal event of the last phase.
+    last_event: Option<TerminalEvent>,
 }
 
 impl<'a> Run<'a> {
@@ -69,63 +69,63 @@ impl<'a> Run<'a> {
             Transition::Fly => Phase::Flying,
             Transition::Slide | Transition::BeginToSlip(_) | Transition::Paradox => Phase::Sliding,
         };
-        let start = departing(next, start);
-        let first = Instant { phase, u: start };
+        let start = with_slip_direction(next, start);
+        let leading = Instant { phase, u: start };
         let mut run = Run {
             contacts,
             options,
-            watch: Watch::new(contacts, options, goal, &first),
-            track: Track::new(contacts, first, goal.wants_the_way()),
+            detector: EventDetector::new(contacts, options, goal, &leading),
+            track: Track::new(contacts, leading, goal.needs_track()),
             work: Work::default(),
             next: AfterEvent::EndState(Status::Failed),
             empty_phases: 0,
             last_end: (f64::NAN, f64::NAN),
-            last_switch: None,
+            last_event: None,
         };
-        run.next = match run.watch.at_start(&first) {
-            Some(switch) => run.after(switch, &first),
-            None => run.going_on(next, start),
+        run.next = match run.detector.event_at_start(&leading) {
+            Some(event) => run.after(event, &leading),
+            None => run.start_phase(next, start),
         };
         run
     }
 
-    /// Follows the motion to its end.
+    /// Runs the simulation to the end of the motion.
     pub(super) fn follow_to_the_end(
         &mut self,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
-            if let Some(PhaseEnd::For(status)) = self.out_of_steps(report)
+            if let Some(PhaseEnd::Motion(status)) = self.out_of_steps(report)
                 && !matches!(self.next, AfterEvent::EndState(_))
             {
                 return status;
             }
             match core::mem::replace(&mut self.next, AfterEvent::EndState(Status::Failed)) {
                 AfterEvent::EndState(status) => return status,
-                AfterEvent::Phase(phase, begin) => {
-                    self.next = match self.follow(phase, &begin, report) {
-                        PhaseEnd::By(switch) => self.after(switch, &self.track.end()),
-                        PhaseEnd::For(status) => AfterEvent::EndState(status),
+                AfterEvent::Phase(phase, phase_start) => {
+                    self.next = match self.follow_phase(phase, &phase_start, report) {
+                        PhaseEnd::Event(event) => self.after(event, &self.track.end()),
+                        PhaseEnd::Motion(status) => AfterEvent::EndState(status),
                     }
                 }
             }
         }
     }
 
-    /// What the last phase ended by; none where no phase ended by itself.
-    pub(super) fn last_switch(&self) -> Option<Switch> {
-        self.last_switch
+    /// The terminal event of the last phase; `None` if no phase had one.
+    pub(super) fn last_event(&self) -> Option<TerminalEvent> {
+        self.last_event
     }
 
     pub(super) fn into_parts(self) -> (Track, Vec<Event>, Work) {
-        (self.track, self.watch.into_events(), self.work)
+        (self.track, self.detector.into_events(), self.work)
     }
 
-    /// Follows one phase to its end.
-    fn follow(
+    /// Integrates one phase to its end.
+    fn follow_phase(
         &mut self,
         phase: Phase,
-        begin: &PhaseStart,
+        phase_start: &PhaseStart,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> PhaseEnd {
         if let Some(over) = self.out_of_steps(report) {
@@ -133,7 +133,7 @@ impl<'a> Run<'a> {
         }
         let contacts = self.contacts;
         let mechanics = contacts.mechanics(phase);
-        let (start, h) = match self.slip_slowly(&mechanics, phase, begin) {
+        let (start, h) = match self.slow_slip(&mechanics, phase, phase_start) {
             ControlFlow::Continue(begun) => begun,
             ControlFlow::Break(over) => return over,
         };
@@ -151,34 +151,35 @@ impl<'a> Run<'a> {
 
     fn out_of_steps(&self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<PhaseEnd> {
         if self.work.steps >= self.options.max_steps {
-            return Some(PhaseEnd::For(Status::Failed));
+            return Some(PhaseEnd::Motion(Status::Failed));
         }
         if self.work.steps % 4096 == 4095 && report(self.track.end().t).is_break() {
-            return Some(PhaseEnd::For(Status::Interrupted));
+            return Some(PhaseEnd::Motion(Status::Interrupted));
         }
         None
     }
 
-    /// Where something relaxes so fast that it alone keeps explicit steps as short as `h`, goes on with
-    /// implicit ones; gives a length for the next explicit step.
-    fn relax(
+    /// Continues with implicit steps while the system is stiff for explicit steps of size `h`. Returns the
+    /// size of the next explicit step if any implicit steps were made.
+    fn implicit_steps(
         &mut self,
         mechanics: &Mechanics<'_>,
         phase: Phase,
         h: f64,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<PhaseEnd, Option<f64>> {
-        // Explicit steps are stable up to some 6 relaxations, and accurate rarely beyond 3.
+        // An explicit step is stable up to about 6 relaxation times, but rarely accurate beyond 3.
         const STIFF: f64 = 4.0;
-        const WORTH_IT: f64 = 20.0;
+        // The cost of an implicit step in explicit steps.
+        const COST_RATIO: f64 = 20.0;
         let implicit = Implicit::new(mechanics, self.options.step_tolerance());
         let mut u = self.track.end().u.into_array();
         if h * implicit.relaxation(&u) < STIFF {
             return ControlFlow::Continue(None);
         }
         let mut next = None;
-        let mut most_growth: f64 = 4.0;
-        let mut h = WORTH_IT * h;
+        let mut max_growth: f64 = 4.0;
+        let mut h = COST_RATIO * h;
         loop {
             if let Some(over) = self.out_of_steps(report) {
                 return ControlFlow::Break(over);
@@ -190,77 +191,85 @@ impl<'a> Run<'a> {
                 u = found.dense.end;
                 let dense = found.dense;
                 let record = StepRecord::polynomial(phase, dense.clone());
-                if let Some(switch) = self.watch.pass(record, &dense, &mut self.track) {
-                    return ControlFlow::Break(self.over_by(switch, h));
+                if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
+                    return ControlFlow::Break(self.end_of_phase(event, h));
                 }
                 next = Some(h);
             } else {
                 self.work.rejected += 1;
             }
-            // After a step that failed, none is tried that is much longer for a while.
-            let most = if error > 1.0 { 1.0 } else { most_growth };
-            most_growth = if error > 1.0 {
+            // After a rejected step the step size grows only slowly for a while.
+            let max_factor = if error > 1.0 { 1.0 } else { max_growth };
+            max_growth = if error > 1.0 {
                 1.2
             } else {
-                (1.5 * most_growth).min(4.0)
+                (1.5 * max_growth).min(4.0)
             };
-            h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, most);
+            h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, max_factor);
             let explicit = STIFF / implicit.relaxation(&u);
-            if h.is_nan() || h <= WORTH_IT * explicit {
+            if h.is_nan() || h <= COST_RATIO * explicit {
                 return ControlFlow::Continue(next.map(|_| explicit));
             }
         }
     }
 
-    /// Refuses to turn on the spot for ever.
-    fn over_by(&mut self, switch: Switch, step: f64) -> PhaseEnd {
-        // In the near-collision by itself time stands still, and only the yaw tells.
+    /// The end of a phase by a terminal event, unless the motion makes no progress over many phases.
+    fn end_of_phase(&mut self, event: TerminalEvent, step: f64) -> PhaseEnd {
+        // In the inner problem of the near-collision time stands still, and only the yaw shows progress.
         let at = self.track.end();
-        let somewhere = (at.t, at.yaw) != self.last_end;
+        let progressed = (at.t, at.yaw) != self.last_end;
         self.last_end = (at.t, at.yaw);
-        if somewhere && self.track.last_step() > 1e-9 * step {
+        if progressed && self.track.last_step() > 1e-9 * step {
             self.empty_phases = 0;
         } else {
             self.empty_phases += 1;
         }
         if self.empty_phases > MAX_EMPTY_PHASES {
-            return PhaseEnd::For(Status::Failed);
+            return PhaseEnd::Motion(Status::Failed);
         }
-        PhaseEnd::By(switch)
+        PhaseEnd::Event(event)
     }
 
-    /// The part of a phase in which dry slip is too slow for explicit steps: from where they can go on,
-    /// and with what step.
-    fn slip_slowly(
+    /// Integrates the beginning of a phase in which dry slip is too slow for explicit steps. Returns the
+    /// coordinates and the size of the first explicit step.
+    fn slow_slip(
         &mut self,
         mechanics: &Mechanics<'_>,
         phase: Phase,
-        begin: &PhaseStart,
+        phase_start: &PhaseStart,
     ) -> ControlFlow<PhaseEnd, (Coordinates<f64>, f64)> {
-        let h = first_step(mechanics, &begin.u);
+        let h = first_step(mechanics, &phase_start.u);
         let Some(dry) = self.contacts.dry().filter(|_| phase == Phase::Sliding) else {
-            return ControlFlow::Continue((begin.u, h));
+            return ControlFlow::Continue((phase_start.u, h));
         };
         let tolerance = self.options.step_tolerance();
-        let speed = begin.u.slip_speed();
-        let direction = begin
+        let speed = phase_start.u.slip_speed();
+        let direction = phase_start
             .direction
-            .unwrap_or_else(|| [begin.u.slip_x / speed, begin.u.slip_y / speed]);
-        let from_rest = begin.direction.is_some();
+            .unwrap_or_else(|| [phase_start.u.slip_x / speed, phase_start.u.slip_y / speed]);
+        let from_rest = phase_start.direction.is_some();
         let h = 10.0 * h;
-        let slow = onset::begin(dry, mechanics, &begin.u, direction, from_rest, h, tolerance);
+        let slow = onset::integrate(
+            dry,
+            mechanics,
+            &phase_start.u,
+            direction,
+            from_rest,
+            h,
+            tolerance,
+        );
         if slow.steps.is_empty() {
-            let from = match begin.direction {
-                // What cannot be followed from nothing may be from next to nothing.
+            let from = match phase_start.direction {
+                // If the onset from rest fails, explicit steps begin from a tiny slip.
                 Some([x, y]) => {
-                    let faint = 10.0 * self.contacts.stopped_speed(&begin.u);
+                    let faint = 10.0 * self.contacts.stopped_speed(&phase_start.u);
                     Coordinates {
                         slip_x: faint * x,
                         slip_y: faint * y,
-                        ..begin.u
+                        ..phase_start.u
                     }
                 }
-                None => begin.u,
+                None => phase_start.u,
             };
             return ControlFlow::Continue((from, 0.1 * h));
         }
@@ -268,18 +277,18 @@ impl<'a> Run<'a> {
             self.work.steps += 1;
             let h = dense.h;
             let record = StepRecord::polynomial(Phase::Sliding, dense.clone());
-            if let Some(switch) = self.watch.pass(record, &dense, &mut self.track) {
-                return ControlFlow::Break(self.over_by(switch, h));
+            if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
+                return ControlFlow::Break(self.end_of_phase(event, h));
             }
-            if self.is_stopping(Phase::Sliding) {
-                return ControlFlow::Break(self.over_by(Switch::Stop, h));
+            if self.slip_is_stopping(Phase::Sliding) {
+                return ControlFlow::Break(self.end_of_phase(TerminalEvent::SlipEnd, h));
             }
         }
         ControlFlow::Continue((self.track.end().u, slow.h))
     }
 
-    /// Whether what is left of a dry slip is too brief to be followed.
-    fn is_stopping(&self, phase: Phase) -> bool {
+    /// Whether a dry slip is about to stop so soon that its end is one straight step.
+    fn slip_is_stopping(&self, phase: Phase) -> bool {
         phase == Phase::Sliding
             && self.contacts.dry().is_some_and(|law| {
                 let at = self.track.end().u;
@@ -289,63 +298,63 @@ impl<'a> Run<'a> {
             })
     }
 
-    /// What follows the switch at which a phase has ended.
-    fn after(&mut self, switch: Switch, at: &Instant) -> AfterEvent {
-        self.last_switch = Some(switch);
+    /// The continuation after the terminal event of a phase.
+    fn after(&mut self, event: TerminalEvent, at: &Instant) -> AfterEvent {
+        self.last_event = Some(event);
         let end = |run: &mut Self, kind, status| {
-            run.watch.note(kind, *at);
+            run.detector.add(kind, *at);
             AfterEvent::EndState(status)
         };
-        match switch {
-            Switch::Done => AfterEvent::EndState(Status::Finished),
-            Switch::Topple => {
-                self.watch.note(EventKind::Topple, *at);
+        match event {
+            TerminalEvent::Done => AfterEvent::EndState(Status::Finished),
+            TerminalEvent::Topple => {
+                self.detector.add(EventKind::Topple, *at);
                 if self.contacts.falls_on_its_side(at) {
                     self.track.push_jump(self.contacts.fallen_on_its_side(at));
                 }
                 AfterEvent::EndState(Status::Toppled)
             }
-            Switch::Rest => end(self, EventKind::Rest, Status::AtRest),
-            Switch::Paradox => end(self, EventKind::Painleve, Status::Painleve),
-            Switch::Flat if at.phase == Phase::Flying => {
+            TerminalEvent::Rest => end(self, EventKind::Rest, Status::AtRest),
+            TerminalEvent::Paradox => end(self, EventKind::Painleve, Status::Painleve),
+            TerminalEvent::Flat if at.phase == Phase::Flying => {
                 let k = self.contacts.parameters();
                 let u = past_upright(k, at);
-                // The other side of the rim comes down on the table just as this one leaves it.
+                // The opposite side of the rim meets the table just as this side leaves it.
                 if u.gap < TOUCHING * k.r && u.gap_rate < 0.0 {
                     return end(self, EventKind::FaceDown, Status::FaceDown);
                 }
                 let phase = Phase::Flying;
-                self.watch.note_jump(at, Instant { phase, u });
+                self.detector.process_jump(at, Instant { phase, u });
                 let direction = None;
                 AfterEvent::Phase(phase, PhaseStart { u, direction })
             }
-            Switch::StoppedRunning if self.watch.has_spent_its_energy(at) => {
+            TerminalEvent::StoppedRunning if self.detector.has_spent_its_energy(at) => {
                 end(self, EventKind::Rest, Status::AtRest)
             }
-            Switch::Flat | Switch::StoppedRunning => {
+            TerminalEvent::Flat | TerminalEvent::StoppedRunning => {
                 end(self, EventKind::FaceDown, Status::FaceDown)
             }
-            Switch::LiftOff if !self.contacts.can_fly() => {
+            TerminalEvent::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)
             }
-            Switch::LiftOff => self.going_on(Transition::Fly, at.u),
-            Switch::Break => {
+            TerminalEvent::LiftOff => self.start_phase(Transition::Fly, at.u),
+            TerminalEvent::SlipOnset => {
                 let next = match self.contacts.begin_to_slip(at) {
-                    // It was only just about to.
+                    // The friction has only just been exceeded, within rounding.
                     Transition::Paradox if self.contacts.friction_cone_margin(at) > 0.0 => {
                         Transition::Roll
                     }
                     next => next,
                 };
-                self.going_on(next, at.u)
+                self.start_phase(next, at.u)
             }
-            Switch::Stop => {
+            TerminalEvent::SlipEnd => {
                 let stopped = stopped(self.contacts, at, self.options.step_tolerance());
                 let next = self.contacts.settle(&stopped);
-                self.going_on(next, stopped)
+                self.start_phase(next, stopped)
             }
-            Switch::Land => {
-                let Some((landed, next)) = self.contacts.land(at) else {
+            TerminalEvent::Land => {
+                let Some((landed, next)) = self.contacts.resolve_impact(at) else {
                     return AfterEvent::EndState(Status::Failed);
                 };
                 let phase = match next {
@@ -354,29 +363,29 @@ impl<'a> Run<'a> {
                     _ => Phase::Sliding,
                 };
                 let after = Instant { phase, u: landed };
-                self.watch.note(EventKind::Land, after);
-                self.watch.note_jump(at, after);
-                self.going_on(next, landed)
+                self.detector.add(EventKind::Land, after);
+                self.detector.process_jump(at, after);
+                self.start_phase(next, landed)
             }
         }
     }
 
-    /// Begins the phase that is next, at `u`, and notes that the contact changes.
-    fn going_on(&mut self, next: Transition, u: Coordinates<f64>) -> AfterEvent {
+    /// Starts the next phase at `u` and adds the event of the change of contact.
+    fn start_phase(&mut self, next: Transition, u: Coordinates<f64>) -> AfterEvent {
         let before = self.track.end().phase;
-        let u = departing(next, u);
+        let u = with_slip_direction(next, u);
         let (phase, kind) = match next {
             Transition::Roll => (Phase::Rolling, EventKind::Stick),
             Transition::Slide | Transition::BeginToSlip(_) => (Phase::Sliding, EventKind::Slip),
             Transition::Fly => (Phase::Flying, EventKind::LiftOff),
             Transition::Paradox => {
                 let phase = Phase::Sliding;
-                self.watch.note(EventKind::Painleve, Instant { phase, u });
+                self.detector.add(EventKind::Painleve, Instant { phase, u });
                 return AfterEvent::EndState(Status::Painleve);
             }
         };
         if phase != before {
-            self.watch.note(kind, Instant { phase, u });
+            self.detector.add(kind, Instant { phase, u });
         }
         let direction = match next {
             Transition::BeginToSlip(direction) => Some(direction),
@@ -386,9 +395,9 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The coordinates where a slip begins tell its direction, and with it the forces there: they get a
-/// slip that is too small to move anything.
-fn departing(next: Transition, u: Coordinates<f64>) -> Coordinates<f64> {
+/// The coordinates at the start of a phase. Where a slip begins from rest they get an infinitesimal slip in
+/// its direction, which determines the forces there and is too small to have any other effect.
+fn with_slip_direction(next: Transition, u: Coordinates<f64>) -> Coordinates<f64> {
     const NO_SPEED: f64 = 1e-150;
     match next {
         Transition::BeginToSlip([slip_x, slip_y]) => Coordinates {
@@ -423,39 +432,39 @@ impl SystemVisitor for Steps<'_, '_> {
             report,
         } = self;
         let tolerance = run.options.step_tolerance();
-        let mut stepper = Stepper::new(system, first(&start), h, tolerance);
+        let mut stepper = Stepper::new(system, leading(&start), h, tolerance);
         let mut before = run.work;
         loop {
             if let Some(over) = run.out_of_steps(report) {
                 return over;
             }
             let Ok(step) = stepper.advance() else {
-                return PhaseEnd::For(Status::Failed);
+                return PhaseEnd::Motion(Status::Failed);
             };
             let h = step.h;
-            let switch = if run.watch.is_uneventful(phase, step) {
+            let event = if run.detector.is_uneventful(phase, step) {
                 run.track.push(StepRecord::explicit(phase, step, &start));
                 None
             } else {
                 let record = StepRecord::explicit(phase, step, &start);
                 let dense = step.dense(system).widened(&start);
-                run.watch.pass(record, &dense, &mut run.track)
+                run.detector.process(record, &dense, &mut run.track)
             };
             run.work = before + stepper.work;
-            if let Some(switch) = switch {
-                return run.over_by(switch, h);
+            if let Some(event) = event {
+                return run.end_of_phase(event, h);
             }
             run.empty_phases = 0;
-            if run.is_stopping(phase) {
-                return PhaseEnd::By(Switch::Stop);
+            if run.slip_is_stopping(phase) {
+                return PhaseEnd::Event(TerminalEvent::SlipEnd);
             }
-            if N == COORDINATES && stepper.work.steps.is_multiple_of(STIFF_AFTER) {
-                match run.relax(mechanics, phase, h, report) {
+            if N == COORDINATES && stepper.work.steps.is_multiple_of(STIFFNESS_TEST_INTERVAL) {
+                match run.implicit_steps(mechanics, phase, h, report) {
                     ControlFlow::Break(over) => return over,
                     ControlFlow::Continue(None) => {}
                     ControlFlow::Continue(Some(h)) => {
                         let u = run.track.end().u.into_array();
-                        stepper = Stepper::new(system, first(&u), h, tolerance);
+                        stepper = Stepper::new(system, leading(&u), h, tolerance);
                         before = run.work;
                     }
                 }
@@ -464,18 +473,19 @@ impl SystemVisitor for Steps<'_, '_> {
     }
 }
 
-/// A first guess for the length of a step.
+/// A first guess for the step size.
 fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
     let h = mechanics.error_scale.first_step(u);
     if u.gap_rate > 0.0 {
-        // A bounce lasts 2v/g or so.
+        // A bounce lasts about 2v/g.
         let g = mechanics.law.parameters().g;
         return h.min(0.1 * u.gap_rate / (g * u.sin));
     }
     h
 }
 
-/// Where a dry slip that is about to stop has stopped: the last of it goes at the rate at which it stops.
+/// The coordinates at which a dry slip that is about to stop has stopped, if it decelerates at its present
+/// rate.
 pub(crate) fn stopped(
     contacts: &Contacts,
     at: &Coordinates<f64>,
@@ -484,7 +494,7 @@ pub(crate) fn stopped(
     let rates = contacts.dynamics(Phase::Sliding).rates(at);
     let stopping = -(rates.slip_x * at.slip_x + rates.slip_y * at.slip_y);
     let time = (at.slip_x * at.slip_x + at.slip_y * at.slip_y) / stopping;
-    // Where it stops so slowly that all else would change meanwhile, it counts as stopped now.
+    // If the other velocities would change before the slip stops, it counts as stopped now.
     let rate = ErrorScale::new(contacts.parameters()).rate(at);
     let is_brief = stopping > 0.0 && time * rate <= max_brief_change(tolerance);
     Coordinates {
@@ -495,9 +505,9 @@ pub(crate) fn stopped(
 }
 
 /// The same position and motion with the tilt on the other side of upright, (ψ, −φ, θ) =
-/// (ψ ± π, φ, θ ∓ π): in a flight through upright the lowest point of the rim changes sides, and its
-/// velocity with it. The yaw goes on the way it turns, as it would just beside upright, so that mirror images
-/// stay mirror images; a flight in a plane has no such way, and takes +π.
+/// (ψ ± π, φ, θ ∓ π). In a flight through upright the lowest point of the rim changes sides, and so does its
+/// velocity. The yaw jumps in the direction in which it turns, as in a passage just beside upright, so that
+/// mirror images stay mirror images. In a plane flight, which has no such direction, it jumps by +π.
 fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     let half_turn = if u.w < 0.0 { -PI } else { PI };
     Coordinates {
@@ -515,8 +525,8 @@ fn past_upright(k: &Parameters<f64>, u: &Coordinates<f64>) -> Coordinates<f64> {
     }
 }
 
-/// Follows the near-collision by itself, where sin φ = 0 and time stands still: from `start` until |w|
-/// has fallen to `faded` (rad/s) as the body rises.
+/// Simulates the inner problem of the near-collision, in which sin φ = 0 and time stands still, from `start`
+/// until |w| has fallen to `faded` (rad/s) as the body rises.
 pub(crate) fn pass_near_collision(
     contacts: &Arc<Contacts>,
     start: Coordinates<f64>,

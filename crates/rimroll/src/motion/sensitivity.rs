@@ -11,7 +11,7 @@
 //! The step sizes are held constant, so the derivative is that of a solution of order 8.
 
 use super::events::EventKind;
-use super::mechanics::{Mechanics, first};
+use super::mechanics::{Mechanics, leading};
 use super::track::Track;
 use super::{Motion, Turn};
 use crate::error::InvalidInput;
@@ -95,7 +95,7 @@ impl Sensitivity {
     ) -> Result<Option<Sensitivity>, InvalidInput> {
         let mut sensitivity = Sensitivity {
             law: smooth_law(motion)?,
-            starts: vec![first(&start(&motion.track.start()).into_array())],
+            starts: vec![leading(&start(&motion.track.start()).into_array())],
             turns: Vec::new(),
         };
         let completed = sensitivity.differentiate(motion, watch);

@@ -2,7 +2,7 @@
 //! demand, to the same bits.
 
 use super::contacts::{Contacts, Phase, SystemVisitor};
-use super::mechanics::first;
+use super::mechanics::leading;
 use crate::solve::{Collocation, Dense, Step, System};
 use crate::state::COORDINATES;
 
@@ -76,7 +76,7 @@ impl StepRecord {
 
     /// The step recomputed with the size h.
     fn recompute<S: System<f64, N>, const N: usize>(&self, system: &S, h: f64) -> Step<f64, N> {
-        Step::recompute(system, &first(&self.start), h)
+        Step::recompute(system, &leading(&self.start), h)
     }
 }
 
