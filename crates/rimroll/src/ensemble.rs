@@ -1,19 +1,19 @@
-//! Many falls at once, on all processors.
+//! Ensembles: many falls at once, on all processors.
 //!
-//! Each fall has its own steps and its own clock, and comes out the same to the last bit whatever others
-//! there are, in whatever order, on however many threads. Falls of the common kind, under one of the
-//! paper's two laws or under dry friction, go sixteen at a time in lanes ([`Lanes`](crate::real::Lanes)):
+//! Each fall has its own steps and its own time transformation. Its result does not depend, to the last
+//! bit, on the other falls, on their order or on the number of threads. Falls under one of the paper's two
+//! laws or under dry friction are computed in batches of sixteen lanes ([`Lanes`](crate::real::Lanes)):
 //!
-//! * `chunk`, `limits`: some of the trials, with the numbers of each body, and what a fall must not cross unseen;
-//! * `reduced_system`: the coordinates that such a fall needs, and their rates, by the laws that hold everywhere;
-//! * `lockstep`: one step of sixteen falls, each of its own body, friction and length;
-//! * `pool`: sixteen places; looks into a step where something may have happened, and lands on it by
-//!   steps made shorter; a fall that is over gives its place to the next;
-//! * `onset`: how slip comes out of rest;
-//! * `batch`, `dry`: falls under one law, and under dry friction from phase to phase.
+//! * `chunk` and `limits` hold a chunk of work, the parameters of its bodies and the bounds of a fall;
+//! * `reduced_system` defines the coordinates that a batch carries and their rates under the common laws;
+//! * `lockstep` makes one step of sixteen falls, each with its own body, friction and step size;
+//! * `pool` keeps sixteen lanes filled: it locates the events of a step by shorter steps and replaces each
+//!   completed fall by the next one;
+//! * `onset` integrates slip from rest;
+//! * `batch` computes falls under one law, `dry` the falls under dry friction with their changes of phase.
 //!
-//! What is rare, as a flight or a landing on the flat of the base, and every other surface is followed by
-//! itself, as [`fall`] does.
+//! All other falls, for example those that fly, land flat on the base or have another contact law, are left
+//! to the scalar solver, [`fall`].
 
 mod batch;
 mod chunk;
@@ -37,26 +37,26 @@ use core::ops::ControlFlow;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// The most falls that are one piece of work: in lanes they are over in some hundredths of a second, before which
-/// the work does not end.
+/// The maximal size of a chunk of work. In lanes it takes a few hundredths of a second, and the computation can
+/// only be stopped after it.
 const MAX_CHUNK: usize = 1024;
 
-/// The fewest: toward its end more and more lanes are empty.
+/// The minimal size of a chunk of work, because lanes stay empty toward the end of a chunk.
 const MIN_CHUNK: usize = 128;
 
-/// A fall that goes by itself anyway counts as so many: as a rule it takes as long as some dozens in lanes, and
-/// under some laws far longer.
+/// The weight of a scalar fall in the size of a chunk. It usually takes as long as a few dozen falls in lanes,
+/// and far longer under some laws.
 const SCALAR_COST: usize = 32;
 
-/// A trial: what is let go, from where and on what.
+/// A trial: the body, its state and the contact law at the release.
 pub type Release<'a> = (&'a Body, State, ContactLaw);
 
-/// Follows each body from its start, on its surface, through the first turn; on the threads of the pool
-/// that it is called from. Rows of one body are somewhat faster side by side than mixed with others.
+/// Simulates each body from its start, under its contact law, through the first turn. The work is done on the
+/// threads of the current thread pool. Trials of the same body are somewhat faster if they are adjacent.
 ///
-/// `watch` is called by these threads after each piece of work with the number of falls in it, with 0 before
-/// each fall that is followed by itself, and can end the work early, from the first time that it says so: then
-/// the falls are those from the first trials on, as far as they are done without a gap.
+/// `watch` is called on these threads after each chunk of work with the number of falls in it, and with 0
+/// before each scalar fall. As soon as it breaks, the computation stops. The result then consists of the falls
+/// from the first trial up to the first one that was not computed.
 ///
 /// # Errors
 /// As [`simulate`](crate::simulate), for the first trial that is refused.
@@ -75,34 +75,34 @@ pub fn ensemble(
     Ok(done_in_order(trials, work, watch))
 }
 
-/// The trials as pieces of work for some threads: the last are small, so that no thread waits long for another.
+/// Divides the trials into chunks of work. The last chunks are small, so that no thread waits long for another.
 fn chunks<'a>(
     mut trials: &'a [Release<'a>],
     threads: usize,
 ) -> impl Iterator<Item = &'a [Release<'a>]> {
     core::iter::from_fn(move || {
-        // One thread waits for none.
+        // A single thread never waits.
         let full = match threads {
             1 => MAX_CHUNK,
             _ => (trials.len() / (4 * threads)).clamp(MIN_CHUNK, MAX_CHUNK),
         };
         let mut size = 0;
         let taken = trials.iter().take_while(|(.., contact_law)| {
-            let goes_in = size < full;
+            let fits = size < full;
             size += if fits_lanes(contact_law) {
                 1
             } else {
                 SCALAR_COST
             };
-            goes_in
+            fits
         });
         let chunk = trials.split_off(..taken.count())?;
         (!chunk.is_empty()).then_some(chunk)
     })
 }
 
-/// The results of the pieces of work, which begin in their order, up to the first that was cut short when the
-/// watch ended the work.
+/// The results of the chunks, which are started in order. They end with the first chunk that is incomplete
+/// because the watch stopped the computation.
 #[cfg(feature = "threads")]
 fn done_in_order<R: Send>(
     trials: &[Release<'_>],
@@ -111,7 +111,7 @@ fn done_in_order<R: Send>(
 ) -> Vec<R> {
     use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let continues_after = |count| {
+    let should_continue_after = |count| {
         if watch(count).is_break() {
             stopped.store(true, Relaxed);
         }
@@ -119,15 +119,15 @@ fn done_in_order<R: Send>(
     };
     let threads = rayon::current_num_threads();
     let chunks: Vec<_> = chunks(trials, threads).collect();
-    let of_one_thread = || {
+    let work_of_thread = || {
         let mut done = Vec::new();
         while !stopped.load(Relaxed) {
             let index = next.fetch_add(1, Relaxed);
             let Some(chunk) = chunks.get(index) else {
                 break;
             };
-            let results = work(chunk, &|| continues_after(0));
-            continues_after(results.len());
+            let results = work(chunk, &|| should_continue_after(0));
+            should_continue_after(results.len());
             done.push((index, results));
         }
         done
@@ -135,14 +135,14 @@ fn done_in_order<R: Send>(
     let mut done: Vec<_> = (0..threads.min(chunks.len()))
         .into_par_iter()
         .with_max_len(1)
-        .flat_map_iter(|_| of_one_thread())
+        .flat_map_iter(|_| work_of_thread())
         .collect();
     done.sort_unstable_by_key(|&(index, _)| index);
     let mut all = Vec::with_capacity(trials.len());
     for ((_, results), chunk) in done.into_iter().zip(&chunks) {
-        let is_whole = results.len() == chunk.len();
+        let is_complete = results.len() == chunk.len();
         all.extend(results);
-        if !is_whole {
+        if !is_complete {
             break;
         }
     }
@@ -158,9 +158,9 @@ fn done_in_order<R>(
     let mut all = Vec::with_capacity(trials.len());
     for chunk in chunks(trials, 1) {
         let results = work(chunk, &|| watch(0).is_continue());
-        let (count, is_whole) = (results.len(), results.len() == chunk.len());
+        let (count, is_complete) = (results.len(), results.len() == chunk.len());
         all.extend(results);
-        if watch(count).is_break() || !is_whole {
+        if watch(count).is_break() || !is_complete {
             break;
         }
     }
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_are_all_of_the_trials_in_order_and_end_small() {
+    fn chunks_cover_all_trials_in_order_and_shrink_toward_the_end() {
         let can = can();
         for (count, threads) in [(0, 2), (1, 2), (1000, 2), (54_321, 2), (54_321, 32)] {
             let trials = trials(&can, count, IdealLaw::NoSlip);
@@ -210,22 +210,22 @@ mod tests {
     }
 
     #[test]
-    fn falls_that_go_by_themselves_are_few_in_a_piece() {
+    fn a_chunk_holds_fewer_scalar_falls() {
         let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
         let trials = trials(&can, 1000, viscous);
         let chunks: Vec<_> = chunks(&trials, 2).collect();
         assert_eq!(chunks.concat(), trials);
-        let most = chunks.iter().map(|chunk| chunk.len()).max();
-        assert_eq!(most, Some(MIN_CHUNK / SCALAR_COST));
+        let largest = chunks.iter().map(|chunk| chunk.len()).max();
+        assert_eq!(largest, Some(MIN_CHUNK / SCALAR_COST));
     }
 
     #[test]
-    fn falls_of_both_kinds_share_the_pieces() {
+    fn a_chunk_can_mix_scalar_falls_with_falls_in_lanes() {
         let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
         let rolling = trials(&can, 3000, IdealLaw::NoSlip);
-        // Every tenth goes by itself.
+        // Every tenth fall is scalar.
         let trials: Vec<_> = rolling
             .iter()
             .enumerate()
@@ -237,24 +237,24 @@ mod tests {
         for (threads, full) in [(1, MAX_CHUNK), (2, 3000 / 8), (8, MIN_CHUNK)] {
             let chunks: Vec<_> = chunks(&trials, threads).collect();
             assert_eq!(chunks.concat(), trials);
-            let alone_in = |chunk: &[Release<'_>]| {
-                let alone = chunk
+            let scalar_falls = |chunk: &[Release<'_>]| {
+                let scalar = chunk
                     .iter()
                     .filter(|(.., contact_law)| contact_law.friction == viscous);
-                alone.count()
+                scalar.count()
             };
-            assert!(alone_in(chunks[0]) > 0 && alone_in(chunks[0]) < chunks[0].len());
-            // The last of a piece may be one that takes it beyond what is full.
+            assert!(scalar_falls(chunks[0]) > 0 && scalar_falls(chunks[0]) < chunks[0].len());
+            // A scalar fall at the end of a chunk may exceed the intended size.
             for chunk in chunks {
-                let size = chunk.len() + (SCALAR_COST - 1) * alone_in(chunk);
-                assert!(size < full + SCALAR_COST, "{size} on {threads}");
+                let size = chunk.len() + (SCALAR_COST - 1) * scalar_falls(chunk);
+                assert!(size < full + SCALAR_COST, "{size} on {threads} threads");
             }
         }
     }
 
     #[cfg(feature = "threads")]
     #[test]
-    fn the_work_can_be_ended_amid_falls_that_go_by_themselves() {
+    fn the_computation_can_be_stopped_between_scalar_falls() {
         use super::ensemble;
         use crate::motion::Options;
         use core::ops::ControlFlow;
@@ -269,16 +269,16 @@ mod tests {
         .into_iter()
         .map(|(body, start, contact_law)| (body, State { tilt: 0.3, ..start }, contact_law))
         .collect();
-        let go_on = |_| ControlFlow::Continue(());
-        let whole = ensemble(&trials, &Options::default(), go_on).expect("valid starts");
-        let result = AtomicUsize::new(0);
-        let watch = |falls| match result.fetch_add(usize::from(falls == 0), Relaxed) {
+        let never_stop = |_| ControlFlow::Continue(());
+        let all = ensemble(&trials, &Options::default(), never_stop).expect("valid starts");
+        let scalar_falls = AtomicUsize::new(0);
+        let watch = |falls| match scalar_falls.fetch_add(usize::from(falls == 0), Relaxed) {
             0..6 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };
         let stopped = || ensemble(&trials, &Options::default(), watch);
         let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         let falls = one_thread.expect("a pool").install(stopped);
-        assert_eq!(falls.expect("valid starts"), whole[..6]);
+        assert_eq!(falls.expect("valid starts"), all[..6]);
     }
 }

@@ -1,4 +1,4 @@
-//! The falls of a piece of work, sixteen at a time where they are of the common kind.
+//! The falls of a chunk of work, in lanes where the contact law allows it.
 
 use super::Release;
 use super::chunk::{BodyNumbers, Chunk};
@@ -13,14 +13,14 @@ use crate::motion::{Fall, Options, Status, fall};
 use crate::real::LANES;
 use crate::state::Coordinates;
 
-/// Whether falls on a surface go in lanes, but for what is rare.
+/// Whether falls under a contact law can be computed in lanes.
 pub(super) fn fits_lanes(contact_law: &ContactLaw) -> bool {
     use FrictionLaw::{Coulomb, Frictionless, NoSlip};
     matches!(contact_law.friction, NoSlip | Frictionless | Coulomb { .. }) && !contact_law.resists()
 }
 
-/// The falls from some of the trials, in their order: all, or those before the first that was to be followed
-/// by itself when the work did not go on. The options and trials have been checked.
+/// The falls of a chunk of trials in order. When `should_continue` returns false before a scalar fall, the result
+/// ends before that fall. The options and the trials must have been checked.
 pub(super) fn batch(
     trials: &[Release<'_>],
     options: &Options,
@@ -44,7 +44,7 @@ pub(super) fn batch(
         .map_while(|index| {
             falls.done[index]
                 .take()
-                .or_else(|| should_continue().then(|| falls.alone(index)))
+                .or_else(|| should_continue().then(|| falls.scalar_fall(index)))
         })
         .collect()
 }
@@ -55,8 +55,7 @@ struct Falls<'a> {
 }
 
 impl Falls<'_> {
-    /// Follows a fall by itself.
-    fn alone(&self, index: usize) -> Fall {
+    fn scalar_fall(&self, index: usize) -> Fall {
         let (body, start, contact_law) = &self.chunk.trials[index];
         match fall(body, start, contact_law, self.chunk.options) {
             Ok(fall) => fall,
@@ -64,7 +63,7 @@ impl Falls<'_> {
         }
     }
 
-    /// Follows all falls under one of the paper's two laws.
+    /// Computes all falls under one of the paper's two laws.
     fn conservative<A: ReducedSystem<f64, 7>>(&mut self, law: FrictionLaw) {
         let Falls { chunk, done } = self;
         let limits = &chunk.limits;

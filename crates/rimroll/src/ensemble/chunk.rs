@@ -1,4 +1,4 @@
-//! A piece of work: some trials, with the numbers of the bodies in them.
+//! A chunk of work: some trials and the parameters of their bodies.
 
 use super::Release;
 use super::limits::{Limits, Topple};
@@ -6,20 +6,20 @@ use crate::error_scale::ErrorScale;
 use crate::law::Parameters;
 use crate::motion::Options;
 
-/// Some of the trials of an ensemble.
+/// Consecutive trials of an ensemble.
 pub(super) struct Chunk<'a> {
     pub trials: &'a [Release<'a>],
     pub options: &'a Options,
     pub limits: Limits,
     bodies: Vec<BodyNumbers>,
-    /// For each trial the place of its body among them.
+    /// The index of each trial's body in `bodies`.
     body_of: Vec<usize>,
 }
 
-/// What the falls of a body are computed from.
+/// The parameters of a body's falls.
 #[derive(Clone)]
 pub(super) struct BodyNumbers {
-    /// The place of the body among those of the piece: two bodies of one place are the same.
+    /// The index of the body in its chunk. Bodies with the same index are equal.
     pub place: usize,
     pub parameters: Parameters<f64>,
     pub error_scale: ErrorScale<f64>,
@@ -27,8 +27,7 @@ pub(super) struct BodyNumbers {
 }
 
 impl<'a> Chunk<'a> {
-    /// Trials that have been checked, with the options of the ensemble. Bodies that follow one another and are
-    /// equal count as one.
+    /// A chunk of checked trials with the options of the ensemble. Adjacent equal bodies are stored once.
     pub(super) fn new(trials: &'a [Release<'a>], options: &'a Options) -> Self {
         let mut bodies: Vec<BodyNumbers> = Vec::new();
         let mut body_of = Vec::with_capacity(trials.len());
@@ -53,7 +52,7 @@ impl<'a> Chunk<'a> {
         }
     }
 
-    /// The body of a trial.
+    /// The body of the trial with this index.
     pub(super) fn body(&self, index: usize) -> &BodyNumbers {
         &self.bodies[self.body_of[index]]
     }

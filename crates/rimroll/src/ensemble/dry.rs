@@ -1,8 +1,8 @@
-//! Falls under dry friction: those that roll go together, and those that slide; a fall changes from the
-//! one to the other and back.
+//! Falls under dry friction. One pool holds the falls that roll and another those that slide; a fall changes
+//! between them at the transitions of its contact.
 
 use super::chunk::{BodyNumbers, Chunk};
-use super::onset::{OnsetResult, OnsetStart, begin};
+use super::onset::{OnsetResult, OnsetStart, step_batch};
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedNoSlip, ReducedSliding, ReducedSystem};
 use super::trial::Trial;
@@ -16,22 +16,22 @@ use crate::state::Coordinates;
 type RollingPool<'a> = Pool<'a, ReducedNoSlip<f64, true>, 7>;
 type SlippingPool<'a> = Pool<'a, ReducedSliding<f64>, 10>;
 
-/// A fall between two phases: where it is, and how long a step to try.
+/// A fall that waits for a lane, with the size of its first step.
 struct Waiting {
     trial: Trial,
     at: Coordinates<f64>,
     h: f64,
 }
 
-/// A fall whose slip is to begin.
+/// A fall at the onset of slip.
 struct ToSlip {
     trial: Trial,
-    beginning: OnsetStart,
+    start: OnsetStart,
     result: Option<OnsetResult>,
 }
 
-/// How a phase is to begin.
-#[expect(clippy::large_enum_variant, reason = "it is taken apart at once")]
+/// The start of the next phase.
+#[expect(clippy::large_enum_variant, reason = "it is matched at once")]
 enum PhaseStart {
     ReducedNoSlip(Waiting),
     ReducedSliding(ToSlip),
@@ -39,7 +39,7 @@ enum PhaseStart {
 
 pub(super) struct Dry<'a> {
     chunk: &'a Chunk<'a>,
-    /// The length of a slip's first step, in first steps.
+    /// The size of the first step of an onset, relative to the first step of a phase.
     onset: f64,
     done: &'a mut [Option<Fall>],
 }
@@ -53,7 +53,7 @@ impl<'a> Dry<'a> {
         }
     }
 
-    /// Follows the falls from some of the trials; those that meet with what is rare are left undone.
+    /// Computes the falls of some trials. Those that need the scalar solver keep the result `None`.
     pub(super) fn follow(&mut self, waiting: impl Iterator<Item = usize>) {
         let mut waiting = waiting.peekable();
         let Some(&first) = waiting.peek() else { return };
@@ -62,7 +62,7 @@ impl<'a> Dry<'a> {
         let mut slipping = SlippingPool::new(body, limits);
         let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
         let mut to_slip: Vec<ToSlip> = Vec::with_capacity(2 * LANES);
-        let mut slipped: Vec<Waiting> = Vec::with_capacity(2 * LANES);
+        let mut past_onset: Vec<Waiting> = Vec::with_capacity(2 * LANES);
         loop {
             while rolling.len() < LANES {
                 let next = to_roll
@@ -71,15 +71,15 @@ impl<'a> Dry<'a> {
                 let Some(Waiting { trial, at, h }) = next else {
                     break;
                 };
-                let (_, held_by) = self.frictions(&trial);
+                let (_, static_friction) = self.frictions(&trial);
                 let body = self.body(&trial);
-                rolling.put(trial, &at, (body, held_by), h);
+                rolling.put(trial, &at, (body, static_friction), h);
             }
             while slipping.len() < LANES {
-                if slipped.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
-                    self.begin_to_slip(&mut to_slip, &mut slipped);
+                if past_onset.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
+                    self.step_onsets(&mut to_slip, &mut past_onset);
                 }
-                let Some(Waiting { trial, at, h }) = slipped.pop() else {
+                let Some(Waiting { trial, at, h }) = past_onset.pop() else {
                     break;
                 };
                 let (friction, _) = self.frictions(&trial);
@@ -88,25 +88,26 @@ impl<'a> Dry<'a> {
             }
             if rolling.len() + slipping.len() + to_slip.len() == 0 {
                 if waiting.peek().is_some() {
-                    // All that were to begin to slip were rare.
+                    // Every fall that waited for its onset needs the scalar solver.
                     continue;
                 }
                 return;
             }
             let most_roll = rolling.len() == LANES || rolling.len() > slipping.len();
-            let rolling_goes_on = slipping.len() < LANES && most_roll;
-            let mut begin = |begins| match begins {
+            let step_rolling = slipping.len() < LANES && most_roll;
+            let mut enqueue = |start| match start {
                 PhaseStart::ReducedNoSlip(waiting) => to_roll.push(waiting),
                 PhaseStart::ReducedSliding(waiting) => to_slip.push(waiting),
             };
-            // So that few lanes are empty: those that slide wait until there are enough of them, or few that roll.
-            if rolling_goes_on {
+            // Stepping the fuller pool keeps few lanes empty: the falls that slide wait until there are sixteen
+            // of them or until fewer falls roll.
+            if step_rolling {
                 rolling.step(|trial, exit, at| {
-                    self.after_rolling(trial, exit, at).map(&mut begin);
+                    self.after_rolling(trial, exit, at).map(&mut enqueue);
                 });
             } else {
                 slipping.step(|trial, exit, at| {
-                    self.after_slipping(trial, exit, at).map(&mut begin);
+                    self.after_slipping(trial, exit, at).map(&mut enqueue);
                 });
             }
         }
@@ -116,14 +117,14 @@ impl<'a> Dry<'a> {
         self.chunk.body(trial.index)
     }
 
-    /// Coefficients of friction: of slipping and static.
+    /// The coefficients of kinetic and static friction.
     fn frictions(&self, trial: &Trial) -> (f64, f64) {
         match self.chunk.trials[trial.index].2.friction {
             FrictionLaw::Coulomb(Coulomb {
                 friction,
                 static_friction,
             }) => (friction, static_friction),
-            _ => unreachable!("only falls under dry friction are followed here"),
+            _ => unreachable!("all these falls are under dry friction"),
         }
     }
 
@@ -139,7 +140,7 @@ impl<'a> Dry<'a> {
         Contacts::new(body, contact_law, options.gravity, limits.tolerance)
     }
 
-    /// The next of the trials that begins by rolling; those that begin to slip wait elsewhere.
+    /// The next trial that starts with rolling. Trials that start with slip are added to `to_slip`.
     fn next(
         &self,
         waiting: &mut impl Iterator<Item = usize>,
@@ -154,7 +155,7 @@ impl<'a> Dry<'a> {
             }
             let trial = Trial::new(index, &at, false);
             let contacts = self.contacts(&trial);
-            match self.going_on(trial, contacts.settle(&at), &at) {
+            match self.phase_after(trial, contacts.settle(&at), &at) {
                 Some(PhaseStart::ReducedNoSlip(waiting)) => return Some(waiting),
                 Some(PhaseStart::ReducedSliding(waiting)) => to_slip.push(waiting),
                 None => {}
@@ -163,8 +164,8 @@ impl<'a> Dry<'a> {
         None
     }
 
-    /// How a fall goes on; none where that is rare.
-    fn going_on(
+    /// The start of the phase after a transition; `None` if the fall needs the scalar solver.
+    fn phase_after(
         &self,
         mut trial: Trial,
         next: Transition,
@@ -184,11 +185,11 @@ impl<'a> Dry<'a> {
                 };
                 let h = self.onset * self.body(&trial).error_scale.first_step(&at);
                 let slipping = self.slipping(&trial);
-                let beginning = OnsetStart::from_rest(&at, direction, slipping, h);
+                let start = OnsetStart::from_rest(&at, direction, slipping, h);
                 trial.slid = true;
                 Some(PhaseStart::ReducedSliding(ToSlip {
                     trial,
-                    beginning,
+                    start,
                     result: None,
                 }))
             }
@@ -196,8 +197,8 @@ impl<'a> Dry<'a> {
         }
     }
 
-    /// The direction (unit vector) against the friction that holds a rolling rim: that in which it begins
-    /// to slip, but for what it takes more to let go than to slip.
+    /// The direction (unit vector) opposite to the static friction on a rolling rim. The slip starts in this
+    /// direction, apart from the effect of the drop from static to kinetic friction.
     fn against_friction(&self, trial: &Trial, at: &Coordinates<f64>) -> [f64; 2] {
         let needed = NoSlip::new(self.body(trial).parameters).contact(at);
         let size = (needed.along * needed.along + needed.across * needed.across).sqrt();
@@ -208,34 +209,33 @@ impl<'a> Dry<'a> {
         }
     }
 
-    /// Makes a step in the slips of up to sixteen falls that begin.
-    fn begin_to_slip(&self, to_slip: &mut Vec<ToSlip>, slipped: &mut Vec<Waiting>) {
+    /// Makes a step in the onsets of up to sixteen falls.
+    fn step_onsets(&self, to_slip: &mut Vec<ToSlip>, past_onset: &mut Vec<Waiting>) {
         let first = to_slip.len().saturating_sub(LANES);
         let Some(last) = to_slip[first..].last() else {
             return;
         };
-        // A lane without a fall of its own repeats the last.
-        let beginnings =
-            core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).beginning);
+        // Unused lanes repeat the last onset.
+        let starts = core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).start);
         let limits = &self.chunk.limits;
-        let result = begin(&beginnings, limits.tolerance);
-        for (i, result) in result.take(to_slip.len() - first).enumerate() {
+        let results = step_batch(&starts, limits.tolerance);
+        for (i, result) in results.take(to_slip.len() - first).enumerate() {
             to_slip[first + i].result = Some(result);
         }
         for i in (first..to_slip.len()).rev() {
             match to_slip[i].result.take() {
-                Some(OnsetResult::Again(beginning)) => to_slip[i].beginning = beginning,
+                Some(OnsetResult::Again(start)) => to_slip[i].start = start,
                 Some(OnsetResult::Follow(at, h)) => {
                     let ToSlip { trial, .. } = to_slip.swap_remove(i);
-                    // What happens while it begins to slip is left to be found elsewhere.
-                    let lasts = self
+                    // If an event happened during the onset, the scalar solver locates it.
+                    let keeps_contact = self
                         .slipping(&trial)
                         .contact_margin(&ReducedSliding::project(&at))
                         > 0.0;
-                    let is_on_its_way = trial.direction * at.p > 0.0;
+                    let keeps_direction = trial.direction * at.p > 0.0;
                     let topple = &self.body(&trial).topple;
-                    if lasts && is_on_its_way && limits.are_far_from(&at, topple) {
-                        slipped.push(Waiting { trial, at, h });
+                    if keeps_contact && keeps_direction && limits.are_far_from(&at, topple) {
+                        past_onset.push(Waiting { trial, at, h });
                     }
                 }
                 Some(OnsetResult::Lost) | None => drop(to_slip.swap_remove(i)),
@@ -261,8 +261,8 @@ impl<'a> Dry<'a> {
                 None
             }
             Exit::ContactEnds => {
-                let against = self.against_friction(&trial, at);
-                self.going_on(trial, Transition::BeginToSlip(against), at)
+                let direction = self.against_friction(&trial, at);
+                self.phase_after(trial, Transition::BeginToSlip(direction), at)
             }
             Exit::SlipEnds | Exit::NeedsScalar => None,
         }
@@ -288,15 +288,15 @@ impl<'a> Dry<'a> {
                     friction_loss: 0.0,
                     ..stopped
                 };
-                self.going_on(trial, contacts.settle(&rolling), &rolling)
+                self.phase_after(trial, contacts.settle(&rolling), &rolling)
             }
             Exit::ContactEnds | Exit::NeedsScalar => None,
         }
     }
 }
 
-/// How long the step of an onset may be at a tolerance, in first steps: its error grows with the seventh
-/// power.
+/// The size of the first step of an onset at a tolerance, relative to the first step of a phase. The error of
+/// the step is proportional to the seventh power of its size.
 fn onset_length(tolerance: f64) -> f64 {
     45.0 * libm::pow(tolerance / 2e-10, 1.0 / 7.0)
 }
@@ -311,9 +311,9 @@ mod tests {
     use crate::state::State;
 
     #[test]
-    fn a_can_on_a_table_is_never_rare() {
+    fn a_can_on_a_table_never_needs_the_scalar_solver() {
         let can = presets::can_2007().expect("the paper's can");
-        // Spread evenly over all decades by multiples of irrational numbers.
+        // Multiples of irrational numbers spread the starts evenly over all decades.
         let part = |i: usize, by: f64| (i as f64 * by).fract();
         let trials: Vec<_> = (1..5000)
             .map(|i| {
@@ -336,7 +336,7 @@ mod tests {
             let mut done = vec![None; trials.len()];
             Dry::new(&chunk, &mut done).follow(0..trials.len());
             let left = done.iter().filter(|fall| fall.is_none()).count();
-            assert_eq!(left, 0, "at {rtol}");
+            assert_eq!(left, 0, "rtol {rtol}");
         }
     }
 }

@@ -1,26 +1,26 @@
-//! What a fall must not cross unseen.
+//! The bounds of a fall in lanes.
 
 use crate::error_scale::ErrorScale;
 use crate::motion::{FACE_DOWN_TILT, Options};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
-/// The limits of all falls of an ensemble.
+/// The bounds of all falls of an ensemble.
 pub(super) struct Limits {
-    /// s.
+    /// The maximal duration, s.
     pub duration: f64,
-    /// Below this sine the base may be flat.
+    /// Below this sin φ the base may lie flat on the table.
     pub flat: f64,
-    /// What one step may err, relative to the sizes.
+    /// The tolerance of one step, relative to the error scales.
     pub tolerance: f64,
-    /// A tilt rate counts as having a sign when it is larger than this part of its size.
+    /// The sign of a tilt rate is significant if the rate exceeds this fraction of its error scale.
     significant: f64,
-    /// A fall of more steps is followed by itself.
+    /// A fall that takes more steps is left to the scalar solver.
     pub max_steps: f64,
 }
 
 impl Limits {
-    /// The limits of falls with these options, which have been checked.
+    /// The bounds of falls with these options, which must have been checked.
     pub(super) fn of(options: &Options) -> Limits {
         Limits {
             duration: options.duration,
@@ -31,15 +31,15 @@ impl Limits {
         }
     }
 
-    /// Whether a fall that starts here has some way to go to a limit.
+    /// Whether a fall can start in lanes at these coordinates, inside all bounds.
     pub(super) fn are_far_from(&self, u: &Coordinates<f64>, topple: &Topple<f64>) -> bool {
         let in_time = u.t < self.duration && self.max_steps > 0.0;
         u.sin > self.flat && u.cos > 0.0 && topple.below(u) > 0.0 && in_time
     }
 
-    /// −1 or 1 when the tilt clearly falls or rises, 0 when it cannot be told.
-    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, by: &ErrorScale<f64>) -> f64 {
-        by.sign_of_tilt_rate(u, self.significant)
+    /// The sign of the tilt rate, or 0 if the sign is not significant.
+    pub(super) fn sign_of_tilt_rate(&self, u: &Coordinates<f64>, scale: &ErrorScale<f64>) -> f64 {
+        scale.sign_of_tilt_rate(u, self.significant)
     }
 }
 
@@ -53,21 +53,21 @@ pub(super) struct Topple<T> {
 fieldwise!(Topple { sin, cos; });
 
 impl Topple<f64> {
-    /// The limits of a body that counts as toppled at a tilt (rad), if at any.
+    /// The topple tilt, rad. With `None` the body never counts as toppled.
     pub(super) fn at(tilt: Option<f64>) -> Self {
-        // Beyond the tilt π no body gets.
+        // The tilt never reaches π.
         let (sin, cos) = tilt.map_or((0.0, -1.0), libm::sincos);
         Topple { sin, cos }
     }
 
-    /// Whether this is not past the tilt π/2, at which the base is upright.
+    /// Whether the topple tilt is at most π/2, where the base is vertical.
     pub(super) fn is_at_most_upright(&self) -> bool {
         self.cos > -1e-9
     }
 }
 
 impl<T: Real> Topple<T> {
-    /// The sine of the tilt that is missing to where the body counts as toppled.
+    /// sin(topple tilt − φ), an event function that is positive below the topple tilt.
     #[inline(always)]
     pub(super) fn below(&self, u: &Coordinates<T>) -> T {
         u.cos * self.sin - u.sin * self.cos

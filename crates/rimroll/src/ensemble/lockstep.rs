@@ -1,5 +1,5 @@
-//! Sixteen motions, one in each lane, making one step at a time together: each of its own length, good or
-//! bad by itself.
+//! A batch of sixteen motions, one in each lane. All lanes make a step at once, each with its own step size,
+//! and each step is accepted or rejected independently of the others.
 
 use super::limits::{Limits, Topple};
 use super::reduced_system::ReducedSystem;
@@ -8,52 +8,53 @@ use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
 
-/// Sixteen motions under way.
+/// The state of the batch.
 pub(super) struct Lockstep<const N: usize> {
-    /// Where each is.
+    /// The states at the start of the step.
     pub u: [Lanes; N],
-    /// The sizes of the coordinates there.
+    /// The error scales at the start.
     scales: [Lanes; N],
-    /// How long a step to try.
+    /// The size of the step to try.
     pub h: Lanes,
-    /// A step no longer than this leads nowhere.
+    /// A step size of at most this counts as underflow.
     pub min_h: Lanes,
-    /// By how much the next step may be longer.
+    /// The maximal factor to the next step size.
     growth: Lanes,
-    /// The sign of the tilt rate, 0 before it has one.
+    /// The sign of the tilt rate, or 0 while the sign is not significant.
     pub direction: Lanes,
-    /// 0 for a lane that is not to go on by itself, else 1.
+    /// 1 for a lane that accepts and repeats steps in this module, 0 for one whose steps the pool decides on.
     pub free: Lanes,
-    /// Steps made.
+    /// The number of accepted steps.
     pub steps: Lanes,
-    /// Where each topples.
+    /// The topple tilts.
     pub topple: Topple<Lanes>,
-    /// Where the step that was tried has led.
+    /// The states at the end of the step.
     pub end: [Lanes; N],
-    /// The rates there.
+    /// The rates at the end.
     pub end_rates: [Lanes; N],
     end_scales: [Lanes; N],
-    /// How long the next step could be.
+    /// The next step size that the error estimate allows.
     pub next: Lanes,
-    /// The least of what must not be negative inside the step.
+    /// The minimum, over some points inside the step, of the event functions for tilt extremes and contact.
     pub inside: Lanes,
-    /// The rates at each stage of the step, first of all those where it begins.
+    /// The rates at the stages of the step, beginning with those at its start.
     stages: [[Lanes; N]; 16],
 }
 
-/// What a step may run into.
+/// The event functions. Each is negative after its event.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum EventFunction {
-    /// The tilt is extreme.
+    /// An extreme of the tilt.
     Extreme,
+    /// The topple tilt.
     Topple,
-    /// Time is up.
+    /// The end of the duration.
     Time,
-    /// The contact no longer lasts.
+    /// The end of the contact condition.
     Contact,
 }
 
-/// All of them, in the order of their numbers.
+/// All event functions in the order of their indices.
 pub(super) const EVENT_FUNCTIONS: [EventFunction; 4] = [
     EventFunction::Extreme,
     EventFunction::Topple,
@@ -69,25 +70,25 @@ const _: () = {
     }
 };
 
-/// What became of the steps that were tried: a bit for each lane.
+/// The outcome of a step, with one bit for each lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StepOutcome {
-    /// Good enough.
-    good: Bits,
-    /// Ends beyond each of the marks.
+    /// The error is within the tolerance.
+    within_tolerance: Bits,
+    /// The event function is negative at the end of the step.
     crossed: [Bits; EVENT_FUNCTIONS.len()],
-    /// Nothing is to be decided: either the step was good, nothing happened on the way and the motion has
-    /// gone on, or it was not good and a shorter one is to be tried.
+    /// The pool has nothing to decide: the step is within the tolerance and no event is possible, or it was rejected and
+    /// a shorter step follows.
     pub settled: Bits,
 }
 
 impl StepOutcome {
-    /// Whether the step of a lane was good.
-    pub(super) fn is_good(&self, lane: usize) -> bool {
-        self.good >> lane & 1 == 1
+    /// Whether the error of a lane's step is within the tolerance.
+    pub(super) fn is_within_tolerance(&self, lane: usize) -> bool {
+        self.within_tolerance >> lane & 1 == 1
     }
 
-    /// Whether it has led beyond a mark.
+    /// Whether an event function is negative at the end of a lane's step.
     pub(super) fn has_crossed(&self, lane: usize, event: EventFunction) -> bool {
         self.crossed[event as usize] >> lane & 1 == 1
     }
@@ -125,27 +126,27 @@ impl<const N: usize> Lockstep<N> {
         self.growth.0[lane] = 8.0;
     }
 
-    /// Where the motion in a lane is.
+    /// The state of a lane at the start of the step.
     pub(super) fn at(&self, lane: usize) -> [f64; N] {
         core::array::from_fn(|i| self.u[i].0[lane])
     }
 
-    /// The rates there.
+    /// The rates of a lane at the start of the step.
     pub(super) fn rates_at(&self, lane: usize) -> [f64; N] {
         core::array::from_fn(|i| self.stages[0][i].0[lane])
     }
 
-    /// Where the step that was tried in a lane has led.
+    /// The state of a lane at the end of the step.
     pub(super) fn end_at(&self, lane: usize) -> [f64; N] {
         core::array::from_fn(|i| self.end[i].0[lane])
     }
 
-    /// The rates there.
+    /// The rates of a lane at the end of the step.
     pub(super) fn end_rates_at(&self, lane: usize) -> [f64; N] {
         core::array::from_fn(|i| self.end_rates[i].0[lane])
     }
 
-    /// Takes the step that a lane has tried.
+    /// Advances a lane to the end of its step.
     pub(super) fn accept(&mut self, lane: usize) {
         for i in 0..N {
             self.u[i].0[lane] = self.end[i].0[lane];
@@ -155,8 +156,8 @@ impl<const N: usize> Lockstep<N> {
         self.steps.0[lane] += 1.0;
     }
 
-    /// Tries a step of each motion, and takes it where it is good and quiet; `phase` has the body and friction of
-    /// each.
+    /// Computes a step of each motion under its own body and friction, given by `phase`. Lanes whose error is
+    /// within the tolerance and in which no event is possible advance to its end.
     pub(super) fn step<P: ReducedSystem<Lanes, N>>(
         &mut self,
         phase: &P,
@@ -176,20 +177,22 @@ impl<const N: usize> Lockstep<N> {
         let (end, end_rates) = (V::load_all(&self.end), V::load_all(&self.end_rates));
         let scales = phase.scales(&end);
         let estimate = self.estimate(&scales, limits.tolerance);
-        let is_number = estimate.error_squared.at_most(V::from(f64::MAX));
-        let good = is_number.and(estimate.error_squared.at_most(estimate.allowed));
+        let is_finite = estimate.error_squared.at_most(V::from(f64::MAX));
+        let within_tolerance = is_finite.and(estimate.error_squared.at_most(estimate.allowed));
         let at = P::With::<V>::expand(&end);
         // In the order of `EVENT_FUNCTIONS`.
-        let levels = [
+        let event_values = [
             V::load(&self.direction) * at.p,
             self.topple.map(V::load).below(&at),
             V::from(limits.duration) - at.t,
             phase.contact_margin(&end),
         ];
         let slip_persists = phase.slip_persists(&end, &end_rates, limits.tolerance);
-        let safety = self.safety(&at, &levels, slip_persists, limits);
-        let quiet = good.and(V::from(0.0).at_most(safety)).opaque();
-        let shortened = self.choose_next(&estimate, is_number, good, quiet);
+        let event_margin = self.event_margin(&at, &event_values, slip_persists, limits);
+        let quiet = within_tolerance
+            .and(V::from(0.0).at_most(event_margin))
+            .opaque();
+        let shortened = self.choose_next(&estimate, is_finite, within_tolerance, quiet);
         for i in 0..N {
             self.u[i] = quiet.choose(end[i], V::load(&self.u[i])).store();
             self.stages[0][i] = quiet
@@ -201,23 +204,23 @@ impl<const N: usize> Lockstep<N> {
         let zero = V::from(0.0);
         let mut crossed = [0; EVENT_FUNCTIONS.len()];
         for i in 0..EVENT_FUNCTIONS.len() {
-            // Written so that a NaN is beyond.
-            crossed[i] = (!zero.at_most(levels[i])).bits();
+            // A NaN counts as crossed.
+            crossed[i] = (!zero.at_most(event_values[i])).bits();
         }
         StepOutcome {
-            good: good.bits(),
+            within_tolerance: within_tolerance.bits(),
             crossed,
             settled: quiet.or(shortened).bits(),
         }
     }
 
-    /// One step of the method of order 8, some of the lanes after the other in each stage: while some wait for
-    /// the last of a formula, the others begin.
+    /// One step of the method of order 8. Each stage is computed for one part of the lanes after the other, so
+    /// that the processor can begin one part while another waits for the end of a dependency chain.
     #[inline(always)]
     fn attempt<V: Part, P: ReducedSystem<Lanes, N>>(&mut self, phase: &P) {
         const { assert!(V::PARTS <= 2) };
         self.inside = Lanes::from(f64::INFINITY);
-        // Loaded once: the compiler cannot know that the stages leave the laws as they are.
+        // Loaded only once, because the compiler cannot prove that the stages do not change the parameters.
         let first = phase.with_numbers(|lanes| V::load_part(lanes, 0));
         let last = phase.with_numbers(|lanes| V::load_part(lanes, V::PARTS - 1));
         for i in 0..=STAGES.len() {
@@ -228,11 +231,11 @@ impl<const N: usize> Lockstep<N> {
         }
     }
 
-    /// A stage of the step of some lanes, where the last leads to its end.
+    /// A stage of the step in one part of the lanes. The last stage is the end of the step.
     #[inline(always)]
     fn stage<V: Part, P: ReducedSystem<V, N>>(&mut self, i: usize, part: usize, phase: &P) {
-        // Asked once rather than for every number.
-        assert!(part < V::PARTS, "a part");
+        // Checked here once, so that the compiler drops the check for every number.
+        assert!(part < V::PARTS, "part out of range");
         let (u, h) = (V::load_parts(&self.u, part), V::load_part(&self.h, part));
         if i == STAGES.len() {
             let end = combine(&u, h, SOLUTION, &self.stages, part, N);
@@ -240,13 +243,13 @@ impl<const N: usize> Lockstep<N> {
             V::store_parts(phase.rates(&end), &mut self.end_rates, part);
             return;
         }
-        let at = before_stage(i, &u, h, &self.stages, part, P::ESSENTIAL);
+        let at = stage_argument(i, &u, h, &self.stages, part, P::ESSENTIAL);
         V::store_parts(phase.rates(&at), &mut self.stages[i + 1], part);
-        // At 1/3, 3/5 and 6/7 of the step.
+        // These stages lie at 1/3, 3/5 and 6/7 of the step.
         if matches!(i, 4 | 8 | 9) {
-            let tilting = V::load_part(&self.direction, part) * P::expand(&at).p;
+            let extreme = V::load_part(&self.direction, part) * P::expand(&at).p;
             let inside = V::load_part(&self.inside, part);
-            let inside = inside.min(tilting).min(phase.contact_margin(&at));
+            let inside = inside.min(extreme).min(phase.contact_margin(&at));
             inside.store_part(&mut self.inside, part);
         }
     }
@@ -259,71 +262,71 @@ impl<const N: usize> Lockstep<N> {
     fn estimate<V: Vector>(&self, end_scales: &[V; N], tolerance: f64) -> Estimate<V> {
         let (mut fifth, mut third) = (V::from(0.0), V::from(0.0));
         for i in 0..N {
-            let size = V::load(&self.scales[i]).max(end_scales[i]);
-            let per_size = V::from(1.0) / (V::from(tolerance) * size);
-            let e5 = weigh::<V, N>(ERROR_5, &self.stages, 0, i) * per_size;
-            let e3 = weigh::<V, N>(ERROR_3, &self.stages, 0, i) * per_size;
+            let scale = V::load(&self.scales[i]).max(end_scales[i]);
+            let per_scale = V::from(1.0) / (V::from(tolerance) * scale);
+            let e5 = weighted_sum::<V, N>(ERROR_5, &self.stages, 0, i) * per_scale;
+            let e3 = weighted_sum::<V, N>(ERROR_3, &self.stages, 0, i) * per_scale;
             fifth = fifth + e5 * e5;
             third = third + e3 * e3;
         }
         Estimate::new(V::load(&self.h), fifth, third, N)
     }
 
-    /// Not negative where the step has crossed nothing that is to be seen.
+    /// The minimum of all event functions and bounds. If it is negative, the pool has to examine the step.
     #[inline(always)]
-    fn safety<V: Vector>(
+    fn event_margin<V: Vector>(
         &self,
         end: &Coordinates<V>,
-        levels: &[V; EVENT_FUNCTIONS.len()],
+        event_values: &[V; EVENT_FUNCTIONS.len()],
         slip_persists: V,
         limits: &Limits,
     ) -> V {
-        let lifted = end.sin - V::from(limits.flat);
+        let above_flat = end.sin - V::from(limits.flat);
         let direction = V::load(&self.direction);
-        // Neither 0, before there is a direction, nor a lane that is held.
-        let on_its_way = V::load(&self.free) * direction * direction - V::from(0.5);
-        let [extreme, topple, time, contact] = *levels;
+        // Negative without a direction, and in a lane that the pool controls.
+        let free = V::load(&self.free) * direction * direction - V::from(0.5);
+        let [extreme, topple, time, contact] = *event_values;
         V::load(&self.inside)
             .min(contact)
             .min(extreme)
             .min(topple)
             .min(time)
-            .min(lifted)
+            .min(above_flat)
             .min(end.cos)
             .min(V::from(limits.max_steps) - V::load(&self.steps))
             .min(slip_persists)
-            .min(on_its_way)
+            .min(free)
     }
 
-    /// How long the next step could be; and lets it be so where nothing else is to be decided. It says where
-    /// a shorter one is to be tried, and is long enough.
+    /// Computes the next step size, and sets it in the lanes where the pool has nothing to decide. The result
+    /// marks the lanes that repeat the step with a smaller step size above the minimum.
     #[inline(always)]
     fn choose_next<V: Vector>(
         &mut self,
         estimate: &Estimate<V>,
-        is_number: V::Mask,
-        good: V::Mask,
+        is_finite: V::Mask,
+        within_tolerance: V::Mask,
         quiet: V::Mask,
     ) -> V::Mask {
         let (one, h) = (V::from(1.0), V::load(&self.h));
         let factor = estimate.next_factor().max(V::from(0.2));
-        let factor = is_number.choose(factor, V::from(0.1));
-        let growth = good.choose(V::load(&self.growth), one);
+        let factor = is_finite.choose(factor, V::from(0.1));
+        let growth = within_tolerance.choose(V::load(&self.growth), one);
         let next = h * factor.min(growth);
         let free = V::from(0.5).at_most(V::load(&self.free));
-        let shortened = (!good).and(free);
+        let shortened = (!within_tolerance).and(free);
         let steps = V::load(&self.steps);
         self.next = next.store();
         self.h = quiet.or(shortened).choose(next, h).store();
-        self.growth = good.choose(V::from(8.0), one).store();
+        self.growth = within_tolerance.choose(V::from(8.0), one).store();
         self.steps = quiet.choose(steps + one, steps).store();
         let is_finite = next.at_most(V::from(f64::MAX));
-        let is_long_enough = !next.at_most(V::load(&self.min_h));
-        shortened.and(is_finite.and(is_long_enough))
+        let exceeds_min = !next.at_most(V::load(&self.min_h));
+        shortened.and(is_finite.and(exceeds_min))
     }
 }
 
-/// A step to be tried: the motions, their phase and their limits.
+/// The computation of a step: the motions, their equations and their bounds.
 struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Limits);
 
 impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for Step<'_, P, N> {
@@ -336,9 +339,9 @@ impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for Step<'_, P, N> {
     }
 }
 
-/// Where the next stage after some is to be made.
+/// The argument of the stage that follows `made` finished stages.
 #[inline(always)]
-fn before_stage<V: Part, const N: usize>(
+fn stage_argument<V: Part, const N: usize>(
     made: usize,
     u: &[V; N],
     h: V,
@@ -357,7 +360,7 @@ fn before_stage<V: Part, const N: usize>(
     rows!(0 1 2 3 4 5 6 7 8 9 10)
 }
 
-/// How many terms of a row are written out.
+/// The number of terms to which sums over a row are unrolled.
 const TERMS: usize = 9;
 
 const _: () = {
@@ -369,13 +372,18 @@ const _: () = {
     assert!(SOLUTION.len() <= TERMS && ERROR_5.len() <= TERMS && ERROR_3.len() <= TERMS);
 };
 
-/// Σ weight · stage of a coordinate, summed in the order of the row, which is to be known when this is
-/// compiled: hence the terms are written out.
+/// Σ weight · stage of a coordinate, summed in the order of the row. The terms are unrolled, so that the
+/// weights are compile-time constants.
 #[inline(always)]
-fn weigh<V: Part, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], part: usize, i: usize) -> V {
+fn weighted_sum<V: Part, const N: usize>(
+    row: Row,
+    stages: &[[Lanes; N]; 16],
+    part: usize,
+    i: usize,
+) -> V {
     let i = V::opaque(i);
-    // Asked once rather than for every term.
-    assert!(i < N, "a coordinate");
+    // Checked here once, so that the compiler drops the check for every term.
+    assert!(i < N, "coordinate out of range");
     let (first, weight) = row[0];
     let mut sum = V::from(weight) * V::load_part(&stages[first][i], part);
     macro_rules! add {
@@ -389,7 +397,7 @@ fn weigh<V: Part, const N: usize>(row: Row, stages: &[[Lanes; N]; 16], part: usi
     sum
 }
 
-/// u + h Σ weight · stage of the first `count` coordinates; the others stay.
+/// u + h Σ weight · stage for the first `count` coordinates; the others keep their values.
 #[inline(always)]
 fn combine<V: Part, const N: usize>(
     u: &[V; N],
@@ -401,12 +409,12 @@ fn combine<V: Part, const N: usize>(
 ) -> [V; N] {
     let mut end = *u;
     for (i, end) in end.iter_mut().enumerate().take(count) {
-        *end = *end + h * weigh(row, stages, part, i);
+        *end = *end + h * weighted_sum(row, stages, part, i);
     }
     end
 }
 
-/// The lanes of a set of bits.
+/// The indices of the bits that are set.
 pub(super) fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
     core::iter::from_fn(move || {
         let lane = (bits != 0).then(|| bits.trailing_zeros() as usize)?;
@@ -428,7 +436,7 @@ mod tests {
     use crate::real::{LANES, Lanes, SimdKernel, Vector, in_every_width};
     use crate::state::{Coordinates, State};
 
-    /// Sixteen cans, each a little otherwise.
+    /// Sixteen cans with different starts.
     fn cans<P: ReducedSystem<f64, N>, const N: usize>(phase: &P) -> Lockstep<N> {
         let mut lockstep = Lockstep::new();
         for lane in 0..LANES {
@@ -452,7 +460,7 @@ mod tests {
         lockstep
     }
 
-    /// Twenty steps.
+    /// A computation of twenty steps.
     struct Steps<'a, P>(&'a P, &'a Limits);
 
     impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for (Steps<'_, P>, Lockstep<N>) {
@@ -465,7 +473,7 @@ mod tests {
         }
     }
 
-    fn assert_steps_alike<P: ReducedSystem<f64, N>, const N: usize>(friction: f64) {
+    fn assert_same_steps_in_every_width<P: ReducedSystem<f64, N>, const N: usize>(friction: f64) {
         let can = presets::can_2007().expect("the paper's can");
         let phase = P::new(Parameters::new(&can, 9.8), friction);
         let in_lanes = phase.with_numbers(|&number| Lanes::from(number));
@@ -482,10 +490,10 @@ mod tests {
 
     #[test]
     fn the_width_of_the_registers_changes_no_bit() {
-        assert_steps_alike::<ReducedNoSlip<f64, false>, 7>(0.0);
-        // So much that it holds.
-        assert_steps_alike::<ReducedNoSlip<f64, true>, 7>(20.0);
-        assert_steps_alike::<ReducedFrictionless<f64>, 7>(0.0);
-        assert_steps_alike::<ReducedSliding<f64>, 10>(0.2);
+        assert_same_steps_in_every_width::<ReducedNoSlip<f64, false>, 7>(0.0);
+        // With this much friction the rim does not slip.
+        assert_same_steps_in_every_width::<ReducedNoSlip<f64, true>, 7>(20.0);
+        assert_same_steps_in_every_width::<ReducedFrictionless<f64>, 7>(0.0);
+        assert_same_steps_in_every_width::<ReducedSliding<f64>, 10>(0.2);
     }
 }

@@ -97,7 +97,7 @@ pub(super) enum OnsetResult {
 }
 
 /// Makes a step in each of sixteen slips.
-pub(super) fn begin(
+pub(super) fn step_batch(
     beginnings: &[OnsetStart; LANES],
     tolerance: f64,
 ) -> impl Iterator<Item = OnsetResult> + use<> {

@@ -142,7 +142,7 @@ where
             if self.trials[lane].is_none() {
                 continue;
             }
-            let exit = if outcome.is_good(lane) {
+            let exit = if outcome.is_within_tolerance(lane) {
                 self.inspect_step(lane, &outcome)
             } else {
                 self.shorten(lane)

@@ -1,5 +1,5 @@
-//! What is carried along of a fall while its contact stays the same: of the coordinates only those that
-//! the outcome needs. First come those that the law feels; the rest is summed up on the way.
+//! The reduced systems of a batch. Each holds the equations of one phase in the coordinates on which the
+//! outcome depends. The coordinates that enter the rates come first; the ignorable ones follow.
 
 use crate::error_scale::{ErrorScale, slip_speed};
 use crate::law::{
@@ -8,40 +8,41 @@ use crate::law::{
 use crate::real::Real;
 use crate::state::Coordinates;
 
-/// A way of meeting the table, by the coordinates that it carries.
+/// The equations of one phase in N reduced coordinates.
 pub(super) trait ReducedSystem<T: Real, const N: usize> {
-    /// How many coordinates, the first, the rates depend on.
+    /// The number of leading coordinates on which the rates depend.
     const ESSENTIAL: usize;
 
-    /// For one body under one gravity; `friction` is what holds or slows the rim, if anything does.
+    /// The system for one body under one gravity. `friction` is the coefficient of static friction while the
+    /// rim rolls, that of kinetic friction while it slides, and unused under an ideal law.
     fn new(k: Parameters<T>, friction: T) -> Self;
 
-    /// The same for other numbers.
+    /// This system over another number type.
     type With<U: Real>: ReducedSystem<U, N>;
 
-    /// The law in another number type.
+    /// Converts the parameters to another number type.
     fn with_numbers<U: Real>(&self, f: impl Fn(&T) -> U) -> Self::With<U>;
 
-    /// Writes each number of the body and its friction into its counterpart.
+    /// Writes each parameter of the body and its friction into its counterpart.
     fn write_to<U: Real>(&self, to: &mut Self::With<U>, f: impl Fn(&T, &mut U));
 
-    /// The coordinates that are carried, out of all.
+    /// The reduced coordinates.
     fn project(u: &Coordinates<T>) -> [T; N];
 
-    /// All coordinates, those not carried being 0.
+    /// All coordinates, with 0 for those that the reduced system lacks.
     fn expand(u: &[T; N]) -> Coordinates<T>;
 
-    /// Rates by the solver's clock.
+    /// Rates with respect to the independent variable of the phase: τ, or σ in dry slip.
     fn rates(&self, u: &[T; N]) -> [T; N];
 
-    /// For each coordinate the size that an error is compared with.
+    /// The error scales of the coordinates.
     fn scales(&self, u: &[T; N]) -> [T; N];
 
-    /// Positive as long as the contact lasts as it is.
+    /// An event function that is positive while the contact condition of the phase holds.
     fn contact_margin(&self, u: &[T; N]) -> T;
 
-    /// Not negative before what is left of a slip can go at the rate at which it stops, to within the
-    /// tolerance.
+    /// An event function that is negative where a slip is about to stop: its deceleration is then constant
+    /// within the tolerance.
     #[inline(always)]
     fn slip_persists(&self, _u: &[T; N], _rates: &[T; N], _tolerance: f64) -> T {
         T::from(1.0)
@@ -63,7 +64,7 @@ macro_rules! reduces_to {
     };
 }
 
-/// Rolling; where friction is dry (`DRY`), as long as it holds the rim.
+/// Rolling without slip, with unlimited friction or, if `DRY`, with dry static friction.
 pub(super) struct ReducedNoSlip<T, const DRY: bool> {
     law: NoSlip<T>,
     /// μ_s².
@@ -115,20 +116,22 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
         Self::project(&self.error_scale.scales(&Self::expand(u)))
     }
 
-    /// N sin φ; under dry friction μ_s² N² − T², as long as that is less, times sin² φ.
+    /// N sin φ. Under dry friction it is (μ_s² N² − T²) sin² φ where N is positive.
     #[inline(always)]
     fn contact_margin(&self, u: &[T; 7]) -> T {
         let contact = self.law.contact(&Self::expand(u));
         if !DRY {
             return contact.normal;
         }
-        let held = self.static_friction_squared * contact.normal * contact.normal;
+        let available = self.static_friction_squared * contact.normal * contact.normal;
         let needed = contact.along * contact.along + contact.across * contact.across;
-        contact.normal.where_negative(contact.normal, held - needed)
+        contact
+            .normal
+            .where_negative(contact.normal, available - needed)
     }
 }
 
-/// Sliding without friction, which changes no spin.
+/// Sliding without friction. The axial spin is constant.
 pub(super) struct ReducedFrictionless<T> {
     law: Frictionless<T>,
     error_scale: ErrorScale<T>,
@@ -178,7 +181,8 @@ impl<T: Real> ReducedSystem<T, 7> for ReducedFrictionless<T> {
     }
 }
 
-/// Sliding under dry friction, by a clock that slows down with the slip.
+/// Sliding under dry friction. The independent variable is σ of the Sundman time transformation
+/// ([`ErrorScale::sundman_factor`]).
 #[derive(Clone, Copy)]
 pub(super) struct ReducedSliding<T> {
     law: SlidingDry<T>,
@@ -186,7 +190,7 @@ pub(super) struct ReducedSliding<T> {
 }
 
 impl<T: Real> ReducedSliding<T> {
-    /// Rates by the clock that does not slow down, under friction against a slip in a direction.
+    /// Rates with respect to τ, with the friction that opposes a slip in this direction (unit vector).
     #[inline(always)]
     pub(super) fn rates_against(&self, u: &[T; 10], direction: [T; 2]) -> [T; 10] {
         let friction_force = self.law.friction().against(direction);
@@ -196,34 +200,34 @@ impl<T: Real> ReducedSliding<T> {
         Self::project(&rates)
     }
 
-    /// For a slip in a direction out of rest: negative where nothing presses the rim to the table, where
-    /// what does is not determined, or where friction would have to push by more than a rounding error.
+    /// Whether slip can start from rest in this direction (unit vector). The result is negative if the normal
+    /// force is negative or not determined, or if the slip would decelerate by more than a rounding error.
     #[inline(always)]
     pub(super) fn can_begin(&self, u: &[T; 10], direction: [T; 2]) -> T {
-        // At loose tolerances sin² φ + cos² φ = 1, and with it the laws' agreement on when slip begins, is
-        // kept to some 1e-8.
+        // At loose tolerances sin² φ + cos² φ differs from 1 by up to about 1e-8. The condition for slip in
+        // the rolling and in the sliding equations agrees only to that accuracy.
         const ROUNDING: f64 = 1e-6;
         let u = Self::expand(u);
         let friction_force = self.law.friction().against(direction);
         let (contact, rates) = self.law.reduced_rates_under(&u, &friction_force);
-        let forward = rates.slip_x * direction[0] + rates.slip_y * direction[1];
+        let along = rates.slip_x * direction[0] + rates.slip_y * direction[1];
         let across = rates.slip_y * direction[0] - rates.slip_x * direction[1];
         let friction = contact.along.abs() + contact.across.abs();
-        let size =
-            friction * self.law.parameters().sideways_mobility() + forward.abs() + across.abs();
-        let pushed = forward + T::from(ROUNDING) * size;
-        pushed
+        let scale =
+            friction * self.law.parameters().sideways_mobility() + along.abs() + across.abs();
+        let acceleration = along + T::from(ROUNDING) * scale;
+        acceleration
             .min(contact.normal)
             .min(self.law.inertia(&u, &friction_force))
     }
 
-    /// What errors are compared with while a slip begins.
+    /// The error scales while a slip begins.
     #[inline(always)]
     pub(super) fn scales_at_onset(&self, u: &[T; 10]) -> [T; 10] {
         Self::project(&self.error_scale.scales_at_slip_onset(&Self::expand(u)))
     }
 
-    /// How fast the solver's clock goes, as a part of τ.
+    /// dτ/dσ.
     #[inline(always)]
     pub(super) fn sundman_factor(&self, u: &Coordinates<T>) -> T {
         self.error_scale.sundman_factor(u)
@@ -256,14 +260,14 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
         self.error_scale.write(&mut to.error_scale, &f);
     }
 
-    // The root of the slip's speed is what takes longest, and so it is begun first.
+    // The square root of the slip speed has the longest latency, so the slip comes first.
     reduces_to!(slip_x, slip_y, p, w, sin, cos, s, yaw, t, friction_loss; 10);
 
     #[inline(always)]
     fn rates(&self, u: &[T; 10]) -> [T; 10] {
         let u = Self::expand(u);
         let friction_force = self.law.friction_force(&u);
-        // One division for the clock and for the law.
+        // The Sundman factor and the equations of motion share one division.
         let (inertia, sundman_denominator) = (
             self.law.inertia(&u, &friction_force),
             self.error_scale.sundman_denominator(&u),
@@ -281,14 +285,15 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
         Self::project(&self.error_scale.scales_in_dry_slip(&Self::expand(u)))
     }
 
-    /// As long as it is determined, N sin φ times what is then positive.
+    /// The normal force, scaled by a positive factor; negative near the Painlevé paradox.
     #[inline(always)]
     fn contact_margin(&self, u: &[T; 10]) -> T {
-        // What counts as Painlevé's paradox is less.
-        const CLEAR: f64 = 1e-3;
+        // The scalar solver, which takes over below this consistency, detects the Painlevé paradox at a
+        // smaller one.
+        const MIN_CONSISTENCY: f64 = 1e-3;
         let u = Self::expand(u);
-        let clear = self.law.consistency_margin(&u, T::from(CLEAR));
-        clear.where_negative(clear, self.law.scaled_normal_force(&u))
+        let margin = self.law.consistency_margin(&u, T::from(MIN_CONSISTENCY));
+        margin.where_negative(margin, self.law.scaled_normal_force(&u))
     }
 
     #[inline(always)]

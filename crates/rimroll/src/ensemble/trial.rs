@@ -1,32 +1,31 @@
-//! A fall in the making.
+//! A fall in progress.
 
 use crate::law::Parameters;
 use crate::motion::{Fall, FallRecord, Status, Turn, direction_at_release};
 use crate::state::Coordinates;
 
-/// What is to be remembered of a fall on its way.
+/// The facts about a fall in progress from which its result is made.
 #[derive(Debug, Clone)]
 pub(super) struct Trial {
-    /// Which it is.
+    /// The index of the trial in its chunk.
     pub index: usize,
-    /// Where its turn begins: the release, or a tilt maximum after it.
+    /// The beginning of the turn: the release, or a tilt maximum after it.
     pub from: Coordinates<f64>,
-    /// Where it was lowest.
+    /// The tilt minimum, once it is reached.
     pub lowest: Option<Coordinates<f64>>,
-    /// Whether it has risen to a largest tilt after that.
+    /// Whether a tilt maximum after the minimum is reached.
     pub turned: bool,
-    /// The sign of the tilt rate, 0 before it has one.
+    /// The sign of the tilt rate, or 0 while the sign is not significant.
     pub direction: f64,
-    /// Steps made.
+    /// The number of accepted steps.
     pub steps: f64,
     /// Whether the rim has slid.
     pub slid: bool,
-    /// Energy lost in slips that are over, J.
+    /// Energy lost in slips that have ended, J.
     pub friction_loss: f64,
 }
 
 impl Trial {
-    /// One that begins.
     pub(super) fn new(index: usize, start: &Coordinates<f64>, slid: bool) -> Trial {
         Trial {
             index,
@@ -40,17 +39,17 @@ impl Trial {
         }
     }
 
-    /// What has become of it, a body with these parameters.
+    /// The result of the fall, which ended with `status` at `end`.
     pub(super) fn fall(&self, k: &Parameters<f64>, status: Status, end: &Coordinates<f64>) -> Fall {
         let turn = |lowest| Turn::between(&self.from, lowest, end);
-        let seen = FallRecord {
+        let record = FallRecord {
             turn: self.lowest.as_ref().map(turn),
             turned: self.turned,
             slid: self.slid,
-            // A law that knows no flight ends where it would begin.
+            // Under a law without flight the fall ends where flight would begin.
             flew: status == Status::LiftedOff,
             steps: self.steps as usize,
         };
-        Fall::new(k, status, seen, end)
+        Fall::new(k, status, record, end)
     }
 }
