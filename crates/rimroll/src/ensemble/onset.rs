@@ -1,16 +1,16 @@
-//! Slip as it begins out of rest under dry friction, sixteen at a time.
+//! The onset of slip under dry friction, in a batch of sixteen.
 //!
-//! At first the direction of the slip follows the forces at once, and no explicit step is short enough; see
-//! the onset of a single motion, in [`motion`](crate::motion). Some steps of collocation lead to where
-//! explicit steps can follow. In the direction in which a step begins the slip has the part σ, and across
-//! it the part σ q; with the accelerations a along and a′ across,
+//! At first the direction of the slip relaxes almost instantly to that of the forces, so the equations are too
+//! stiff for explicit steps, as in the onset of a single motion ([`motion`](crate::motion)). Collocation steps
+//! are made until explicit steps can follow. The slip has the component r along its direction at the start of
+//! the step and r q across that direction. With the accelerations a along and a′ across,
 //!
 //! ```text
-//! σ′ = a,    σ q′ = a′ − q a
+//! r′ = a,    r q′ = a′ − q a
 //! ```
 //!
-//! where the second is stiff, and is solved by Newton's method; everything else by simple iteration, a
-//! fixed number of times, so that no fall depends on those beside it.
+//! The second equation is stiff and is solved by Newton's method; everything else is solved by fixed-point
+//! iteration. The number of iterations is fixed, so that no fall depends on its neighbours in the batch.
 
 use super::reduced_system::{ReducedSliding, ReducedSystem};
 use crate::error_scale::{NEVER_ZERO, direction_scale};
@@ -18,52 +18,55 @@ use crate::real::{LANES, Lanes, Mask, Packed, SimdKernel, Vector, run_widest};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
 
-/// The coordinates that are carried; the slip's are σ and q here.
+/// The number of reduced coordinates. Here r and q replace the components of the slip.
 const N: usize = 10;
 
-/// Those of them that the rates depend on.
+/// The number of leading coordinates on which the rates depend.
 const ESSENTIAL: usize = <ReducedSliding<f64> as ReducedSystem<f64, N>>::ESSENTIAL;
 
-/// Where σ and q stand.
+/// The index of r.
 const ALONG: usize = 0;
+/// The index of q.
 const ACROSS: usize = 1;
 
-/// Of iteration; a step that has not met by then is tried again shorter.
+/// The number of iterations. A step that has not converged after them is repeated with a smaller step size.
 const ROUNDS: usize = 7;
 
-/// After so many rounds the slopes are as good as those of the solution.
-const FRESH_SLOPES: usize = 2;
+/// The number of iterations that recompute the slopes for Newton's method. After them the slopes hardly change.
+const SLOPE_ROUNDS: usize = 2;
 
-/// The same for the direction in which a slip begins.
-const TURNS: usize = 5;
-const FRESH_TURNS: usize = 3;
+/// The number of Newton iterations for the initial direction of a slip.
+const DIRECTION_ROUNDS: usize = 5;
+/// The number of these iterations that recompute the slope.
+const DIRECTION_SLOPE_ROUNDS: usize = 3;
 
-/// Explicit steps take over where q relaxes no oftener than this in a step of collocation.
-const FOLLOWED: f64 = 40.0;
+/// Explicit steps take over when a collocation step spans fewer relaxation times of q than this.
+const MAX_EXPLICIT_STIFFNESS: f64 = 40.0;
 
-/// So many steps are made at most, and tried in vain.
+/// The maximal number of accepted and rejected steps.
 const MAX_STEPS: usize = 12;
 
-/// A step that failed is tried again by no less than this factor shorter.
+/// The minimal factor from a rejected step size to the next one.
 const MIN_FACTOR: f64 = 0.1;
 
-/// A slip that begins, or goes on slowly.
+/// The start of a step in the onset of a slip.
 #[derive(Clone, Copy)]
 pub(super) struct OnsetStart {
     at: Coordinates<f64>,
-    /// Of the slip, a unit vector along e_x1 and e_y1.
+    /// The direction of the slip, a unit vector along e_x1 and e_y1.
     direction: [f64; 2],
     /// m/s.
     speed: f64,
-    /// The body under its friction.
+    /// The equations of the body under its friction.
     slipping: ReducedSliding<f64>,
-    /// How long a step to make, by the clock that does not slow down.
+    /// The step size in τ.
     h: f64,
+    /// The number of steps so far.
     steps: usize,
 }
 
 impl OnsetStart {
-    /// Out of rest in about this direction, a unit vector; `h` is a first guess for the length of a step.
+    /// The start from rest in about this direction (unit vector); `h` is a first guess for the step size.
     pub(super) fn from_rest(
         at: &Coordinates<f64>,
         direction: [f64; 2],
@@ -86,44 +89,44 @@ impl OnsetStart {
     }
 }
 
-/// What has become of it.
+/// The result of a step.
 pub(super) enum OnsetResult {
-    /// Here explicit steps can follow, the first of this length.
+    /// Explicit steps can follow from these coordinates, the first one of this size.
     Follow(Coordinates<f64>, f64),
-    /// Another step of collocation is to be made.
+    /// Another collocation step must follow.
     Again(OnsetStart),
-    /// It cannot be followed in this way.
+    /// The onset needs the scalar solver.
     Lost,
 }
 
-/// Makes a step in each of sixteen slips.
+/// Makes a step in each of sixteen onsets.
 pub(super) fn step_batch(
-    beginnings: &[OnsetStart; LANES],
+    starts: &[OnsetStart; LANES],
     tolerance: f64,
 ) -> impl Iterator<Item = OnsetResult> + use<> {
-    let mut slipping = beginnings[0]
+    let mut slipping = starts[0]
         .slipping
         .with_numbers(|&number| Lanes::from(number));
-    for (lane, beginning) in beginnings.iter().enumerate().skip(1) {
+    for (lane, start) in starts.iter().enumerate().skip(1) {
         let write = |number: &f64, lanes: &mut Lanes| lanes.0[lane] = *number;
-        beginning.slipping.write_to(&mut slipping, write);
+        start.slipping.write_to(&mut slipping, write);
     }
-    let lanes = |f: fn(&OnsetStart) -> f64| Packed(beginnings.each_ref().map(f));
-    let starts: [[f64; N]; LANES] = beginnings
-        .map(|beginning| <ReducedSliding<f64> as ReducedSystem<f64, N>>::project(&beginning.at));
-    let step_found = run_widest(OnsetKernel {
+    let lanes = |f: fn(&OnsetStart) -> f64| Packed(starts.each_ref().map(f));
+    let states: [[f64; N]; LANES] =
+        starts.map(|start| <ReducedSliding<f64> as ReducedSystem<f64, N>>::project(&start.at));
+    let onset_step = run_widest(OnsetKernel {
         slipping: &slipping,
-        direction: [lanes(|b| b.direction[0]), lanes(|b| b.direction[1])],
-        start: core::array::from_fn(|i| Packed(starts.map(|start| start[i]))),
-        speed: lanes(|b| b.speed),
-        h: lanes(|b| b.h),
+        direction: [lanes(|s| s.direction[0]), lanes(|s| s.direction[1])],
+        start: core::array::from_fn(|i| Packed(states.map(|state| state[i]))),
+        speed: lanes(|s| s.speed),
+        h: lanes(|s| s.h),
         tolerance,
     });
-    let beginnings = *beginnings;
-    (0..LANES).map(move |lane| step_found.result(lane, &beginnings[lane]))
+    let starts = *starts;
+    (0..LANES).map(move |lane| onset_step.result(lane, &starts[lane]))
 }
 
-/// What sixteen slips begin with.
+/// The starts of sixteen onsets in lanes.
 #[derive(Clone, Copy)]
 struct OnsetKernel<'a> {
     slipping: &'a ReducedSliding<Lanes>,
@@ -145,7 +148,7 @@ impl SimdKernel for OnsetKernel<'_> {
             start: V::load_all(&self.start),
             speed: V::load(&self.speed),
             h: V::load(&self.h),
-            push: V::from(0.0),
+            offset: V::from(0.0),
             tolerance: self.tolerance,
         };
         batch.step()
@@ -153,7 +156,7 @@ impl SimdKernel for OnsetKernel<'_> {
 }
 
 impl OnsetStep {
-    fn result(&self, lane: usize, beginning: &OnsetStart) -> OnsetResult {
+    fn result(&self, lane: usize, start: &OnsetStart) -> OnsetResult {
         let [error, change, relaxation, possible, factor] = [
             self.error,
             self.change,
@@ -161,23 +164,19 @@ impl OnsetStep {
             self.possible,
             self.factor,
         ]
-        .map(|of_all| of_all.0[lane]);
-        // Written so that a NaN is not possible.
+        .map(|lanes| lanes.0[lane]);
+        // A NaN counts as not possible.
         let possible = possible >= 0.0;
         if !possible {
             return OnsetResult::Lost;
         }
-        let h = beginning.h;
-        let steps = beginning.steps + 1;
-        // Written so that a NaN is not good.
-        let good = error <= 1.0 && change <= 1.0;
-        if !good {
+        let h = start.h;
+        let steps = start.steps + 1;
+        // A NaN counts as rejected.
+        let accepted = error <= 1.0 && change <= 1.0;
+        if !accepted {
             let h = h * factor.clamp(MIN_FACTOR, 0.5);
-            let again = OnsetStart {
-                h,
-                steps,
-                ..*beginning
-            };
+            let again = OnsetStart { h, steps, ..*start };
             return if steps < MAX_STEPS && h > 0.0 {
                 OnsetResult::Again(again)
             } else {
@@ -185,21 +184,21 @@ impl OnsetStep {
             };
         }
         let at = <ReducedSliding<f64> as ReducedSystem<f64, N>>::expand(
-            &self.end.map(|of_all| of_all.0[lane]),
+            &self.end.map(|lanes| lanes.0[lane]),
         );
         let factor = factor.clamp(0.3, 4.0);
-        if relaxation * factor < FOLLOWED || steps >= MAX_STEPS {
-            return OnsetResult::Follow(at, h / relaxation.max(1.0) / self.clock.0[lane]);
+        if relaxation * factor < MAX_EXPLICIT_STIFFNESS || steps >= MAX_STEPS {
+            return OnsetResult::Follow(at, h / relaxation.max(1.0) / self.sundman_factor.0[lane]);
         }
         let speed = at.slip_speed();
         OnsetResult::Again(OnsetStart {
             at,
             direction: [at.slip_x / speed, at.slip_y / speed],
             speed,
-            // Not beyond the end of a slip that is about to stop.
+            // The step must end before a slip that is about to stop.
             h: (h * factor).min(0.9 * self.until_stop.0[lane]),
             steps,
-            ..*beginning
+            ..*start
         })
     }
 }
@@ -210,30 +209,32 @@ struct BatchOnset<V> {
     start: [V; N],
     speed: V,
     h: V,
-    /// What is added to σ′: friction is exceeded where slip begins, but for rounding.
-    push: V,
+    /// Added to r′, so that rounding does not make it negative at the onset.
+    offset: V,
     tolerance: f64,
 }
 
 #[derive(Debug, PartialEq)]
 struct OnsetStep {
     end: [Lanes; N],
-    clock: Lanes,
-    /// In what time the slip would stop at the rate at its end.
+    /// dτ/dσ at the end of the step.
+    sundman_factor: Lanes,
+    /// The time in τ until the slip stops at the deceleration at the end of the step.
     until_stop: Lanes,
-    /// Over what is tolerated.
+    /// The error relative to the tolerance.
     error: Lanes,
-    /// By what factor the next step may about be longer.
+    /// The approximate factor to the next step size.
     factor: Lanes,
-    /// In the last round, over what is tolerated.
+    /// The change in the last iteration, relative to the tolerance.
     change: Lanes,
-    /// How often q relaxes in the step.
+    /// The step size over the relaxation time of q.
     relaxation: Lanes,
-    /// Not negative where the slip can begin.
+    /// Negative where the slip cannot start.
     possible: Lanes,
 }
 
-/// Rates at the points: of σ in the place of `ALONG`; σ q′ in the place of `ACROSS`.
+/// Coordinates at the collocation points, or their rates. Among the rates, r′ has the index `ALONG` and r q′ the
+/// index `ACROSS`.
 type Points<V> = [[V; N]; POINTS];
 
 impl<V: Vector> BatchOnset<V> {
@@ -246,15 +247,15 @@ impl<V: Vector> BatchOnset<V> {
         let from_rest = self.speed.at_most(zero);
         let mut possible = zero;
         if from_rest.bits() != 0 {
-            let settled = self.settle(&start, from_rest);
-            let begins = settled.min(self.slipping.can_begin(&start, self.direction));
-            possible = from_rest.choose(begins, zero);
+            let converged = self.settle(&start, from_rest);
+            let can_begin = converged.min(self.slipping.can_begin(&start, self.direction));
+            possible = from_rest.choose(can_begin, zero);
         }
         let first = self.rates(&start);
-        self.push = from_rest.choose((-first[ALONG]).max(zero), zero);
+        self.offset = from_rest.choose((-first[ALONG]).max(zero), zero);
         let mut points: Points<V> = [start; POINTS];
         for (point, c) in points.iter_mut().zip(RADAU) {
-            *point = self.moved(&start, &first, c);
+            *point = self.first_guess(&start, &first, c);
         }
         let mut rates = points;
         let mut slopes = [zero; POINTS];
@@ -262,13 +263,13 @@ impl<V: Vector> BatchOnset<V> {
         for round in 0..ROUNDS {
             for j in 0..POINTS {
                 rates[j] = self.rates(&points[j]);
-                if round < FRESH_SLOPES {
+                if round < SLOPE_ROUNDS {
                     slopes[j] = self.slope(&points[j], rates[j][ACROSS]);
                 }
             }
-            let turns = self.turns(method, &points, &rates, &slopes);
+            let q_rates = self.q_rates(method, &points, &rates, &slopes);
             for j in 0..POINTS {
-                rates[j][ACROSS] = turns[j];
+                rates[j][ACROSS] = q_rates[j];
             }
             let before = points;
             let last = round + 1 == ROUNDS;
@@ -278,34 +279,34 @@ impl<V: Vector> BatchOnset<V> {
                 change = self.change(&before, &points);
             }
         }
-        self.step_found(method, &points, &rates, &slopes, change, possible)
+        self.onset_step(method, &points, &rates, &slopes, change, possible)
     }
 
-    /// Turns the direction of a slip out of rest to the one that it keeps: any other is left at once.
-    /// Not negative where one is found close by. By Newton's method.
+    /// Rotates the direction of a slip from rest to the nearby direction in which the slip stays, by Newton's
+    /// method; the slip leaves any other direction at once. The result is negative if no such direction is found.
     #[inline(always)]
     fn settle(&mut self, start: &[V; N], from_rest: V::Mask) -> V {
         let zero = V::from(0.0);
         let (mut point, mut slope, mut turn) = (*start, zero, zero);
-        for round in 0..TURNS {
+        for round in 0..DIRECTION_ROUNDS {
             let across = self.rates(&point)[ACROSS];
-            if round < FRESH_TURNS {
+            if round < DIRECTION_SLOPE_ROUNDS {
                 slope = self.slope(&point, across);
             }
             turn = from_rest.choose(across / slope, zero);
             point[ACROSS] = point[ACROSS] - turn;
         }
         let q = point[ACROSS].abs();
-        // A slip under way keeps its own to the last bit, as where none beside it comes out of rest.
-        let ([x, y], [kept_x, kept_y]) = (self.along(point[ACROSS]), self.direction);
+        // A slip in progress keeps its direction to the last bit, whether or not its neighbours start from rest.
+        let ([x, y], [kept_x, kept_y]) = (self.unit_vector(point[ACROSS]), self.direction);
         self.direction = [from_rest.choose(x, kept_x), from_rest.choose(y, kept_y)];
-        let size = q + self.direction[1].abs() + V::from(NEVER_ZERO);
-        let close = V::from(self.tolerance) * size - turn.abs();
-        // A direction attracts when the slip is turned toward it from both sides.
+        let scale = q + self.direction[1].abs() + V::from(NEVER_ZERO);
+        let close = V::from(self.tolerance) * scale - turn.abs();
+        // A direction is stable if the slip rotates toward it from both sides.
         close.min(-slope).min(V::from(1.0) - q)
     }
 
-    /// The first `count` coordinates at the points, by the rates there.
+    /// Computes the first `count` coordinates at the points from the rates there.
     #[expect(
         clippy::needless_range_loop,
         reason = "the indices are those of the formulas"
@@ -319,7 +320,7 @@ impl<V: Vector> BatchOnset<V> {
         points: &mut Points<V>,
         count: usize,
     ) {
-        // Compilers are kept from taking several at once: else they lose the order of the lanes.
+        // `opaque` keeps compilers from interleaving several sums, which would make them shuffle the lanes.
         for k in (0..count).map(V::opaque) {
             for i in (0..POINTS).map(V::opaque) {
                 let mut sum = V::from(0.0);
@@ -331,7 +332,7 @@ impl<V: Vector> BatchOnset<V> {
         }
     }
 
-    /// The largest change of what the rates depend on.
+    /// The largest change of a coordinate that enters the rates, relative to its error scale.
     #[inline(always)]
     fn change(&self, before: &Points<V>, after: &Points<V>) -> V {
         let scales = self.scales(&after[POINTS - 1]);
@@ -346,9 +347,9 @@ impl<V: Vector> BatchOnset<V> {
         largest
     }
 
-    /// A first guess for a point.
+    /// A first guess for a collocation point, extrapolated from the start at constant q.
     #[inline(always)]
-    fn moved(&self, start: &[V; N], rates: &[V; N], c: f64) -> [V; N] {
+    fn first_guess(&self, start: &[V; N], rates: &[V; N], c: f64) -> [V; N] {
         let mut point = *start;
         for i in 0..N {
             if i != ACROSS {
@@ -359,24 +360,24 @@ impl<V: Vector> BatchOnset<V> {
         point
     }
 
-    /// The unit vector along a slip with this q.
+    /// The direction (unit vector) of a slip with this q.
     #[inline(always)]
-    fn along(&self, q: V) -> [V; 2] {
+    fn unit_vector(&self, q: V) -> [V; 2] {
         let one = V::from(1.0);
         let per_length = one / (one + q * q).sqrt();
         let [x, y] = self.direction;
         [per_length * (x - q * y), per_length * (y + q * x)]
     }
 
-    /// With the slip's components in the place of σ and q.
+    /// The reduced coordinates, with the slip's components in place of r and q.
     #[inline(always)]
-    fn whole(&self, point: &[V; N]) -> [V; N] {
+    fn cartesian(&self, point: &[V; N]) -> [V; N] {
         let (along, q) = (point[ALONG], point[ACROSS]);
         let [x, y] = self.direction;
-        let mut whole = *point;
-        whole[ALONG] = along * (x - q * y);
-        whole[ACROSS] = along * (y + q * x);
-        whole
+        let mut cartesian = *point;
+        cartesian[ALONG] = along * (x - q * y);
+        cartesian[ACROSS] = along * (y + q * x);
+        cartesian
     }
 
     #[inline(always)]
@@ -384,32 +385,33 @@ impl<V: Vector> BatchOnset<V> {
         let q = point[ACROSS];
         let mut rates = self
             .slipping
-            .rates_against(&self.whole(point), self.along(q));
+            .rates_against(&self.cartesian(point), self.unit_vector(q));
         let [x, y] = self.direction;
         let along = rates[ALONG] * x + rates[ACROSS] * y;
         let across = rates[ACROSS] * x - rates[ALONG] * y;
-        rates[ALONG] = along + self.push;
+        rates[ALONG] = along + self.offset;
         rates[ACROSS] = across - q * rates[ALONG];
         rates
     }
 
-    /// The derivative of σ q′, which is `across` at a point, by q where only the friction's direction depends
-    /// on it.
+    /// The derivative of r q′ with respect to q by a finite difference; in slow slip, it comes from the direction
+    /// of the friction. `across` is r q′ at the point.
     #[inline(always)]
     fn slope(&self, point: &[V; N], across: V) -> V {
         const NUDGE: f64 = 1e-6;
-        let mut beside = *point;
-        beside[ACROSS] = beside[ACROSS] + V::from(NUDGE);
-        (self.rates(&beside)[ACROSS] - across) * V::from(1.0 / NUDGE)
+        let mut shifted = *point;
+        shifted[ACROSS] = shifted[ACROSS] + V::from(NUDGE);
+        (self.rates(&shifted)[ACROSS] - across) * V::from(1.0 / NUDGE)
     }
 
-    /// q′ at the points, from σ q′ = what it is + slope · (change of q), which is linear in them.
+    /// q′ at the points after one Newton iteration, from the linear equations
+    /// r q′ = (r q′ at the last iterate) + slope · (change of q).
     #[expect(
         clippy::needless_range_loop,
         reason = "the indices are those of the formulas"
     )]
     #[inline(always)]
-    fn turns(
+    fn q_rates(
         &self,
         method: &Collocation,
         points: &Points<V>,
@@ -426,7 +428,7 @@ impl<V: Vector> BatchOnset<V> {
             matrix[i][i] = matrix[i][i] + points[i][ALONG];
             right[i] = rates[i][ACROSS] - slopes[i] * points[i][ACROSS];
         }
-        // The slopes are negative and the diagonal is large: no pivot is needed.
+        // The slopes are negative and the diagonal is large, so no pivoting is needed.
         for i in 0..POINTS {
             let per_pivot = V::from(1.0) / matrix[i][i];
             for row in i + 1..POINTS {
@@ -447,10 +449,10 @@ impl<V: Vector> BatchOnset<V> {
         right
     }
 
-    /// What errors are compared with.
+    /// The error scales at the end of the step.
     #[inline(always)]
     fn scales(&self, end: &[V; N]) -> [V; N] {
-        let mut scales = self.slipping.scales_at_onset(&self.whole(end));
+        let mut scales = self.slipping.scales_at_onset(&self.cartesian(end));
         let slip = ReducedSliding::<V>::expand(&scales);
         scales[ACROSS] = direction_scale(&slip, self.direction, end[ALONG]);
         scales
@@ -461,7 +463,7 @@ impl<V: Vector> BatchOnset<V> {
         reason = "the indices are those of the formulas"
     )]
     #[inline(always)]
-    fn step_found(
+    fn onset_step(
         &self,
         method: &Collocation,
         points: &Points<V>,
@@ -472,7 +474,7 @@ impl<V: Vector> BatchOnset<V> {
     ) -> OnsetStep {
         let end = points[POINTS - 1];
         let scales = self.scales(&end);
-        // What the highest power contributes bounds what those left out do.
+        // The contribution of the highest Legendre polynomial bounds that of the omitted ones.
         let mut error = V::from(0.0);
         for k in 0..N {
             let mut highest = V::from(0.0);
@@ -481,28 +483,29 @@ impl<V: Vector> BatchOnset<V> {
             }
             error = error.max((V::from(0.05) * self.h * highest / scales[k]).abs());
         }
-        // A slip that does not last is none.
-        let mut least = end[ALONG];
+        // A step in which r becomes negative is rejected.
+        let mut min_slip = end[ALONG];
         for point in points {
-            least = least.min(point[ALONG]);
+            min_slip = min_slip.min(point[ALONG]);
         }
-        let error = least.where_negative(V::from(f64::INFINITY), error);
+        let error = min_slip.where_negative(V::from(f64::INFINITY), error);
         let error = error * V::from(1.0 / self.tolerance);
-        let whole = self.whole(&end);
-        // The error grows with the seventh power: by an eighth root, 6 % rough, the next step is good enough where
-        // this one was not ten thousand times too far off.
+        let cartesian = self.cartesian(&end);
+        // The error is proportional to the seventh power of the step size. The approximate eighth root, with an
+        // error of up to 6 %, is accurate enough unless this error exceeds the tolerance by a factor of ten
+        // thousand.
         let factor = V::from(0.8) * V::approx_16th_root_of(V::from(1.0), error * error);
-        let is_number = error.at_most(V::from(f64::MAX));
+        let is_finite = error.at_most(V::from(f64::MAX));
         OnsetStep {
-            end: V::store_all(whole),
+            end: V::store_all(cartesian),
             until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
-            clock: self
+            sundman_factor: self
                 .slipping
-                .sundman_factor(&ReducedSliding::<V>::expand(&whole))
+                .sundman_factor(&ReducedSliding::<V>::expand(&cartesian))
                 .store(),
             error: error.store(),
-            factor: is_number.choose(factor, V::from(MIN_FACTOR)).store(),
-            // A fifth of the tolerance: the next round would change far less.
+            factor: is_finite.choose(factor, V::from(MIN_FACTOR)).store(),
+            // A fifth of the tolerance is small enough, because another iteration would change far less.
             change: (change * V::from(5.0 / self.tolerance)).store(),
             relaxation: (self.h * slopes[POINTS - 1].abs() / end[ALONG]).store(),
             possible: possible.store(),
@@ -524,7 +527,7 @@ mod tests {
         let can = presets::can_2007().expect("the paper's can");
         let slipping = ReducedSliding::new(Parameters::new(&can, 9.8), 0.1);
         let slipping = &slipping.with_numbers(|&number| Lanes::from(number));
-        // Every other one slips already.
+        // Every other slip is already in progress.
         let speed: Lanes = Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64));
         let starts: [[f64; N]; LANES] = from_fn(|lane| {
             let start = State {
@@ -547,13 +550,13 @@ mod tests {
             tolerance: 1e-9,
         });
         assert!(done[0].end[0].0.iter().all(|slip| slip.is_finite()));
-        for step_found in &done {
-            assert_eq!(step_found, &done[0]);
+        for onset_step in &done {
+            assert_eq!(onset_step, &done[0]);
         }
     }
 
     #[test]
-    fn a_slip_under_way_does_not_feel_those_beside_it() {
+    fn a_slip_in_progress_does_not_depend_on_its_neighbours() {
         let can = presets::can_2007().expect("the paper's can");
         let slipping = ReducedSliding::new(Parameters::new(&can, 9.8), 0.1);
         let slipping = &slipping.with_numbers(|&number| Lanes::from(number));
@@ -563,9 +566,9 @@ mod tests {
             yaw_rate: 20.0,
             ..State::default()
         };
-        // An angle whose sine and cosine are no round numbers.
+        // The sine and cosine of this angle have no short binary representation.
         let (sin, cos) = libm::sincos(0.7);
-        let step_found = |speed: Lanes| {
+        let onset_step = |speed: Lanes| {
             let start = ReducedSliding::project(&Coordinates::from_state(&start));
             let mut start = start.map(Lanes::from);
             start[0] = Packed(speed.0.map(|speed| speed * cos));
@@ -579,14 +582,14 @@ mod tests {
                 tolerance: 1e-9,
             })
         };
-        let alone = step_found(Lanes::from(1e-4));
-        // Every other one begins from rest.
-        let mixed = step_found(Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64)));
+        let uniform = onset_step(Lanes::from(1e-4));
+        // Every other slip starts from rest.
+        let mixed = onset_step(Packed(from_fn(|lane| 1e-4 * (lane % 2) as f64)));
         for lane in (1..LANES).step_by(2) {
             let [one, other] =
-                [&alone, &mixed].map(|step_found| step_found.end.map(|of_all| of_all.0[lane]));
+                [&uniform, &mixed].map(|onset_step| onset_step.end.map(|lanes| lanes.0[lane]));
             assert_eq!(one, other, "lane {lane}");
         }
-        assert_ne!(alone.end[0].0[0], mixed.end[0].0[0]);
+        assert_ne!(uniform.end[0].0[0], mixed.end[0].0[0]);
     }
 }

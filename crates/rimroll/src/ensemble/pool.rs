@@ -1,5 +1,5 @@
-//! Falls whose rims meet the table in the same way, sixteen at a time: each until something happens to it,
-//! when its place is free for the next.
+//! A pool of sixteen lanes for falls in the same phase. The pool locates the events of each fall. A fall that
+//! ends its phase leaves its lane to the next fall.
 
 use super::chunk::BodyNumbers;
 use super::limits::{Limits, Topple};
@@ -12,37 +12,37 @@ use crate::real::{LANES, Lanes};
 use crate::solve::bracketed_root_in;
 use crate::state::Coordinates;
 
-/// Why a fall leaves.
+/// The reason why a fall leaves the pool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Exit {
-    /// It is over.
+    /// The fall is complete.
     Over(Status),
-    /// The contact gives way: here it cannot last any longer.
+    /// The contact condition of the phase ends here.
     ContactEnds,
-    /// The slip has all but stopped.
+    /// The slip is about to stop.
     SlipEnds,
-    /// It meets with what is rare, and is better followed by itself.
+    /// The scalar solver must compute the fall.
     NeedsScalar,
 }
 
-/// A mark that a step has run over, and how long a step would end at it.
+/// An event that a step has crossed, with a bracket of the step size that ends at the event.
 struct Bracket {
     event: EventFunction,
-    /// A step too short, and one too long.
+    /// A step size that is too small and one that is too large.
     between: (f64, f64),
-    /// How long the next step may be afterwards.
+    /// The step size after the event.
     next: f64,
     rounds: usize,
 }
 
-/// So often a landing is tried before the fall counts as rare.
+/// The maximal number of steps to locate an event before the scalar solver takes over.
 const MAX_ROUNDS: usize = 40;
 
-/// Sixteen places, and the laws there.
+/// Sixteen lanes with their falls and equations.
 pub(super) struct Pool<'a, A: ReducedSystem<f64, N>, const N: usize> {
     limits: &'a Limits,
     lockstep: Lockstep<N>,
-    /// The laws in all lanes.
+    /// The equations of all lanes.
     contact: A::With<Lanes>,
     lane_models: [LaneModel<A>; LANES],
     trials: [Option<Trial>; LANES],
@@ -50,12 +50,12 @@ pub(super) struct Pool<'a, A: ReducedSystem<f64, N>, const N: usize> {
     count: usize,
 }
 
-/// A body under a friction in one of the lanes.
+/// The body and the friction of one lane.
 #[derive(Clone)]
 struct LaneModel<A> {
-    /// The place of the body in the piece of work, and the coefficient of friction.
-    of: (usize, f64),
-    alone: A,
+    /// The index of the body in the chunk of work, and the coefficient of friction.
+    key: (usize, f64),
+    system: A,
     error_scale: ErrorScale<f64>,
     topple: Topple<f64>,
 }
@@ -66,8 +66,8 @@ impl<A> LaneModel<A> {
         A: ReducedSystem<f64, N>,
     {
         LaneModel {
-            of: (body.place, friction),
-            alone: A::new(body.parameters, friction),
+            key: (body.place, friction),
+            system: A::new(body.parameters, friction),
             error_scale: body.error_scale,
             topple: body.topple,
         }
@@ -78,15 +78,15 @@ impl<'a, A, const N: usize> Pool<'a, A, N>
 where
     A: ReducedSystem<f64, N>,
 {
-    /// No falls yet; the laws of the lanes are at first those of a body without friction.
+    /// An empty pool, whose lanes are prepared for a body without friction.
     pub(super) fn new(body: &BodyNumbers, limits: &'a Limits) -> Self {
-        let place: LaneModel<A> = LaneModel::new(body, 0.0);
+        let model: LaneModel<A> = LaneModel::new(body, 0.0);
         let mut lockstep = Lockstep::new();
         lockstep.topple = body.topple.map(|&number| Lanes::from(number));
         Pool {
             limits,
             lockstep,
-            contact: place.alone.with_numbers(|&number| Lanes::from(number)),
+            contact: model.system.with_numbers(|&number| Lanes::from(number)),
             lane_models: core::array::from_fn(|_| LaneModel::new(body, 0.0)),
             trials: core::array::from_fn(|_| None),
             brackets: core::array::from_fn(|_| None),
@@ -94,13 +94,12 @@ where
         }
     }
 
-    /// How many falls are under way.
+    /// The number of falls in the pool.
     pub(super) fn len(&self) -> usize {
         self.count
     }
 
-    /// Takes in a fall of a body under a friction, where there is a place; `h` is a first guess for the length of
-    /// a step.
+    /// Puts a fall into a free lane, which must exist; `h` is a first guess for the step size.
     pub(super) fn put(
         &mut self,
         trial: Trial,
@@ -109,15 +108,15 @@ where
         h: f64,
     ) {
         let Some(lane) = self.trials.iter().position(Option::is_none) else {
-            unreachable!("a fall is put where there is a place");
+            unreachable!("a fall is put only into a pool with a free lane");
         };
-        if self.lane_models[lane].of != (body.place, friction) {
+        if self.lane_models[lane].key != (body.place, friction) {
             self.prepare(lane, LaneModel::new(body, friction));
         }
         self.count += 1;
-        let (u, alone) = (A::project(at), &self.lane_models[lane].alone);
+        let (u, system) = (A::project(at), &self.lane_models[lane].system);
         self.lockstep
-            .put(lane, u, alone.rates(&u), alone.scales(&u));
+            .put(lane, u, system.rates(&u), system.scales(&u));
         self.lockstep.h.0[lane] = h;
         self.lockstep.min_h.0[lane] = 1e-16 * h;
         self.lockstep.direction.0[lane] = trial.direction;
@@ -127,15 +126,15 @@ where
         self.brackets[lane] = None;
     }
 
-    /// Makes a lane that of another body or friction.
-    fn prepare(&mut self, lane: usize, place: LaneModel<A>) {
+    /// Prepares a lane for another body or friction.
+    fn prepare(&mut self, lane: usize, model: LaneModel<A>) {
         let write = |number: &f64, lanes: &mut Lanes| lanes.0[lane] = *number;
-        place.alone.write_to(&mut self.contact, write);
-        place.topple.write(&mut self.lockstep.topple, write);
-        self.lane_models[lane] = place;
+        model.system.write_to(&mut self.contact, write);
+        model.topple.write(&mut self.lockstep.topple, write);
+        self.lane_models[lane] = model;
     }
 
-    /// Makes a step of each fall; those that leave are handed to `leave` with where they then are.
+    /// Makes a step of each fall. Each fall that leaves the pool is passed to `leave` with its coordinates.
     pub(super) fn step(&mut self, mut leave: impl FnMut(Trial, Exit, &Coordinates<f64>)) {
         let outcome = self.lockstep.step(&self.contact, self.limits);
         for lane in lanes_of(!outcome.settled) {
@@ -160,22 +159,24 @@ where
         }
     }
 
-    /// After a step that was not good enough, on the way to a mark or already too short.
+    /// Handles a step whose error exceeds the tolerance, either while an event is located or at the minimal step
+    /// size.
     fn shorten(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         if self.brackets[lane].take().is_some() {
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] *= 0.5;
         }
-        self.long_enough(lane)
+        self.check_step_size(lane)
     }
 
-    fn long_enough(&self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
-        // Written so that a NaN is too short.
-        let long_enough = self.lockstep.h.0[lane] > self.lockstep.min_h.0[lane];
-        (!long_enough).then(|| (Exit::NeedsScalar, A::expand(&self.lockstep.at(lane))))
+    /// The exit of a fall whose step size underflows.
+    fn check_step_size(&self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
+        // A NaN counts as underflow.
+        let exceeds_min = self.lockstep.h.0[lane] > self.lockstep.min_h.0[lane];
+        (!exceeds_min).then(|| (Exit::NeedsScalar, A::expand(&self.lockstep.at(lane))))
     }
 
-    /// After a good step on which something may have happened.
+    /// Handles a step within the tolerance in which an event is possible.
     fn inspect_step(
         &mut self,
         lane: usize,
@@ -183,7 +184,7 @@ where
     ) -> Option<(Exit, Coordinates<f64>)> {
         let u = A::expand(&self.lockstep.end_at(lane));
         let steps = self.lockstep.steps.0[lane];
-        // A disk may stand on its edge; what topples at π/2 has its base upright, too.
+        // A disk can stand on its edge. A body that topples at π/2 also has a vertical base, but it is not on edge.
         let toppled = outcome.has_crossed(lane, EventFunction::Topple)
             && self.lane_models[lane].topple.is_at_most_upright();
         let on_edge = u.cos <= 0.0 && !toppled;
@@ -203,8 +204,8 @@ where
         }
     }
 
-    /// The first mark that the step has run over, other than the target that it is to land at, and how long a
-    /// step would end there.
+    /// The first event that the step has crossed, other than the target that is being located, and the step size
+    /// that ends there.
     fn first_crossing(
         &self,
         lane: usize,
@@ -214,12 +215,12 @@ where
         EVENT_FUNCTIONS
             .into_iter()
             .filter(|&event| Some(event) != target && outcome.has_crossed(lane, event))
-            .map(|event| (event, self.crossing_length(lane, event)))
+            .map(|event| (event, self.step_size_to(lane, event)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// How long a step would about end at a mark that one has run over.
-    fn crossing_length(&self, lane: usize, event: EventFunction) -> f64 {
+    /// An estimate of the step size that ends at an event which the step has crossed.
+    fn step_size_to(&self, lane: usize, event: EventFunction) -> f64 {
         let (start, end) = (self.lockstep.at(lane), self.lockstep.end_at(lane));
         let (rates, end_rates) = (
             self.lockstep.rates_at(lane),
@@ -233,7 +234,7 @@ where
         h * fraction_crossed(first, last)
     }
 
-    /// Sets out for a mark, from where the step began.
+    /// Begins to locate an event: the step is repeated from its start with the size `h`.
     fn begin_locating(
         &mut self,
         lane: usize,
@@ -245,14 +246,14 @@ where
             Some(bracket) => (bracket.rounds, bracket.next),
             None => (0, self.lockstep.next.0[lane]),
         };
-        // A tilt rate without a clear sign may be that of a steady wobble.
-        let unclear = event == EventFunction::Extreme
+        // A tilt rate without a significant sign can belong to a steady wobble.
+        let insignificant = event == EventFunction::Extreme
             && self
                 .limits
                 .sign_of_tilt_rate(&u, &self.lane_models[lane].error_scale)
                 == 0.0
             && self.brackets[lane].is_none();
-        if unclear || rounds > MAX_ROUNDS {
+        if insignificant || rounds > MAX_ROUNDS {
             return Some((Exit::NeedsScalar, u));
         }
         self.brackets[lane] = Some(Bracket {
@@ -266,7 +267,7 @@ where
         None
     }
 
-    /// After a step that was to end at a mark.
+    /// Handles a step that should end at an event.
     fn locate(&mut self, lane: usize, event: EventFunction) -> Option<(Exit, Coordinates<f64>)> {
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
         let h = self.lockstep.h.0[lane];
@@ -277,9 +278,9 @@ where
         if bracket.rounds > MAX_ROUNDS {
             return Some((Exit::NeedsScalar, A::expand(&end)));
         }
-        // Either what is missing can go straight, or the mark was passed by next to nothing.
-        let is_beside = event_value < 0.0 && h <= CLOSE * bracket.between.1;
-        let close = missing.abs() <= CLOSE * h || is_beside;
+        // Either linear extrapolation covers the rest, or even a negligibly short step crosses the event.
+        let is_negligible = event_value < 0.0 && h <= CLOSE * bracket.between.1;
+        let close = missing.abs() <= CLOSE * h || is_negligible;
         if !close {
             if event_value < 0.0 {
                 bracket.between.1 = h;
@@ -287,20 +288,20 @@ where
                 bracket.between.0 = h;
             }
             let (short, long) = bracket.between;
-            let begin_locating = h + missing;
-            self.lockstep.h.0[lane] = if short < begin_locating && begin_locating < long {
-                begin_locating
+            let newton = h + missing;
+            self.lockstep.h.0[lane] = if short < newton && newton < long {
+                newton
             } else {
                 0.5 * (short + long)
             };
             return None;
         }
         if self.lockstep.inside.0[lane] < 0.0 {
-            // Something else may have happened before.
+            // Another event may precede this one.
             self.brackets[lane] = None;
             self.lockstep.free.0[lane] = 1.0;
             self.lockstep.h.0[lane] = 0.5 * h;
-            return self.long_enough(lane);
+            return self.check_step_size(lane);
         }
         let missing = if missing.abs() <= CLOSE * h {
             missing
@@ -311,7 +312,7 @@ where
         self.at_event(lane, event, at)
     }
 
-    /// What happens at a mark.
+    /// Handles a located event.
     fn at_event(
         &mut self,
         lane: usize,
@@ -348,18 +349,18 @@ where
         None
     }
 
-    /// After a step that has run over nothing.
+    /// Handles a step that has not crossed an event.
     fn accept_quiet_step(&mut self, lane: usize) -> Option<(Exit, Coordinates<f64>)> {
         if self.lockstep.inside.0[lane] < 0.0 {
-            // There may have been something on the way.
+            // A pair of events may lie inside the step.
             self.lockstep.h.0[lane] *= 0.5;
-            return self.long_enough(lane);
+            return self.check_step_size(lane);
         }
         self.lockstep.accept(lane);
         self.lockstep.h.0[lane] = self.lockstep.next.0[lane];
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
-        let alone = &self.lane_models[lane].alone;
-        let stops = alone.slip_persists(&end, &rates, self.limits.tolerance) < 0.0;
+        let system = &self.lane_models[lane].system;
+        let stops = system.slip_persists(&end, &rates, self.limits.tolerance) < 0.0;
         stops.then(|| (Exit::SlipEnds, A::expand(&end)))
     }
 
@@ -368,41 +369,41 @@ where
             EventFunction::Extreme => self.lockstep.direction.0[lane] * A::expand(u).p,
             EventFunction::Topple => self.lane_models[lane].topple.below(&A::expand(u)),
             EventFunction::Time => self.limits.duration - A::expand(u).t,
-            EventFunction::Contact => self.lane_models[lane].alone.contact_margin(u),
+            EventFunction::Contact => self.lane_models[lane].system.contact_margin(u),
         }
     }
 
-    /// How the level changes along the motion.
+    /// The derivative of an event function along the motion.
     fn slope(&self, lane: usize, event: EventFunction, u: &[f64; N], rates: &[f64; N]) -> f64 {
         match event {
-            // These are linear.
+            // These event functions are linear.
             EventFunction::Extreme | EventFunction::Topple => self.event_value(lane, event, rates),
             EventFunction::Time => -A::expand(rates).t,
             EventFunction::Contact => {
                 let nudge = 1e-4 * self.lockstep.h.0[lane];
-                let beside = |nudge: f64| {
+                let value_after = |nudge: f64| {
                     let u = core::array::from_fn(|i| u[i] + nudge * rates[i]);
                     self.event_value(lane, event, &u)
                 };
-                (beside(nudge) - beside(-nudge)) / (2.0 * nudge)
+                (value_after(nudge) - value_after(-nudge)) / (2.0 * nudge)
             }
         }
     }
 }
 
-/// A landing so close to its mark, as a part of the step, that what is missing can go straight.
+/// The fraction of a step over which linear extrapolation to an event is accurate enough.
 const CLOSE: f64 = 1e-6;
 
-/// The fraction of a step at which a level changes sign, by the cubic through its values and slopes (times
-/// the step) at the ends.
+/// The fraction of a step at which an event function changes sign, from the cubic Hermite interpolant. Each
+/// argument holds the value and the slope (times the step size) at one end.
 fn fraction_crossed(first: (f64, f64), last: (f64, f64)) -> f64 {
-    // The motion is no cubic: more digits of the root would be those of the cubic alone, and a landing that
-    // sets out for it corrects what is missing.
+    // The event function is not a cubic, so further rounds would only refine the root of the cubic. Locating the
+    // event corrects the difference.
     const ROUNDS: usize = 4;
-    let rise = last.0 - first.0;
+    let increment = last.0 - first.0;
     let cubic = |x: f64| {
-        let beside = (first.1 - rise) * (1.0 - x) + (rise - last.1) * x;
-        first.0 + x * (rise + (1.0 - x) * beside)
+        let correction = (first.1 - increment) * (1.0 - x) + (increment - last.1) * x;
+        first.0 + x * (increment + (1.0 - x) * correction)
     };
     bracketed_root_in(ROUNDS, 0.0, 1.0, cubic)
 }
@@ -419,7 +420,7 @@ mod tests {
     use crate::state::{Coordinates, State};
 
     #[test]
-    fn a_fall_whose_contact_does_not_last_leaves() {
+    fn a_fall_with_negative_normal_force_leaves_the_pool() {
         let can = presets::can_2007().expect("the paper's can");
         let friction = 0.2;
         let releases = [(
@@ -431,7 +432,7 @@ mod tests {
         let chunk = Chunk::new(&releases, &options);
         let (body, limits) = (chunk.body(0), &chunk.limits);
         let phase = ReducedSliding::new(body.parameters, friction);
-        // So fast that the rim is pulled off the table, harder and harder or ever less.
+        // At these tilt rates the normal force would be negative, with increasing or decreasing magnitude.
         for tilt_rate in [-30.0, 30.0] {
             let start = State {
                 tilt: 0.5,
