@@ -1,9 +1,9 @@
-//! The number that the mechanics is written over.
+//! The number types of the mechanics.
 //!
-//! The same right-hand side runs on plain `f64`, on lanes of them and on dual numbers (exact derivatives). Results
-//! must be the same to the last bit on every machine, so an implementation may use + − × ÷ and the
-//! square root, which IEEE 754 defines to the bit, and `libm` for all else; never the platform's
-//! sine, and no fused multiply-add.
+//! The equations are generic over [`Real`]: they run on `f64`, on SIMD lanes and on dual numbers, which give
+//! exact derivatives. Results must agree to the last bit on every machine. So an implementation uses + − × ÷
+//! and the square root, which IEEE 754 defines to the last bit, and `libm` for all other functions. It uses
+//! neither the platform's mathematical library nor a fused multiply-add.
 
 mod dual;
 mod elementary;
@@ -27,7 +27,7 @@ pub(crate) use widest::{SimdKernel, run_widest};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number, or something that calculates like one.
+/// A real number, or a type with the arithmetic of one.
 pub trait Real:
     Copy
     + From<f64>
@@ -45,9 +45,9 @@ pub trait Real:
     fn exp(self) -> Self;
     /// eˣ − 1, for |x| ≤ 700.
     fn exp_m1(self) -> Self;
-    /// ln x, for x > 0 that is neither tiny (below 1e-300) nor infinite.
+    /// ln x, for finite x ≥ 1e-300.
     fn ln(self) -> Self;
-    /// The same to 4e-4.
+    /// ln x with an absolute error of up to 4e-4.
     fn approx_ln(self) -> Self;
     /// The angle in (−π/2, π/2) whose tangent is x.
     fn atan(self) -> Self;
@@ -59,7 +59,7 @@ pub trait Real:
     fn min(self, other: Self) -> Self;
     /// `yes` where x < 0, else `no`.
     fn where_negative(self, yes: Self, no: Self) -> Self;
-    /// Four polynomials in x, whose coefficients are given by falling power.
+    /// Four polynomials in x, with the coefficients in order of decreasing power.
     #[inline(always)]
     fn polynomials<C: Copy + Into<Self>>(rows: &[[C; 4]], x: Self) -> [Self; 4] {
         even_and_odd(rows, x)
@@ -68,7 +68,7 @@ pub trait Real:
     fn odd_power(self, n: f64) -> Self;
 }
 
-/// Polynomials by the sums of their even and odd powers, so that twice as many sums are under way.
+/// Evaluates polynomials by their even and odd powers, which gives the processor twice as many independent sums.
 #[inline(always)]
 fn even_and_odd<T: Real, C: Copy + Into<T>>(rows: &[[C; 4]], x: T) -> [T; 4] {
     let square = x * x;

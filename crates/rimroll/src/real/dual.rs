@@ -1,20 +1,20 @@
-//! Dual numbers a + b ε with ε² = 0: run a formula on them and b is its exact derivative.
+//! Dual numbers a + b ε with ε² = 0. A formula evaluated on them gives its exact derivative as b.
 
 use super::Real;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value and its derivative along one direction or, with [`Slopes`], several.
+/// A value and its derivative along one direction or, with [`Slopes`], along several.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dual<S = f64> {
-    /// The value itself.
+    /// The value.
     pub value: f64,
-    /// Its derivative along the chosen direction.
+    /// The derivative.
     pub slope: S,
 }
 
-/// What can be a derivative: things that can be added and scaled.
+/// The type of a derivative: an element of a vector space.
 pub trait Slope: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {
-    /// Of a constant.
+    /// The derivative of a constant.
     const ZERO: Self;
 }
 
@@ -149,8 +149,8 @@ impl<S: Slope> Real for Dual<S> {
     }
 
     fn exp_m1(self) -> Self {
-        let less = Real::exp_m1(self.value);
-        self.chain(less, less + 1.0)
+        let value = Real::exp_m1(self.value);
+        self.chain(value, value + 1.0)
     }
 
     fn ln(self) -> Self {
@@ -197,7 +197,7 @@ impl<S: Slope> Real for Dual<S> {
 }
 
 impl<S: Slope> Dual<S> {
-    /// f of this number, given f and f′ at its value.
+    /// The chain rule: f of this number, given f and f′ at its value.
     pub(crate) fn chain(self, f: f64, derivative: f64) -> Self {
         Dual {
             value: f,

@@ -1,33 +1,33 @@
-//! eˣ − 1, ln x and what belongs to an angle without a branch, from + − × ÷ and the bits of the exponent
-//! alone: what is calculated with for sixteen lanes at once is to the last bit what it is for one.
+//! eˣ − 1, ln x, and trigonometric and inverse hyperbolic functions without branches. They use only + − × ÷ √
+//! and operations on the bits of the exponent, so that sixteen lanes give the same bits as a scalar.
 
 use super::Real;
 use super::register::Register;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, SQRT_2};
 
-/// ln 2 in two parts, the first with so few bits that its product with a whole number is exact.
+/// ln 2 as a sum. The first term has so few bits that its product with an exponent is exact.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238_2e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// Adding 1.5 · 2⁵² leaves the nearest whole number in the last bits.
+/// 1.5 · 2⁵². After this number is added, the lowest bits hold the nearest integer.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// Bits of the fraction of a double.
+/// The number of fraction bits of a double.
 pub(super) const FRACTION: u32 = 52;
 
 /// The bits of √½.
 pub(super) const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
 
-/// Numbers whose exponent and fraction can be taken apart.
+/// Numbers with access to the exponent and the fraction.
 pub trait FloatBits: Real {
-    /// 2ᵏ, of k + [`ROUNDER`] with |k| < 1023.
+    /// 2ᵏ, given k + [`ROUNDER`] with |k| < 1023.
     fn ldexp_one(shifted: Self) -> Self;
 
-    /// [k, m] of normal x > 0 that are 2ᵏ m, with m between √½ and √2.
+    /// [k, m] with x = 2ᵏ m and m between √½ and √2, for normal x > 0.
     fn frexp(self) -> [Self; 2];
 
-    /// About the 16th root of a/b for positive numbers, up to 6 % more: the bits of a positive number are, but for
-    /// an offset and a scale, its logarithm to a tenth of an octave.
+    /// An approximation of the 16th root of a/b for positive numbers, up to 6 % too large. The bits of a positive
+    /// number, read as an integer, approximate its binary logarithm within 0.1, up to a scale and an offset.
     fn approx_16th_root_of(a: Self, b: Self) -> Self;
 }
 
@@ -56,12 +56,12 @@ pub(super) fn exp_m1<T: FloatBits>(x: T) -> T {
     let k = shifted - T::from(ROUNDER);
     let r = (x - k * T::from(LN_2_HIGH)) - k * T::from(LN_2_LOW);
     let power = T::ldexp_one(shifted);
-    // The series of eʳ to r¹³, even and odd terms by themselves: what is left out is less than 1e-17 of r.
+    // The series of eʳ to r¹³, with separate sums of even and odd terms. The remainder is less than 1e-17 r.
     let rr = r * r;
     let (mut even, mut odd) = (T::from(0.0), T::from(0.0));
-    for [of_even, of_odd] in INVERSE_FACTORIALS {
-        even = even * rr + T::from(of_even);
-        odd = odd * rr + T::from(of_odd);
+    for [even_coefficient, odd_coefficient] in INVERSE_FACTORIALS {
+        even = even * rr + T::from(even_coefficient);
+        odd = odd * rr + T::from(odd_coefficient);
     }
     power * (r + rr * (even + r * odd)) + (power - T::from(1.0))
 }
@@ -76,19 +76,20 @@ const INVERSE_FACTORIALS: [[f64; 2]; 6] = [
     [0.5, 1.0 / 6.0],
 ];
 
-/// ln x for normal x > 0, to 4e-4.
+/// ln x for normal x > 0, with an absolute error of up to 4e-4.
 #[inline(always)]
 pub(super) fn approx_ln<T: FloatBits>(x: T) -> T {
     let [k, m] = x.frexp();
     let f = m - T::from(1.0);
     let mut sum = T::from(0.0);
-    for over in [-1.0 / 6.0, 0.2, -0.25, 1.0 / 3.0, -0.5, 1.0] {
-        sum = sum * f + T::from(over);
+    for coefficient in [-1.0 / 6.0, 0.2, -0.25, 1.0 / 3.0, -0.5, 1.0] {
+        sum = sum * f + T::from(coefficient);
     }
     k * T::from(LN_2) + f * sum
 }
 
-/// ln x for normal x > 0, to 2 units in the last place of the larger of ln x and its parts.
+/// ln x = k ln 2 + ln m for normal x > 0. The error is at most 2 units in the last place of the largest of the
+/// three logarithms.
 #[inline(always)]
 pub(super) fn ln<T: FloatBits>(x: T) -> T {
     // ln m = 2 artanh f, f = (m − 1)/(m + 1).
@@ -110,14 +111,15 @@ pub(super) fn atan<T: Real>(x: T) -> T {
     const TAN_3_PI_8: f64 = SQRT_2 + 1.0;
     let (zero, one) = (T::from(0.0), T::from(1.0));
     let size = x.abs();
-    // Less an eighth or a quarter of a turn the angle is π/8 at most, its tangent t = over/under.
+    // After subtraction of 0, π/4 or π/2 the angle is at most π/8 in magnitude. Its tangent is
+    // t = numerator/denominator.
     let (to_eighth, to_quarter) = (T::from(TAN_PI_8) - size, T::from(TAN_3_PI_8) - size);
-    let over = to_quarter.where_negative(-one, to_eighth.where_negative(size - one, size));
-    let under = to_quarter.where_negative(size, to_eighth.where_negative(size + one, one));
+    let numerator = to_quarter.where_negative(-one, to_eighth.where_negative(size - one, size));
+    let denominator = to_quarter.where_negative(size, to_eighth.where_negative(size + one, one));
     let (eighth, quarter) = (T::from(FRAC_PI_4), T::from(FRAC_PI_2));
-    let turned = to_quarter.where_negative(quarter, to_eighth.where_negative(eighth, zero));
-    let t = over / under;
-    // The series of atan t to t⁴¹: what is left out is less than 1e-17 of t.
+    let subtracted = to_quarter.where_negative(quarter, to_eighth.where_negative(eighth, zero));
+    let t = numerator / denominator;
+    // The series of atan t to t⁴¹. The remainder is less than 1e-17 t.
     let tt = t * t;
     let pair = tt * tt;
     let (mut even, mut odd) = (zero, zero);
@@ -125,7 +127,7 @@ pub(super) fn atan<T: Real>(x: T) -> T {
         odd = odd * pair - T::from(1.0 / f64::from(4 * n - 1));
         even = even * pair + T::from(1.0 / f64::from(4 * n + 1));
     }
-    let angle = turned + (t + t * tt * (odd + tt * even));
+    let angle = subtracted + (t + t * tt * (odd + tt * even));
     x.where_negative(-angle, angle)
 }
 
@@ -134,17 +136,17 @@ pub(super) fn atan<T: Real>(x: T) -> T {
 pub(crate) fn sin_cos_below_eighth<T: Real>(x: T) -> (T, T) {
     let one = T::from(1.0);
     let square = x * x;
-    // Both series to x¹⁷: what is left out is less than 1e-17.
+    // The series of sin x to x¹⁷ and of cos x to x¹⁶. The remainders are less than 1e-17.
     let (mut sin, mut cos) = (one, one);
     for n in (1..=8).rev() {
-        let (of_sin, of_cos) = (2 * n * (2 * n + 1), 2 * n * (2 * n - 1));
-        sin = one - square * T::from(1.0 / f64::from(of_sin)) * sin;
-        cos = one - square * T::from(1.0 / f64::from(of_cos)) * cos;
+        let (sin_divisor, cos_divisor) = (2 * n * (2 * n + 1), 2 * n * (2 * n - 1));
+        sin = one - square * T::from(1.0 / f64::from(sin_divisor)) * sin;
+        cos = one - square * T::from(1.0 / f64::from(cos_divisor)) * cos;
     }
     (x * sin, cos)
 }
 
-/// The inverse of the hyperbolic sine, absolutely to rounding, for |x| < 1e150.
+/// arsinh x for |x| < 1e150. The absolute error is of the order of rounding errors.
 #[inline(always)]
 pub(crate) fn asinh<T: Real>(x: T) -> T {
     let size = x.abs();
@@ -152,13 +154,13 @@ pub(crate) fn asinh<T: Real>(x: T) -> T {
     x.where_negative(-positive, positive)
 }
 
-/// The same for x ≥ 0, to 4e-4.
+/// arsinh x for x ≥ 0, with an absolute error of up to 4e-4.
 #[inline(always)]
 pub(crate) fn approx_asinh<T: Real>(x: T) -> T {
     (x + (x * x + T::from(1.0)).sqrt()).approx_ln()
 }
 
-/// The inverse of the hyperbolic cosine for x ≥ 1, to 4e-4.
+/// arcosh x for x ≥ 1, with an absolute error of up to 4e-4.
 #[inline(always)]
 pub(crate) fn approx_acosh<T: Real>(x: T) -> T {
     (x + (x * x - T::from(1.0)).sqrt()).approx_ln()
@@ -172,17 +174,17 @@ mod tests {
 
     proptest! {
         #[test]
-        fn powers_are_the_library_s_to_the_last_bits(x in -40.0..40.0_f64, scale in -60.0..0.0_f64) {
+        fn exponentials_and_logarithms_agree_with_libm(x in -40.0..40.0_f64, scale in -60.0..0.0_f64) {
             let x = x * libm::exp(scale);
-            let wanted = libm::expm1(x);
-            prop_assert!((exp_m1(x) - wanted).abs() <= 4.0 * f64::EPSILON * wanted.abs());
+            let expected = libm::expm1(x);
+            prop_assert!((exp_m1(x) - expected).abs() <= 4.0 * f64::EPSILON * expected.abs());
             let y = libm::exp(x);
             prop_assert!((ln(y) - libm::log(y)).abs() <= 3.0 * f64::EPSILON * libm::log(y).abs());
             prop_assert!((approx_ln(y) - libm::log(y)).abs() <= 4e-4);
         }
 
         #[test]
-        fn angles_are_the_library_s_to_the_last_bits(exponent in -30.0..30.0_f64, sign in prop::bool::ANY) {
+        fn trigonometric_functions_agree_with_libm(exponent in -30.0..30.0_f64, sign in prop::bool::ANY) {
             let x = if sign { libm::exp(exponent) } else { -libm::exp(exponent) };
             prop_assert!((atan(x) - libm::atan(x)).abs() <= 2.0 * f64::EPSILON * libm::atan(x).abs());
             let angle = libm::fmod(x, FRAC_PI_4);

@@ -1,11 +1,11 @@
-//! Structs of numbers, number by number: as other numbers, and in the lanes of wider ones.
+//! Conversion of structs of numbers between number types, field by field.
 
-/// Gives a struct of numbers `S<T>` what is needed to change the type of its numbers. The fields are listed
-/// once: first its own numbers, then the structs of numbers that it holds.
+/// Implements `map` and `write` for a struct `S<T>` over the number type `T`. The list of fields has the numbers
+/// first and, after a semicolon, the fields that are such structs themselves.
 macro_rules! fieldwise {
     ($name:ident { $($number:ident),*; $($part:ident),* }) => {
         impl<T> $name<T> {
-            /// The value in another number type.
+            /// Converts each number to another number type.
             #[inline(always)]
             pub(crate) fn map<U>(&self, f: impl Fn(&T) -> U) -> $name<U> {
                 $name {

@@ -1,21 +1,21 @@
-//! Lanes: sixteen numbers that are calculated with at once, or eight where registers are narrow.
+//! SIMD lanes: sixteen numbers on x86-64 and eight on other architectures.
 //!
-//! Every operation is the `f64` one, lane by lane, so that what a lane computes does not depend on its
-//! neighbours and is to the last bit what `f64` alone computes, in registers of whatever width. All is
-//! inlined: compiled into a function that may use a processor's registers, an operation is one or two
-//! instructions.
+//! Every operation acts on each lane as on an `f64`. So the result of a lane does not depend on its neighbours
+//! or on the width of the registers, and equals the scalar result to the last bit. All functions are inlined
+//! into a caller that is compiled for the processor's registers, where an operation takes one or two
+//! instructions per register.
 
 use super::register::Register;
 use super::{Real, elementary, even_and_odd};
 use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
-/// How many lanes there are: more than a register holds, since a formula is a chain whose links wait for one another,
-/// and a processor that has two of them under way need not wait; not so many that it runs out of registers. Where these
-/// are narrow, long formulas are computed for a part of the lanes at a time: `Vector::Part`.
+/// The number of lanes. Sixteen lanes fill two AVX-512 registers, so that the processor can interleave two dependency
+/// chains and hide their latency; more lanes would exceed the number of registers. With narrower registers, long
+/// formulas are computed for one part of the lanes at a time (`Vector::Part`).
 pub const LANES: usize = if cfg!(target_arch = "x86_64") { 16 } else { 8 };
 
-/// A yes or no for each lane, as a bit.
+/// One bit for each lane.
 #[cfg(target_arch = "x86_64")]
 pub type Bits = u16;
 #[cfg(not(target_arch = "x86_64"))]
@@ -23,9 +23,9 @@ pub type Bits = u8;
 
 const _: () = assert!(Bits::BITS as usize == LANES);
 
-/// Does something for each index below `COUNT`, the number of registers. Where these are few it is spelled out: a loop
-/// that is inlined a thousand times is also unrolled a thousand times, for a good part of the time that the core takes
-/// to compile.
+/// Evaluates an expression for each index below `COUNT`, the number of registers. Up to eight registers it expands to
+/// straight code, because a loop that is inlined a thousand times is also unrolled a thousand times, which takes a
+/// good part of the compilation time of the core.
 macro_rules! for_each_register {
     ($count:expr, $i:ident => $body:expr) => {
         if $count > 8 {
@@ -44,36 +44,36 @@ macro_rules! for_each_register {
     };
 }
 
-/// As many numbers side by side, in `COUNT` registers.
+/// Numbers packed in `COUNT` registers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct Packed<R, const COUNT: usize>(pub [R; COUNT]);
 
-/// The same by themselves: as they are kept in memory, and for processors whose registers are not named here.
+/// The lanes in memory. It is also the vector type for processors whose SIMD registers are not supported here.
 pub type Lanes = Packed<f64, LANES>;
 
-/// A yes or no for each lane.
+/// A mask: a Boolean for each lane.
 #[derive(Debug, Clone, Copy)]
 pub struct Flagged<R: Register, const COUNT: usize>([R::Flags; COUNT]);
 
-/// A part of the lanes, or all of them, in some registers.
+/// All lanes or an equal part of them, in registers.
 ///
-/// What takes them has to be inlined: [`run_widest`](super::run_widest).
+/// Functions that take such a value must be inlined ([`SimdKernel::run`](super::SimdKernel::run)).
 pub trait Part: elementary::FloatBits {
-    /// How many there are of the lanes.
+    /// The number of parts that make up all lanes.
     const PARTS: usize;
 
-    /// From memory.
+    /// Loads a part of the lanes.
     fn load_part(lanes: &Lanes, part: usize) -> Self;
 
-    /// To memory.
+    /// Stores a part of the lanes.
     fn store_part(self, lanes: &mut Lanes, part: usize);
 
-    /// A number that compilers are not to see through where they put lanes into registers themselves: among
-    /// several sums at once they lose the order of the lanes.
+    /// The index, with its value hidden from the optimizer where compilers assign the lanes to registers. It keeps
+    /// them from interleaving several sums, which would make them shuffle the lanes.
     fn opaque(index: usize) -> usize;
 
-    /// Several from memory.
+    /// Loads a part of the lanes of each array element.
     #[inline(always)]
     fn load_parts<const N: usize>(lanes: &[Lanes; N], part: usize) -> [Self; N] {
         let mut all = [Self::from(0.0); N];
@@ -83,7 +83,7 @@ pub trait Part: elementary::FloatBits {
         all
     }
 
-    /// Several to memory.
+    /// Stores a part of the lanes of each array element.
     #[inline(always)]
     fn store_parts<const N: usize>(all: [Self; N], lanes: &mut [Lanes; N], part: usize) {
         for i in 0..N {
@@ -92,22 +92,22 @@ pub trait Part: elementary::FloatBits {
     }
 }
 
-/// All lanes in some registers.
+/// All lanes in registers.
 pub trait Vector: Part {
-    /// As many of them as there are registers for, with all that a long formula needs meanwhile.
+    /// The part of the lanes for which a long formula fits into the registers of the processor.
     type Part: Part;
 
-    /// A yes or no for each lane.
+    /// A Boolean for each lane.
     type Mask: Mask<Self>;
 
-    /// From memory.
+    /// Loads all lanes.
     #[inline(always)]
     fn load(lanes: &Lanes) -> Self {
         const { assert!(Self::PARTS == 1) };
         Self::load_part(lanes, 0)
     }
 
-    /// To memory.
+    /// Stores all lanes.
     #[inline(always)]
     fn store(self) -> Lanes {
         let mut lanes = Packed([0.0; LANES]);
@@ -115,13 +115,13 @@ pub trait Vector: Part {
         lanes
     }
 
-    /// Several from memory.
+    /// Loads all lanes of each array element.
     #[inline(always)]
     fn load_all<const N: usize>(lanes: &[Lanes; N]) -> [Self; N] {
         Self::load_parts(lanes, 0)
     }
 
-    /// Several to memory.
+    /// Stores all lanes of each array element.
     #[inline(always)]
     fn store_all<const N: usize>(all: [Self; N]) -> [Lanes; N] {
         let mut lanes = [Lanes::from(0.0); N];
@@ -131,34 +131,35 @@ pub trait Vector: Part {
         lanes
     }
 
-    /// Whether a lane is at most the other's; a NaN is not.
+    /// a ≤ b in each lane; false where either is NaN.
     fn at_most(self, other: Self) -> Self::Mask;
 }
 
-/// What can be done with a yes or no for each lane.
+/// The operations on a Boolean for each lane.
 pub trait Mask<L>: Copy + core::fmt::Debug + Not<Output = Self> {
-    /// `yes` where it holds, else `no`.
+    /// `yes` in the lanes where the mask is set, else `no`.
     fn choose(self, yes: L, no: L) -> L;
 
-    /// The same mask, to choose what replaces numbers in memory: compilers that see a comparison write only
-    /// where it holds, for which processors of AMD with AVX2 take ten times as long as for writing all.
+    /// The mask, with its origin hidden from the optimizer. Use it to choose numbers that replace numbers in
+    /// memory. Compilers that see the comparison emit masked stores, which take ten times as long as full stores on
+    /// AMD processors with AVX2.
     #[must_use]
     fn opaque(self) -> Self;
 
-    /// The lanes where it holds, as bits.
+    /// The mask as bits.
     fn bits(self) -> Bits;
 
-    /// Whether it holds in all of them.
+    /// Whether the mask is set in all lanes.
     #[inline(always)]
     fn in_all(self) -> bool {
         self.bits() == Bits::MAX
     }
 
-    /// Holds where either does.
+    /// Set in the lanes where either mask is set.
     #[must_use]
     fn or(self, other: Self) -> Self;
 
-    /// Holds where both do.
+    /// Set in the lanes where both masks are set.
     #[must_use]
     fn and(self, other: Self) -> Self;
 }
@@ -178,7 +179,7 @@ impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
         result
     }
 
-    /// Number by number, where there is no instruction for it.
+    /// Applies a scalar function to each number, where no instruction exists.
     #[inline(always)]
     fn each_number(self, f: impl Fn(f64) -> f64) -> Self {
         let mut numbers = Packed([0.0; LANES]);
@@ -212,9 +213,9 @@ impl<R: Register, const COUNT: usize> Part for Packed<R, COUNT> {
     }
 }
 
-/// A register that parts of lanes are put into.
+/// A register type with the part of the lanes that long formulas use.
 pub trait Grouped: Register {
-    /// See [`Vector::Part`].
+    /// As [`Vector::Part`].
     type Part: Part;
 }
 
@@ -335,7 +336,8 @@ impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
         if R::WIDTH > 1 {
             return even_and_odd(rows, x);
         }
-        // Among other sums compilers lose the order of the lanes, and shuffle them in every round.
+        // `black_box` keeps compilers from interleaving these sums with others, which would make them shuffle the
+        // lanes in every round.
         black_box(even_and_odd(rows, black_box(x)))
     }
 
@@ -417,7 +419,7 @@ mod tests {
     use core::array::from_fn;
     use proptest::prelude::*;
 
-    /// A formula with every operation, that takes numbers of any size.
+    /// A formula with every operation, for arguments of any size.
     fn formula<T: Real>(a: T, b: T) -> T {
         let (sin, cos) = (a * b).sin_cos();
         let sum = (sin / b - cos * a).abs().sqrt() + (-(a * a)).exp().max(b);
@@ -436,16 +438,16 @@ mod tests {
     }
 
     #[test]
-    fn each_lane_computes_what_a_number_alone_does() {
+    fn each_lane_equals_the_scalar_result() {
         let [a, b]: [Lanes; 2] =
             from_fn(|k| Packed(from_fn(|i| libm::sin((3 * i + 7 * k + 1) as f64))));
-        let alone: [u64; LANES] = from_fn(|i| formula(a.0[i], b.0[i]).to_bits());
-        for done in in_every_width(|| Formula([a, b])) {
-            assert_eq!(done.0.map(f64::to_bits), alone);
+        let scalar: [u64; LANES] = from_fn(|i| formula(a.0[i], b.0[i]).to_bits());
+        for result in in_every_width(|| Formula([a, b])) {
+            assert_eq!(result.0.map(f64::to_bits), scalar);
         }
     }
 
-    /// What needs no more than one instruction or a few, of numbers that may be anything.
+    /// The operations that consist of a few instructions, for arguments of any value.
     fn instructions<T: FloatBits>(a: T, b: T) -> [T; 12] {
         let [k, m] = a.frexp();
         [
@@ -474,7 +476,8 @@ mod tests {
         }
     }
 
-    /// Which of many NaNs comes of NaNs is not said by any standard, and does not matter.
+    /// The bits of a number, with all NaNs treated as equal: IEEE 754 does not specify which NaN an operation gives,
+    /// and it does not matter.
     fn bits(x: f64) -> u64 {
         if x.is_nan() {
             f64::NAN.to_bits()
@@ -485,16 +488,16 @@ mod tests {
 
     proptest! {
         #[test]
-        fn numbers_of_any_bits_are_calculated_with_alike(
+        fn every_width_gives_the_same_bits_for_any_arguments(
             a in prop::array::uniform16(any::<u64>()),
             b in prop::array::uniform16(any::<u64>()),
         ) {
             let [a, b] = [a, b].map(|bits| from_fn(|i| f64::from_bits(bits[i])));
-            let alone: [[f64; 12]; LANES] = from_fn(|i| instructions(a[i], b[i]));
-            for done in in_every_width(|| Instructions([Packed(a), Packed(b)])) {
-                for (k, lanes) in done.iter().enumerate() {
-                    for (lane, one) in lanes.0.iter().zip(&alone) {
-                        prop_assert_eq!(bits(*lane), bits(one[k]), "instruction {}", k);
+            let scalar: [[f64; 12]; LANES] = from_fn(|i| instructions(a[i], b[i]));
+            for results in in_every_width(|| Instructions([Packed(a), Packed(b)])) {
+                for (k, lanes) in results.iter().enumerate() {
+                    for (lane, expected) in lanes.0.iter().zip(&scalar) {
+                        prop_assert_eq!(bits(*lane), bits(expected[k]), "operation {}", k);
                     }
                 }
             }
@@ -528,7 +531,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mask_chooses_lane_by_lane_and_a_nan_is_at_most_nothing() {
+    fn masks_act_on_each_lane_and_comparisons_with_nan_are_false() {
         in_every_width(|| Masks);
     }
 }

@@ -1,19 +1,19 @@
-//! What a processor calculates with: a register of one number here, of four or eight in [`x86`](super::x86).
+//! Registers: the trait, and its implementation for a single number. SIMD registers are in [`x86`](super::x86).
 
 use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
 
-/// A register of some numbers. Each operation is the `f64` one, number by number.
+/// A register of one or more numbers. Each operation acts elementwise as on `f64`.
 pub trait Register: Copy + core::fmt::Debug {
-    /// A yes or no for each number.
+    /// A Boolean for each number.
     type Flags: Copy + core::fmt::Debug;
-    /// How many numbers it holds.
+    /// The count of numbers in the register.
     const WIDTH: usize;
 
-    /// The same number throughout.
+    /// A register with the same number in every element.
     fn all(value: f64) -> Self;
-    /// The first [`Register::WIDTH`] numbers.
+    /// Loads the first [`Register::WIDTH`] numbers.
     fn load(numbers: &[f64]) -> Self;
-    /// Into the first [`Register::WIDTH`] places.
+    /// Stores into the first [`Register::WIDTH`] numbers.
     fn store(a: Self, numbers: &mut [f64]);
 
     /// a + b.
@@ -41,30 +41,31 @@ pub trait Register: Copy + core::fmt::Debug {
     fn at_most(a: Self, b: Self) -> Self::Flags;
     /// `yes` where a flag is set, else `no`.
     fn choose(flags: Self::Flags, yes: Self, no: Self) -> Self;
-    /// Set where both are.
+    /// a ∧ b.
     fn and(a: Self::Flags, b: Self::Flags) -> Self::Flags;
-    /// Set where either is.
+    /// a ∨ b.
     fn or(a: Self::Flags, b: Self::Flags) -> Self::Flags;
-    /// Set where it is not.
+    /// ¬a.
     fn not(a: Self::Flags) -> Self::Flags;
-    /// The same, where compilers must not see what they come from.
+    /// The same flags, with their origin hidden from the optimizer where that matters
+    /// ([`Mask::opaque`](super::Mask::opaque)).
     fn opaque(a: Self::Flags) -> Self::Flags {
         a
     }
     /// The flags as the lowest bits.
     fn bits(a: Self::Flags) -> u8;
 
-    /// 2ᵏ, of k + [`ROUNDER`] with |k| < 1023.
+    /// As [`FloatBits::ldexp_one`](super::FloatBits::ldexp_one).
     fn ldexp_one(shifted: Self) -> Self;
-    /// [k, m] of normal x > 0 that are 2ᵏ m, with m between √½ and √2.
+    /// As [`FloatBits::frexp`](super::FloatBits::frexp).
     fn frexp(x: Self) -> [Self; 2];
-    /// About the 16th root of a/b for positive numbers.
+    /// As [`FloatBits::approx_16th_root_of`](super::FloatBits::approx_16th_root_of).
     fn approx_16th_root_of(a: Self, b: Self) -> Self;
 }
 
 pub(super) const ONE_BITS: i64 = 1.0_f64.to_bits().cast_signed();
 
-/// Functions that are inlined wherever they are called.
+/// Defines functions that are always inlined.
 macro_rules! inlined {
     ($($name:ident($($argument:ident: $kind:ty),*) -> $result:ty = $value:expr;)*) => {
         $(#[inline(always)]
@@ -76,7 +77,7 @@ macro_rules! inlined {
 #[cfg(target_arch = "x86_64")]
 pub(super) use inlined;
 
-/// Flags are all bits or none, as compilers know them of comparisons in registers, into which they may put several.
+/// A flag is a mask of 64 equal bits, as SIMD comparisons give it, so that compilers can vectorize these operations.
 impl Register for f64 {
     type Flags = u64;
     const WIDTH: usize = 1;
@@ -117,7 +118,7 @@ impl Register for f64 {
         let bits = x.to_bits().wrapping_sub(SQRT_HALF_BITS);
         let exponent = (bits as i64) >> FRACTION;
         let m = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << FRACTION));
-        // A whole number as a double without a conversion, which has no vector instruction.
+        // This converts an integer to a double. The conversion instruction has no SIMD form.
         let k = f64::from_bits(ROUNDER.to_bits().wrapping_add(exponent as u64)) - ROUNDER;
         [k, m]
     }

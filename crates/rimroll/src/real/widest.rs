@@ -1,4 +1,4 @@
-//! What is done in the widest registers that the processor has, with the same bits as in any others.
+//! Selection of the widest SIMD registers of the processor at run time. The results do not depend on the width.
 
 use super::lanes::Vector;
 #[cfg(target_arch = "x86_64")]
@@ -6,51 +6,52 @@ use super::x86;
 #[cfg(target_arch = "x86_64")]
 use std::arch::is_x86_feature_detected;
 
-/// Lanes in registers that every processor of the kind has.
+/// Lanes in registers that every processor of the architecture has.
 #[cfg(target_arch = "x86_64")]
 type AnyProcessor = x86::Sse2;
 #[cfg(not(target_arch = "x86_64"))]
 type AnyProcessor = super::lanes::Lanes;
 
-/// Something to do with lanes in some registers.
+/// A computation that is generic over the width of the registers.
 pub(crate) trait SimdKernel {
-    /// What comes of it.
+    /// The result.
     type Done;
 
-    /// Does it: `#[inline(always)]`, as all that it calls with a vector.
+    /// Runs the computation. This function and every function that it calls with a vector must be
+    /// `#[inline(always)]`.
     fn run<V: Vector>(self) -> Self::Done;
 }
 
-/// Does it in the widest registers. A debug build, which is to be made soon and not to be fast, is compiled for one kind
-/// only.
-pub(crate) fn run_widest<T: SimdKernel>(task: T) -> T::Done {
+/// Runs a computation in the widest registers. A debug build contains only one width, which shortens its
+/// compilation.
+pub(crate) fn run_widest<T: SimdKernel>(kernel: T) -> T::Done {
     #[cfg(target_arch = "x86_64")]
     if !cfg!(debug_assertions) {
         if is_x86_feature_detected!("avx512f") {
-            // SAFETY: the processor has been asked.
-            return unsafe { x86::in_avx512(task) };
+            // SAFETY: the processor has AVX-512F.
+            return unsafe { x86::in_avx512(kernel) };
         }
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has been asked.
-            return unsafe { x86::in_avx2(task) };
+            // SAFETY: the processor has AVX2.
+            return unsafe { x86::in_avx2(kernel) };
         }
     }
-    task.run::<AnyProcessor>()
+    kernel.run::<AnyProcessor>()
 }
 
-/// What comes of it in registers of every width that the processor has.
+/// The results in registers of every width that the processor has.
 #[cfg(test)]
-pub(crate) fn in_every_width<T: SimdKernel>(task: impl Fn() -> T) -> Vec<T::Done> {
-    let mut done = vec![task().run::<AnyProcessor>()];
+pub(crate) fn in_every_width<T: SimdKernel>(kernel: impl Fn() -> T) -> Vec<T::Done> {
+    let mut done = vec![kernel().run::<AnyProcessor>()];
     #[cfg(target_arch = "x86_64")]
     {
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has been asked.
-            done.push(unsafe { x86::in_avx2(task()) });
+            // SAFETY: the processor has AVX2.
+            done.push(unsafe { x86::in_avx2(kernel()) });
         }
         if is_x86_feature_detected!("avx512f") {
-            // SAFETY: the processor has been asked.
-            done.push(unsafe { x86::in_avx512(task()) });
+            // SAFETY: the processor has AVX-512F.
+            done.push(unsafe { x86::in_avx512(kernel()) });
         }
     }
     done

@@ -1,12 +1,12 @@
-//! The registers of two numbers that all x86-64 processors have, and those of four and of eight that those with AVX2
-//! and with AVX-512 have.
+//! The SIMD registers of x86-64 processors: SSE2 with two numbers, AVX2 with four and AVX-512 with eight. Every such
+//! processor has SSE2.
 //!
-//! Of numbers in arrays a compiler, left to itself, loses the order on its way to registers: many of its
-//! instructions then do nothing but bring numbers from one place to another.
+//! SIMD registers are addressed explicitly, because compilers shuffle lanes that are held in arrays: many of the
+//! instructions would then only move numbers between lanes.
 //!
-//! The wider ones are made and calculated with only in [`in_avx512`] and [`in_avx2`], which are compiled for such
-//! processors, and in what is inlined there. So whatever takes a [`Vector`](super::Vector) has to be
-//! `#[inline(always)]`, and has no closures and no `map` of an array: they would be compiled without its registers.
+//! AVX registers are only used in [`in_avx512`] and [`in_avx2`], which are compiled for such processors, and in the
+//! functions inlined there. So every function that takes a [`Vector`](super::Vector) must be `#[inline(always)]`. It
+//! must not contain closures or call `map` on an array, because these would be compiled without AVX.
 
 use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
 use super::lanes::{Grouped, LANES, Packed};
@@ -16,7 +16,7 @@ use core::arch::x86_64::*;
 use core::hint::black_box;
 
 const SQRT_HALF: i64 = SQRT_HALF_BITS.cast_signed();
-const ROUNDED: i64 = ROUNDER.to_bits().cast_signed();
+const ROUNDER_BITS: i64 = ROUNDER.to_bits().cast_signed();
 
 type Avx512 = Packed<__m512d, { LANES / 8 }>;
 type Avx2 = Packed<__m256d, { LANES / 4 }>;
@@ -26,38 +26,39 @@ impl Grouped for __m512d {
     type Part = Avx512;
 }
 
-/// Two at once: there are sixteen registers, and four for each number would not be enough.
+/// Two registers for each quantity. All lanes would need four, too many for the sixteen registers of AVX2.
 impl Grouped for __m256d {
     type Part = Packed<__m256d, 2>;
 }
 
-/// The same.
+/// Four registers for each quantity, which hold as many lanes as with AVX2.
 impl Grouped for __m128d {
     type Part = Packed<__m128d, 4>;
 }
 
-/// Does a task in registers of eight.
+/// Runs a computation in AVX-512 registers.
 ///
 /// # Safety
 /// The processor must have AVX-512F.
 #[target_feature(enable = "avx512f")]
-pub(super) unsafe fn in_avx512<T: SimdKernel>(task: T) -> T::Done {
-    task.run::<Avx512>()
+pub(super) unsafe fn in_avx512<T: SimdKernel>(kernel: T) -> T::Done {
+    kernel.run::<Avx512>()
 }
 
-/// Does a task in registers of four.
+/// Runs a computation in AVX2 registers.
 ///
 /// # Safety
 /// The processor must have AVX2.
 #[target_feature(enable = "avx2")]
-pub(super) unsafe fn in_avx2<T: SimdKernel>(task: T) -> T::Done {
-    task.run::<Avx2>()
+pub(super) unsafe fn in_avx2<T: SimdKernel>(kernel: T) -> T::Done {
+    kernel.run::<Avx2>()
 }
 
-/// An instruction of the processor.
+/// Evaluates intrinsics.
 macro_rules! instruction {
     ($operation:expr) => {
-        // SAFETY: the processor has it, or there would be no such number: see above.
+        // SAFETY: registers of this type exist only in code that runs on processors with these instructions, as
+        // the module documentation explains.
         unsafe { $operation }
     };
 }
@@ -102,7 +103,7 @@ impl Register for __m512d {
             let from_half = _mm512_sub_epi64(bits, _mm512_set1_epi64(SQRT_HALF));
             let exponent = _mm512_srai_epi64::<FRACTION>(from_half);
             let m = _mm512_sub_epi64(bits, _mm512_slli_epi64::<FRACTION>(exponent));
-            let k = _mm512_add_epi64(exponent, _mm512_set1_epi64(ROUNDED));
+            let k = _mm512_add_epi64(exponent, _mm512_set1_epi64(ROUNDER_BITS));
             let k = _mm512_sub_pd(_mm512_castsi512_pd(k), _mm512_set1_pd(ROUNDER));
             [k, _mm512_castsi512_pd(m)]
         });
@@ -111,20 +112,20 @@ impl Register for __m512d {
     #[inline(always)]
     fn load(numbers: &[f64]) -> __m512d {
         let numbers = &numbers[..Self::WIDTH];
-        // SAFETY: there are so many numbers, and the processor has the register.
+        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
         unsafe { _mm512_loadu_pd(numbers.as_ptr()) }
     }
 
     #[inline(always)]
     fn store(a: __m512d, numbers: &mut [f64]) {
         let numbers = &mut numbers[..Self::WIDTH];
-        // SAFETY: there are so many places, and the processor has the register.
+        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
         unsafe { _mm512_storeu_pd(numbers.as_mut_ptr(), a) }
     }
 }
 
-/// A register whose flags are numbers of which all bits are set or none, and which has no shift of whole numbers to the
-/// right that keeps the sign: that is made from 2⁶³ on.
+/// Implements [`Register`] for SSE2 and AVX2. Their flags are elements with all bits set or none. They lack an
+/// arithmetic right shift of 64-bit integers, which is done by adding 2⁶³, a logical shift and a subtraction.
 macro_rules! register_without_masks {
     (
         $register:ident of $width:literal,
@@ -152,8 +153,8 @@ macro_rules! register_without_masks {
                 min(a: $register, b: $register) -> $register = instruction!($min(a, b));
                 less(a: $register, b: $register) -> $register = instruction!($less(a, b));
                 at_most(a: $register, b: $register) -> $register = instruction!($at_most(a, b));
-                // The instruction for this is made a comparison by compilers, and so undoes what `opaque` is for;
-                // where they may see through this, they choose it themselves.
+                // The blend intrinsic would defeat `opaque`, because compilers turn it back into a comparison. They
+                // choose the blend instruction by themselves where the flags are not opaque.
                 choose(flags: $register, yes: $register, no: $register) -> $register =
                     instruction!($or($and(flags, yes), $and_not(flags, no)));
                 and(a: $register, b: $register) -> $register = instruction!($and(a, b));
@@ -177,7 +178,7 @@ macro_rules! register_without_masks {
                     let shifted = $shift_right::<{ FRACTION as i32 }>($xor_whole(from_half, $whole(i64::MIN)));
                     let exponent = $sub_whole(shifted, $whole(1 << (63 - FRACTION)));
                     let m = $sub_whole(bits, $shift_left::<{ FRACTION as i32 }>(exponent));
-                    let k = $add_whole(exponent, $whole(ROUNDED));
+                    let k = $add_whole(exponent, $whole(ROUNDER_BITS));
                     let k = $sub($as_numbers(k), $all(ROUNDER));
                     [k, $as_numbers(m)]
                 });
@@ -186,14 +187,14 @@ macro_rules! register_without_masks {
             #[inline(always)]
             fn load(numbers: &[f64]) -> $register {
                 let numbers = &numbers[..Self::WIDTH];
-                // SAFETY: there are so many numbers, and the processor has the register.
+                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
                 unsafe { $load(numbers.as_ptr()) }
             }
 
             #[inline(always)]
             fn store(a: $register, numbers: &mut [f64]) {
                 let numbers = &mut numbers[..Self::WIDTH];
-                // SAFETY: there are so many places, and the processor has the register.
+                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
                 unsafe { $store(numbers.as_mut_ptr(), a) }
             }
         }
@@ -210,7 +211,6 @@ register_without_masks! {
     _mm256_add_epi64 _mm256_sub_epi64 _mm256_xor_si256 _mm256_slli_epi64 _mm256_srli_epi64
 }
 
-// What every processor of this kind has.
 register_without_masks! {
     __m128d of 2,
     _mm_set1_pd _mm_loadu_pd _mm_storeu_pd
