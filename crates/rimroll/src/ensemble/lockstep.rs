@@ -77,8 +77,8 @@ pub(super) struct StepOutcome {
     within_tolerance: Bits,
     /// The event function is negative at the end of the step.
     crossed: [Bits; EVENT_FUNCTIONS.len()],
-    /// The pool has nothing to decide: the step is within the tolerance and no event is possible, or it was rejected and
-    /// a shorter step follows.
+    /// The pool has nothing to decide: the step is within the tolerance and no event is possible, or it was
+    /// rejected and a shorter step follows.
     pub settled: Bits,
 }
 

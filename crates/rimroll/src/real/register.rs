@@ -47,7 +47,7 @@ pub trait Register: Copy + core::fmt::Debug {
     fn or(a: Self::Flags, b: Self::Flags) -> Self::Flags;
     /// ¬a.
     fn not(a: Self::Flags) -> Self::Flags;
-    /// The same flags, with their origin hidden from the optimizer where that matters
+    /// The flags, with their origin hidden from the optimizer where that matters
     /// ([`Mask::opaque`](super::Mask::opaque)).
     fn opaque(a: Self::Flags) -> Self::Flags {
         a
