@@ -173,8 +173,8 @@ class AirDrag(_Numbered):
     (Moffatt, Nature 404, 2000), 5/2 for boundary layers (Bildsten, Phys. Rev. E 66, 2002).
 
     For exponents below 2 the moment has an infinite slope at dψ/dt = 0. There |dψ/dt| is replaced
-    by √((dψ/dt)² + ω₀²) with ω₀ = 1e-15 (√(g/R) + axial spin rate). This changes dψ/dt by about ω₀
-    at most, far less than any ``rtol`` allows.
+    by √((dψ/dt)² + ω₀²) with ω₀ = 0.002 ``rtol`` (√(g/R) + axial spin rate). This changes dψ/dt by
+    ω₀ at most, which is less than the error that ``rtol`` allows.
     """
 
     coefficient: float

@@ -13,6 +13,7 @@ mod mechanics;
 mod moment;
 mod onset;
 mod outcome;
+mod phase_dynamics;
 mod run;
 mod sensitivity;
 mod step_bounds;

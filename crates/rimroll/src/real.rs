@@ -89,6 +89,19 @@ fn even_and_odd<T: Real, C: Copy + Into<T>>(rows: &[[C; 4]], x: T) -> [T; 4] {
     even
 }
 
+/// A single number, plain or dual, and not lanes of numbers, so that a formula can branch on its value.
+pub trait Scalar: Real {
+    /// The value without derivatives.
+    fn value(self) -> f64;
+}
+
+impl Scalar for f64 {
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+}
+
 impl Real for f64 {
     #[inline]
     fn sin_cos(self) -> (Self, Self) {

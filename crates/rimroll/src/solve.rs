@@ -18,7 +18,7 @@ pub use dense::Dense;
 pub use dop853::Step;
 pub use estimate::Estimate;
 pub use root::{bracketed_root, bracketed_root_in};
-pub use stiff::Implicit;
+pub use stiff::{Found, Implicit};
 
 use crate::real::Real;
 
@@ -49,7 +49,7 @@ pub struct Work {
     pub steps: usize,
     /// Steps rejected and repeated with a smaller step size.
     pub rejected: usize,
-    /// Evaluations of the right-hand side.
+    /// Evaluations of the right-hand side, including those on dual numbers for derivatives.
     pub evaluations: usize,
 }
 

@@ -119,7 +119,12 @@ fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> 
             self.0.constraint_reaction(moment)
         }
     }
-    Box::new(Resisted::new(Boxed(law_of(mode, body)), resistance))
+    let tolerance = 1e-14;
+    Box::new(Resisted::new(
+        Boxed(law_of(mode, body)),
+        resistance,
+        tolerance,
+    ))
 }
 
 const ROUNDING: f64 = 1e-12;

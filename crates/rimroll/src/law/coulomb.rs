@@ -8,7 +8,7 @@ use super::{
     DryFriction, DryFrictionModel, Friction, FrictionForce, FrictionModel, NamedParameters,
 };
 use crate::error::{InvalidInput, bounded};
-use crate::real::{Real, fieldwise};
+use crate::real::{Real, Scalar, fieldwise};
 
 /// Coefficients of friction above this are refused.
 pub const MAX_FRICTION: f64 = 1e6;
@@ -60,7 +60,7 @@ impl<T: Real> DryFriction<T> for Coulomb<T> {
 impl FrictionModel for Coulomb {
     const NAME: &'static str = "coulomb";
 
-    type Friction<T: Real> = Coulomb<T>;
+    type Friction<T: Scalar> = Coulomb<T>;
 
     /// `friction`, and `static` if it differs.
     fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
@@ -86,7 +86,7 @@ impl FrictionModel for Coulomb {
         self.friction
     }
 
-    fn friction<T: Real>(&self) -> Coulomb<T> {
+    fn friction<T: Scalar>(&self) -> Coulomb<T> {
         Coulomb {
             friction: self.friction.into(),
             static_friction: self.static_friction.into(),

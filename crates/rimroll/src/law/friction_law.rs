@@ -9,7 +9,7 @@ use super::{
     Resisted, Sliding, Stribeck, Tabulated, Viscous,
 };
 use crate::error::InvalidInput;
-use crate::real::Real;
+use crate::real::Scalar;
 
 /// A friction law with its parameters, as a user chooses it.
 pub trait FrictionModel: Clone + PartialEq + core::fmt::Debug {
@@ -17,7 +17,7 @@ pub trait FrictionModel: Clone + PartialEq + core::fmt::Debug {
     const NAME: &'static str;
 
     /// The friction as a function of the slip, for numbers of type `T`.
-    type Friction<T: Real>: Clone;
+    type Friction<T: Scalar>: Friction<T> + Clone;
 
     /// The law with parameters given by name.
     ///
@@ -40,7 +40,7 @@ pub trait FrictionModel: Clone + PartialEq + core::fmt::Debug {
     fn impact_coefficient(&self, slip_speed: f64) -> f64;
 
     /// The friction for numbers of type `T`.
-    fn friction<T: Real>(&self) -> Self::Friction<T>;
+    fn friction<T: Scalar>(&self) -> Self::Friction<T>;
 }
 
 /// Dry friction: the rim sticks until |T| exceeds the static coefficient times N.
@@ -181,26 +181,30 @@ macro_rules! friction_laws {
 
         /// The dynamics of a rim that slides, with resistance.
         #[derive(Clone)]
-        pub(crate) enum SlidingDynamics<T: Real> {
+        pub(crate) enum SlidingDynamics<T: Scalar> {
             /// The rim cannot slide.
             Never,
             Frictionless(Resisted<Frictionless<T>>),
             $($law(Resisted<Sliding<T, <$law as FrictionModel>::Friction<T>>>),)*
         }
 
-        impl<T: Real> SlidingDynamics<T>
-        where
-            $(<$law as FrictionModel>::Friction<T>: Friction<T>,)*
-        {
-            pub(crate) fn new(friction: &FrictionLaw, resistance: Resistance, k: Parameters<T>) -> Self {
+        impl<T: Scalar> SlidingDynamics<T> {
+            /// With the arguments of [`Resisted::new`].
+            pub(crate) fn new(
+                friction: &FrictionLaw,
+                k: Parameters<T>,
+                resistance: Resistance,
+                tolerance: f64,
+            ) -> Self {
                 match friction {
                     FrictionLaw::NoSlip => SlidingDynamics::Never,
                     FrictionLaw::Frictionless => {
-                        SlidingDynamics::Frictionless(Resisted::new(Frictionless::new(k), resistance))
+                        let sliding = Frictionless::new(k);
+                        SlidingDynamics::Frictionless(Resisted::new(sliding, resistance, tolerance))
                     }
                     $(FrictionLaw::$law(law) => {
                         let sliding = Sliding::new(k, law.friction::<T>());
-                        SlidingDynamics::$law(Resisted::new(sliding, resistance))
+                        SlidingDynamics::$law(Resisted::new(sliding, resistance, tolerance))
                     })*
                 }
             }
@@ -212,6 +216,15 @@ macro_rules! friction_laws {
                     SlidingDynamics::Frictionless(dynamics) => Some(dynamics),
                     $(SlidingDynamics::$law(dynamics) => Some(dynamics),)*
                 }
+            }
+
+            /// Whether the friction is dry.
+            pub(crate) fn is_dry(&self) -> bool {
+                let dry: Option<()> = match self {
+                    SlidingDynamics::Never | SlidingDynamics::Frictionless(_) => None,
+                    $(SlidingDynamics::$law(_) => if_dry!($kind, ()),)*
+                };
+                dry.is_some()
             }
         }
 

@@ -77,14 +77,22 @@ impl Resistance {
             && self.air.coefficient == 0.0
     }
 
-    /// The moments about e_x2 and e_z2, times sin φ, under the normal force N = `normal`/sin φ.
-    fn moment<T: Real>(&self, k: &Parameters<T>, u: &Coordinates<T>, normal: T) -> [T; 2] {
-        let smooth = T::from(1e-3) * (k.g / k.r).sqrt();
+    /// The moments about e_x2 and e_z2, times sin φ, under the normal force N = `normal`/sin φ. Air drag is
+    /// smoothed within `tolerance`.
+    fn moment<T: Real>(
+        &self,
+        k: &Parameters<T>,
+        u: &Coordinates<T>,
+        normal: T,
+        tolerance: f64,
+    ) -> [T; 2] {
+        let falling_rate = (k.g / k.r).sqrt();
+        let smooth = T::from(1e-3) * falling_rate;
         let contact_factor = contact_factor(k, u, normal);
         let [rolling_x, rolling_z] = self.rolling.moment(k, u, normal, smooth, contact_factor);
         let [pivoting_x, pivoting_z] = self.pivoting.moment(u, normal, smooth);
         [
-            rolling_x + pivoting_x + contact_factor * self.air.moment(u, smooth),
+            rolling_x + pivoting_x + contact_factor * self.air.moment(u, falling_rate, tolerance),
             rolling_z + pivoting_z,
         ]
     }
@@ -131,13 +139,18 @@ impl PivotingFriction {
 impl AirDrag {
     /// −k ψ̇ |ψ̇|ⁿ⁻². For n < 2 its slope is infinite at ψ̇ = 0, so a ψ̇ that drag and gyroscopic moments
     /// keep close to 0 would relax infinitely fast. There √(ψ̇² + ψ̇₀²) replaces |ψ̇|.
-    fn moment<T: Real>(&self, u: &Coordinates<T>, smooth: T) -> T {
-        const NEGLIGIBLE: f64 = 1e-15;
+    ///
+    /// ψ̇₀ is a tenth of `tolerance` times |s| + √(g/R), and the solution changes by no more. For ψ̇ > 0 and
+    /// 3/2 ≤ n ≤ 2 the smoothed drag at ψ̇ lies between the exact drag at ψ̇ − ψ̇₀ and that at ψ̇: the logarithms
+    /// of the three are linear in n, so it suffices to compare them at n = 3/2 and n = 2. Where the smoothed and
+    /// the exact solution differ by ψ̇₀, drag, which increases with ψ̇, therefore does not drive them farther
+    /// apart.
+    fn moment<T: Real>(&self, u: &Coordinates<T>, falling_rate: T, tolerance: f64) -> T {
         let (yaw_rate, k) = (u.yaw_rate(), T::from(-self.coefficient));
         if self.exponent >= 2.0 {
             return k * yaw_rate.odd_power(self.exponent - 1.0);
         }
-        let slow = T::from(NEGLIGIBLE) * (u.s.abs() + T::from(1e3) * smooth);
+        let slow = T::from(0.1 * tolerance) * (u.s.abs() + falling_rate);
         let size = (yaw_rate * yaw_rate + slow * slow).sqrt();
         k * (yaw_rate / size) * size.odd_power(self.exponent - 1.0)
     }
@@ -150,15 +163,19 @@ pub struct Resisted<L> {
     resistance: Resistance,
     /// Whether any resistance is not zero.
     resists: bool,
+    /// The tolerance of a step, within which air drag is smoothed.
+    tolerance: f64,
 }
 
 impl<L> Resisted<L> {
-    /// `law` with `resistance`.
-    pub fn new(law: L, resistance: Resistance) -> Self {
+    /// `law` with `resistance`, for steps that may err by `tolerance`. Air drag with an exponent below 2 is
+    /// smoothed where the yaw rate is smaller than a tenth of that, relative to the axial spin rate and √(g/R).
+    pub fn new(law: L, resistance: Resistance, tolerance: f64) -> Self {
         Resisted {
             law,
             resistance,
             resists: !resistance.is_none(),
+            tolerance,
         }
     }
 
@@ -182,7 +199,7 @@ impl<L> Resisted<L> {
             return rates;
         }
         let k = self.law.parameters();
-        let [about_x, about_z] = self.resistance.moment(k, u, normal);
+        let [about_x, about_z] = self.resistance.moment(k, u, normal, self.tolerance);
         let reaction = self.law.constraint_reaction([about_x, about_z]);
         let across = reaction.unwrap_or(T::from(0.0));
         let dw = (about_x + k.h * across) / k.a;
@@ -214,9 +231,8 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
         let mut contact = self.law.contact(u);
         if self.resists {
-            let moment = self
-                .resistance
-                .moment(self.law.parameters(), u, contact.normal);
+            let k = self.law.parameters();
+            let moment = self.resistance.moment(k, u, contact.normal, self.tolerance);
             let reaction = self.law.constraint_reaction(moment).unwrap_or(T::from(0.0));
             contact.across = contact.across + reaction;
         }

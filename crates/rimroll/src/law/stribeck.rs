@@ -11,7 +11,7 @@
 use super::coulomb::{check_coefficients, named_coefficients};
 use super::{Friction, FrictionForce, FrictionModel, NamedParameters};
 use crate::error::{InvalidInput, positive};
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 
 /// Stribeck friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +39,7 @@ impl<T: Real> Friction<T> for Stribeck<T> {
 impl FrictionModel for Stribeck {
     const NAME: &'static str = "stribeck";
 
-    type Friction<T: Real> = Stribeck<T>;
+    type Friction<T: Scalar> = Stribeck<T>;
 
     /// `friction`, `stribeck_speed`, `creep_speed`, and `static` if it differs from `friction`.
     fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
@@ -71,7 +71,7 @@ impl FrictionModel for Stribeck {
         self.friction
     }
 
-    fn friction<T: Real>(&self) -> Stribeck<T> {
+    fn friction<T: Scalar>(&self) -> Stribeck<T> {
         Stribeck {
             friction: self.friction.into(),
             static_friction: self.static_friction.into(),

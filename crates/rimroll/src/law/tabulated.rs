@@ -12,7 +12,7 @@ use super::{
     DryFriction, DryFrictionModel, Friction, FrictionForce, FrictionModel, NamedParameters,
 };
 use crate::error::{InvalidInput, bounded, entry};
-use crate::real::Real;
+use crate::real::Scalar;
 use std::sync::Arc;
 
 /// Friction whose coefficient is a function of the slip speed, interpolated between points.
@@ -63,24 +63,24 @@ impl Tabulated {
     }
 }
 
-impl Friction<f64> for Tabulated {
+impl<T: Scalar> Friction<T> for Tabulated {
     #[inline]
-    fn friction_force(&self, slip: [f64; 2]) -> FrictionForce<f64> {
+    fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
         self.dry_friction_force(slip)
     }
 }
 
-impl DryFriction<f64> for Tabulated {
+impl<T: Scalar> DryFriction<T> for Tabulated {
     #[inline]
-    fn coefficient(&self, speed: f64) -> f64 {
-        self.factor * self.curve.at(speed)
+    fn coefficient(&self, speed: T) -> T {
+        T::from(self.factor) * self.curve.at(speed)
     }
 }
 
 impl FrictionModel for Tabulated {
     const NAME: &'static str = "tabulated";
 
-    type Friction<T: Real> = Tabulated;
+    type Friction<T: Scalar> = Tabulated;
 
     /// The lists `speeds` and `frictions`, and `static` if it differs from the friction at the lowest speed.
     fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
@@ -115,7 +115,7 @@ impl FrictionModel for Tabulated {
         self.coefficient(slip_speed)
     }
 
-    fn friction<T: Real>(&self) -> Tabulated {
+    fn friction<T: Scalar>(&self) -> Tabulated {
         self.clone()
     }
 }
@@ -207,16 +207,18 @@ impl Curve {
     }
 
     #[inline]
-    fn at(&self, x: f64) -> f64 {
-        if x >= self.end {
-            return self.value_at_end;
+    fn at<T: Scalar>(&self, x: T) -> T {
+        let plain = x.value();
+        if plain >= self.end {
+            return self.value_at_end.into();
         }
-        let after = self.pieces.partition_point(|piece| piece.begin <= x);
+        let after = self.pieces.partition_point(|piece| piece.begin <= plain);
         let Some(piece) = after.checked_sub(1).map(|i| &self.pieces[i]) else {
-            return self.pieces[0].value;
+            return self.pieces[0].value.into();
         };
-        let x = x - piece.begin;
-        piece.value + x * (piece.slope + x * (piece.square + x * piece.cube))
+        let x = x - piece.begin.into();
+        let higher = T::from(piece.square) + x * piece.cube.into();
+        T::from(piece.value) + x * (T::from(piece.slope) + x * higher)
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::{Friction, FrictionForce, FrictionModel, NamedParameters};
 use crate::error::{InvalidInput, not_negative};
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 
 /// Viscous friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +28,7 @@ impl<T: Real> Friction<T> for Viscous<T> {
 impl FrictionModel for Viscous {
     const NAME: &'static str = "viscous";
 
-    type Friction<T: Real> = Viscous<T>;
+    type Friction<T: Scalar> = Viscous<T>;
 
     /// `coefficient`.
     fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
@@ -53,7 +53,7 @@ impl FrictionModel for Viscous {
         0.0
     }
 
-    fn friction<T: Real>(&self) -> Viscous<T> {
+    fn friction<T: Scalar>(&self) -> Viscous<T> {
         Viscous {
             coefficient: self.coefficient.into(),
         }

@@ -1,14 +1,14 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
 use super::mechanics::Mechanics;
+use super::phase_dynamics::PhaseDynamics;
 use super::track::Instant;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::impact;
-use crate::law::{
-    DryDynamics, Dynamics, Flight, FrictionLaw, NoSlip, Parameters, Resisted, SlidingDynamics,
-};
+use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, SlidingDynamics};
+use crate::real::Dual;
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
 use core::f64::consts::{FRAC_PI_2, TAU};
@@ -67,11 +67,9 @@ pub(crate) enum Transition {
 pub struct Contacts {
     parameters: Parameters<f64>,
     contact_law: ContactLaw,
-    /// A slip below this fraction of the other velocities counts as none.
-    stopped: f64,
-    rolling: Resisted<NoSlip<f64>>,
-    sliding: SlidingDynamics<f64>,
-    flying: Flight<f64>,
+    /// The tolerance of a step.
+    tolerance: f64,
+    phases: PhaseDynamics<f64>,
 }
 
 impl Contacts {
@@ -82,44 +80,36 @@ impl Contacts {
         Contacts {
             parameters,
             contact_law: contact_law.clone(),
-            stopped: 0.1 * tolerance,
-            rolling: Resisted::new(NoSlip::new(parameters), contact_law.resistance),
-            sliding: SlidingDynamics::new(
-                &contact_law.friction,
-                contact_law.resistance,
-                parameters,
-            ),
-            flying: Flight::new(parameters),
+            tolerance,
+            phases: PhaseDynamics::new(parameters, contact_law, tolerance),
         }
     }
 
     /// The equations of motion in a phase.
     pub fn dynamics(&self, phase: Phase) -> &dyn Dynamics<f64> {
-        match phase {
-            Phase::Rolling => &self.rolling,
-            Phase::Sliding => self.sliding.dynamics().unwrap_or(&self.rolling),
-            // For a body that lies on its side only the energy is used.
-            Phase::Flying | Phase::Lying => &self.flying,
-        }
+        self.phases.in_phase(phase)
     }
 
-    /// The system of differential equations of a phase.
-    pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_> {
-        let law = self.dynamics(phase);
-        if phase == Phase::Sliding && self.dry().is_some() {
-            Mechanics::slipping(law)
-        } else {
-            Mechanics::new(law)
-        }
+    /// The laws of all phases.
+    pub(super) fn phases(&self) -> &PhaseDynamics<f64> {
+        &self.phases
+    }
+
+    /// The same on dual numbers, for derivatives.
+    pub(super) fn dual_phases(&self) -> PhaseDynamics<Dual> {
+        let [m, r, h, a, c, g] = self.parameters.as_array();
+        let parameters = Parameters { m, r, h, a, c, g };
+        PhaseDynamics::new(parameters, &self.contact_law, self.tolerance)
     }
 
     /// Runs a computation with the system of differential equations of a phase.
     pub(super) fn solve<K: SystemVisitor>(&self, phase: Phase, visitor: K) -> K::Output {
-        match (phase, &self.sliding) {
+        match (phase, &self.phases.sliding) {
             (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
-                if self.rolling.is_conservative() =>
+                if self.phases.rolling.is_conservative() =>
             {
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(self.rolling.dynamics()))
+                visitor
+                    .with::<_, RIGID_COORDINATES>(&Mechanics::new(self.phases.rolling.dynamics()))
             }
             (Phase::Sliding, SlidingDynamics::Frictionless(law)) if law.is_conservative() => {
                 visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(law.dynamics()))
@@ -127,7 +117,7 @@ impl Contacts {
             (Phase::Sliding, SlidingDynamics::Coulomb(law)) => {
                 visitor.with::<_, COORDINATES>(&Mechanics::slipping(law))
             }
-            _ => visitor.with::<_, COORDINATES>(&self.mechanics(phase)),
+            _ => visitor.with::<_, COORDINATES>(&self.phases.mechanics(phase)),
         }
     }
 
@@ -143,7 +133,7 @@ impl Contacts {
 
     /// The equations of sliding under dry friction, if the friction is dry.
     pub(super) fn dry(&self) -> Option<&dyn DryDynamics> {
-        self.sliding.dry()
+        self.phases.sliding.dry()
     }
 
     /// Whether motions can contain flights. Under the two ideal laws they end at a lift-off instead.
@@ -156,14 +146,14 @@ impl Contacts {
         let Some(static_friction) = self.contact_law.friction.static_friction() else {
             return 1.0;
         };
-        let contact = self.rolling.contact(u);
+        let contact = self.phases.rolling.contact(u);
         static_friction * contact.normal - libm::hypot(contact.along, contact.across)
     }
 
     /// A speed (m/s) below which a slip or a rebound counts as none.
     pub(super) fn stopped_speed(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        self.stopped * k.r * ErrorScale::new(k).rate(u)
+        0.1 * self.tolerance * k.r * ErrorScale::new(k).rate(u)
     }
 
     /// The next phase of a rim on the table.
@@ -172,7 +162,7 @@ impl Contacts {
             FrictionLaw::NoSlip => Transition::Roll,
             FrictionLaw::Frictionless => Transition::Slide,
             _ if self.dry().is_some() && u.slip_speed() <= self.stopped_speed(u) => {
-                let in_contact = self.rolling.contact(u).normal > 0.0;
+                let in_contact = self.phases.rolling.contact(u).normal > 0.0;
                 if in_contact && self.friction_cone_margin(u) >= 0.0 {
                     Transition::Roll
                 } else {
@@ -221,7 +211,7 @@ impl Contacts {
     /// have in flight. It is positive where friction presses the rim to the table, or where the rim would
     /// penetrate the table in flight.
     pub(super) fn scaled_normal_force(&self, u: &Coordinates<f64>) -> f64 {
-        let falling = -self.parameters.m * self.flying.rates(u).gap_rate;
+        let falling = -self.parameters.m * self.phases.flying.rates(u).gap_rate;
         self.dynamics(Phase::Sliding).contact(u).normal.max(falling)
     }
 
@@ -231,7 +221,7 @@ impl Contacts {
         let Some(dry) = self.dry() else {
             return Transition::Slide;
         };
-        let needed = self.rolling.contact(u);
+        let needed = self.phases.rolling.contact(u);
         let size = libm::hypot(needed.along, needed.across);
         let against = if size > 0.0 {
             [-needed.along / size, -needed.across / size]
@@ -288,7 +278,7 @@ impl Contacts {
     /// The rates at the start of a motion, under the law that holds there.
     pub(crate) fn first_rates(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         match (self.settle(u), self.dry()) {
-            (Transition::Roll, _) => self.rolling.rates(u),
+            (Transition::Roll, _) => self.phases.rolling.rates(u),
             (Transition::BeginToSlip(e), Some(dry)) => dry.slipping(u, e, u.slip_speed()).1,
             _ => self.dynamics(Phase::Sliding).rates(u),
         }

@@ -8,7 +8,7 @@ use super::track::{Instant, Track};
 use super::{FACE_DOWN_TILT, Options, Status, onset};
 use crate::error_scale::{ErrorScale, max_brief_change};
 use crate::law::Parameters;
-use crate::solve::{Implicit, Stepper, System, Work};
+use crate::solve::{Found, Implicit, Stepper, System, Work};
 use crate::state::{COORDINATES, Coordinates};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
@@ -132,7 +132,7 @@ impl<'a> Run<'a> {
             return over;
         }
         let contacts = self.contacts;
-        let mechanics = contacts.mechanics(phase);
+        let mechanics = contacts.phases().mechanics(phase);
         let (start, h) = match self.slow_slip(&mechanics, phase, phase_start) {
             ControlFlow::Continue(begun) => begun,
             ControlFlow::Break(over) => return over,
@@ -170,33 +170,41 @@ impl<'a> Run<'a> {
     ) -> ControlFlow<PhaseEnd, Option<f64>> {
         // An explicit step is stable up to about 6 relaxation times, but rarely accurate beyond 3.
         const STIFF: f64 = 4.0;
-        // The cost of an implicit step in explicit steps.
-        const COST_RATIO: f64 = 20.0;
-        let implicit = Implicit::new(mechanics, self.options.step_tolerance());
-        let mut u = self.track.end().u.into_array();
-        if h * implicit.relaxation(&u) < STIFF {
+        // The first implicit step, in explicit steps, and the shortest that is worth its cost. The first one is
+        // longer, because it may have to be repeated with smaller step sizes.
+        const FIRST: f64 = 20.0;
+        const SHORTEST: f64 = 5.0;
+        let phases = self.contacts.dual_phases();
+        let dual = phases.mechanics(phase);
+        let u = self.track.end().u.into_array();
+        let before = self.work;
+        let tolerance = self.options.step_tolerance();
+        let mut implicit = Implicit::new(mechanics, &dual, u, tolerance);
+        self.work = before + implicit.work;
+        if h * implicit.relaxation() < STIFF {
             return ControlFlow::Continue(None);
         }
         let mut next = None;
         let mut max_growth: f64 = 4.0;
-        let mut h = COST_RATIO * h;
+        let mut h = FIRST * h;
         loop {
             if let Some(over) = self.out_of_steps(report) {
                 return ControlFlow::Break(over);
             }
-            let found = implicit.step(&u, h);
+            let found = implicit.attempt(h);
             let error = found.as_ref().map_or(f64::INFINITY, |found| found.error);
-            if let Some(found) = found.filter(|found| found.error <= 1.0) {
-                self.work.steps += 1;
-                u = found.dense.end;
-                let dense = found.dense;
+            let accepted = found.filter(|found| found.error <= 1.0);
+            match &accepted {
+                Some(found) => implicit.accept(&found.dense),
+                None => implicit.work.rejected += 1,
+            }
+            self.work = before + implicit.work;
+            if let Some(Found { dense, .. }) = accepted {
                 let record = StepRecord::polynomial(phase, dense.clone());
                 if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
                     return ControlFlow::Break(self.end_of_phase(event, h));
                 }
                 next = Some(h);
-            } else {
-                self.work.rejected += 1;
             }
             // After a rejected step the step size grows only slowly for a while.
             let max_factor = if error > 1.0 { 1.0 } else { max_growth };
@@ -206,8 +214,10 @@ impl<'a> Run<'a> {
                 (1.5 * max_growth).min(4.0)
             };
             h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, max_factor);
-            let explicit = STIFF / implicit.relaxation(&u);
-            if h.is_nan() || h <= COST_RATIO * explicit {
+            let explicit = STIFF / implicit.relaxation();
+            // Written so that a NaN ends it.
+            let is_worthwhile = h > SHORTEST * explicit;
+            if !is_worthwhile {
                 return ControlFlow::Continue(next.map(|_| explicit));
             }
         }
@@ -461,13 +471,13 @@ impl SystemVisitor for Steps<'_, '_> {
             if N == COORDINATES && stepper.work.steps.is_multiple_of(STIFFNESS_TEST_INTERVAL) {
                 match run.implicit_steps(mechanics, phase, h, report) {
                     ControlFlow::Break(over) => return over,
-                    ControlFlow::Continue(None) => {}
+                    ControlFlow::Continue(None) => stepper.work = Work::default(),
                     ControlFlow::Continue(Some(h)) => {
                         let u = run.track.end().u.into_array();
                         stepper = Stepper::new(system, leading(&u), h, tolerance);
-                        before = run.work;
                     }
                 }
+                before = run.work;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Dual numbers a + b ε with ε² = 0. A formula evaluated on them gives its exact derivative as b.
 
-use super::Real;
+use super::{Real, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its derivative along one direction or, with [`Slopes`], along several.
@@ -193,6 +193,13 @@ impl<S: Slope> Real for Dual<S> {
     fn odd_power(self, n: f64) -> Self {
         let slope = n * libm::pow(self.value.abs(), n - 1.0);
         self.chain(self.value.odd_power(n), slope)
+    }
+}
+
+impl<S: Slope> Scalar for Dual<S> {
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self.value
     }
 }
 

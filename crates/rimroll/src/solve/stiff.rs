@@ -1,19 +1,31 @@
-//! One implicit step by [`Collocation`], for parts of a motion that relax too fast for explicit steps:
+//! Implicit steps by [`Collocation`], for parts of a motion that relax too fast for explicit steps:
 //! creep, films, and whatever resists the wobble as the base comes down flat.
 //!
-//! The points are found by Newton's method with the derivatives at the start of the step, taken by
-//! differences. Only components that something depends on take part in its linear equations; the others
-//! are integrals.
+//! The states at the points are found by Newton's method, which begins at the state at the start of the step.
+//! (Extrapolating the step before would begin nearer, but its errors, enlarged, would enter the error
+//! estimate.) The Jacobian matrices are exact, by dual numbers: finite differences have too few digits where
+//! components of very different sizes act on each other. As long as the corrections shrink fast, the
+//! Jacobian is that at the start of the step; else it is taken at each point. Where the next correction would
+//! not be smaller, only a part of a correction is made. Only components on which some rate depends take part
+//! in the linear equations; the others are integrals.
 //!
-//! Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*, section IV.8.
+//! Sources: Hairer & Wanner, *Solving Ordinary Differential Equations II*, section IV.8; for the damping,
+//! Deuflhard, *Newton Methods for Nonlinear Problems*, section 3.3.
 
-use super::{Collocation, Dense, POINTS, System};
+use super::{Collocation, Dense, POINTS, System, Work};
+use crate::real::Dual;
 
-/// Implicit steps of a system.
-pub struct Implicit<'a, S, const N: usize> {
+/// Implicit steps of a system, one after another.
+pub struct Implicit<'a, S, D, const N: usize> {
     system: &'a S,
+    /// The same system on dual numbers.
+    dual: &'a D,
     method: &'static Collocation,
     tolerance: f64,
+    start: [f64; N],
+    jacobian: Jacobian<N>,
+    /// Work so far.
+    pub work: Work,
 }
 
 /// A finished step.
@@ -24,32 +36,46 @@ pub struct Found<const N: usize> {
     pub error: f64,
 }
 
-/// Derivatives of the rates by the components that matter, each in units of its size.
-struct Slopes<const N: usize> {
-    /// Which components matter.
-    active: Vec<usize>,
-    scales: [f64; N],
-    /// `of[a][b]`: of the rate of active component a by active component b.
-    of: Vec<Vec<f64>>,
-}
+/// `[i][j]` is the derivative of the rate of component i with respect to component j.
+type Jacobian<const N: usize> = [[f64; N]; N];
 
 type States<const N: usize> = [[f64; N]; POINTS];
 
-impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
-    /// Steps whose errors are held below a tolerance.
-    pub fn new(system: &'a S, tolerance: f64) -> Self {
-        Implicit {
+/// An iterate of Newton's method. All but the states are relative to the error scales.
+struct Iterate<const N: usize> {
+    states: States<N>,
+    /// start + ∫ rates − states.
+    residual: States<N>,
+    correction: States<N>,
+    /// The largest number in the correction.
+    change: f64,
+}
+
+impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, D, N> {
+    /// Steps from `start` whose errors are held below a tolerance.
+    pub fn new(system: &'a S, dual: &'a D, start: [f64; N], tolerance: f64) -> Self {
+        let mut implicit = Implicit {
             system,
+            dual,
             method: Collocation::get(),
             tolerance,
-        }
+            start,
+            jacobian: [[0.0; N]; N],
+            work: Work::default(),
+        };
+        implicit.jacobian = implicit.jacobian(&start);
+        implicit
     }
 
-    /// How fast the fastest part relaxes at `u`: the size of the largest eigenvalue of the derivatives,
-    /// from their eighth power. Sums of the derivatives themselves may be far larger where the
-    /// components' sizes differ much.
-    pub fn relaxation(&self, u: &[f64; N]) -> f64 {
-        let mut power = self.slopes(u).of;
+    /// The relaxation rate of the fastest component at the end of the last step: the size of the largest
+    /// eigenvalue of the Jacobian, from its eighth power. Sums of the Jacobian's entries may be far larger where
+    /// the components' scales differ much.
+    pub fn relaxation(&self) -> f64 {
+        let scales = self.system.scale(&self.start);
+        let active = active(core::slice::from_ref(&self.jacobian));
+        let entry = |i: usize, j: usize| self.jacobian[i][j] * scales[j] / scales[i];
+        let row = |&i: &usize| active.iter().map(|&j| entry(i, j)).collect();
+        let mut power: Vec<Vec<f64>> = active.iter().map(row).collect();
         let size = largest_row(&power);
         if size > 0.0 {
             for row in &mut power {
@@ -63,78 +89,96 @@ impl<'a, S: System<f64, N>, const N: usize> Implicit<'a, S, N> {
     }
 
     /// A step of length h; none where Newton's method does not settle.
-    pub fn step(&self, start: &[f64; N], h: f64) -> Option<Found<N>> {
+    pub fn attempt(&mut self, h: f64) -> Option<Found<N>> {
         const MAX_ROUNDS: usize = 30;
         // So far from the start the equations may have another solution.
         const FARTHEST: f64 = 10.0;
-        let slopes = self.slopes(start);
-        let newton = Newton::new(self.method, &slopes, h)?;
-        let mut states = [*start; POINTS];
-        let mut last_change = f64::INFINITY;
-        for round in 0..MAX_ROUNDS {
-            let rates = states.map(|state| self.system.rates(&state));
-            let wanted = self.integrated(start, &rates, h);
-            let change = newton.correct(&slopes, &wanted, &mut states);
-            if change <= 0.02 * self.tolerance {
-                return Some(self.found(start, &states, h));
-            }
-            if change > FARTHEST {
+        // If corrections shrink more slowly, new Jacobians are worth their cost, which is that of some rounds.
+        const SLOW: f64 = 0.3;
+        const MIN_FRACTION: f64 = 0.05;
+        let scales = self.system.scale(&self.start);
+        let mut newton = Newton::new(self.method, &[self.jacobian; POINTS], scales, h)?;
+        let mut at = self.iterate(&newton, [self.start; POINTS], h);
+        // Whether the Jacobians are those at the points, and which fraction of a correction is made.
+        let (mut exact, mut fraction) = (false, 1.0);
+        for _ in 0..MAX_ROUNDS {
+            if at.change > FARTHEST {
                 return None;
             }
-            // Rounding keeps the last changes from getting smaller. Written so that a NaN ends it.
-            let shrinks = change <= 0.8 * last_change;
-            if round > 4 && !shrinks {
-                let settled = change <= 4.0 * self.tolerance;
-                return settled.then(|| self.found(start, &states, h));
+            let states = newton.corrected(&at, fraction);
+            if fraction * at.change <= 0.02 * self.tolerance {
+                return Some(self.found(&states, h));
             }
-            last_change = change;
+            let next = self.iterate(&newton, states, h);
+            let (change, shrunk) = (at.change, next.change <= (1.0 - 0.5 * fraction) * at.change);
+            if shrunk {
+                (at, exact, fraction) = (next, false, (2.0 * fraction).min(1.0));
+                if at.change <= SLOW * change {
+                    continue;
+                }
+            } else if at.change <= 4.0 * self.tolerance {
+                // Rounding keeps the last corrections from shrinking.
+                return Some(self.found(&at.states, h));
+            }
+            if exact {
+                fraction *= 0.5;
+                if fraction < MIN_FRACTION {
+                    return None;
+                }
+            } else {
+                let jacobians = at.states.map(|state| self.jacobian(&state));
+                newton = Newton::new(self.method, &jacobians, scales, h)?;
+                (at.correction, at.change) = newton.solved(&at.residual);
+                (exact, fraction) = (true, 1.0);
+            }
         }
         None
     }
 
-    fn slopes(&self, u: &[f64; N]) -> Slopes<N> {
-        const NUDGE: f64 = 1e-7;
-        // What is held close to zero by something that is not smooth there, as drag with an exponent
-        // below 2 holds the yaw rate, changes on the scale of its own value, not of its size.
-        const SMALLEST: f64 = 1e-9;
-        let scales = self.system.scale(u);
-        let rates = self.system.rates(u);
-        let columns: Vec<[f64; N]> = (0..N)
-            .map(|j| {
-                let mut beside = *u;
-                beside[j] += NUDGE * u[j].abs().clamp(SMALLEST * scales[j], scales[j]);
-                let nudge = (beside[j] - u[j]) / scales[j];
-                let there = self.system.rates(&beside);
-                core::array::from_fn(|i| {
-                    if nudge == 0.0 {
-                        0.0
-                    } else {
-                        (there[i] - rates[i]) / (nudge * scales[i])
-                    }
-                })
+    /// Goes on from the end of a step.
+    pub fn accept(&mut self, step: &Dense<f64, N>) {
+        self.start = step.end;
+        self.jacobian = self.jacobian(&step.end);
+        self.work.steps += 1;
+    }
+
+    fn iterate(&mut self, newton: &Newton<N>, states: States<N>, h: f64) -> Iterate<N> {
+        let rates = states.map(|state| self.system.rates(&state));
+        self.work.evaluations += POINTS;
+        let residual = core::array::from_fn(|k| {
+            core::array::from_fn(|i| {
+                let weights = &self.method.integral[k];
+                let sum: f64 = (0..POINTS).map(|j| weights[j] * rates[j][i]).sum();
+                (self.start[i] - states[k][i] + h * sum) / newton.scales[i]
             })
-            .collect();
-        let matters = |j: &usize| columns[*j].iter().any(|&x| x != 0.0);
-        let active: Vec<usize> = (0..columns.len()).filter(matters).collect();
-        let row = |&i: &usize| active.iter().map(|&j| columns[j][i]).collect();
-        Slopes {
-            of: active.iter().map(row).collect(),
-            scales,
-            active,
+        });
+        let (correction, change) = newton.solved(&residual);
+        Iterate {
+            states,
+            residual,
+            correction,
+            change,
         }
     }
 
-    /// The states at the points, as the rates there have it.
-    fn integrated(&self, start: &[f64; N], rates: &States<N>, h: f64) -> States<N> {
-        self.method.integral.map(|row| {
-            core::array::from_fn(|i| {
-                let sum: f64 = (0..POINTS).map(|j| row[j] * rates[j][i]).sum();
-                start[i] + h * sum
-            })
-        })
+    fn jacobian(&mut self, u: &[f64; N]) -> Jacobian<N> {
+        self.work.evaluations += N;
+        let mut jacobian = [[0.0; N]; N];
+        for j in 0..N {
+            let along = core::array::from_fn(|i| Dual {
+                value: u[i],
+                slope: f64::from(i == j),
+            });
+            let rates = self.dual.rates(&along);
+            for (row, rate) in jacobian.iter_mut().zip(&rates) {
+                row[j] = rate.slope;
+            }
+        }
+        jacobian
     }
 
-    fn found(&self, start: &[f64; N], states: &States<N>, h: f64) -> Found<N> {
+    fn found(&self, states: &States<N>, h: f64) -> Found<N> {
+        let start = &self.start;
         let (at_start, at_end) = (
             self.system.scale(start),
             self.system.scale(&states[POINTS - 1]),
@@ -171,27 +215,46 @@ fn squared(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The linear equations of Newton's method, 1 − h (integral ⊗ slopes), in factors.
-struct Newton {
+/// The components on which some rate depends, by any of these Jacobians.
+fn active<const N: usize>(jacobians: &[Jacobian<N>]) -> Vec<usize> {
+    let matters = |j: &usize| jacobians.iter().flatten().any(|row| row[*j] != 0.0);
+    (0..N).filter(matters).collect()
+}
+
+/// The linear equations of Newton's method, 1 − h (integral ⊗ Jacobian), in factors.
+struct Newton<const N: usize> {
+    scales: [f64; N],
+    /// The components that have equations.
+    active: Vec<usize>,
     rows: Vec<Vec<f64>>,
     order: Vec<usize>,
 }
 
-impl Newton {
-    /// None where the equations are singular or not finite.
-    fn new<const N: usize>(method: &Collocation, slopes: &Slopes<N>, h: f64) -> Option<Newton> {
-        let n = slopes.active.len();
+impl<const N: usize> Newton<N> {
+    /// With the Jacobian at each point. None where the equations are singular or not finite.
+    fn new(
+        method: &Collocation,
+        jacobians: &[Jacobian<N>; POINTS],
+        scales: [f64; N],
+        h: f64,
+    ) -> Option<Self> {
+        let active = active(jacobians);
+        let n = active.len();
         let size = n * POINTS;
         let entry = |row: usize, column: usize| {
-            let coupled = h * method.integral[row / n][column / n] * slopes.of[row % n][column % n];
-            f64::from(row == column) - coupled
+            let (i, j) = (active[row % n], active[column % n]);
+            let (to, from) = (row / n, column / n);
+            let slope = jacobians[from][i][j] * scales[j] / scales[i];
+            f64::from(row == column) - h * method.integral[to][from] * slope
         };
         let rows = (0..size)
             .map(|row| (0..size).map(|column| entry(row, column)).collect())
             .collect();
         let mut newton = Newton {
+            scales,
             rows,
             order: (0..size).collect(),
+            active,
         };
         newton.factor().then_some(newton)
     }
@@ -222,9 +285,12 @@ impl Newton {
         true
     }
 
-    fn solved(&self, right: &[f64]) -> Vec<f64> {
-        let size = right.len();
-        let mut x: Vec<f64> = self.order.iter().map(|&row| right[row]).collect();
+    /// The correction for a residual, and the largest number in it.
+    fn solved(&self, residual: &States<N>) -> (States<N>, f64) {
+        let n = self.active.len();
+        let size = self.rows.len();
+        let right = |&row: &usize| residual[row / n][self.active[row % n]];
+        let mut x: Vec<f64> = self.order.iter().map(right).collect();
         for i in 0..size {
             let sum: f64 = (0..i).map(|k| self.rows[i][k] * x[k]).sum();
             x[i] -= sum;
@@ -233,62 +299,52 @@ impl Newton {
             let sum: f64 = (i + 1..size).map(|k| self.rows[i][k] * x[k]).sum();
             x[i] = (x[i] - sum) / self.rows[i][i];
         }
-        x
+        let mut correction = *residual;
+        for (row, &by) in x.iter().enumerate() {
+            correction[row / n][self.active[row % n]] = by;
+        }
+        let sizes = correction
+            .iter()
+            .flatten()
+            .map(|by| if by.is_nan() { f64::INFINITY } else { by.abs() });
+        let change = sizes.fold(0.0, f64::max);
+        (correction, change)
     }
 
-    /// Moves the states toward the solution; the largest change, each component by its size.
-    fn correct<const N: usize>(
-        &self,
-        slopes: &Slopes<N>,
-        wanted: &States<N>,
-        states: &mut States<N>,
-    ) -> f64 {
-        let Slopes { active, scales, .. } = slopes;
-        let n = active.len();
-        let lacking = |row: usize| {
-            let i = active[row % n];
-            (wanted[row / n][i] - states[row / n][i]) / scales[i]
-        };
-        let right: Vec<f64> = (0..n * POINTS).map(lacking).collect();
-        let corrections = self.solved(&right);
-        let mut change: f64 = 0.0;
-        for (j, state) in states.iter_mut().enumerate() {
-            for i in 0..N {
-                let by = match active.iter().position(|&a| a == i) {
-                    Some(a) => corrections[j * n + a],
-                    None => (wanted[j][i] - state[i]) / scales[i],
-                };
-                state[i] += by * scales[i];
-                change = change.max(if by.is_nan() { f64::INFINITY } else { by.abs() });
-            }
-        }
-        change
+    /// The states after this fraction of the correction.
+    fn corrected(&self, at: &Iterate<N>, fraction: f64) -> States<N> {
+        core::array::from_fn(|k| {
+            core::array::from_fn(|i| {
+                at.states[k][i] + fraction * at.correction[k][i] * self.scales[i]
+            })
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Implicit, System};
+    use crate::real::Real;
 
     /// x′ = −10⁶ (x − y), y′ = −y: x follows y at once.
     struct Follower;
 
-    impl System<f64, 2> for Follower {
-        fn rates(&self, u: &[f64; 2]) -> [f64; 2] {
-            [-1e6 * (u[0] - u[1]), -u[1]]
+    impl<T: Real> System<T, 2> for Follower {
+        fn rates(&self, u: &[T; 2]) -> [T; 2] {
+            [T::from(-1e6) * (u[0] - u[1]), -u[1]]
         }
 
-        fn scale(&self, _: &[f64; 2]) -> [f64; 2] {
-            [1.0, 1.0]
+        fn scale(&self, _: &[T; 2]) -> [T; 2] {
+            [T::from(1.0); 2]
         }
     }
 
     #[test]
     fn steps_over_what_relaxes_at_once() {
-        let implicit = Implicit::new(&Follower, 1e-10);
         // The slow solution: x = y/(1 − 10⁻⁶).
         let start = [1.0 / (1.0 - 1e-6), 1.0];
-        let step = implicit.step(&start, 0.3).expect("it settles");
+        let mut implicit = Implicit::new(&Follower, &Follower, start, 1e-10);
+        let step = implicit.attempt(0.3).expect("it settles");
         assert!(step.error < 1.0);
         let exact = libm::exp(-0.3);
         assert!((step.dense.end[1] - exact).abs() < 1e-13);

@@ -4,6 +4,7 @@ use super::*;
 use crate::error::not_negative;
 use crate::law::FrictionForce;
 use crate::presets;
+use crate::real::Real;
 use crate::state::{Coordinates, State};
 
 /// T = −c |u| u, the drag of a fluid.
@@ -28,7 +29,7 @@ impl<T: Real> Friction<T> for Quadratic<T> {
 impl FrictionModel for Quadratic {
     const NAME: &'static str = "quadratic";
 
-    type Friction<T: Real> = Quadratic<T>;
+    type Friction<T: Scalar> = Quadratic<T>;
 
     fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput> {
         let coefficient = given.number("coefficient");
@@ -50,7 +51,7 @@ impl FrictionModel for Quadratic {
         0.0
     }
 
-    fn friction<T: Real>(&self) -> Quadratic<T> {
+    fn friction<T: Scalar>(&self) -> Quadratic<T> {
         Quadratic {
             coefficient: self.coefficient.into(),
         }
@@ -99,8 +100,8 @@ fn a_new_law_has_a_name_bounds_and_scaling() {
 fn a_new_law_has_equations_of_motion_that_lose_what_friction_takes() {
     let can = presets::can_2007().expect("the paper's can");
     let k = Parameters::new(&can, 9.8);
-    let sliding = SlidingDynamics::new(&quadratic(), Resistance::default(), k);
-    assert!(sliding.dry().is_none());
+    let sliding = SlidingDynamics::new(&quadratic(), k, Resistance::default(), 1e-12);
+    assert!(sliding.dry().is_none() && !sliding.is_dry());
     let dynamics = sliding.dynamics().expect("the rim can slide");
     let start = State {
         tilt: 0.3,
