@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import rimroll as rr
+from given.ctrl_c import heard
 from rimroll.cli import main
 from rimroll.output import writing
 
@@ -180,9 +181,10 @@ def test_ctrl_c_while_modules_are_loaded_is_one_line(module):
         "            os.kill(os.getpid(), signal.SIGINT)\n"
         "sys.meta_path.insert(0, Finder())"
     )
-    done = subprocess.run(
-        [*script(interrupts), "bodies"], capture_output=True, text=True, check=False
-    )
+    with heard():
+        done = subprocess.run(
+            [*script(interrupts), "bodies"], capture_output=True, text=True, check=False
+        )
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "rimroll: interrupted\n")
 
 

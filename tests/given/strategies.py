@@ -10,11 +10,14 @@ import rimroll as rr
 from oracles.paper_equations import LAWS, doubled_kinetic_energy
 
 
+def drawn(count):
+    """`count` in `make soak`; otherwise the share of it that the profile in force draws."""
+    return max(1, count * settings.default.max_examples // 100)
+
+
 def examples(count, **options):
-    """Settings for so many random examples in `make soak`; for as large a part of them as the
-    profile in force has of a hundred (`conftest.py`) otherwise.
-    """
-    return settings(max_examples=max(1, count * settings.default.max_examples // 100), **options)
+    """Settings for this many random examples in `make soak`, and for fewer otherwise."""
+    return settings(max_examples=drawn(count), **options)
 
 
 few = examples(60, derandomize=True)
