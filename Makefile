@@ -29,7 +29,7 @@ dev: .venv/.packages ## build the extension soon and slow, for work on the core
 	tools/build_extension.sh --profile quick
 	@rm -f .venv/.extension
 
-check: lint .venv/.extension ## lint, and run the tests that are quick and find most mistakes
+check: lint .venv/.extension web/src/core/rimroll.wasm ## lint, and run the tests that are quick and find most mistakes
 	cargo test --package rimroll --lib
 	.venv/bin/python -m pytest -m "not slow and not soak" tests/api tests/cli tests/mechanics
 	tools/test_page.sh --project modules

@@ -173,8 +173,10 @@ class AirDrag(_Numbered):
     (Moffatt, Nature 404, 2000), 5/2 for boundary layers (Bildsten, Phys. Rev. E 66, 2002).
 
     For exponents below 2 the moment has an infinite slope at dψ/dt = 0. There |dψ/dt| is replaced
-    by √((dψ/dt)² + ω₀²) with ω₀ = 0.002 ``rtol`` (√(g/R) + axial spin rate). This changes dψ/dt by
-    ω₀ at most, which is less than the error that ``rtol`` allows.
+    by √((dψ/dt)² + ω₀²) with ω₀ = 0.002 ``rtol`` (√(g/R) + axial spin rate), which changes the drag
+    on larger rates by less than a change of dψ/dt by ω₀ would. A dψ/dt below ω₀ decays
+    exponentially instead of stopping after a finite time: choose ``rtol`` so that ω₀ is well below
+    the yaw rate of the start.
     """
 
     coefficient: float

@@ -1,8 +1,8 @@
 //! The list of friction laws.
 //!
 //! A new law is a file beside this one, with a type that implements [`FrictionModel`] and, if the friction
-//! is dry, [`DryFrictionModel`], and one line in the list below. Its name, its parameters, their bounds,
-//! its equations of motion and its part in impacts then follow everywhere.
+//! is dry, [`DryFrictionModel`], and one line in the list below (besides its `mod`, `pub use` and `use`). Its
+//! name, its parameters, their bounds, its equations of motion and its part in impacts follow from these.
 
 use super::{
     Coulomb, DryDynamics, Dynamics, Friction, Frictionless, IdealLaw, Parameters, Resistance,

@@ -15,8 +15,8 @@
 //! the weight.
 //!
 //! sgn is smoothed to x/√(x² + x₀²), so that rates can pass smoothly through zero. x is the angular velocity
-//! about the vertical or, for rolling, θ̇ sin φ, the one about the horizontal through the contact point and
-//! the centre of the base; x₀ = √(g/R)/1000.
+//! about the vertical or, for rolling, θ̇ sin φ, the one about e_x1, the horizontal direction in the
+//! plane of the tilt; x₀ = √(g/R)/1000.
 
 use super::{Contact, Dynamics, Parameters};
 use crate::real::Real;
@@ -140,11 +140,12 @@ impl AirDrag {
     /// −k ψ̇ |ψ̇|ⁿ⁻². For n < 2 its slope is infinite at ψ̇ = 0, so a ψ̇ that drag and gyroscopic moments
     /// keep close to 0 would relax infinitely fast. There √(ψ̇² + ψ̇₀²) replaces |ψ̇|.
     ///
-    /// ψ̇₀ is a tenth of `tolerance` times |s| + √(g/R), and the solution changes by no more. For ψ̇ > 0 and
-    /// 3/2 ≤ n ≤ 2 the smoothed drag at ψ̇ lies between the exact drag at ψ̇ − ψ̇₀ and that at ψ̇: the logarithms
-    /// of the three are linear in n, so it suffices to compare them at n = 3/2 and n = 2. Where the smoothed and
-    /// the exact solution differ by ψ̇₀, drag, which increases with ψ̇, therefore does not drive them farther
-    /// apart.
+    /// ψ̇₀ is a tenth of `tolerance` times |s| + √(g/R). For ψ̇ > ψ̇₀ and 3/2 ≤ n ≤ 2 the smoothed drag at ψ̇ lies
+    /// between the exact drag at ψ̇ − ψ̇₀ and that at ψ̇: the logarithms of the three are linear in n, so it
+    /// suffices to compare them at n = 3/2 and n = 2. Where the smoothed and the exact solution differ by ψ̇₀,
+    /// drag, which increases with ψ̇, therefore does not drive them farther apart; the gyroscopic moment can, as it
+    /// amplifies any difference of ψ̇ while the tilt falls. A ψ̇ below ψ̇₀ decays exponentially instead of
+    /// stopping after a finite time.
     fn moment<T: Real>(&self, u: &Coordinates<T>, falling_rate: T, tolerance: f64) -> T {
         let (yaw_rate, k) = (u.yaw_rate(), T::from(-self.coefficient));
         if self.exponent >= 2.0 {

@@ -208,7 +208,7 @@ impl Ending {
             ),
             EndingKind::TooFlat => format!(
                 "face down at t = {t} s: the tilt falls below {}, where the contact point \
-                 would run round the rim in less time than the last digit of t can formatted. A start with a \
+                 would run round the rim in less time than the last digit of t can resolve. A start with a \
                  larger yaw_rate or spin_rate can be followed past this point",
                 unit.rounded(FACE_DOWN_TILT)
             ),

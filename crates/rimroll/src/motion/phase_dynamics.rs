@@ -6,7 +6,7 @@ use crate::contact_law::ContactLaw;
 use crate::law::{Dynamics, Flight, NoSlip, Parameters, Resisted, SlidingDynamics};
 use crate::real::Scalar;
 
-/// The equations of motion of a body on a surface in each phase.
+/// The equations of motion of a body under a contact law in each phase.
 #[derive(Clone)]
 pub(super) struct PhaseDynamics<T: Scalar> {
     pub(super) rolling: Resisted<NoSlip<T>>,

@@ -123,8 +123,8 @@ pub struct Passage {
 }
 
 /// The limiting angle of turn under any friction, rad. It is a closed form where one exists, otherwise the
-/// solution of the inner problem, accurate to 3e-8 rad. Restitution and resistance have no influence:
-/// the first needs a flight, the second needs time to act.
+/// solution of the inner problem, accurate to 3e-8 rad. Restitution has no influence, since it
+/// needs a flight. Resistance is left out, although dry rolling resistance can end the near-collision.
 ///
 /// # Errors
 /// Refuses an arrival with a tipping rate ≤ 0 or numbers that are not finite, and one whose
