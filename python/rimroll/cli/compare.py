@@ -39,7 +39,7 @@ OnOption = Annotated[
     str | None,
     typer.Option(
         help=f"The tables: {', '.join(SURFACES)}, {', '.join(IDEALS)}, {FILE} (the law of a"
-        f" scenario file), or coefficients of friction such as 0.05,0.2,0.5. \\[{USUAL}, and {FILE}"
+        f" scenario file), or coefficients of friction such as 0.05,0.2,0.5. [{USUAL}, and {FILE}"
         " where there is one]",
         metavar="LIST",
         rich_help_panel="Table",
@@ -147,7 +147,8 @@ def _show(outcomes: list[Outcome]) -> None:
     say()
     say(rows)
     say()
-    say("limit: the turn as the sideways push goes to 0, for a body that arrives as this one")
+    say("limit: the turn of the near-collision alone as the sideways push goes to 0, for a body")
+    say("            that arrives as this one; slip before and after it changes the turn, too")
     say("turn, lost: of this motion, from the release to its next tilt maximum or to its end; what")
     say("            is lost is a part of the energy above that of standing upright or, for a body")
     say("            that comes down lower, above that of its lowest place")
