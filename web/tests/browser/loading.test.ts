@@ -49,7 +49,7 @@ test("the licences of all parts are beside the page", () => {
     ["uplot", "Leon Sorokin"],
     ["@preact/signals-core", "Preact"],
     ["libm", "Jorge Aparicio"],
-    ["thiserror", "Permission is hereby checked"],
+    ["thiserror", "Permission is hereby granted"],
     ["The Rust standard library", "The Rust Project Contributors"],
   ] as const) {
     const its = licences.split(/^-{80}$/m).find((one) => one.trim().startsWith(name));
