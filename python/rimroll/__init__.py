@@ -50,7 +50,6 @@ if TYPE_CHECKING:
         ImperfectRim as ImperfectRim,
         imperfect_rim as imperfect_rim,
     )
-    from rimroll.jacobian import Jacobian as Jacobian
     from rimroll.laws import (
         AirDrag as AirDrag,
         Coulomb as Coulomb,
@@ -73,6 +72,7 @@ if TYPE_CHECKING:
         Turn as Turn,
         simulate as simulate,
     )
+    from rimroll.motion.jacobian import Jacobian as Jacobian
     from rimroll.sensitivity import (
         turn_map as turn_map,
         watershed as watershed,
@@ -116,7 +116,6 @@ _NAMES = {
     "rimroll.falls": ("Interrupted",),
     "rimroll.grid": ("axis",),
     "rimroll.imperfection": ("Collision", "ImperfectRim", "imperfect_rim"),
-    "rimroll.jacobian": ("Jacobian",),
     "rimroll.laws": (
         "AirDrag",
         "Coulomb",
@@ -131,6 +130,7 @@ _NAMES = {
     ),
     "rimroll.many_falls": ("ensemble",),
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
+    "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
     "rimroll.solids": ("Solid",),
     "rimroll.state": ("State",),

@@ -13,11 +13,14 @@ from rimroll import _core
 from rimroll.errors import RimrollError, element, expect
 from rimroll.given import Number, Values, number, values
 from rimroll.grid import Grid, key, same
+from rimroll.recorded import expect_dataset, recorded
 from rimroll.solids import Solid
 from rimroll.units import UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from rimroll.recorded import Record
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,9 +127,6 @@ class Body:
 
         Raises ``RimrollError`` for a dataset of something else.
         """
-        from rimroll.many_falls import body_of
-        from rimroll.recorded import expect_dataset
-
         expect_dataset(dataset)
         return body_of(dataset)
 
@@ -142,6 +142,14 @@ class Body:
         Raises ``RimrollError`` for no solids, or solids that make up no valid body.
         """
         return cls(*_core.body_from_solids(number("radius", radius, "m"), list(solids)))
+
+
+def body_of(record: Record) -> Body:
+    """The body of a motion or of falls; a Body of arrays where it differs from fall to fall.
+
+    Raises ``RimrollError`` for a dataset of something else.
+    """
+    return Body(**{field.name: recorded(record, f"body_{field.name}") for field in fields(Body)})
 
 
 def one_body(body: Any, field: str = "body") -> Body:

@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number, optional
+from rimroll.given import Number, number, optional, thread_count
 from rimroll.grid import Grid
-from rimroll.jacobian import PARAMETERS
 from rimroll.laws import Frictionless, Law, NoSlip, contact_law
-from rimroll.motion import thread_count
+from rimroll.motion.jacobian import PARAMETERS
 from rimroll.rows import Rows
 from rimroll.state import Numbers, State
 

@@ -40,6 +40,8 @@ Number = float | str | HasUnit
 Values = ArrayLike | HasUnit
 """A number or an array of them, in SI units or with a unit."""
 
+MAX_THREADS = 1024
+
 _BARE = frozenset({float, int, np.float64, np.ndarray, str, bool, type(None)})
 _POWER_OF_RATIO = re.compile(r"\((\w+)/(\w+)\)\^([\d.]+)")
 
@@ -116,6 +118,14 @@ def whole_number(field: str, value: object) -> int:
     if not (count.is_integer() and 1 <= count < 2**53):
         raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
     return int(count)
+
+
+def thread_count(threads: object) -> int:
+    """A number of threads; 0, which stands for as many as there are processors, for None."""
+    count = 0 if threads is None else whole_number("threads", threads)
+    if count > MAX_THREADS:
+        raise RimrollError(f"threads must be at most {MAX_THREADS}, got {count}")
+    return count
 
 
 def without_unit(field: str, value: Any, unit: str) -> object:

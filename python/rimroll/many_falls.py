@@ -3,31 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, fields
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll import _core, laws
+from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
-from rimroll.given import Number, Values, number, values
-from rimroll.laws import (
-    AirDrag,
-    Law,
-    PivotingFriction,
-    Resistance,
-    RollingResistance,
-    contact_law,
-    fixed_numbers,
-    listed,
-    only_fixed,
-    varied_numbers,
-)
-from rimroll.motion import thread_count
+from rimroll.given import Number, Values, thread_count, values
+from rimroll.laws import Law, contact_law, fixed_numbers, only_fixed, varied_numbers
 from rimroll.options import Options
 from rimroll.rows import Rows
 from rimroll.state import State
@@ -291,59 +279,3 @@ def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str,
         **{name: value for name, value in options.items() if value is not None},
         "rimroll_version": _core.__version__,
     }
-
-
-def body_of(falls: Falls | xr.Dataset) -> Body:
-    """The body of the falls; a Body of arrays where it differs from fall to fall.
-
-    Raises ``RimrollError`` for a dataset of something else.
-    """
-    return Body(**{field.name: _value(falls, f"body_{field.name}") for field in fields(Body)})
-
-
-def law_of(falls: Falls | xr.Dataset) -> Law:
-    """The law of the falls, with arrays where its numbers differ from fall to fall.
-
-    Raises ``RimrollError`` for a dataset of something else.
-    """
-    if "law" not in falls.attrs:
-        raise _unknown("law")
-    kind = laws.kind(str(falls.attrs["law"]))
-    own = [name for name in laws.numbers_of(kind) if _has(falls, f"law_{name}")]
-    law = laws.by_name(kind.name, {name: _law_number(falls, name) for name in own})
-    for resistance, names in _RESISTANCES.items():
-        if _has(falls, f"law_{names[0]}"):
-            law += resistance(*(_value(falls, f"law_{name}") for name in names))
-    return law
-
-
-_RESISTANCES: dict[type[Resistance], tuple[str, ...]] = {
-    RollingResistance: ("rolling_dry", "rolling_viscous"),
-    PivotingFriction: ("pivoting_length",),
-    AirDrag: ("air_coefficient", "air_exponent"),
-}
-"""The names of the numbers of resistances, as in :attr:`rimroll.laws.Law.numbers`."""
-
-
-def _has(falls: Falls | xr.Dataset, name: str) -> bool:
-    return name in falls.attrs or name in falls
-
-
-def _value(falls: Falls | xr.Dataset, name: str) -> Any:
-    if name in falls.attrs:
-        return number(name, falls.attrs[name])
-    if name not in falls:
-        raise _unknown(name)
-    if isinstance(falls, Falls) or falls[name].dims == ("trial",):
-        return np.asarray(falls[name])
-    return falls[name]
-
-
-def _law_number(falls: Falls | xr.Dataset, name: str) -> Any:
-    if name in laws.TABLES:
-        return listed(name, falls.attrs[f"law_{name}"])
-    return _value(falls, f"law_{name}")
-
-
-def _unknown(name: str) -> RimrollError:
-    return RimrollError(f"this dataset records no {name}: there is no {name} in it")

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from rimroll.body import body_of
 from rimroll.falls import Falls
-from rimroll.laws import IDEAL
-from rimroll.many_falls import OPTIONS, body_of, fell, law_of
+from rimroll.laws import IDEAL, law_of
+from rimroll.many_falls import OPTIONS, fell
 from rimroll.options import Options
 from rimroll.sensitivity import goes_left, halved, watershed_slope
 from rimroll.state import State

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
 
 from rimroll import _core
 from rimroll.given import number, optional, whole_number
+from rimroll.recorded import not_recorded
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True)
@@ -35,3 +40,15 @@ class Options:
     def values(self) -> tuple[float, float, float, float | None, int]:
         """The options in the order of the core's arguments."""
         return self.duration, self.gravity, self.rtol, self.topple_tilt, self.max_steps
+
+
+def options_of(dataset: xr.Dataset) -> Options:
+    """The options of a motion or of falls.
+
+    Raises ``RimrollError`` for a dataset without them.
+    """
+    given = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
+    for name, value in given.items():
+        if value is None and name != "topple_tilt":
+            raise not_recorded("options", name)
+    return Options.read(**given)

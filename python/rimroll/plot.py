@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,8 +12,11 @@ from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
 
 from rimroll import style
 from rimroll.laws import IDEAL, Coulomb, NoSlip, Stribeck
-from rimroll.motion import Array, Moments, Motion
 from rimroll.theory import needed_friction, turn_limit
+
+if TYPE_CHECKING:
+    from rimroll.motion.moments import Array, Moments
+    from rimroll.motion.motion import Motion
 
 TIME_UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9), ("ps", 1e-12), ("fs", 1e-15))
 

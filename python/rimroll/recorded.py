@@ -1,47 +1,43 @@
-"""What motions and falls were computed from, as their datasets record it."""
+"""What the datasets of motions and falls record of what these were computed from."""
 
 from __future__ import annotations
 
-from dataclasses import fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Values, numbers
-from rimroll.options import Options
-from rimroll.state import State
-from rimroll.units import START_UNIT_OF
+from rimroll.falls import Falls
+from rimroll.given import number
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    Record = Falls | xr.Dataset
 
-def start_of(dataset: xr.Dataset) -> State:
-    """The start of a motion, or the starts of falls (n,).
 
-    Raises ``RimrollError`` for a dataset without them, as a map of falls, whose plane has them.
+def is_recorded(record: Record, name: str) -> bool:
+    """Whether the record has a value of that name: one for all falls, or one for each."""
+    return name in record.attrs or name in record
+
+
+def recorded(record: Record, name: str) -> Any:
+    """The number of that name; an array or a data array where it differs from fall to fall.
+
+    Raises ``RimrollError`` for a record without it.
     """
-    names = [field.name for field in fields(State)]
-    given: dict[str, Values] = {}
-    for name in names:
-        if (key := f"start_{name}") in dataset:
-            given[name] = numbers(key, dataset[key], START_UNIT_OF[name])
-        elif key in dataset.attrs:
-            given[name] = numbers(key, dataset.attrs[key], START_UNIT_OF[name])
-        else:
-            raise RimrollError(f"this dataset records no start: there is no {key} in it")
-    return State(**given)
+    if name in record.attrs:
+        return number(name, record.attrs[name])
+    if name not in record:
+        raise not_recorded(name, name)
+    if isinstance(record, Falls) or record[name].dims == ("trial",):
+        return np.asarray(record[name])
+    return record[name]
 
 
-def options_of(dataset: xr.Dataset) -> Options:
-    """The options of a motion or of falls.
-
-    Raises ``RimrollError`` for a dataset without them.
-    """
-    told = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
-    for name, value in told.items():
-        if value is None and name != "topple_tilt":
-            raise RimrollError(f"this dataset records no options: there is no {name} in it")
-    return Options.read(**told)
+def not_recorded(what: str, name: str) -> RimrollError:
+    """The error for a dataset of something else, in which a name is missing."""
+    return RimrollError(f"this dataset records no {what}: there is no {name} in it")
 
 
 def expect_dataset(value: object) -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, numbers, values
 from rimroll.grid import Grid, is_labelled
+from rimroll.recorded import expect_dataset, not_recorded
 from rimroll.units import START_UNIT_OF
 
 Array = NDArray[np.float64]
@@ -126,8 +127,6 @@ class State(Generic[FieldT]):
 
         Raises ``RimrollError`` for a dataset of something else.
         """
-        from rimroll.recorded import expect_dataset, start_of
-
         expect_dataset(dataset)
         return start_of(dataset)
 
@@ -135,6 +134,20 @@ class State(Generic[FieldT]):
     def shape(self) -> tuple[int, ...]:
         """The shape that the fields broadcast to; () when every field is a single number."""
         return Grid.over({f.name: getattr(self, f.name) for f in fields(self)}).shape
+
+
+def start_of(dataset: xr.Dataset) -> State:
+    """The start of a motion, or the starts of falls (n,).
+
+    Raises ``RimrollError`` for a dataset without them, as a map of falls, whose plane has them.
+    """
+    given: dict[str, Values] = {}
+    for field in fields(State):
+        if (key := f"start_{field.name}") not in dataset and key not in dataset.attrs:
+            raise not_recorded("start", key)
+        value = dataset[key] if key in dataset else dataset.attrs[key]
+        given[field.name] = numbers(key, value, START_UNIT_OF[field.name])
+    return State(**given)
 
 
 def single(start: State) -> State[float]:

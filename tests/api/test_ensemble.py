@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 import rimroll as rr
 from given.ctrl_c import heard
 from given.strategies import bodies, examples, rockings
-from rimroll.many_falls import OUTCOMES, VARIABLES, body_of, law_of
+from rimroll.body import body_of
+from rimroll.laws import law_of
+from rimroll.many_falls import OUTCOMES, VARIABLES
 
 CAN = rr.bodies.can_2007()
 FIELDS = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")

@@ -8,7 +8,7 @@ import pytest
 
 import rimroll as rr
 from given.ctrl_c import needs_signals, processor_time_after_ctrl_c
-from rimroll.jacobian import PARAMETERS, QUANTITIES
+from rimroll.motion.jacobian import PARAMETERS, QUANTITIES
 
 CAN = rr.bodies.can_2007()
 START = {

@@ -10,7 +10,8 @@ import pytest
 import xarray as xr
 
 import rimroll as rr
-from rimroll.many_falls import body_of, law_of
+from rimroll.body import body_of
+from rimroll.laws import law_of
 from rimroll.units import registry
 
 DEGREE = registry().deg

@@ -18,7 +18,7 @@ from given.motions import CAN, LAWS, PAPER_GRAVITY, by_law, sixty_starts
 from given.strategies import bodies, examples, rockings
 from oracles import rolling_disk, tabulated_turns, taylor_turns
 from rimroll.exact import AT_A_TIME, NUMBERS
-from rimroll.jacobian import PARAMETERS
+from rimroll.motion.jacobian import PARAMETERS
 
 FIELDS = tuple(field.name for field in fields(rr.State))
 BODY = tabulated_turns.BODY

@@ -13,7 +13,7 @@ from scipy.interpolate import PchipInterpolator
 import rimroll as rr
 from given.strategies import composed_bodies, examples
 from rimroll import cli
-from rimroll.many_falls import law_of
+from rimroll.laws import law_of
 
 CAN = rr.bodies.can_2007()
 START = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.6, spin_rate=-0.3)

@@ -17,13 +17,13 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from rimroll import bodies, style
-from rimroll.body import Body, one_body
+from rimroll.body import Body, body_of, one_body
 from rimroll.directions import around, away, middle_of
 from rimroll.errors import RimrollError
 from rimroll.experiment.toppling import counted, limits
 from rimroll.falls import Falls
-from rimroll.laws import Law, in_brief
-from rimroll.many_falls import Array, body_of, law_of
+from rimroll.laws import Law, in_brief, law_of
+from rimroll.many_falls import Array
 from rimroll.names import typed
 from rimroll.paper.setting import MEASURED
 

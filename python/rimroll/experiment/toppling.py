@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body, one_body
+from rimroll.body import Body, body_of, one_body
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
 from rimroll.given import Number
-from rimroll.laws import IDEAL, Law, one_law
-from rimroll.many_falls import OPTIONS, body_of, follow, law_of
+from rimroll.laws import IDEAL, Law, law_of, one_law
+from rimroll.many_falls import OPTIONS, follow
 from rimroll.options import Options
 from rimroll.state import State
 from rimroll.theory import arrival, turn_limit

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from rimroll.motion import Motion
+    from rimroll.motion.motion import Motion
 
 SHOWN = 6  # turns of a motion
 

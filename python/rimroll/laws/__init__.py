@@ -1,0 +1,56 @@
+"""The contact laws: how the rim meets the table, and the resistances to its motion.
+
+>>> import rimroll as rr
+>>> rr.Coulomb(0.3) + rr.RollingResistance(dry=1e-3)
+Coulomb(friction=0.3) + RollingResistance(dry=0.001)
+"""
+
+from rimroll.laws.core import OneLaw
+from rimroll.laws.coulomb import Coulomb
+from rimroll.laws.ideal import Frictionless, NoSlip
+from rimroll.laws.known import IDEAL, ideal
+from rimroll.laws.law import (
+    LAWS,
+    Law,
+    by_name,
+    contact_law,
+    kind,
+    law_of,
+    numbers_of,
+    one_law,
+    only_fixed,
+)
+from rimroll.laws.parameters import TABLES, fixed_numbers, in_brief, varied_numbers
+from rimroll.laws.resistances import AirDrag, PivotingFriction, Resistance, RollingResistance
+from rimroll.laws.stribeck import Stribeck
+from rimroll.laws.tabulated import Tabulated
+from rimroll.laws.viscous import Viscous
+
+__all__ = [
+    "IDEAL",
+    "LAWS",
+    "TABLES",
+    "AirDrag",
+    "Coulomb",
+    "Frictionless",
+    "Law",
+    "NoSlip",
+    "OneLaw",
+    "PivotingFriction",
+    "Resistance",
+    "RollingResistance",
+    "Stribeck",
+    "Tabulated",
+    "Viscous",
+    "by_name",
+    "contact_law",
+    "fixed_numbers",
+    "ideal",
+    "in_brief",
+    "kind",
+    "law_of",
+    "numbers_of",
+    "one_law",
+    "only_fixed",
+    "varied_numbers",
+]

@@ -1,0 +1,87 @@
+"""The parameters of laws and resistances: numbers, or arrays of them for many laws at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+from rimroll.errors import RimrollError
+from rimroll.given import numbers as array
+from rimroll.given import values
+from rimroll.grid import is_array, key, same
+from rimroll.units import LAW_UNIT_OF
+
+TABLES = ("speeds", "frictions")
+"""The parameters of a law that are lists of numbers."""
+
+
+class Parameters:
+    """A dataclass whose numbers, or arrays of numbers, are checked when it is made."""
+
+    def _read(self) -> None:
+        for item in fields(self):  # type: ignore[arg-type]
+            value = getattr(self, item.name)
+            left_out = value is None and item.default is None
+            if item.name != "resistances" and not left_out:
+                read = listed if item.name in TABLES else values
+                unit = self._unit_of(item.name)
+                object.__setattr__(self, item.name, read(item.name, value, unit))
+
+    def _unit_of(self, name: str) -> str:
+        return LAW_UNIT_OF[name]
+
+    def __repr__(self) -> str:
+        given = ", ".join(
+            f"{item.name}={_brief(getattr(self, item.name))}"
+            for item in fields(self)  # type: ignore[arg-type]
+            if item.repr and not same(getattr(self, item.name), item.default)
+        )
+        return f"{type(self).__name__}({given})"
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(
+            same(getattr(self, item.name), getattr(other, item.name))
+            for item in fields(self)  # type: ignore[arg-type]
+        )
+
+    def __hash__(self) -> int:
+        numbers = (key(getattr(self, item.name)) for item in fields(self))  # type: ignore[arg-type]
+        return hash((type(self), *numbers))
+
+
+def listed(field: str, values: object, unit: str = "1") -> tuple[float, ...]:
+    """The values of a field as a tuple of floats in an SI unit.
+
+    Raises ``RimrollError`` naming the field unless they are a flat list of numbers.
+    """
+    flat = array(field, values, unit)
+    if flat.ndim != 1:
+        raise RimrollError(f"{field} must be a flat list of numbers, got {values!r}")
+    return tuple(flat.tolist())
+
+
+def _brief(value: object) -> str:
+    """The text of a number, or of a list of numbers, without the middle of a long one."""
+    if not isinstance(value, tuple) or len(value) <= 8:
+        return repr(value)
+    return f"({value[0]!r}, {value[1]!r}, ..., {value[-1]!r}: {len(value)} numbers)"
+
+
+def varied_numbers(numbers: Mapping[str, Any]) -> dict[str, Any]:
+    """The numbers of a law that are arrays."""
+    return {name: value for name, value in numbers.items() if is_array(value)}
+
+
+def fixed_numbers(numbers: Mapping[str, Any]) -> dict[str, float]:
+    """The numbers of a law that are single numbers."""
+    return {name: value for name, value in numbers.items() if not is_array(value)}
+
+
+def in_brief(value: float | tuple[float, ...]) -> str:
+    """A number of a law as text, or the range of the numbers of a table."""
+    if isinstance(value, tuple):
+        return f"{min(value):g} to {max(value):g}"
+    return f"{value:g}"

@@ -1,0 +1,132 @@
+"""Resistances to the motion, besides friction, which are added to a law."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, ClassVar
+
+import numpy as np
+
+from rimroll import _core
+from rimroll.errors import RimrollError
+from rimroll.given import Number, Values, number
+from rimroll.laws.core import check
+from rimroll.laws.parameters import Parameters
+from rimroll.units import air_unit
+
+
+class _Resistance(Parameters):
+    """A resistance, whose numbers are checked by the core."""
+
+    core_prefix: ClassVar[str]
+    """Begins the core's names of the numbers: ``rolling_dry``."""
+
+    def __post_init__(self) -> None:
+        self._read()
+        check("no_slip", self.numbers)
+
+    @classmethod
+    def core_names(cls) -> list[str]:
+        """The core's names of the numbers, in the order of the arguments."""
+        return [f"{cls.core_prefix}_{item.name}" for item in fields(cls)]  # type: ignore[arg-type]
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """The numbers by the core's names, in SI units."""
+        values = (getattr(self, item.name) for item in fields(self))  # type: ignore[arg-type]
+        return dict(zip(self.core_names(), values, strict=True))
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class RollingResistance(_Resistance):
+    """Resistance to the motion of the contact point along the rim, at speed R |dθ/dt|.
+
+    The resisting force is ``dry`` times the normal force plus ``viscous`` (N s/m) times the speed.
+    It is also called contour friction. The closer a near-collision, the faster the contact point
+    runs and the more energy is lost, without bound. The sign function of ``dry`` is smoothed where
+    the base turns slower than 0.001 √(g/R). Source: R. I. Leine, Arch. Appl. Mech. 79 (2009).
+
+    A resistance can stop the contact point in a near-collision: see the notes of
+    :func:`rimroll.simulate`.
+    """
+
+    core_prefix: ClassVar[str] = "rolling"
+    dry: float = 0.0
+    viscous: float = 0.0
+
+    if TYPE_CHECKING:
+
+        def __init__(self, dry: Values = 0.0, viscous: Values = 0.0) -> None: ...
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PivotingFriction(_Resistance):
+    """Resistance to turning about the vertical: a moment ``length`` (m) times the normal force."""
+
+    core_prefix: ClassVar[str] = "pivoting"
+    length: float
+
+    if TYPE_CHECKING:
+
+        def __init__(self, length: Values) -> None: ...
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AirDrag(_Resistance):
+    """Dissipation of the wobble in the air under the base: ``coefficient`` |dψ/dt|^``exponent``, W.
+
+    ``coefficient`` in W (s/rad)^exponent; ``exponent`` from 1.5 to 8: 4 for a viscous film
+    (Moffatt, Nature 404, 2000), 5/2 for boundary layers (Bildsten, Phys. Rev. E 66, 2002).
+
+    For exponents below 2 the moment has an infinite slope at dψ/dt = 0. There |dψ/dt| is replaced
+    by √((dψ/dt)² + ω₀²) with ω₀ = 0.002 ``rtol`` (√(g/R) + axial spin rate), which changes the drag
+    on larger rates by less than a change of dψ/dt by ω₀ would. A dψ/dt below ω₀ decays
+    exponentially instead of stopping after a finite time: choose ``rtol`` so that ω₀ is well below
+    the yaw rate of the start.
+    """
+
+    core_prefix: ClassVar[str] = "air"
+    coefficient: float
+    exponent: float = 4.0
+
+    if TYPE_CHECKING:
+
+        def __init__(self, coefficient: Values, exponent: Values = 4.0) -> None: ...
+
+    def _unit_of(self, name: str) -> str:
+        if name == "coefficient":
+            # Several exponents have no common unit.
+            return "1" if np.ndim(self.exponent) else air_unit(number("exponent", self.exponent))
+        return super()._unit_of(name)
+
+    @classmethod
+    def film(
+        cls,
+        radius: Number,
+        viscosity: Number = 1.82e-5,
+        gravity: Number = _core.STANDARD_GRAVITY,
+    ) -> AirDrag:
+        """Moffatt's viscous film under a nearly flat uniform disk: π μ R⁴/(16 g) and exponent 4.
+
+        His π μ R³ Ω²/(4 α) with Ω² α = 4 g/R. ``radius`` in m, ``viscosity`` in Pa s (air:
+        1.82e-5), ``gravity`` in m/s², all > 0.
+        """
+        radius = _positive("radius", radius, "m")
+        viscosity = _positive("viscosity", viscosity, "Pa s")
+        gravity = _positive("gravity", gravity, "m/s^2")
+        return cls(math.pi * viscosity * radius**4 / (16.0 * gravity), 4.0)
+
+
+def _positive(name: str, value: Number, unit: str) -> float:
+    read = number(name, value, unit)
+    if not 0.0 < read < math.inf:
+        raise RimrollError(f"{name} must be > 0 and finite, got {read} {unit}")
+    return read
+
+
+Resistance = RollingResistance | PivotingFriction | AirDrag
+
+RESISTANCES: tuple[type[Resistance], ...] = (RollingResistance, PivotingFriction, AirDrag)
+
+Resistances = Resistance | tuple[Resistance, ...]

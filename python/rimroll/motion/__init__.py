@@ -1,0 +1,18 @@
+"""Whole motions: simulate one, and read all its quantities."""
+
+from rimroll.motion.moments import UNITS, Array, Moments
+from rimroll.motion.motion import Motion
+from rimroll.motion.parts import Event, Phase, Stats, Turn
+from rimroll.motion.simulation import simulate
+
+__all__ = [
+    "UNITS",
+    "Array",
+    "Event",
+    "Moments",
+    "Motion",
+    "Phase",
+    "Stats",
+    "Turn",
+    "simulate",
+]

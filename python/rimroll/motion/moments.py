@@ -1,0 +1,195 @@
+"""All quantities of a motion at some times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.state import State
+from rimroll.units import START_UNIT_OF
+
+Array = NDArray[np.float64]
+
+ROW_OF = {name: row for row, name in enumerate(_core.COLUMNS)}
+"""The row of each column in a table of the core."""
+
+UNITS = {
+    "t": "s",
+    **START_UNIT_OF,
+    "axial_spin": "rad/s",
+    "x": "m",
+    "y": "m",
+    "z": "m",
+    "contact_x": "m",
+    "contact_y": "m",
+    "normal_force": "N",
+    "friction_x": "N",
+    "friction_y": "N",
+    "friction_ratio": "1",
+    "slip_x": "m/s",
+    "slip_y": "m/s",
+    "gap": "m",
+    "kinetic_energy": "J",
+    "potential_energy": "J",
+    "friction_loss": "J",
+    "resistance_loss": "J",
+    "impact_loss": "J",
+}
+"""The unit of each column of a table of moments."""
+
+
+class Moments:
+    """A motion at n moments: arrays (n,), or (n, 2) and (n, 3) for vectors."""
+
+    def __init__(self, table: Array) -> None:
+        self._table = table
+
+    def __getitem__(self, column: str) -> Array:
+        """One column by its name in :data:`rimroll.motion.UNITS`."""
+        values: Array = self._table[ROW_OF[column]]
+        return values
+
+    def _vector(self, *columns: str) -> Array:
+        return np.stack([self[column] for column in columns], axis=-1)
+
+    @property
+    def t(self) -> Array:
+        """Time, s."""
+        return self["t"]
+
+    @property
+    def tilt(self) -> Array:
+        """φ, rad."""
+        return self["tilt"]
+
+    @property
+    def tilt_rate(self) -> Array:
+        """dφ/dt, rad/s."""
+        return self["tilt_rate"]
+
+    @property
+    def yaw(self) -> Array:
+        """ψ, rad."""
+        return self["yaw"]
+
+    @property
+    def yaw_rate(self) -> Array:
+        """dψ/dt, rad/s."""
+        return self["yaw_rate"]
+
+    @property
+    def spin(self) -> Array:
+        """θ, rad."""
+        return self["spin"]
+
+    @property
+    def spin_rate(self) -> Array:
+        """dθ/dt, rad/s."""
+        return self["spin_rate"]
+
+    @property
+    def axial_spin(self) -> Array:
+        """s = dθ/dt + dψ/dt cos φ, the angular velocity about the symmetry axis, rad/s."""
+        return self["axial_spin"]
+
+    @property
+    def center(self) -> Array:
+        """Centre of mass (x, y, z), m, shape (n, 3); it starts above the origin."""
+        return self._vector("x", "y", "z")
+
+    @property
+    def contact_path(self) -> Array:
+        """The contact point on the table (x, y), m, shape (n, 2)."""
+        return self._vector("contact_x", "contact_y")
+
+    @property
+    def normal_force(self) -> Array:
+        """N, the table's upward push, N."""
+        return self["normal_force"]
+
+    @property
+    def friction_force(self) -> Array:
+        """T, the table's horizontal force on the rim (x, y), N, shape (n, 2)."""
+        return self._vector("friction_x", "friction_y")
+
+    @property
+    def friction_ratio(self) -> Array:
+        """|T|/N: the friction coefficient that the motion needs.
+
+        While the rim slides under dry friction, it is the law's coefficient. It is infinite where a
+        rolling rim needs friction but the normal force is zero, as at a lift-off.
+        """
+        return self["friction_ratio"]
+
+    @property
+    def slip(self) -> Array:
+        """Horizontal velocity of the rim's lowest point (x, y), m/s, shape (n, 2)."""
+        return self._vector("slip_x", "slip_y")
+
+    @property
+    def gap(self) -> Array:
+        """Height of the rim's lowest point over the table, m: zero except in flight."""
+        return self["gap"]
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """Kinetic energy, J."""
+        return self["kinetic_energy"]
+
+    @property
+    def potential_energy(self) -> Array:
+        """m g (z − H), J: zero when the body stands upright."""
+        return self["potential_energy"]
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy together, J."""
+        return self.kinetic_energy + self.potential_energy
+
+    @property
+    def friction_loss(self) -> Array:
+        """Energy lost to friction so far, J."""
+        return self["friction_loss"]
+
+    @property
+    def resistance_loss(self) -> Array:
+        """Energy lost so far to rolling resistance, pivoting friction and air, J."""
+        return self["resistance_loss"]
+
+    @property
+    def impact_loss(self) -> Array:
+        """Energy lost in landings so far, J."""
+        return self["impact_loss"]
+
+    @property
+    def energy_budget(self) -> Array:
+        """Energy and all losses so far, J: constant except for numerical errors."""
+        return self.energy + self.friction_loss + self.resistance_loss + self.impact_loss
+
+    @property
+    def state(self) -> State[Array]:
+        """Euler angles and rates as a :class:`rimroll.State` of arrays."""
+        names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+        return cast("State[Array]", State(**{name: self[name] for name in names}))
+
+    def __len__(self) -> int:
+        return int(self._table.shape[1])
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns: ``dict(moments)`` and ``pandas.DataFrame(dict(moments))``."""
+        return iter(UNITS)
+
+    def __contains__(self, column: object) -> bool:
+        return column in UNITS
+
+    def keys(self) -> list[str]:
+        """The names of the columns."""
+        return list(UNITS)
+
+    def __repr__(self) -> str:
+        span = f", t from {self.t.min():.6g} to {self.t.max():.6g} s" if len(self) else ""
+        return f"<Moments at {len(self)} times{span}; columns: {', '.join(UNITS)}>"

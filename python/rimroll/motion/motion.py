@@ -1,0 +1,338 @@
+"""A computed motion, with all its quantities."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import asdict
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.body import Body, body_of
+from rimroll.errors import RimrollError, hold
+from rimroll.given import Values, whole_number
+from rimroll.laws import Law, law_of
+from rimroll.motion.crossings import checked, crossings
+from rimroll.motion.jacobian import PARAMETERS, Jacobian
+from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
+from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
+from rimroll.options import Options, options_of
+from rimroll.recorded import expect_dataset
+from rimroll.state import State, single, start_of, times
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+MAX_SAMPLES = 10_000_000
+"""Samples at a time: some 1.5 GB."""
+
+
+class Motion(Moments):
+    """A computed motion.
+
+    Its arrays are at the solver's accepted steps, which are close together where the motion is
+    fast. A moment at which the contact changes is there twice, before and after the change. For
+    other times, call it: ``motion(t)``.
+
+    Attributes
+    ----------
+    body, start, law, duration, gravity, rtol, topple_tilt, max_steps
+        What it was computed from.
+    status
+        ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
+        ``failed``.
+    """
+
+    def __init__(
+        self,
+        core: _core.CoreMotion,
+        body: Body,
+        start: State[float],
+        law: Law,
+        options: Options,
+        has_jacobian: bool = False,
+    ) -> None:
+        self._core = core
+        self.body = body
+        self.start = start
+        self.law = law
+        self._options = options
+        self.duration = options.duration
+        self.gravity = options.gravity
+        self.rtol = options.rtol
+        self.topple_tilt = options.topple_tilt
+        self.max_steps = options.max_steps
+        self.status = core.status
+        self._has_jacobian = has_jacobian
+
+    @cached_property
+    def _table(self) -> Array:  # type: ignore[override]
+        return self._core.nodes()
+
+    @cached_property
+    def _poses(self) -> Array:
+        return self._core.poses()
+
+    def __getitem__(self, column: str) -> Array:
+        """One column by its name in :data:`rimroll.motion.UNITS`."""
+        row = ROW_OF[column]
+        # Forces and energies are computed only when needed.
+        table = self._poses if row < len(self._poses) else self._table
+        values: Array = table[row]
+        return values
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    @cached_property
+    def message(self) -> str:
+        """The ending in a sentence with angles in radians."""
+        return self._core.message(False)
+
+    @property
+    def message_in_degrees(self) -> str:
+        """The ending in a sentence with angles in degrees."""
+        return self._core.message(True)
+
+    @cached_property
+    def stats(self) -> Stats:
+        """The solver's work."""
+        return Stats(*self._core.work)
+
+    @cached_property
+    def turns(self) -> list[Turn]:
+        """The turns, in order of time."""
+        return [Turn(*numbers) for numbers in self._core.turns()]
+
+    @cached_property
+    def events(self) -> list[Event]:
+        """The events, in order of time."""
+        return events_of(*self._core.events())
+
+    @cached_property
+    def phases(self) -> list[Phase]:
+        """The phases of contact, in order of time."""
+        begins = self._core.phases()
+        ends = [*(start for _, start in begins[1:]), float(self.t[-1])][: len(begins)]
+        return [Phase(kind, start, end) for (kind, start), end in zip(begins, ends, strict=True)]
+
+    def __repr__(self) -> str:
+        turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
+        if len(self.turns) > 3:
+            turns += f", {len(self.turns) - 3} more"
+        return (
+            f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
+        )
+
+    def _repr_html_(self) -> str:
+        """The view in notebooks: the ending, the first turns in degrees and the losses."""
+        from rimroll.motion.notebook import motion_in_html
+
+        return motion_in_html(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickling computes the motion again, with the same bits."""
+        return follow, (self.body, self.start, self.law, self._options, self._has_jacobian)
+
+    @overload
+    def __call__(self, t: float | str) -> State[float]: ...
+    @overload
+    def __call__(self, t: Array | Sequence[float]) -> State[Array]: ...
+    @overload
+    def __call__(self, t: Values) -> State: ...
+    def __call__(self, t: Values) -> State:
+        """Dense output: the state at a time t (s, inside the motion), or at times (n,).
+
+        At the time of a landing it is the state after it.
+        """
+        moments = self._inside(t)
+        states = self.evaluate(moments).state
+        if moments.ndim:
+            return states
+        return State(**{name: float(values[0]) for name, values in vars(states).items()})
+
+    def evaluate(self, t: Values) -> Moments:
+        """All quantities at times t (s, shape (n,), inside the motion)."""
+        return Moments(self._core.at(np.atleast_1d(self._inside(t))))
+
+    def jacobian(self, t: Values) -> Jacobian:
+        """Derivatives of the state at a time t (s, inside the motion), or at times (n,).
+
+        They are exact derivatives by the start, the body and gravity, for a motion from
+        ``simulate(..., jacobian=True)``, and about as accurate as the motion.
+
+        >>> import rimroll as rr
+        >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
+        >>> motion = rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip(), jacobian=True)
+        >>> round(float(motion.jacobian(0.1)["tilt", "tilt_rate"]), 3)
+        0.116
+
+        Raises ``RimrollError`` for a motion simulated without.
+        """
+        moments = self._inside(t)
+        values = self._core.jacobian(np.atleast_1d(moments))
+        return Jacobian(values if moments.ndim else values[0], moments)
+
+    @cached_property
+    def turn_jacobians(self) -> list[dict[str, float]]:
+        """For each of the turns, the derivative of its angle by each parameter, rad over SI units.
+
+        They include the change of the times at which the tilt is largest. Like :meth:`jacobian`,
+        they need a motion simulated with ``jacobian=True``.
+        """
+        rows = self._core.turn_jacobian().tolist()
+        return [dict(zip(PARAMETERS, row, strict=True)) for row in rows]
+
+    def _inside(self, t: Values) -> Array:
+        moments = times(t)
+        last = float(self.t[-1])
+        bound = f"inside the motion, 0 to {last:.6g} s ({self.status})"
+        hold("t", moments, (moments >= 0.0) & (moments <= last), bound, "s")
+        return moments
+
+    def samples(self, per_step: int = 4) -> Moments:
+        """All quantities at the accepted steps and evenly inside each, for smooth curves."""
+        return Moments(self._core.samples(self._fitting(whole_number("per_step", per_step))))
+
+    def crossings(
+        self,
+        function: Callable[[Moments], Array],
+        *,
+        rising: bool | None = None,
+        per_step: int = 4,
+    ) -> list[Event]:
+        """Events of your own: where a function of the motion passes through zero.
+
+        Parameters
+        ----------
+        function
+            Takes the :class:`Moments` at n times of the motion and returns n numbers that
+            change sign at the event, such as ``lambda at: at.tilt - 0.3``.
+        rising
+            True for zeros at which the function rises, False for those at which it falls; both by
+            default.
+        per_step
+            Samples in each of the solver's steps. Two zeros between two samples are missed, and
+            a zero without a change of sign is not an event.
+
+        Returns
+        -------
+        list of Event
+            In order of time, of kind ``crossing``: where the function changes its sign inside a
+            step or becomes exactly 0, as the slip does when the rim sticks, or a clipped function
+            at its bound. Times are as accurate as the dense output. A jump over zero where the
+            contact changes, as of a velocity in a landing, is not an event.
+
+        >>> import rimroll as rr
+        >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
+        >>> motion = rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip())
+        >>> down, *_ = motion.crossings(lambda at: at.tilt - 0.3, rising=False)
+        >>> round(down.state.tilt, 12), round(down.t, 4)
+        (0.3, 0.1423)
+
+        Raises ``RimrollError`` where the function returns anything but n numbers.
+        """
+        if not callable(function):
+            raise RimrollError(f"function must be something to call, got {function!r}")
+        if rising is not None and not isinstance(rising, bool | np.bool_):
+            raise RimrollError(f"rising must be None, True or False, got {rising!r}")
+        count = self._fitting(whole_number("per_step", per_step))
+
+        def values(steps: NDArray[np.int64], fractions: Array) -> Array:
+            moments = Moments(self._core.inside(steps, fractions))
+            return checked(function(moments), len(moments), moments.t)
+
+        found = crossings(values, self._core.step_count(), count)
+        wanted = slice(None) if rising is None else found.rises == bool(rising)
+        table = self._core.inside(found.steps[wanted], found.fractions[wanted])
+        return events_of(["crossing"] * table.shape[1], table)
+
+    def _fitting(self, per_step: int) -> int:
+        """The number of samples a step, or ``RimrollError`` if there are too many in all."""
+        if per_step * len(self) > MAX_SAMPLES:
+            allowed = MAX_SAMPLES // len(self)
+            raise RimrollError(
+                f"per_step must be at most {allowed} for this motion of {len(self)} steps,"
+                f" got {per_step}"
+            )
+        return per_step
+
+    def plot(self) -> Figure:
+        """The paper's nine-panel simulation figure of this motion."""
+        from rimroll.plot import nine_panels
+
+        return nine_panels(self)
+
+    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
+        """Write the motion as a film: GIF, self-contained HTML page or MP4, by the suffix.
+
+        Time slows down while the contact point runs fast round the rim. For ``seconds``,
+        ``speed``, ``fps``, ``view`` and the other options see :func:`rimroll.animation.animate`.
+        """
+        from rimroll.animation import animate
+
+        return animate(self, path, **options)
+
+    def to_xarray(self) -> xr.Dataset:
+        """The motion as a dataset over ``t`` with units and everything that it was computed from.
+
+        A moment at which the contact changes is there once, after the change.
+        """
+        import xarray as xr
+
+        # An index has each time once: at a change of contact, the moment after it.
+        last = np.append(np.diff(self.t) > 0.0, True)
+        dataset = xr.Dataset(
+            {
+                name: ("t", self[name][last], {"units": UNITS[name]})
+                for name in UNITS
+                if name != "t"
+            },
+            coords={"t": ("t", self.t[last], {"units": "s"})},
+        )
+        return dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+
+    @classmethod
+    def from_xarray(cls, dataset: xr.Dataset, *, jacobian: bool = False) -> Motion:
+        """The motion of a dataset from :meth:`to_xarray`, or from a file that holds one.
+
+        It is computed again from the attributes: the same to the last bit, whichever points the
+        dataset holds. ``jacobian`` as for :func:`simulate`. Raises ``RimrollError`` for a dataset
+        of something else.
+        """
+        expect_dataset(dataset)
+        if "outcome" in dataset:
+            raise RimrollError("dataset must be that of a motion, got one of falls")
+        start = single(start_of(dataset))
+        return follow(body_of(dataset), start, law_of(dataset), options_of(dataset), jacobian)
+
+    def parameters(self) -> dict[str, Any]:
+        """Everything that the motion was computed from, as plain numbers and texts."""
+        options = {k: v for k, v in asdict(self._options).items() if v is not None}
+        return {
+            "law": self.law.name,
+            **{f"law_{name}": value for name, value in self.law.numbers.items()},
+            **{f"body_{name}": value for name, value in asdict(self.body).items()},
+            **{f"start_{name}": value for name, value in asdict(self.start).items()},
+            **options,
+            "rimroll_version": _core.__version__,
+        }
+
+
+def follow(
+    body: Body,
+    start: State[float],
+    law: Law,
+    options: Options,
+    has_jacobian: bool = False,
+    progress: Callable[[float], object] | None = None,
+) -> Motion:
+    """What :func:`rimroll.simulate` computes, from arguments that are already checked."""
+    core = _core.simulate(body, start, law, *options.values, progress, has_jacobian)
+    return Motion(core, body, start, law, options, has_jacobian)

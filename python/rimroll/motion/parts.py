@@ -1,0 +1,85 @@
+"""Events, phases and turns, of which a motion consists, and the work of computing it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rimroll.motion.moments import ROW_OF, Array
+from rimroll.state import State
+
+
+@dataclass(frozen=True)
+class Event:
+    """An event of a motion.
+
+    ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
+    faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``) or an ending
+    (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``), or a ``crossing`` (see
+    :meth:`Motion.crossings`); ``t`` in s; ``state`` as single numbers.
+    """
+
+    kind: str
+    t: float
+    state: State[float]
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A part of a motion of one kind: ``rolling``, ``sliding`` or ``flying``; times in s."""
+
+    kind: str
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Turn:
+    """The motion from one tilt maximum to the next, through a tilt minimum; rad and s.
+
+    The first turn begins at the release if the tilt falls then, else at the next tilt maximum. The
+    sign of ``tilt_rate`` decides, however small it is; at exactly 0, the sign of the tilt's
+    acceleration decides. When a disk passes the vertical, one turn ends and another begins.
+
+    When the minimum is a near-collision, ``angle`` is the paper's angle of turn. ``angle``: change
+    of yaw, with its sign. ``min_tilt``, ``t``, ``yaw_rate``: the smallest tilt, its time and the
+    yaw rate then. ``start``, ``end``: times of the maxima (or release) before and after.
+    ``max_tilt``: the maximum after.
+    """
+
+    angle: float
+    """Change of yaw from one tilt maximum (or the release) to the next, with its sign."""
+    min_tilt: float
+    """Smallest tilt; for a disk on its other face, counted from that face."""
+    t: float
+    """Time of the smallest tilt."""
+    yaw_rate: float
+    """dψ/dt there, rad/s."""
+    start: float
+    """Time of the tilt maximum (or release) before."""
+    end: float
+    """Time of the tilt maximum after."""
+    max_tilt: float
+    """The tilt maximum after."""
+
+
+@dataclass(frozen=True)
+class Stats:
+    """The solver's work: accepted steps, rejected steps, right-hand sides evaluated.
+
+    An explicit step takes 12 evaluations, an implicit one about a hundred.
+    """
+
+    steps: int
+    rejected: int
+    evaluations: int
+
+
+def events_of(kinds: list[str], table: Array) -> list[Event]:
+    """The events of these kinds at the moments of a table of the core."""
+    names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+    times = table[ROW_OF["t"]].tolist()
+    states = zip(*(table[ROW_OF[name]].tolist() for name in names), strict=True)
+    return [
+        Event(kind, t, State(**dict(zip(names, numbers, strict=True))))
+        for kind, t, numbers in zip(kinds, times, states, strict=True)
+    ]

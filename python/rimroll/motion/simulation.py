@@ -1,0 +1,85 @@
+"""Simulate one motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rimroll import _core
+from rimroll.body import Body, one_body
+from rimroll.errors import callback, expect
+from rimroll.given import Number
+from rimroll.laws import Law, one_law
+from rimroll.motion.motion import Motion, follow
+from rimroll.options import Options
+from rimroll.state import State, single
+
+
+def simulate(
+    body: Body,
+    start: State,
+    law: Law,
+    duration: Number = 2.0,
+    *,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    rtol: float = 1e-10,
+    topple_tilt: Number | None = None,
+    max_steps: int = 1_000_000,
+    progress: Callable[[float], object] | None = None,
+    jacobian: bool = False,
+) -> Motion:
+    """Follow a body from a start under a contact law.
+
+    Parameters
+    ----------
+    body, start, law
+        What rolls, how it is released (single numbers), and how its rim meets the table.
+    duration
+        Length of the motion, s. The motion may end earlier; its status says why.
+    gravity
+        m/s²; 9.80665 unless given. The paper used 9.8.
+    rtol
+        Intended error over some tens of rockings, relative to the size of each quantity, 1e-14 to
+        1e-3; below 1e-13 rounding dominates. Each step may have a fiftieth of this error, and the
+        errors add up: after thousands of steps, the energy may be wrong by a hundred times
+        ``rtol``, which matters if ``rtol`` is large.
+    topple_tilt
+        The tilt that counts as toppled, rad. By default π/2 for a body with height, whose side
+        then meets the table; none for a disk, which may stand on its edge and fall to either face.
+    max_steps
+        Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB.
+    progress
+        Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
+        derivatives are computed after the motion, and the times begin again at 0.
+    jacobian
+        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. They exist for ``NoSlip``
+        and ``Frictionless`` without resistance, and take about thirty times as long.
+
+    Returns
+    -------
+    Motion
+        A valid start never raises an error: the status of the motion says how it ended. A start
+        with yaw_rate = spin_rate = 0 falls exactly face down and ends there.
+
+    Notes
+    -----
+    Near-collisions are computed down to a tilt of 1e-16 rad; below it a motion ends as
+    ``face_down``. With a resistance it ends below 1e-9 rad, but only if the resistance has stopped
+    the contact point on the rim for good. The criterion: the resistance would slow down a contact
+    point that is fast enough to raise the body again a hundred times as strongly as the falling
+    tilt accelerates it. A weaker resistance ends no motion, and as it vanishes the motion becomes
+    that without it. Such an ending is ``at_rest`` if at most 1 % of the energy at the start is
+    left, which the last slap takes; the message says how much. With friction or a resistance, a
+    motion is also ``at_rest`` when 1e-10 of its energy is left.
+
+    Raises
+    ------
+    RimrollError
+        A number outside its bounds, or a start of arrays; derivatives of a motion whose contact
+        changes on the way, or under a law without derivatives.
+    """
+    one_body(body)
+    expect("start", start, State)
+    one_law(law)
+    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
+    callback("progress", progress)
+    return follow(body, single(start), law, options, bool(jacobian), progress)

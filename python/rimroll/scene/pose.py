@@ -1,0 +1,108 @@
+"""Where a body is, and what pictures need to know of bodies and motions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Point = tuple[float, float, float]
+
+
+class RoundBody(Protocol):
+    """What the renderer asks of a body: radius of the rim and height of the centre of mass, m.
+
+    A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disk.
+    """
+
+    @property
+    def radius(self) -> float: ...
+    @property
+    def height(self) -> float: ...
+
+
+class States(Protocol):
+    """A motion at n times: tilt, yaw, spin (n,), rad; centre of mass (n, 3), m."""
+
+    @property
+    def tilt(self) -> Array: ...
+    @property
+    def yaw(self) -> Array: ...
+    @property
+    def spin(self) -> Array: ...
+    @property
+    def center(self) -> Array: ...
+
+
+class Event(Protocol):
+    """What happened, and when (s); pictures heed ``tilt_min``, ``tilt_max`` and ``on_edge``."""
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def t(self) -> float: ...
+
+
+class Motion(Protocol):
+    """What the pictures ask of a motion: its samples, its dense output and its events."""
+
+    @property
+    def t(self) -> Array: ...
+    @property
+    def body(self) -> RoundBody: ...
+    @property
+    def events(self) -> Sequence[Event]: ...
+    def evaluate(self, t: Array, /) -> States: ...
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where a body is: tilt, yaw, spin (rad) and its centre of mass (m), z up from the table."""
+
+    tilt: float
+    yaw: float
+    spin: float
+    center: Point
+
+    def axes(self) -> Array:
+        """Rows e_x2, e_y1, e_z2: the yaw-tilt frame, in which the contact point is at rest."""
+        c, s = np.cos(self.yaw), np.sin(self.yaw)
+        e_x1, e_y1, e_z = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+        e_x2 = np.cos(self.tilt) * e_x1 + np.sin(self.tilt) * e_z
+        e_z2 = -np.sin(self.tilt) * e_x1 + np.cos(self.tilt) * e_z
+        return np.array([e_x2, e_y1, e_z2])
+
+    def rotation(self) -> Array:
+        """Matrix (3, 3) that takes vectors of the body frame to the frame of the table."""
+        e_x2, e_y1, e_z2 = self.axes()
+        c, s = np.cos(self.spin), np.sin(self.spin)
+        return np.column_stack([c * e_x2 + s * e_y1, c * e_y1 - s * e_x2, e_z2])
+
+    def base_center(self, body: RoundBody) -> Array:
+        """Centre of the base disk, (3,), m."""
+        return np.asarray(self.center - body.height * self.axes()[2])
+
+    def contact(self, body: RoundBody) -> Array:
+        """The rim's lowest point, (3,), m: it lies at azimuth yaw + pi from the base's centre."""
+        return np.asarray(self.base_center(body) - body.radius * self.axes()[0])
+
+    def place(self, points: Array, body: RoundBody) -> Array:
+        """Points (..., 3) of the body, from the centre of its base, to the frame of the table."""
+        return np.asarray(points @ self.rotation().T + self.base_center(body))
+
+
+def pose_at(states: States, k: int) -> Pose:
+    """The ``k``-th pose of a motion's states."""
+    x, y, z = (float(c) for c in states.center[k])
+    return Pose(float(states.tilt[k]), float(states.yaw[k]), float(states.spin[k]), (x, y, z))
+
+
+def contact_path(states: States, body: RoundBody) -> Array:
+    """The contact point on the table, (n, 2), m: behind G by R cos(tilt) - H sin(tilt)."""
+    out = body.radius * np.cos(states.tilt) - body.height * np.sin(states.tilt)
+    way = np.stack([np.cos(states.yaw), np.sin(states.yaw)], axis=-1)
+    return np.asarray(states.center[:, :2] - out[:, None] * way)
