@@ -72,6 +72,28 @@ def test_a_column_of_degrees_is_read_however_it_is_laid_out(written, content):
     assert same_directions(degrees(written(content)), FALLS)
 
 
+@pytest.mark.parametrize(
+    ("content", "blank"),
+    [
+        ("\n\n" + COLUMN + "\n \n", None),  # before the first row and after the last
+        ("# oak\ndirection\n\n" + COLUMN, None),
+        (COLUMN.replace("147.25\n", "147.25\n\n"), "line 3 is blank"),
+        ("direction\n\n213.5\n  \n# mine\n\n147.25\n", "lines 4, 6 are blank"),
+        ("n;direction\n1;213.5\n;;\n2;147.25\n", "line 3 is blank"),
+        ("213.5\n\n" * 30, "lines 2, 4, 6, 8, 10, 12, 14, 16, 18, 20 and 19 more are blank"),
+    ],
+)
+def test_blank_lines_among_the_angles_are_reported_since_a_fall_may_be_missing(
+    written, content, blank
+):
+    none = dict.fromkeys(("outcome", "column", "lean_column"))
+    read = read_falls(written(content), radians=False, clockwise=False, **none)
+    count = content.count("213.5") + content.count("147.25") + content.count("210.0")
+    count += content.count("142.0")
+    assert len(read.directions) == count
+    assert read.source.endswith(f"{count} rows" if blank is None else f"{count} rows; {blank}")
+
+
 @pytest.mark.parametrize("separator", [",", ", ", ";", "; ", "\t", " ", "   "])
 @pytest.mark.parametrize("names", [None, ("lean", "fall")])
 def test_of_two_columns_the_first_is_where_it_leaned_at_first(written, separator, names):

@@ -62,8 +62,8 @@ def read_directions(
     direction of the first lean and that of the fall, by the same protractor. A file with more
     columns needs a line of names with ``direction`` among them, or ``column``; a column named
     ``lean`` is the first lean. From a file of ``rimroll topple``, the falls that count are read.
-    Lines that begin with # are skipped. Files of spreadsheets work unchanged: semicolons, decimal
-    commas, quotes, UTF-8, UTF-16 or Windows' code page 1252.
+    Lines that begin with # and blank lines are skipped. Files of spreadsheets work unchanged:
+    semicolons, decimal commas, quotes, UTF-8, UTF-16 or Windows' code page 1252.
 
     Parameters
     ----------
@@ -148,6 +148,9 @@ def read_falls(
         read += f" less {_column_in_words(table, columns[0])}, the first lean"
     way = "clockwise" if clockwise else "anticlockwise"
     rows_read = f"{len(rows)} rows" + (f" with the outcome {kind}" if kind else "")
+    if table.blank:
+        are = "are" if len(table.blank) > 1 else "is"
+        rows_read += f"; {_lines_in_words(table.blank)} {are} blank"
     return FallDirections(directions, f"{read}; {in_units}, {way}; {rows_read}")
 
 
@@ -237,14 +240,17 @@ def _counting(table: Table, outcome: str | None) -> tuple[list[Row], str | None]
 
 def _refuse_gaps(table: Table, rows: list[Row], columns: list[int]) -> None:
     for column in columns:
-        lines = [str(row.line) for row in rows if not row.cells[column]]
+        lines = [row.line for row in rows if not row.cells[column]]
         if lines:
-            more = f" and {len(lines) - MOST_LINES} more" if len(lines) > MOST_LINES else ""
-            where = f"line{'s' * (len(lines) > 1)} {', '.join(lines[:MOST_LINES])}{more}"
             raise RimrollError(
-                f"{table.name}, {where}: an angle is missing in {_column_in_words(table, column)};"
-                " to leave a line out, begin it with #"
+                f"{table.name}, {_lines_in_words(lines)}: an angle is missing in"
+                f" {_column_in_words(table, column)}; to leave a line out, begin it with #"
             )
+
+
+def _lines_in_words(lines: list[int]) -> str:
+    more = f" and {len(lines) - MOST_LINES} more" if len(lines) > MOST_LINES else ""
+    return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines[:MOST_LINES]))}{more}"
 
 
 def _angle(file: str, row: Row, column: int, unit: str) -> float:

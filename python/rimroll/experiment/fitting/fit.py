@@ -96,6 +96,11 @@ class Fit:
         """Whether the falls have the shape that friction gives; if not, the fit means nothing."""
         return not self.shape.excluded
 
+    @property
+    def strays(self) -> NDArray[np.bool_]:
+        """Which of the directions (n,) are far from both humps: likelier slips of the pen."""
+        return Likelihood(self.predicted, self.directions).strays(self.best)
+
     def density(self, angles: ArrayLike) -> Array:
         """The fitted density of a direction, per rad, at angles (rad)."""
         return Likelihood(self.predicted, self.directions).density(
@@ -112,6 +117,7 @@ class Fit:
         """Numbers and sentences, in SI units and radians."""
         return {
             "falls": len(self.directions),
+            "strays": self.directions[self.strays],
             "confidence": self.confidence,
             "supported": self.supported,
             "at_bounds": self.at_bounds,

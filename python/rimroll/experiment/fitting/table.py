@@ -17,6 +17,9 @@ Source = str | os.PathLike[str] | IO[bytes]
 
 MOST_BYTES = 20_000_000
 
+EMPTY = " ;,\t"
+"""The characters of a line without content: spaces, and separators of empty cells."""
+
 _ENCODINGS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
 """Byte order marks, and what they announce; Excel's "Unicode text" is UTF-16."""
 
@@ -48,6 +51,8 @@ class Table:
     rows: list[Row]
     """The rows below the names."""
     width: int
+    blank: list[int]
+    """The lines between the first and the last row that hold nothing."""
 
     @property
     def names(self) -> list[str]:
@@ -58,21 +63,18 @@ class Table:
 def read_table(source: Source, *, has_columns: bool = False) -> Table:
     """Read comma, semicolon, tab or space separated values.
 
-    Lines that begin with # and lines without content are passed over, and so are columns at the
-    end that are empty throughout. The text is UTF-8, UTF-16 with a byte order mark, or Windows'
-    code page 1252. Decimals follow a point, or a comma where commas cannot separate columns; that
-    they do is known where the file ``has_columns``.
+    Lines that begin with # and lines without content are passed over (``blank`` lists the latter),
+    and so are columns at the end that are empty throughout. The text is UTF-8, UTF-16 with a byte
+    order mark, or Windows' code page 1252. Decimals follow a point, or a comma where commas cannot
+    separate columns; that they do is known where the file ``has_columns``.
 
     Raises ``RimrollError`` for what is no text, for rows of different widths, and for commas that
     may be decimal or separate columns.
     """
     name = source_name(source)
     text = _text(source, name)
-    lines = [
-        (i, line.strip())
-        for i, line in enumerate(text.splitlines(), 1)
-        if line.strip(" ;,\t") and not line.lstrip().startswith("#")
-    ]
+    every = [(i, line.strip()) for i, line in enumerate(text.splitlines(), 1)]
+    lines = [(i, line) for i, line in every if line.strip(EMPTY) and not line.startswith("#")]
     if not lines:
         raise RimrollError(f"{name} holds no angles" if text.strip() else f"{name} is empty")
     try:
@@ -88,7 +90,10 @@ def read_table(source: Source, *, has_columns: bool = False) -> Table:
                 f"{width}"
             )
     titles = _titles(rows[0].cells)
-    return Table(name, titles, rows[1:] if titles else rows, width)
+    below = rows[1:] if titles else rows
+    inside = range(below[0].line, below[-1].line) if below else range(0)
+    blank = [i for i, line in every if i in inside and not line.strip(EMPTY)]
+    return Table(name, titles, below, width, blank)
 
 
 def source_name(source: Source) -> str:
