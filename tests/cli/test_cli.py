@@ -166,7 +166,16 @@ def test_turn_with_friction_and_a_start_has_the_limit_of_its_arrival(said):
     text = said(f"turn {FRICTION}")
     assert "210.784°" in text  # from this start
     assert "209.800°" in text  # arriving without slip
-    assert "slipping outward at 3.05 cm/s" in text
+    assert "slipping outward at 3.05 cm/s" in " ".join(text.split())
+
+
+def test_turn_with_friction_says_of_what_its_limit_is_as_compare_does(said):
+    alone = "limit: the turn of the near-collision alone as the sideways push goes to 0"
+    other = "slip before and after it changes the turn, too"
+    for command in ("turn --friction 0.2", f"turn {FRICTION}", "compare --on 0.2"):
+        text = " ".join(said(command).split())
+        assert alone in text and other in text
+    assert "alone" not in said("turn")  # the ideal limits are those of every start
 
 
 def test_turn_from_a_start_that_topples_still_has_the_ideal_limits(said):

@@ -767,6 +767,25 @@ def test_the_command_says_what_it_read_and_the_verdict_before_the_number(monkeyp
     assert "the lowest tried" in hand
 
 
+def test_the_summary_of_the_falls_leaves_out_what_the_fit_takes_for_slips_of_the_pen(
+    tmp_path, capsys
+):
+    file = tmp_path / "falls.csv"
+    directions = np.degrees(fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)[0]).tolist()
+    left, right = ([one for one in directions if (one > 180.0) == side] for side in (True, False))
+    file.write_text("\n".join(map(str, [*directions, 60.0])))
+    command = ["fit", str(file), "--tilt-rate-error", "0"]
+    assert main(command) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert f"43 falls: {len(left)} to the left at {np.mean(left):.1f}°" in text
+    assert f"{len(right)} to the right at {np.mean(right):.1f}°" in text
+    assert "1 left out as a slip of the pen" in text
+    assert main([*command, "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["falls"] == 43
+    assert answer["strays"] == pytest.approx([math.radians(60.0)], rel=1e-12)
+
+
 def test_the_command_reads_the_columns_that_it_is_given(tmp_path, capsys):
     file = tmp_path / "falls.csv"
     directions, _ = fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)

@@ -22,8 +22,8 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
-from rimroll.cli.screen import angle, say, show_json, table, working
-from rimroll.cli.turn import arrival_of, body_line, start_line
+from rimroll.cli.screen import angle, prose, say, show_json, table, working
+from rimroll.cli.turn import arrival_of, body_line, limit_in_words, start_line
 from rimroll.errors import RimrollError
 from rimroll.laws import Law, NoSlip, numbers_of
 from rimroll.motion import Motion
@@ -105,8 +105,8 @@ def compare(
             }
         )
     else:
-        say(body_line(what.name, what.body))
-        say(start_line(outcomes[0].motion, what.nudged))
+        prose(body_line(what.name, what.body))
+        prose(start_line(outcomes[0].motion, what.nudged))
         _show(outcomes)
         for file in files:
             say(f"wrote {file}")
@@ -147,17 +147,18 @@ def _show(outcomes: list[Outcome]) -> None:
     say()
     say(rows)
     say()
-    say("limit: the turn of the near-collision alone as the sideways push goes to 0, for a body")
-    say("            that arrives as this one; slip before and after it changes the turn, too")
-    say("turn, lost: of this motion, from the release to its next tilt maximum or to its end; what")
-    say("            is lost is a part of the energy above that of standing upright or, for a body")
-    say("            that comes down lower, above that of its lowest place")
-    say("slips: first while tipping down on the table, or only in the near-collision, or nowhere")
+    prose(limit_in_words(", for a body that arrives as this one"))
+    prose(
+        "turn, lost: of this motion, from the release to its next tilt maximum or to its end; what"
+        " is lost is a part of the energy above that of standing upright or, for a body that comes"
+        " down lower, above that of its lowest place"
+    )
+    prose("slips: first while tipping down on the table, or only in the near-collision, or nowhere")
     for way, names in _by_table(outcomes, _way_round).items():
-        say(f"turned {way} on {', '.join(names)}")
-    say(_needs(outcomes[0].motion))
+        prose(f"turned {way} on {', '.join(names)}")
+    prose(_needs(outcomes[0].motion))
     for remark, names in _by_table(outcomes, _remarks).items():
-        say(remark if len(names) == len(outcomes) else f"on {', '.join(names)}: {remark}")
+        prose(remark if len(names) == len(outcomes) else f"on {', '.join(names)}: {remark}")
 
 
 def _by_table(

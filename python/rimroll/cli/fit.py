@@ -16,6 +16,7 @@ from rich.table import Table
 from rimroll._core import __version__
 from rimroll.cli.asked import asked
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
+from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -26,7 +27,7 @@ from rimroll.cli.options import (
     ThreadsOption,
 )
 from rimroll.cli.release import ReleaseOptions, release_asked, release_line
-from rimroll.cli.screen import Bar, say, show_json, table, working
+from rimroll.cli.screen import Bar, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.experiment.fitting import Fit
@@ -34,6 +35,7 @@ from rimroll.experiment.fitting import fit as fit_directions
 from rimroll.experiment.fitting.angles import read_falls
 from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.release import Release
+from rimroll.laws import NoSlip
 from rimroll.units import quantity
 
 Answer = dict[str, Any]
@@ -194,10 +196,12 @@ def fit(
     if json:
         show_json(answer)
     else:
-        say(body_line(what.name, what.body))
-        say(release_line(release))
+        prose(body_line(what.name, what.body))
+        prose(release_line(release))
+        for hint in release_hints(what.body, release.mean, NoSlip(), what.options):
+            prose(hint)
         say()
-        say(f"read {read.source}")
+        prose(f"read {read.source}")
         _show(found, release)
         for file in files:
             say(f"wrote {file}")
@@ -228,13 +232,13 @@ FORMS: Forms[tuple[Fit, Answer]] = {
 
 
 def _show(found: Fit, release: Release) -> None:
-    say(_falls_line(found))
+    prose(_falls_line(found))
     say()
     # A number is worth what the verdicts leave of it, so these come first.
     for verdict in reversed(found.verdicts):
-        say(verdict.sentence)
+        prose(verdict.sentence)
     if not found.supported:
-        say("The falls do not have the shape that friction gives: the numbers below mean nothing.")
+        prose("The falls lack the shape that friction gives: the numbers below mean nothing.")
     say()
     rows = table("", "best", f"{100.0 * found.confidence:g} %")
     _add_estimate(rows, "friction" if found.supported else "friction, unsupported", found.friction)
@@ -263,9 +267,9 @@ def _show(found: Fit, release: Release) -> None:
     say()
     if found.friction.open_above:
         most = found.friction.holding_friction
-        say(f"From friction {most:.3g} on the rim holds, and more changes next to nothing.")
+        prose(f"From friction {most:.3g} on the rim holds, and more changes next to nothing.")
     for note in (*_shares(found), *found.warnings):
-        say(f"Note: {note}")
+        prose(f"Note: {note}")
 
 
 def _bound_in_words(found: Fit, parameter: str) -> str:
@@ -297,16 +301,21 @@ def _shares(found: Fit) -> Iterator[str]:
 
 
 def _falls_line(found: Fit) -> str:
-    """The number and direction of falls to each side."""
+    """The number and direction of falls to each side, without slips of the pen."""
     parts = []
+    # Without two humps there is nothing that a reading could be far from.
+    left_out = found.strays if found.supported else np.zeros(len(found.directions), bool)
     for side, there in (
         ("left", found.directions > math.pi),
         ("right", found.directions <= math.pi),
     ):
-        some = np.degrees(found.directions[there])
+        some = np.degrees(found.directions[there & ~left_out])
         if some.size:
             spread = f" ± {some.std(ddof=1):.1f}°" if some.size > 1 else ""
             parts.append(f"{some.size} to the {side} at {some.mean():.1f}°{spread}")
+    if count := int(left_out.sum()):
+        slips = "slips" if count > 1 else "a slip"
+        parts.append(unbroken(f"{count} left out as {slips} of the pen"))
     return f"{len(found.directions)} falls: " + ", ".join(parts)
 
 

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 
-from rimroll.laws import Frictionless, NoSlip
-from rimroll.motion import Motion
+from rimroll.body import Body
+from rimroll.laws import Frictionless, Law, NoSlip
+from rimroll.motion import Motion, simulate
 from rimroll.names import typed
+from rimroll.options import Options
+from rimroll.state import State, single
 from rimroll.theory import balance_tilt
 
 
@@ -19,14 +23,30 @@ def hints(motion: Motion, friction_option: str) -> list[str]:
     return [hint for hint in found if hint]
 
 
+def release_hints(body: Body, start: State, law: Law, options: Options) -> list[str]:
+    """The same for many falls whose mean start is given; none if that start comes down."""
+    if single(start).tilt < balance_tilt(body):
+        return []
+    hint = _past_balance(simulate(body, start, law, **asdict(options)))
+    return [hint] if hint else []
+
+
 def _past_balance(motion: Motion) -> str:
     balance, tilt = balance_tilt(motion.body), float(motion.start.tilt)
-    if motion.status != "toppled" or motion.turns or tilt < balance:
+    if motion.status != "toppled" or min(tilt, _smallest_tilt(motion)) < balance:
         return ""
+    rate = float(motion.start.tilt_rate)
+    too_slow = f" and {rate:.4g} rad/s is too slow to bring it back," if rate < 0.0 else ""
     return (
         f"the start at {math.degrees(tilt):.4g}° is past the balance tilt of this body,"
-        f" {math.degrees(balance):.4g}°, so it falls over; try --tilt {_below(balance)}"
+        f" {math.degrees(balance):.4g}°,{too_slow} so it falls over; try --tilt {_below(balance)}"
     )
+
+
+def _smallest_tilt(motion: Motion) -> float:
+    """The smallest tilt of a motion, rad; infinite if the tilt has no minimum."""
+    minima = [event.state.tilt for event in motion.events if event.kind == "tilt_min"]
+    return min(minima, default=math.inf)
 
 
 def _below(balance: float) -> str:

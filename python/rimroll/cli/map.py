@@ -14,6 +14,7 @@ from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
+from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -24,7 +25,7 @@ from rimroll.cli.options import (
     ThreadsOption,
     whole,
 )
-from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
@@ -173,7 +174,7 @@ def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.fl
 
 def _flick(what: Asked) -> State:
     release = Release.named("flick", what.body, what.options.gravity)
-    return State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
+    return release.mean
 
 
 def _follow(
@@ -235,9 +236,9 @@ def _range(directions: Any) -> dict[str, Any]:
 
 def _show(what: Asked, falls: Falls, files: list[Path]) -> None:
     found, told = summary(what, falls), falls.attrs
-    say(body_line(what.name, what.body))
+    prose(body_line(what.name, what.body))
     tilt, rate = angle(told["start_tilt"]), told["start_tilt_rate"]
-    say(f"{in_words(what.law)}; from tilt {tilt} at {rate:.4g} rad/s; {falls.size} starts:")
+    prose(f"{in_words(what.law)}; from tilt {tilt} at {rate:.4g} rad/s; {falls.size} starts:")
     for name in ("yaw_rates", "spin_rates"):
         low, high = found[name]
         say(f"{name.replace('_', ' ')} from {low:g} to {high:g} rad/s")
@@ -251,6 +252,9 @@ def _show(what: Asked, falls: Falls, files: list[Path]) -> None:
             rows.add_row(typed(outcome), str(count))
     say(rows)
     say()
+    assert what.start is not None
+    for hint in release_hints(what.body, what.start, what.law, what.options):
+        prose(hint)
     if found["nearest_to_opposite"] is not None:
         say(f"the fall nearest to straight opposite is {angle(found['nearest_to_opposite'])} off")
     if found["watershed_slope"] is not None:

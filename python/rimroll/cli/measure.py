@@ -14,15 +14,13 @@ from uncertainties import UFloat
 from rimroll._core import __version__
 from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
-from rimroll.cli.screen import say, show_json, table
+from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.errors import RimrollError
 from rimroll.experiment.measurement import Measurement, measured
 from rimroll.experiment.readings import ESTIMATE, UNITS, main_source, pretty
 from rimroll.names import typed
 from rimroll.output import writing
 from rimroll.units import UNIT_OF
-
-WIDTH = 79  # of a paragraph
 
 INERTIA = {
     "mass": "mass m",
@@ -183,8 +181,7 @@ def _both(number: UFloat) -> dict[str, float]:
 
 
 def _show(found: Measurement, output: Path | None) -> None:
-    for line in textwrap.wrap(f"read: {_readings(found)}", WIDTH, subsequent_indent="      "):
-        say(line)
+    prose(f"read: {_readings(found)}", 6)
     say()
     rows = table("", "measured", "±", "mostly from")
     for name, words in INERTIA.items():
@@ -197,7 +194,7 @@ def _show(found: Measurement, output: Path | None) -> None:
     say()
     say("± is one standard deviation.")
     if not found.axial_inertia_measured:
-        say(textwrap.fill(ESTIMATED, WIDTH))
+        prose(ESTIMATED, 0)
     if output is not None:
         say(f"wrote {output}; now: rimroll turn {output}")
 

@@ -10,6 +10,7 @@ import typer
 
 from rimroll.cli.asked import Asked
 from rimroll.cli.contact import option
+from rimroll.cli.screen import NO_BREAK, unbroken
 from rimroll.errors import RimrollError
 from rimroll.experiment import release as releases
 from rimroll.experiment.release import Release
@@ -92,10 +93,10 @@ def _rate(text: str, name: str) -> float:
 
 
 def release_line(release: Release) -> str:
-    """A release in one line: means ± standard deviations."""
+    """A release in a line of prose: means ± standard deviations."""
     tilt, spread = map(math.degrees, release.tilt)
     rates = ", ".join(
-        f"{name} {mean:.3g} ± {deviation:.2g}"
+        unbroken(f"{name} {mean:.3g} ± {deviation:.2g}")
         for name, (mean, deviation) in (
             ("tilt", release.tilt_rate),
             ("sideways", release.sideways),
@@ -104,4 +105,4 @@ def release_line(release: Release) -> str:
     )
     scatter = release.friction_scale[1]
     friction = f"; friction scale ± {100.0 * scatter:.2g} %" if scatter else ""
-    return f"from tilt {tilt:.3g}° ± {spread:.2g}°, rates of {rates} rad/s{friction}"
+    return f"from tilt {tilt:.3g}° ± {spread:.2g}°, rates of {rates}{NO_BREAK}rad/s{friction}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -12,6 +13,11 @@ import numpy as np
 from rich import box
 from rich.console import Console
 from rich.table import Table
+
+WIDTH = 79  # of prose
+
+NO_BREAK = "\N{NO-BREAK SPACE}"
+"""A space at which prose is not broken; it is printed as a plain space."""
 
 Bar = Callable[[int, int, str], None]
 """Takes what is done, what is to do in all, and what comes next."""
@@ -34,6 +40,26 @@ def say(*what: object) -> None:
             console.print(_list(item))
         else:  # where nobody's screen is too narrow; a width given to print() cannot widen it
             Console(width=width, highlight=False, markup=False).print(item)
+
+
+def prose(text: str, hanging: int = 4) -> None:
+    """Print a sentence on stdout in lines of at most 79 characters.
+
+    The second line and all after it are indented by ``hanging`` spaces.
+    """
+    lines = textwrap.wrap(
+        text,
+        WIDTH,
+        subsequent_indent=" " * hanging,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    say("\n".join(lines).replace(NO_BREAK, " "))
+
+
+def unbroken(words: str) -> str:
+    """Words that :func:`prose` keeps on one line, such as a number and its unit."""
+    return words.replace(" ", NO_BREAK)
 
 
 def _list(rows: Table) -> str:

@@ -23,7 +23,7 @@ from rimroll.cli.options import (
     StartOptions,
     whole,
 )
-from rimroll.cli.screen import say, show_json, working
+from rimroll.cli.screen import prose, say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
 from rimroll.errors import RimrollError
 from rimroll.motion import Moments, Motion
@@ -149,15 +149,15 @@ def _moments(motion: Motion, points: int | None, every: float | None) -> Moments
 
 def _show(record: Record, files: list[Path]) -> None:
     motion = record.motion
-    say(body_line(record.asked.name, motion.body))
-    say(start_line(motion, record.asked.nudged))
+    prose(body_line(record.asked.name, motion.body))
+    prose(start_line(motion, record.asked.nudged))
     show_turns(motion)
     if len(motion.phases) > 1:
-        say("phases: " + ", ".join(_phases(motion)))
+        prose("phases: " + ", ".join(_phases(motion)))
     _show_losses(motion)
     kinds = Counter(event.kind for event in motion.events)
     if kinds:
-        say("events: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()))
+        prose("events: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()))
     for file in files:
         say(f"wrote {file}")
 
@@ -181,4 +181,4 @@ def _show_losses(motion: Motion) -> None:
     }
     lost = [f"{1e3 * loss:.4g} mJ to {to}" for to, loss in losses.items() if loss > 0.0]
     if lost:
-        say(f"energy: {1e3 * motion.energy[0]:.4g} mJ at the start; lost " + ", ".join(lost))
+        prose(f"energy: {1e3 * motion.energy[0]:.4g} mJ at the start; lost " + ", ".join(lost))

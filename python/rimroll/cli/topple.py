@@ -15,6 +15,7 @@ from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
+from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -26,7 +27,7 @@ from rimroll.cli.options import (
     whole,
 )
 from rimroll.cli.release import ReleaseOptions, release_asked, release_line
-from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import FALLING, counted, let_go, limits
@@ -228,9 +229,9 @@ def _outcomes(falls: Falls) -> dict[str, int]:
 
 
 def _show(what: Asked, release: Release, falls: Falls, paths: list[Path]) -> None:
-    say(body_line(what.name, what.body))
-    say(f"{in_words(what.law)}; gravity {what.options.gravity:g} m/s²")
-    say(release_line(release))
+    prose(body_line(what.name, what.body))
+    prose(f"{in_words(what.law)}; {unbroken(f'gravity {what.options.gravity:g} m/s²')}")
+    prose(release_line(release))
     say()
     told = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
     counted = f"{falls.size} falls" + (f": {told}" if told else "")
@@ -238,6 +239,8 @@ def _show(what: Asked, release: Release, falls: Falls, paths: list[Path]) -> Non
     say()
     if told:
         _show_sides(falls)
+    for hint in release_hints(what.body, release.mean, what.law, what.options):
+        prose(hint)
     if "interrupted" in falls.attrs:
         say(f"interrupted {falls.attrs['interrupted']}")
     part = f": a part, {falls.size} falls" if "interrupted" in falls.attrs else ""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -22,7 +21,7 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
-from rimroll.cli.screen import angle, say, show_json, table, working
+from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.errors import NoNearCollision, RimrollError
 from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
 from rimroll.motion import Motion, simulate
@@ -38,7 +37,15 @@ from rimroll.theory import (
 )
 
 SHOWN = 4  # turns of a motion
-WIDTH = 79  # of a paragraph
+COLUMN = 34  # where numbers stand that have a name before them
+
+
+def limit_in_words(arriving: str = "") -> str:
+    """What the limit under friction is, for people who compare it with a motion."""
+    return (
+        "limit: the turn of the near-collision alone as the sideways push goes to 0"
+        f"{arriving}; slip before and after it changes the turn, too"
+    )
 
 
 def turn(
@@ -187,22 +194,27 @@ def _turns(motion: Motion, limit: Limit) -> dict[str, Any]:
 
 
 def body_line(name: str, body: Body) -> str:
-    """A body in one line."""
-    return (
-        f"{name}: m = {body.mass:.4g} kg, R = {body.radius:.4g} m, H = {body.height:.4g} m, "
-        f"A = {body.transverse_inertia:.4g} kg m², C = {body.axial_inertia:.4g} kg m²"
+    """A body in a line of prose."""
+    numbers = (
+        f"m = {body.mass:.4g} kg",
+        f"R = {body.radius:.4g} m",
+        f"H = {body.height:.4g} m",
+        f"A = {body.transverse_inertia:.4g} kg m²",
+        f"C = {body.axial_inertia:.4g} kg m²",
     )
+    return f"{name}: {', '.join(map(unbroken, numbers))}"
 
 
 def start_line(motion: Motion, nudged: bool = False) -> str:
-    """A start and the gravity in one line; ``nudged`` if it is the default start."""
+    """A start and the gravity in a line of prose; ``nudged`` if it is the default start."""
     start = motion.start
     rates = ", ".join(
         f"{name} {getattr(start, f'{name}_rate'):.4g}" for name in ("tilt", "yaw", "spin")
     )
     tilt = angle(float(start.tilt))
     tilt += " (half its balance tilt)" if nudged else ""
-    return f"from tilt {tilt}, rates of {rates} rad/s; gravity {motion.gravity:g} m/s²"
+    gravity = unbroken(f"gravity {motion.gravity:g} m/s²")
+    return f"from tilt {tilt}, rates of {rates} rad/s; {gravity}"
 
 
 def _show_limits(what: Asked, limits: list[Limit]) -> None:
@@ -216,22 +228,27 @@ def _show_limits(what: Asked, limits: list[Limit]) -> None:
             _row(angles, plain, limit.angle)
             if limit.from_start is not None:
                 _row(angles, "    arriving from this start", limit.from_start)
-    say(body_line(what.name, body))
+    prose(body_line(what.name, body))
     say()
     say(angles)
     say()
-    say(f"friction needed to roll through   {needed_friction(body):.4g}")
-    say(f"balance tilt                      {angle(balance_tilt(body))}")
+    _named("friction needed to roll through", f"{needed_friction(body):.4g}")
+    _named("balance tilt", angle(balance_tilt(body)))
     rate = lift_off_rate(body, what.options.gravity)
     faster = "arriving faster, it would need a pull from the table to roll on"
     known = f"{rate:.4g} rad/s ({faster})" if math.isfinite(rate) else "none: it never lifts off"
-    say(f"lift-off rate                     {known}")
+    _named("lift-off rate", known)
     for limit in limits:
         if not is_ideal(limit.law):
             _show_arrival(what, limit)
     if what.law.resistances:
         say()
         say("The limits leave the resistances out; the motion has them.")
+
+
+def _named(name: str, what: str) -> None:
+    """Print a number, or a few words, with its name before it."""
+    prose(unbroken(f"{name:<{COLUMN}}") + what, COLUMN)
 
 
 def _row(rows: Table, law: str, limit: float | None) -> None:
@@ -245,11 +262,12 @@ def _show_arrival(what: Asked, limit: Limit) -> None:
     """The arrival, and the limits that depend on it."""
     name = typed(limit.law.name)
     if limit.arrival is not None:
-        say(f"arrival from this start           {arrival_words(limit.arrival)}")
+        _named("arrival from this start", arrival_words(limit.arrival))
     say()
     if limit.why_not:
-        say(f"{name}: {limit.why_not}")
-    say(_depends(limit.law, needed_friction(what.body)))
+        prose(f"{name}: {limit.why_not}")
+    prose(limit_in_words())
+    prose(_depends(limit.law, needed_friction(what.body)), 0)
 
 
 def arrival_words(comes: Arrival) -> str:
@@ -265,7 +283,7 @@ def _depends(law: Law, needed: float) -> str:
     if isinstance(law, Viscous):
         said = f"Viscous friction does nothing in the limit: it has no time to. So {name}, too, has"
         said += " one limit for all arrivals without spin, the frictionless one."
-        return textwrap.fill(said, WIDTH)
+        return said
     speeds = ", and with its speeds on that rate itself" if isinstance(law, Stribeck) else ""
     said = (
         "What depends on the arrival: no-slip and frictionless have one limit for all starts"
@@ -274,15 +292,15 @@ def _depends(law: Law, needed: float) -> str:
     )
     if isinstance(law, Coulomb):
         said += f" Arriving so, the body rolls through if static friction is {needed:.4g} or more."
-    return textwrap.fill(said, WIDTH)
+    return said
 
 
 def show_turns(motion: Motion) -> None:
     """The ending of a motion and its first turns, with their limit if it applies to each."""
     say()
-    say(f"{in_words(motion.law)}: {motion.message_in_degrees}")
+    prose(f"{in_words(motion.law)}: {motion.message_in_degrees}")
     for hint in hints(motion, "--law coulomb --friction"):
-        say(hint)
+        prose(hint)
     if not motion.turns:
         return
     limit = turn_limit(motion.body, motion.law) if is_ideal(motion.law) else None

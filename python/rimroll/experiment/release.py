@@ -94,6 +94,11 @@ class Release:
         )
 
     @property
+    def mean(self) -> State[float]:
+        """The start from the mean tilt at the mean tilt rate, without sideways rates."""
+        return State(tilt=self.tilt[0], tilt_rate=self.tilt_rate[0])
+
+    @property
     def symmetric(self) -> bool:
         """Whether left and right are equally likely."""
         return self.sideways[0] == 0.0 and self.twist[0] == 0.0

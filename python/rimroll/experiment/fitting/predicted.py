@@ -195,7 +195,7 @@ def which_node(part: float | Array, count: int) -> float | Array:
 def _enough(body: Body, release: Release, gravity: float) -> float:
     """A coefficient at which the rim slips nowhere, as far as that can be told beforehand."""
     needed = needed_friction(body)
-    straight = State(tilt=release.tilt[0], tilt_rate=release.tilt_rate[0])
+    straight = release.mean
     try:
         tipping = arrival(body, straight, NoSlip(), gravity).friction_ratio
     except RimrollError:
