@@ -13,7 +13,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web dev check test soak bench coverage census lint clean toolchain
+.PHONY: help demo web dev check test soak bench coverage census lint audit semver msrv clean toolchain
 
 help: ## say what can be made (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -54,15 +54,26 @@ coverage: .venv/.extension ## measure how often the fit's intervals hold the tru
 census: .venv/.extension ## compare both engines from 100 000 wild starts (ten minutes)
 	.venv/bin/python bench/census.py
 
-lint: .venv/.packages web/node_modules/.installed ## check format, lints, types and the links of the Rust documentation
+lint: .venv/.packages web/node_modules/.installed ## check format, lints, types, spelling, workflows and the links of the Rust documentation
 	cargo fmt --all --check
 	PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo doc --workspace --no-deps
 	.venv/bin/ruff check
 	.venv/bin/ruff format --check
 	.venv/bin/mypy
+	.venv/bin/typos
+	.venv/bin/zizmor --offline --quiet --strict-collection .github
 	tools/node.sh tsc --noEmit
 	tools/node.sh prettier --check .
+
+audit: ## check licences and advisories of what the crates depend on (needs cargo-deny)
+	cargo deny --workspace check
+
+semver: ## compare the crate's interface with that of the last release (needs cargo-semver-checks)
+	tools/semver.sh
+
+msrv: ## compile with the oldest Rust that Cargo.toml names
+	tools/oldest_rust.sh
 
 clean: ## remove all that was installed, built or made
 	rm -rf .venv web/node_modules target out
