@@ -1,6 +1,7 @@
 """The set-up: a machine that lacks something is told so in one line, and versions agree."""
 
 import ast
+import json
 import os
 import re
 import shutil
@@ -209,6 +210,8 @@ def test_one_version_everywhere():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     assert "version" in project["dynamic"] and "version" not in project  # maturin takes Cargo's
     assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text()
+    for name in "package.json", "package-lock.json":
+        assert json.loads((ROOT / "web" / name).read_text())["version"] == version, name
 
 
 @pytest.mark.parametrize("script", [".ci/run", *sorted(ROOT.glob("tools/*.sh"))])

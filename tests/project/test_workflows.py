@@ -1,0 +1,150 @@
+"""The workflows of .github call what exists, at the versions that the project itself names."""
+
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+WORKFLOWS = sorted((ROOT / ".github").glob("workflows/*.yml"))
+STEPS = [*WORKFLOWS, *sorted((ROOT / ".github").glob("actions/*/action.yml"))]
+TEXTS = {path: path.read_text("utf-8") for path in STEPS}
+
+each_workflow = pytest.mark.parametrize("path", WORKFLOWS, ids=lambda path: path.stem)
+each_file = pytest.mark.parametrize("path", STEPS, ids=lambda path: path.parent.name + path.stem)
+
+
+def toml(name):
+    return tomllib.loads((ROOT / name).read_text("utf-8"))
+
+
+def jobs(text):
+    """The text of each job by its name."""
+    _, below = text.split("\njobs:\n")
+    found = re.split(r"^  ([a-z-]+):\n", below, flags=re.M)
+    return dict(zip(found[1::2], found[2::2], strict=True))
+
+
+@each_file
+def test_the_make_targets_of_a_workflow_exist(path):
+    makefile = (ROOT / "Makefile").read_text("utf-8")
+    called = re.findall(r"(?:run: |^ +)make ([a-z ]+)$", TEXTS[path], re.M)
+    for target in " ".join(called).split():
+        assert re.search(rf"^{target}:", makefile, re.M), target
+
+
+@each_file
+def test_the_files_that_a_workflow_runs_exist(path):
+    for name in re.findall(r"\b(?:tools|tests)/[\w./-]+", TEXTS[path]):
+        assert (ROOT / name).exists(), name
+    for name in re.findall(r"uses: (\./\S+)", TEXTS[path]):
+        assert (ROOT / name).exists(), name
+
+
+@each_file
+def test_actions_of_others_are_pinned_by_commit_with_their_version_beside(path):
+    for action in re.findall(r"uses: (?!\./)(.*)", TEXTS[path]):
+        assert re.fullmatch(r"[\w.-]+(/[\w.-]+)+@[0-9a-f]{40} # v\d+(\.\d+)*", action), action
+
+
+def test_an_action_has_one_version_everywhere():
+    pins = re.findall(r"uses: (\S+)@(\S+)", "".join(TEXTS.values()))
+    assert len(dict(pins)) == len(set(pins))
+
+
+@each_workflow
+def test_a_workflow_asks_for_few_rights_and_ends(path):
+    text = TEXTS[path]
+    assert re.search(r"^permissions:( \{\}|\n  contents: read)\n", text, re.M)
+    assert re.search(r"^concurrency:\n", text, re.M)
+    for name, job in jobs(text).items():
+        assert "timeout-minutes: " in job or "uses: ./.github/workflows/" in job, name
+    assert text.count("actions/checkout@") == text.count("persist-credentials: false")
+
+
+def test_the_check_that_a_branch_requires_waits_for_all_others():
+    found = jobs(TEXTS[ROOT / ".github/workflows/checks.yml"])
+    needs = re.search(r"needs: \[(.*)\]", found.pop("passed"))
+    assert set(needs[1].split(", ")) == set(found)
+
+
+def test_nothing_that_is_released_comes_from_a_cache():
+    wheels = TEXTS[ROOT / ".github/workflows/wheels.yml"]
+    assert not re.search(r"rust-cache|actions/cache|  cache: |actions/prepare|sccache", wheels)
+
+
+def test_python_is_tried_at_the_oldest_and_the_newest_version_that_the_package_names():
+    project = toml("pyproject.toml")["project"]
+    oldest = project["requires-python"].removeprefix(">=")
+    minor = "Programming Language :: Python :: 3."
+    classified = [c.rsplit(" ", 1)[1] for c in project["classifiers"] if c.startswith(minor)]
+    newest = max(classified, key=lambda version: int(version.split(".")[1]))
+    for name in "checks.yml", "wheels.yml":
+        text = TEXTS[ROOT / ".github/workflows" / name]
+        assert set(re.findall(r'python(?:-version)?: "(3[\d.]+)"', text)) == {oldest, newest}, name
+    assert classified[0] == oldest
+    # The other places that hold the oldest Python.
+    tools = toml("pyproject.toml")["tool"]
+    assert tools["mypy"]["python_version"] == oldest
+    features = toml("crates/rimroll-py/Cargo.toml")["dependencies"]["pyo3"]["features"]
+    assert f"abi3-py{oldest.replace('.', '')}" in features
+    assert f"Python ≥ {oldest}" in (ROOT / "README.md").read_text("utf-8")
+    header = (ROOT / "constraints.txt").read_text("utf-8")
+    assert f"for Python {oldest} to {newest}." in header
+    assert f"--python-version {oldest} " in (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+
+
+def test_wheels_are_built_by_the_maturin_that_is_tested():
+    pins = (ROOT / "constraints.txt").read_text("utf-8")
+    tested = re.search(r"^maturin==(.*)$", pins, re.M)[1]
+    wheels = TEXTS[ROOT / ".github/workflows/wheels.yml"]
+    assert set(re.findall(r"maturin-version: (\S+)", wheels)) == {f"v{tested}"}
+    assert wheels.count("PyO3/maturin-action@") == wheels.count("maturin-version: ")
+
+
+def test_the_oldest_rust_is_that_of_the_manifest(tmp_path):
+    """tools/oldest_rust.sh reads it, so that no workflow repeats it."""
+    oldest = toml("Cargo.toml")["workspace"]["package"]["rust-version"]
+    for tool in "rustup", "cargo":
+        (tmp_path / tool).write_text(f'#!/bin/sh\necho {tool} "$@"\n')
+        (tmp_path / tool).chmod(0o755)
+    for tool in "sed", "dirname":
+        (tmp_path / tool).symlink_to(shutil.which(tool))
+    run = subprocess.run(
+        ["/bin/sh", ROOT / "tools/oldest_rust.sh"],
+        env={"PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert f"rustup toolchain install {oldest} " in run.stdout
+    assert f"cargo +{oldest} check" in run.stdout
+    assert not any(oldest in text for text in TEXTS.values())
+    assert f"(≥ {oldest}," in (ROOT / "README.md").read_text("utf-8")
+
+
+def test_what_is_published_is_published_by_an_environment_of_its_own():
+    """Owners can ask for an approval of each, and registries trust only these."""
+    release = jobs(TEXTS[ROOT / ".github/workflows/release.yml"])
+    for job, environment in ("pypi", "pypi"), ("rehearsal", "testpypi"), ("crate", "crates-io"):
+        assert f"environment:\n      name: {environment}\n" in release[job]
+        assert "id-token: write" in release[job]
+    # A rehearsal publishes nothing: all else waits for the attestation, which only a tag gets.
+    assert "if: github.event_name == 'push'" in release["attest"]
+    for job in "pypi", "crate":
+        assert "needs: attest\n" in release[job]
+    assert "needs: [pypi, crate]\n" in release["github"]
+
+
+def test_the_smoke_test_passes_here_too():
+    run = subprocess.run(
+        [sys.executable, ROOT / "tools/smoke_test.py", "--without-page"],
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.count("passed: ") == 4
