@@ -14,10 +14,11 @@
 //! the spin obey linear equations with the pendulum's tilt as independent variable.
 
 use crate::body::Body;
-use crate::error::{InvalidInput, formatted, positive};
+use crate::error::{InvalidInput, positive};
 use crate::law::IdealLaw;
 use crate::motion::{EventKind, Motion, Options, Status, simulate};
 use crate::state::State;
+use crate::text::formatted;
 use crate::turn::NearCollision;
 use core::ops::ControlFlow;
 

@@ -25,14 +25,13 @@ mod pool;
 mod reduced_system;
 mod trial;
 
+pub use self::chunk::Release;
+
 use self::batch::{batch, fits_lanes};
-use crate::body::Body;
-use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
 #[cfg(doc)]
 use crate::motion::fall;
 use crate::motion::{Fall, Options};
-use crate::state::State;
 use core::ops::ControlFlow;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
@@ -47,9 +46,6 @@ const MIN_CHUNK: usize = 128;
 /// The weight of a scalar fall in the size of a chunk. It usually takes as long as a few dozen falls in lanes,
 /// and far longer under some laws.
 const SCALAR_COST: usize = 32;
-
-/// A trial: the body, its state and the contact law at the release.
-pub type Release<'a> = (&'a Body, State, ContactLaw);
 
 /// Simulates each body from its start, under its contact law, through the first turn. The work is done on the
 /// threads of the current thread pool. Trials of the same body are somewhat faster if they are adjacent.

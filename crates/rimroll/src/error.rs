@@ -1,6 +1,7 @@
 //! Invalid input and its messages, which name the field, the value, the bound and the unit.
 
-use crate::motion::{AngleUnit, Ending};
+use crate::ending::Ending;
+use crate::text::{AngleUnit, formatted};
 use thiserror::Error;
 
 /// An input from which no motion can be computed.
@@ -123,16 +124,6 @@ fn with_unit(value: f64, unit: &str) -> String {
         formatted
     } else {
         format!("{formatted} {unit}")
-    }
-}
-
-/// A number as a person would type it: with an exponent if it is very small or very large.
-pub(crate) fn formatted(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 || (1e-4..1e7).contains(&size) {
-        format!("{value}")
-    } else {
-        format!("{value:e}")
     }
 }
 

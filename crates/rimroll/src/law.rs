@@ -13,8 +13,11 @@
 
 mod coulomb;
 mod flight;
+mod friction;
 mod friction_law;
+mod friction_model;
 mod frictionless;
+mod ideal_law;
 mod no_slip;
 mod resisted;
 mod sliding;
@@ -24,19 +27,21 @@ mod viscous;
 
 pub use coulomb::{Coulomb, MAX_FRICTION};
 pub use flight::Flight;
+pub use friction::{DryFriction, Friction, FrictionForce};
+pub use friction_law::FrictionLaw;
 pub(crate) use friction_law::SlidingDynamics;
-pub use friction_law::{DryFrictionModel, FrictionLaw, FrictionModel, NamedParameters};
+pub use friction_model::{DryFrictionModel, FrictionModel, NamedParameters};
 pub use frictionless::Frictionless;
+pub use ideal_law::IdealLaw;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
+pub use sliding::Sliding;
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
-pub use sliding::{DryFriction, Friction, FrictionForce, Sliding};
 pub use stribeck::Stribeck;
 pub use tabulated::Tabulated;
 pub use viscous::Viscous;
 
 use crate::body::Body;
-use crate::error::InvalidInput;
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
@@ -121,6 +126,13 @@ impl<T: Real> Parameters<T> {
     #[inline(always)]
     pub(crate) fn rolling_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
         [-self.z(u) * u.p, self.r * u.s - self.h * u.w]
+    }
+
+    /// The smallest coefficient of friction at which the Painlevé paradox begins at the tilt of `u`, for a slip
+    /// along e_x1.
+    pub(crate) fn painleve_friction(&self, u: &Coordinates<T>) -> T {
+        let (rho, z) = (self.rho(u), self.z(u));
+        ((self.a + self.m * rho * rho) / (self.m * rho * z)).abs()
     }
 
     /// The change of the slip along e_y1 per unit of impulse along e_y1, 1/kg: 1/m + R²/C + H²/A.
@@ -240,53 +252,6 @@ pub trait Dynamics<T: Real> {
         Energy {
             kinetic: T::from(0.5) * (translation + rotation),
             potential: k.m * k.g * (lift + u.gap),
-        }
-    }
-}
-
-/// The paper's two laws, which have closed forms. All friction laws lie between them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum IdealLaw {
-    /// [`NoSlip`].
-    NoSlip,
-    /// [`Frictionless`].
-    Frictionless,
-}
-
-impl IdealLaw {
-    /// Both laws, in the order in which they are listed to the user.
-    pub const ALL: [IdealLaw; 2] = [IdealLaw::NoSlip, IdealLaw::Frictionless];
-
-    /// The name that users type.
-    pub const fn name(self) -> &'static str {
-        match self {
-            IdealLaw::NoSlip => "no_slip",
-            IdealLaw::Frictionless => "frictionless",
-        }
-    }
-
-    /// The law of that name; `-` may replace `_`.
-    ///
-    /// # Errors
-    /// Refuses an unknown name and lists the known ones.
-    pub fn from_name(name: &str) -> Result<IdealLaw, InvalidInput> {
-        let wanted = name.replace('-', "_");
-        IdealLaw::ALL
-            .into_iter()
-            .find(|law| law.name() == wanted)
-            .ok_or_else(|| InvalidInput::UnknownName {
-                what: "law",
-                name: name.to_owned(),
-                choices: IdealLaw::ALL.map(IdealLaw::name).join(", "),
-            })
-    }
-
-    /// The equations of motion of a body under gravity g (m/s²).
-    pub fn dynamics(self, body: &Body, gravity: f64) -> Box<dyn Dynamics<f64> + Send + Sync> {
-        let parameters = Parameters::new(body, gravity);
-        match self {
-            IdealLaw::NoSlip => Box::new(NoSlip::new(parameters)),
-            IdealLaw::Frictionless => Box::new(Frictionless::new(parameters)),
         }
     }
 }

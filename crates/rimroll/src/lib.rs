@@ -52,6 +52,7 @@
 pub mod body;
 pub mod composite;
 pub mod contact_law;
+mod ending;
 pub mod ensemble;
 pub mod error;
 mod error_scale;
@@ -65,6 +66,7 @@ pub mod small_angle;
 pub mod solids;
 pub mod solve;
 pub mod state;
+mod text;
 pub mod turn;
 
 pub use body::Body;

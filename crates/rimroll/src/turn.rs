@@ -8,7 +8,6 @@ mod inner;
 mod limit;
 mod near_collision;
 
-pub(crate) use contact::painleve_friction_at;
 pub use contact::{
     lift_off_rate, needed_friction, painleve_friction, slip_rate, steady_wobble_rate,
 };

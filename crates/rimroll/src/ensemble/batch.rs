@@ -1,7 +1,6 @@
 //! The falls of a chunk of work, in lanes where the contact law allows it.
 
-use super::Release;
-use super::chunk::{BodyNumbers, Chunk};
+use super::chunk::{BodyNumbers, Chunk, Release};
 use super::dry::Dry;
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedFrictionless, ReducedNoSlip, ReducedSystem};

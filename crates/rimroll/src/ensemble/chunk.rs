@@ -1,10 +1,15 @@
 //! A chunk of work: some trials and the parameters of their bodies.
 
-use super::Release;
 use super::limits::{Limits, Topple};
+use crate::body::Body;
+use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::law::Parameters;
 use crate::motion::Options;
+use crate::state::State;
+
+/// A trial: the body, its state and the contact law at the release.
+pub type Release<'a> = (&'a Body, State, ContactLaw);
 
 /// Consecutive trials of an ensemble.
 pub(super) struct Chunk<'a> {

@@ -5,77 +5,11 @@
 //! name, its parameters, their bounds, its equations of motion and its part in impacts follow from these.
 
 use super::{
-    Coulomb, DryDynamics, Dynamics, Friction, Frictionless, IdealLaw, Parameters, Resistance,
-    Resisted, Sliding, Stribeck, Tabulated, Viscous,
+    Coulomb, DryDynamics, DryFrictionModel, Dynamics, FrictionModel, Frictionless, IdealLaw,
+    NamedParameters, Parameters, Resistance, Resisted, Sliding, Stribeck, Tabulated, Viscous,
 };
 use crate::error::InvalidInput;
 use crate::real::Scalar;
-
-/// A friction law with its parameters, as a user chooses it.
-pub trait FrictionModel: Clone + PartialEq + core::fmt::Debug {
-    /// The name that users type.
-    const NAME: &'static str;
-
-    /// The friction as a function of the slip, for numbers of type `T`.
-    type Friction<T: Scalar>: Friction<T> + Clone;
-
-    /// The law with parameters given by name.
-    ///
-    /// # Errors
-    /// Refuses parameters from which no law can be made. Bounds are for [`check`](Self::check).
-    fn from_named(given: &NamedParameters<'_>) -> Result<Self, InvalidInput>;
-
-    /// Checks the parameters.
-    ///
-    /// # Errors
-    /// Names the first parameter that is out of bounds.
-    fn check(&self) -> Result<(), InvalidInput>;
-
-    /// This law with all coefficients of friction multiplied by `factor`.
-    #[must_use]
-    fn scaled(&self, factor: f64) -> Self;
-
-    /// The coefficient of Coulomb friction in an impact that begins with this slip speed (m/s); 0 if the
-    /// friction does not grow with the normal force.
-    fn impact_coefficient(&self, slip_speed: f64) -> f64;
-
-    /// The friction for numbers of type `T`.
-    fn friction<T: Scalar>(&self) -> Self::Friction<T>;
-}
-
-/// Dry friction: the rim sticks until |T| exceeds the static coefficient times N.
-pub trait DryFrictionModel: FrictionModel {
-    /// μ_s.
-    fn static_friction(&self) -> f64;
-}
-
-/// Parameters of a law by the names that users type.
-#[derive(Debug, Clone, Copy)]
-pub struct NamedParameters<'a> {
-    /// Single numbers.
-    pub numbers: &'a [(String, f64)],
-    /// Lists of numbers.
-    pub tables: &'a [(String, Vec<f64>)],
-}
-
-impl NamedParameters<'_> {
-    /// A number, or 0 if it is missing.
-    pub fn number(&self, name: &str) -> f64 {
-        self.optional(name).unwrap_or(0.0)
-    }
-
-    /// A number that may be missing.
-    pub fn optional(&self, name: &str) -> Option<f64> {
-        let found = self.numbers.iter().find(|(given, _)| given == name);
-        found.map(|&(_, value)| value)
-    }
-
-    /// A list of numbers, empty if it is missing.
-    pub fn table(&self, name: &str) -> &[f64] {
-        let found = self.tables.iter().find(|(given, _)| given == name);
-        found.map_or(&[], |(_, values)| values)
-    }
-}
 
 /// Selects what only dry friction has.
 macro_rules! if_dry {

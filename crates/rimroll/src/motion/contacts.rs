@@ -1,8 +1,8 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
+use super::instant::{Instant, Phase};
 use super::mechanics::Mechanics;
 use super::phase_dynamics::PhaseDynamics;
-use super::track::Instant;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
@@ -12,31 +12,6 @@ use crate::real::Dual;
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
 use core::f64::consts::{FRAC_PI_2, TAU};
-
-/// The kind of contact between rim and table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Phase {
-    /// The rim rolls: its lowest point is at rest.
-    Rolling,
-    /// The lowest point of the rim slips.
-    Sliding,
-    /// The rim is off the table.
-    Flying,
-    /// The body lies on its side: the end of a motion that topples.
-    Lying,
-}
-
-impl Phase {
-    /// The name that users read.
-    pub fn name(self) -> &'static str {
-        match self {
-            Phase::Rolling => "rolling",
-            Phase::Sliding => "sliding",
-            Phase::Flying => "flying",
-            Phase::Lying => "lying",
-        }
-    }
-}
 
 /// A computation with the system of equations of a phase. It is compiled separately for each of the most
 /// frequent laws.

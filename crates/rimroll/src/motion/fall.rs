@@ -1,13 +1,16 @@
 //! One fall: a motion through its first turn, of which only the outcome is kept.
 
-use super::contacts::{Contacts, Phase};
-use super::events::{EventKind, Goal};
+use super::contacts::Contacts;
+use super::event::EventKind;
+use super::event_detector::Goal;
+use super::instant::Phase;
+use super::options::Options;
 use super::outcome::{Outcome, Tilting};
 use super::run::Run;
 use super::turns::{Turn, end_of_first_turn, first_turn};
-use super::{Options, Status};
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
+use crate::ending::Status;
 use crate::error::InvalidInput;
 use crate::law::Parameters;
 use crate::state::{Coordinates, State};

@@ -1,6 +1,6 @@
 //! The outcome of a release, which depends on how the motion ended and on the tilt before.
 
-use super::Status;
+use crate::ending::Status;
 
 /// The outcome of a release, through the first turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

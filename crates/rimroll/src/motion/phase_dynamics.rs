@@ -1,6 +1,6 @@
 //! The equations of motion of each phase.
 
-use super::contacts::Phase;
+use super::instant::Phase;
 use super::mechanics::Mechanics;
 use crate::contact_law::ContactLaw;
 use crate::law::{Dynamics, Flight, NoSlip, Parameters, Resisted, SlidingDynamics};

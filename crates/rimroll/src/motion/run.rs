@@ -1,11 +1,15 @@
 //! The phases of a motion, one after another.
 
-use super::contacts::{Contacts, Phase, SystemVisitor, Transition};
-use super::events::{Event, EventDetector, EventKind, Goal, TerminalEvent};
+use super::contacts::{Contacts, SystemVisitor, Transition};
+use super::event::{Event, EventKind};
+use super::event_detector::{EventDetector, Goal, TerminalEvent};
+use super::instant::{Instant, Phase};
 use super::mechanics::{Mechanics, leading};
+use super::onset;
+use super::options::Options;
 use super::step_record::StepRecord;
-use super::track::{Instant, Track};
-use super::{FACE_DOWN_TILT, Options, Status, onset};
+use super::track::Track;
+use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::error_scale::{ErrorScale, max_brief_change};
 use crate::law::Parameters;
 use crate::solve::{Found, Implicit, Stepper, System, Work};

@@ -10,13 +10,14 @@
 //!
 //! The step sizes are held constant, so the derivative is that of a solution of order 8.
 
-use super::events::EventKind;
+use super::Motion;
+use super::event::EventKind;
+use super::instant::Phase;
 use super::mechanics::{Mechanics, leading};
 use super::track::Track;
-use super::{Motion, Turn};
+use super::turns::Turn;
 use crate::error::InvalidInput;
 use crate::law::{Dynamics, Frictionless, NoSlip, Parameters};
-use crate::motion::Phase;
 use crate::real::{Dual, Slopes};
 use crate::solve::Step;
 use crate::state::{Coordinates, RIGID_COORDINATES, TIME};
@@ -81,6 +82,24 @@ impl Smooth {
     }
 }
 
+impl Motion {
+    /// The derivatives of the motion with respect to its initial state, its body and gravity. They cost about
+    /// thirty times as much as the motion itself.
+    ///
+    /// `watch` is called every few hundred steps with the time (s) that the derivatives have reached,
+    /// beginning with 0. If it breaks, the result is `None`.
+    ///
+    /// # Errors
+    /// Refuses a motion that is not a smooth function of these parameters. Only rolling without slip and
+    /// sliding without friction are supported, each for the whole motion and without resistance.
+    pub fn sensitivity(
+        &self,
+        mut watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Sensitivity>, InvalidInput> {
+        Sensitivity::new(self, &mut watch)
+    }
+}
+
 /// The coordinates at a moment and their rates with respect to τ.
 struct CoordinatesAndRates {
     u: Coordinates<Number>,
@@ -89,7 +108,7 @@ struct CoordinatesAndRates {
 
 impl Sensitivity {
     /// The sensitivity of a motion; `None` if `watch` breaks.
-    pub(super) fn new(
+    fn new(
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Sensitivity>, InvalidInput> {

@@ -1,7 +1,8 @@
 //! The record of an accepted step: its size and the states at its ends. The dense output is recomputed on
 //! demand, to the same bits.
 
-use super::contacts::{Contacts, Phase, SystemVisitor};
+use super::contacts::{Contacts, SystemVisitor};
+use super::instant::Phase;
 use super::mechanics::leading;
 use crate::solve::{Collocation, Dense, Step, System};
 use crate::state::COORDINATES;

@@ -1,28 +1,11 @@
 //! The trajectory: the accepted steps, which can be evaluated at any time.
 
-use super::contacts::{Contacts, Phase};
+use super::contacts::Contacts;
+use super::instant::{Instant, Phase};
 use super::step_record::{Polynomial, StepRecord};
 use crate::solve::Dense;
 use crate::state::{COORDINATES, Coordinates, TIME};
-use core::ops::Deref;
 use std::sync::Arc;
-
-/// The coordinates and the phase at a moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instant {
-    /// The phase, which determines the law that holds.
-    pub phase: Phase,
-    /// The coordinates.
-    pub u: Coordinates<f64>,
-}
-
-impl Deref for Instant {
-    type Target = Coordinates<f64>;
-
-    fn deref(&self) -> &Coordinates<f64> {
-        &self.u
-    }
-}
 
 /// The accepted steps of a motion.
 pub struct Track {

@@ -1,7 +1,7 @@
 //! The angle of turn: the change of the yaw, and so of the contact point's azimuth, from one tilt maximum to
 //! the next through a near-collision.
 
-use super::events::{Event, EventKind};
+use super::event::{Event, EventKind};
 use crate::state::Coordinates;
 
 /// A turn from one tilt maximum to the next through a tilt minimum. It is the paper's turn if the minimum

@@ -2,21 +2,12 @@
 //! and operations on the bits of the exponent, so that sixteen lanes give the same bits as a scalar.
 
 use super::Real;
-use super::register::Register;
+use super::register::{ROUNDER, Register};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, SQRT_2};
 
 /// ln 2 as a sum. The first term has so few bits that its product with an exponent is exact.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238_2e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-
-/// 1.5 · 2⁵². After this number is added, the lowest bits hold the nearest integer.
-pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
-
-/// The number of fraction bits of a double.
-pub(super) const FRACTION: u32 = 52;
-
-/// The bits of √½.
-pub(super) const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
 
 /// Numbers with access to the exponent and the fraction.
 pub trait FloatBits: Real {

@@ -1,6 +1,16 @@
 //! Registers: the trait, and its implementation for a single number. SIMD registers are in [`x86`](super::x86).
 
-use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
+/// 1.5 · 2⁵². After this number is added, the lowest bits hold the nearest integer.
+pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// The number of fraction bits of a double.
+pub(super) const FRACTION: u32 = 52;
+
+/// The bits of √½.
+pub(super) const SQRT_HALF_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
+
+/// The bits of 1.
+pub(super) const ONE_BITS: i64 = 1.0_f64.to_bits().cast_signed();
 
 /// A register of one or more numbers. Each operation acts elementwise as on `f64`.
 pub trait Register: Copy + core::fmt::Debug {
@@ -62,8 +72,6 @@ pub trait Register: Copy + core::fmt::Debug {
     /// As [`FloatBits::approx_16th_root_of`](super::FloatBits::approx_16th_root_of).
     fn approx_16th_root_of(a: Self, b: Self) -> Self;
 }
-
-pub(super) const ONE_BITS: i64 = 1.0_f64.to_bits().cast_signed();
 
 /// Defines functions that are always inlined.
 macro_rules! inlined {

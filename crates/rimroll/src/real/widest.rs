@@ -22,6 +22,26 @@ pub(crate) trait SimdKernel {
     fn run<V: Vector>(self) -> Self::Done;
 }
 
+/// Runs a computation in AVX-512 registers.
+///
+/// # Safety
+/// The processor must have AVX-512F.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f")]
+unsafe fn in_avx512<T: SimdKernel>(kernel: T) -> T::Done {
+    kernel.run::<x86::Avx512>()
+}
+
+/// Runs a computation in AVX2 registers.
+///
+/// # Safety
+/// The processor must have AVX2.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+unsafe fn in_avx2<T: SimdKernel>(kernel: T) -> T::Done {
+    kernel.run::<x86::Avx2>()
+}
+
 /// Runs a computation in the widest registers. A debug build contains only one width, which shortens its
 /// compilation.
 pub(crate) fn run_widest<T: SimdKernel>(kernel: T) -> T::Done {
@@ -29,11 +49,11 @@ pub(crate) fn run_widest<T: SimdKernel>(kernel: T) -> T::Done {
     if !cfg!(debug_assertions) {
         if is_x86_feature_detected!("avx512f") {
             // SAFETY: the processor has AVX-512F.
-            return unsafe { x86::in_avx512(kernel) };
+            return unsafe { in_avx512(kernel) };
         }
         if is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has AVX2.
-            return unsafe { x86::in_avx2(kernel) };
+            return unsafe { in_avx2(kernel) };
         }
     }
     kernel.run::<AnyProcessor>()
@@ -47,11 +67,11 @@ pub(crate) fn in_every_width<T: SimdKernel>(kernel: impl Fn() -> T) -> Vec<T::Do
     {
         if is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has AVX2.
-            done.push(unsafe { x86::in_avx2(kernel()) });
+            done.push(unsafe { in_avx2(kernel()) });
         }
         if is_x86_feature_detected!("avx512f") {
             // SAFETY: the processor has AVX-512F.
-            done.push(unsafe { x86::in_avx512(kernel()) });
+            done.push(unsafe { in_avx512(kernel()) });
         }
     }
     done

@@ -4,22 +4,20 @@
 //! SIMD registers are addressed explicitly, because compilers shuffle lanes that are held in arrays: many of the
 //! instructions would then only move numbers between lanes.
 //!
-//! AVX registers are only used in [`in_avx512`] and [`in_avx2`], which are compiled for such processors, and in the
-//! functions inlined there. So every function that takes a [`Vector`](super::Vector) must be `#[inline(always)]`. It
+//! AVX registers are only used in the functions of [`widest`](super::widest) that are compiled for such processors, and
+//! in the functions inlined there. So every function that takes a [`Vector`](super::Vector) must be `#[inline(always)]`. It
 //! must not contain closures or call `map` on an array, because these would be compiled without AVX.
 
-use super::elementary::{FRACTION, ROUNDER, SQRT_HALF_BITS};
 use super::lanes::{Grouped, LANES, Packed};
-use super::register::{ONE_BITS, Register, inlined};
-use super::widest::SimdKernel;
+use super::register::{FRACTION, ONE_BITS, ROUNDER, Register, SQRT_HALF_BITS, inlined};
 use core::arch::x86_64::*;
 use core::hint::black_box;
 
 const SQRT_HALF: i64 = SQRT_HALF_BITS.cast_signed();
 const ROUNDER_BITS: i64 = ROUNDER.to_bits().cast_signed();
 
-type Avx512 = Packed<__m512d, { LANES / 8 }>;
-type Avx2 = Packed<__m256d, { LANES / 4 }>;
+pub(super) type Avx512 = Packed<__m512d, { LANES / 8 }>;
+pub(super) type Avx2 = Packed<__m256d, { LANES / 4 }>;
 pub(super) type Sse2 = Packed<__m128d, { LANES / 2 }>;
 
 impl Grouped for __m512d {
@@ -34,24 +32,6 @@ impl Grouped for __m256d {
 /// Four registers for each quantity, which hold as many lanes as with AVX2.
 impl Grouped for __m128d {
     type Part = Packed<__m128d, 4>;
-}
-
-/// Runs a computation in AVX-512 registers.
-///
-/// # Safety
-/// The processor must have AVX-512F.
-#[target_feature(enable = "avx512f")]
-pub(super) unsafe fn in_avx512<T: SimdKernel>(kernel: T) -> T::Done {
-    kernel.run::<Avx512>()
-}
-
-/// Runs a computation in AVX2 registers.
-///
-/// # Safety
-/// The processor must have AVX2.
-#[target_feature(enable = "avx2")]
-pub(super) unsafe fn in_avx2<T: SimdKernel>(kernel: T) -> T::Done {
-    kernel.run::<Avx2>()
 }
 
 /// Evaluates intrinsics.

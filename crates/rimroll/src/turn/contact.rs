@@ -3,8 +3,7 @@
 use super::inertias;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
-use crate::law::{IdealLaw, Parameters};
-use crate::state::Coordinates;
+use crate::law::IdealLaw;
 
 /// The coefficient of friction needed to roll through the near-collision: μ* = mHR/(A + mH²).
 ///
@@ -82,10 +81,4 @@ pub fn painleve_friction(body: &Body) -> f64 {
     let (r, h) = (body.radius(), body.height());
     let q = body.transverse_inertia() / (body.mass() * (r * r + h * h));
     2.0 * (q * (1.0 + q)).sqrt()
-}
-
-/// The smallest such coefficient at the tilt of `u`, for a slip along e_x1.
-pub(crate) fn painleve_friction_at(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {
-    let (rho, z) = (k.rho(u), k.z(u));
-    ((k.a + k.m * rho * rho) / (k.m * rho * z)).abs()
 }

@@ -21,6 +21,7 @@ mod dispatch;
 mod extremes;
 mod frictionless;
 mod fundamental;
+mod lane;
 mod near_balance;
 mod no_slip;
 mod ridge;
@@ -52,23 +53,11 @@ use no_slip::NoSlipTilt;
 use ridge::Balance;
 use scalar::{Quadrature, Scalar, ScalarQuadrature};
 use start::Start;
-use tilting::Tilting;
+use tilting::{Tilting, half_tangent};
 pub use watershed::watershed_slope;
-
-/// If sin φ is smaller than this, the base counts as flat on the table, as in a simulated motion.
-const FLAT: f64 = crate::motion::FACE_DOWN_TILT;
-
-/// Distance in η from a turning point below which rounding errors dominate G.
-const SHORT: f64 = 3e-6;
 
 /// Distance in η from the balance point within which a body with its turning point there lingers.
 const LINGERING: f64 = 0.03;
-
-/// The maximum length in η of the segment next to the largest tilt.
-const MAX_OUTER: f64 = 2.6;
-
-/// Number of samples in the search for the first root of a function.
-const SAMPLES: usize = 24;
 
 /// The first turn of a motion and its outcome. Quantities that do not exist are NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -268,11 +257,6 @@ fn end(options: &Options) -> (f64, Outcome) {
 fn natural_time(body: &Body, gravity: f64) -> f64 {
     let arm = libm::hypot(body.radius(), body.height());
     (body.rim_inertia() / (body.mass() * gravity * arm)).sqrt()
-}
-
-fn half_tangent(tilt: f64) -> f64 {
-    let (sin, cos) = libm::sincos(tilt);
-    sin / (1.0 + cos)
 }
 
 fn turn_of_quadrature(outcome: &Quadrature<f64>) -> ExactTurn {

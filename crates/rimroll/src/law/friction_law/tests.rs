@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::error::not_negative;
-use crate::law::FrictionForce;
+use crate::law::{Friction, FrictionForce};
 use crate::presets;
 use crate::real::Real;
 use crate::state::{Coordinates, State};

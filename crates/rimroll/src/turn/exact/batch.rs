@@ -3,18 +3,18 @@
 //! The segments of the turns of a block are integrated one after another. For each segment, starts that
 //! need the same quadrature rule share a group of lanes. Rare cases are left to the scalar code.
 
-use super::dispatch::Group;
+use super::lane::{Class, Group, Lane, columns};
 use super::near_balance::is_near_balance;
 use super::rocking::TurnPart;
 use super::rule::{Choice, RULES};
 use super::rule_queue::RuleQueue;
 use super::scalar::Quadrature;
 use super::segments::Integral;
-use super::start::Start;
-use super::tilting::Conserved;
+use super::tilting::SHORT;
 use super::toppling::{ToppleLimits, TopplePart};
-use super::{Exact, ExactTurn, Outcome, SHORT, turn_of_quadrature};
+use super::{Exact, ExactTurn, turn_of_quadrature};
 use crate::error::InvalidInput;
+use crate::motion::Outcome;
 use crate::real::{LANES, Lanes, Real};
 use crate::state::State;
 #[cfg(feature = "threads")]
@@ -22,47 +22,6 @@ use rayon::prelude::*;
 
 /// Starts per thread and block, large enough to fill the lanes of most rules.
 const BLOCK: usize = 1024;
-
-/// One start and the results for it so far.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Lane {
-    pub(super) start: Start<f64>,
-    pub(super) conserved: Conserved<f64>,
-    /// tan(φ/2), its logarithm and the singular coefficient at the smallest tilt.
-    pub(super) low: [f64; 3],
-    /// tan(φ/2) and its logarithm at the largest tilt.
-    pub(super) high: [f64; 2],
-    /// The smallest and the largest tilt, or the tilt at the end, rad.
-    tilts: [f64; 2],
-    /// Width in η of the [`Ridge`](super::ridge::Ridge) at the balance point, if it topples.
-    pub(super) width: f64,
-    /// Estimated numbers of nodes for its three segments.
-    nodes: [f64; 3],
-    /// −τ² at the singularity of the integrand, for the two segments that end at the largest tilt.
-    square: [f64; 2],
-    class: Class,
-    /// Yaw (rad) and time (s) from the smallest tilt to the largest, or to the start if the body topples.
-    from_lowest: [f64; 2],
-    /// Yaw (rad) and time (s) from the start to the largest tilt, or to the end if the body topples.
-    from_start: [f64; 2],
-}
-
-/// The outcome of a start, as far as it is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Class {
-    /// Unknown; the scalar code handles it.
-    NeedsScalar,
-    /// It starts past the balance point, or its energy without yaw and spin suffices to reach it.
-    AboveBalance,
-    /// Neither holds.
-    BelowBalance,
-    /// Its tilt has a minimum and then a maximum.
-    Rocks,
-    /// Its tilt has a minimum, and then it passes the balance point.
-    Topples,
-    /// Its tilt increases from the start until it topples.
-    FallsBack,
-}
 
 impl Exact {
     /// The turns of many starts, computed in the current thread pool. The result for a start depends neither
@@ -309,22 +268,6 @@ impl Lane {
         lanes
     }
 
-    fn new(start: Start<f64>, class: Class) -> Lane {
-        Lane {
-            start,
-            class,
-            conserved: [0.0; 4],
-            low: [0.0; 3],
-            high: [0.0; 2],
-            tilts: [0.0; 2],
-            width: 0.0,
-            nodes: [0.0; 3],
-            square: [0.0; 2],
-            from_lowest: [0.0; 2],
-            from_start: [0.0; 2],
-        }
-    }
-
     fn rocked(&self) -> ExactTurn {
         let ([half_yaw, half_time], [start_yaw, start_time]) = (self.from_lowest, self.from_start);
         let (turn, min_time, yaw) = if self.start.p > 0.0 {
@@ -360,19 +303,6 @@ impl Lane {
             yaw: turn,
         }
     }
-}
-
-/// [tilt, tilt rate, yaw rate, spin rate] of up to sixteen starts. Unused lanes repeat the first start.
-pub(super) fn columns(group: &[State]) -> [Lanes; 4] {
-    let mut columns = [Lanes::from(0.0); 4];
-    for place in 0..LANES {
-        let start = group.get(place).unwrap_or(&group[0]);
-        columns[0].0[place] = start.tilt;
-        columns[1].0[place] = start.tilt_rate;
-        columns[2].0[place] = start.yaw_rate;
-        columns[3].0[place] = start.spin_rate;
-    }
-    columns
 }
 
 /// The indices of the lanes that satisfy a condition.

@@ -1,9 +1,9 @@
 //! Dispatch of the computations on sixteen starts by law and by register width. Each is compiled three times:
 //! for registers of eight and of four numbers, and for any processor. The results are equal to the last bit.
 
-use super::batch::Lane;
 use super::frictionless::FrictionlessTilt;
 use super::fundamental::Fundamental;
+use super::lane::Group;
 use super::no_slip::NoSlipTilt;
 use super::ridge::Balance;
 use super::rocking::{Extremes, TurnPart, extremes, turn_part};
@@ -13,7 +13,7 @@ use super::start::Start;
 use super::tilting::{Conserved, Tilting};
 use super::toppling::{ToppleLimits, TopplePart, Toppling, falling_back, topple_part, toppling};
 use crate::law::Parameters;
-use crate::real::{Bits, LANES, Lanes, Mask, Packed, Real, SimdKernel, Vector, run_widest};
+use crate::real::{Bits, Lanes, Mask, Real, SimdKernel, Vector, run_widest};
 
 /// A body under one of the ideal laws, selected at run time.
 #[derive(Debug, Clone, Copy)]
@@ -22,52 +22,6 @@ pub(super) enum Engine<'a> {
     NoSlip(&'a Fundamental<f64>),
     /// Frictionless.
     Frictionless(&'a Parameters<f64>),
-}
-
-/// Up to sixteen motions in lanes. Unused lanes repeat the first motion.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Group {
-    start: Start<Lanes>,
-    conserved: Conserved<Lanes>,
-    low: [Lanes; 3],
-    high: [Lanes; 2],
-    width: Lanes,
-}
-
-impl Group {
-    pub(super) fn of(lanes: &[Lane], which: &[usize]) -> Group {
-        let group: [&Lane; LANES] =
-            core::array::from_fn(|i| &lanes[*which.get(i).unwrap_or(&which[0])]);
-        let all = |number: fn(&Lane) -> f64| {
-            let mut lanes = [0.0; LANES];
-            for (lane, one) in lanes.iter_mut().zip(group) {
-                *lane = number(one);
-            }
-            Packed(lanes)
-        };
-        Group {
-            start: Start {
-                y: all(|lane| lane.start.y),
-                eta: all(|lane| lane.start.eta),
-                p: all(|lane| lane.start.p),
-                w: all(|lane| lane.start.w),
-                s: all(|lane| lane.start.s),
-            },
-            conserved: [
-                all(|lane| lane.conserved[0]),
-                all(|lane| lane.conserved[1]),
-                all(|lane| lane.conserved[2]),
-                all(|lane| lane.conserved[3]),
-            ],
-            low: [
-                all(|lane| lane.low[0]),
-                all(|lane| lane.low[1]),
-                all(|lane| lane.low[2]),
-            ],
-            high: [all(|lane| lane.high[0]), all(|lane| lane.high[1])],
-            width: all(|lane| lane.width),
-        }
-    }
 }
 
 /// A body under one of the ideal laws, selected at compile time.
@@ -317,7 +271,7 @@ mod tests {
     use crate::real::{Bits, LANES, in_every_width};
     use crate::state::State;
     use crate::turn::exact::Exact;
-    use crate::turn::exact::batch::{Lane, columns};
+    use crate::turn::exact::lane::{Lane, columns};
     use crate::turn::exact::rocking::TurnPart;
     use crate::turn::exact::rule::Choice;
     use crate::turn::exact::toppling::TopplePart;

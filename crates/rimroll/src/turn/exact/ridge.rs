@@ -4,7 +4,7 @@
 //! vanishes at η_b ± iδ, δ² = G_b/c. With η = η_b + δ sinh u, the length of the passage in u grows only like
 //! ln 1/δ and the singularities of the integrand are at u = ± i π/2, for any δ.
 
-use super::half_tangent;
+use super::tilting::half_tangent;
 use crate::body::Body;
 use crate::real::{Real, asinh};
 

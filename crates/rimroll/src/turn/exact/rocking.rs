@@ -5,12 +5,11 @@
 //! positive. The result for a start depends on that start alone.
 
 use super::extremes::{Extreme, lowest_and_highest};
-use super::rule::{Rule, nodes_from_lowest, nodes_to_highest};
+use super::rule::{MAX_OUTER, Rule, nodes_from_lowest, nodes_to_highest};
 use super::segments::{Segment, from_lowest, outer_to_highest, short, to_highest};
 use super::small_oscillation::MAX_SPAN;
 use super::start::Start;
-use super::tilting::{Conserved, Tilting};
-use super::{MAX_OUTER, SHORT};
+use super::tilting::{Conserved, FLAT, SHORT, Tilting};
 use crate::real::{Bits, Lanes, Mask, Vector};
 
 /// Maximum number of Newton iterations for the extremes.
@@ -58,7 +57,7 @@ pub(super) fn extremes<V: Vector>(
         // If the body nearly lingers, rounding errors dominate G.
         .and(high.point.slope.at_most(V::from(-min_slope)))
         .and(zero.at_most(motion.normal_force_bound(&low.point, &high.point)))
-        .and(V::from(super::FLAT).at_most(low.point.sin))
+        .and(V::from(FLAT).at_most(low.point.sin))
         .and(high.y.at_most(V::from(max_y)))
         .and(V::from(MAX_SPAN).at_most(span))
         // The start lies in the segment next to the largest tilt.

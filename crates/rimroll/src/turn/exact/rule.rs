@@ -4,9 +4,11 @@
 //! variable τ = ε sinh(A u), sinh A = 1/ε, maps (0, 1) onto itself and moves the singularities to
 //! u = ± i π/(2A), far from it.
 
-use super::MAX_OUTER;
 use crate::real::{Real, approx_acosh, approx_asinh};
 use std::sync::OnceLock;
+
+/// The maximum length in η of the segment next to the largest tilt.
+pub(super) const MAX_OUTER: f64 = 2.6;
 
 /// The available numbers of nodes, in increasing order. An index into them is a rung.
 const LADDER: [usize; 16] = [4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 42, 56, 80, 120];

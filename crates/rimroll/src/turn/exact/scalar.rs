@@ -2,15 +2,15 @@
 
 use super::extremes::{Extreme, highest, lowest};
 use super::ridge::{Balance, Ridge};
-use super::rule::{Choice, Rule, nodes_across, nodes_to_highest};
+use super::rule::{Choice, MAX_OUTER, Rule, nodes_across, nodes_to_highest};
 use super::segments::{Segment, across, from_lowest, short, to_highest};
 use super::sign_search::{
     Energy, Undecided, first_sign_change, first_turning_point, is_positive_between,
 };
 use super::small_oscillation::{MAX_SPAN, SmallOscillation};
 use super::start::Start;
-use super::tilting::Tilting;
-use super::{FLAT, MAX_OUTER, Outcome, SHORT};
+use super::tilting::{FLAT, SHORT, Tilting};
+use crate::motion::Outcome;
 use crate::real::{Dual, Real, Slope};
 
 /// A number type with one value, so that it can be used in branches, unlike SIMD lanes.

@@ -7,9 +7,8 @@
 //! At the smallest and the largest tilt, G is zero. There the change of variable η = η_end ± Λτ² makes the
 //! integrand an even analytic function of τ, for which Gauss-Legendre rules converge geometrically.
 
-use super::MAX_OUTER;
 use super::ridge::Ridge;
-use super::rule::{Node, Rule, below};
+use super::rule::{MAX_OUTER, Node, Rule, below};
 use super::tilting::{Pace, Point, Tilting};
 use crate::real::{Bits, Lanes, Mask, Real, Vector};
 use core::ops::{Add, Sub};

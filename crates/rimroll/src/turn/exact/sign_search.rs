@@ -4,8 +4,10 @@
 //! roots of the slope, so an interval of negative G is found however narrow it is. A minimum whose sign
 //! depends on rounding errors is [`Undecided`].
 
-use super::SAMPLES;
 use crate::solve::bracketed_root;
+
+/// Number of samples in the search for the first root of a function.
+pub(super) const SAMPLES: usize = 24;
 
 /// Maximum spacing of the samples in η. With larger spacing, a minimum of G could be missed: the terms that cause one,
 /// gravity and the energies of yaw and spin, vary over about one unit of η.

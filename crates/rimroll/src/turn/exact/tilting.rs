@@ -9,6 +9,12 @@ use crate::real::Real;
 /// Relative rounding error bound of the terms of G.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// If sin φ is smaller than this, the base counts as flat on the table, as in a simulated motion.
+pub(super) const FLAT: f64 = crate::ending::FACE_DOWN_TILT;
+
+/// Distance in η from a turning point below which rounding errors dominate G.
+pub(super) const SHORT: f64 = 3e-6;
+
 /// The motion at one tilt.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Point<T> {
@@ -116,6 +122,12 @@ pub(super) fn gap_beyond<T: Real>(radius: T, height: T, y: T) -> T {
     // next root is unknown. It is taken to be far; the error estimate of the rule detects if it is not.
     let gap = two * (next - y) / (next + y);
     gap.where_negative(two, gap)
+}
+
+/// tan(φ/2) at a tilt φ (rad).
+pub(super) fn half_tangent(tilt: f64) -> f64 {
+    let (sin, cos) = libm::sincos(tilt);
+    sin / (1.0 + cos)
 }
 
 /// tan(φ/2) at which the centre of mass is `rise` higher than upright: R sin φ + H cos φ = H + rise.

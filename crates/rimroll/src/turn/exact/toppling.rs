@@ -10,9 +10,10 @@ use super::ridge::{Balance, Ridge};
 use super::rocking::{ROUNDS, is_lowest};
 use super::rule::{Rule, nodes_across, nodes_towards};
 use super::segments::{MIN_NORMAL_FORCE, Segment, across, from_lowest_toppling};
+use super::sign_search::SAMPLES;
 use super::start::Start;
-use super::tilting::{Conserved, Point, Tilting};
-use super::{FLAT, Outcome, SAMPLES};
+use super::tilting::{Conserved, FLAT, Point, Tilting};
+use crate::motion::Outcome;
 use crate::real::{Bits, Lanes, Mask, Vector};
 
 /// Length in η of the part below the balance point that is integrated as its passage.
