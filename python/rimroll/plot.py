@@ -71,7 +71,7 @@ def nine_panels(motion: Motion) -> Figure:
     with style.figure_style():
         figure = style.page(150.0)
         panels = figure.subplots(3, 3)
-        color = style.COLORS[motion.law.name]
+        color = motion.law.color
         _draw_angles(panels[0], moments, color)
         _magnify(panels[0, 1], motion, color)
         _draw_rates(panels[1], motion, moments, color)

@@ -20,10 +20,10 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter, NullLocator
 
-from rimroll.laws import Law
+from rimroll.laws import Frictionless, Law, NoSlip
 
-NO_SLIP = "#0072B2"
-FRICTIONLESS = "#D55E00"
+NO_SLIP = NoSlip.color
+FRICTIONLESS = Frictionless.color
 THEORY = "#000000"
 MEASURED = "#009E73"
 CONTRAST = "#8A8A8A"
@@ -31,22 +31,6 @@ NORMAL_FORCE = "#56B4E9"
 SERIES = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 """Colours of data series without a colour of their own, in order."""
 
-COLORS = {
-    "no_slip": NO_SLIP,
-    "frictionless": FRICTIONLESS,
-    "coulomb": "#CC79A7",
-    "viscous": "#E69F00",
-    "stribeck": "#009E73",
-    "tabulated": "#882255",
-}
-MARKERS = {
-    "no_slip": "o",
-    "frictionless": "s",
-    "coulomb": "D",
-    "viscous": "v",
-    "stribeck": "^",
-    "tabulated": "P",
-}
 SLIDING = "#F0E442"
 """Background colour of the times at which the rim slides; drawn faintly."""
 
@@ -143,9 +127,8 @@ def label(ax: Axes, letter: str, title: str, x: str, y: str) -> None:
 
 def look(law: Law) -> dict[str, Any]:
     """Colour and marker of results under a law; filled if the rim can stick."""
-    color = COLORS[law.name]
-    face = color if law.name in ("no_slip", "coulomb", "tabulated") else "white"
-    return {"color": color, "marker": MARKERS[law.name], "markerfacecolor": face}
+    face = law.color if law.can_stick else "white"
+    return {"color": law.color, "marker": law.marker, "markerfacecolor": face}
 
 
 def decades(*axes: Axis) -> None:

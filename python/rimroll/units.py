@@ -48,22 +48,6 @@ UNIT_OF = {
 }
 """The SI unit of each number that describes a body or a solid."""
 
-LAW_UNIT_OF = {
-    "friction": "1",
-    "static": "1",
-    "restitution": "1",
-    "coefficient": "N s/m",
-    "stribeck_speed": "m/s",
-    "creep_speed": "m/s",
-    "speeds": "m/s",
-    "frictions": "1",
-    "dry": "1",
-    "viscous": "N s/m",
-    "length": "m",
-    "exponent": "1",
-}
-"""The SI unit of each number of a law or resistance, except one: see :func:`air_unit`."""
-
 START_UNIT_OF = {
     "tilt": "rad",
     "tilt_rate": "rad/s",

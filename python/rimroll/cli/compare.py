@@ -25,7 +25,7 @@ from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, limit_in_words, start_line
 from rimroll.errors import RimrollError
-from rimroll.laws import Law, NoSlip, numbers_of
+from rimroll.laws import Law, NoSlip, parameters_of
 from rimroll.motion import Motion
 from rimroll.names import typed
 from rimroll.surfaces import SURFACES
@@ -118,7 +118,7 @@ def _of_file(what: Asked, restitution: str | None) -> Law | None:
     if not what.has_file:
         return None
     rebound = {} if restitution is None else {"restitution": quantity(restitution, "1")}
-    takes = "restitution" in numbers_of(type(what.law))
+    takes = "restitution" in parameters_of(type(what.law))
     return replace(what.law, resistances=(), **(rebound if takes else {}))
 
 

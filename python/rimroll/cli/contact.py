@@ -7,34 +7,22 @@ from dataclasses import replace
 
 from rimroll import laws, surfaces
 from rimroll.body import Body
-from rimroll.cli.options import LawOptions, ResistanceOptions
+from rimroll.cli.options import PARAMETERS, LawOptions, ResistanceOptions
 from rimroll.errors import RimrollError, UnitError
 from rimroll.laws import (
     AirDrag,
     Coulomb,
     Law,
     NoSlip,
+    Parameter,
     PivotingFriction,
     Resistance,
     RollingResistance,
-    Stribeck,
-    Viscous,
+    parameters_of,
 )
 from rimroll.names import typed
 from rimroll.scenario import FILM
-from rimroll.units import LAW_UNIT_OF, air_unit, quantity
-
-NUMBER_OF = {
-    "friction": "friction",
-    "static_friction": "static",
-    "viscous_coefficient": "coefficient",
-    "stribeck_speed": "stribeck_speed",
-    "creep_speed": "creep_speed",
-    "restitution": "restitution",
-}
-"""The number of a law that each option gives."""
-
-OPTION_OF = {number: option for option, number in NUMBER_OF.items()}
+from rimroll.units import air_unit, quantity
 
 
 def option(name: str) -> str:
@@ -47,45 +35,54 @@ def law_asked(options: LawOptions, resistances: ResistanceOptions, law: Law | No
 
     Raises ``RimrollError`` naming the option that is at fault.
     """
-    numbers = _numbers(options, resistances)
+    given = _given(options, resistances)
     if options.surface is not None:
-        return _surface(options, numbers)
-    kind = _kind(options, numbers, type(law) if law else NoSlip)
-    takes = laws.numbers_of(kind)
-    for name in numbers:
+        return _surface(options, given)
+    kind = _kind(options, given, type(law) if law else NoSlip)
+    takes = _number_of(kind)
+    for name in given:
         if name not in takes:
-            known = ", ".join(map(_asked_by, takes)) or "no numbers"
+            known = ", ".join(map(_given_by, parameters_of(kind).items())) or "no numbers"
             raise RimrollError(
-                f"{option(OPTION_OF[name])} does not go with {typed(kind.name)}, which takes"
-                f" {known}"
+                f"{option(name)} does not go with {typed(kind.name)}, which takes {known}"
             )
+    numbers = {takes[name]: value for name, value in given.items()}
     if law is not None and type(law) is kind:
         return replace(law, resistances=(), **numbers)
-    for name, needed in takes.items():
-        if needed and name not in numbers:
-            raise RimrollError(f"{typed(kind.name)} needs {_asked_by(name)}")
+    for item in parameters_of(kind).items():
+        if item[1].required and item[0] not in numbers:
+            raise RimrollError(f"{typed(kind.name)} needs {_given_by(item)}")
     return laws.by_name(kind.name, numbers)
 
 
-def _asked_by(name: str) -> str:
-    """The option that gives a number of a law; tables are given in a file."""
-    if name in laws.TABLES:
-        return f"{name} from a scenario file"
-    return option(OPTION_OF[name])
-
-
-def _numbers(options: LawOptions, resistances: ResistanceOptions) -> dict[str, float]:
-    given = {**vars(options), "restitution": resistances.restitution}
+def _number_of(kind: type[Law]) -> dict[str, str]:
+    """The numbers of a law by the options that give them."""
     return {
-        number: _number(name, number, text)
-        for name, number in NUMBER_OF.items()
-        if (text := given[name]) is not None
+        parameter.option: name
+        for name, parameter in parameters_of(kind).items()
+        if not parameter.is_list
     }
 
 
-def _number(name: str, number: str, text: str) -> float:
+def _given_by(item: tuple[str, Parameter]) -> str:
+    """The option that gives a number of a law; tables are given in a file."""
+    name, parameter = item
+    return f"{name} from a scenario file" if parameter.is_list else option(parameter.option)
+
+
+def _given(options: LawOptions, resistances: ResistanceOptions) -> dict[str, float]:
+    """The numbers of laws that are given, by option."""
+    texts = {**vars(options), "restitution": resistances.restitution}
+    return {
+        name: _number(name, parameter.unit, text)
+        for name, parameter in PARAMETERS.items()
+        if (text := texts[name]) is not None
+    }
+
+
+def _number(name: str, unit: str, text: str) -> float:
     try:
-        return quantity(text, LAW_UNIT_OF[number], option(name))
+        return quantity(text, unit, option(name))
     except UnitError as error:
         word = text.strip().lower()
         if name not in ("friction", "static_friction") or not word[:1].isalpha() or _is_float(word):
@@ -108,27 +105,36 @@ def _is_float(word: str) -> bool:
     return True
 
 
-def _surface(options: LawOptions, numbers: Mapping[str, float]) -> Law:
+def _surface(options: LawOptions, given: Mapping[str, float]) -> Law:
     if options.law is not None and laws.kind(options.law) is not Coulomb:
         raise RimrollError(f"--surface is dry friction and --law is {options.law}: give one")
-    for name in numbers:
-        if name not in ("static", "restitution"):
-            raise RimrollError(f"--surface and {option(OPTION_OF[name])}: give one")
+    takes = _number_of(Coulomb)
+    for name in given:
+        if takes.get(name) not in ("static", "restitution"):
+            raise RimrollError(f"--surface and {option(name)}: give one")
     assert options.surface is not None
-    return surfaces.by_name(options.surface, **numbers)
+    return surfaces.by_name(options.surface, **{takes[name]: given[name] for name in given})
 
 
-def _kind(options: LawOptions, numbers: Mapping[str, float], usual: type[Law]) -> type[Law]:
-    """The kind of law that is named, or else implied by the numbers given."""
+def _kind(options: LawOptions, given: Mapping[str, float], usual: type[Law]) -> type[Law]:
+    """The kind of law that is named, or else implied by the options given."""
     if options.law is not None:
         return laws.kind(options.law)
-    if all(name in laws.numbers_of(usual) for name in numbers):
+    if all(name in _number_of(usual) for name in given):
         return usual
-    if "stribeck_speed" in numbers or "creep_speed" in numbers:
-        return Stribeck
-    if "coefficient" in numbers:
-        return Viscous
-    return Coulomb if "friction" in numbers or "static" in numbers else usual
+    takers = [
+        [law for law in laws.LAWS.values() if name in _number_of(law)]
+        for name in given
+        if name != "restitution"
+    ]
+    if not takers:
+        return usual
+    fitting = [law for law in laws.LAWS.values() if all(law in each for each in takers)]
+    if fitting:
+        return fitting[0]
+    # A law to which one of them belongs: the error says which options that law takes.
+    owners = [each[0] for each in takers if len(each) == 1]
+    return owners[-1] if owners else usual
 
 
 def with_resistances(law: Law, options: ResistanceOptions, body: Body, gravity: float) -> Law:
@@ -145,18 +151,25 @@ def with_resistances(law: Law, options: ResistanceOptions, body: Body, gravity: 
 
 
 def _rolling(options: ResistanceOptions, old: Resistance | None) -> RollingResistance | None:
-    given = {}
-    if options.rolling_resistance is not None:
-        given["dry"] = quantity(options.rolling_resistance, "1", "--rolling-resistance")
-    if options.rolling_viscous is not None:
-        given["viscous"] = quantity(options.rolling_viscous, "N s/m", "--rolling-viscous")
+    given = {
+        name: _resistance_number(RollingResistance, name, option_name, text)
+        for name, option_name in (("dry", "rolling_resistance"), ("viscous", "rolling_viscous"))
+        if (text := getattr(options, option_name)) is not None
+    }
     before = old if isinstance(old, RollingResistance) else RollingResistance()
     return replace(before, **given) if given else None
 
 
 def _pivoting(options: ResistanceOptions) -> PivotingFriction | None:
+    if options.pivoting_friction is None:
+        return None
     text = options.pivoting_friction
-    return None if text is None else PivotingFriction(quantity(text, "m", "--pivoting-friction"))
+    length = _resistance_number(PivotingFriction, "length", "pivoting_friction", text)
+    return PivotingFriction(length)
+
+
+def _resistance_number(kind: type[Resistance], name: str, option_name: str, text: str) -> float:
+    return quantity(text, parameters_of(kind)[name].unit, option(option_name))
 
 
 def _air(options: ResistanceOptions, body: Body, gravity: float) -> AirDrag | None:
@@ -176,14 +189,13 @@ def _air(options: ResistanceOptions, body: Body, gravity: float) -> AirDrag | No
 
 def in_words(law: Law) -> str:
     """A law as it is typed, its numbers, and its resistances: ``coulomb, friction 0.2``."""
-    units = {name: "" if unit == "1" else unit for name, unit in LAW_UNIT_OF.items()}
-    said = [typed(law.name)]
-    for name in laws.numbers_of(type(law)):
+    words = [typed(law.name)]
+    for name, parameter in parameters_of(type(law)).items():
         value = getattr(law, name)
         if value is not None and not (name == "restitution" and value == 0.0):
-            amount = laws.in_brief(value)
-            said.append(f"{name.replace('_', ' ')} {amount} {units[name]}".strip())
-    return " + ".join([", ".join(said), *map(_resisting, law.resistances)])
+            unit = "" if parameter.unit == "1" else parameter.unit
+            words.append(f"{name.replace('_', ' ')} {laws.in_brief(value)} {unit}".strip())
+    return " + ".join([", ".join(words), *map(_resisting, law.resistances)])
 
 
 def _resisting(resistance: Resistance) -> str:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, make_dataclass
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from rimroll import laws, surfaces
+from rimroll.laws import Parameter
+from rimroll.laws.shared import RESTITUTION
 from rimroll.names import typed
 from rimroll.scenario import MOST_STEPS, presets
 
@@ -141,7 +143,7 @@ _LAWS = [typed(name) for name in laws.LAWS]
 
 
 @dataclass(frozen=True)
-class LawOptions:
+class _LawOptions:
     """How the rim meets the table."""
 
     law: Annotated[
@@ -162,32 +164,6 @@ class LawOptions:
             surfaces.SURFACES,
         ),
     ] = None
-    friction: Annotated[
-        str | None,
-        _option("Friction over normal force while the rim slides.", "NUMBER", "Table"),
-    ] = None
-    static_friction: Annotated[
-        str | None,
-        _option(
-            "Largest friction over normal force while the rim sticks. [as --friction]",
-            "NUMBER",
-            "Table",
-        ),
-    ] = None
-    viscous_coefficient: Annotated[
-        str | None,
-        _option('For viscous: friction over slip speed, such as "0.5 N s/m".', "NUMBER", "Table"),
-    ] = None
-    stribeck_speed: Annotated[
-        str | None,
-        _option(
-            "For stribeck: slip speed at which static friction fades. [1 cm/s]", "SPEED", "Table"
-        ),
-    ] = None
-    creep_speed: Annotated[
-        str | None,
-        _option("For stribeck: slip speed up to which the rim creeps. [1 mm/s]", "SPEED", "Table"),
-    ] = None
 
 
 @dataclass(frozen=True)
@@ -196,7 +172,7 @@ class ResistanceOptions:
 
     restitution: Annotated[
         str | None,
-        _option("Restitution of landings, 0 to 1; not for no-slip. [0]", "NUMBER", "Table"),
+        _option(RESTITUTION.help, "NUMBER", "Table"),
     ] = None
     rolling_resistance: Annotated[
         str | None,
@@ -226,6 +202,38 @@ class ResistanceOptions:
     air_exponent: Annotated[
         str | None, _option("1.5 to 8; a viscous film has 4. [4]", "NUMBER", "Table")
     ] = None
+
+
+PARAMETERS: dict[str, Parameter] = {
+    parameter.option: parameter
+    for law in laws.LAWS.values()
+    for parameter in laws.parameters_of(law).values()
+    if not parameter.is_list
+}
+"""The numbers of all laws by the options that give them."""
+
+_METAVARS = {"m/s": "SPEED"}
+
+if TYPE_CHECKING:
+    LawOptions = _LawOptions
+else:
+    LawOptions = make_dataclass(
+        "LawOptions",
+        [
+            (
+                name,
+                Annotated[
+                    str | None,
+                    _option(parameter.help, _METAVARS.get(parameter.unit, "NUMBER"), "Table"),
+                ],
+                None,
+            )
+            for name, parameter in PARAMETERS.items()
+            if name not in {field.name for field in fields(ResistanceOptions)}
+        ],
+        bases=(_LawOptions,),
+        frozen=True,
+    )
 
 
 ThreadsOption = Annotated[

@@ -22,7 +22,7 @@ from rimroll.directions import around, away, middle_of
 from rimroll.errors import RimrollError
 from rimroll.experiment.toppling import counted, limits
 from rimroll.falls import Falls
-from rimroll.laws import Law, in_brief, law_of
+from rimroll.laws import LAWS, Law, in_brief, law_of
 from rimroll.many_falls import Array
 from rimroll.names import typed
 from rimroll.paper.setting import MEASURED
@@ -144,7 +144,7 @@ def _shown(several: Mapping[str, Any]) -> list[_Falls]:
     for k, (label, given) in enumerate(several.items()):
         data = Falls.of(given)
         directions, word = counted(data)
-        alone = style.COLORS[law_of(data).name]
+        alone = law_of(data).color
         color = alone if len(several) == 1 else SERIES[k % len(SERIES)]
         shown.append(_Falls(label, data, np.degrees(directions), word, color))
     return shown
@@ -300,7 +300,7 @@ def _draw_rings(ax: PolarAxes, view: _View, highest: float) -> None:
 def _line(name: str, shown: list[_Falls]) -> dict[str, Any]:
     """The style of a law's limit: in the colour of the law, or of its falls."""
     own = {one.label: one.color for one in shown if one.label}
-    ideal = style.THEORY if own else style.COLORS.get(name)
+    ideal = style.THEORY if own or name not in LAWS else LAWS[name].color
     return {"color": own.get(name, ideal), "ls": DASHES.get(name, (0, (5, 1, 1, 1))), "lw": 1.1}
 
 

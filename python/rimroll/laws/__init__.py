@@ -16,11 +16,16 @@ from rimroll.laws.law import (
     contact_law,
     kind,
     law_of,
-    numbers_of,
     one_law,
     only_fixed,
 )
-from rimroll.laws.parameters import TABLES, fixed_numbers, in_brief, varied_numbers
+from rimroll.laws.parameters import (
+    Parameter,
+    fixed_numbers,
+    in_brief,
+    parameters_of,
+    varied_numbers,
+)
 from rimroll.laws.resistances import AirDrag, PivotingFriction, Resistance, RollingResistance
 from rimroll.laws.stribeck import Stribeck
 from rimroll.laws.tabulated import Tabulated
@@ -29,13 +34,13 @@ from rimroll.laws.viscous import Viscous
 __all__ = [
     "IDEAL",
     "LAWS",
-    "TABLES",
     "AirDrag",
     "Coulomb",
     "Frictionless",
     "Law",
     "NoSlip",
     "OneLaw",
+    "Parameter",
     "PivotingFriction",
     "Resistance",
     "RollingResistance",
@@ -49,8 +54,8 @@ __all__ = [
     "in_brief",
     "kind",
     "law_of",
-    "numbers_of",
     "one_law",
     "only_fixed",
+    "parameters_of",
     "varied_numbers",
 ]

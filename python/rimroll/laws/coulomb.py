@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from rimroll.given import Values
 from rimroll.laws.law import Law
 from rimroll.laws.resistances import Resistances
+from rimroll.laws.shared import FRICTION, RESTITUTION, STATIC
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -21,10 +22,14 @@ class Coulomb(Law):
     in the impulse, whether it slips or sticks.
     """
 
-    friction: float
-    static: float | None = None
-    restitution: float = 0.0
     name: ClassVar[str] = "coulomb"
+    color: ClassVar[str] = "#CC79A7"
+    marker: ClassVar[str] = "D"
+    can_stick: ClassVar[bool] = True
+
+    friction: float = FRICTION.field()
+    static: float | None = STATIC.field(None)
+    restitution: float = RESTITUTION.field(0.0)
 
     if TYPE_CHECKING:
 

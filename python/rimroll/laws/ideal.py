@@ -17,6 +17,9 @@ class NoSlip(Law):
     """
 
     name: ClassVar[str] = "no_slip"
+    color: ClassVar[str] = "#0072B2"
+    marker: ClassVar[str] = "o"
+    can_stick: ClassVar[bool] = True
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -28,3 +31,5 @@ class Frictionless(Law):
     """
 
     name: ClassVar[str] = "frictionless"
+    color: ClassVar[str] = "#D55E00"
+    marker: ClassVar[str] = "s"

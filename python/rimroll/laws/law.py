@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from rimroll.errors import RimrollError, expect
 from rimroll.grid import Grid
 from rimroll.laws.core import OneLaw, check
-from rimroll.laws.parameters import TABLES, Parameters, fixed_numbers, listed, varied_numbers
+from rimroll.laws.parameters import (
+    Parameter,
+    Parameters,
+    fixed_numbers,
+    listed,
+    parameters_of,
+    varied_numbers,
+)
 from rimroll.laws.resistances import RESISTANCES, Resistance
 from rimroll.names import choose, typed
 from rimroll.recorded import expect_dataset, is_recorded, not_recorded, recorded
@@ -30,7 +37,13 @@ class Law(Parameters):
     """
 
     name: ClassVar[str]
-    """The name of the law on the command line and in scenario files."""
+    """The name of the law in the core, on the command line and in scenario files."""
+    color: ClassVar[str]
+    """The colour of its results in figures; colours must be distinguishable with any vision."""
+    marker: ClassVar[str]
+    """The marker of its results in figures: one of matplotlib's."""
+    can_stick: ClassVar[bool] = False
+    """Whether the rim can stick; its markers are filled then."""
 
     resistances: tuple[Resistance, ...] = field(default=(), kw_only=True, repr=False)
 
@@ -74,9 +87,9 @@ class Law(Parameters):
         Tables are tuples of numbers.
         """
         own = {
-            item.name: value
-            for item in fields(self)
-            if item.name != "resistances" and (value := getattr(self, item.name)) is not None
+            name: value
+            for name in parameters_of(type(self))
+            if (value := getattr(self, name)) is not None
         }
         for resistance in self.resistances:
             own |= resistance.numbers
@@ -135,13 +148,6 @@ def kind(name: str) -> type[Law]:
     return choose("law", name, {typed(known): law for known, law in LAWS.items()})
 
 
-def numbers_of(law: type[Law]) -> dict[str, bool]:
-    """The numbers of a law by name, and whether each is required."""
-    return {
-        item.name: item.default is MISSING for item in fields(law) if item.name != "resistances"
-    }
-
-
 def by_name(name: str, numbers: Mapping[str, float | tuple[float, ...]] | None = None) -> Law:
     """The law of that name with these numbers; ``-`` may stand for ``_``.
 
@@ -150,13 +156,13 @@ def by_name(name: str, numbers: Mapping[str, float | tuple[float, ...]] | None =
     """
     numbers = numbers or {}
     law = kind(name)
-    takes = numbers_of(law)
+    takes = parameters_of(law)
     for given in numbers:
         if given not in takes:
             choices = ", ".join(takes) or "no numbers"
             raise RimrollError(f"{typed(law.name)} takes {choices}, got {given}")
-    for number_name, needed in takes.items():
-        if needed and number_name not in numbers:
+    for number_name, parameter in takes.items():
+        if parameter.required and number_name not in numbers:
             raise RimrollError(f"{typed(law.name)} needs {number_name}")
     return law(**numbers)  # type: ignore[arg-type]
 
@@ -169,8 +175,12 @@ def law_of(record: Record) -> Law:
     if "law" not in record.attrs:
         raise not_recorded("law", "law")
     law = kind(str(record.attrs["law"]))
-    own = [name for name in numbers_of(law) if is_recorded(record, f"law_{name}")]
-    found = by_name(law.name, {name: _recorded_number(record, name) for name in own})
+    own = {
+        name: _recorded_number(record, name, parameter)
+        for name, parameter in parameters_of(law).items()
+        if is_recorded(record, f"law_{name}")
+    }
+    found = by_name(law.name, own)
     for resistance in RESISTANCES:
         names = [f"law_{name}" for name in resistance.core_names()]
         if is_recorded(record, names[0]):
@@ -178,7 +188,7 @@ def law_of(record: Record) -> Law:
     return found
 
 
-def _recorded_number(record: Record, name: str) -> Any:
-    if name in TABLES:
+def _recorded_number(record: Record, name: str, parameter: Parameter) -> Any:
+    if parameter.is_list:
         return listed(name, record.attrs[f"law_{name}"])
     return recorded(record, f"law_{name}")

@@ -3,33 +3,67 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import MISSING, dataclass, field, fields, replace
+from functools import cache
 from typing import Any
 
 from rimroll.errors import RimrollError
 from rimroll.given import numbers as array
 from rimroll.given import values
 from rimroll.grid import is_array, key, same
-from rimroll.units import LAW_UNIT_OF
 
-TABLES = ("speeds", "frictions")
-"""The parameters of a law that are lists of numbers."""
+
+@dataclass(frozen=True)
+class Parameter:
+    """One of the numbers of a law or resistance, as people give it."""
+
+    unit: str = "1"
+    """SI unit."""
+    option: str = ""
+    """The option of the command line, ``static_friction``; the name of the number unless given."""
+    help: str = ""
+    """The help of the option."""
+    is_list: bool = False
+    """Whether it is a list of numbers, which only files and programs can give."""
+    required: bool = True
+
+    def field(self, default: Any = MISSING) -> Any:
+        """A field of a dataclass that is this parameter."""
+        return field(default=default, metadata={Parameter.__name__: self})
+
+
+def parameters_of(kind: type[Parameters]) -> Mapping[str, Parameter]:
+    """The parameters of a law or resistance by name."""
+    hashable: Any = kind  # mypy takes the __hash__ of its instances for its own
+    return _parameters_of(hashable)
+
+
+@cache
+def _parameters_of(kind: type[Parameters]) -> Mapping[str, Parameter]:
+    return {
+        item.name: replace(
+            parameter,
+            option=parameter.option or item.name,
+            required=item.default is MISSING,
+        )
+        for item in fields(kind)  # type: ignore[arg-type]
+        if (parameter := item.metadata.get(Parameter.__name__)) is not None
+    }
 
 
 class Parameters:
     """A dataclass whose numbers, or arrays of numbers, are checked when it is made."""
 
     def _read(self) -> None:
-        for item in fields(self):  # type: ignore[arg-type]
-            value = getattr(self, item.name)
-            left_out = value is None and item.default is None
-            if item.name != "resistances" and not left_out:
-                read = listed if item.name in TABLES else values
-                unit = self._unit_of(item.name)
-                object.__setattr__(self, item.name, read(item.name, value, unit))
+        for name, parameter in parameters_of(type(self)).items():
+            value = getattr(self, name)
+            left_out = value is None and getattr(type(self), name, MISSING) is None
+            if not left_out:
+                read = listed if parameter.is_list else values
+                object.__setattr__(self, name, read(name, value, self._unit_of(name)))
 
     def _unit_of(self, name: str) -> str:
-        return LAW_UNIT_OF[name]
+        return parameters_of(type(self))[name].unit
 
     def __repr__(self) -> str:
         given = ", ".join(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
@@ -12,7 +12,7 @@ from rimroll import _core
 from rimroll.errors import RimrollError
 from rimroll.given import Number, Values, number
 from rimroll.laws.core import check
-from rimroll.laws.parameters import Parameters
+from rimroll.laws.parameters import Parameter, Parameters, parameters_of
 from rimroll.units import air_unit
 
 
@@ -29,12 +29,12 @@ class _Resistance(Parameters):
     @classmethod
     def core_names(cls) -> list[str]:
         """The core's names of the numbers, in the order of the arguments."""
-        return [f"{cls.core_prefix}_{item.name}" for item in fields(cls)]  # type: ignore[arg-type]
+        return [f"{cls.core_prefix}_{name}" for name in parameters_of(cls)]
 
     @property
     def numbers(self) -> dict[str, float]:
         """The numbers by the core's names, in SI units."""
-        values = (getattr(self, item.name) for item in fields(self))  # type: ignore[arg-type]
+        values = (getattr(self, name) for name in parameters_of(type(self)))
         return dict(zip(self.core_names(), values, strict=True))
 
 
@@ -52,8 +52,8 @@ class RollingResistance(_Resistance):
     """
 
     core_prefix: ClassVar[str] = "rolling"
-    dry: float = 0.0
-    viscous: float = 0.0
+    dry: float = Parameter().field(0.0)
+    viscous: float = Parameter("N s/m").field(0.0)
 
     if TYPE_CHECKING:
 
@@ -65,7 +65,7 @@ class PivotingFriction(_Resistance):
     """Resistance to turning about the vertical: a moment ``length`` (m) times the normal force."""
 
     core_prefix: ClassVar[str] = "pivoting"
-    length: float
+    length: float = Parameter("m").field()
 
     if TYPE_CHECKING:
 
@@ -87,8 +87,8 @@ class AirDrag(_Resistance):
     """
 
     core_prefix: ClassVar[str] = "air"
-    coefficient: float
-    exponent: float = 4.0
+    coefficient: float = Parameter().field()
+    exponent: float = Parameter().field(4.0)
 
     if TYPE_CHECKING:
 

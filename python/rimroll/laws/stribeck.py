@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rimroll.given import Values
 from rimroll.laws.law import Law
+from rimroll.laws.parameters import Parameter
 from rimroll.laws.resistances import Resistances
+from rimroll.laws.shared import FRICTION, RESTITUTION, STATIC
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -20,12 +22,19 @@ class Stribeck(Law):
     Automatica 30 (1994).
     """
 
-    friction: float
-    static: float | None = None
-    stribeck_speed: float = 0.01
-    creep_speed: float = 1e-3
-    restitution: float = 0.0
     name: ClassVar[str] = "stribeck"
+    color: ClassVar[str] = "#009E73"
+    marker: ClassVar[str] = "^"
+
+    friction: float = FRICTION.field()
+    static: float | None = STATIC.field(None)
+    stribeck_speed: float = Parameter(
+        "m/s", help="For stribeck: slip speed at which static friction fades. [1 cm/s]"
+    ).field(0.01)
+    creep_speed: float = Parameter(
+        "m/s", help="For stribeck: slip speed up to which the rim creeps. [1 mm/s]"
+    ).field(1e-3)
+    restitution: float = RESTITUTION.field(0.0)
 
     if TYPE_CHECKING:
 

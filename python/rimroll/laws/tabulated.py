@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -13,7 +13,9 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number
 from rimroll.given import numbers as array
 from rimroll.laws.law import Law
-from rimroll.laws.parameters import listed
+from rimroll.laws.parameters import Parameter, listed
+from rimroll.laws.resistances import Resistances
+from rimroll.laws.shared import RESTITUTION, STATIC
 from rimroll.sampled_curve import sampled
 
 
@@ -40,11 +42,27 @@ class Tabulated(Law):
     frictions outside 0 to 1e6.
     """
 
-    speeds: Sequence[float]
-    frictions: Sequence[float]
-    static: float | None = None
-    restitution: float = 0.0
     name: ClassVar[str] = "tabulated"
+    color: ClassVar[str] = "#882255"
+    marker: ClassVar[str] = "P"
+    can_stick: ClassVar[bool] = True
+
+    speeds: Sequence[float] = Parameter("m/s", is_list=True).field()
+    frictions: Sequence[float] = Parameter(is_list=True).field()
+    static: float | None = STATIC.field(None)
+    restitution: float = RESTITUTION.field(0.0)
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            speeds: Values,
+            frictions: Values,
+            static: Values | None = None,
+            restitution: Values = 0.0,
+            *,
+            resistances: Resistances = (),
+        ) -> None: ...
 
     def friction_at(self, speeds: Values) -> Any:
         """μ at slip speeds (m/s, >= 0): a number, or an array of their shape."""

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rimroll.given import Values
 from rimroll.laws.law import Law
+from rimroll.laws.parameters import Parameter
 from rimroll.laws.resistances import Resistances
+from rimroll.laws.shared import RESTITUTION
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -18,9 +20,16 @@ class Viscous(Law):
     as under :class:`Coulomb`, but without friction in the impulse.
     """
 
-    coefficient: float
-    restitution: float = 0.0
     name: ClassVar[str] = "viscous"
+    color: ClassVar[str] = "#E69F00"
+    marker: ClassVar[str] = "v"
+
+    coefficient: float = Parameter(
+        "N s/m",
+        "viscous_coefficient",
+        'For viscous: friction over slip speed, such as "0.5 N s/m".',
+    ).field()
+    restitution: float = RESTITUTION.field(0.0)
 
     if TYPE_CHECKING:
 

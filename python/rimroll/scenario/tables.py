@@ -25,7 +25,16 @@ from pydantic_core import ErrorDetails
 from rimroll import laws, solids, surfaces
 from rimroll.body import Body
 from rimroll.errors import RimrollError
-from rimroll.laws import AirDrag, Law, NoSlip, PivotingFriction, Resistance, RollingResistance
+from rimroll.laws import (
+    AirDrag,
+    Coulomb,
+    Law,
+    NoSlip,
+    PivotingFriction,
+    Resistance,
+    RollingResistance,
+    parameters_of,
+)
 from rimroll.names import choose, nearest, typed
 from rimroll.options import Options
 from rimroll.scenario import (
@@ -36,7 +45,7 @@ from rimroll.scenario import (
     presets,
 )
 from rimroll.state import State
-from rimroll.units import LAW_UNIT_OF, UNIT_OF, air_unit, quantity, tilt_angle
+from rimroll.units import UNIT_OF, air_unit, quantity, tilt_angle
 
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,
@@ -91,6 +100,11 @@ def _in(unit: str) -> BeforeValidator:
     return BeforeValidator(read)
 
 
+def _number_of(resistance: type[Resistance], name: str) -> BeforeValidator:
+    """Reads a number of a resistance as a quantity in its SI unit."""
+    return _in(parameters_of(resistance)[name].unit)
+
+
 def _tilt(value: object, info: ValidationInfo) -> float:
     return tilt_angle(_readable(value), info.field_name or "the tilt")
 
@@ -143,17 +157,17 @@ class _Numbers(_Table):
 
 
 class _Rolling(_Table):
-    dry: Annotated[float, _in("1")] = 0.0
-    viscous: Annotated[float, _in("N s/m")] = 0.0
+    dry: Annotated[float, _number_of(RollingResistance, "dry")] = 0.0
+    viscous: Annotated[float, _number_of(RollingResistance, "viscous")] = 0.0
 
 
 class _Pivoting(_Table):
-    length: Annotated[float, _in("m")]
+    length: Annotated[float, _number_of(PivotingFriction, "length")]
 
 
 class _AirDrag(_Table):
     coefficient: Any
-    exponent: Annotated[float, _in("1")] = AirDrag.exponent
+    exponent: Annotated[float, _number_of(AirDrag, "exponent")] = AirDrag.exponent
 
 
 class _Composed(_Table):
@@ -214,7 +228,7 @@ def _law(given: object, body: Body, gravity: float) -> Law:
     """The law of a name or of a table, with its resistances."""
     if isinstance(given, str):
         kind = laws.kind(given)
-        missing = [name for name, needed in laws.numbers_of(kind).items() if needed]
+        missing = [name for name, one in parameters_of(kind).items() if one.required]
         if missing:
             table = f'a table [law] with kind = "{typed(kind.name)}" and {missing[0]}'
             raise RimrollError(f'law = "{given}" lacks {missing[0]!r}: write {table}')
@@ -244,25 +258,25 @@ def _contact(table: dict[str, Any]) -> Law:
     where = f'[law] of {key} "{name}"'
     if key == "surface":
         surface = _made("[law]", lambda: choose("surface", name, surfaces.SURFACES))
-        sticking = _checked(_numbers_of_law(("static", "restitution")), rest, where, *RESISTANCES)
+        sticking = _checked(_numbers_of(Coulomb, "friction"), rest, where, *RESISTANCES)
         return _made("[law]", lambda: surface(**sticking.model_dump(exclude_unset=True)))
     kind = _made("[law]", lambda: laws.kind(name))
-    numbers = _checked(_numbers_of_law(tuple(laws.numbers_of(kind))), rest, where, *RESISTANCES)
+    numbers = _checked(_numbers_of(kind), rest, where, *RESISTANCES)
     given = numbers.model_dump(exclude_unset=True)
     return _made("[law]", lambda: laws.by_name(name, given))
 
 
-@cache
-def _numbers_of_law(names: tuple[str, ...]) -> type[_Table]:
-    """A table with these numbers of a law."""
+def _numbers_of(kind: type[Law], *but: str) -> type[_Table]:
+    """A table with the numbers of a law, without some."""
     fields: dict[str, Any] = {
         name: (
-            list[Annotated[float, _in(LAW_UNIT_OF[name])]] | None
-            if name in laws.TABLES
-            else Annotated[float | None, _in(LAW_UNIT_OF[name])],
+            list[Annotated[float, _in(parameter.unit)]] | None
+            if parameter.is_list
+            else Annotated[float | None, _in(parameter.unit)],
             None,
         )
-        for name in names
+        for name, parameter in parameters_of(kind).items()
+        if name not in but
     }
     return create_model("law", __base__=_Table, **fields)
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from rimroll import style
 from rimroll.directions import around, middle_of
 from rimroll.experiment.fitting.likelihood import Likelihood
+from rimroll.laws import Coulomb
 
 if TYPE_CHECKING:
     from rimroll.experiment.fitting.estimate import Estimate
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-FITTED = style.COLORS["coulomb"]
+FITTED = Coulomb.color
 MOST_SHOWN = 16.0
 """Deviances above say no more than impossible."""
 

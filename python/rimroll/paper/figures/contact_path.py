@@ -88,7 +88,7 @@ def _draw_path(ax: Axes, letter: str, path: Path) -> None:
     points = 100.0 * path.moments().contact_path
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     points = points - middle
-    ax.plot(*points.T, color=style.COLORS[path.motion.law.name], lw=0.9)
+    ax.plot(*points.T, color=path.motion.law.color, lw=0.9)
     highest = _highest(path.motion)
     if len(highest):
         tips = 100.0 * path.motion.evaluate(highest).contact_path - middle

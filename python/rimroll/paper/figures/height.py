@@ -84,7 +84,7 @@ def open_shell(height: float) -> Body:
 
 def _draw_curves(ax: Axes) -> None:
     for law in setting.LAWS:
-        color, name = style.COLORS[law.name], setting.LAW_NAMES[law.name]
+        color, name = law.color, setting.LAW_NAMES[law.name]
         for kind, make, dashes in (
             ("solid cylinder", solid_cylinder, "-"),
             ("open shell", open_shell, (0, (4, 2))),

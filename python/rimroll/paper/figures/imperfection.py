@@ -124,7 +124,7 @@ def topples(law: Law) -> Chosen:
 def _draw_directions(ax: Axes) -> None:
     _draw_measured_bands(ax)
     for law in setting.LAWS:
-        color = style.COLORS[law.name]
+        color = law.color
         ax.plot(PLACES, first_directions(law), color=color, lw=0.7, ls=":")
         name = setting.LAW_NAMES[law.name]
         ax.plot(PLACES, directions(law), color=color, ls=DASHES[law.name], label=name)
@@ -158,7 +158,7 @@ def _draw_falls(ax: Axes, directions_ax: Axes) -> None:
     ax.plot(share * bell, angle, color=style.MEASURED, lw=0.9)
     for law in setting.LAWS:
         count, _ = np.histogram(directions(law), BINS)
-        look: dict[str, Any] = {"color": style.COLORS[law.name], "ls": DASHES[law.name]}
+        look: dict[str, Any] = {"color": law.color, "ls": DASHES[law.name]}
         ax.stairs(100.0 * count / PLACES.size, BINS, orientation="horizontal", lw=1.1, **look)
     style.label(ax, "b", "imperfection anywhere", "falls (% per 5°)", "")
     ax.set_xlim(0.0, 32.0)
@@ -167,7 +167,7 @@ def _draw_falls(ax: Axes, directions_ax: Axes) -> None:
 
 def _draw_losses(ax: Axes) -> None:
     for law in setting.LAWS:
-        color = style.COLORS[law.name]
+        color = law.color
         first = np.array([fall.collisions[0].energy_kept_fraction for fall in falls(law)])
         ax.plot(PLACES, 100.0 * (1.0 - first), color=color, lw=0.7, ls=":")
         ax.plot(PLACES, 100.0 * (1.0 - kept(law)), color=color, ls=DASHES[law.name])

@@ -198,7 +198,7 @@ def _draw_aims(ax: Axes) -> None:
 def _draw_cut(ax: Axes) -> None:
     middle = len(YAW_RATES)
     for law, place in zip(LAWS, (-0.55, 0.0, 0.55), strict=True):
-        found, color = cut(law)[0], style.COLORS[law.name]
+        found, color = cut(law)[0], law.color
         ax.plot(-YAW_RATES[::-1], found[:middle], color=color)
         ax.plot(YAW_RATES, found[middle:], color=color)
         right, left = jump(law)
@@ -235,7 +235,7 @@ def _draw_shares(ax: Axes) -> None:
         found = directions(falls(law)).ravel()
         share = 100.0 * np.histogram(found, edges)[0] / found.size
         share[share == 0.0] = np.nan  # no line along the axis
-        color = style.COLORS[law.name]
+        color = law.color
         ax.stairs(share, edges, orientation="horizontal", color=color, lw=1.0)
         ax.stairs(share, edges, orientation="horizontal", color=color, fill=True, alpha=0.12)
     for (mean, spread), way, side in zip(MEASURED, (1.0, -1.0), ("left", "right"), strict=True):

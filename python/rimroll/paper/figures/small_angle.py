@@ -84,7 +84,7 @@ def _both_sides(values: Array, sign: float) -> Array:
 def _draw_path(ax: Axes) -> None:
     ax.axvline(1.0, color=style.CONTRAST, lw=0.9, ls=":", label="free particle, 180°")
     for law in setting.LAWS:
-        one, color = compare(law, PAPER), style.COLORS[law.name]
+        one, color = compare(law, PAPER), law.color
         near = one.scaled < 1.2 * PATH
         limit = turn_limit(setting.CAN, law)
         for tilt, yaw, look in (
@@ -108,7 +108,7 @@ def _draw_path(ax: Axes) -> None:
 
 def _draw_yaw(ax: Axes) -> None:
     for law in setting.LAWS:
-        one, color = compare(law, PAPER), style.COLORS[law.name]
+        one, color = compare(law, PAPER), law.color
         near = one.scaled < YAW
         x = _both_sides(one.scaled[near], -1.0)
         ax.plot(x, _both_sides(one.yaw[near], -1.0), color=color, lw=2.8, alpha=0.5)
@@ -126,7 +126,7 @@ def _draw_difference(ax: Axes) -> None:
             one = compare(law, sideways)
             far = one.scaled > 0.5
             scaled, difference = one.scaled[far], one.difference[far]
-            ax.semilogx(scaled, difference / one.min_tilt, color=style.COLORS[law.name], ls=dashes)
+            ax.semilogx(scaled, difference / one.min_tilt, color=law.color, ls=dashes)
     for sideways, dashes in SIDEWAYS.items():
         ax.plot([], [], color="k", ls=dashes, label=f"$ε$ = {style.plain(sideways)} rad/s")
     x, y = "scaled time $ω$($t$ − $t_c$)/$φ_c$ (1)", "(full − heuristic yaw)/$φ_c$ (1)"
