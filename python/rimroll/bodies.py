@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from rimroll import _core
 from rimroll.body import Body
+from rimroll.errors import RimrollError
 from rimroll.given import Number, number
 from rimroll.names import choose
 
@@ -31,7 +32,7 @@ def soda_can(fill: Number = 0.0) -> Body:
     over a rim 48 mm across; lid 0.25 mm, 52 mm across; aluminium 2700 kg/m³: 10.6 g empty. The
     drink is frozen water, 97 mm deep when full.
     """
-    return Body(*_core.preset_soda_can(number("fill", fill)))
+    return Body(*_core.preset_soda_can(_part(fill)))
 
 
 def beer_bottle(fill: Number = 0.0) -> Body:
@@ -41,7 +42,7 @@ def beer_bottle(fill: Number = 0.0) -> Body:
     a wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
     2500 kg/m³: 0.23 kg empty. The beer is frozen water.
     """
-    return Body(*_core.preset_beer_bottle(number("fill", fill)))
+    return Body(*_core.preset_beer_bottle(_part(fill)))
 
 
 def coin() -> Body:
@@ -83,6 +84,15 @@ def cylinder(radius: Number, length: Number) -> Body:
     """A uniform solid cylinder (m) with the density of water: H = L/2, A = m(R²/4 + L²/12)."""
     radius, length = number("radius", radius, "m"), number("length", length, "m")
     return Body(*_core.preset_cylinder(radius, length))
+
+
+def _part(fill: Number) -> float:
+    """A part that is filled, with a hint for users who meant percent."""
+    part = number("fill", fill)
+    if 2.0 <= part <= 100.0:
+        percent = f'for percent write {part / 100.0:g} or "{part:g} %"'
+        raise RimrollError(f"fill must be between 0 and 1, got {part:g}: {percent}")
+    return part
 
 
 PRESETS: dict[str, Callable[[], Body]] = {

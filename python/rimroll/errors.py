@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -27,18 +27,25 @@ def expect(field: str, value: object, kind: Any) -> None:
 
 
 def hold(
-    field: str, values: NDArray[np.float64], holds: NDArray[np.bool_], bound: str, unit: str = ""
+    field: str,
+    values: NDArray[np.float64],
+    holds: NDArray[np.bool_],
+    bound: str,
+    unit: str = "",
+    hint: Callable[[float], str] | None = None,
 ) -> None:
     """Raise ``RimrollError`` unless the bound holds for a number, or for each element of an array.
 
-    The message names the first invalid element, as in ``tilt[1] must be finite, got nan``.
+    The message names the first invalid element, as in ``tilt[1] must be finite, got nan``. It ends
+    with the ``hint`` for that element.
     """
     if not holds.all():
         import numpy as np  # not before: whoever only reports errors needs none
 
         index = tuple(np.argwhere(~holds)[0])
         got = f"{values[index]} {unit}".rstrip()
-        raise RimrollError(f"{element(field, index)} must be {bound}, got {got}")
+        advice = hint(float(values[index])) if hint else ""
+        raise RimrollError(f"{element(field, index)} must be {bound}, got {got}{advice}")
 
 
 def element(field: str, index: Iterable[int]) -> str:

@@ -13,7 +13,7 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, numbers, values
 from rimroll.grid import Grid, is_labelled
 from rimroll.recorded import expect_dataset, not_recorded
-from rimroll.units import START_UNIT_OF
+from rimroll.units import START_UNIT_OF, in_degrees_hint
 
 Array = NDArray[np.float64]
 Numbers = float | Array
@@ -99,6 +99,7 @@ class State(Generic[FieldT]):
     def __post_init__(self) -> None:
         if self._is_plain():
             return
+        has_unit = isinstance(self.tilt, str) or hasattr(self.tilt, "units")
         for field in fields(self):
             value = _finite(field.name, getattr(self, field.name))
             object.__setattr__(self, field.name, value)
@@ -107,7 +108,9 @@ class State(Generic[FieldT]):
         else:
             self._check_shapes()
         tilt = np.asarray(self.tilt)
-        hold("tilt", tilt, (tilt > 0.0) & (tilt < np.pi), "inside (0, pi)", "rad")
+        inside = (tilt > 0.0) & (tilt < np.pi)
+        hint = None if has_unit else _hint
+        hold("tilt", tilt, inside, "inside (0, pi)", "rad", hint)
 
     def _check_shapes(self) -> None:
         shapes = {f.name: np.shape(getattr(self, f.name)) for f in fields(self)}
@@ -164,6 +167,10 @@ def times(t: Values) -> NDArray[np.float64]:
     if array.ndim > 1:
         raise RimrollError(f"t must be a number or a flat array, got shape {array.shape}")
     return array
+
+
+def _hint(tilt: float) -> str:
+    return in_degrees_hint(tilt) if tilt > math.pi else ""
 
 
 def _finite(field: str, value: object) -> Any:

@@ -94,13 +94,49 @@ def tilt_angle(value: object, name: str) -> float:
     Raises ``UnitError`` as :func:`quantity` does, and for a plain number too large for radians.
     """
     angle = quantity(value, "rad", name)
-    plain = not isinstance(value, str) or value.strip()[-1:].isdigit()
-    if plain and abs(angle) >= math.pi:
+    if abs(angle) >= math.pi:
+        if _has_unit(value):
+            raise UnitError(f"{name} must be below 180 deg, got {value}")
         raise UnitError(
             f"{name}: {value} is read as radians, and a tilt is less than pi; "
             f"for degrees write {str(value).strip()}deg"
         )
     return angle
+
+
+_LARGE = {
+    "kg": (5.0, ("g", "kg")),
+    "m": (1.0, ("mm", "cm", "m")),
+    "kg m^2": (1.0, ("kg mm^2", "kg m^2")),
+}
+"""Above what a plain number is no body on a table, and the units that may have been meant."""
+
+
+def size_of_body(value: object, unit: str, name: str) -> float:
+    """A number of a body in its SI unit, with a hint for users who forgot the unit.
+
+    Raises ``UnitError`` as :func:`quantity` does, and for a plain number that would make the body
+    too large for a table.
+    """
+    size = quantity(value, unit, name)
+    bound, units = _LARGE.get(unit, (math.inf, ()))
+    if size > bound and not _has_unit(value):
+        written = str(value).strip()
+        choices = " or ".join(f'"{written} {one}"' for one in units)
+        raise UnitError(
+            f"{name}: {written} is read as {size:g} {unit}; with its unit write {choices}"
+        )
+    return size
+
+
+def _has_unit(value: object) -> bool:
+    number = _NUMBER.fullmatch(value.strip().replace("−", "-")) if isinstance(value, str) else None
+    return number is not None and bool(number[2])
+
+
+def in_degrees_hint(angle: float) -> str:
+    """What to add to the refusal of an angle (rad) that may have been meant in degrees."""
+    return f': for degrees write np.radians({angle:g}) or "{angle:g} deg"'
 
 
 def air_unit(exponent: float) -> str:

@@ -143,6 +143,8 @@ def test_presets_are_found_by_name():
         assert rr.bodies.by_name(name) == rr.bodies.by_name(name.replace("_", "-")) == preset()
     with pytest.raises(rr.RimrollError, match="unknown body 'keg'"):
         rr.bodies.by_name("keg")
+    with pytest.raises(rr.RimrollError, match=r'got 50: for percent write 0\.5 or "50 %"$'):
+        rr.bodies.soda_can(50)
     with pytest.raises(rr.RimrollError, match=r"fill must be between 0 and 1, got 1\.5"):
         rr.bodies.soda_can(1.5)
 

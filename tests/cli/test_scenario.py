@@ -310,6 +310,14 @@ BAD = {
         '[body]\npreset = "soda_can"\nfill = 1.5',
         r"\[body\] fill must be between 0 and 1, got 1.5",
     ),
+    "argument in percent": (
+        '[body]\npreset = "soda_can"\nfill = 50',
+        r'\[body\] fill must be between 0 and 1, got 50: for percent write 0.5 or "50 %"',
+    ),
+    "size without its unit": (
+        '[body]\npreset = "ring"\nradius = 33',
+        r'radius: 33 is read as 33 m; with its unit write "33 mm"',
+    ),
     "argument missing": ('[body]\npreset = "disk"', r"\[body\] .*lacks 'radius'"),
     "numbers missing": ('[body]\nmass = "70 g"', r"\[body\] lacks 'radius'"),
     "no radius": (
@@ -317,7 +325,7 @@ BAD = {
         r"\[body\] radius must be > 0, got 0 m",
     ),
     "C > 2A": (
-        "[body]\nmass = 1\nradius = 1\nheight = 1\ntransverse_inertia = 1\naxial_inertia = 3",
+        "[body]\nmass = 1\nradius = 1\nheight = 1\ntransverse_inertia = 0.1\naxial_inertia = 0.3",
         r"\[body\] axial_inertia must be at most",
     ),
     "solids and mass": (WALL.replace("[[", "mass = 1\n[[", 1), "unknown key 'mass'"),

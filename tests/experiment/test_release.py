@@ -206,6 +206,7 @@ def test_parameters_name_means_and_spreads():
     [
         ({"tilt": 0.0}, "tilt must be inside"),
         ({"tilt": 1.6}, "tilt must be inside"),
+        ({"tilt": (20, 2)}, r'got 20.0 rad: for degrees write np.radians\(20\) or "20 deg"$'),
         ({"tilt": (0.3, -0.1)}, "tilt spread must be finite and >= 0"),
         ({"tilt": (0.3, 0.1, 0.1)}, r"tilt must be \(mean, spread\) or a mean"),
         ({"tilt": "steep"}, "tilt must be an angle"),

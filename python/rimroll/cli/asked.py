@@ -22,7 +22,7 @@ from rimroll.names import choose
 from rimroll.options import Options
 from rimroll.scenario import Scenario, load, presets
 from rimroll.state import State
-from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, tilt_angle
+from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, size_of_body, tilt_angle
 
 NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 SIZES = (*NUMBERS, "length", "fill")
@@ -93,7 +93,9 @@ def _body(preset: str | None, sizes: dict[str, str], scenario: Scenario | None) 
             raise RimrollError(
                 f"{option(name)} is for a preset: name it, as in cylinder or soda_can"
             )
-    numbers = {name: quantity(text, UNIT_OF[name], option(name)) for name, text in sizes.items()}
+    numbers = {
+        name: size_of_body(text, UNIT_OF[name], option(name)) for name, text in sizes.items()
+    }
     if scenario is not None:
         return replace(scenario.body, **numbers)
     if not numbers:
@@ -119,7 +121,7 @@ def preset_body(name: str, sizes: dict[str, str]) -> Body:
         if parameter.default is parameter.empty and size not in sizes:
             raise RimrollError(f"{name} needs {option(size)}")
     return function(
-        **{size: quantity(text, UNIT_OF[size], option(size)) for size, text in sizes.items()}
+        **{size: size_of_body(text, UNIT_OF[size], option(size)) for size, text in sizes.items()}
     )
 
 

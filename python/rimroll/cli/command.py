@@ -5,13 +5,25 @@ from __future__ import annotations
 import functools
 import inspect
 import re
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Mapping
 from dataclasses import fields, is_dataclass
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import typer
 from typer.core import TyperCommand
 from typer.main import get_command
+
+from rimroll.errors import RimrollError
+
+OTHER_NAMES = {
+    "n": "number",
+    "static": "static_friction",
+    "coefficient": "viscous_coefficient",
+    "rolling_resistance_dry": "rolling_resistance",
+    "rolling_resistance_viscous": "rolling_viscous",
+    "air_drag_exponent": "air_exponent",
+}
+"""Options that errors of the Python interface call by another name, with ``_`` between words."""
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -65,7 +77,19 @@ class Command(Sparing, TyperCommand):
 
     def invoke(self, ctx: Any) -> Any:
         ctx.find_root().obj()
-        return super().invoke(ctx)
+        try:
+            return super().invoke(ctx)
+        except RimrollError as error:
+            message = as_typed(str(error), self._options())
+            if message == str(error):
+                raise
+            raise RimrollError(message) from None
+
+    def _options(self) -> dict[str, str]:
+        """The options by the names that Python has for them."""
+        found = {one.name: one.opts[0] for one in self.params if one.param_type_name == "option"}
+        others = {name: found[option] for name, option in OTHER_NAMES.items() if option in found}
+        return found | others
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         sections: dict[str, list[tuple[str, str]]] = {}
@@ -77,6 +101,24 @@ class Command(Sparing, TyperCommand):
         for panel, records in sections.items():
             with formatter.section(panel):
                 formatter.write_dl(records)
+
+
+def as_typed(message: str, options: Mapping[str, str]) -> str:
+    """An error of the Python interface that names an option as it is typed.
+
+    >>> as_typed("yaw_rate must be finite, got inf", {"yaw_rate": "--yaw-rate"})
+    '--yaw-rate must be finite, got inf'
+    """
+    found = re.match(r"(\w+(?: \w+)?) must ", message)
+    option = options.get(found[1].replace(" ", "_")) if found else None
+    if found is None or option is None:
+        return message
+    rest = re.sub(
+        r"\b(\w+_\w+) = ",
+        lambda other: f"{options.get(other[1], other[1])} = ",
+        message[found.end(1) :],
+    )
+    return option + rest
 
 
 def _is_text(hint: Any) -> bool:

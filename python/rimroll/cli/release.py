@@ -76,10 +76,7 @@ def release_asked(hand: ReleaseOptions, what: Asked) -> Release:
             mean = read(text, option(field.name))
         if (text := getattr(hand, f"{field.name}_spread")) is not None:
             spread = quantity(text, unit, option(f"{field.name}_spread"))
-        try:
-            release = replace(release, **{field.name: (mean, spread)})
-        except RimrollError as error:
-            raise RimrollError(f"{option(field.name)}: {error}") from None
+        release = replace(release, **{field.name: (mean, spread)})
     if hand.unsteadiness is None:
         return release
     factor = quantity(hand.unsteadiness, "1", "--unsteadiness")

@@ -16,7 +16,7 @@ from uncertainties.core import Variable
 
 from rimroll.errors import RimrollError
 from rimroll.given import without_unit
-from rimroll.units import has_uncertainty, quantity, reading
+from rimroll.units import has_uncertainty, quantity, reading, size_of_body
 
 UNITS = {
     "mass": "kg",
@@ -57,6 +57,10 @@ _LEAST = {"swings_time": HAND, "across_time": HAND, "slope_time": HAND, "rocking
 _COUNTS = ("swings", "across_swings")
 _FEWEST = 5  # swings that a hand can time
 _MAY_BE_ZERO = ("balance_point", "pivot_height")
+_OF_BODY = (
+    *("mass", "radius", "diameter", "length", "balance_point"),
+    *("pivot_height", "pivot_radius", "side_radius"),
+)
 
 Way = tuple[str, ...]
 """Readings that together determine one number of a body."""
@@ -100,6 +104,8 @@ class Readings(Mapping[str, UFloat]):
     def _one(self, name: str, value: object) -> UFloat:
         unit, said = UNITS[name], self.typed(name)
         number, uncertainty = self._number(name, value)
+        if name in _OF_BODY and isinstance(value, str) and not has_uncertainty(value):
+            size_of_body(value, unit, said)
         least = ">= 0" if name in _MAY_BE_ZERO else "> 0"
         if number < 0.0 or (number == 0.0 and name not in _MAY_BE_ZERO):
             raise RimrollError(f"{said} must be {least}, got {pretty(number, unit)}")

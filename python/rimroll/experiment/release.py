@@ -18,7 +18,7 @@ from rimroll.given import Number, number, whole_number
 from rimroll.names import choose
 from rimroll.state import State
 from rimroll.theory import balance_tilt
-from rimroll.units import START_UNIT_OF
+from rimroll.units import START_UNIT_OF, in_degrees_hint
 
 Array = NDArray[np.float64]
 
@@ -69,7 +69,8 @@ class Release:
         for field in fields(self):
             object.__setattr__(self, field.name, _pair(field.name, getattr(self, field.name)))
         if not 0.0 < self.tilt[0] < 0.5 * math.pi:
-            raise RimrollError(f"tilt must be inside (0, pi/2), got {self.tilt[0]} rad")
+            degrees = in_degrees_hint(self.tilt[0]) if self.tilt[0] > math.pi else ""
+            raise RimrollError(f"tilt must be inside (0, pi/2), got {self.tilt[0]} rad{degrees}")
         if self.friction_scale[0] <= 0.0:
             raise RimrollError(f"friction_scale must be > 0, got {self.friction_scale[0]}")
 
@@ -201,7 +202,7 @@ def nudged(body: Body, gravity: float, tilt: float | None = None) -> State:
     It is the mean of the release ``let go`` with a push of one standard deviation; ``tilt`` (rad)
     replaces its tilt.
     """
-    release = _let_go(body, gravity)
+    release = Release.named("let go", body, gravity)
     start = State(tilt=release.tilt[0] if tilt is None else tilt)
     assert isinstance(start.tilt, float)
     rates = _sideways_rates(np.float64(start.tilt), release.sideways[1], 0.0)

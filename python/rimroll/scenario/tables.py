@@ -45,7 +45,7 @@ from rimroll.scenario import (
     presets,
 )
 from rimroll.state import State
-from rimroll.units import UNIT_OF, air_unit, quantity, tilt_angle
+from rimroll.units import UNIT_OF, air_unit, quantity, size_of_body, tilt_angle
 
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,
@@ -109,6 +109,15 @@ def _tilt(value: object, info: ValidationInfo) -> float:
     return tilt_angle(_readable(value), info.field_name or "the tilt")
 
 
+def _size(unit: str) -> BeforeValidator:
+    """Reads a number of a body or a solid in an SI unit."""
+
+    def read(value: object, info: ValidationInfo) -> float:
+        return size_of_body(_readable(value), unit, info.field_name or "the value")
+
+    return BeforeValidator(read)
+
+
 Angle = Annotated[float, _in("rad")]
 Tilt = Annotated[float, BeforeValidator(_tilt)]
 AngularRate = Annotated[float, _in("rad/s")]
@@ -149,11 +158,11 @@ class _Simulation(_Table):
 
 
 class _Numbers(_Table):
-    mass: Annotated[float, _in("kg")]
-    radius: Annotated[float, _in("m")]
-    height: Annotated[float, _in("m")]
-    transverse_inertia: Annotated[float, _in("kg m^2")]
-    axial_inertia: Annotated[float, _in("kg m^2")]
+    mass: Annotated[float, _size("kg")]
+    radius: Annotated[float, _size("m")]
+    height: Annotated[float, _size("m")]
+    transverse_inertia: Annotated[float, _size("kg m^2")]
+    axial_inertia: Annotated[float, _size("kg m^2")]
 
 
 class _Rolling(_Table):
@@ -171,7 +180,7 @@ class _AirDrag(_Table):
 
 
 class _Composed(_Table):
-    radius: Annotated[float, _in("m")]
+    radius: Annotated[float, _size("m")]
     solids: list[dict[str, Any]]
 
 
@@ -180,7 +189,7 @@ def _arguments_of(function: Callable[..., object]) -> type[_Table]:
     """A table with a field for each argument of a function that describes a body or a solid."""
     fields: dict[str, Any] = {
         name: (
-            Annotated[float, _in(UNIT_OF[name])],
+            Annotated[float, _size(UNIT_OF[name])],
             ... if parameter.default is parameter.empty else parameter.default,
         )
         for name, parameter in inspect.signature(function).parameters.items()
