@@ -148,3 +148,13 @@ def test_the_smoke_test_passes_here_too():
     )
     assert run.returncode == 0, run.stderr
     assert run.stdout.count("passed: ") == 4
+
+
+def test_what_runs_before_a_commit_is_what_make_lint_runs():
+    hooks = (ROOT / ".pre-commit-config.yaml").read_text("utf-8")
+    tools = re.findall(r"entry: (?:\.venv/bin/|tools/node\.sh )?(\S+)", hooks)
+    assert set(tools) == {"ruff", "cargo", "prettier", "typos", "zizmor"}
+    makefile = (ROOT / "Makefile").read_text("utf-8")
+    lint = re.search(r"^lint: .*\n((?:\t.*\n)+)", makefile, re.M)[1]
+    for tool in tools:
+        assert re.search(rf"\b{tool}\b", lint), tool
