@@ -36,9 +36,9 @@ def test_an_owner_finds_every_file_that_holds_an_address():
     listed = re.search(r"<!-- addresses -->(.*?)<!-- end -->", text("docs/releasing.md"), re.S)[1]
     owner, name = address("Repository").split("/")[-2:]
     pattern = rf"github\.com/{owner}/{name}|{owner}\.github\.io"
-    command = "git -c safe.directory=* grep --cached --files-with-matches -E -e".split()
+    git = ["git", "-c", "safe.directory=*"]
     found = subprocess.run(
-        [*command, pattern, "--", ".", ":!tests"],
+        [*git, "grep", "--cached", "--files-with-matches", "-E", pattern, "--", ".", ":!tests"],
         cwd=ROOT,
         capture_output=True,
         text=True,
