@@ -3,7 +3,7 @@
     make bench                                       install, measure, write bench/results/
     .venv/bin/python bench/against_peers.py --redraw tables and figures of the last run again
 
-What is measured, and how, is said in docs/performance.md.
+docs/performance.md says what is measured, and how.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from contest.worker import Worker
 
 RESULTS = ROOT / "bench/results"
 PAGE = ROOT / "docs/performance.md"
-AIMED_AT = 1e-9
-"""Worst error (rad) to which contestants are set for the study over eps."""
+TARGET_ERROR = 1e-9
+"""Contestants are set to at most this error (rad) for the study over eps."""
 
 
 def points_of_turns(contestant: Contestant) -> list[list[Point]]:
@@ -44,13 +44,13 @@ def points_of_motions(contestant: Contestant) -> list[list[Point]]:
 
 
 def points_of_near_collisions(contestant: Contestant, turns: list[Row]) -> list[list[Point]]:
-    """At the cheapest setting with which the sixty turns came out as well as aimed at: all of them,
-    or, where a contestant never got there, half of them."""
+    """With the cheapest setting that computes all sixty turns to the target error, or half of them
+    if no setting computes all."""
     chosen = []
     for law in LAWS:
         mine = [row for row in turns if row.key == contestant.key and row.law == law]
-        good = [row for row in mine if row.worst <= AIMED_AT]
-        good = good or [row for row in mine if row.median <= AIMED_AT]
+        good = [row for row in mine if row.worst <= TARGET_ERROR]
+        good = good or [row for row in mine if row.median <= TARGET_ERROR]
         if good and contestant.every == 1:
             tolerance = min(good, key=lambda row: row.seconds).tolerance
             chosen += [
@@ -74,7 +74,7 @@ def run(at_work: dict[str, Worker], rounds: int) -> Results:
 
     print("sixty turns")
     turns = measured([s for c in here(CONTESTANTS) for s in points_of_turns(c)], at_work, rounds)
-    print("ever nearer collisions")
+    print("near-collisions")
     sweeps = [s for c in here(CONTESTANTS) for s in points_of_near_collisions(c, turns)]
     near = measured(sweeps, at_work, rounds)
     print("one motion")
@@ -97,9 +97,11 @@ def write(results: Results, folder: Path) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--only", nargs="*", help="workers to ask, of all that are installed")
+    parser.add_argument(
+        "--only", nargs="*", help="workers to use; all that are installed unless given"
+    )
     parser.add_argument("--output", type=Path, default=RESULTS)
-    parser.add_argument("--redraw", action="store_true", help="do not measure anew")
+    parser.add_argument("--redraw", action="store_true", help="do not measure again")
     given = parser.parse_args()
     if given.redraw:
         text = (given.output / "results.json").read_text("utf-8")

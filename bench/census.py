@@ -1,13 +1,13 @@
-"""Do both engines say the same of wild bodies let go in wild ways, and is energy kept?
+"""Do both engines agree for extreme bodies and starts, and is energy conserved?
 
 Turns are computed by quadrature and by steps from many random starts, and compared: outcomes must
-be equal, turns equal to within the tolerance of the steps. Where they differ, what is known to
-explain it is looked for and verified; each difference is printed with Python that reproduces it. Of
-every hundredth start the whole motion is computed, and its energy added up. Run:
+be equal, turns equal to within the tolerance of the steps. Known explanations of each difference
+are tested; each difference is printed with Python code that reproduces it. For one start in a
+hundred the whole motion is computed, and its energy budget checked. Run:
 
     .venv/bin/python bench/census.py [--starts 100000] [--seed 2007]
 
-The exit code is 1 where a difference is left that nothing explains.
+The exit code is 1 if a difference remains unexplained.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from counting.draws import setting, starts
 
 import rimroll as rr
 
-A_BODY = 100
-"""Starts of each body."""
+STARTS_PER_BODY = 100
+"""Starts for each body."""
 
-OF_WHICH_WHOLE = 1
-"""Whole motions of each body."""
+MOTIONS_PER_BODY = 1
+"""Whole motions for each body."""
 
 
 @dataclass
@@ -41,7 +41,7 @@ class Census:
     unexplained: int = 0
 
     def take(self, rng: np.random.Generator, count: int) -> None:
-        """Count one more body, from so many starts."""
+        """Count one more body, from ``count`` starts."""
         drawn = setting(rng)
         some = starts(rng, drawn, count)
         for found in differences(drawn, some):
@@ -50,13 +50,13 @@ class Census:
             else:
                 self.unexplained += 1
             print(f"{found.what}: {found.why or 'NOT EXPLAINED'}\n    {found.reproducer()}")
-        for row in range(min(OF_WHICH_WHOLE, count)):
-            said = unbalanced(drawn, surface(rng), some, row)
-            if said:
+        for row in range(min(MOTIONS_PER_BODY, count)):
+            problem = unbalanced(drawn, surface(rng), some, row)
+            if problem:
                 self.unexplained += 1
-                print(said)
+                print(problem)
         self.starts += count
-        self.motions += min(OF_WHICH_WHOLE, count)
+        self.motions += min(MOTIONS_PER_BODY, count)
 
     def __str__(self) -> str:
         lines = [
@@ -68,15 +68,15 @@ class Census:
 
 
 def main() -> int:
-    """Take a census; 1 where a difference is not explained."""
-    asked = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    asked.add_argument("--starts", type=int, default=100_000)
-    asked.add_argument("--seed", type=int, default=2007)
-    given = asked.parse_args()
+    """Take a census; returns 1 if a difference is not explained."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--starts", type=int, default=100_000)
+    parser.add_argument("--seed", type=int, default=2007)
+    given = parser.parse_args()
     rng = np.random.default_rng(given.seed)
     census = Census()
     while census.starts < given.starts:
-        census.take(rng, min(A_BODY, given.starts - census.starts))
+        census.take(rng, min(STARTS_PER_BODY, given.starts - census.starts))
     print(f"rimroll {rr.__version__}, seed {given.seed}\n{census}")
     return 1 if census.unexplained else 0
 

@@ -1,12 +1,12 @@
 """What whole commands cost, in units of importing NumPy.
 
-Each command and ``python -c "import numpy"`` are run by turns, in processes of their own; told is
-the median of the ratios of the processor's times, user and system. Run, with the package installed:
+Each command alternates with ``python -c "import numpy"``, each in a new process; the result is the
+median ratio of their processor times (user and system). Run, with the package installed:
 
     .venv/bin/python bench/commands.py
 
-With the word ``start`` only what is quick is measured, in units of importing what it needs, and
-nothing is written.
+With the argument ``start``, only quick commands are measured, in units of importing what they need,
+and nothing is written.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ COMMANDS = {
     ),
     "`rimroll reproduce`": ([*RIMROLL, "reproduce", "-o", "paper"], 3),
 }
-"""What is run, and how many times."""
+"""The commands, and how many times each is run."""
 
 TYPER = [*CODE, "import typer"]
 STARTS = {
@@ -59,7 +59,7 @@ STARTS = {
         [*CODE, "import numpy, typer"],
     ),
 }
-"""What is quick, and what it is compared with."""
+"""Quick commands, and what each is compared with."""
 
 
 def main() -> None:
@@ -71,11 +71,11 @@ def main() -> None:
         run = Run(Path(folder))
         run.seconds(NUMPY)
         for name, (command, rounds) in COMMANDS.items():
-            run.seconds(command)  # what is cached once is cached
+            run.seconds(command)  # fills the caches
             found = [run.seconds(command) / run.seconds(NUMPY) for _ in range(rounds)]
-            told = f"**{statistics.median(found):.1f}**, {min(found):.1f} to {max(found):.1f}"
-            lines.append([name, told])
-            print(name, told, flush=True)
+            result = f"**{statistics.median(found):.1f}**, {min(found):.1f} to {max(found):.1f}"
+            lines.append([name, result])
+            print(name, result, flush=True)
     table = "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
     put_between(ROOT / "docs/performance.md", "commands", table)
 
@@ -98,7 +98,7 @@ class Run:
         self.environment.pop("PYTHONDONTWRITEBYTECODE", None)
 
     def seconds(self, command: list[str]) -> float:
-        """The processor's time of a command, user and system; raises when it fails."""
+        """The processor time of a command (user and system), s; raises if it fails."""
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         subprocess.run(
             command,

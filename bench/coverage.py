@@ -1,7 +1,7 @@
-"""Do the intervals of `rimroll.fit` hold what they promise?
+"""Do the intervals of `rimroll.fit` have their nominal coverage?
 
-Falls are made at a known friction, by a hand of a known scatter and bias, read with an error, and
-fitted; counted is how often the true friction and bias lie inside their intervals. Run:
+Falls are simulated with a known friction, a known scatter and bias of the hand and a reading error,
+and fitted. The script counts how often the true friction and bias lie inside their intervals. Run:
 
     .venv/bin/python bench/coverage.py [--experiments 1000]
 """
@@ -24,7 +24,7 @@ CONFIDENCES = (0.68, 0.95)
 
 @dataclass
 class Count:
-    """Of experiments whose intervals held the truth."""
+    """Numbers of experiments whose intervals contain the true value."""
 
     friction: int = 0
     bias: int = 0
@@ -63,7 +63,7 @@ def covered(
     experiments: int,
     confidences: tuple[float, ...],
 ) -> list[Count]:
-    """How often the truth lies in the intervals of each confidence, over frictions in turn."""
+    """How often the truth lies in the intervals of each confidence, over all frictions."""
     rng = np.random.default_rng(n)
     counts = [Count() for _ in confidences]
     for i in range(experiments):

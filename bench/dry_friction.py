@@ -1,7 +1,7 @@
-"""How many times the cost of rolling dry friction is, in ensembles.
+"""The cost of dry friction in ensembles, as a multiple of that of rolling.
 
-The same starts are followed with Coulomb friction, which slips, sticks and slips again, and without
-slip, on one thread and by turns; told is the median of the ratios of the processor's times. Run,
+The same starts are followed with Coulomb friction, where they slip, stick and slip again, and
+without slip, alternately and on one thread. The result is the median ratio of processor times. Run,
 with the package installed:
 
     .venv/bin/python bench/dry_friction.py

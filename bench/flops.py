@@ -1,8 +1,8 @@
 """The floating-point operations of a turn, counted in the compiled code itself.
 
-Valgrind's callgrind says how often each instruction of the core ran, objdump what each does; the
-operations of its vectors are added up. Two runs, of more and of fewer turns, tell what a turn takes
-from what starting up does. Run after `make bench`:
+Valgrind's callgrind counts how often each instruction of the core ran, and objdump shows what each
+does; the operations in all vector lanes are added up. Two runs with different numbers of turns
+separate the cost of a turn from that of starting up. Run after `make bench`:
 
     .venv/bin/python bench/flops.py
 """
@@ -27,10 +27,10 @@ ENGINES = {
     "quadrature": ("core_quadrature", 1e-12),
     "stepping, at 10⁻⁹": ("core_ensemble", 1e-9),
 }
-"""What is counted, as the worker of the core calls it, and at which tolerance."""
+"""The engines by the names that the core's worker uses, and their tolerances."""
 
 FEWER, MORE = 10, 30
-"""Times that the sixty starts are gone through."""
+"""How many times the sixty starts are computed."""
 
 ARITHMETIC = re.compile(r"v?(add|sub|mul|div|sqrt|addsub|fn?m(?:add|sub)\d*)([ps])d$")
 FUSED = 2
@@ -75,7 +75,7 @@ def executed(question: str, folder: Path) -> Counter[int]:
         if line.startswith("ob="):
             inside = line.endswith("core-rs")
         elif line.startswith("calls="):
-            skip = True  # the next line is the cost of what was called
+            skip = True  # the next line is the cost of the callee
         elif line.startswith("0x"):
             if inside and not skip:
                 address, *_, cost = line.split()
@@ -85,7 +85,7 @@ def executed(question: str, folder: Path) -> Counter[int]:
 
 
 def of_a_turn(method: str, law: str, tolerance: float) -> dict[str, float]:
-    """Operations of each kind, and all instructions, a turn."""
+    """Operations of each kind, and all instructions, per turn."""
     known = instructions()
     with tempfile.TemporaryDirectory() as folder:
         runs = []
@@ -107,7 +107,7 @@ def of_a_turn(method: str, law: str, tolerance: float) -> dict[str, float]:
 
 
 def table(results: Results) -> str:
-    """Operations, speed and share of the bound, a line for each engine and law."""
+    """Operations, speed and fraction of the peak, one line for each engine and law."""
     peak = results.machine["peak_flops"]["separate"]
     head = ["", "law", "operations a turn", "of them ÷ and √", "instructions", "time"]
     lines = [[*head, "GFLOP/s", f"of {peak / 1e9:.1f}"]]

@@ -1,8 +1,8 @@
-"""How many times as fast all processors are as one, for both engines.
+"""The speed-up from using all processors instead of one, for both engines.
 
-The same starts are followed on one thread and on as many as there are processors, by turns; told is
-the median of the ratios of their times, as clocks on the wall have them, with what Python does
-before and after. Other work on the machine counts against the threads. Run, with the package
+The same starts are followed alternately on one thread and on as many threads as there are
+processors. The result is the median ratio of their wall-clock times, which include Python's work
+before and after. Other work on the machine reduces the measured speed-up. Run, with the package
 installed:
 
     .venv/bin/python bench/threads.py
@@ -44,8 +44,8 @@ def main() -> None:
     for name, (follow, count) in engines.items():
         start = starts(count)
         found = ratios(partial(follow, start, 1), partial(follow, start, processors))
-        told = f"**{statistics.median(found):.2f}**, {min(found):.2f} to {max(found):.2f}"
-        lines.append(f"| {name} | {f'{count:,}'.replace(',', ' ')} | {told} |")
+        result = f"**{statistics.median(found):.2f}**, {min(found):.2f} to {max(found):.2f}"
+        lines.append(f"| {name} | {f'{count:,}'.replace(',', ' ')} | {result} |")
         print(lines[-1])
     put_between(ROOT / "docs/performance.md", "threads", "\n".join(lines))
 

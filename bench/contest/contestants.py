@@ -14,11 +14,11 @@ VENV = ROOT / ".venv/bin/python"
 
 LAWS = {"no_slip": "without slip", "frictionless": "without friction"}
 COORDINATES = {"regular": "ours", "printed": "printed"}
-"""In which the equations of motion are written, and how the tables call them."""
+"""Coordinates of the equations of motion, and their names in the tables."""
 
 
 def workers() -> dict[str, list[Path | str]]:
-    """The command of every worker that could be installed here."""
+    """The commands of all workers that are installed."""
     commands: dict[str, list[Path | str]] = {
         "rimroll": [VENV, PEERS_PY / "worker.py", "rimroll_itself"],
         "core": [BUILT / "core-rs/release/core-rs"],
@@ -31,7 +31,7 @@ def workers() -> dict[str, list[Path | str]]:
 
 
 def tolerances(loosest: int, tightest: int, a_decade: int = 1) -> tuple[float, ...]:
-    """From 10^-loosest to 10^-tightest."""
+    """Tolerances from 10^-loosest to 10^-tightest."""
     steps = range(a_decade * loosest, a_decade * tightest + 1)
     return tuple(float(f"{10.0 ** (-step / a_decade):.2g}") for step in steps)
 
@@ -46,7 +46,7 @@ class Contestant:
     coordinates: str = "regular"
     tolerances: tuple[float, ...] = field(default=tolerances(3, 13, 2))
     every: int = 1
-    """Of how many starts it does one; more than one for the very slow."""
+    """It computes every n-th start; n > 1 for very slow methods."""
 
     @property
     def is_ours(self) -> bool:
@@ -64,7 +64,8 @@ class Contestant:
 def _in_both(
     name: str, method: str, worker: str, *, a_decade: int = 2, every: int = 1
 ) -> list[Contestant]:
-    """In our coordinates and on the printed equations, where rounding sets the end earlier."""
+    """With rimroll's coordinates, and with the printed equations, for which rounding limits the
+    accuracy sooner."""
     return [
         Contestant(name, method, worker, "regular", tolerances(3, 13, a_decade), every),
         Contestant(name, method, worker, "printed", tolerances(3, 10), every),

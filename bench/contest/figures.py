@@ -33,11 +33,12 @@ PEERS = {
     "scipy_dop853": ("#000000", "p"),
     "scipy_radau": ("#8A8A8A", "h"),
 }
-"""Colour by library, marker by method; filled in our coordinates, open and dashed as printed."""
+"""Colour by library, marker by method; filled in rimroll's coordinates, open and dashed for the
+printed equations."""
 
 NEAR = (*OURS, "heyoka_8_lanes", "boost_rkf78", "ode_solvers_dop853", "scipy_dop853")
 NO_WORSE = 1e-8
-"""Error (rad) up to which a turn counts as done, ten times what was aimed at."""
+"""Error (rad) up to which a turn counts as computed: ten times the target."""
 
 
 def write(results: Results, folder: Path) -> None:
@@ -61,13 +62,13 @@ def look(one: Contestant) -> dict[str, Any]:
         "linestyle": "--" if printed else "-",
         "linewidth": 2.0 if one.is_ours else 0.7 if printed else 1.1,
         "zorder": 5 if one.is_ours else 3,
-        # Once for each method; what open and dashed means is said apart.
+        # One entry for each method; another explains open and dashed.
         "label": one.name if not printed or one.method == "scipy_radau" else "_",
     }
 
 
 def work_precision(rows: list[Row]) -> Figure:
-    """Turns a second a core against the worst error, one panel a law."""
+    """Turns per second and core against the worst error, one panel for each law."""
     figure = style.page(115.0)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     for ax, letter, (law, words) in zip(panels, "ab", LAWS.items(), strict=True):
@@ -87,7 +88,7 @@ def work_precision(rows: list[Row]) -> Figure:
 
 
 def cost_against_eps(rows: list[Row]) -> Figure:
-    """What a turn costs, and how well it comes out, as the start comes nearer a face-down fall."""
+    """Cost and error of a turn as the start approaches a face-down fall."""
     figure = style.page(150.0)
     panels = figure.subplots(2, 2, sharex=True, sharey="row")
     for column, (law, words) in zip(panels.T, LAWS.items(), strict=True):
@@ -108,7 +109,7 @@ def cost_against_eps(rows: list[Row]) -> Figure:
 
 
 def draw_near(axes: np.ndarray, one: Contestant, rows: list[Row]) -> None:
-    """Cost and error over eps; no cost where the turn did not come out."""
+    """Cost and error over eps; no cost where the turn was not computed."""
     eps = np.array([row.eps for row in rows])
     errors = np.array([row.worst for row in rows])
     costs = np.array([1e6 * row.seconds for row in rows])
@@ -118,7 +119,7 @@ def draw_near(axes: np.ndarray, one: Contestant, rows: list[Row]) -> None:
 
 
 def drawn(rows: list[Row], methods: tuple[str, ...] = (*OURS, *PEERS)) -> list[Contestant]:
-    """Those with a look of their own; rimroll as called from Python, where both are there."""
+    """The rows that are drawn; of rimroll's two, that called from Python."""
     here = [one for one in contestants(rows) if one.method in methods]
     names = {one.method for one in here}
     return [

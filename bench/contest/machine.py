@@ -1,4 +1,4 @@
-"""What it all ran on, with which versions."""
+"""The machine and the versions of everything measured."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ def _processor() -> str:
 
 
 def _locked(lock: Path, package: str) -> str:
-    """The version that a Cargo.lock gives."""
+    """A version from a Cargo.lock."""
     lines = lock.read_text("utf-8").splitlines()
     at = lines.index(f'name = "{package}"')
     return lines[at + 1].split('"')[1]
 
 
 def versions() -> dict[str, str]:
-    """Of the contestants and the compilers."""
+    """Versions of the contestants and the compilers."""
     asked = f"from importlib.metadata import version\nfor p in {PACKAGES!r}: print(p, version(p))"
     found = dict(line.split() for line in _said(PEERS_VENV, "-c", asked).splitlines())
     lock = ROOT / "bench/peers-rs/Cargo.lock"
@@ -58,8 +58,8 @@ def versions() -> dict[str, str]:
 
 
 def peak() -> dict[str, float]:
-    """Double-precision operations a second of a core as measured in its widest vectors, and how
-    many lanes these have; empty where it cannot be measured.
+    """Measured double-precision operations per second of one core with its widest vectors, and
+    how many lanes these have; empty if it cannot be measured.
     """
     said = _said(BUILT / "core-rs/release/peak").split()
     if len(said) != 3:

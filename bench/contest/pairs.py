@@ -1,4 +1,4 @@
-"""The same starts followed in two ways by turns, and the ratio of what that costs."""
+"""The ratio of the costs of two ways to follow the same starts, which alternate."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROUNDS = 9
 
 
 def starts(count: int) -> rr.State:
-    """Cans let go at all kinds of tilts, with a little yaw and spin."""
+    """Starts of a can at many tilts, with a little yaw and spin."""
     random = np.random.default_rng(2007)
     return rr.State(
         tilt=random.uniform(0.3, 0.6, count),
@@ -28,12 +28,12 @@ def ratios(
     other: Callable[[], object],
     clock: Callable[[], float] = time.perf_counter,
 ) -> list[float]:
-    """The one's time over the other's, round by round, by a clock that tells seconds."""
+    """The time of one over that of the other in each round, by a clock in seconds."""
 
     def seconds(follow: Callable[[], object]) -> float:
         begin = clock()
         follow()
         return clock() - begin
 
-    one(), other()  # what is made once is made
+    one(), other()  # fills the caches
     return [seconds(one) / seconds(other) for _ in range(ROUNDS)]

@@ -1,4 +1,4 @@
-"""What a run found, as it is kept: bench/results/results.json."""
+"""The results of a run, as stored in bench/results/results.json."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Row:
         return statistics.median(self.rounds)
 
     def times_of(self, other: Row) -> float:
-        """How many times the other's cost this one's is: round by round where both have them."""
+        """This cost over the other's: in each round where both have rounds."""
         if len(self.rounds) == len(other.rounds):
             pairs = zip(self.rounds, other.rounds, strict=True)
             return statistics.median(mine / others for mine, others in pairs)
@@ -95,7 +95,7 @@ def _infinite(row: dict[str, Any]) -> dict[str, Any]:
 
 
 def contestants(rows: Iterable[Row], of: list[Contestant] = CONTESTANTS) -> list[Contestant]:
-    """Those who have rows, in their usual order."""
+    """Those that have rows, in their usual order."""
     keys = {row.key for row in rows}
     return [one for one in of if one.key in keys]
 
@@ -109,13 +109,13 @@ def cheapest(rows: Iterable[Row], contestant: Contestant, law: str, error: float
 
 
 def best_peer(rows: list[Row], law: str, error: float, of: list[Contestant]) -> Row | None:
-    """The cheapest of all who are not rimroll, in whatever coordinates."""
+    """The cheapest of all that are not rimroll, in any coordinates."""
     found = [cheapest(rows, one, law, error) for one in of if not one.is_ours]
     return min((row for row in found if row), key=lambda row: row.seconds, default=None)
 
 
 WRONG = 0.1
-"""Worst error (rad) from which on a setting has missed some turn altogether."""
+"""A setting with a larger worst error (rad) has missed some turn altogether."""
 
 
 def frontier(rows: Iterable[Row]) -> tuple[np.ndarray, np.ndarray]:

@@ -1,5 +1,5 @@
-"""Measuring in rounds: each asks every contestant once, so that what the machine does meanwhile
-falls on all alike, and ratios are of one round."""
+"""Measuring in rounds. Each round runs every contestant once, so that other work on the machine
+affects all alike; ratios are taken within a round."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from .starts import Starts
 from .worker import Complaint, Question, Worker
 
 A_ROUND = 0.05
-"""Seconds that a contestant works in a round, at least."""
+"""Minimum time for which a contestant runs in a round, s."""
 TOO_LONG_FOR_ROUNDS = 0.5
-"""Seconds for all starts from which on the first round is the only one."""
+"""If all starts take longer than this, s, the first round is the only one."""
 A_WARMING_UP = 5.0
-"""Seconds that the first answer of a worker may take on top."""
+"""Additional time allowed for a worker's first answer, s."""
 TOO_LONG = 30.0
-"""Seconds for all starts after which a contestant is spared the tighter tolerances."""
+"""If all starts take longer than this, s, a contestant's tighter tolerances are skipped."""
 
 
 @dataclass
 class Point:
-    """One contestant at one tolerance: how well it did, and in each round at what cost."""
+    """One contestant at one tolerance: its errors, and its cost in each round."""
 
     contestant: Contestant
     task: str
@@ -35,7 +35,7 @@ class Point:
     worst: float = math.inf
     median: float = math.inf
     seconds: list[float] = field(default_factory=list)
-    """A start, round by round."""
+    """Cost of a start in each round."""
 
     @property
     def cost(self) -> float:
@@ -50,11 +50,11 @@ class Point:
 
     @property
     def count(self) -> int:
-        """Starts that the cost is divided by."""
+        """The number of starts by which the cost is divided."""
         return len(self.starts.columns)
 
     def try_out(self, worker: Worker) -> None:
-        """The first time, which also compiles; its errors are those of every other."""
+        """The first run, which also compiles; later runs have the same errors."""
         try:
             answer = worker.ask(self.question)
             if answer.seconds * self.count < TOO_LONG_FOR_ROUNDS + A_WARMING_UP:
@@ -69,13 +69,13 @@ class Point:
         self.seconds = [answer.seconds]
 
     def again(self, worker: Worker) -> None:
-        """Once more, long enough to be timed well."""
+        """Another run, long enough for its timing."""
         repeats = max(1, math.ceil(A_ROUND / (self.seconds[0] * self.count)))
         self.seconds.append(worker.ask(self.question, repeats).seconds)
 
 
 def sweep(points: Iterable[Point], worker: Worker) -> Iterator[Point]:
-    """Tries a contestant out at its tolerances, loosest first, as far as it gets in good time."""
+    """Tries a contestant's tolerances, loosest first, until they take too long."""
     for point in points:
         point.try_out(worker)
         if not point.seconds:
@@ -86,12 +86,12 @@ def sweep(points: Iterable[Point], worker: Worker) -> Iterator[Point]:
 
 
 def repeat(points: list[Point], workers: dict[str, Worker], rounds: int) -> None:
-    """Times all points in rounds; the trial counts only where it is all there is."""
+    """Times all points in rounds; the trial counts only if there is nothing else."""
     fast = [p for p in points if p.seconds[0] * p.count < TOO_LONG_FOR_ROUNDS]
     for i in range(rounds):
         print(f"  round {i + 1} of {rounds}", flush=True)
         for point in fast:
             point.again(workers[point.contestant.worker])
             if i == 0:
-                # The trial told how often to repeat, but compiled as well.
+                # The trial determined the number of repeats, but its time includes compiling.
                 point.seconds = point.seconds[1:]

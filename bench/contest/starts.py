@@ -1,4 +1,4 @@
-"""The starts that all contestants get, and the truth about them."""
+"""The starts that all contestants compute, and their accurate results."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Starts:
         return np.array([self.columns[f"{angle}_{law}"][0] for angle in ("yaw", "tilt")])
 
     def part(self, name: str, chosen: np.ndarray) -> Starts:
-        """The chosen rows as a table of their own, among what is built."""
+        """The chosen rows as a separate table in the build folder."""
         lines = self.path.read_text("utf-8").splitlines()
         notes = [line for line in lines if line[0] == "#"]
         head, *rows = lines[len(notes) :]
@@ -45,7 +45,7 @@ class Starts:
 
 
 def sixty_turns() -> Starts:
-    """Sixty starts of the can, least tilts from 1e-6 to 1e-3 and more."""
+    """Sixty starts of the can, with smallest tilts from 1e-6 to over 1e-3."""
     return Starts.read(SIXTY)
 
 

@@ -21,7 +21,7 @@ def write(results: Results, folder: Path) -> None:
 
 
 def put_between(path: Path, name: str, text: str) -> None:
-    """Sets what a page shows between its marks of a name."""
+    """Replaces the text between two marks of a name in a page."""
     before, after = f"<!-- the {name}: ", f"<!-- the {name} end -->"
     page = path.read_text("utf-8")
     head, rest = page.split(before)
@@ -31,7 +31,7 @@ def put_between(path: Path, name: str, text: str) -> None:
 
 
 def summary(results: Results) -> str:
-    """What everybody's turn costs under both laws, in one table."""
+    """The cost of a turn for every contestant under both laws, in one table."""
     head = ["µs a turn, one core", "coordinates"]
     head += [f"{words}, {_power(error)}" for words in LAWS.values() for error in COMPARED_AT]
     table = [
@@ -62,7 +62,7 @@ def _left_out(results: Results) -> list[str]:
 
 
 def page(results: Results) -> str:
-    """All tables, with what they were measured on."""
+    """All tables, and the machine."""
     parts = [
         "# rimroll against its peers",
         _machine(results),

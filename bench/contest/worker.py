@@ -1,4 +1,4 @@
-"""A contestant at work in a process of its own.
+"""A contestant, which runs in its own process.
 
 It is asked on a line of its standard input
 
@@ -24,7 +24,7 @@ import numpy as np
 
 
 class Complaint(Exception):
-    """What a contestant says instead of an answer."""
+    """A contestant failed to answer."""
 
 
 @dataclass(frozen=True)
@@ -45,15 +45,15 @@ class Question:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a worker found, and what it cost."""
+    """A worker's results and their cost."""
 
     seconds: float
-    """Of the processor, a start."""
+    """Processor time for each start."""
     found: np.ndarray
 
 
 class Worker:
-    """A running process, held to one core."""
+    """A running process, bound to one core."""
 
     def __init__(self, command: Sequence[str | Path]) -> None:
         core = max(os.sched_getaffinity(0))

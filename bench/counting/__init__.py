@@ -1,1 +1,1 @@
-"""The parts of the census: what is drawn, computed, compared and explained."""
+"""The parts of the census: random draws, engines, comparison and explanations."""

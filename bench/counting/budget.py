@@ -1,4 +1,4 @@
-"""Whether motions keep their energy: what they have and have lost is what they began with."""
+"""Whether the energy of motions and their losses add up to the initial energy."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ def surface(rng: np.random.Generator) -> rr.Law:
 
 
 def unbalanced(setting: Setting, law: rr.Law, starts: rr.State, row: int) -> str:
-    """What is wrong with the energy of the motion from a row of starts; nothing if nothing is."""
+    """A description of an error in the energy of the motion from a row of starts; empty if there is
+    none."""
     start, duration = one(starts, row), FALLING_TIMES * setting.falling_time
     motion = rr.simulate(
         setting.body,

@@ -25,10 +25,11 @@ FLAT = 1e-16
 """Below this tilt (rad) a base counts as flat: the engines end the motion at a step or a root."""
 
 ULPS = 64
-"""Starts within so many units of their last digits count as one: neither engine keeps them all."""
+"""Starts that differ by at most this many units of their last digits count as equal, since both
+engines round."""
 
 NEIGHBOURS = 96
-"""How many starts beside one are looked at."""
+"""How many neighbouring starts are computed."""
 
 ALLOWED = 30.0
 """Errors of turns by steps in units of rtol (1 + |turn| + its change with the start)."""
@@ -36,7 +37,7 @@ ALLOWED = 30.0
 
 @dataclass(frozen=True)
 class Difference:
-    """A start from which the engines differ. `why` is empty where nothing explains it."""
+    """A start from which the engines differ. `why` is empty if it is not explained."""
 
     setting: Setting
     start: rr.State
@@ -56,14 +57,14 @@ class Difference:
 
 
 def differences(setting: Setting, starts: rr.State) -> Iterator[Difference]:
-    """All of them from starts (n,)."""
+    """All differences from starts (n,)."""
     exact, stepped = by_quadrature(setting, starts), by_steps(setting, starts)
     for row in np.flatnonzero(~_agree(exact, stepped, RTOL, 0.0)):
         yield difference(setting, one(starts, int(row)))
 
 
 def difference(setting: Setting, start: rr.State) -> Difference:
-    """How the engines differ from one start by tight steps, and what explains it."""
+    """How the engines differ for one start with a tight tolerance, and what explains it."""
     exact, stepped = by_quadrature(setting, start), by_steps(setting, start, TIGHTEST)
     what = (
         f"{exact.outcome[0]} with a turn of {exact.turn[0]:.17g} rad by quadrature,"
@@ -73,7 +74,7 @@ def difference(setting: Setting, start: rr.State) -> Difference:
 
 
 def explanation(setting: Setting, start: rr.State, exact: Outcomes, stepped: Outcomes) -> str:
-    """Why two outcomes of a start (1,) differ; nothing where that is not known."""
+    """Why two outcomes of a start (1,) differ; empty if unknown."""
     if _agree(exact, stepped, TIGHTEST, 0.0).all():
         return "equal by tighter steps"
     if stepped.outcome[0] == "failed":
@@ -113,7 +114,8 @@ def _spread(outcomes: Outcomes) -> float:
 
 
 def _agree(exact: Outcomes, stepped: Outcomes, rtol: float, spread: float) -> NDArray[np.bool_]:
-    """Which outcomes (n,) are equal, with turns as equal as the steps and the start allow."""
+    """Which outcomes (n,) are equal, with turns equal within the tolerance of the steps and the
+    start."""
     neither = np.isnan(exact.turn) & np.isnan(stepped.turn)
     allowed = ALLOWED * (rtol * (1.0 + np.abs(exact.turn)) + spread)
     close = np.abs(exact.turn - stepped.turn) <= allowed

@@ -1,8 +1,8 @@
-"""Random bodies and starts, far wilder than any table has seen.
+"""Random bodies and starts, far more extreme than real ones.
 
-Sizes and moments of inertia over many decades, disks among them; tilts from 1e-12 rad to the topple
-tilt, many of them within a hair of the balance point or of the vertical; rates from nothing to a
-hundred times those of falling.
+Sizes and moments of inertia extend over many decades, and include disks. Tilts range from 1e-12 rad
+to the topple tilt, many of them very near the balance point or the vertical; rates range from zero
+to a hundred times those of falling.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 import rimroll as rr
 
 Choice = tuple[float, Callable[[], float]]
-"""How often, and what."""
+"""Weights and values."""
 
 IDEAL: tuple[rr.Law, ...] = (rr.NoSlip(), rr.Frictionless())
 
@@ -31,7 +31,7 @@ class Setting:
 
     @property
     def falling_time(self) -> float:
-        """How long it takes to fall over, s."""
+        """The time scale of falling over, s."""
         body = self.body
         arm = math.hypot(body.radius, body.height)
         inertia = body.transverse_inertia + body.mass * arm**2
@@ -45,7 +45,7 @@ def setting(rng: np.random.Generator) -> Setting:
 
 
 def decades(rng: np.random.Generator, low: float, high: float) -> float:
-    """A number of which each decade between two others is as likely."""
+    """A number between two others whose logarithm is uniformly distributed."""
     return float(math.exp(rng.uniform(math.log(low), math.log(high))))
 
 

@@ -18,7 +18,7 @@ TIGHTEST = 1e-13
 """The tolerance of the steps where they differ."""
 
 FALLING_TIMES = 1000.0
-"""So long a fall is followed, in the time that falling over takes: as long as by quadrature."""
+"""A fall is followed for this many times the time scale of falling over, as in the quadrature."""
 
 MOST_STEPS = 20_000
 
@@ -36,7 +36,7 @@ class Outcomes:
 
 
 def by_quadrature(setting: Setting, starts: rr.State) -> Outcomes:
-    """What becomes of a body from one start or from starts (n,), without steps."""
+    """Outcomes of a body from one start or from starts (n,), by quadrature."""
     names, shape = [f.name for f in fields(rr.State)], starts.shape or (1,)
     starts = rr.State(**{name: np.broadcast_to(getattr(starts, name), shape) for name in names})
     falls = exact_falls(
@@ -52,7 +52,7 @@ def by_quadrature(setting: Setting, starts: rr.State) -> Outcomes:
 
 
 def by_steps(setting: Setting, starts: rr.State, rtol: float = RTOL) -> Outcomes:
-    """Outcomes by steps."""
+    """Outcomes by time stepping."""
     falls = rr.ensemble(
         setting.body,
         starts,

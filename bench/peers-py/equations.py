@@ -1,4 +1,4 @@
-"""The equations of motion of the paper's can, for whatever numbers a solver computes with.
+"""The equations of motion of the paper's can, for any solver's number type.
 
 Each returns the rates of an autonomous system as a tuple; ``sin`` and ``cos`` are those of the
 solver's own numbers. Constants are per unit of mass, those of `rimroll.bodies.can_2007`.
@@ -11,7 +11,7 @@ D = C * K + R * R * A
 
 YAW = 0
 TILT_RATE = {"regular": 3, "printed": 4}
-"""Where the tilt rate stands in the state; the yaw comes first in both."""
+"""Index of the tilt rate in the state; the yaw comes first in both."""
 
 
 def rates(coordinates, law, sin, cos):

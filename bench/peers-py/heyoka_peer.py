@@ -16,7 +16,7 @@ LONG = 1e3
 
 @functools.cache
 def integrator(coordinates, law, tolerance, lanes):
-    """The compiled integrator, stopped by its event; and the lanes that have been there, if any."""
+    """The compiled integrator, which its event stops, and the lanes that have reached the event."""
     names = ["yaw", "sin", "cos", "p", "w", "s", "t"]
     if coordinates == "printed":
         names = ["yaw", "tilt", "spin", "psi", "phi", "theta"]
@@ -32,7 +32,8 @@ def integrator(coordinates, law, tolerance, lanes):
     reached = np.full(lanes, np.nan)
 
     def at_maximum(integrator, _, lane):
-        """Note the yaw of a lane at its first maximum; stop when all have been there."""
+        """Record the yaw of a lane at its first maximum; stop when all lanes have reached
+        theirs."""
         if math.isnan(reached[lane]):
             reached[lane] = integrator.state[equations.YAW, lane]
         return bool(np.isnan(reached).any())
@@ -84,7 +85,7 @@ def prepare(method, coordinates, law, tolerance, starts):
 
 @functools.cache
 def motion_integrator(law, tolerance):
-    """Stopped after the two seconds; the tilt's extrema are noted on the way."""
+    """It stops after two seconds; extrema of the tilt are recorded on the way."""
     variables = hy.make_vars("yaw", "sin", "cos", "p", "w", "s", "t")
     right = equations.rates("regular", law, hy.sin, hy.cos)(*variables)
     extrema = []

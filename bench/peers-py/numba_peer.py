@@ -18,12 +18,12 @@ MOST_STEPS = 200_000
 
 
 def compile_it(function, **options):
-    """Compiled as far as numba goes without changing what is computed."""
+    """Compiled with all of numba's optimisations that do not change results."""
     return numba.njit(function, fastmath={"contract"}, error_model="numpy", **options)
 
 
 def sum_of(weights):
-    """A compiled sum of stages; the weights written out, so that zeros cost nothing."""
+    """A compiled sum of stages; the weights are written out, so that zeros cost nothing."""
     terms = [f"{float(weight)!r} * k[{j}, i]" for j, weight in enumerate(weights) if weight]
     names = {}
     exec(f"def total(k, i):\n    return {' + '.join(terms)}", names)
@@ -80,7 +80,8 @@ def compiled(coordinates, law):
 
     @compile_it
     def try_step(u, h, by_tilt_rate, rtol, stages, at, end):
-        """One step to `end`; returns the error over what is allowed. stages[0] holds the rates."""
+        """One step to `end`; returns the error over the allowed error. stages[0] holds the
+        rates."""
         stage_1(u, h, stages, at)
         derivatives(at, by_tilt_rate, stages[1])
         stage_2(u, h, stages, at)
@@ -116,7 +117,7 @@ def compiled(coordinates, law):
 
     @compile_it
     def to_maximum(u, rtol, stages, at, end):
-        """Takes u to the tilt maximum after the next minimum; says whether it got there."""
+        """Takes u to the tilt maximum after the next minimum; returns whether it reached that."""
         by_tilt_rate, rising = False, False
         h = 1e-3
         derivatives(u, by_tilt_rate, stages[0])

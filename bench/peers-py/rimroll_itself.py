@@ -6,7 +6,7 @@ GRAVITY = 9.8
 LAWS = {"no_slip": rr.NoSlip(), "frictionless": rr.Frictionless()}
 
 ALL_AT_ONCE = True
-"""Repeated starts are handed over as one array: what arrays are for."""
+"""Repeated starts are passed as one array."""
 
 
 def prepare(method, coordinates, law, tolerance, starts):

@@ -1,4 +1,4 @@
-"""Answers for one Python peer what `contest/worker.py` asks on standard input.
+"""Answers the requests of `contest/worker.py` on standard input for one Python peer.
 
 python worker.py heyoka_peer
 """

@@ -1,7 +1,7 @@
-"""Writes the tables of starts beside it, with the turns and motions of the can to 20 digits.
+"""Writes the tables of starts in this folder, with the turns and motions of the can to 20 digits.
 
-Taylor series of order 40 in numbers of 113 bits, by heyoka, in the coordinates that stay regular:
-rimroll has no part in it. Run, after `bench/install.sh`:
+Taylor series of order 40 in numbers of 113 bits, by heyoka, in the regular coordinates; this does
+not use rimroll. Run, after `bench/install.sh`:
 
     out/bench/venv/bin/python bench/starts/truth.py
 """

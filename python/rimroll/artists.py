@@ -30,13 +30,13 @@ def draw_body(
 ) -> list[Artist]:
     """Draw the body, with its shadow on the table and the rim of its base.
 
-    ``fade`` from 0 to 1 pales the body toward white, so that what is drawn over it can be read.
+    ``fade`` from 0 to 1 makes the body paler, so that text drawn over it can be read.
     """
     profile = Profile.of(body)
     artists = _draw_shadow(ax, body, pose, camera, profile) if shadow else []
     polygons, colors = scene.visible_facets(body, pose, camera, profile)
     paint = PolyCollection(
-        polygons,  # type: ignore[arg-type]  # as one array, which is quicker than many
+        polygons,  # type: ignore[arg-type]  # one array, which is quicker than many
         facecolors=colors + fade * (1.0 - colors),
         edgecolors="face",
         linewidths=0.75,
@@ -97,7 +97,7 @@ def draw_point(
     alpha: float = 1.0,
     zorder: float = 5.0,
 ) -> list[Artist]:
-    """Mark a point (x, y) or (x, y, z), m: the contact point, as a rule."""
+    """Mark a point (x, y) or (x, y, z), m; usually the contact point."""
     x, y = camera.project(np.array([*spot, 0.0][:3]))
     edge = {"mec": "white", "mew": scene.CONTACT_EDGE}
     style: dict[str, Any] = {"marker": "o", "ms": size, "ls": "none", **edge}

@@ -17,7 +17,7 @@ from rimroll.scene import Array, Camera, Motion, Pose, RoundBody
 from rimroll.spans import Span, turn_span
 
 NAMES = ("a", "b", "b′", "c", "d", "e")
-HEAD, FOOT = 0.46, 0.34  # inches kept for the captions above and the legend below
+HEAD, FOOT = 0.46, 0.34  # inches for the captions above and the legend below
 
 
 def falling_times(motion: Motion, span: Span) -> Array:
@@ -59,9 +59,9 @@ def falling_figure(
     """Draw six instants of a turn, from the side (top row) and from above (bottom row).
 
     A is where the base first touched the table, B where it touches afterwards, O the centre of the
-    base as it all but slaps the table; the wedge A-O-B is the angle of turn. An open circle marks
-    the point opposite A, where a symmetric fall would have brought B. ``body`` replaces the
-    motion's own (to lend it a profile); ``width`` is in inches. Returns a figure in vectors.
+    base when it is nearly flat on the table; the wedge A-O-B is the angle of turn. An open circle
+    marks the point opposite A, where a symmetric fall would have brought B. ``body`` replaces the
+    motion's own (to give it a profile); ``width`` is in inches. Returns a vector figure.
 
     Raises ``RimrollError`` if the motion has no turn numbered ``turn``.
     """

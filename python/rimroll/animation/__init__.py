@@ -1,6 +1,7 @@
 """Films of a motion: GIF, a page with controls, or MP4, slowed where the contact point runs.
 
-`clock` tells film time, `stage` is what the film shows, `painter` paints it and `files` writes it.
+`clock` computes film time, `stage` arranges what the film shows, `painter` paints it and `files`
+writes it.
 """
 
 from __future__ import annotations
@@ -34,11 +35,11 @@ def animate(
 ) -> Path:
     """Film ``motion`` and write it to ``path``, a .gif, .html or .mp4 file; return the path.
 
-    ``speed`` is film speed over real speed, ``fps`` the pictures a second, ``seconds`` the length
-    of the film if it is to be fixed, ``view`` "perspective", "side", "top" or a camera, and
-    ``size`` the picture in pixels. With ``slow_collision`` the film slows down while the contact
-    point runs round the rim, and says how much. ``body`` replaces the motion's own, to lend it a
-    profile. ``progress`` is called with pictures done and pictures to do.
+    ``speed`` is film speed over real speed, ``fps`` the number of pictures per second, ``seconds``
+    the length of the film if it is to be fixed, ``view`` "perspective", "side", "top" or a camera,
+    and ``size`` the picture in pixels. With ``slow_collision`` the film slows down while the
+    contact point runs round the rim, and says how much. ``body`` replaces the motion's own, to give
+    it a profile. ``progress`` is called with pictures done and pictures to do.
 
     The file appears under its name only when it is whole. Raises ``RimrollError`` for an unknown
     suffix or view, for numbers out of range, and for .mp4 where there is no ffmpeg.

@@ -9,7 +9,9 @@ import numpy as np
 from rimroll.errors import RimrollError
 from rimroll.scene import Array, Motion
 
-PACE = 1.1 * np.pi  # rad of yaw in a second of film: as fast as an eye likes to follow the contact
+PACE = (
+    1.1 * np.pi
+)  # rad of yaw per second of film: as fast as the eye follows the contact point easily
 LONGEST = 1.5  # the runs of the contact point take at most this many times the rest of the film
 
 
@@ -39,11 +41,11 @@ class FilmClock:
 def film_clock(
     motion: Motion, *, speed: float, seconds: float | None = None, slow_collision: bool = True
 ) -> FilmClock:
-    """Tell film time by the motion's own samples, which are dense where the contact point runs.
+    """Film time at the motion's own samples, which are dense where the contact point runs.
 
     Film time is t / ``speed``, plus time for the yaw that the film could not show at that speed.
-    ``seconds`` stretches the whole film to a given length. A run that is over within the spacing
-    of floating-point times is passed in one step.
+    ``seconds`` stretches the whole film to a given length. A run that is shorter than the spacing
+    of floating-point times takes one step.
     """
     for name, value in (("speed", speed), ("seconds", 1.0 if seconds is None else seconds)):
         if not 0.0 < value < np.inf:
@@ -67,7 +69,7 @@ def film_clock(
 
 
 def slowed(factor: float) -> str:
-    """How a film that runs ``factor`` times slower than life says so, in two digits."""
+    """The caption of a film that is ``factor`` times slower than the motion, in two digits."""
     if not np.isfinite(factor):
         return "time stands still"
     if factor < 0.95:

@@ -20,16 +20,17 @@ from rimroll.errors import RimrollError
 
 HOLD = 1.2  # s for which the last picture of a film stays
 TINTS = 14
-"""Colours that each of the thin bright lines is given from it to white."""
+"""The number of colours, from its own to white, that each thin bright line gets."""
 
 UNCHANGED = 255
-"""The colour of a GIF that leaves a pixel as it is in the picture before."""
+"""The colour of a GIF that leaves a pixel as in the previous picture."""
 
 Writer = Callable[[Path, Iterable[Image.Image], Stage, float], None]
 
 
 def writer_for(path: Path) -> Writer:
-    """What writes pictures to a file of this suffix; ``RimrollError`` if nothing does."""
+    """The function that writes pictures to a file of this suffix; ``RimrollError`` if there is
+    none."""
     writers: dict[str, Writer] = {".gif": _write_gif, ".html": _write_page, ".mp4": _write_mp4}
     suffix = path.suffix.lower()
     if suffix not in writers:
@@ -45,11 +46,11 @@ def _palette(stage: Stage) -> Image.Image:
     bright = np.array([scene.rgb(c) for c in (scene.VERMILLION, scene.ORANGE, scene.INK)])
     most = UNCHANGED - TINTS * len(bright)
     some = [
-        np.asarray(stage.shoot(k))[::2, ::2]  # which is enough
+        np.asarray(stage.shoot(k))[::2, ::2]  # a quarter of the pixels is enough
         for k in np.linspace(0, stage.count - 1, 6).astype(int)
     ]
     palette = Image.fromarray(np.vstack(some)).quantize(most)
-    # The thin bright lines are too few pixels to win colours of their own: they are given some.
+    # Thin bright lines have too few pixels to get colours of their own, so some are reserved.
     tints = 1.0 - np.linspace(1.0, 0.2, TINTS)[:, None, None] * (1.0 - bright)
     found = (palette.getpalette() or [])[: 3 * most]
     found += [0] * (3 * most - len(found))
@@ -64,7 +65,7 @@ def _reduced(shots: Iterable[Image.Image], palette: Image.Image) -> Iterator[Ima
 
 
 def _changes(pictures: Iterable[Image.Image]) -> Iterator[Image.Image]:
-    """Pictures without what is the same in the one before, which makes them small."""
+    """Pictures without the pixels that are equal in the previous one, which makes them small."""
     before = None
     for picture in pictures:
         changes = picture.copy()
@@ -89,7 +90,7 @@ def _write_gif(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: floa
             loop=0,
             transparency=UNCHANGED,
             disposal=1,  # leave each picture for the next to change
-            optimize=False,  # which would seek new palettes and what has changed, at greater cost
+            optimize=False,  # it would choose palettes and find changes again, which takes long
         )
 
 
@@ -107,7 +108,7 @@ def _write_mp4(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: floa
                 ffmpeg.stdin.write(shot.tobytes())
             ffmpeg.stdin.close()
         except BrokenPipeError:
-            # It gave up early; closing may say so again, but the reason is on its error stream.
+            # It stopped early; closing may raise the same again, but the reason is on its stderr.
             with suppress(BrokenPipeError):
                 ffmpeg.stdin.close()
         except BaseException:

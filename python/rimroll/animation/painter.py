@@ -18,7 +18,7 @@ from PIL import Image, ImageDraw, ImageFont
 from rimroll.scene import Array
 
 FINE = 3
-"""How many times as large shapes are drawn: a pixel has nine parts."""
+"""Shapes are drawn this many times larger: a pixel has nine parts."""
 
 Box = tuple[int, int, int, int]
 """Left, top, right and bottom of a part of a picture, pixels."""
@@ -31,7 +31,7 @@ class Painter:
         self.picture = picture
 
     def facets(self, polygons: Array, colors: Array) -> None:
-        """Paint polygons (n, c, 2), each over those before, in colours (n, 3) from 0 to 1."""
+        """Paint polygons (n, c, 2), each over the previous ones, in colours (n, 3) from 0 to 1."""
         box = _box(polygons, self.picture)
         if box is None:
             return
@@ -67,7 +67,7 @@ class Painter:
         self.picture.paste(color, box, mask.reduce(FINE))
 
     def trail(self, trail: Trail, color: str, opacity: float = 1.0) -> None:
-        """Paint a trail as far as it goes."""
+        """Paint the part of a trail that has been drawn so far."""
         if trail.box is not None:
             mask = trail.mask.crop(trail.box)
             faded = mask if opacity == 1.0 else mask.point(_faded(opacity))
@@ -93,9 +93,10 @@ class Painter:
     def words(
         self, place: Sequence[float], text: str, size: float, color: str, anchor: str, halo: float
     ) -> None:
-        """Write, ``size`` pixels high, with a white ``halo`` as wide as told; anchors as Pillow's.
+        """Write text ``size`` pixels high, with a white ``halo`` of that width; anchors as in
+        Pillow.
 
-        With a halo it is one line.
+        A text with a halo has one line.
         """
         draw, x, y = ImageDraw.Draw(self.picture), float(place[0]), float(place[1])
         if halo > 0.0:
@@ -115,7 +116,7 @@ class Trail:
         self.mask = Image.new("L", size)
         """Which part of each pixel it covers so far."""
         self.box: Box | None = None
-        """Where it is so far."""
+        """Its box so far."""
 
     def go_to(self, last: int) -> None:
         """Reach the point numbered ``last``."""
@@ -172,7 +173,7 @@ def _faded(opacity: float) -> list[int]:
 @cache
 def _font(size: float) -> ImageFont.FreeTypeFont:
     """The font of the figures, at a height in pixels."""
-    # Found, not imported: that would take a twentieth of the time of a film.
+    # matplotlib is not imported, which would take a twentieth of the time of a film.
     matplotlib = find_spec("matplotlib")
     assert matplotlib is not None
     assert matplotlib.origin is not None

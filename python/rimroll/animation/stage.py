@@ -1,4 +1,4 @@
-"""The set of a film: what stands still is painted once, the rest anew for each picture."""
+"""The contents of a film: what stands still is painted once, the rest for each picture."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from rimroll.spans import Span, turn_spans
 
 POINT = 100.0 / 72.0  # pixels
 CAPTION, LABEL = 10.0, 9.0  # sizes of type, points
-HALO = 1.0  # points of white round what is written on the scene
+HALO = 1.0  # points of white around text on the scene
 TRAIL_WIDTH = 1.5  # points
 UNDER_THE_BODY = 0.22  # opacity of the trail where the body hides it
-WORTH_A_WEDGE = 0.1  # rad: less is not yet a turn
+WORTH_A_WEDGE = 0.1  # rad: smaller angles are not drawn
 
 
 class Stage:
@@ -46,7 +46,7 @@ class Stage:
         self.camera = _camera(view, body, self.states.center)
         (self._left, right), (low, self._high) = self._limits(size[0] / size[1])
         self._per_meter = np.array([size[0] / (right - self._left), size[1] / (self._high - low)])
-        # The trail has six points to a picture, so that it bends round the rim without corners.
+        # The trail has six points per picture, so that its bends have no corners.
         fine = clock.times(np.linspace(0.0, clock.seconds, 6 * (self.count - 1) + 1))
         path = scene.contact_path(motion.evaluate(fine), body)
         self.trail = Trail(self._on_table(path), POINT * TRAIL_WIDTH, size)
@@ -56,7 +56,7 @@ class Stage:
         Painter(self.still).facets(self._pixels(rings), colors)
 
     def _limits(self, aspect: float) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Limits of the picture that hold the body all the time, with room for the captions."""
+        """Limits of the picture that contain the body at all times, with room for captions."""
         shape = scene.Profile.of(self.body).points(16)
         poses = [scene.pose_at(self.states, k) for k in range(self.count)]
         placed = [pose.place(shape, self.body) for pose in poses]
@@ -112,7 +112,7 @@ class Stage:
         return painter.picture
 
     def _wedge(self, k: int) -> scene.Wedge | None:
-        """The angle turned so far, which stays until the next turn is under way."""
+        """The angle turned so far, which stays until the next turn has begun."""
         for turn in reversed(self.turns):
             angle = float(self.states.yaw[k]) - turn.yaw
             if self.t[k] > turn.span.end:

@@ -1,8 +1,8 @@
-"""What is to be seen of a body of revolution on the rim of its base: shapes, places, colours.
+"""What is visible of a body of revolution on the rim of its base: shapes, places, colours.
 
-Shapes are given as a camera sees them, in metres in the picture. The body is a mesh of flat facets,
-to be painted from far to near, those that face away left out, each as bright as Lambert's law makes
-it. What lies on the table (shadow, trail, wedge) comes before the body, which always hides it.
+Shapes are given as a camera sees them, in metres in the picture. The body is a mesh of flat facets
+with brightness by Lambert's law. Facets are painted from far to near, except those that face away.
+What lies on the table (shadow, trail, wedge) is painted before the body, which always hides it.
 :mod:`rimroll.artists` draws all this in vectors on matplotlib axes, :mod:`rimroll.animation` paints
 it in pixels.
 """

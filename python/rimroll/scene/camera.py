@@ -1,4 +1,4 @@
-"""From where a picture is taken."""
+"""The camera: from where a picture is taken."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Camera:
     """Where the picture is taken from: azimuth and elevation (rad) of the eye, seen from ``focus``.
 
     ``distance`` (m) is the eye's distance from the focus; infinity makes the view orthographic.
-    Lengths at the focus are drawn true.
+    Lengths at the focus are drawn to scale.
     """
 
     azimuth: float = -np.pi / 2
@@ -30,7 +30,8 @@ class Camera:
 
     @classmethod
     def top(cls, azimuth: float = -np.pi / 2, focus: Point = (0.0, 0.0, 0.0)) -> Camera:
-        """From straight above; a viewer standing at ``azimuth`` sees away from him as up."""
+        """From straight above; the direction away from a viewer at ``azimuth`` is up in the
+        picture."""
         return cls(azimuth, np.pi / 2, np.inf, focus)
 
     @classmethod

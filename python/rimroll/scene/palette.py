@@ -7,9 +7,9 @@ from PIL import ImageColor
 
 from rimroll.scene.pose import Array
 
-# Okabe and Ito's palette: told apart whatever the reader's colour vision.
+# Okabe and Ito's palette, distinguishable with any colour vision.
 BLUE, VERMILLION, ORANGE, GREEN = "#0072B2", "#D55E00", "#E69F00", "#009E73"
-MARK = -0.5 * np.pi  # rad: where the mark is on the body; it faces who looks from there
+MARK = -0.5 * np.pi  # rad: azimuth of the mark on the body
 INK, METAL, TABLE, SHADOW = "#2b2f33", "#d4d9de", "#e6e8ea", "#1d2733"
 
 # Opacities of a layer of shadow, a wedge, the rim (seen and hidden) and a hidden contact point.

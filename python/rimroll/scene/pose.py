@@ -14,7 +14,7 @@ Point = tuple[float, float, float]
 
 
 class RoundBody(Protocol):
-    """What the renderer asks of a body: radius of the rim and height of the centre of mass, m.
+    """What the renderer needs of a body: radius of the rim and height of the centre of mass, m.
 
     A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disk.
     """
@@ -39,7 +39,7 @@ class States(Protocol):
 
 
 class Event(Protocol):
-    """What happened, and when (s); pictures heed ``tilt_min``, ``tilt_max`` and ``on_edge``."""
+    """An event and its time (s); pictures use ``tilt_min``, ``tilt_max`` and ``on_edge``."""
 
     @property
     def kind(self) -> str: ...
@@ -48,7 +48,7 @@ class Event(Protocol):
 
 
 class Motion(Protocol):
-    """What the pictures ask of a motion: its samples, its dense output and its events."""
+    """What the pictures need of a motion: its samples, its dense output and its events."""
 
     @property
     def t(self) -> Array: ...

@@ -16,7 +16,7 @@ from rimroll.scene.pose import Array, RoundBody
 class Profile:
     """Outline of a body of revolution: points (r, z), m, from the base's rim up to the top.
 
-    z is counted from the base. ``label`` is the range of z that wears the label's colour.
+    z is counted from the base. ``label`` is the range of z that has the label's colour.
     """
 
     outline: tuple[tuple[float, float], ...]
@@ -44,7 +44,8 @@ class Profile:
 
     @classmethod
     def of(cls, body: RoundBody) -> Profile:
-        """The body's own profile; else a can, or a disk if flat, twice as long as G is high."""
+        """The body's own profile; else a can, or a disk if flat, twice as long as the height of
+        G."""
         own: Profile | None = getattr(body, "profile", None)
         if own is not None:
             return own

@@ -16,7 +16,7 @@ from rimroll.scene.shape import Profile
 def table_rings(camera: Camera, center: tuple[float, float], radius: float) -> tuple[Array, Array]:
     """The table, a round patch of ``radius`` (m) that fades out toward its edge.
 
-    Given as outlines (n, c, 2) and colours (n, 3), the largest first, each over the one before.
+    It consists of outlines (n, c, 2) and colours (n, 3), the largest first, each over the previous.
     """
     share = np.linspace(1.0, 0.35, 14)
     rings = np.array([_circle(center, radius * k) for k in share])
@@ -27,13 +27,13 @@ def table_rings(camera: Camera, center: tuple[float, float], radius: float) -> t
 def shadow_layers(body: RoundBody, pose: Pose, camera: Camera, profile: Profile) -> Array:
     """Outlines (8, n, 2) of the shadow on the table, one inside the other.
 
-    Painted over one another they make a shadow that is softer the higher the part that casts it.
+    Together they make a shadow that is softer under higher parts of the body.
     """
     points = pose.place(profile.points(), body)
     angle = np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
     ways = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     z = np.clip(points[:, 2:], 0.0, None)
-    # The hull by its support function; a part at height z casts a half-shade of width z.
+    # The hull by its support function; a part at height z has a penumbra of width z.
     cast = cast_shadow(points, camera)
     support = cast @ ways.T
     layers = []
@@ -51,7 +51,7 @@ def cast_shadow(points: Array, camera: Camera) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Wedge:
-    """An angle on the table: its area (n, 2), its arc (n, 2), and what to write where."""
+    """An angle on the table: its area (n, 2), its arc (n, 2), its label and the label's place."""
 
     sector: Array
     arc: Array
@@ -72,7 +72,7 @@ def wedge(
     """An angle from azimuth ``start`` through ``turn`` (rad, signed).
 
     ``center`` is (x, y), ``radius`` in m. The angle in degrees is written outside the circle of
-    ``label_at`` radii. More than a full turn goes on in a spiral.
+    ``label_at`` radii. Beyond a full turn the arc is a spiral.
     """
     swept = np.linspace(0.0, turn, 2 + int(abs(turn) * 30.0))
     spiral = radius * (1.0 + 0.12 * np.clip(np.abs(swept) - 2.0 * np.pi + 0.5, 0.0, None))
@@ -96,7 +96,7 @@ def way_in_picture(camera: Camera, azimuth: float) -> Array:
 
 
 def label_offset(fontsize: float) -> tuple[float, float]:
-    """How far (right, up) of its spot the middle of a wedge's text lies at most, points."""
+    """The largest distance (right, up) of the middle of a wedge's text from its spot, points."""
     return 1.9 * fontsize, 0.9 * fontsize
 
 

@@ -29,7 +29,7 @@ def visible_facets(
 
 
 def _lit(colors: Array, normals: Array, sight: Array, lamp: Array, window: Array) -> Array:
-    """Lambert's law for a lamp and an even sky, with the gleam of a low window."""
+    """Lambert's law for a lamp and a uniform sky, with the reflection of a low window."""
     lambert = np.clip(normals @ lamp, 0.0, None)
     sky = 0.6 + 0.06 * normals[:, 2]
     half = window + sight
@@ -54,7 +54,7 @@ def rim_stretches(body: RoundBody, pose: Pose, camera: Camera) -> list[tuple[Arr
 def rim_seen(
     outward: Array, ring: Array, pose: Pose, camera: Camera, limb: float = 0.0
 ) -> npt.NDArray[np.bool_]:
-    """Whether the eye sees points ``ring`` (n, 3) of the rim, where the wall faces ``outward``.
+    """Whether the camera sees points ``ring`` (n, 3) of the rim, where the wall faces ``outward``.
 
     Points count as seen as far as ``limb`` (sine of an angle) behind the body's edge.
     """
@@ -64,6 +64,6 @@ def rim_seen(
 
 
 def contact_seen(body: RoundBody, pose: Pose, camera: Camera) -> bool:
-    """Whether the eye sees the contact point, or the body hides it."""
+    """Whether the camera sees the contact point; else the body hides it."""
     spot = pose.contact(body)[None]
     return bool(rim_seen(-pose.axes()[:1], spot, pose, camera, limb=0.25)[0])
