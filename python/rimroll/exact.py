@@ -20,11 +20,12 @@ from rimroll.state import Numbers, State
 
 Array = NDArray[np.float64]
 
-AT_A_TIME = 1 << 16
-"""Turns between two moves of a progress bar, and what Ctrl-C may lose: a fraction of a second."""
+CHUNK = 1 << 16
+"""Starts in a chunk, which takes a fraction of a second: after each, progress is reported and
+Ctrl-C is heard."""
 
-DERIVED_AT_A_TIME = 1 << 11
-"""The same number when derivatives are computed, which takes longer."""
+JACOBIAN_CHUNK = 1 << 11
+"""Starts in a chunk when derivatives are computed, which takes longer."""
 
 OUTCOMES = np.array(_core.OUTCOMES)
 """The outcomes by the core's codes."""
@@ -159,7 +160,7 @@ def turns_in_parts(
         optional("topple_tilt", topple_tilt, "rad"),
         thread_count(threads),
     )
-    at_a_time = DERIVED_AT_A_TIME if jacobian else AT_A_TIME
+    at_a_time = JACOBIAN_CHUNK if jacobian else CHUNK
     for first in range(0, max(1, rows.grid.size), at_a_time):
         part = slice(first, first + at_a_time)
         bodies, starts = rows.bodies.part(part), rows.starts.part(part)

@@ -47,14 +47,15 @@ def side_line(falls: Falls | xr.Dataset, lowest: float, highest: float) -> tuple
 
 
 def _by_bisection(falls: Falls) -> tuple[Array, Array]:
-    told = falls.attrs
+    attrs = falls.attrs
     rows = np.unique(np.linspace(0, len(falls["spin_rate"]) - 1, ROWS).astype(int))
     between = {k: ends for k in rows if (ends := _change(falls, k)) is not None}
     low, high = np.array([*between.values()]).reshape(-1, 2).T
     spin = falls["spin_rate"][[*between]] if between else np.empty(0)
-    start = {name: told[f"start_{name}"] for name in ("tilt", "tilt_rate", "yaw", "spin")}
+    start = {name: attrs[f"start_{name}"] for name in ("tilt", "tilt_rate", "yaw", "spin")}
     options = replace(
-        OPTIONS, **{field.name: told[field.name] for field in fields(Options) if field.name in told}
+        OPTIONS,
+        **{field.name: attrs[field.name] for field in fields(Options) if field.name in attrs},
     )
     body, law = body_of(falls), law_of(falls)
 
@@ -68,10 +69,10 @@ def _by_bisection(falls: Falls) -> tuple[Array, Array]:
 def _change(falls: Falls, row: int) -> tuple[float, float] | None:
     """The yaw rates between which the side changes in a row of a map, if it does so once."""
     turn = falls["turn"][row]
-    told = np.flatnonzero(~np.isnan(turn))
-    left = turn[told] > 0.0
+    known = np.flatnonzero(~np.isnan(turn))
+    left = turn[known] > 0.0
     changes = np.flatnonzero(left[1:] & ~left[:-1])
     if len(changes) != 1:
         return None
-    low, high = falls["yaw_rate"][told[[changes[0], changes[0] + 1]]]
+    low, high = falls["yaw_rate"][known[[changes[0], changes[0] + 1]]]
     return float(low), float(high)

@@ -182,8 +182,8 @@ def scale_of_directions(bar: Colorbar, beyond: float = 0.0) -> None:
 
 
 def _title(falls: Falls) -> str:
-    told: dict[str, Any] = falls.attrs
-    numbers = [f"{told[name]:g}" for name in ("law_friction", "law_coefficient") if name in told]
-    law = " ".join([str(told["law"]).replace("_", " "), *numbers])
-    tilt, rate = np.degrees(told["start_tilt"]), told["start_tilt_rate"]
+    attrs: dict[str, Any] = falls.attrs
+    numbers = [f"{attrs[name]:g}" for name in ("law_friction", "law_coefficient") if name in attrs]
+    law = " ".join([str(attrs["law"]).replace("_", " "), *numbers])
+    tilt, rate = np.degrees(attrs["start_tilt"]), attrs["start_tilt_rate"]
     return f"{law}, from {tilt:.4g}° at {rate:.4g} rad/s".replace("-", "−")

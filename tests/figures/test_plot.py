@@ -10,8 +10,8 @@ import pytest
 
 import rimroll as rr
 from rimroll import plot, style
-from rimroll.cli.asked import Asked
 from rimroll.cli.outcomes import outcome, tables
+from rimroll.cli.request import Request
 from rimroll.cli.side_by_side import side_by_side
 from rimroll.options import Options
 from rimroll.paper import setting
@@ -198,7 +198,7 @@ def test_the_laws_differ_in_marker_as_well_as_in_colour():
 
 def outcomes(arguments):
     """What the command compares, told as on the command line."""
-    what = Asked(CAN, arguments.get("start", setting.start()), rr.NoSlip(), Options(), "can")
+    what = Request(CAN, arguments.get("start", setting.start()), rr.NoSlip(), Options(), "can")
     return [
         outcome(what, name, law)
         for name, law in tables(arguments.get("on", "ice,0.2"), 0.0).items()

@@ -17,7 +17,7 @@ import rimroll as rr
 from given.motions import CAN, LAWS, PAPER_GRAVITY, by_law, sixty_starts
 from given.strategies import bodies, examples, rockings
 from oracles import rolling_disk, tabulated_turns, taylor_turns
-from rimroll.exact import AT_A_TIME, NUMBERS
+from rimroll.exact import CHUNK, NUMBERS
 from rimroll.motion.jacobian import PARAMETERS
 
 FIELDS = tuple(field.name for field in fields(rr.State))
@@ -266,7 +266,7 @@ def one_of(starts, rows):
 
 
 def test_splitting_into_parts_leaves_no_seam():
-    count = AT_A_TIME + 3
+    count = CHUNK + 3
     starts = rr.State(tilt=np.linspace(0.2, 0.5, count), yaw_rate=0.01, spin_rate=0.01)
     whole = rr.exact_turn(CAN, starts, rr.Frictionless())
     last = slice(count - 5, None)
@@ -414,14 +414,14 @@ def interrupted(start, after, threads, **more):
 def test_ctrl_c_is_heard_while_starts_are_stepped(threads):
     """Steady precession, which is followed for very long, many times over."""
     yaw = precessing(CAN, 0.3, rr.NoSlip())
-    tilt = np.full(AT_A_TIME, 0.3)
+    tilt = np.full(CHUNK, 0.3)
     interrupted(rr.State(tilt=tilt, yaw_rate=yaw, spin_rate=-yaw * np.cos(0.3)), 0.3, threads)
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
 @pytest.mark.parametrize("threads", [1, 2])
 def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
-    start = rr.State(tilt=np.full(AT_A_TIME, 0.3), yaw_rate=0.1)
+    start = rr.State(tilt=np.full(CHUNK, 0.3), yaw_rate=0.1)
     begun = time.process_time()
     rr.exact_turn(CAN, start, rr.NoSlip(), threads=threads, jacobian=True)
     whole = time.process_time() - begun

@@ -114,9 +114,9 @@ def _write_mp4(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: floa
         except BaseException:
             ffmpeg.kill()
             raise
-        said = ffmpeg.stderr.read().decode(errors="replace").strip()
+        reason = ffmpeg.stderr.read().decode(errors="replace").strip()
     if ffmpeg.returncode:
-        raise RimrollError(f"ffmpeg could not write the film: {said or 'it gave no reason'}")
+        raise RimrollError(f"ffmpeg could not write the film: {reason or 'it gave no reason'}")
 
 
 def _write_page(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:

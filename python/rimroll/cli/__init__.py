@@ -22,7 +22,7 @@ def main(arguments: Sequence[str] | None = None, begin: Callable[[], object] = l
 
     The code is 0 when all went well, also if the reader of stdout stops reading early, as ``head``
     does, and 1 when the solver gave up. It is 2 for what cannot be done and 130 when interrupted;
-    then there is one line on stderr: ``rimroll: ...`` or, where an answer in JSON is asked for,
+    then there is one line on stderr: ``rimroll: ...`` or, with ``--json``,
     ``{"error": "..."}``.
     """
     in_json = "--json" in (sys.argv[1:] if arguments is None else arguments)

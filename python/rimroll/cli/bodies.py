@@ -11,9 +11,9 @@ from typing import Any
 
 from rimroll._core import __version__
 from rimroll.body import Body
-from rimroll.cli.asked import NUMBERS
 from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
+from rimroll.cli.request import NUMBERS
 from rimroll.cli.screen import say, show_json, table
 from rimroll.scenario import presets
 

@@ -1,4 +1,4 @@
-"""The commands, gathered: by name and in a line each, until one of them is asked for."""
+"""The list of commands: a name and a line for each, until one is called."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ The line stands here, too, so that the list of commands is shown before any of t
 
 
 class Commands(Sparing, TyperGroup):
-    """Commands of which the one that is asked for is loaded; of the others the names suffice."""
+    """A group that loads only the command that is called; of the others it needs the names."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         name, command, rest = super().resolve_command(ctx, args)
@@ -79,7 +79,7 @@ def rimroll(
 
 
 def _named_only() -> None:
-    """Stands for a command that has not been asked for."""
+    """Stands for a command that has not been called."""
 
 
 for _name, _first_line in COMMANDS.items():

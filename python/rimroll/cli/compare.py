@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rimroll._core import __version__
-from rimroll.cli.asked import Asked, asked
 from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.hints import hints
 from rimroll.cli.options import (
@@ -22,6 +21,7 @@ from rimroll.cli.options import (
     StartOptions,
 )
 from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
+from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, limit_in_words, start_line
 from rimroll.errors import RimrollError
@@ -85,7 +85,7 @@ def compare(
     check(files, FORMS)
     rebound = quantity(resistances.restitution or "0", "1", "--restitution")
     others = replace(resistances, restitution=None)
-    what = asked(body, start, motion, LawOptions(), others, needs_start=True)
+    what = requested(body, start, motion, LawOptions(), others, needs_start=True)
     laws = tables(on, rebound, _of_file(what, resistances.restitution))
     outcomes = []
     with working(f"following {what.name}") as bar:
@@ -113,7 +113,7 @@ def compare(
     return int(any(one.motion.status == "failed" for one in outcomes))
 
 
-def _of_file(what: Asked, restitution: str | None) -> Law | None:
+def _of_file(what: Request, restitution: str | None) -> Law | None:
     """The law of a scenario file without resistances, which every table gets; None without one."""
     if not what.has_file:
         return None

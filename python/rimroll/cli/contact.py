@@ -30,8 +30,8 @@ def option(name: str) -> str:
     return "--" + typed(name)
 
 
-def law_asked(options: LawOptions, resistances: ResistanceOptions, law: Law | None) -> Law:
-    """The law that options ask for, over that of a file; resistances are another matter.
+def requested_law(options: LawOptions, resistances: ResistanceOptions, law: Law | None) -> Law:
+    """The law that options describe, or else that of a file; without the options' resistances.
 
     Raises ``RimrollError`` naming the option that is at fault.
     """
@@ -138,7 +138,7 @@ def _kind(options: LawOptions, given: Mapping[str, float], usual: type[Law]) -> 
 
 
 def with_resistances(law: Law, options: ResistanceOptions, body: Body, gravity: float) -> Law:
-    """The law with the resistances that are asked for in place of those of the same kind."""
+    """The law with the resistances of the options, which replace those of the same kind."""
     kept: dict[type[Resistance], Resistance] = {type(item): item for item in law.resistances}
     for item in (
         _rolling(options, kept.get(RollingResistance)),

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from rimroll.cli.asked import Asked
 from rimroll.cli.formats import Forms, pictures, write_csv, write_json
+from rimroll.cli.request import Request
 from rimroll.cli.screen import Bar
 from rimroll.motion import UNITS, Moments, Motion
 
@@ -22,20 +22,20 @@ ROWS = 4096  # written between two looks at the progress bar
 
 @dataclass(frozen=True)
 class Record:
-    """A motion, the moments of it to write down, and what was asked for."""
+    """A motion, the moments of it to write, and the request."""
 
     motion: Motion
     moments: Moments
-    asked: Asked
+    request: Request
 
     @property
     def parameters(self) -> dict[str, Any]:
         """All that the motion was computed from."""
         options = {
-            "duration": self.asked.options.duration,
-            "max_steps": self.asked.options.max_steps,
+            "duration": self.request.options.duration,
+            "max_steps": self.request.options.max_steps,
         }
-        return {"body": self.asked.name, **self.motion.parameters(), **options}
+        return {"body": self.request.name, **self.motion.parameters(), **options}
 
 
 def summary(record: Record) -> dict[str, Any]:

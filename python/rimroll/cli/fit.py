@@ -14,7 +14,6 @@ import typer
 from rich.table import Table
 
 from rimroll._core import __version__
-from rimroll.cli.asked import asked
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
 from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
@@ -26,7 +25,8 @@ from rimroll.cli.options import (
     StartOptions,
     ThreadsOption,
 )
-from rimroll.cli.release import ReleaseOptions, release_asked, release_line
+from rimroll.cli.release import ReleaseOptions, release_line, requested_release
+from rimroll.cli.request import requested
 from rimroll.cli.screen import Bar, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
@@ -162,8 +162,8 @@ def fit(
         lean_column=lean_column,
     )
     motion = MotionOptions(gravity=gravity)
-    what = asked(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
-    release = release_asked(hand, what)
+    what = requested(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
+    release = requested_release(hand, what)
     if release.tilt_rate[0] > 0.0:
         rate = f"{release.tilt_rate[0]:g} rad/s"
         raise RimrollError(f"--tilt-rate must be negative, toward upright, got {rate}")

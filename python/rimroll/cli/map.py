@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
@@ -25,6 +24,7 @@ from rimroll.cli.options import (
     ThreadsOption,
     whole,
 )
+from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
 from rimroll.errors import RimrollError
@@ -124,8 +124,8 @@ def map(
 ) -> int:
     """Left or right: the direction of fall over a plane of yaw and spin rates.
 
-    A body let go without either comes down flat; the least of them decides.
-    Unless told otherwise it is flicked so that it topples over.
+    A body let go without either comes down flat; the smallest one decides.
+    By default it is flicked so that it topples over.
 
     Examples:
 
@@ -142,7 +142,7 @@ def map(
     yaw = rates(plane.yaw_rates, plane.points, "--yaw-rates")
     spin = rates(plane.spin_rates, plane.points, "--spin-rates")
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
-    what = asked(body, start, motion, law, resistances)
+    what = requested(body, start, motion, law, resistances)
     what = replace(what, start=what.start or _flick(what))
     rtol = RTOL if motion.rtol is None else motion.rtol
     falls, cut_short = _follow(what, yaw, spin, rtol, threads)
@@ -172,13 +172,13 @@ def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.fl
     return np.linspace(low, high, points)
 
 
-def _flick(what: Asked) -> State:
+def _flick(what: Request) -> State:
     release = Release.named("flick", what.body, what.options.gravity)
     return release.mean
 
 
 def _follow(
-    what: Asked, yaw: Any, spin: Any, rtol: float, threads: int | None
+    what: Request, yaw: Any, spin: Any, rtol: float, threads: int | None
 ) -> tuple[Falls, bool]:
     """The map, and whether Ctrl-C cut it short."""
     assert what.start is not None
@@ -204,7 +204,7 @@ def _follow(
     return falls, False
 
 
-def summary(what: Asked, falls: Falls) -> dict[str, Any]:
+def summary(what: Request, falls: Falls) -> dict[str, Any]:
     """A map without its falls, as a dictionary."""
     directions = falls["direction"][fell(falls)]
     left, right = directions[directions > np.pi], directions[directions < np.pi]
@@ -234,10 +234,10 @@ def _range(directions: Any) -> dict[str, Any]:
     return {"falls": len(directions), "directions": ends}
 
 
-def _show(what: Asked, falls: Falls, files: list[Path]) -> None:
-    found, told = summary(what, falls), falls.attrs
+def _show(what: Request, falls: Falls, files: list[Path]) -> None:
+    found, attrs = summary(what, falls), falls.attrs
     prose(body_line(what.name, what.body))
-    tilt, rate = angle(told["start_tilt"]), told["start_tilt_rate"]
+    tilt, rate = angle(attrs["start_tilt"]), attrs["start_tilt_rate"]
     prose(f"{in_words(what.law)}; from tilt {tilt} at {rate:.4g} rad/s; {falls.size} starts:")
     for name in ("yaw_rates", "spin_rates"):
         low, high = found[name]
@@ -260,7 +260,7 @@ def _show(what: Asked, falls: Falls, files: list[Path]) -> None:
     if found["watershed_slope"] is not None:
         say(f"left and right part where the yaw rate is {found['watershed_slope']:.4f} spin rate;")
         say(f"there the direction jumps by {angle(found['jump'])}")
-    if "interrupted" in told:
-        say(f"interrupted {told['interrupted']}")
+    if "interrupted" in attrs:
+        say(f"interrupted {attrs['interrupted']}")
     for file in files:
         say(f"wrote {file}")

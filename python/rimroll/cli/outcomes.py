@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from rimroll import surfaces
-from rimroll.cli.asked import Asked
+from rimroll.cli.request import Request
 from rimroll.cli.turn import Limit, limit_of
 from rimroll.errors import RimrollError
 from rimroll.laws import IDEAL, Coulomb, Frictionless, Law, NoSlip, Tabulated, in_brief
@@ -20,7 +20,7 @@ IDEALS: dict[str, Law] = {typed(law.name): law for law in IDEAL}
 """The laws that need no number: a table, too."""
 
 USUAL = "ice,wood,rubber"
-"""The tables that are compared unless others are asked for."""
+"""The tables that are compared unless others are given."""
 
 FILE = "file"
 """The name of the table of a scenario file."""
@@ -172,7 +172,7 @@ def _table(name: str, restitution: float) -> Law:
     return choose("surface", name, known)()
 
 
-def outcome(what: Asked, name: str, law: Law) -> Outcome:
+def outcome(what: Request, name: str, law: Law) -> Outcome:
     """The outcome of a flick on a table."""
     assert what.start is not None
     law = replace(law, resistances=what.law.resistances)

@@ -45,4 +45,4 @@ class _Handler(SimpleHTTPRequestHandler):
         self.send_error(404)
 
     def log_message(self, format: str, *arguments: object) -> None:
-        """Nothing: who asked for what is nobody's business."""
+        """Logs nothing."""

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rimroll._core import __version__
-from rimroll.cli.asked import asked
 from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
@@ -18,6 +17,7 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
+from rimroll.cli.request import requested
 from rimroll.cli.screen import say, show_json
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def protractor(
     $ rimroll protractor examples/my_cup.toml
     """
     check([output], FORMS)
-    what = asked(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
+    what = requested(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
     from rimroll.experiment import protractor as sheets  # brings matplotlib, which is slow to load
 
     write(output, sheets.sheet(what.body, _title(what.name), paper), FORMS)

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
-from rimroll.cli.asked import Asked
 from rimroll.cli.contact import option
+from rimroll.cli.request import Request
 from rimroll.cli.screen import NO_BREAK, unbroken
 from rimroll.errors import RimrollError
 from rimroll.experiment import release as releases
@@ -62,7 +62,7 @@ class ReleaseOptions:
     ] = None
 
 
-def release_asked(hand: ReleaseOptions, what: Asked) -> Release:
+def requested_release(hand: ReleaseOptions, what: Request) -> Release:
     """The preset with what options change of it.
 
     Raises ``RimrollError`` naming the option that is at fault.

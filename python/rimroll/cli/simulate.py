@@ -11,7 +11,6 @@ import numpy as np
 import typer
 
 from rimroll import motion as motions
-from rimroll.cli.asked import Asked, asked
 from rimroll.cli.files import FORMS, Record, summary
 from rimroll.cli.formats import STDOUT, check, form_of, write
 from rimroll.cli.options import (
@@ -23,6 +22,7 @@ from rimroll.cli.options import (
     StartOptions,
     whole,
 )
+from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import prose, say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
 from rimroll.errors import RimrollError
@@ -95,7 +95,7 @@ def simulate(
     check(files, FORMS, json)
     spacing = None if every is None else quantity(every, "s", "--every")
     _check_spacing(points, spacing, files)
-    what = asked(body, start, motion, law, resistances, needs_start=start.tilt is None)
+    what = requested(body, start, motion, law, resistances, needs_start=start.tilt is None)
     computed = _follow(what)
     record = Record(computed, _moments(computed, points, spacing), what)
     for file in files:
@@ -120,7 +120,7 @@ def _check_spacing(points: int | None, every: float | None, files: list[Path]) -
         raise RimrollError(f"{name} spaces the points of a file: give one with -o, as -o can.csv")
 
 
-def _follow(what: Asked) -> Motion:
+def _follow(what: Request) -> Motion:
     assert what.start is not None
     with working(f"following {what.name}") as bar:
 
@@ -149,8 +149,8 @@ def _moments(motion: Motion, points: int | None, every: float | None) -> Moments
 
 def _show(record: Record, files: list[Path]) -> None:
     motion = record.motion
-    prose(body_line(record.asked.name, motion.body))
-    prose(start_line(motion, record.asked.nudged))
+    prose(body_line(record.request.name, motion.body))
+    prose(start_line(motion, record.request.nudged))
     show_turns(motion)
     if len(motion.phases) > 1:
         prose("phases: " + ", ".join(_phases(motion)))
@@ -164,12 +164,12 @@ def _show(record: Record, files: list[Path]) -> None:
 
 def _phases(motion: Motion) -> list[str]:
     """The number and duration of phases in which the rim rolled, slid and flew."""
-    said = []
+    lines = []
     for kind in ("rolling", "sliding", "flying"):
         spans = [phase.end - phase.start for phase in motion.phases if phase.kind == kind]
         if spans:
-            said.append(f"{len(spans)} {kind} ({sum(spans):.4g} s in all)")
-    return said
+            lines.append(f"{len(spans)} {kind} ({sum(spans):.4g} s in all)")
+    return lines
 
 
 def _show_losses(motion: Motion) -> None:

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
@@ -26,7 +25,8 @@ from rimroll.cli.options import (
     ThreadsOption,
     whole,
 )
-from rimroll.cli.release import ReleaseOptions, release_asked, release_line
+from rimroll.cli.release import ReleaseOptions, release_line, requested_release
+from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.experiment.release import Release
@@ -133,8 +133,8 @@ def topple(
     """
     paths = output or []
     check(paths, FORMS, json)
-    what = asked(body, StartOptions(), motion, law, resistances)
-    release = release_asked(hand, what)
+    what = requested(body, StartOptions(), motion, law, resistances)
+    release = requested_release(hand, what)
     falls, cut_short = _fall(what, motion, release, number, seed, threads)
     for path in paths:
         write(path, falls, FORMS)
@@ -148,7 +148,7 @@ def topple(
 
 
 def _fall(
-    what: Asked,
+    what: Request,
     motion: FallOptions,
     release: Release,
     number: int,
@@ -228,16 +228,16 @@ def _outcomes(falls: Falls) -> dict[str, int]:
     return dict(Counter(map(str, falls["outcome"].tolist())).most_common())
 
 
-def _show(what: Asked, release: Release, falls: Falls, paths: list[Path]) -> None:
+def _show(what: Request, release: Release, falls: Falls, paths: list[Path]) -> None:
     prose(body_line(what.name, what.body))
     prose(f"{in_words(what.law)}; {unbroken(f'gravity {what.options.gravity:g} m/s²')}")
     prose(release_line(release))
     say()
-    told = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
-    counted = f"{falls.size} falls" + (f": {told}" if told else "")
+    counts = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
+    counted = f"{falls.size} falls" + (f": {counts}" if counts else "")
     say(f"{counted}; seed {falls.attrs['seed']}")
     say()
-    if told:
+    if counts:
         _show_sides(falls)
     for hint in release_hints(what.body, release.mean, what.law, what.options):
         prose(hint)

@@ -10,7 +10,6 @@ from rich.table import Table
 
 from rimroll._core import __version__
 from rimroll.body import Body
-from rimroll.cli.asked import Asked, asked
 from rimroll.cli.contact import in_words
 from rimroll.cli.hints import hints
 from rimroll.cli.options import (
@@ -21,6 +20,7 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
+from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.errors import NoNearCollision, RimrollError
 from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
@@ -72,7 +72,7 @@ def turn(
 
     $ rimroll turn --friction 0.2 --tilt 30deg --yaw-rate 0.005
     """
-    what = asked(body, start, motion, law, resistances)
+    what = requested(body, start, motion, law, resistances)
     limits = _limits(what, named=law.law is not None)
     motions = {
         limit.law.name: _motion(replace(what, law=limit.law))
@@ -92,7 +92,7 @@ def turn(
 class Limit:
     """The limiting angle of turn under a law, arriving in one way or another.
 
-    ``from_start`` and ``arrival`` belong to the start that was asked for, if there is one and it
+    ``from_start`` and ``arrival`` belong to the start that was given, if there is one and it
     has a near-collision; if it has none, ``why_not`` says why, and ``ends`` is the status with
     which the motion ends that comes in place of one.
     """
@@ -110,7 +110,7 @@ def is_ideal(law: Law) -> bool:
     return type(law) in map(type, IDEAL)
 
 
-def limit_of(what: Asked, law: Law) -> Limit:
+def limit_of(what: Request, law: Law) -> Limit:
     """The limit under a law, for the given start."""
     try:
         limit = Limit(law, turn_limit(what.body, law))
@@ -145,7 +145,7 @@ def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
     return arrival(body, start, law, gravity)
 
 
-def _limits(what: Asked, named: bool) -> list[Limit]:
+def _limits(what: Request, named: bool) -> list[Limit]:
     """The limits under the two ideal laws, under the law of ``--law``, or under all three."""
     ideals = [replace(law, resistances=what.law.resistances) for law in IDEAL]
     if not is_ideal(what.law):
@@ -155,13 +155,13 @@ def _limits(what: Asked, named: bool) -> list[Limit]:
     return [limit_of(what, law) for law in laws]
 
 
-def _motion(what: Asked) -> Motion:
+def _motion(what: Request) -> Motion:
     assert what.start is not None
     with working(f"following the motion ({typed(what.law.name)})"):
         return simulate(what.body, what.start, what.law, **asdict(what.options))
 
 
-def _answer(what: Asked, limits: list[Limit], motions: dict[str, Motion]) -> dict[str, Any]:
+def _answer(what: Request, limits: list[Limit], motions: dict[str, Motion]) -> dict[str, Any]:
     body = what.body
     of_law = {limit.law.name: limit for limit in limits}
     return {
@@ -217,7 +217,7 @@ def start_line(motion: Motion, nudged: bool = False) -> str:
     return f"from tilt {tilt}, rates of {rates} rad/s; {gravity}"
 
 
-def _show_limits(what: Asked, limits: list[Limit]) -> None:
+def _show_limits(what: Request, limits: list[Limit]) -> None:
     body = what.body
     angles = table("law", "limiting angle of turn", "beyond 180°")
     for limit in limits:
@@ -258,7 +258,7 @@ def _row(rows: Table, law: str, limit: float | None) -> None:
         rows.add_row(law, angle(limit), angle(limit - math.pi))
 
 
-def _show_arrival(what: Asked, limit: Limit) -> None:
+def _show_arrival(what: Request, limit: Limit) -> None:
     """The arrival, and the limits that depend on it."""
     name = typed(limit.law.name)
     if limit.arrival is not None:
@@ -281,18 +281,22 @@ def _depends(law: Law, needed: float) -> str:
     """How a limit depends on the arrival."""
     name = typed(law.name)
     if isinstance(law, Viscous):
-        said = f"Viscous friction does nothing in the limit: it has no time to. So {name}, too, has"
-        said += " one limit for all arrivals without spin, the frictionless one."
-        return said
+        sentence = (
+            f"Viscous friction does nothing in the limit: it has no time to. So {name}, too, has"
+        )
+        sentence += " one limit for all arrivals without spin, the frictionless one."
+        return sentence
     speeds = ", and with its speeds on that rate itself" if isinstance(law, Stribeck) else ""
-    said = (
+    sentence = (
         "What depends on the arrival: no-slip and frictionless have one limit for all starts"
         f" without spin. That of {name} changes with the slip and spin of the arrival, relative to"
         f" its tipping rate{speeds}; the first line is for neither."
     )
     if isinstance(law, Coulomb):
-        said += f" Arriving so, the body rolls through if static friction is {needed:.4g} or more."
-    return said
+        sentence += (
+            f" Arriving so, the body rolls through if static friction is {needed:.4g} or more."
+        )
+    return sentence
 
 
 def show_turns(motion: Motion) -> None:

@@ -329,8 +329,8 @@ def _mark(marks: Any) -> list[Line2D]:
     if not marks:
         return []
     (left, left_spread), (right, right_spread) = marks
-    said = f"measured, {right:.1f}° ± {right_spread}° and {left:.1f}° ± {left_spread}°"
-    return [Line2D([], [], color=style.MEASURED, marker="o", ms=3, lw=1.1, label=said)]
+    label = f"measured, {right:.1f}° ± {right_spread}° and {left:.1f}° ± {left_spread}°"
+    return [Line2D([], [], color=style.MEASURED, marker="o", ms=3, lw=1.1, label=label)]
 
 
 def _title(shown: list[_Falls], name: str) -> str:
@@ -338,23 +338,23 @@ def _title(shown: list[_Falls], name: str) -> str:
     if len(shown) > 1:
         return name
     data = shown[0].data
-    said = [f"{name}, {_law(law_of(data))}; {_outcomes(shown[0])}", *_release(data)]
-    return "\n".join(line for each in said for line in textwrap.wrap(each, LETTERS))
+    lines = [f"{name}, {_law(law_of(data))}; {_outcomes(shown[0])}", *_release(data)]
+    return "\n".join(line for each in lines for line in textwrap.wrap(each, LETTERS))
 
 
 def _law(law: Law) -> str:
-    said = [
+    numbers = [
         f"{name.replace('_', ' ')} {in_brief(value)}"
         for name, value in law.numbers.items()
         if value
     ]
-    return ", ".join([typed(law.name), *said])
+    return ", ".join([typed(law.name), *numbers])
 
 
 def _outcomes(falls: _Falls) -> str:
     counts = Counter(falls.data["outcome"].tolist()).most_common()
-    told = ", ".join(f"{count} {str(outcome).replace('_', ' ')}" for outcome, count in counts)
-    return f"{falls.data.size} trials: {told}"
+    counted_as = ", ".join(f"{count} {str(outcome).replace('_', ' ')}" for outcome, count in counts)
+    return f"{falls.data.size} trials: {counted_as}"
 
 
 def _share(falls: _Falls) -> str:
@@ -370,8 +370,8 @@ def _release(data: Falls) -> list[str]:
         mean, spread = (factor * data.attrs[f"release_{name}{end}"] for end in ("", "_spread"))
         return f"{mean:.3g} ± {spread:.2g}".replace("-", "−")
 
-    told = f"from tilt {both('tilt', 180.0 / np.pi)}°, tilt rate {both('tilt_rate')}, sideways"
-    told += f" {both('sideways')}, twist {both('twist')} rad/s"
+    start = f"from tilt {both('tilt', 180.0 / np.pi)}°, tilt rate {both('tilt_rate')}, sideways"
+    start += f" {both('sideways')}, twist {both('twist')} rad/s"
     scatters = data.attrs["release_friction_scale_spread"] != 0.0
     friction = f"; friction scale {both('friction_scale')}" if scatters else ""
-    return [f"{told}{friction}; seed {data.attrs['seed']}"]
+    return [f"{start}{friction}; seed {data.attrs['seed']}"]

@@ -357,17 +357,17 @@ class _Bench:
         inertia = ratio * self.mass * side**2
         twice = 2.0 * self.transverse_inertia
         least = umath.sqrt(2.0 * length / (self.gravity * sine)).nominal_value
-        said = f"{self.typed('slope_time')}: {time.nominal_value:.4g} s down this slope, but"
+        begin = f"{self.typed('slope_time')}: {time.nominal_value:.4g} s down this slope, but"
         if ratio.nominal_value <= 0.0:
-            raise RimrollError(f"{said} even sliding without friction takes {least:.4g} s")
+            raise RimrollError(f"{begin} even sliding without friction takes {least:.4g} s")
         if ratio.nominal_value > 1.0 + 2.0 * ratio.std_dev + ROUNDING:
             raise RimrollError(
-                f"{said} what rolls on its widest part, and does not slip or stop, takes at most"
+                f"{begin} what rolls on its widest part, and does not slip or stop, takes at most"
                 f" {math.sqrt(2.0) * least:.4g} s"
             )
         if inertia.nominal_value > twice.nominal_value * (1.0 + ROUNDING):
             most = least * umath.sqrt(1.0 + twice / (self.mass * side**2)).nominal_value
-            raise RimrollError(f"{said} a body with this A takes at most {most:.4g} s (C = 2A)")
+            raise RimrollError(f"{begin} a body with this A takes at most {most:.4g} s (C = 2A)")
         return inertia
 
     def _estimate(self) -> UFloat:

@@ -183,14 +183,14 @@ class _Page:
         """The limits' numbers, written along their lines, clear of the shade and each other."""
         rolling, sliding = falls(self.body)
         one = abs(sliding - rolling) < 0.05
-        said = [(rolling, -1.0, "rolling")] + [(sliding, 1.0, "sliding")] * (not one)
+        shown = [(rolling, -1.0, "rolling")] + [(sliding, 1.0, "sliding")] * (not one)
         end = self._end_of_labels(
-            near_foot=any(math.cos(math.radians(d)) > 0.96 for d, _, _ in said)
+            near_foot=any(math.cos(math.radians(d)) > 0.96 for d, _, _ in shown)
         )
         beside = math.degrees(2.1 / (end - 10.0))
         labels = sorted(
             (side * (limit + away * beside) % 360.0, f"{word}{' or sliding' * one} {read:.1f}°")
-            for limit, away, word in said
+            for limit, away, word in shown
             for side, read in ((1.0, limit), (-1.0, 360.0 - limit))
         )
         where = _apart([direction for direction, _ in labels], 1.5 * beside)
@@ -326,12 +326,12 @@ class _Page:
         x, y = MARGIN, self.foot_of_ring + 10.5
         rolling, sliding = falls(self.body)
         self.line((x, y), (x, y + 4.5), lw=1.2)
-        said = "expected, whether\nit rolls or slides"
+        text = "expected, whether\nit rolls or slides"
         if abs(sliding - rolling) >= 0.05:
-            said = "expected, between\nrolling (full line) and\nsliding (broken)"
+            text = "expected, between\nrolling (full line) and\nsliding (broken)"
             self.ax.add_patch(Rectangle((x, y), 9.0, 4.5, fc=SHADE, ec="none"))
             self.line((x + 9.0, y), (x + 9.0, y + 4.5), lw=1.2, ls=DASHED)
-        self.write(x, y - 1.6, said, 6.4, va="top")
+        self.write(x, y - 1.6, text, 6.4, va="top")
 
     def steps(self) -> None:
         """The numbered instructions beside the boxes."""
@@ -368,8 +368,8 @@ class _Page:
         for mm in range(0, int(BAR) + 1, 10):
             height = 3.0 if mm % 50 == 0 else 1.8
             self.line((MARGIN + mm, y), (MARGIN + mm, y + height), lw=0.8)
-        said = "This bar is 100 mm long. If it is not, print again at actual size (100 %)."
-        self.write(MARGIN, y - 1.4, said, 6.4, va="top")
+        text = "This bar is 100 mm long. If it is not, print again at actual size (100 %)."
+        self.write(MARGIN, y - 1.4, text, 6.4, va="top")
         made = f"rimroll {__version__}\nafter Srinivasan & Ruina (2007)"
         self.write(
             self.paper.width - MARGIN, y - 1.4, made, 6.0, ha="right", va="center", color=GRAY

@@ -102,35 +102,35 @@ class Readings(Mapping[str, UFloat]):
         return len(self._read)
 
     def _one(self, name: str, value: object) -> UFloat:
-        unit, said = UNITS[name], self.typed(name)
+        unit, label = UNITS[name], self.typed(name)
         number, uncertainty = self._number(name, value)
         if name in _OF_BODY and isinstance(value, str) and not has_uncertainty(value):
-            size_of_body(value, unit, said)
-        least = ">= 0" if name in _MAY_BE_ZERO else "> 0"
+            size_of_body(value, unit, label)
+        bound = ">= 0" if name in _MAY_BE_ZERO else "> 0"
         if number < 0.0 or (number == 0.0 and name not in _MAY_BE_ZERO):
-            raise RimrollError(f"{said} must be {least}, got {pretty(number, unit)}")
+            raise RimrollError(f"{label} must be {bound}, got {pretty(number, unit)}")
         if number > 1e9 or (number < 1e-9 and name not in _MAY_BE_ZERO):
-            raise RimrollError(f"{said} is no reading on a table: {number:g} {unit}")
+            raise RimrollError(f"{label} is no reading on a table: {number:g} {unit}")
         if unit == "rad" and number > 0.5 * math.pi:
             raise RimrollError(
-                f"{said} must be at most 90 deg, got {pretty(number, unit)}"
+                f"{label} must be at most 90 deg, got {pretty(number, unit)}"
                 + ("" if "deg" in str(value) or "°" in str(value) else ": read as radians")
             )
         if name in _COUNTS and (number != int(number) or number < _FEWEST):
             period = self.typed("across_period" if name == "across_swings" else "swing_period")
             raise RimrollError(
-                f"{said} must be a whole number, at least {_FEWEST} (50 is better), got"
+                f"{label} must be a whole number, at least {_FEWEST} (50 is better), got"
                 f" {number:g}; a swing timed by itself, off a film, is {period}"
             )
         return Variable(number, uncertainty, tag=name)
 
     def _number(self, name: str, value: object) -> tuple[float, float]:
         """A reading and its standard uncertainty, in the SI unit."""
-        unit, said = UNITS[name], self.typed(name)
-        value = without_unit(said, value, unit)
+        unit, label = UNITS[name], self.typed(name)
+        value = without_unit(label, value, unit)
         if isinstance(value, UFloat):
-            return quantity(value.nominal_value, unit, said), quantity(value.std_dev, unit, said)
-        number, uncertainty = reading(value, unit, said)
+            return quantity(value.nominal_value, unit, label), quantity(value.std_dev, unit, label)
+        number, uncertainty = reading(value, unit, label)
         if has_uncertainty(value):
             return number, uncertainty
         if name in _COUNTS or name == "gravity":

@@ -121,7 +121,7 @@ def read_falls(
     columns = (
         _columns(table)
         if column is None and lean_column is None
-        else _asked(table, column, lean_column)
+        else _named_columns(table, column, lean_column)
     )
     _refuse_gaps(table, rows, columns)
     units = [_unit_of(table.names, one) for one in columns]
@@ -193,7 +193,7 @@ def _columns(table: Table) -> list[int]:
     )
 
 
-def _asked(table: Table, column: str | int | None, lean: str | int | None) -> list[int]:
+def _named_columns(table: Table, column: str | int | None, lean: str | int | None) -> list[int]:
     if column is None:
         raise RimrollError("column must be given with lean_column: it holds the direction of fall")
     fall = _place(table, "column", column)

@@ -278,13 +278,13 @@ def _predictions(
     sizes = [whole, *(whole // 4 for _ in releases[1:])]
     done = 0
 
-    def said(part: int, parts: int) -> None:
+    def report(part: int, parts: int) -> None:
         if progress is not None:
             progress(done + part * falls, parts * sum(sizes))
 
     tables = []
     for release, falls in zip(releases, sizes, strict=True):
-        table = predict_falls(release=release, falls=falls, progress=said, **options)
+        table = predict_falls(release=release, falls=falls, progress=report, **options)
         done += falls * len(table.frictions)
         tables.append(table)
     return tables
@@ -326,9 +326,9 @@ def _warnings(
         )
     strays = np.degrees(likelihood.directions[likelihood.strays(best)])
     if strays.size:
-        told = ", ".join(f"{angle:.0f}" for angle in strays[:5])
+        angles = ", ".join(f"{angle:.0f}" for angle in strays[:5])
         more = " and more" if strays.size > 5 else ""
-        yield f"far from both humps, and taken for slips of the pen: {told}{more} degrees"
+        yield f"far from both humps, and taken for slips of the pen: {angles}{more} degrees"
 
 
 def _alone(

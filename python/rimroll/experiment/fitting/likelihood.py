@@ -218,7 +218,8 @@ class Likelihood:
 
 
 def _binned(directions: Array) -> tuple[Array, Array]:
-    """Angles and how many falls were there: more falls than bins are not told apart within one."""
+    """Angles and numbers of falls there; if there are more falls than bins, those in one bin count
+    as equal."""
     if len(directions) <= BINS:
         return directions, np.ones(len(directions))
     counts, edges = np.histogram(directions, BINS, (0.0, TURN))

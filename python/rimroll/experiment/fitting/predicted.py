@@ -193,7 +193,7 @@ def which_node(part: float | Array, count: int) -> float | Array:
 
 
 def _enough(body: Body, release: Release, gravity: float) -> float:
-    """A coefficient at which the rim slips nowhere, as far as that can be told beforehand."""
+    """A coefficient at which the rim slips nowhere, as far as can be known beforehand."""
     needed = needed_friction(body)
     straight = release.mean
     try:
@@ -263,8 +263,8 @@ def _humps(
     for way, there in zip(ways, enough, strict=True):
         if there.any():
             # Where too few fall so, as they do at the nearest friction where enough do.
-            told = np.flatnonzero(there)
-            nearest = told[np.abs(told - np.arange(len(gone))[:, None]).argmin(axis=1)]
+            known = np.flatnonzero(there)
+            nearest = known[np.abs(known - np.arange(len(gone))[:, None]).argmin(axis=1)]
             humps.append(np.array([_density(one, weights, error) for one in way[nearest]]))
         else:
             humps.append(np.full((len(gone), len(weights), ANGLES), 1.0 / TURN))

@@ -143,12 +143,12 @@ def _yaw_law(law: Law) -> tuple[float, float]:
 def _caption() -> str:
     worst = {sideways: errors(NoSlip(), sideways)[2].max() for sideways in SHOWN}
     b, _ = _yaw_law(NoSlip())
-    said = " and ".join(f"{worst[s]:.4f} rad at ε = {s} rad/s" for s in SHOWN)
+    errors = " and ".join(f"{worst[s]:.4f} rad at ε = {s} rad/s" for s in SHOWN)
     return (
         "The paper describes the motion as an inverted pendulum pasted to a near-collision of a "
         "vastly shorter time-scale, without writing it down. Here is the pasted formula (dashed), "
         "computed from the start alone, over the full motion without slip. "
-        f"Its yaw is off by at most {said}, where all that is left is the approach to the limit: "
+        f"Its yaw is off by at most {errors}, where all that is left is the approach to the limit: "
         f"the largest error follows φ<sub>c</sub>(b ln φ<sub>c</sub> + a) with the same "
         f"b = {b:.4f}; the tilt is good to the order φ<sub>c</sub>²."
     ).replace(" -", " −")

@@ -137,7 +137,7 @@ def _draw_difference(ax: Axes) -> None:
 
 def _caption() -> str:
     ends = {s: compare(setting.LAWS[0], s) for s in SIDEWAYS}
-    said = ", ".join(
+    differences = ", ".join(
         f"{one.difference[-1]:.1e} rad (ε = {style.plain(s)})" for s, one in ends.items()
     )
     return (
@@ -146,7 +146,7 @@ def _caption() -> str:
         "collision: where a free particle would pass by in a straight line, 180°, the central "
         "force bends its path on to the limiting angles. The yaws part only like φ<sub>c</sub> "
         "times a logarithm of the time (c): where the curves end, near a tilt of "
-        f"{LARGEST} rad, they differ by {said} without slip."
+        f"{LARGEST} rad, they differ by {differences} without slip."
     ).replace("e-", "e−")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rimroll import bodies
 from rimroll.body import Body
-from rimroll.cli.contact import law_asked, option, with_resistances
+from rimroll.cli.contact import option, requested_law, with_resistances
 from rimroll.cli.options import (
     BodyOptions,
     LawOptions,
@@ -30,25 +30,25 @@ DEFAULT = "can_2007"
 
 
 @dataclass(frozen=True)
-class Asked(Scenario):
-    """A scenario, with the name under which its body was asked for."""
+class Request(Scenario):
+    """A scenario, with the name that was given for its body."""
 
     name: str
     has_file: bool = False
-    """Whether it is over a scenario file."""
+    """Whether it is based on a scenario file."""
     nudged: bool = False
-    """Whether nobody said where it starts, so that it is :func:`nudged`."""
+    """Whether no start was given, so that it is :func:`nudged`."""
 
 
-def asked(
+def requested(
     body: BodyOptions,
     start: StartOptions,
     motion: MotionOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
     needs_start: bool = False,
-) -> Asked:
-    """Put together what a command asks for; where it needs a start, there is one for every body.
+) -> Request:
+    """The set-up that options describe; every body has a default start for commands that need one.
 
     Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
     """
@@ -62,14 +62,14 @@ def asked(
     what = _body(preset, sizes, scenario)
     options = _options(motion, scenario.options if scenario else Options())
     of_file = scenario.law if scenario else None
-    contact = law_asked(law, resistances, of_file)
+    contact = requested_law(law, resistances, of_file)
     if of_file is not None:
         contact = replace(contact, resistances=of_file.resistances)
     given, begin = _given(start), scenario.start if scenario else None
     is_nudged = needs_start and begin is None
     if is_nudged:
         begin = _nudged(what, options.gravity, given)
-    return Asked(
+    return Request(
         body=what,
         start=_start(given, begin),
         law=with_resistances(contact, resistances, what, options.gravity),
