@@ -4,25 +4,36 @@ import type { Body, State } from "../core/core";
 import { startOf } from "../setup/simulation_input";
 import type { Setup } from "../setup/setup";
 
-/** Starts that are normally distributed about the set-up, with the tilt within (0, 90°).
+/** Standard deviations of a hand's starts about the set-up: the tilt in degrees, rates in rad/s.
  *
- * The standard deviations are those of rimroll's presets: a tenth of the tilt, 7 % of the tilt rate, and
- * for sideways and twist 5 % of the tilt rate, but at least 0.002 √(g/R). */
+ * They are those of rimroll's preset "flick" for tilt rates from 0.15 √(g/R), and those of "let go" for a
+ * body that is released at rest, except that its tilt scatters as in a flick. */
+export function spreads({ tilt, tilt_rate, gravity }: Readonly<Setup>, { radius }: Body) {
+  const rate = Math.abs(tilt_rate);
+  const slowest = 0.002 * Math.sqrt(gravity / radius);
+  const aside = Math.max(0.05 * rate, slowest);
+  return {
+    tilt: 0.1 * tilt,
+    tilt_rate: Math.max(0.07 * rate, 5 * slowest),
+    sideways: aside,
+    twist: aside,
+  };
+}
+
+/** Starts that are normally distributed about the set-up, with the tilt within (0, 90°). */
 export function scatteredStarts(setup: Readonly<Setup>, body: Body): State[] {
   const random = normal(setup.seed);
   const unsteadiness = setup.unsteadiness / 100;
-  const slowest = 0.002 * Math.sqrt(setup.gravity / body.radius);
-  const rate = Math.abs(setup.tilt_rate);
-  const aside = unsteadiness * Math.max(0.05 * rate, slowest);
+  const spread = spreads(setup, body);
   return Array.from({ length: Math.round(setup.flicks) }, () => {
     const [c0, c1, c2, c3] = [random(), random(), random(), random()];
-    const tilt = setup.tilt * (1 + 0.1 * unsteadiness * c0);
+    const tilt = setup.tilt + unsteadiness * spread.tilt * c0;
     return startOf({
       ...setup,
       tilt: Math.min(Math.max(tilt, 0.01 * setup.tilt), Math.max(89, setup.tilt)),
-      tilt_rate: setup.tilt_rate + unsteadiness * Math.max(0.07 * rate, 5 * slowest) * c1,
-      sideways: setup.sideways + aside * c2,
-      twist: setup.twist + aside * c3,
+      tilt_rate: setup.tilt_rate + unsteadiness * spread.tilt_rate * c1,
+      sideways: setup.sideways + unsteadiness * spread.sideways * c2,
+      twist: setup.twist + unsteadiness * spread.twist * c3,
     });
   });
 }

@@ -14,6 +14,12 @@ export interface Ran {
   printed: string;
 }
 
+/** What Python prints when it runs some code. */
+export async function printed(code: string): Promise<string> {
+  const python = spawn(PYTHON, ["-c", code], { stdio: ["ignore", "pipe", "inherit"] });
+  return text(python.stdout);
+}
+
 /** Runs pieces of code one after the other. */
 export async function run(codes: readonly string[]): Promise<Ran[]> {
   const python = spawn(PYTHON, [RUN_CODE], { stdio: ["pipe", "pipe", "inherit"] });

@@ -1,10 +1,11 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core, State } from "../../src/core/core";
 import { simulateFlicks } from "../../src/falls/flicks";
-import { scatteredStarts } from "../../src/falls/scatter";
+import { scatteredStarts, spreads } from "../../src/falls/scatter";
 import { bodyOf, startOf } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
+import { printed } from "../given/python";
 
 let core: Core;
 beforeAll(async () => {
@@ -48,6 +49,36 @@ describe("a thousand flicks of an unsteady hand", () => {
   test("scatter at least by 0.002 √(g/R) when the body is let go at rest", () => {
     const { radius } = core.preset("can_2007");
     near(starts({ tilt_rate: 0 }).map(sideways), 0, 0.002 * Math.sqrt(flick.gravity / radius));
+  });
+});
+
+describe("the spreads of an unsteady hand are those of rimroll.Release", async () => {
+  const names = ["can_2007", "coin"] as const; // flicks of slender bodies are too slow
+  const found: Record<string, Record<"flick" | "let go", Record<string, number>>> = JSON.parse(
+    await printed(`
+import json
+import rimroll as rr
+
+bodies = [rr.bodies.by_name(name) for name in ${JSON.stringify(names)}]
+hands = [
+    {hand: rr.Release.named(hand, body).parameters() for hand in ("flick", "let go")}
+    for body in bodies
+]
+print(json.dumps(dict(zip(${JSON.stringify(names)}, hands))))
+`),
+  );
+  const degrees = 180 / Math.PI;
+
+  test.each(names)("%s", (name) => {
+    for (const hand of ["flick", "let go"] as const) {
+      const release = found[name]?.[hand] as Record<string, number>;
+      const value = (field: string) => release[`release_${field}`] as number;
+      const setup = { ...flick, tilt: degrees * value("tilt"), tilt_rate: value("tilt_rate") };
+      const spread = spreads(setup, core.preset(name));
+      for (const field of ["tilt_rate", "sideways", "twist"] as const)
+        expect(spread[field]).toBeCloseTo(value(`${field}_spread`), 12);
+      if (hand === "flick") expect(spread.tilt).toBeCloseTo(degrees * value("tilt_spread"), 12);
+    }
   });
 });
 
