@@ -86,7 +86,7 @@ class Composite:
     tipping_rate: float
     """ω = |dφ/dt| just outside the near-collision, rad/s."""
 
-    def __init__(self, core: _core.CorePasted) -> None:
+    def __init__(self, core: _core.CoreComposite) -> None:
         self._core = core
         self.min_tilt_time, self.half_width, self.min_tilt, self.tipping_rate, _ = core.numbers
 
@@ -123,7 +123,7 @@ def composite(
     one_body(body)
     expect("start", start, State)
     gravity = number("gravity", gravity, "m/s^2")
-    return Composite(_core.CorePasted(body, single(start), ideal(law).name, gravity))
+    return Composite(_core.CoreComposite(body, single(start), ideal(law).name, gravity))
 
 
 pasted = composite

@@ -219,7 +219,6 @@ def _columns(
 ) -> dict[str, Column]:
     done = len(table)
     found = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
-    found["min_tilt_time"] = found.pop("near_time")
     gone_round = np.mod(found.pop("end_yaw") - rows.starts.yaw[:done], 2.0 * np.pi)
     found["direction"] = np.where(np.isnan(found["turn"]), np.nan, gone_round)
     losses = ("friction_loss", "resistance_loss", "impact_loss")

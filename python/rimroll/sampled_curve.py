@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll._core import MOST_FRICTION
+from rimroll._core import MAX_FRICTION
 from rimroll.errors import RimrollError
 from rimroll.given import number
 
@@ -69,8 +69,8 @@ def sampled(
 
 def _friction(mu: Callable[[float], float], speed: float) -> float:
     value = number(f"mu({speed:g})", mu(speed))
-    if not 0.0 <= value <= MOST_FRICTION:
-        raise RimrollError(f"mu({speed:g}) must be between 0 and {MOST_FRICTION:g}, got {value:g}")
+    if not 0.0 <= value <= MAX_FRICTION:
+        raise RimrollError(f"mu({speed:g}) must be between 0 and {MAX_FRICTION:g}, got {value:g}")
     return value
 
 

@@ -60,7 +60,7 @@ def hollow_cylinder(
 
 def disk(mass: Number, radius: Number, height: Number = 0.0) -> Solid:
     """A thin disk at a height: C = mR²/2, A = C/2."""
-    return _made(_core.disc, mass=mass, radius=radius, height=height)
+    return _made(_core.disk, mass=mass, radius=radius, height=height)
 
 
 def ring(mass: Number, radius: Number, height: Number = 0.0) -> Solid:

@@ -309,20 +309,20 @@ def painted(paint: Callable[[Painter], None]) -> tuple[float, Array]:
 
 def test_shapes_are_painted_in_their_place_as_large_as_they_are() -> None:
     angle = np.linspace(0.0, 2.0 * np.pi, 200)
-    disc = np.array([40.3, 29.6]) + 20.0 * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    disk = np.array([40.3, 29.6]) + 20.0 * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     # Pillow fills also the parts of pixels in which an edge lies: half a third of a pixel more.
     grown = 1.0 / 6.0
-    area, middle = painted(lambda painter: painter.layers(disc[None], "black", 0.3))
+    area, middle = painted(lambda painter: painter.layers(disk[None], "black", 0.3))
     assert area == pytest.approx(0.3 * np.pi * (20.0 + grown) ** 2, rel=0.01)
     np.testing.assert_allclose(middle, (40.3, 29.6), atol=0.1)
-    area, middle = painted(lambda painter: painter.facets(disc[None], np.zeros((1, 3))))
+    area, middle = painted(lambda painter: painter.facets(disk[None], np.zeros((1, 3))))
     assert area == pytest.approx(np.pi * (20.0 + grown) ** 2, rel=0.01)
-    area, middle = painted(lambda painter: painter.line(disc, 3.0, "black"))
+    area, middle = painted(lambda painter: painter.line(disk, 3.0, "black"))
     assert area == pytest.approx(2.0 * np.pi * 20.0 * 3.0, rel=0.03)
     np.testing.assert_allclose(middle, (40.3, 29.6), atol=0.1)
-    area, middle = painted(lambda one: one.spot(disc[0], 10.0, 1.0, "black", 1.0))
+    area, middle = painted(lambda one: one.spot(disk[0], 10.0, 1.0, "black", 1.0))
     assert area == pytest.approx(np.pi * (4.5 + grown) ** 2, rel=0.03)
-    np.testing.assert_allclose(middle, disc[0], atol=0.2)
+    np.testing.assert_allclose(middle, disk[0], atol=0.2)
 
 
 def test_what_lies_outside_the_picture_is_left_out() -> None:

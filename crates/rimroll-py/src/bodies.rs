@@ -71,8 +71,8 @@ pub fn hollow_cylinder(
 }
 
 #[pyfunction]
-pub fn disc(mass: f64, radius: f64, height: f64) -> PyResult<SolidNumbers> {
-    solid_numbers(Solid::disc(mass, radius, height))
+pub fn disk(mass: f64, radius: f64, height: f64) -> PyResult<SolidNumbers> {
+    solid_numbers(Solid::disk(mass, radius, height))
 }
 
 #[pyfunction]

@@ -16,7 +16,7 @@ pub const FALL_COLUMNS: [&str; 14] = [
     "outcome",
     "turn",
     "min_tilt",
-    "near_time",
+    "min_tilt_time",
     "end_time",
     "end_tilt",
     "end_yaw",
@@ -122,9 +122,9 @@ pub fn first_refused(
 
 /// A table with one row per fall and a column for each of [`FALL_COLUMNS`], with outcomes as indices into
 /// `OUTCOMES`; and the exception that stopped the work, if any: the rows are then those of the first starts.
-/// `varied` has the parameters of the contact law that differ between starts, `grip` a factor of the friction
-/// for each start. `threads` = 0 means one per processor. `progress` is called about ten times a second with
-/// the number of falls done.
+/// `varied` has the parameters of the contact law that differ between starts, `friction_scale` a factor of the
+/// friction for each start. `threads` = 0 means one per processor. `progress` is called about ten times a
+/// second with the number of falls done.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn ensemble<'py>(
@@ -133,7 +133,7 @@ pub fn ensemble<'py>(
     starts: StartsArgument<'py>,
     contact_law: ContactLawArgument,
     varied: VariedArgument<'py>,
-    grip: PyReadonlyArray1<'py, f64>,
+    friction_scale: PyReadonlyArray1<'py, f64>,
     duration: f64,
     gravity: f64,
     rtol: f64,
@@ -156,8 +156,8 @@ pub fn ensemble<'py>(
         let contact_laws: Result<_, _> = contact_law.varied(&varied)?.collect();
         contact_laws.map_err(refusal)?
     };
-    let grip = grip.as_array();
-    let rows = starts.starts()?.zip(grip.iter()).enumerate();
+    let friction_scale = friction_scale.as_array();
+    let rows = starts.starts()?.zip(friction_scale.iter()).enumerate();
     let trials: Vec<Release<'_>> = rows
         .map(|(row, (start, &factor))| {
             let contact_law = of_row(&contact_laws, row)

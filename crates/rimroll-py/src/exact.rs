@@ -50,7 +50,7 @@ pub fn exact_turns<'py>(
         .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let watched = Watched::default();
     let work = || {
-        let goes_on = || watched.count(0).is_continue();
+        let should_continue = || watched.count(0).is_continue();
         let rows: Vec<_> = (0..columns[0].len())
             .into_par_iter()
             .map(|row| {
@@ -59,9 +59,9 @@ pub fn exact_turns<'py>(
             })
             .collect();
         let exact = ExactRows::new(law, gravity, topple_tilt, &rows);
-        let slopes = jacobian.then(|| exact.turn_slopes_while(goes_on));
+        let slopes = jacobian.then(|| exact.turn_slopes_while(should_continue));
         let slopes = slopes.transpose()?.flatten();
-        let turns = exact.turns_while(goes_on)?.unwrap_or_default();
+        let turns = exact.turns_while(should_continue)?.unwrap_or_default();
         let codes = |turn: &ExactTurn| [turn.ending as u8, turn.outcome as u8];
         Ok(Results {
             codes: by_columns(&turns, codes),

@@ -18,7 +18,7 @@ mod _core {
 
     #[pymodule_export]
     use crate::bodies::{
-        body_from_solids, check_body, check_solid, cylinder, disc, filling, first_bad_body,
+        body_from_solids, check_body, check_solid, cylinder, disk, filling, first_bad_body,
         hollow_cylinder, preset_battery, preset_beer_bottle, preset_can_2007, preset_coin,
         preset_cylinder, preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
     };
@@ -32,10 +32,10 @@ mod _core {
     use crate::motion::{CoreMotion, simulate};
     #[pymodule_export]
     use crate::theory::{
-        CoreNearCollision, CorePasted, arrival, balance_tilt, check_surface, disk_turn_limit,
-        error_law_coefficient, first_bad_surface, friction_at, lift_off_rate, needed_friction,
-        painleve_friction, passage, point_mass_turn_limit, slip_rate, steady_wobble_rate,
-        tall_turn_limit, turn_limit, turn_limit_with_spin, watershed_slope,
+        CoreComposite, CoreNearCollision, arrival, balance_tilt, check_contact_law,
+        disk_turn_limit, error_law_coefficient, first_bad_contact_law, friction_at, lift_off_rate,
+        needed_friction, painleve_friction, passage, point_mass_turn_limit, slip_rate,
+        steady_wobble_rate, tall_turn_limit, turn_limit, turn_limit_with_spin, watershed_slope,
     };
 
     #[pymodule_init]
@@ -47,7 +47,7 @@ mod _core {
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
         module.add("OUTCOMES", core::Outcome::ALL.map(core::Outcome::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
-        module.add("MOST_FRICTION", rimroll::law::MAX_FRICTION)?;
+        module.add("MAX_FRICTION", rimroll::law::MAX_FRICTION)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }
 }

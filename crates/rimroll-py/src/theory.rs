@@ -22,7 +22,7 @@ fn arrival_of((tipping_rate, slip, spin, friction_ratio): ArrivalNumbers) -> Arr
 }
 
 #[pyfunction]
-pub fn check_surface(contact_law: ContactLawArgument) -> PyResult<()> {
+pub fn check_contact_law(contact_law: ContactLawArgument) -> PyResult<()> {
     contact_law.contact_law().map(|_| ())
 }
 
@@ -43,7 +43,7 @@ pub fn friction_at<'py>(
 
 /// The index of the first invalid contact law and its error, if there is one.
 #[pyfunction]
-pub fn first_bad_surface(
+pub fn first_bad_contact_law(
     contact_law: ContactLawArgument,
     varied: VariedArgument<'_>,
 ) -> PyResult<Option<(usize, String)>> {
@@ -246,12 +246,12 @@ impl CoreNearCollision {
 
 /// The composite approximation; times from the release, s.
 #[pyclass(frozen)]
-pub struct CorePasted {
+pub struct CoreComposite {
     composite: composite::Composite,
 }
 
 #[pymethods]
-impl CorePasted {
+impl CoreComposite {
     #[new]
     fn new(
         body: BodyArgument,
@@ -261,7 +261,7 @@ impl CorePasted {
     ) -> PyResult<Self> {
         let composite =
             composite::composite(&body.body()?, &start.into(), ideal_law(law_name)?, gravity);
-        Ok(CorePasted {
+        Ok(CoreComposite {
             composite: composite.map_err(refusal)?,
         })
     }

@@ -3,7 +3,7 @@
 use rimroll::{Body, ContactLaw, FrictionLaw, InvalidInput, Options, Solid, State};
 
 /// The shapes of solids; the page refers to them by index.
-pub const SHAPES: [&str; 3] = ["disc", "wall", "cylinder"];
+pub const SHAPES: [&str; 3] = ["disk", "wall", "cylinder"];
 
 /// The parameters of a contact law by name, in the order in which the page writes them; NaN if absent.
 const PARAMETERS: [&str; 3] = ["friction", "restitution", "rolling_dry"];
@@ -53,7 +53,7 @@ impl Arguments {
     pub fn solid(&mut self) -> Result<Solid, InvalidInput> {
         let [shape, mass, radius, length, base] = self.array();
         match named("shape", shape, &SHAPES)? {
-            "disc" => Solid::disc(mass, radius, base),
+            "disk" => Solid::disk(mass, radius, base),
             "wall" => Solid::wall(mass, radius, length, base),
             _ => Solid::cylinder(mass, radius, length, base),
         }

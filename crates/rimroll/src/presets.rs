@@ -84,10 +84,10 @@ pub fn ring(radius: f64) -> Result<Body, InvalidInput> {
     Body::from_solids(radius, &[Solid::ring(1.0, radius, 0.0)?])
 }
 
-/// A uniform thin disc of mass 1 kg: H = 0, C = mR²/2, A = C/2, so k² = ½ (the paper's "Disks"
+/// A uniform thin disk of mass 1 kg: H = 0, C = mR²/2, A = C/2, so k² = ½ (the paper's "Disks"
 /// section). No turn depends on its mass.
 pub fn disk(radius: f64) -> Result<Body, InvalidInput> {
-    Body::from_solids(radius, &[Solid::disc(1.0, radius, 0.0)?])
+    Body::from_solids(radius, &[Solid::disk(1.0, radius, 0.0)?])
 }
 
 /// The toy called Euler's disk: a steel cylinder of 75 mm diameter and 12.7 mm (½ inch) thickness, 0.44 kg,
@@ -124,10 +124,10 @@ fn wall(
     Solid::wall(density * area * length, radius, length, base)
 }
 
-/// A thin disc of the given thickness; `height` is that of its mid-plane.
+/// A thin disk of the given thickness; `height` is that of its mid-plane.
 fn plate(density: f64, radius: f64, thickness: f64, height: f64) -> Result<Solid, InvalidInput> {
     let area = core::f64::consts::PI * radius * radius;
-    Solid::disc(density * area * thickness, radius, height)
+    Solid::disk(density * area * thickness, radius, height)
 }
 
 fn fraction(field: &'static str, value: f64) -> Result<f64, InvalidInput> {

@@ -77,11 +77,11 @@ impl Solid {
         })
     }
 
-    /// A thin disc: mass (kg), radius and height (m).
+    /// A thin disk: mass (kg), radius and height (m).
     ///
     /// # Errors
     /// Refuses mass or radius ≤ 0.
-    pub fn disc(mass: f64, radius: f64, height: f64) -> Result<Solid, InvalidInput> {
+    pub fn disk(mass: f64, radius: f64, height: f64) -> Result<Solid, InvalidInput> {
         Solid::cylinder(mass, radius, 0.0, height)
     }
 

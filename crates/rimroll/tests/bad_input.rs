@@ -96,14 +96,14 @@ fn a_body_of_solids_needs_solids_over_its_base() {
         refusal(Body::from_solids(0.05, &[])),
         "solids must name at least one solid, got none"
     );
-    let below = Solid::disc(1.0, 0.05, -0.02).expect("a disc under the table");
+    let below = Solid::disk(1.0, 0.05, -0.02).expect("a disk under the table");
     assert_eq!(
         refusal(Body::from_solids(0.05, &[below])),
         "height must be >= 0, got -0.02 m"
     );
-    let disc = Solid::disc(1.0, 0.05, 0.02).expect("a disc");
+    let disk = Solid::disk(1.0, 0.05, 0.02).expect("a disk");
     assert_eq!(
-        refusal(Body::from_solids(0.0, &[disc])),
+        refusal(Body::from_solids(0.0, &[disk])),
         "radius must be > 0, got 0 m"
     );
 }
@@ -115,7 +115,7 @@ fn solids_need_sizes() {
             Solid::cylinder(0.0, 0.1, 0.1, 0.0),
             "mass must be > 0, got 0 kg",
         ),
-        (Solid::disc(-1.0, 0.1, 0.0), "mass must be > 0, got -1 kg"),
+        (Solid::disk(-1.0, 0.1, 0.0), "mass must be > 0, got -1 kg"),
         (
             Solid::ring(NAN, 0.1, 0.0),
             "mass must be a finite number, got NaN",
@@ -129,7 +129,7 @@ fn solids_need_sizes() {
             "length must be >= 0, got -0.1 m",
         ),
         (
-            Solid::disc(1.0, 0.1, NAN),
+            Solid::disk(1.0, 0.1, NAN),
             "base must be a finite number, got NaN",
         ),
         (

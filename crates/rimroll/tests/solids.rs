@@ -75,8 +75,8 @@ proptest! {
         let [bottom, lid, wall, ring] = masses;
         let inner = inner * radius;
         let solids = [
-            Solid::disc(bottom, radius, base),
-            Solid::disc(lid, 0.8 * radius, base + length),
+            Solid::disk(bottom, radius, base),
+            Solid::disk(lid, 0.8 * radius, base + length),
             Solid::wall(wall, radius, length, base),
             Solid::hollow_cylinder(ring, inner, radius, 0.3 * length, base),
             Solid::filling(density, radius, 0.5 * length, base),
@@ -107,7 +107,7 @@ fn a_cylinder_is_a_stack_of_discs() {
     let discs: Vec<Solid> = (0..COUNT)
         .map(|i| {
             let height = length * (f64::from(i) + 0.5) / n;
-            Solid::disc(mass / n, radius, height).expect("a disc")
+            Solid::disk(mass / n, radius, height).expect("a disk")
         })
         .collect();
     let stack = Body::from_solids(radius, &discs).expect("a body");
@@ -152,7 +152,7 @@ fn moments_of_inertia_are_the_textbook_ones() {
             1.0 / 4.0 + 1.0 / 12.0,
             0.5,
         ),
-        (Solid::disc(1.0, 1.0, 0.0), 0.25, 0.5),
+        (Solid::disk(1.0, 1.0, 0.0), 0.25, 0.5),
         (Solid::ring(1.0, 1.0, 0.0), 0.5, 1.0),
         (Solid::wall(1.0, 1.0, 1.0, 0.0), 0.5 + 1.0 / 12.0, 1.0),
         (Solid::filling(1.0 / PI, 1.0, 1.0, 0.0), 1.0 / 3.0, 0.5),

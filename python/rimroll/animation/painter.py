@@ -74,19 +74,19 @@ class Painter:
             self.picture.paste(color, trail.box, faded)
 
     def spot(self, place: Array, size: float, edge: float, color: str, opacity: float) -> None:
-        """Paint a disc with a white edge; ``size`` is its diameter to the middle of the edge."""
+        """Paint a disk with a white edge; ``size`` is its diameter to the middle of the edge."""
         inner, outer = 0.5 * (size - edge), 0.5 * (size + edge)
         box = _box(place, self.picture, 1.0 + outer)
         if box is None:
             return
         level = round(255.0 * opacity)
-        for paint, discs in (
+        for paint, disks in (
             ("white", ((outer, level), (inner, 0))),
             (color, ((inner, level),)),
         ):
             mask = Image.new("L", _fine_size(box))
             draw = ImageDraw.Draw(mask)
-            for radius, shade in discs:
+            for radius, shade in disks:
                 draw.ellipse(_fine(np.array([place - radius, place + radius]), box), shade)
             self.picture.paste(paint, box, mask.reduce(FINE))
 

@@ -22,11 +22,11 @@ def check(name: str, numbers: Mapping[str, Any]) -> None:
     """Raise ``RimrollError`` naming the first number that is out of bounds."""
     varied, fixed = varied_numbers(numbers), OneLaw(name, fixed_numbers(numbers))
     if not varied:
-        _core.check_surface(fixed)
+        _core.check_contact_law(fixed)
         return
     grid = Grid.over(varied)
     columns = {name: grid.flat(value) for name, value in varied.items()}
-    bad = _core.first_bad_surface(fixed, columns)
+    bad = _core.first_bad_contact_law(fixed, columns)
     if bad is not None:
         row, message = bad
         raise RimrollError(grid.placed(message, numbers, row))

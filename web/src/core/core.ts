@@ -58,7 +58,7 @@ export type Preset =
 
 /** A solid that is a part of a body, in SI units; `base` is the height of its lower end. */
 export interface Solid {
-  shape: "disc" | "wall" | "cylinder";
+  shape: "disk" | "wall" | "cylinder";
   mass: number;
   radius: number;
   length: number;

@@ -20,15 +20,15 @@ export class Contact {
   });
 
   constructor() {
-    const disc = (size: number, material: MeshBasicMaterial, order: number) => {
+    const disk = (size: number, material: MeshBasicMaterial, order: number) => {
       const mesh = new Mesh(new CircleGeometry(size, 32), material);
       mesh.renderOrder = order;
       this.group.add(mesh);
     };
     // Radii in pixels.
-    disc(7.5, this.halo, 4);
-    disc(5.5, this.core, 5);
-    disc(4.5, this.ghost, 6);
+    disk(7.5, this.halo, 4);
+    disk(5.5, this.core, 5);
+    disk(4.5, this.ghost, 6);
   }
 
   /** Shows the dot at a spot of the table, at a distance from the camera; `near` if no body hides it. */

@@ -38,8 +38,8 @@ export class Dots {
     if (flicks.length === 0) return;
     this.group.rotation.z = start;
     this.layRing(limits, palette);
-    const outer = discs(DOT, flicks.length, -1);
-    const inner = discs(HOLLOW * DOT, flicks.length, 0);
+    const outer = disks(DOT, flicks.length, -1);
+    const inner = disks(HOLLOW * DOT, flicks.length, 0);
     const [ink, hollow, other] = [palette.ink, palette.raised, palette.muted].map(
       (color) => new Color(color),
     ) as [Color, Color, Color];
@@ -78,7 +78,7 @@ export class Dots {
   }
 }
 
-function discs(size: number, count: number, order: number): InstancedMesh {
+function disks(size: number, count: number, order: number): InstancedMesh {
   const material = new MeshBasicMaterial({
     toneMapped: false,
     transparent: true,

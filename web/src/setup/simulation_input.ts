@@ -42,7 +42,7 @@ export function solidsOf(setup: Readonly<Setup>): Solid[] {
   const inBase = setup.base / 100;
   const inWall = (setup.wall / 100) * (1 - inBase);
   const parts: [Solid["shape"], number][] = [
-    ["disc", inBase],
+    ["disk", inBase],
     ["wall", inWall],
     ["cylinder", 1 - inBase - inWall],
   ];

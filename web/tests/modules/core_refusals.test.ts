@@ -26,7 +26,7 @@ function refusal(asked: () => unknown): string {
 const simulate = ({ body, start, contactLaw, options }: SimulationInput) =>
   core.simulate(body, start, contactLaw, options);
 
-const PLATE: Solid = { shape: "disc", mass: 0.01, radius: 0.03, length: 0, base: 0 };
+const PLATE: Solid = { shape: "disk", mass: 0.01, radius: 0.03, length: 0, base: 0 };
 
 describe("unknown names", () => {
   test("a preset body", () => {
@@ -39,7 +39,7 @@ describe("unknown names", () => {
     const cone = { ...PLATE, shape: "cone" as Solid["shape"] };
     for (const solids of [[cone], [PLATE, cone], [cone, PLATE]])
       expect(refusal(() => core.composed(0.03, solids))).toMatch(
-        /^unknown shape .*: choose from disc, wall, cylinder$/,
+        /^unknown shape .*: choose from disk, wall, cylinder$/,
       );
   });
 

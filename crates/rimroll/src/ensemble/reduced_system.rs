@@ -66,7 +66,7 @@ macro_rules! reduces_to {
 
 /// Rolling without slip, with unlimited friction or, if `DRY`, with dry static friction.
 pub(super) struct ReducedNoSlip<T, const DRY: bool> {
-    law: NoSlip<T>,
+    dynamics: NoSlip<T>,
     /// μ_s².
     static_friction_squared: T,
     error_scale: ErrorScale<T>,
@@ -78,7 +78,7 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
     fn new(k: Parameters<T>, static_friction: T) -> Self {
         ReducedNoSlip {
             error_scale: ErrorScale::new(&k),
-            law: NoSlip::new(k),
+            dynamics: NoSlip::new(k),
             static_friction_squared: static_friction * static_friction,
         }
     }
@@ -88,7 +88,7 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
     #[inline(always)]
     fn with_numbers<U: Real>(&self, f: impl Fn(&T) -> U) -> ReducedNoSlip<U, DRY> {
         ReducedNoSlip {
-            law: self.law.map(&f),
+            dynamics: self.dynamics.map(&f),
             static_friction_squared: f(&self.static_friction_squared),
             error_scale: self.error_scale.map(&f),
         }
@@ -96,7 +96,7 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
 
     #[inline(always)]
     fn write_to<U: Real>(&self, to: &mut ReducedNoSlip<U, DRY>, f: impl Fn(&T, &mut U)) {
-        self.law.write(&mut to.law, &f);
+        self.dynamics.write(&mut to.dynamics, &f);
         f(
             &self.static_friction_squared,
             &mut to.static_friction_squared,
@@ -108,7 +108,7 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
 
     #[inline(always)]
     fn rates(&self, u: &[T; 7]) -> [T; 7] {
-        <Self as ReducedSystem<T, 7>>::project(&self.law.reduced_rates(&Self::expand(u)))
+        <Self as ReducedSystem<T, 7>>::project(&self.dynamics.reduced_rates(&Self::expand(u)))
     }
 
     #[inline(always)]
@@ -119,7 +119,7 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
     /// N sin φ. Under dry friction it is (μ_s² N² − T²) sin² φ where N is positive.
     #[inline(always)]
     fn contact_margin(&self, u: &[T; 7]) -> T {
-        let contact = self.law.contact(&Self::expand(u));
+        let contact = self.dynamics.contact(&Self::expand(u));
         if !DRY {
             return contact.normal;
         }
@@ -133,7 +133,7 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
 
 /// Sliding without friction. The axial spin is constant.
 pub(super) struct ReducedFrictionless<T> {
-    law: Frictionless<T>,
+    dynamics: Frictionless<T>,
     error_scale: ErrorScale<T>,
 }
 
@@ -143,7 +143,7 @@ impl<T: Real> ReducedSystem<T, 7> for ReducedFrictionless<T> {
     fn new(k: Parameters<T>, _friction: T) -> Self {
         ReducedFrictionless {
             error_scale: ErrorScale::new(&k),
-            law: Frictionless::new(k),
+            dynamics: Frictionless::new(k),
         }
     }
 
@@ -152,14 +152,14 @@ impl<T: Real> ReducedSystem<T, 7> for ReducedFrictionless<T> {
     #[inline(always)]
     fn with_numbers<U: Real>(&self, f: impl Fn(&T) -> U) -> ReducedFrictionless<U> {
         ReducedFrictionless {
-            law: self.law.map(&f),
+            dynamics: self.dynamics.map(&f),
             error_scale: self.error_scale.map(&f),
         }
     }
 
     #[inline(always)]
     fn write_to<U: Real>(&self, to: &mut ReducedFrictionless<U>, f: impl Fn(&T, &mut U)) {
-        self.law.write(&mut to.law, &f);
+        self.dynamics.write(&mut to.dynamics, &f);
         self.error_scale.write(&mut to.error_scale, &f);
     }
 
@@ -167,7 +167,7 @@ impl<T: Real> ReducedSystem<T, 7> for ReducedFrictionless<T> {
 
     #[inline(always)]
     fn rates(&self, u: &[T; 7]) -> [T; 7] {
-        Self::project(&self.law.reduced_rates(&Self::expand(u)))
+        Self::project(&self.dynamics.reduced_rates(&Self::expand(u)))
     }
 
     #[inline(always)]
@@ -177,7 +177,7 @@ impl<T: Real> ReducedSystem<T, 7> for ReducedFrictionless<T> {
 
     #[inline(always)]
     fn contact_margin(&self, u: &[T; 7]) -> T {
-        self.law.contact(&Self::expand(u)).normal
+        self.dynamics.contact(&Self::expand(u)).normal
     }
 }
 
@@ -185,7 +185,7 @@ impl<T: Real> ReducedSystem<T, 7> for ReducedFrictionless<T> {
 /// ([`ErrorScale::sundman_factor`]).
 #[derive(Clone, Copy)]
 pub(super) struct ReducedSliding<T> {
-    law: SlidingDry<T>,
+    dynamics: SlidingDry<T>,
     error_scale: ErrorScale<T>,
 }
 
@@ -193,9 +193,9 @@ impl<T: Real> ReducedSliding<T> {
     /// Rates with respect to τ, with the friction that opposes a slip in this direction (unit vector).
     #[inline(always)]
     pub(super) fn rates_against(&self, u: &[T; 10], direction: [T; 2]) -> [T; 10] {
-        let friction_force = self.law.friction().against(direction);
+        let friction_force = self.dynamics.friction().against(direction);
         let (_, rates) = self
-            .law
+            .dynamics
             .reduced_rates_under(&Self::expand(u), &friction_force);
         Self::project(&rates)
     }
@@ -208,17 +208,17 @@ impl<T: Real> ReducedSliding<T> {
         // the rolling and in the sliding equations agrees only to that accuracy.
         const ROUNDING: f64 = 1e-6;
         let u = Self::expand(u);
-        let friction_force = self.law.friction().against(direction);
-        let (contact, rates) = self.law.reduced_rates_under(&u, &friction_force);
+        let friction_force = self.dynamics.friction().against(direction);
+        let (contact, rates) = self.dynamics.reduced_rates_under(&u, &friction_force);
         let along = rates.slip_x * direction[0] + rates.slip_y * direction[1];
         let across = rates.slip_y * direction[0] - rates.slip_x * direction[1];
         let friction = contact.along.abs() + contact.across.abs();
         let scale =
-            friction * self.law.parameters().sideways_mobility() + along.abs() + across.abs();
+            friction * self.dynamics.parameters().sideways_mobility() + along.abs() + across.abs();
         let acceleration = along + T::from(ROUNDING) * scale;
         acceleration
             .min(contact.normal)
-            .min(self.law.inertia(&u, &friction_force))
+            .min(self.dynamics.inertia(&u, &friction_force))
     }
 
     /// The error scales while a slip begins.
@@ -240,7 +240,7 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
     fn new(k: Parameters<T>, friction: T) -> Self {
         ReducedSliding {
             error_scale: ErrorScale::new(&k),
-            law: Sliding::new(k, Coulomb::uniform(friction)),
+            dynamics: Sliding::new(k, Coulomb::uniform(friction)),
         }
     }
 
@@ -249,14 +249,14 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
     #[inline(always)]
     fn with_numbers<U: Real>(&self, f: impl Fn(&T) -> U) -> ReducedSliding<U> {
         ReducedSliding {
-            law: self.law.map(&f),
+            dynamics: self.dynamics.map(&f),
             error_scale: self.error_scale.map(&f),
         }
     }
 
     #[inline(always)]
     fn write_to<U: Real>(&self, to: &mut ReducedSliding<U>, f: impl Fn(&T, &mut U)) {
-        self.law.write(&mut to.law, &f);
+        self.dynamics.write(&mut to.dynamics, &f);
         self.error_scale.write(&mut to.error_scale, &f);
     }
 
@@ -266,10 +266,10 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
     #[inline(always)]
     fn rates(&self, u: &[T; 10]) -> [T; 10] {
         let u = Self::expand(u);
-        let friction_force = self.law.friction_force(&u);
+        let friction_force = self.dynamics.friction_force(&u);
         // The Sundman factor and the equations of motion share one division.
         let (inertia, sundman_denominator) = (
-            self.law.inertia(&u, &friction_force),
+            self.dynamics.inertia(&u, &friction_force),
             self.error_scale.sundman_denominator(&u),
         );
         let per_inertia = slip_speed(&u) / (inertia * sundman_denominator);
@@ -277,7 +277,7 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
             factor: inertia * per_inertia,
             per_inertia,
         };
-        Self::project(&self.law.rates_under(&u, &friction_force, scaling).1)
+        Self::project(&self.dynamics.rates_under(&u, &friction_force, scaling).1)
     }
 
     #[inline(always)]
@@ -292,8 +292,10 @@ impl<T: Real> ReducedSystem<T, 10> for ReducedSliding<T> {
         // smaller one.
         const MIN_CONSISTENCY: f64 = 1e-3;
         let u = Self::expand(u);
-        let margin = self.law.consistency_margin(&u, T::from(MIN_CONSISTENCY));
-        margin.where_negative(margin, self.law.scaled_normal_force(&u))
+        let margin = self
+            .dynamics
+            .consistency_margin(&u, T::from(MIN_CONSISTENCY));
+        margin.where_negative(margin, self.dynamics.scaled_normal_force(&u))
     }
 
     #[inline(always)]

@@ -157,10 +157,10 @@ impl AirDrag {
     }
 }
 
-/// A law with resistance added.
+/// Equations of motion with resistance added.
 #[derive(Debug, Clone, Copy)]
 pub struct Resisted<L> {
-    law: L,
+    dynamics: L,
     resistance: Resistance,
     /// Whether any resistance is not zero.
     resists: bool,
@@ -169,23 +169,23 @@ pub struct Resisted<L> {
 }
 
 impl<L> Resisted<L> {
-    /// `law` with `resistance`, for steps that may err by `tolerance`. Air drag with an exponent below 2 is
+    /// `dynamics` with `resistance`, for steps that may err by `tolerance`. Air drag with an exponent below 2 is
     /// smoothed where the yaw rate is smaller than a tenth of that, relative to the axial spin rate and √(g/R).
-    pub fn new(law: L, resistance: Resistance, tolerance: f64) -> Self {
+    pub fn new(dynamics: L, resistance: Resistance, tolerance: f64) -> Self {
         Resisted {
-            law,
+            dynamics,
             resistance,
             resists: !resistance.is_none(),
             tolerance,
         }
     }
 
-    /// The law without resistance.
+    /// The equations without resistance.
     pub(crate) fn dynamics(&self) -> &L {
-        &self.law
+        &self.dynamics
     }
 
-    /// Adds the effect of resistance to the law's rates, given the normal force (times sin φ).
+    /// Adds the effect of resistance to the rates, given the normal force (times sin φ).
     #[inline(always)]
     pub(crate) fn resist<T: Real>(
         &self,
@@ -199,9 +199,9 @@ impl<L> Resisted<L> {
         if !self.resists {
             return rates;
         }
-        let k = self.law.parameters();
+        let k = self.dynamics.parameters();
         let [about_x, about_z] = self.resistance.moment(k, u, normal, self.tolerance);
-        let reaction = self.law.constraint_reaction([about_x, about_z]);
+        let reaction = self.dynamics.constraint_reaction([about_x, about_z]);
         let across = reaction.unwrap_or(T::from(0.0));
         let dw = (about_x + k.h * across) / k.a;
         let ds = (about_z - k.r * across) / k.c;
@@ -217,55 +217,58 @@ impl<L> Resisted<L> {
 
 impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
     fn parameters(&self) -> &Parameters<T> {
-        self.law.parameters()
+        self.dynamics.parameters()
     }
 
     #[inline(always)]
     fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        let rates = self.law.reduced_rates(u);
+        let rates = self.dynamics.reduced_rates(u);
         if !self.resists {
             return rates;
         }
-        self.resist(u, rates, self.law.contact(u).normal)
+        self.resist(u, rates, self.dynamics.contact(u).normal)
     }
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
-        let mut contact = self.law.contact(u);
+        let mut contact = self.dynamics.contact(u);
         if self.resists {
-            let k = self.law.parameters();
+            let k = self.dynamics.parameters();
             let moment = self.resistance.moment(k, u, contact.normal, self.tolerance);
-            let reaction = self.law.constraint_reaction(moment).unwrap_or(T::from(0.0));
+            let reaction = self
+                .dynamics
+                .constraint_reaction(moment)
+                .unwrap_or(T::from(0.0));
             contact.across = contact.across + reaction;
         }
         contact
     }
 
     fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
-        self.law.center_velocity(u)
+        self.dynamics.center_velocity(u)
     }
 
     fn slip(&self, u: &Coordinates<T>) -> [T; 2] {
-        self.law.slip(u)
+        self.dynamics.slip(u)
     }
 
     fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
-        self.law.constraint_reaction(moment)
+        self.dynamics.constraint_reaction(moment)
     }
 
     fn resistance_rate(&self, u: &Coordinates<T>) -> T {
-        let normal = self.law.contact(u).normal;
+        let normal = self.dynamics.contact(u).normal;
         self.resist(u, Coordinates::zero(), normal).w
     }
 
     fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
-        self.law.friction_ratio(u)
+        self.dynamics.friction_ratio(u)
     }
 
     fn consistency(&self, u: &Coordinates<T>) -> T {
-        self.law.consistency(u)
+        self.dynamics.consistency(u)
     }
 
     fn is_conservative(&self) -> bool {
-        !self.resists && self.law.is_conservative()
+        !self.resists && self.dynamics.is_conservative()
     }
 }

@@ -86,11 +86,13 @@ impl Contacts {
                 visitor
                     .with::<_, RIGID_COORDINATES>(&Mechanics::new(self.phases.rolling.dynamics()))
             }
-            (Phase::Sliding, SlidingDynamics::Frictionless(law)) if law.is_conservative() => {
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(law.dynamics()))
+            (Phase::Sliding, SlidingDynamics::Frictionless(sliding))
+                if sliding.is_conservative() =>
+            {
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(sliding.dynamics()))
             }
-            (Phase::Sliding, SlidingDynamics::Coulomb(law)) => {
-                visitor.with::<_, COORDINATES>(&Mechanics::slipping(law))
+            (Phase::Sliding, SlidingDynamics::Coulomb(sliding)) => {
+                visitor.with::<_, COORDINATES>(&Mechanics::slipping(sliding))
             }
             _ => visitor.with::<_, COORDINATES>(&self.phases.mechanics(phase)),
         }
@@ -145,8 +147,8 @@ impl Contacts {
                 }
             }
             _ => {
-                let law = self.dynamics(Phase::Sliding);
-                if law.consistency(u) <= 0.0 {
+                let dynamics = self.dynamics(Phase::Sliding);
+                if dynamics.consistency(u) <= 0.0 {
                     Transition::Paradox
                 } else if self.scaled_normal_force(u) >= -1e-14 * self.force_scale(u) {
                     // The tolerance avoids flights that are due to a rounding error.
@@ -177,8 +179,9 @@ impl Contacts {
         if u.p >= 0.0 || u.w.abs() > 0.5 * u.p.abs() {
             return false;
         }
-        let law = self.dynamics(phase);
-        let deceleration = |w: f64| -w.signum() * law.resistance_rate(&Coordinates { w, ..*u });
+        let dynamics = self.dynamics(phase);
+        let deceleration =
+            |w: f64| -w.signum() * dynamics.resistance_rate(&Coordinates { w, ..*u });
         deceleration(u.p).max(deceleration(-u.p)) > MIN_RATIO * u.p * u.p
     }
 

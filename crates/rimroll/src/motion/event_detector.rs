@@ -345,7 +345,7 @@ impl<'a> EventDetector<'a> {
 
     /// The event function: it changes sign at the event.
     fn event_function(&self, event: TerminalEvent, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        let law = self.contacts.dynamics(phase);
+        let dynamics = self.contacts.dynamics(phase);
         match event {
             TerminalEvent::Done => match self.goal {
                 Goal::Time(duration) | Goal::Turn(duration) => u.t - duration,
@@ -359,14 +359,14 @@ impl<'a> EventDetector<'a> {
             TerminalEvent::LiftOff if phase == Phase::Sliding => {
                 self.contacts.scaled_normal_force(u)
             }
-            TerminalEvent::LiftOff => law.contact(u).normal,
+            TerminalEvent::LiftOff => dynamics.contact(u).normal,
             TerminalEvent::Flat => u.sin - FACE_DOWN_TILT,
             TerminalEvent::StoppedRunning => self.excess_over_stopped(phase, u),
             TerminalEvent::SlipOnset => self.contacts.friction_cone_margin(u),
             TerminalEvent::SlipEnd => u.slip_speed() - self.contacts.stopped_speed(u),
-            TerminalEvent::Paradox => law.consistency(u) - PARADOX,
+            TerminalEvent::Paradox => dynamics.consistency(u) - PARADOX,
             TerminalEvent::Land => u.gap,
-            TerminalEvent::Rest => energy_above_rest(law, u) - REST_ENERGY * self.start_energy,
+            TerminalEvent::Rest => energy_above_rest(dynamics, u) - REST_ENERGY * self.start_energy,
         }
     }
 
@@ -525,8 +525,8 @@ impl<'a> EventDetector<'a> {
 
 /// The energy above that of a body lying flat. The absolute value counts, because a body that leans far can
 /// have its centre of mass lower than a flat one without being at rest.
-fn energy_above_rest(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> f64 {
-    let energy = law.energy(u);
+fn energy_above_rest(dynamics: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> f64 {
+    let energy = dynamics.energy(u);
     energy.kinetic + energy.potential.abs()
 }
 

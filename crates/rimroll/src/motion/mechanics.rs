@@ -6,29 +6,29 @@ use crate::real::Real;
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, IGNORABLE, RIGID_COORDINATES};
 
-/// A law with its error scales.
+/// The equations of motion under one law, with their error scales.
 pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
-    pub law: &'a L,
+    pub dynamics: &'a L,
     pub error_scale: ErrorScale<T>,
-    /// Whether it is the law of slip under dry friction.
+    /// Whether they are those of slip under dry friction.
     dry: bool,
 }
 
 impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
-    pub(super) fn new(law: &'a L) -> Self {
+    pub(super) fn new(dynamics: &'a L) -> Self {
         Mechanics {
-            law,
-            error_scale: ErrorScale::new(law.parameters()),
+            dynamics,
+            error_scale: ErrorScale::new(dynamics.parameters()),
             dry: false,
         }
     }
 
     /// The system for slip under dry friction, whose independent variable is the σ of
     /// [`ErrorScale::sundman_denominator`].
-    pub(super) fn slipping(law: &'a L) -> Self {
+    pub(super) fn slipping(dynamics: &'a L) -> Self {
         Mechanics {
             dry: true,
-            ..Mechanics::new(law)
+            ..Mechanics::new(dynamics)
         }
     }
 
@@ -59,7 +59,7 @@ impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, 
     #[inline(always)]
     fn rates(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
         let u = Coordinates::from_array(u);
-        let rates = self.law.rates(&u).into_array();
+        let rates = self.dynamics.rates(&u).into_array();
         if !self.dry {
             return rates;
         }
@@ -80,7 +80,12 @@ impl<T: Real, L: Dynamics<T> + ?Sized> System<T, RIGID_COORDINATES> for Mechanic
 
     #[inline(always)]
     fn rates(&self, u: &[T; RIGID_COORDINATES]) -> [T; RIGID_COORDINATES] {
-        leading(&self.law.rates(&Coordinates::from_first(u)).into_array())
+        leading(
+            &self
+                .dynamics
+                .rates(&Coordinates::from_first(u))
+                .into_array(),
+        )
     }
 
     #[inline(always)]

@@ -58,25 +58,25 @@ pub fn pose(u: &Coordinates<f64>) -> Pose {
     ]
 }
 
-/// All quantities of a motion under `law` at `u`.
-pub fn moment(law: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
-    let k = law.parameters();
+/// All quantities of a motion under these equations of motion at `u`.
+pub fn moment(dynamics: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
+    let k = dynamics.parameters();
     let [t, tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate, s] = pose(u);
     let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
     let [x, y] = u.center();
     let rho = k.rho(u);
-    let force = law.contact(u);
+    let force = dynamics.contact(u);
     let (along, across) = (force.along / u.sin, force.across / u.sin);
     let friction = (force.along * force.along + force.across * force.across).sqrt();
-    let needed = match law.friction_ratio(u) {
+    let needed = match dynamics.friction_ratio(u) {
         Some(ratio) if ratio.is_finite() => ratio,
         _ if friction == 0.0 => 0.0,
         _ if force.normal > 0.0 => friction / force.normal,
         // Without a normal force there is no friction at any coefficient.
         _ => f64::INFINITY,
     };
-    let energy = law.energy(u);
-    let [slip_along, slip_across] = law.slip(u);
+    let energy = dynamics.energy(u);
+    let [slip_along, slip_across] = dynamics.slip(u);
     [
         t,
         tilt,

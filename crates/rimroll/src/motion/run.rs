@@ -304,11 +304,11 @@ impl<'a> Run<'a> {
     /// Whether a dry slip is about to stop so soon that its end is one straight step.
     fn slip_is_stopping(&self, phase: Phase) -> bool {
         phase == Phase::Sliding
-            && self.contacts.dry().is_some_and(|law| {
+            && self.contacts.dry().is_some_and(|dry| {
                 let at = self.track.end().u;
                 let tolerance = self.options.step_tolerance();
                 let error_scale = ErrorScale::new(self.contacts.parameters());
-                error_scale.slip_persists(&at, &law.rates(&at), 1.0, tolerance) < 0.0
+                error_scale.slip_persists(&at, &dry.rates(&at), 1.0, tolerance) < 0.0
             })
     }
 
@@ -492,7 +492,7 @@ fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
     let h = mechanics.error_scale.first_step(u);
     if u.gap_rate > 0.0 {
         // A bounce lasts about 2v/g.
-        let g = mechanics.law.parameters().g;
+        let g = mechanics.dynamics.parameters().g;
         return h.min(0.1 * u.gap_rate / (g * u.sin));
     }
     h

@@ -52,7 +52,7 @@ type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
 
 /// The derivatives of a motion under one smooth law.
 pub struct Sensitivity {
-    law: Smooth,
+    dynamics: Smooth,
     /// The coordinates at the start of each step and at the end of the last one.
     starts: Vec<[Number; RIGID_COORDINATES]>,
     turns: Vec<Slope>,
@@ -69,15 +69,15 @@ impl Smooth {
     fn step(&self, start: &[Number; RIGID_COORDINATES], h: f64) -> [Number; RIGID_COORDINATES] {
         let h = h.into();
         match self {
-            Smooth::Rolling(law) => Step::take(&Mechanics::new(law), start, h).end,
-            Smooth::Frictionless(law) => Step::take(&Mechanics::new(law), start, h).end,
+            Smooth::Rolling(dynamics) => Step::take(&Mechanics::new(dynamics), start, h).end,
+            Smooth::Frictionless(dynamics) => Step::take(&Mechanics::new(dynamics), start, h).end,
         }
     }
 
     fn rates(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
         match self {
-            Smooth::Rolling(law) => law.rates(u),
-            Smooth::Frictionless(law) => law.rates(u),
+            Smooth::Rolling(dynamics) => dynamics.rates(u),
+            Smooth::Frictionless(dynamics) => dynamics.rates(u),
         }
     }
 }
@@ -113,7 +113,7 @@ impl Sensitivity {
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Sensitivity>, InvalidInput> {
         let mut sensitivity = Sensitivity {
-            law: smooth_law(motion)?,
+            dynamics: smooth_law(motion)?,
             starts: vec![leading(&start(&motion.track.start()).into_array())],
             turns: Vec::new(),
         };
@@ -129,7 +129,8 @@ impl Sensitivity {
         for records in motion.track.records().chunks(STEPS_BETWEEN_REPORTS) {
             watch(records[0].start[TIME])?;
             for (record, i) in records.iter().zip(self.starts.len() - 1..) {
-                self.starts.push(self.law.step(&self.starts[i], record.h));
+                self.starts
+                    .push(self.dynamics.step(&self.starts[i], record.h));
             }
         }
         for turns in motion.turns.chunks(TURNS_BETWEEN_REPORTS) {
@@ -166,11 +167,11 @@ impl Sensitivity {
     fn locate(&self, track: &Track, t: f64) -> CoordinatesAndRates {
         let (index, x) = track.locate(t);
         let at = match track.records().get(index) {
-            Some(record) => self.law.step(&self.starts[index], x * record.h),
+            Some(record) => self.dynamics.step(&self.starts[index], x * record.h),
             None => self.starts[0],
         };
         let u = Coordinates::from_first(&at);
-        let rates = self.law.rates(&u);
+        let rates = self.dynamics.rates(&u);
         CoordinatesAndRates { u, rates }
     }
 

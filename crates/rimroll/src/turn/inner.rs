@@ -252,15 +252,15 @@ fn computed_passage(
     }
     let kinetic = |u: &crate::motion::Instant| contacts.dynamics(u.phase).energy(u).kinetic;
     let (before, after) = (kinetic(&track.start()), kinetic(&end));
-    let law = contacts.dynamics(end.phase);
-    let [slip_x, slip_y] = law.slip(&end);
+    let dynamics = contacts.dynamics(end.phase);
+    let [slip_x, slip_y] = dynamics.slip(&end);
     let end = Coordinates {
         slip_x,
         slip_y,
         ..end.u
     };
-    let linear = linear_departure(|u| law.rates(u), &end, -end.p);
-    let quadratic = quadratic_departure(&law.rates(&end), &linear, &end, -end.p);
+    let linear = linear_departure(|u| dynamics.rates(u), &end, -end.p);
+    let quadratic = quadratic_departure(&dynamics.rates(&end), &linear, &end, -end.p);
     let last = end.plus(-1.0, &linear).plus(-1.0, &quadratic);
     Ok(Passage {
         turn: last.yaw,

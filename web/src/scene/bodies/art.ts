@@ -28,7 +28,7 @@ function words(pen: Pen, text: string, x: number, y: number, size: number, weigh
   pen.fillText(text, x, y);
 }
 
-function disc(pen: Pen, color: string, x: number, y: number, radius: number) {
+function disk(pen: Pen, color: string, x: number, y: number, radius: number) {
   pen.fillStyle = color;
   pen.beginPath();
   pen.arc(x, y, radius, 0, 2 * Math.PI);
@@ -59,9 +59,9 @@ export const tinLabel = () =>
       [1024, "#2f8f6b"],
       [2048, "#e4572e"],
     ] as const) {
-      disc(pen, color, middle, 384, 168);
-      disc(pen, "#f6efdf", middle, 384, 142);
-      disc(pen, color, middle, 384, 130);
+      disk(pen, color, middle, 384, 168);
+      disk(pen, "#f6efdf", middle, 384, 142);
+      disk(pen, color, middle, 384, 130);
       pen.strokeStyle = "#f6efdf";
       pen.lineWidth = 20;
       pen.lineCap = "round";
@@ -116,7 +116,7 @@ export const sodaPrint = () =>
       [190, 430, 18],
       [210, 150, 22],
     ] as const)
-      disc(pen, "#f2b632", x, y, size);
+      disk(pen, "#f2b632", x, y, size);
   });
 
 export const beerLabel = () =>
@@ -128,9 +128,9 @@ export const beerLabel = () =>
       [512, "#7c2d12"],
       [1536, "#1f4d3a"],
     ] as const) {
-      disc(pen, color, middle, 320, 232);
-      disc(pen, "#f3e9d2", middle, 320, 216);
-      disc(pen, color, middle, 320, 204);
+      disk(pen, color, middle, 320, 232);
+      disk(pen, "#f3e9d2", middle, 320, 216);
+      disk(pen, color, middle, 320, 204);
       pen.fillStyle = "#f3e9d2";
       words(pen, "42", middle, 290, 190, 900);
       words(pen, "FLICKS", middle, 410, 64, 700);
@@ -164,9 +164,9 @@ export const batteryPrint = () =>
 /** The face of a coin, seen from above; its edge touches the edge of the square. */
 export const coinFace = () =>
   printed(1024, 1024, (pen) => {
-    disc(pen, "#d9b45a", 512, 512, 512);
-    disc(pen, "#a8842f", 512, 512, 378);
-    disc(pen, "#dcdcd6", 512, 512, 370);
+    disk(pen, "#d9b45a", 512, 512, 512);
+    disk(pen, "#a8842f", 512, 512, 378);
+    disk(pen, "#dcdcd6", 512, 512, 370);
     for (let k = 0; k < 12; k++) {
       const angle = (k * Math.PI) / 6;
       pen.fillStyle = "#8c6a1d";
@@ -193,7 +193,7 @@ function star(pen: Pen, x: number, y: number, size: number, turned: number) {
 /** The face of the toy, with coloured rays like its foils. */
 export const diskFace = () =>
   printed(1024, 1024, (pen) => {
-    disc(pen, "#cfd6db", 512, 512, 512);
+    disk(pen, "#cfd6db", 512, 512, 512);
     const colors = ["#0072b2", "#56b4e9", "#009e73", "#f0e442", "#e69f00", "#d55e00", "#cc79a7"];
     for (let k = 0; k < 28; k++) {
       const angle = (k * Math.PI) / 14;
@@ -205,8 +205,8 @@ export const diskFace = () =>
       pen.fill();
     }
     pen.globalAlpha = 1;
-    disc(pen, "#e9edf0", 512, 512, 130);
-    disc(pen, "#d55e00", 512 + 455, 512, 34);
+    disk(pen, "#e9edf0", 512, 512, 130);
+    disk(pen, "#d55e00", 512 + 455, 512, 34);
   });
 
 /** A row of fields round the edge of a ring. */
