@@ -58,6 +58,7 @@ lint: .venv/.packages web/node_modules/.installed ## check format, lints, types,
 	cargo fmt --all --check
 	PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo clippy --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo doc --workspace --no-deps
+	RUSTDOCFLAGS="-D warnings" PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo doc --workspace --no-deps --document-private-items
 	.venv/bin/ruff check
 	.venv/bin/ruff format --check
 	.venv/bin/mypy
