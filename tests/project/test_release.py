@@ -2,6 +2,7 @@
 
 import re
 import runpy
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,8 @@ import pytest
 ROOT = Path(__file__).parents[2]
 NOTES = runpy.run_path(str(ROOT / "tools/release_notes.py"))
 README = runpy.run_path(str(ROOT / "tools/readme_for_pypi.py"))
+LICENCES = runpy.run_path(str(ROOT / "tools/crate_licences.py"))
+WHEELS = runpy.run_path(str(ROOT / "tools/paths_in_wheels.py"))
 
 CARGO = '[workspace.package]\nversion = "1.2.0"\n'
 CITATION = "title: x\nversion: 1.2.0\ndate-released: 2026-01-31\n"
@@ -80,3 +83,28 @@ def test_links_of_the_readme_are_addresses_on_pypi():
         if link.startswith(tree):
             assert (ROOT / link.removeprefix(tree)).is_file(), link
     assert README["absolute"](absolute, repository, "v1.2.0") == absolute
+
+
+def test_a_wheel_holds_the_licences_of_all_that_is_compiled_into_it():
+    """tools/crate_licences.py writes them again."""
+    held = (ROOT / "LICENSE-CRATES").read_text("utf-8")
+    assert held == LICENCES["text"]()
+
+
+@pytest.mark.parametrize(
+    "path", [b"/home/me/rimroll/src/lib.rs", b"C:\\Users\\me\\.cargo\\x.rs", b"/root/.cargo/a/b.rs"]
+)
+def test_paths_of_the_machine_that_built_a_wheel_are_found(tmp_path, path):
+    wheel = tmp_path / "one.whl"
+    with zipfile.ZipFile(wheel, "w") as file:
+        file.writestr("core.so", b"\0\1" + path + b"\0")
+    (found,) = WHEELS["paths"](wheel)
+    assert found == f"core.so: {path.decode()}"
+
+
+def test_other_slashes_are_no_paths(tmp_path):
+    wheel = tmp_path / "one.whl"
+    with zipfile.ZipFile(wheel, "w") as file:
+        file.writestr("core.so", b"rimroll/crates/rimroll/src/lib.rs /rustc/0a1b/library/core.rs")
+        file.writestr("a.py", b'"The folder /tmp/ and /home."')
+    assert WHEELS["paths"](wheel) == []

@@ -144,6 +144,15 @@ def test_what_is_published_is_published_by_an_environment_of_its_own():
     assert "needs: [pypi, crate]\n" in release["github"]
 
 
+def test_the_page_about_releases_says_what_every_job_does():
+    page = (ROOT / "docs/releasing.md").read_text("utf-8")
+    _, table = page.split("| job of `release.yml` |")
+    rows = re.findall(r"^\| (`.*?) \|", table.split("\n\n")[0], re.M)
+    listed = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+    release = jobs(TEXTS[ROOT / ".github/workflows/release.yml"])
+    assert listed | {"rehearsal"} == set(release)
+
+
 def test_the_smoke_test_passes_here_too():
     run = subprocess.run(
         [sys.executable, ROOT / "tools/smoke_test.py", "--without-page"],
