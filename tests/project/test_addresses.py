@@ -61,3 +61,11 @@ def test_the_paper_is_cited_by_one_identifier():
     doi = re.search(r"doi: (\S+)", text("CITATION.cff"))[1]
     assert f"doi     = {{{doi}}}" in text("paper.bib")
     assert f"https://doi.org/{doi}" in text("web/index.html")
+
+
+@pytest.mark.parametrize("page", ["good-first-tasks", "releasing"])
+def test_the_files_that_a_page_for_contributors_names_exist(page):
+    named = re.findall(r"`((?:crates|python|tests|tools|web)/[\w./-]+)`", text(f"docs/{page}.md"))
+    assert named
+    for name in named:
+        assert (ROOT / name).exists(), name
