@@ -1,8 +1,7 @@
-# What is installed and built is kept in .venv, web/node_modules, target, out and, of the page, in
-# python/rimroll/page; each is made anew only when what it is made from has changed. The work of
-# setting up lives in tools/.
+# Results are in .venv, web/node_modules, target, out and python/rimroll/page; each is rebuilt only if
+# its sources have changed. Scripts for the set-up are in tools/.
 
-# What a crate is made from.
+# The sources of crates.
 sources = Cargo.toml $(wildcard Cargo.lock) $(shell find $(1:=/Cargo.toml) $(1:=/src) -type f)
 
 RUST    := $(call sources,crates/rimroll crates/rimroll-py)
@@ -15,7 +14,7 @@ PAGE    := python/rimroll/page/index.html
 .DELETE_ON_ERROR:
 .PHONY: help demo web dev check test soak bench coverage census lint audit semver msrv clean toolchain
 
-help: ## say what can be made (the default)
+help: ## list the targets (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
 
 demo: $(REPORT) ## redo the paper's figures and tables as one page
@@ -24,8 +23,8 @@ demo: $(REPORT) ## redo the paper's figures and tables as one page
 web: $(PAGE) ## build the lab, the page that `rimroll lab` opens
 	@echo "The page is $(PAGE): .venv/bin/rimroll lab opens it."
 
-# What is built for users is built again by whatever needs it next.
-dev: .venv/.packages ## build the extension soon and slow, for work on the core
+# The next target that needs the optimised extension builds it again.
+dev: .venv/.packages ## build the extension quickly, with little optimisation, for work on the core
 	tools/build_extension.sh --profile quick
 	@rm -f .venv/.extension
 
@@ -76,7 +75,7 @@ semver: ## compare the crate's interface with that of the last release (needs ca
 msrv: ## compile with the oldest Rust that Cargo.toml names
 	tools/oldest_rust.sh
 
-clean: ## remove all that was installed, built or made
+clean: ## remove everything that was installed or built
 	rm -rf .venv web/node_modules target out
 	rm -rf python/rimroll/page python/rimroll/_core.*so web/src/core/rimroll.wasm
 
@@ -89,7 +88,7 @@ $(PAGE): $(WEB) web/src/core/rimroll.wasm web/node_modules/.installed
 web/src/core/rimroll.wasm: $(WASM) tools/build_wasm.sh tools/debian_rust.sh | toolchain
 	tools/build_wasm.sh
 
-# Where the machine has no Node.js, the one in .venv does.
+# If the machine has no Node.js, that in .venv is used.
 web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc tools/node.sh | .venv/.packages
 	tools/node.sh npm ci --silent
 	@touch $@
@@ -101,7 +100,7 @@ web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc t
 .venv/.packages: pyproject.toml constraints.txt tools/setup.sh | toolchain
 	tools/setup.sh
 
-# .venv knows its place by heart: in a tree that was moved or copied it is made anew.
+# .venv contains its own path: in a tree that was moved or copied it is created again.
 ifneq ($(shell cat .venv/.packages 2>/dev/null),$(CURDIR))
 .PHONY: .venv/.packages
 endif

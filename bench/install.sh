@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs rimroll's peers for bench/: Python packages into out/bench/venv, compiled ones beside it.
-# What cannot be had is left out, with a word.
+# Peers that cannot be installed are left out with a message.
 set -eu
 cd "$(dirname "$0")/.."
 built=$PWD/out/bench
@@ -27,7 +27,7 @@ say "building ode_solvers and diffsol"
     CARGO_TARGET_DIR="$built/core-rs" cargo build --quiet --release
 )
 
-# Boost is headers alone.
+# Boost's part is headers only.
 has_boost() {
     echo '#include <boost/numeric/odeint.hpp>' | g++ -std=c++17 -fsyntax-only -x c++ - 2>/dev/null
 }

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Compiles the Rust core into python/rimroll/ and makes .venv see that folder as the package. With
-# `--profile quick` it is compiled soon and runs slowly.
+# Compiles the Rust core into python/rimroll/ and links .venv to that folder. With `--profile quick`
+# it compiles quickly and runs slowly.
 set -eu
 cd "$(dirname "$0")/.."
 
-# maturin finds the environment and its tools by these.
+# maturin finds the environment and its tools through these variables.
 unset CONDA_PREFIX
 VIRTUAL_ENV=$PWD/.venv
 PATH=$VIRTUAL_ENV/bin:$PATH

@@ -1,21 +1,21 @@
 #!/bin/sh
-# Compiles the Rust core to WebAssembly, where the page looks for it. The standard library for that
-# target is rustup's, or where rustup has none, Debian's; RIMROLL_WASM=rustup or =debian insists on one.
-# The results of the core are the same to the last bit with either.
+# Compiles the Rust core to WebAssembly for the page. The standard library for that target comes from
+# rustup, or from Debian if rustup has none; RIMROLL_WASM=rustup or =debian chooses one. Results of the
+# core are the same to the last bit with either.
 set -eu
 cd "$(dirname "$0")/.."
 
 target=wasm32-unknown-unknown
-# Two numbers side by side, which browsers know since 2021 and Safari since 2023: the operations are
-# the same, and so are the bits. What must be fast is inlined by attribute; a lower threshold for the
-# rest makes the file a tenth smaller.
+# SIMD with two numbers, which browsers support since 2021 and Safari since 2023: the operations are
+# the same, and so are the bits. Functions that must be fast are inlined by attribute; a lower threshold
+# for the others makes the file a tenth smaller.
 export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-C target-feature=+simd128 -C llvm-args=-inline-threshold=100"
 build() {
     cargo "$@" build --quiet --package rimroll-wasm --profile page --target "$target"
     cp "${CARGO_TARGET_DIR:-target}/$target/page/rimroll_wasm.wasm" web/src/core/rimroll.wasm
 }
 
-# Whoever builds with a Rust that is not rustup's may have the target all the same.
+# A Rust that is not from rustup may also have the target.
 has_target() {
     [ -d "$(rustc --print target-libdir --target "$target")" ] ||
         rustup target add "$target" >/dev/null 2>&1
@@ -26,7 +26,7 @@ if [ "$source" != debian ] && has_target; then
     build
 elif [ "$source" != rustup ] && command -v apt-get >/dev/null && command -v dpkg >/dev/null; then
     rust=$(tools/debian_rust.sh)
-    # A compiler that is no nightly builds its own standard library only if told that it may.
+    # A stable compiler builds its own standard library only with this variable.
     export RUSTC_BOOTSTRAP=1 RUSTC="$rust/usr/bin/rustc"
     export LD_LIBRARY_PATH="$rust/usr/lib/$(uname -m)-linux-gnu"
     export CARGO_TARGET_DIR=target/debian

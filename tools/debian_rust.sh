@@ -1,12 +1,12 @@
 #!/bin/sh
 # Prints a folder with Debian's newest Rust compiler, the sources of its standard library and a linker
-# for WebAssembly, fetched with apt and unpacked there; nothing is installed.
+# for WebAssembly. apt downloads them, and they are unpacked there; nothing is installed.
 set -eu
 cd "$(dirname "$0")/.."
 
 folder=$PWD/target/debian-rust
 if [ ! -e "$folder/complete" ]; then
-    # The packages that one depends on whose names begin so.
+    # The dependencies of a package whose names begin with a prefix.
     needs() { apt-cache depends "$1" | sed -n "s/^ *Depends: \($2[0-9.]*\)\$/\1/p" | head -n 1; }
     [ -n "$(needs rustc-web libstd-rust-web-dev)" ] || apt-get update -qq >&2
     library=$(needs libstd-rust-web-dev libstd-rust-web-)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs a command in web/ where node and npm are found: those of this machine if they are new enough,
-# else those that PyPI packs, in .venv. Packages of web/ are found by their name, as in node.sh vite build.
+# Runs a command in web/ with node and npm: those of this machine if they are new enough, else those
+# from PyPI in .venv. Commands of the packages of web/ have their names, as in node.sh vite build.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes .venv anew and installs the Python packages that rimroll and its tools need, at the
-# versions of constraints.txt. When all is there, .venv/.packages says for which tree.
+# Recreates .venv and installs the Python packages that rimroll and its tools need, at the versions
+# of constraints.txt. When it is complete, .venv/.packages holds the path of this tree.
 set -eu
 cd "$(dirname "$0")/.."
 

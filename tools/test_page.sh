@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests the lab: its modules, and the built page in a headless Chromium. Without one the latter are
-# left out, which is said, but not passed over under CI=true. Arguments go to vitest.
+# Tests the lab: its modules, and the built page in a headless Chromium. Without Chromium, the tests
+# of the page are skipped with a message; with CI=true this is an error. Arguments go to vitest.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Prints the Python to build rimroll with; or, if a tool is missing or too old, says in one line
-# what to install, and fails. PYTHON=... names the Python to use.
+# Prints the Python for building rimroll. If a tool is missing or too old, it says in one line what
+# to install, and fails. PYTHON=... names the Python to use.
 cd "$(dirname "$0")/.." || exit
 
 fail() {
@@ -8,7 +8,7 @@ fail() {
     exit 1
 }
 
-# at_least 1.95 1.85: is the first version no older than the second?
+# at_least 1.95 1.85: whether the first version is at least the second
 at_least() {
     [ "${1%%.*}" -gt "${2%%.*}" ] || { [ "${1%%.*}" -eq "${2%%.*}" ] && [ "${1#*.}" -ge "${2#*.}" ]; }
 }
@@ -34,9 +34,9 @@ for python; do
     if ! at_least "$version" "$min_python"; then
         too_old=${too_old:-$version}
     elif ! "$python" -c 'import ensurepip, venv' 2>/dev/null; then
-        without_venv=${without_venv:-$version} # Debian packs these apart
+        without_venv=${without_venv:-$version} # Debian has a separate package for it
     else
-        # Not the one of a virtual environment that happens to be active.
+        # Not that of an active virtual environment.
         exec "$python" -c 'import sys; print(getattr(sys, "_base_executable", sys.executable))'
     fi
 done

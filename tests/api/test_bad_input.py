@@ -1,4 +1,4 @@
-"""Whatever is wrong, there is one clear message, no traceback, and no half-written file."""
+"""Every error gives one clear message, no traceback, and no half-written file."""
 
 import errno
 import os
@@ -121,7 +121,7 @@ def test_simulate_follows_one_start():
         rr.simulate(CAN, starts, rr.NoSlip())
 
 
-def test_unknown_bodies_and_laws_are_told_what_there_is():
+def test_errors_about_unknown_bodies_and_laws_list_the_known_ones():
     with pytest.raises(rr.RimrollError, match="unknown body 'soda': did you mean 'soda_can'"):
         rr.bodies.by_name("soda")
     with pytest.raises(rr.RimrollError, match="unknown law 'sticky': did you mean 'stribeck'"):
@@ -133,7 +133,7 @@ def test_unknown_bodies_and_laws_are_told_what_there_is():
 
 @pytest.fixture
 def complaint(capsys, monkeypatch, tmp_path):
-    """Runs a command that must fail in an empty folder; returns the one line that it says."""
+    """Runs a command that must fail, in an empty folder; returns the one line that it prints."""
     monkeypatch.chdir(tmp_path)
 
     def run(arguments, code=2):
@@ -360,7 +360,7 @@ def test_a_full_disk_under_stdout_is_one_line():
 
 
 def interrupted(command, sign):
-    """Runs Python and interrupts it once the path ``sign`` is there; returns what it says."""
+    """Runs Python and interrupts it when the path ``sign`` exists; returns what it prints."""
     with running(*command, cwd=sign.parent) as process:
         out, err = interrupt_when(sign.exists, process)
     assert out == ""

@@ -1,4 +1,4 @@
-"""Bodies: given by their numbers, ready-made, or put together from solids."""
+"""Bodies: from numbers, presets, and composed of solids."""
 
 import pickle
 from dataclasses import FrozenInstanceError, asdict, replace
@@ -131,7 +131,7 @@ def test_a_toy_euler_disk_weighs_440_g():
 
 
 def test_ideal_disk_and_ring_are_flat_with_the_textbook_moments():
-    """k^2 = 1/2 and k = 1; C = 2A for whatever is flat."""
+    """k^2 = 1/2 and k = 1; C = 2A for flat bodies."""
     for body, k_squared in (rr.bodies.disk(0.3), 0.5), (rr.bodies.ring(0.3), 1.0):
         assert (body.mass, body.radius, body.height) == (1.0, 0.3, 0.0)
         assert body.axial_inertia == pytest.approx(k_squared * 0.3**2, rel=1e-15)
@@ -178,7 +178,7 @@ def test_composing_follows_the_parallel_axis_theorem(solids):
             (1 / (np.pi * 0.3 * 0.0064), 0.06, 0.1, 0.0, 0.3),
         ),
         (rr.solids.filling(800.0, 0.1, 0.3, 0.2), (800.0, 0.0, 0.1, 0.2, 0.5)),
-        # Thin things as things of 1e-6 m.
+        # Thin bodies have a thickness of 1e-6 m.
         (rr.solids.disk(1.0, 0.1, 0.2), (1 / (np.pi * 1e-8), 0.0, 0.1, 0.2, 0.200001)),
         (rr.solids.wall(1.0, 0.1, 0.3, 0.2), (1 / (np.pi * 0.06e-6), 0.1, 0.100001, 0.2, 0.5)),
         (

@@ -1,4 +1,4 @@
-"""Where Python and the core meet: threads, copies, signals, and values of the wrong kind."""
+"""The boundary between Python and the core: threads, copies, signals, and wrong types."""
 
 import pickle
 import signal
@@ -175,7 +175,7 @@ def test_a_motion_too_close_to_flat_says_that_the_clock_cannot_tell():
 
 
 def test_a_body_of_next_to_no_inertia_slides_without_lifting_off():
-    # N = m (g + z'') would be all rounding here; the body's centre just falls, N -> 0 from above.
+    # N = m (g + z'') would be rounding error only; the centre falls freely, N -> 0 from above.
     body = rr.Body(1.0, 0.05, 0.05, 1e-20, 1e-20)
     motion = rr.simulate(body, rr.State(tilt=0.23, yaw_rate=0.05), rr.Frictionless(), 0.01)
     assert motion.status == "finished"

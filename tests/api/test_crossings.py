@@ -1,4 +1,4 @@
-"""Events of one's own: zeros of a function of the motion."""
+"""User-defined events: zeros of a function of the motion."""
 
 from itertools import pairwise
 
@@ -37,7 +37,7 @@ def test_zeros_of_the_tilt_rate_are_the_extremes_of_the_tilt(motion):
     for rising, kind in ((True, "tilt_min"), (False, "tilt_max")):
         found = motion.crossings(lambda at: at.tilt_rate, rising=rising)
         its = of_kind(motion, kind)
-        # A landing may turn the tilt round at once: that is an extreme, and a jump over zero.
+        # A landing may reverse the tilt rate: this is an extreme, and a jump over zero.
         its = [event for event in its if event.t not in flying]
         count += len(its)
         assert len(found) == len(its)
@@ -117,7 +117,7 @@ def test_landings_make_no_zeros_and_hide_none():
     for landing in landings:
         before, after = BOUNCING.tilt_rate[BOUNCING.t == landing.t][[0, -1]]
         assert before != after
-        # The tilt rate jumps over what is between, and does not have it then.
+        # The tilt rate jumps over the values between, and never has them.
         jump = BOUNCING.crossings(lambda at, over=0.5 * (before + after): at.tilt_rate - over)
         assert landing.t not in times(jump)
         (event,) = BOUNCING.crossings(lambda at, t=landing.t: at.t - (t + 1e-9))

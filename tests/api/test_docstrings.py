@@ -1,4 +1,4 @@
-"""What the docstrings show is true, and everything public has one."""
+"""Examples in docstrings are true, and everything public has a docstring."""
 
 import doctest
 

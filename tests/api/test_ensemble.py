@@ -1,4 +1,4 @@
-"""Many falls at once are the first turns of as many motions, in any order and on any threads."""
+"""An ensemble has the first turns of as many motions, in any order and on any number of threads."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def several(starts):
 
 
 def outcome(body, motion):
-    """What the words of OUTCOMES mean for a whole motion."""
+    """The outcome of a whole motion, by the definitions of OUTCOMES."""
     if motion.turns:
         return "rocked"
     came_down = any(event.kind == "tilt_min" for event in motion.events)
@@ -62,7 +62,7 @@ def test_a_fall_is_the_first_turn_of_its_motion(rocking, law):
     assert falls["outcome"].item() == outcome(rocking.body, motion)
     if motion.turns:
         turn = motion.turns[0]
-        # By steps of its own, to within the tolerance and what a collision makes of it.
+        # Its steps differ, so results agree within the tolerance as a collision amplifies it.
         assert falls["turn"].item() == pytest.approx(turn.angle, abs=1e-6)
         assert falls["min_tilt"].item() == pytest.approx(turn.min_tilt, rel=1e-5)
         assert falls["min_tilt_time"].item() == pytest.approx(turn.t, rel=1e-6)
@@ -116,16 +116,16 @@ def _nan(values):
 def test_a_long_ensemble_has_no_seams_and_tells_how_far_it_is():
     count = 2003
     starts = rr.State(tilt=np.linspace(0.2, 0.5, count), yaw_rate=0.01, spin_rate=0.01)
-    told = []
-    whole = rr.ensemble(CAN, starts, rr.NoSlip(), progress=lambda *said: told.append(said))
-    assert told[-1] == (count, count) and told == sorted(told)
+    reports = []
+    whole = rr.ensemble(CAN, starts, rr.NoSlip(), progress=lambda *done: reports.append(done))
+    assert reports[-1] == (count, count) and reports == sorted(reports)
     last = rr.ensemble(CAN, one_of(starts, slice(count - 5, None)), rr.NoSlip())
     for name in whole.data_vars:
         assert np.array_equal(whole[name].values[-5:], last[name].values), name
 
 
 def one_of(starts, rows):
-    """Some rows of a State of arrays, in which numbers stand for all."""
+    """Some rows of a State of arrays, where a single number stands for all rows."""
     shape = starts.shape
     columns = {name: np.broadcast_to(getattr(starts, name), shape)[rows] for name in FIELDS}
     return rr.State(**columns)
@@ -156,7 +156,7 @@ CASES = {
 @pytest.mark.parametrize("law", [rr.NoSlip(), rr.Frictionless()], ids=lambda law: law.name)
 @pytest.mark.parametrize("way", [1.0, -1.0])
 def test_a_body_that_dips_and_falls_over_where_it_leaned_has_toppled_after_a_small_turn(law, way):
-    """Past the balance point all the time, it turns back a little and goes over."""
+    """Always past the balance point, it turns back a little and falls over."""
     start = rr.State(tilt=0.8, tilt_rate=-1.1, yaw_rate=0.5 * way)
     falls, found = rr.ensemble(CAN, start, law), rr.exact_turn(CAN, start, law)
     assert falls.outcome.item() == found.outcome == "toppled"
@@ -277,9 +277,9 @@ START = rr.State(tilt=0.3)
     ],
 )
 def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
-    asked = {"body": CAN, "starts": START, "law": rr.NoSlip(), **change}
+    arguments = {"body": CAN, "starts": START, "law": rr.NoSlip(), **change}
     with pytest.raises(rr.RimrollError, match=words):
-        rr.ensemble(**asked)
+        rr.ensemble(**arguments)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Falls in plain columns: they become datasets and come back, and Ctrl-C hands them over whole."""
+"""Falls in plain columns: they convert to datasets and back, and Ctrl-C keeps complete falls."""
 
 from __future__ import annotations
 

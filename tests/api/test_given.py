@@ -25,9 +25,9 @@ FALL = rr.State(tilt=0.3, tilt_rate=-5.0, yaw_rate=0.5)
 
 
 class Package:
-    """A quantity of some other package, with the interface that such packages share.
+    """A quantity of another package, with the common interface.
 
-    It is an array, so numpy strips its unit without a word.
+    It is an array, so numpy drops its unit silently.
     """
 
     FACTORS = {  # noqa: RUF012
@@ -206,7 +206,7 @@ def test_a_unit_of_another_kind_is_refused_with_what_it_measures(name):
         call(3.0 * u.kelvin)
 
 
-# Subnormal numbers have too few digits to be converted alike.
+# Subnormal numbers have too few digits for equal conversions.
 @given(
     st.floats(-1e6, 1e6, allow_subnormal=False),
     st.sampled_from(["rad", "deg", "arcmin", "turn"]),

@@ -36,7 +36,7 @@ def simulated(law, numbers=NUMBERS, **options):
 
 
 class Rolling:
-    """The motion without slip as a Taylor series, in as many digits as are asked for.
+    """The motion without slip as a Taylor series, with any number of digits.
 
     The equations are those linear in l = w sin φ and s, with the tilt as clock, and row 2 of the
     paper's; the series goes by τ, dt = sin φ dτ, in which they are polynomial.
@@ -158,7 +158,7 @@ def test_the_turns_have_derivatives_too(law):
 def test_one_time_has_one_derivative():
     motion = simulated(rr.NoSlip(), jacobian=True)
     assert motion.jacobian(0.3).values.shape == (6, 12)
-    # Names are found as everywhere.
+    # Names are matched as elsewhere.
     assert motion.jacobian(0.0)["tilt rate", "tilt-rate"] == 1.0
     with pytest.raises(rr.RimrollError, match="unknown parameter 'weight'"):
         motion.jacobian(0.3)["yaw", "weight"]

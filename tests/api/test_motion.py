@@ -1,4 +1,4 @@
-"""The arrays of a motion, its dense output, and what it is written down with."""
+"""The arrays of a motion, its dense output, and its files."""
 
 from dataclasses import asdict
 
@@ -42,7 +42,8 @@ def test_duration_is_kept_to_the_bit(digits):
 
 
 def test_dense_output_goes_through_the_accepted_steps(motion):
-    """As well as a time can say where: in the near-collision yaw runs 1e5 rad/s."""
+    """As accurately as a floating-point time allows: in the near-collision the yaw rate is 1e5
+    rad/s."""
     dense = motion.evaluate(motion.t)
     np.testing.assert_array_equal(dense.t, motion.t)
     rounding = 4 * np.finfo(float).eps * motion.t
@@ -71,7 +72,7 @@ def test_a_motion_called_with_times_gives_states(motion):
     moments = motion.evaluate(times)
     for name in asdict(PAPER_START):
         np.testing.assert_array_equal(getattr(states, name), moments[name])
-    # One time gives one state, that a motion can start from.
+    # One time gives one state, from which a motion can start.
     once = motion(0.3)
     assert once.shape == ()
     assert once.tilt == motion([0.3]).tilt[0]

@@ -35,7 +35,7 @@ import rimroll as rr
 from rimroll import scenario, style
 from rimroll.cli import main
 
-def said(command):
+def output_of(command):
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         code = main(command)
@@ -49,11 +49,11 @@ json.dump({
     "again": repr(rr.Law.from_xarray(motion.to_xarray())),
     "file": repr(scenario.load(file).law),
     "look": style.look(law),
-    "help": said(["turn", "--help"]),
-    "implied": said(["turn", "--grease-drag", "1", "--tilt", "30deg", "--yaw-rate", "0.1"]),
-    "unit": said(["turn", "--grease-drag", "1 m"]),
-    "needs": said(["turn", "--law", "viscous"]),
-    "alien": said(["turn", "--law", "viscous", "--friction", "0.2"]),
+    "help": output_of(["turn", "--help"]),
+    "implied": output_of(["turn", "--grease-drag", "1", "--tilt", "30deg", "--yaw-rate", "0.1"]),
+    "unit": output_of(["turn", "--grease-drag", "1 m"]),
+    "needs": output_of(["turn", "--law", "viscous"]),
+    "alien": output_of(["turn", "--law", "viscous", "--friction", "0.2"]),
 }, sys.stdout)
 '''
 

@@ -1,4 +1,4 @@
-"""Datasets and back; how motions, moments and derivatives show themselves."""
+"""Conversion to datasets and back; how motions, moments and derivatives are displayed."""
 
 import pickle
 

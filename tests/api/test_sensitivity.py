@@ -1,4 +1,4 @@
-"""Left or right: maps of falls over a plane of starts, and the line on which they jump."""
+"""Left or right: maps of falls over a plane of starts, and the line of the jump."""
 
 import contextlib
 import json
@@ -26,7 +26,7 @@ RATES = np.array([-0.8, -0.3, 0.3, 0.8])
 
 
 def comes_down(body, tilt, law):
-    """Whether the body, let go, keeps its rim on the table until it is flat."""
+    """Whether the rim of the released body stays on the table until the body is flat."""
     try:
         rr.arrival(body, rr.State(tilt=tilt), law, 9.8)
     except rr.RimrollError:
@@ -48,7 +48,7 @@ def fall(yaw_rate, spin_rate, law, rtol=1e-10):
 def test_mirrored_starts_fall_in_mirrored_directions(law):
     falls = rr.turn_map(CAN, FLICK, law, RATES, RATES, gravity=GRAVITY)
     mirrored = falls.isel(spin_rate=slice(None, None, -1), yaw_rate=slice(None, None, -1))
-    # Not to the last bit: which way the rim slips is kept as an angle.
+    # Not to the last bit, since the direction of slip is stored as an angle.
     assert falls.turn.values == pytest.approx(-mirrored.turn.values, abs=1e-9)
     directions = falls.direction.values + mirrored.direction.values
     assert directions == pytest.approx(2.0 * np.pi, abs=1e-9)
@@ -103,13 +103,13 @@ def test_a_map_without_stepping_is_the_ensemble_of_its_starts(name, law):
     for variable in falls.data_vars:
         if variable != "outcome":
             values = falls[variable].values.ravel()
-            told = ~np.isnan(values)
-            steps = stepped[variable].values[told]
+            defined = ~np.isnan(values)
+            steps = stepped[variable].values[defined]
             # Near the balance point errors of steps grow e-fold several times.
             within = 2e-7 if name == "falling_back" else 1e-7
-            assert values[told] == pytest.approx(steps, rel=1e-8, abs=within)
+            assert values[defined] == pytest.approx(steps, rel=1e-8, abs=within)
             if variable in ("turn", "direction", "min_tilt", "min_tilt_time"):
-                assert np.array_equal(told, ~np.isnan(stepped[variable].values))
+                assert np.array_equal(defined, ~np.isnan(stepped[variable].values))
 
 
 def test_a_map_has_the_exact_turns_of_its_starts():
@@ -187,7 +187,7 @@ def test_the_watershed_of_rolling_is_the_motion_that_rises_from_lying_flat(body,
     l, s = rolled_up_from_flat(body, tilt)
     yaw_rate = l / np.sin(tilt) ** 2
     slope = yaw_rate / (s - yaw_rate * np.cos(tilt))
-    # Ten times what the integration may err.
+    # Ten times the tolerance of the integration.
     assert rr.watershed_slope(body, tilt, rr.NoSlip()) == pytest.approx(slope, rel=1e-11)
 
 
@@ -262,7 +262,7 @@ def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
     plane = ["--yaw-rates", "-30..30deg/s", "--spin-rates", "-1..1", "--points", "4"]
     output = [part for file in files for part in ("-o", str(file))]
     assert main(["map", *flick, *plane, *output, "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
+    answer = json.loads(capsys.readouterr().out)
     yaw, spin = np.radians(np.linspace(-30.0, 30.0, 4)), np.linspace(-1.0, 1.0, 4)
     falls = rr.turn_map(CAN, FLICK, rr.NoSlip(), yaw, spin, gravity=GRAVITY, duration=2.0)
     with xr.open_dataset(files[0], engine="scipy") as stored:
@@ -277,9 +277,9 @@ def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
     assert numbers["coordinates"]["yaw_rate"] == pytest.approx(yaw, rel=1e-15)
     assert np.shape(numbers["falls"]["turn"]) == (4, 4)
     assert files[2].read_bytes().startswith(b"\x89PNG")
-    assert told["left"]["falls"] == told["right"]["falls"] == 8
-    assert told["watershed_slope"] == rr.watershed_slope(CAN, FLICK.tilt, rr.NoSlip())
-    assert told["jump"] == pytest.approx(2.0 * (rr.turn_limit(CAN, rr.NoSlip()) - np.pi))
+    assert answer["left"]["falls"] == answer["right"]["falls"] == 8
+    assert answer["watershed_slope"] == rr.watershed_slope(CAN, FLICK.tilt, rr.NoSlip())
+    assert answer["jump"] == pytest.approx(2.0 * (rr.turn_limit(CAN, rr.NoSlip()) - np.pi))
 
 
 def test_the_command_flicks_any_body_over_and_says_where_left_and_right_part(capsys):
@@ -314,8 +314,8 @@ def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypa
 )
 def test_the_command_refuses_what_is_no_map_in_a_line(capsys, arguments, message):
     assert main(["map", *arguments.split()]) == 2
-    said = capsys.readouterr().err
-    assert message in said and said.count("\n") == 1
+    output = capsys.readouterr().err
+    assert message in output and output.count("\n") == 1
 
 
 @pytest.mark.parametrize(
@@ -356,7 +356,7 @@ def test_the_watershed_of_a_flat_body_has_digits_down_to_the_smallest_tilt():
 
 @pytest.mark.parametrize("law", [rr.NoSlip(), rr.Coulomb(0.3)], ids=lambda law: law.name)
 def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(law, tmp_path, monkeypatch, capsys):
-    """Rows of 100 falls, stopped in the midst of a thousand: those before are whole."""
+    """Rows of 100 falls, stopped halfway through a thousand: earlier rows are complete."""
 
     def stop(done: int, *_: object) -> None:
         if done >= 4000:

@@ -1,4 +1,4 @@
-"""How little is loaded when rimroll starts, and that all of it is found all the same."""
+"""Starting rimroll loads little, and every public name is found."""
 
 import ast
 import inspect
@@ -13,7 +13,7 @@ import rimroll as rr
 from rimroll.cli.commands import COMMANDS
 
 HELP = {"typer", "annotated_doc", "shellingham"}
-"""typer, and what it loads itself."""
+"""typer, and the packages that it loads."""
 
 LOADED = {
     "import rimroll": set(),
@@ -30,11 +30,11 @@ LOADED = {
 @pytest.mark.parametrize("what", LOADED)
 def test_only_what_is_needed_is_loaded(what):
     program = what if "import" in what else f"from rimroll.cli import main; main({what.split()})"
-    told = "import sys; print(*{name.split('.')[0] for name in sys.modules})"
-    # Without site, which loads what some packages ask for at every start of Python.
+    show = "import sys; print(*{name.split('.')[0] for name in sys.modules})"
+    # Without site, which loads packages that some .pth files name.
     path = f"import sys; sys.path[:0] = {[path for path in sys.path if path]}"
     run = subprocess.run(
-        [sys.executable, "-S", "-c", "\n".join((path, program, told))],
+        [sys.executable, "-S", "-c", "\n".join((path, program, show))],
         capture_output=True,
         text=True,
         check=True,

@@ -1,4 +1,4 @@
-"""Bodies, starts and laws in rows: each row is what its body and law by themselves would be."""
+"""Bodies, starts and laws in rows: each row equals the result for its body, start and law alone."""
 
 import pickle
 import subprocess
@@ -41,7 +41,7 @@ def random_starts(count, seed):
 
 
 def one_of(many, row):
-    """A body, start or law of arrays as that of one row."""
+    """One row of a body, start or law of arrays."""
     arrays = {
         field.name: value[row]
         for field in fields(many)
@@ -51,10 +51,10 @@ def one_of(many, row):
 
 
 def results(falls):
-    """What falls come to, without what they were computed from."""
+    """The results of falls, without their inputs."""
     given = ("start_", "body_", "law_", "friction_scale")
-    told = falls[[name for name in falls.data_vars if not name.startswith(given)]]
-    return told.drop_attrs(deep=False)
+    results = falls[[name for name in falls.data_vars if not name.startswith(given)]]
+    return results.drop_attrs(deep=False)
 
 
 # ensemble
@@ -267,7 +267,7 @@ def test_closed_forms_of_numbers_broadcast():
     assert spins.shape == (2, 2)
 
 
-# what bodies and laws of arrays are
+# bodies and laws of arrays
 
 
 def test_a_body_of_arrays_is_a_value_like_any_body():
@@ -363,7 +363,7 @@ MANY, START = rr.Body.stack([CAN, COIN]), rr.State(tilt=0.3)
 
 
 @pytest.mark.parametrize(
-    ("asked", "words"),
+    ("call", "words"),
     [
         (
             lambda: rr.simulate(MANY, START, rr.NoSlip()),
@@ -405,9 +405,9 @@ MANY, START = rr.Body.stack([CAN, COIN]), rr.State(tilt=0.3)
         (lambda: rr.steady_wobble_rate(CAN, [0.1, 1.5]), r"^at \[1\]: tilt must be"),
     ],
 )
-def test_what_cannot_be_computed_for_rows_is_refused_with_a_sentence(asked, words):
+def test_what_cannot_be_computed_for_rows_is_refused_with_a_sentence(call, words):
     with pytest.raises(rr.RimrollError, match=words):
-        asked()
+        call()
 
 
 def test_an_axis_of_a_quantity_keeps_its_unit():
@@ -433,10 +433,10 @@ def test_an_axis_that_is_converted_already_but_keeps_its_unit_is_refused(units, 
     converted = convert(lean).assign_attrs(units=units)  # xarray keeps it, by its version
     with pytest.raises(rr.RimrollError, match="give the axis lean itself, which is converted"):
         rr.State(tilt=converted)
-    # Whoever says the new unit is taken at their word.
-    told = converted.assign_attrs(units="deg" if convert is np.degrees else "rad")
+    # A unit that is given explicitly counts.
+    labelled = converted.assign_attrs(units="deg" if convert is np.degrees else "rad")
     expected = rr.State(tilt=lean).tilt.values
-    assert rr.State(tilt=told).tilt.values == pytest.approx(expected, rel=1e-14)
+    assert rr.State(tilt=labelled).tilt.values == pytest.approx(expected, rel=1e-14)
 
 
 def test_other_arithmetic_with_an_axis_is_as_it_was():

@@ -1,4 +1,4 @@
-"""What type checkers make of the interface: ``mypy --strict`` on code as users write it."""
+"""Types of the interface: ``mypy --strict`` on typical users' code."""
 
 import subprocess
 import sys

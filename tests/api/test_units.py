@@ -1,4 +1,5 @@
-"""Quantities as people write them become SI units and radians, or say why not."""
+"""Quantities as people write them are converted to SI units and radians, or refused with a
+reason."""
 
 import math
 
@@ -11,7 +12,7 @@ from rimroll import RimrollError, units
 from rimroll.errors import UnitError
 from rimroll.units import quantity
 
-KEPT = [  # texts whose value is the double that the decimals name
+KEPT = [  # texts that give the double nearest to their decimals
     ("5.1cm", "m", 0.051),
     ("6.9 cm", "m", 0.069),
     ("  70 g ", "kg", 0.07),

@@ -21,7 +21,7 @@ START = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005
 
 @pytest.fixture
 def said(capsys):
-    """Runs a command that must succeed, and returns what it says on stdout."""
+    """Runs a command that must succeed, and returns its stdout."""
 
     def run(arguments):
         assert main(arguments.split()) == 0
@@ -315,7 +315,7 @@ def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
     table = np.array([row.split(",") for row in rows], dtype=float)
     for column, name in zip(table.T, UNITS, strict=True):
         assert np.array_equal(column, motion[name]), name
-    # As the documentation says that one reads it.
+    # As documented.
     read = np.genfromtxt(path, delimiter=",", names=True, deletechars="")
     assert np.array_equal(read["tilt[rad]"], motion.tilt)
     # A spreadsheet sees one table: the comments come last.
@@ -433,7 +433,7 @@ def test_compare_in_json_is_the_api(said):
         assert one["turn_limit"] == rr.turn_limit(CAN_2007, law, arrival)
         assert one["arrival"]["slip"] == arrival.slip
         lost = motion.evaluate(motion.turns[0].end).friction_loss[0] / motion.energy[0]
-        # What is told is the change of the energy, which keeps to the tolerance of 1e-10.
+        # It prints the change of the energy, which is within the tolerance of 1e-10.
         assert one["energy_lost_fraction"] == pytest.approx(lost, abs=1e-11)
     assert [one["slips_while_tipping"] for one in answer["outcomes"]] == [True, True, False, True]
     assert [one["slips"] for one in answer["outcomes"]] == [True, True, False, True]
@@ -510,7 +510,7 @@ def test_bodies_lists_every_preset_with_its_numbers_and_origin(said):
 
 @pytest.fixture
 def short_report(monkeypatch):
-    """Stands in for the long report: a page of one word."""
+    """Replaces the long report by a page with one word."""
 
     def reproduce(folder, progress=None):
         progress(0, 1, "the page")
@@ -546,7 +546,7 @@ QUICK = {
     "map --points 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",
     "map --points 4 -o map.svg": "jinja2",
 }
-"""Commands, and packages that they have no use for, besides those of labelled datasets."""
+"""Commands, and packages that they do not need, besides xarray and pandas."""
 
 
 @pytest.mark.parametrize("asked", QUICK)

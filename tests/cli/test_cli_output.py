@@ -1,4 +1,4 @@
-"""Where commands write: files, links, standard output; and who reads it, or no longer does."""
+"""Where commands write: files, links, standard output, and pipes that may be closed."""
 
 import csv
 import io
@@ -21,7 +21,7 @@ START = "simulate --tilt 30deg --yaw-rate 0.05"
 
 
 def entry_point():
-    """What the installed script runs, as ``module:function``."""
+    """The function that the installed script runs, as ``module:function``."""
     project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())
     return project["project"]["scripts"]["rimroll"]
 
@@ -104,7 +104,7 @@ def test_a_link_stays_a_link_and_its_target_is_written(tmp_path, capsys):
     (tmp_path / "data").mkdir()
     target, link = tmp_path / "data" / "target.csv", tmp_path / "link.csv"
     link.symlink_to(Path("data") / "target.csv")
-    for _ in range(2):  # to a target that is not there yet, and to one that is
+    for _ in range(2):  # to a target that does not exist yet, and to one that does
         assert main([*START.split(), "-o", str(link)]) == 0
         assert link.is_symlink() and target.read_text().startswith("t[s],tilt[rad]")
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["data", "link.csv", "target.csv"]

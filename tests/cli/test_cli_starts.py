@@ -1,4 +1,4 @@
-"""Commands have a start for every body, and say what to try where one leads to nothing."""
+"""Commands have a default start for every body, and suggest others where a start shows nothing."""
 
 import io
 import json
@@ -17,7 +17,7 @@ from rimroll.cli import main, screen
 
 @pytest.fixture
 def said(capsys):
-    """Runs a command that must succeed, and returns what it says on stdout."""
+    """Runs a command that must succeed, and returns its stdout."""
 
     def run(arguments):
         assert main(arguments.split()) == 0
@@ -74,7 +74,7 @@ def test_many_falls_from_past_the_balance_tilt_are_said_to_start_there(said, com
     assert f"{PAST}, and -1 rad/s is too slow to bring it back, so it falls over" in text
     assert "try --tilt 12deg" in text
     assert "balance tilt" not in said(f"{command} --tilt 12deg --tilt-rate -1")
-    # A flick that brings the body back past its balance tilt is a start like others.
+    # A flick that brings the body back past its balance tilt is a valid start.
     assert "balance tilt" not in said(f"{command} --tilt 40deg --tilt-rate -4")
 
 

@@ -29,7 +29,7 @@ FILES = {
 
 @pytest.fixture
 def package(tmp_path, monkeypatch):
-    """A package with a page of a few files, and a file beside it that is nobody's business."""
+    """A package with a page of a few files, and a private file beside it."""
     for name, (content, _) in FILES.items():
         file = tmp_path / "page" / name
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -50,7 +50,7 @@ def server(package):
 
 
 def get(server, path):
-    """Asks for a path just as it is; a client that tidies it up would hide what it does."""
+    """Requests a path unchanged; a client that normalises paths would hide errors."""
     connection = HTTPConnection("127.0.0.1", server.server_port)
     connection.request("GET", path)
     response = connection.getresponse()
@@ -108,7 +108,7 @@ def test_without_the_built_page_it_says_how_to_build_it(package, capsys):
 
 
 def opened(monkeypatch, *arguments):
-    """Which address the browser is opened at, by a visitor who ends the lab at once."""
+    """The address that the browser opens; the lab ends at once."""
     addresses = []
 
     def browser(address):

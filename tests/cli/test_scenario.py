@@ -1,4 +1,4 @@
-"""Scenario files say what the API says, and what is wrong with one is said in one line."""
+"""Scenario files give the same objects as the API, and errors in them give one line."""
 
 from pathlib import Path
 

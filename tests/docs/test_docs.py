@@ -1,4 +1,5 @@
-"""The pages of docs/ print what they say, and their tables and pictures are the report's."""
+"""Code in docs/ prints what the pages show, and their tables and pictures are those of the
+report."""
 
 import contextlib
 import io
@@ -30,7 +31,7 @@ def test_the_examples_of_a_page_run_in_order_and_print_what_it_shows(page):
 def test_the_commands_of_a_page_run_in_order_and_say_what_it_shows(
     page, tmp_path, monkeypatch, capsys
 ):
-    """In a folder of their own, with the examples and the file of angles that the page gives."""
+    """Runs in a temporary folder with the examples and the file of angles that the page shows."""
     (tmp_path / "examples").symlink_to(DOCS.parent / "examples")
     monkeypatch.chdir(tmp_path)
     text = page.read_text("utf-8")
@@ -41,14 +42,14 @@ def test_the_commands_of_a_page_run_in_order_and_say_what_it_shows(
             program, *arguments = shlex.split(command)
             assert program == "rimroll"
             assert main(arguments) == 0
-        said = capsys.readouterr().out
-        assert said
+        output = capsys.readouterr().out
+        assert output
         if shown:
-            assert _words(said) == _words(shown)
+            assert _words(output) == _words(shown)
 
 
 def _words(text: str) -> list[list[str]]:
-    """Line by line, whatever the spaces at the ends."""
+    """Compares line by line, without spaces at the ends."""
     return [line.split() for line in text.strip().splitlines()]
 
 

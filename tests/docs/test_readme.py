@@ -1,4 +1,4 @@
-"""The README's example runs as printed and prints what it says."""
+"""The README's example runs as printed, with the printed result."""
 
 import contextlib
 import io
@@ -19,7 +19,7 @@ def test_the_five_lines_print_what_the_readme_says():
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         exec(code, {})
-    # The same bits everywhere, except that NumPy may turn radians into degrees its own way.
+    # The same bits everywhere, except in NumPy's conversion from radians to degrees.
     assert np.array(printed.getvalue().split(), float) == pytest.approx(
         np.array(output.split(), float), rel=4e-16, abs=0.0
     )

@@ -1,4 +1,4 @@
-"""Angles from files, as people write them down, and what is refused rather than misread."""
+"""Angles from files as people write them; ambiguous files are refused."""
 
 import io
 import os
@@ -17,7 +17,7 @@ from rimroll.experiment.fitting.angles import read_falls
 from rimroll.falls import Falls
 
 FALLS = np.array([213.5, 147.25, 210.0, 142.0])
-"""Directions, degrees, such as the paper's can falls in."""
+"""Directions of fall of the paper's can, degrees."""
 
 LEANS = np.array([10.0, 350.0, 5.5, 0.0])
 
@@ -40,7 +40,7 @@ def degrees(file, **how):
 
 
 def same_directions(found, wanted):
-    """Whether angles (degrees) are the same but for whole turns and rounding."""
+    """Whether angles (degrees) are equal up to whole turns and rounding."""
     off = np.mod(np.asarray(found) - np.asarray(wanted) + 180.0, 360.0) - 180.0
     return len(found) == len(wanted) and np.all(np.abs(off) < 1e-9)
 
@@ -136,7 +136,7 @@ def test_clockwise_angles_are_turned_round(written):
 
 def test_what_topple_wrote_is_read_back_without_the_falls_that_do_not_count(tmp_path):
     can = rr.bodies.can_2007()
-    # So gently that some do not topple.
+    # Some of these gentle flicks do not topple.
     release = rr.Release((0.35, 0.03), (-4.0, 0.4), (0.0, 0.5), (0.0, 0.5))
     file, falls = tmp_path / "falls.csv", rr.topple(can, rr.Coulomb(0.2), 60, release, seed=7)
     toppled = falls["outcome"].values == "toppled"
@@ -224,7 +224,7 @@ def test_a_column_is_found_by_its_name_with_or_without_its_unit(written):
         rr.read_directions(both, column="fall")
 
 
-def test_columns_are_told_as_they_are_written(written):
+def test_columns_are_named_as_in_the_file(written):
     with pytest.raises(rr.RimrollError, match="it has Nr, Hand, Tisch"):
         rr.read_directions(written("Nr;Hand;Tisch\n1;2;3\n"))
 
@@ -247,11 +247,11 @@ def test_a_file_without_an_end_is_refused():
 
 
 @pytest.mark.parametrize("separator", ["\n", ";0\n"])
-def test_radians_that_are_not_said_to_be_are_refused(written, separator):
+def test_radians_without_a_unit_are_refused(written, separator):
     column = separator.join(map(repr, np.radians(FALLS).tolist())) + separator
     with pytest.raises(rr.RimrollError, match=r"no angle is above 3\.73 degrees.*look like rad"):
         rr.read_directions(written(column))
-    # Whoever says degrees means degrees.
+    # An explicit unit counts.
     assert same_directions(degrees(written("direction[deg]\n1\n2\n3\n4\n5\n")), [1, 2, 3, 4, 5])
 
 
@@ -415,13 +415,13 @@ def test_a_stream_is_read_like_a_file():
         ),
     ],
 )
-def test_what_was_read_is_said(written, content, source):
+def test_the_source_names_what_was_read(written, content, source):
     none = dict.fromkeys(("outcome", "column", "lean_column"))
     read = read_falls(written(content), radians=False, clockwise=False, **none)
     assert read.source == source
 
 
-# The stand-ins for data of which only means and spreads were published
+# Substitutes for data of which only means and spreads were published
 
 
 @examples(30)

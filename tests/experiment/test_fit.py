@@ -38,13 +38,13 @@ TOO_RARE = 1e-3
 
 @pytest.fixture(scope="session")
 def predicted():
-    """Of the paper's can and flicks; as by default, but for a quarter of the falls."""
+    """Predictions for the paper's can and flicks, with a quarter of the default number of falls."""
     return rr.predict_falls(CAN, RELEASE, gravity=GRAVITY, falls=256)
 
 
 @pytest.fixture(scope="session")
 def of_the_paper():
-    """Stand-ins with the means and spreads that the paper gives; the split is a guess."""
+    """Substitute falls with the means and spreads of the paper; the split is a guess."""
     return summary(21)
 
 
@@ -73,7 +73,7 @@ def summary(lefts, of=42):
 
 
 def fallen(law: Law, n, seed, *, release=RELEASE, body=CAN, word="toppled"):
-    """True directions of n falls that count, and the way each turned."""
+    """True directions of n falls that count, and the sense in which each turned."""
     falls = rr.topple(body, law, n + n // 4 + 8, release, seed, gravity=GRAVITY)
     counts = falls["outcome"].values == word
     assert counts.sum() >= n
@@ -109,7 +109,7 @@ def test_densities_are_above_0_and_integrate_to_1(predicted):
 
 def test_densities_of_a_release_that_favours_no_side_are_mirror_images(predicted):
     assert np.array_equal(predicted.right, mirrored(predicted.left))
-    # Of a hand about as unsteady as the release says.
+    # The hand is about as unsteady as the release.
     middles = GRID[predicted.left[:, 7].argmax(axis=-1)]
     assert np.all((middles > math.pi) & (middles < math.radians(225.0)))
 
@@ -133,7 +133,7 @@ def test_densities_are_those_of_other_falls_by_a_kernel_estimate(predicted, node
     estimate = kernels.mean(axis=1)
     found = Likelihood(predicted, directions).density(GRID, at(predicted.frictions[node]))
     hump = found - STRAY / TURN
-    # Both are means over falls: weighted, 256 are worth half as many.
+    # Both are means over falls; 256 weighted falls are as accurate as 128.
     error = math.sqrt(1.0 + 400 / 128) * kernels.std(axis=1) / math.sqrt(len(directions))
     assert np.all(np.abs(hump - estimate) < 4.0 * error + 0.02)
     assert humps_apart(hump, estimate) < 0.08
@@ -172,7 +172,7 @@ def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
         assert side.sum(axis=-1) * TURN / ANGLES == pytest.approx(1.0, abs=1e-9)
     best = Likelihood(predicted, directions).best(friction=0.2)
     assert best.left_share == pytest.approx(share, abs=0.01)
-    # Both sides lean the way the hand twists, and no bias is needed for that.
+    # The twist shifts both sides alike, and no bias is needed for that.
     assert best.bias == pytest.approx(0.0, abs=math.radians(1.5))
 
 
@@ -237,7 +237,7 @@ def test_where_nothing_else_scatters_falls_are_spread_by_reading_alone(degrees):
     assert rr.fit(CAN, directions, predicted=predicted).left is not None
 
 
-# How well they go with a friction
+# Likelihood
 
 
 def test_the_likelihood_is_the_product_of_the_densities_where_they_were_computed(predicted):
@@ -322,7 +322,7 @@ def test_the_limit_of_the_deviance_is_that_of_student_for_normal_data(predicted,
         assert likelihood.most(confidence) == pytest.approx(chi2.ppf(confidence, 1), rel=0.02)
 
 
-# What is found
+# Results
 
 
 @pytest.mark.parametrize(("friction", "seed"), [(0.05, 1), (0.15, 2), (0.25, 3)])
@@ -425,7 +425,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(predicted, coverage):
         assert "friction" in str(count)
 
 
-# What is excluded
+# Exclusions
 
 
 def unbiased_chance(predicted, directions):
@@ -474,10 +474,10 @@ def test_one_hump_is_called_out(predicted, middle, spread):
     directions = np.radians(middle + spread * np.random.default_rng(8).standard_normal(60))
     shape = rr.fit(CAN, directions, predicted=predicted).shape
     assert shape.hypothesis == "two humps as friction makes them"
-    # As one of them, far off by a bias, or as two that run together it can be had.
+    # One hump far off by a bias, or two that overlap, also give such data.
     assert shape.excluded or shape.sentence.endswith("as well; take the friction with care")
-    told = shape.sentence.partition("one hump about ")[2].partition(" degrees")[0]
-    assert float(told) == pytest.approx(middle, abs=4.0 * spread / math.sqrt(60) + 1.0)
+    middle_found = shape.sentence.partition("one hump about ")[2].partition(" degrees")[0]
+    assert float(middle_found) == pytest.approx(middle, abs=4.0 * spread / math.sqrt(60) + 1.0)
 
 
 def test_of_falls_to_one_side_one_hump_is_no_surprise(predicted):
@@ -502,7 +502,7 @@ def test_falls_that_are_all_alike_still_give_an_answer(predicted, values):
     assert all(verdict.sentence for verdict in found.verdicts)
 
 
-# What is told
+# Messages
 
 
 @pytest.mark.parametrize(
@@ -523,7 +523,7 @@ def test_intervals_in_words(intervals, words, open_above):
     assert one.open_above == open_above
 
 
-def test_two_frictions_that_turn_the_can_alike_are_both_told(predicted):
+def test_two_frictions_with_equal_turns_are_both_reported(predicted):
     """Below 0.15 they hardly change: from 216° at 0.06 to 214° at 0.13."""
     found = rr.fit(CAN, measured(rr.Coulomb(0.07), 150, seed=10), predicted=predicted)
     inside = [low <= 0.07 <= high for low, high in found.friction.intervals]
@@ -544,13 +544,13 @@ def test_the_deviance_is_0_at_the_best_and_the_limit_at_the_ends(predicted, fit_
         assert worse == pytest.approx(one.limit, rel=0.01)
 
 
-def test_a_fit_is_told_as_json(fit_of_the_paper):
-    told = json.loads(json.dumps(fit_of_the_paper.to_dict(), allow_nan=False))
-    assert told["falls"] == 42 and told["confidence"] == 0.95
-    assert told["friction"] == fit_of_the_paper.friction.friction
-    assert told["left_alone"]["friction"] == fit_of_the_paper.left.friction
-    assert len(told["verdicts"]) == 4
-    assert {"hypothesis", "excluded", "chance", "sentence"} == set(told["verdicts"][0])
+def test_a_fit_is_written_as_json(fit_of_the_paper):
+    answer = json.loads(json.dumps(fit_of_the_paper.to_dict(), allow_nan=False))
+    assert answer["falls"] == 42 and answer["confidence"] == 0.95
+    assert answer["friction"] == fit_of_the_paper.friction.friction
+    assert answer["left_alone"]["friction"] == fit_of_the_paper.left.friction
+    assert len(answer["verdicts"]) == 4
+    assert {"hypothesis", "excluded", "chance", "sentence"} == set(answer["verdicts"][0])
 
 
 def test_a_fit_that_finds_one_hump_or_one_side_is_json_too(predicted):
@@ -595,7 +595,7 @@ def test_the_figure_shows_the_falls_three_curves_and_the_deviance(fit_of_the_pap
     assert friction.get_xlabel() == "coefficient of friction"
 
 
-# What is refused
+# Refusals
 
 
 @pytest.mark.parametrize(
@@ -656,7 +656,7 @@ def test_a_fit_names_what_it_refuses(predicted, of_the_paper, options, message):
         ({"frictions": 24}, "frictions must be at least 25, got 24"),
         ({"frictions": 8.5}, "frictions must be a whole number"),
         ({"falls": 100}, "falls must be at least 128, got 100"),
-        # Never comes down: it is let go past the balance tilt.
+        # It never comes down, since it is released past the balance tilt.
         (
             {"release": rr.Release(1.0, 1.0, (0.0, 0.1))},
             "of 128 simulated releases at each friction fewer than 20 rocked",
@@ -670,7 +670,7 @@ def test_a_prediction_names_what_it_refuses(options, message):
         rr.predict_falls(options.pop("body"), options.pop("release"), **options)
 
 
-def test_progress_is_told_friction_by_friction_and_threads_change_nothing():
+def test_progress_is_reported_for_each_friction_and_threads_change_nothing():
     seen = []
     one, other = (
         rr.predict_falls(
@@ -688,16 +688,17 @@ def test_progress_is_told_friction_by_friction_and_threads_change_nothing():
 
 
 def test_a_flick_that_was_slower_or_faster_tells_another_friction(of_the_paper):
-    """Faster flicks of the can turn it less at the same friction: the same turns ask for less."""
-    told = rr.fit(CAN, of_the_paper, RELEASE, gravity=GRAVITY, tilt_rate_error=0.5)
-    (slower, more), (faster, less) = told.at_other_tilt_rates
+    """Faster flicks of the can turn it less at the same friction, so the same turns need less
+    friction."""
+    found = rr.fit(CAN, of_the_paper, RELEASE, gravity=GRAVITY, tilt_rate_error=0.5)
+    (slower, more), (faster, less) = found.at_other_tilt_rates
     assert (slower, faster) == pytest.approx((-4.5, -5.5))
-    assert less < told.friction.friction < more
+    assert less < found.friction.friction < more
     with pytest.raises(rr.RimrollError, match="tilt_rate_error must be finite and >= 0, got -1"):
         rr.fit(CAN, of_the_paper, RELEASE, tilt_rate_error=-1.0)
 
 
-def test_where_hardly_any_flick_topples_is_told_by_the_share():
+def test_the_share_shows_where_hardly_any_flick_topples():
     """At 4.3 rad/s from 20 degrees the can topples if it rolls, and often not with friction."""
     gentle = rr.Release((0.35, 0.03), (-4.3, 0.1), (0.0, 0.3), (0.0, 0.3))
     some = rr.predict_falls(CAN, gentle, frictions=FEWEST_FRICTIONS, falls=128)
@@ -726,10 +727,10 @@ def test_a_hand_far_unsteadier_than_assumed_does_not_spoil_the_interval():
     assert held >= 4  # of six at 95 %: fewer by chance once in 400
 
 
-def test_what_is_at_the_end_of_what_is_tried_is_said(predicted):
+def test_parameters_at_their_bounds_are_reported(predicted):
     wild = np.radians(180.0 + 70.0 * np.random.default_rng(3).standard_normal(60))
     assert any(
-        "unsteadiest hand" in told for told in rr.fit(CAN, wild, predicted=predicted).warnings
+        "unsteadiest hand" in warning for warning in rr.fit(CAN, wild, predicted=predicted).warnings
     )
     directions, _ = fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)
     stray = np.append(directions, math.radians(60.0))

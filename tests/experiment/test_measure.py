@@ -1,4 +1,4 @@
-"""Kitchen measurements give a body back, with the uncertainty that they leave it."""
+"""Kitchen measurements determine a body and its uncertainty."""
 
 import json
 import math
@@ -246,7 +246,7 @@ def test_uncertainties_are_those_of_a_thousand_tables():
     assert [number.std_dev for number in expected] == pytest.approx(spread, rel=0.07)
     for number, mean in zip(expected, np.mean(tables, axis=0), strict=True):
         assert number.nominal_value == pytest.approx(mean, abs=0.15 * number.std_dev)
-    # Numbers know how they hang together: mass takes no part in A/m.
+    # Correlations are kept: A/m does not depend on the mass.
     a, m = np.array(tables)[:, 3], np.array(tables)[:, 0]
     ratio = measured.transverse_inertia / measured.mass
     assert ratio.std_dev == pytest.approx(np.std(a / m), rel=0.07)
@@ -342,7 +342,7 @@ def test_numbers_are_shown_to_the_digits_that_their_uncertainty_leaves(value, un
     assert pretty(value, unit) == text
 
 
-# What no body can have done
+# Impossible readings
 
 
 def without(*names, **more):
@@ -447,7 +447,7 @@ def test_what_cannot_be_is_refused_by_the_name_of_the_measurement(readings, comp
 
 
 @pytest.fixture
-def said(capsys):
+def stdout_of(capsys):
     def run(arguments):
         assert main(arguments.split()) == 0
         captured = capsys.readouterr()
@@ -457,9 +457,9 @@ def said(capsys):
     return run
 
 
-def test_the_command_shows_values_and_where_their_uncertainty_comes_from(said):
-    text = said(f"measure {LINE}")
-    assert "diameter 10.20 ± 0.05 cm" in text  # what it took for granted
+def test_the_command_shows_values_and_where_their_uncertainty_comes_from(stdout_of):
+    text = stdout_of(f"measure {LINE}")
+    assert "diameter 10.20 ± 0.05 cm" in text  # its assumptions
     assert "swings time 38.30 ± 0.10 s" in text
     assert re.search(r"A/m +\(5.14 ± 0.07\)×10⁻³ m² +1.3 % +swings-time", text)
     assert re.search(r"axial inertia C +137 ± 26 kg mm² +19 % +estimate", text)
@@ -468,13 +468,13 @@ def test_the_command_shows_values_and_where_their_uncertainty_comes_from(said):
     assert max(map(len, text.splitlines())) < 80
 
 
-def test_with_c_measured_there_is_no_guess(said):
-    text = said(f"measure {LINE} --across-swings 50 --across-time 36.6s")
+def test_with_c_measured_there_is_no_guess(stdout_of):
+    text = stdout_of(f"measure {LINE} --across-swings 50 --across-time 36.6s")
     assert "guessed" not in text and "across-time" in text
 
 
-def test_json_has_each_number_with_its_uncertainty(said):
-    answer = json.loads(said(f"measure {LINE} --json"))
+def test_json_has_each_number_with_its_uncertainty(stdout_of):
+    answer = json.loads(stdout_of(f"measure {LINE} --json"))
     measured = rr.measure(**KITCHEN)
     for name in FIELDS:
         number = getattr(measured, name)
@@ -484,16 +484,16 @@ def test_json_has_each_number_with_its_uncertainty(said):
     assert answer["readings"]["swings"] == {"value": 50.0, "uncertainty": 0.0}
 
 
-def test_the_file_is_a_scenario_that_other_commands_take(said, tmp_path):
+def test_the_file_is_a_scenario_that_other_commands_take(stdout_of, tmp_path):
     file = tmp_path / "my_can.toml"
-    assert f"wrote {file}" in said(f"measure {LINE} -o {file}")
+    assert f"wrote {file}" in stdout_of(f"measure {LINE} -o {file}")
     body = rr.measure(**KITCHEN).body
     assert load(file).body == body
     comments = file.read_text()
     assert "swings_time = 38.30 ± 0.10 s" in comments and "(a guess)" in comments
-    answer = json.loads(said(f"turn {file} --json"))
+    answer = json.loads(stdout_of(f"turn {file} --json"))
     assert answer["turn_limit"]["no_slip"] == rr.turn_limit(body, rr.NoSlip())
-    assert "202." in said(f"simulate --scenario {file} --tilt 20deg --yaw-rate 0.005")
+    assert "202." in stdout_of(f"simulate --scenario {file} --tilt 20deg --yaw-rate 0.005")
 
 
 def test_a_file_is_whole_or_not_there(capsys, monkeypatch, tmp_path):
@@ -531,13 +531,13 @@ def test_bad_input_is_one_line_and_exit_code_2(capsys, arguments, complaint):
     assert complaint in error and error.count("\n") == 1
 
 
-def test_the_examples_in_the_help_work(said, monkeypatch, tmp_path):
+def test_the_examples_in_the_help_work(stdout_of, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     examples = re.findall(r"\$ rimroll (.+)", command.__doc__)
     assert len(examples) == 2
     for example in examples:
-        assert "turn limit, no-slip" in said(example)
-    assert "$ rimroll measure" in said("measure --help")
+        assert "turn limit, no-slip" in stdout_of(example)
+    assert "$ rimroll measure" in stdout_of("measure --help")
 
 
 @examples(20, derandomize=True)

@@ -1,4 +1,4 @@
-"""What a hand does from one release to the next, drawn as it is said to be."""
+"""Random releases have the distribution that they state."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ def quantities(release, n, seed):
     return np.array([start.tilt, start.tilt_rate, sideways, twist, scales])
 
 
-def test_means_and_spreads_are_those_asked_for():
+def test_means_and_spreads_are_those_given():
     drawn = quantities(WIDE, MANY, seed=1)
     for values, (mean, spread) in zip(drawn, vars(WIDE).values(), strict=True):
-        # Tilts beyond 5 and scales below 0 spreads are not told apart from none.
+        # Tilts beyond 5 spreads and scales below 0 are cut off.
         assert stats.kstest((values - mean) / spread, "norm").pvalue > 1e-3
         assert values.mean() == pytest.approx(mean, abs=4.0 * spread / np.sqrt(MANY))
         assert values.std() == pytest.approx(spread, rel=4.0 / np.sqrt(2.0 * MANY))
@@ -144,7 +144,7 @@ TABLES = (rr.NoSlip(), rr.Frictionless(), rr.Coulomb(0.15), rr.Coulomb(0.6))
 
 
 def share(body, law, release, word):
-    """How many of 60 releases end so."""
+    """The number of 60 releases with that outcome."""
     falls = rr.topple(body, law, 60, release, seed=1)
     return float((falls["outcome"] == word).mean())
 
@@ -195,10 +195,12 @@ def test_presets_are_found_however_they_are_typed():
 
 
 def test_parameters_name_means_and_spreads():
-    told = WIDE.parameters()
-    assert told["release_tilt"] == 0.5 and told["release_tilt_spread"] == 0.1
-    assert told["release_twist"] == -0.1 and told["release_friction_scale_spread"] == 0.2
-    assert len(told) == 10
+    parameters = WIDE.parameters()
+    assert parameters["release_tilt"] == 0.5 and parameters["release_tilt_spread"] == 0.1
+    assert (
+        parameters["release_twist"] == -0.1 and parameters["release_friction_scale_spread"] == 0.2
+    )
+    assert len(parameters) == 10
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ COIN = rr.bodies.coin()
 # The falls
 
 
-def test_one_row_a_trial_with_the_release_and_the_seed_told():
+def test_there_is_one_row_for_each_trial_with_the_release_and_the_seed():
     falls = rr.topple(CAN, rr.Coulomb(0.2), 5, "paper", seed=7)
     release = rr.Release.named("paper", CAN)
     assert falls.sizes == {"trial": 5}
@@ -84,11 +84,11 @@ def test_what_makes_no_experiment_is_refused_with_a_sentence(change, words):
         rr.topple(**{"body": CAN, "law": rr.NoSlip(), "seed": 1, **change})
 
 
-# What they say
+# Their message
 
 
 def flicks(spread):
-    """Flicks of the can whose sideways motion scatters by so much, rad/s."""
+    """Flicks of the can with this spread of the sideways motion, rad/s."""
     return rr.Release((0.35, 0.02), (-5.0, 0.2), (0.0, spread), (0.0, spread))
 
 
@@ -97,7 +97,7 @@ def flicks(spread):
     [
         (rr.NoSlip(), rr.NoSlip()),
         (rr.Frictionless(), rr.Frictionless()),
-        (rr.Coulomb(0.6), rr.NoSlip()),  # it rolls through from 0.356 on
+        (rr.Coulomb(0.6), rr.NoSlip()),  # it rolls through for frictions above 0.356
         (rr.Coulomb(0.0), rr.Frictionless()),
     ],
     ids=str,
@@ -139,7 +139,7 @@ def test_a_hand_that_misses_to_one_side_makes_more_falls_there():
         lefts.append(float((falls["direction"] > np.pi).mean()))
     # Missing to the left of the can turns the contact point anticlockwise.
     assert lefts[0] > 0.75
-    assert lefts[0] + lefts[1] == pytest.approx(1.0, abs=0.1)  # mirror images, but for chance
+    assert lefts[0] + lefts[1] == pytest.approx(1.0, abs=0.1)  # mirror images, except for chance
 
 
 def test_what_counts_is_what_most_of_those_did_that_came_down():
@@ -148,7 +148,7 @@ def test_what_counts_is_what_most_of_those_did_that_came_down():
     rocked, word = counted(rr.topple(COIN, rr.NoSlip(), 30, "let go", seed=1))
     assert word == "rocked" and rocked.size == 30
     assert ((rocked >= 0.0) & (rocked <= 2.0 * np.pi)).all()
-    # Let go from near its balance point, the can does all of it.
+    # Released near its balance point, the can has all outcomes.
     mixed = rr.topple(CAN, rr.NoSlip(), 60, rr.Release((0.6, 0.05), sideways=(0, 0.3)), seed=1)
     directions, word = counted(mixed)
     same = (mixed["outcome"] == word).values
@@ -172,9 +172,9 @@ def test_limits_are_those_of_theory_for_the_mean_release():
 
 def test_limits_know_the_friction_scale_and_leave_out_what_is_none():
     half = rr.Release(np.radians(20.0), -5.0, twist=(0.0, 0.1), friction_scale=0.5)
-    told = limits(rr.topple(CAN, rr.Coulomb(0.3), 3, half, seed=1))["coulomb"]
+    found = limits(rr.topple(CAN, rr.Coulomb(0.3), 3, half, seed=1))["coulomb"]
     whole = rr.Release(np.radians(20.0), -5.0, twist=(0.0, 0.1))
-    assert told == limits(rr.topple(CAN, rr.Coulomb(0.15), 3, whole, seed=1))["coulomb"]
+    assert found == limits(rr.topple(CAN, rr.Coulomb(0.15), 3, whole, seed=1))["coulomb"]
     fast = rr.Release(np.radians(20.0), -14.0, twist=(0.0, 0.1))  # lifts off on the way down
     assert "coulomb" not in limits(rr.topple(CAN, rr.Coulomb(0.3), 3, fast, seed=1))
 
@@ -197,7 +197,7 @@ def papers():
 
 
 def lines_at(ax):
-    """Where lines that stand across a panel stand."""
+    """The places of vertical lines across a panel."""
     return [line.get_xdata()[0] for line in ax.lines if len(set(line.get_xdata())) == 1]
 
 
@@ -227,12 +227,12 @@ def test_limits_and_measurements_stand_on_both_sides(papers):
     (left, spread), (right, _) = MEASURED
     marks = [line for line in figure.axes[0].lines if line.get_marker() == "o"]
     assert [line.get_xdata()[0] for line in marks] == pytest.approx([left, 360.0 - right])
-    said = [text.get_text() for text in figure.legends[0].texts]
-    assert any("202.29°" in text for text in said) and any("220.97°" in text for text in said)
-    assert any(f"{left}° ± {spread}°" in text for text in said)
+    texts = [text.get_text() for text in figure.legends[0].texts]
+    assert any("202.29°" in text for text in texts) and any("220.97°" in text for text in texts)
+    assert any(f"{left}° ± {spread}°" in text for text in texts)
 
 
-def test_the_papers_measurements_are_of_its_can_alone_unless_asked_for(papers):
+def test_the_papers_measurements_are_drawn_for_its_can_only_by_default(papers):
     def measured(figure):
         return any("measured" in text.get_text() for text in figure.legends[0].texts)
 
@@ -252,7 +252,7 @@ def test_left_is_left_of_the_hand_at_the_bottom(papers):
     assert hand[1] < y0 and hand[0] == pytest.approx(x0, abs=1e-6)
 
 
-def test_a_disk_is_drawn_around_where_it_leaned_at_first_and_is_said_to_rock():
+def test_a_disk_is_drawn_around_its_first_lean_and_rocks():
     falls = rr.topple(COIN, rr.NoSlip(), 100, "let go", seed=1)
     ax = falls_figure(falls).axes[0]
     counts, edges = bins(ax)
@@ -283,9 +283,9 @@ def test_a_title_says_what_was_done_and_what_became_of_it(papers):
 def test_several_falls_share_a_picture_if_they_are_of_one_body(papers):
     ice = rr.topple(CAN, rr.surfaces.ice(), 50, "paper", seed=1)
     figure = falls_figure({"wood": papers, "ice": ice})
-    said = [text.get_text() for text in figure.legends[0].texts]
-    assert any(text.startswith("ice, ") for text in said)
-    assert any(text.startswith("wood limit") for text in said)
+    texts = [text.get_text() for text in figure.legends[0].texts]
+    assert any(text.startswith("ice, ") for text in texts)
+    assert any(text.startswith("wood limit") for text in texts)
     bottle = rr.topple(rr.bodies.beer_bottle(), rr.NoSlip(), 10, seed=1)
     with pytest.raises(rr.RimrollError, match="one body"):
         falls_figure({"can": papers, "bottle": bottle})
@@ -311,7 +311,7 @@ PICTURES = {
 
 
 def texts(figure):
-    """What can be read, and the box that it takes."""
+    """The visible texts and their boxes."""
     figure.draw_without_rendering()
     flat = figure.axes[0]
     beyond = [
@@ -345,8 +345,8 @@ def test_no_text_covers_another(name):
 
 
 @pytest.fixture
-def said(capsys):
-    """Runs a command that must succeed, and returns what it says on stdout."""
+def stdout_of(capsys):
+    """Runs a command that must succeed, and returns its stdout."""
 
     def run(arguments):
         assert main(arguments.split()) == 0
@@ -357,8 +357,8 @@ def said(capsys):
     return run
 
 
-def test_topple_tells_left_and_right_beside_the_limits(said):
-    text = said("topple --seed 1 --release paper --friction 0.15")
+def test_topple_tells_left_and_right_beside_the_limits(stdout_of):
+    text = stdout_of("topple --seed 1 --release paper --friction 0.15")
     falls = rr.topple(CAN, rr.Coulomb(0.15), 42, "paper", seed=1)
     turns = np.degrees(falls["turn"][falls["outcome"] == "toppled"].values)
     assert f"{turns[turns > 0].mean():.3f}°" in text
@@ -369,8 +369,8 @@ def test_topple_tells_left_and_right_beside_the_limits(said):
     assert "from tilt 20° ± 2°, rates of tilt -5 ± 0.35" in text
 
 
-def test_topple_in_json_is_the_api(said):
-    answer = json.loads(said("topple soda_can -n 50 --seed 3 --json"))
+def test_topple_in_json_is_the_api(stdout_of):
+    answer = json.loads(stdout_of("topple soda_can -n 50 --seed 3 --json"))
     falls = rr.topple(rr.bodies.soda_can(), rr.NoSlip(), 50, seed=3)
     assert answer["parameters"] == {**falls.attrs, "body": "soda_can"}
     assert answer["number"] == 50 and sum(answer["outcomes"].values()) == 50
@@ -381,13 +381,13 @@ def test_topple_in_json_is_the_api(said):
     assert answer["outcome"] == "toppled"
 
 
-def test_options_change_parts_of_the_release(said):
+def test_options_change_parts_of_the_release(stdout_of):
     changes = (
         "--release let-go --tilt 22deg --tilt-spread 1deg --tilt-rate -5rad/s --tilt-rate-spread"
         " 20deg/s --sideways 0.01 --sideways-spread 0.2 --twist -1deg/s --twist-spread 0.1"
         " --friction-scale-spread 10% --unsteadiness 2"
     )
-    told = json.loads(said(f"topple -n 3 --seed 1 {changes} --json"))["parameters"]
+    answer = json.loads(stdout_of(f"topple -n 3 --seed 1 {changes} --json"))["parameters"]
     expected = rr.Release(
         tilt=(np.radians(22.0), np.radians(1.0)),
         tilt_rate=(-5.0, np.radians(20.0)),
@@ -396,24 +396,24 @@ def test_options_change_parts_of_the_release(said):
         friction_scale=(1.0, 0.1),
     )
     for name, value in expected.parameters().items():
-        assert told[name] == pytest.approx(value), name
+        assert answer[name] == pytest.approx(value), name
 
 
-def test_motion_options_and_the_table_are_those_of_the_other_commands(said):
-    told = json.loads(
-        said(
+def test_motion_options_and_the_table_are_those_of_the_other_commands(stdout_of):
+    answer = json.loads(
+        stdout_of(
             "topple -n 3 --seed 1 --gravity 9.8 --duration 3s --rtol 1e-7 --max-steps 5000"
             " --topple-tilt 80deg --surface wood --rolling-resistance 1e-5 --threads 1 --json"
         )
     )["parameters"]
-    assert (told["gravity"], told["duration"], told["rtol"]) == (9.8, 3.0, 1e-7)
-    assert (told["max_steps"], told["topple_tilt"]) == (5000, np.radians(80.0))
-    assert (told["law_friction"], told["law_rolling_dry"]) == (0.3, 1e-5)
+    assert (answer["gravity"], answer["duration"], answer["rtol"]) == (9.8, 3.0, 1e-7)
+    assert (answer["max_steps"], answer["topple_tilt"]) == (5000, np.radians(80.0))
+    assert (answer["law_friction"], answer["law_rolling_dry"]) == (0.3, 1e-5)
 
 
-def test_csv_begins_with_degrees_and_outcome_and_keeps_every_bit(said, tmp_path):
+def test_csv_begins_with_degrees_and_outcome_and_keeps_every_bit(stdout_of, tmp_path):
     path = tmp_path / "falls.csv"
-    assert f"wrote {path}" in said(f"topple -n 20 --seed 1 --friction 0.2 -o {path}")
+    assert f"wrote {path}" in stdout_of(f"topple -n 20 --seed 1 --friction 0.2 -o {path}")
     falls = rr.topple(CAN, rr.Coulomb(0.2), 20, seed=1)
     lines = path.read_text().splitlines()
     assert lines[0].startswith("direction[deg],outcome,turn[rad],direction[rad],")
@@ -431,9 +431,9 @@ def test_csv_begins_with_degrees_and_outcome_and_keeps_every_bit(said, tmp_path)
 
 
 @pytest.mark.parametrize("seed", [1, 2**40])
-def test_netcdf_opens_again_as_the_same_falls(said, tmp_path, seed):
+def test_netcdf_opens_again_as_the_same_falls(stdout_of, tmp_path, seed):
     path = tmp_path / "falls.nc"
-    said(f"topple -n 20 --seed {seed} -o {path}")
+    stdout_of(f"topple -n 20 --seed {seed} -o {path}")
     with xr.open_dataset(path) as read:
         falls = rr.topple(CAN, rr.NoSlip(), 20, seed=seed)
         assert read.equals(falls)
@@ -442,9 +442,9 @@ def test_netcdf_opens_again_as_the_same_falls(said, tmp_path, seed):
         assert falls_figure(read.load()).get_suptitle() == falls_figure(falls).get_suptitle()
 
 
-def test_json_files_have_every_fall(said, tmp_path):
+def test_json_files_have_every_fall(stdout_of, tmp_path):
     path = tmp_path / "falls.json"
-    said(f"topple -n 20 --seed 1 --release let-go -o {path}")
+    stdout_of(f"topple -n 20 --seed 1 --release let-go -o {path}")
     read = json.loads(path.read_text())
     falls = rr.topple(CAN, rr.NoSlip(), 20, "let go", seed=1)
     assert read["falls"]["turn"] == falls["turn"].values.tolist()
@@ -453,9 +453,9 @@ def test_json_files_have_every_fall(said, tmp_path):
 
 
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
-def test_topple_draws_the_histogram(said, tmp_path, suffix):
+def test_topple_draws_the_histogram(stdout_of, tmp_path, suffix):
     path = tmp_path / f"falls.{suffix}"
-    said(f"topple --seed 1 -o {path}")
+    stdout_of(f"topple --seed 1 -o {path}")
     assert path.read_bytes()[:4] in (b"<?xm", b"\x89PNG", b"%PDF")
 
 
@@ -476,8 +476,8 @@ def test_ctrl_c_writes_the_falls_done_so_far_and_says_so(
 
     monkeypatch.setattr("rimroll.cli.topple.working", impatient)
     csv, picture = tmp_path / "falls.csv", tmp_path / "falls.svg"
-    asked = f"topple -n 300000 --seed 1 --threads {threads} -o {csv} -o {picture} {asked_for}"
-    assert main(asked.split()) == 130
+    command = f"topple -n 300000 --seed 1 --threads {threads} -o {csv} -o {picture} {asked_for}"
+    assert main(command.split()) == 130
     captured = capsys.readouterr()
     line = '{"error": "interrupted"}' if asked_for else "rimroll: interrupted"
     assert captured.err == f"{line}\n"
@@ -531,14 +531,14 @@ def test_all_falls_failing_is_exit_code_1(capsys):
     assert "3 failed" in capsys.readouterr().out
 
 
-def test_help_has_examples_that_work(said, tmp_path, monkeypatch):
+def test_help_has_examples_that_work(stdout_of, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "100")
-    lines = said("topple --help").splitlines()
+    lines = stdout_of("topple --help").splitlines()
     examples = [line.split("$ rimroll ")[1] for line in lines if "$ rimroll topple" in line]
     assert len(examples) == 4
     for example in examples:
-        assert "falls" in said(example)
+        assert "falls" in stdout_of(example)
     assert (tmp_path / "falls.csv").exists()
 
 
@@ -551,7 +551,7 @@ def test_gravity_that_is_none_is_refused_in_a_line(command, gravity, capsys):
     assert "gravity" in capsys.readouterr().err
 
 
-def test_a_disk_that_is_full_is_told_in_a_line_whatever_is_drawn(tmp_path, monkeypatch, capsys):
+def test_a_full_disk_gives_one_line_for_every_format(tmp_path, monkeypatch, capsys):
     def full(*_: object) -> int:
         raise OSError(errno.ENOSPC, "No space left on device")
 

@@ -1,4 +1,4 @@
-"""The report's figures: what they show agrees with the closed forms, and they can be read."""
+"""The report's figures agree with the closed forms and are legible."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_texts_stay_on_the_page_and_apart(drawings, slug):
 
 
 def texts(figure):
-    """All texts that are seen: those of ticks only inside the range of their axis."""
+    """All visible texts: those of ticks only inside the range of their axis."""
     of_ticks, seen = set(), []
     for ax in all_axes(figure):
         for axis, limits in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):

@@ -1,4 +1,4 @@
-"""The picture of a map: its axes, its line, its scale of colours, and what its legend names."""
+"""The picture of a map: axes, line, colour scale and legend."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def mapped(yaw=RATES, spin=RATES, law=None, start=FLICK, body=CAN):
 
 
 def named(figure):
-    """What the legend names."""
+    """The names in the legend."""
     legend = figure.axes[0].get_legend()
     return [text.get_text() for text in legend.texts] if legend else []
 
@@ -65,9 +65,9 @@ def test_an_axis_says_in_its_label_what_its_ticks_count(zoom):
 
 def test_ticks_times_their_power_and_the_offset_are_the_rates():
     ax = map_figure(mapped(0.05 + 5e-8 * RATES)).axes[0]
-    told = [float(label.get_text().replace("−", "-")) for label in ax.get_xticklabels()]
-    assert len(told) > 3
-    assert 0.05 + 1e-8 * np.array(told) == pytest.approx(ax.get_xticks(), rel=1e-14)
+    labels = [float(label.get_text().replace("−", "-")) for label in ax.get_xticklabels()]
+    assert len(labels) > 3
+    assert 0.05 + 1e-8 * np.array(labels) == pytest.approx(ax.get_xticks(), rel=1e-14)
 
 
 def test_under_friction_that_holds_the_rim_the_line_is_that_of_rolling():

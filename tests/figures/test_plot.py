@@ -1,4 +1,4 @@
-"""The nine-panel figure of any motion, and the style it is drawn in."""
+"""The nine-panel figure of any motion, and its style."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def test_every_motion_has_its_nine_panels_with_units(name):
         ("the other way", True),
         ("toppling", True),
         ("very near a collision", False),  # briefer than floating-point times can show
-        ("a disk rolling", False),  # its yaw is no step
+        ("a disk rolling", False),  # its yaw does not look like a step
         ("a steady wobble", False),
         ("falling face down", False),
         ("sticking and slipping", True),
@@ -197,7 +197,7 @@ def test_the_laws_differ_in_marker_as_well_as_in_colour():
 
 
 def outcomes(arguments):
-    """What the command compares, told as on the command line."""
+    """The comparison of the command line."""
     what = Request(CAN, arguments.get("start", setting.start()), rr.NoSlip(), Options(), "can")
     return [
         outcome(what, name, law)
@@ -218,8 +218,8 @@ def test_the_comparison_has_units_on_its_axes_and_a_path_for_each_table():
 def test_the_comparison_under_its_lens_turns_by_nearly_the_limit():
     one, other = outcomes({"on": "rubber,no-slip"})
     panels = side_by_side([one, other]).axes
-    for line, told in zip(panels[3].lines, (one, other), strict=True):
-        limit = np.degrees(told.limit.from_start)
+    for line, outcome_shown in zip(panels[3].lines, (one, other), strict=True):
+        limit = np.degrees(outcome_shown.limit.from_start)
         assert 0.9 * limit < np.ptp(line.get_ydata()) < limit
 
 

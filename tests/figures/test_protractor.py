@@ -1,4 +1,4 @@
-"""The protractor sheet is true to scale, says where a body falls, and fits on its paper."""
+"""The protractor sheet is to scale, shows where a body falls, and fits on its paper."""
 
 import json
 import re
@@ -29,7 +29,7 @@ def drawn(figure, kind, gid=None):
 
 
 def in_points(figure, xy):
-    """Where something is on the page, in points from its lower left corner."""
+    """The place of an artist on the page, in points from its lower left corner."""
     (ax,) = figure.axes
     return ax.transData.transform(xy) / figure.dpi * 72.0
 

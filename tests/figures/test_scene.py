@@ -1,4 +1,4 @@
-"""The pictures: geometry of the scene, clock of the films, the figure of the fall, whole files."""
+"""Pictures: geometry of the scene, clock of films, the figure of a fall, and files."""
 
 from __future__ import annotations
 
@@ -203,7 +203,7 @@ def test_a_film_in_plain_time_passes_the_collision_between_two_pictures() -> Non
     assert np.abs(np.diff(yaw)).max() > np.radians(180.0)
 
 
-def test_the_film_is_as_long_as_asked_and_says_how_much_it_is_slowed() -> None:
+def test_the_film_has_the_given_length_and_shows_how_much_it_is_slowed() -> None:
     motion = NearCollision(1e-6)
     clock = film_clock(motion, speed=0.25, seconds=5.0)
     film = np.linspace(0.0, 5.0, 200)
@@ -299,7 +299,7 @@ def test_the_pictures_of_a_gif_are_those_of_the_stage_but_for_their_colours(tmp_
 
 
 def painted(paint: Callable[[Painter], None]) -> tuple[float, Array]:
-    """Area, pixels, and centre of gravity of what is painted black on a white picture."""
+    """Area, pixels, and centroid of the black parts of a white picture."""
     painter = Painter(Image.new("RGB", (80, 60), "white"))
     paint(painter)
     part = 1.0 - np.asarray(painter.picture.convert("L"), float) / 255.0

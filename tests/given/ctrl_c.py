@@ -1,8 +1,8 @@
 """Ctrl-C, in the test's own process and in processes that a test starts.
 
 A signal goes to a process only after the process itself has shown that it is ready: a test that
-waited for time to pass would fail on a busy machine. A shell lets what runs in its background
-ignore Ctrl-C, and processes pass that on, so it is undone here.
+waited for time to pass would fail on a busy machine. A shell starts background processes with
+Ctrl-C ignored, which their children inherit; this is undone here.
 """
 
 import os
@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 PATIENCE = 300.0
-"""A process that takes longer (s) is killed, so that no test waits for ever."""
+"""A process that takes longer (s) is killed, so that no test waits forever."""
 
 needs_signals = pytest.mark.skipif(
     sys.platform == "win32", reason="Ctrl-C is no signal for another process there"
@@ -26,7 +26,7 @@ needs_signals = pytest.mark.skipif(
 
 @contextmanager
 def heard():
-    """Lets Ctrl-C raise KeyboardInterrupt here and in processes that are started meanwhile."""
+    """Makes Ctrl-C raise KeyboardInterrupt here and in processes started inside the block."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         yield
@@ -72,7 +72,7 @@ def interrupt_when(sign, process):
 def processor_time_after_ctrl_c(code):
     """How much processor time (s) a program still takes after Ctrl-C.
 
-    The program calls `ready`, again and again if it likes, of ``with ctrl_c.timed() as ready``.
+    The program calls `ready` of ``with ctrl_c.timed() as ready``, once or repeatedly.
     """
     path = [str(Path(__file__).parents[1]), *filter(None, [os.environ.get("PYTHONPATH")])]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path)}
@@ -86,7 +86,7 @@ def processor_time_after_ctrl_c(code):
 
 @contextmanager
 def timed():
-    """In a program of `processor_time_after_ctrl_c`: gives `ready`, and tells the time.
+    """In a program of `processor_time_after_ctrl_c`: gives `ready`, and prints the time.
 
     A thread notes when the signal arrives, since Python itself handles it only when the main thread
     runs Python code.
@@ -102,11 +102,11 @@ def timed():
 
     noting = threading.Thread(target=note_arrival, daemon=True)
     noting.start()
-    said = []
+    calls = []
 
     def ready():
-        if not said:
-            said.append("ready")
+        if not calls:
+            calls.append("ready")
             print("ready", flush=True)
 
     try:

@@ -1,4 +1,4 @@
-"""The motions that several tests look at: the paper's can, let go as in the paper."""
+"""Motions for several tests: the paper's can, released as in the paper."""
 
 import csv
 import hashlib

@@ -11,7 +11,7 @@ from oracles.paper_equations import LAWS, doubled_kinetic_energy
 
 
 def drawn(count):
-    """`count` in `make soak`; otherwise the share of it that the profile in force draws."""
+    """`count` in `make soak`; otherwise the fraction of it that the current profile draws."""
     return max(1, count * settings.default.max_examples // 100)
 
 
@@ -53,7 +53,7 @@ def flat_solids(draw, radius):
 
 @st.composite
 def composed_bodies(draw, solids=upright_solids):
-    """Bodies put together from one to three solids."""
+    """Bodies composed of one to three solids."""
     radius = draw(sizes(0.01, 0.5))
     return rr.Body.from_solids(radius, draw(st.lists(solids(radius), min_size=1, max_size=3)))
 
@@ -86,7 +86,7 @@ def bodies():
 
 @dataclass(frozen=True)
 class Rocking:
-    """A body, where and how it is let go, and gravity (m/s2)."""
+    """A body, its start, and gravity (m/s2)."""
 
     body: rr.Body
     start: rr.State
@@ -101,7 +101,8 @@ class Rocking:
 
 @st.composite
 def rockings(draw, bodies=bodies(), least_sideways=1e-3):  # noqa: B008 (a strategy is a constant)
-    """Bodies let go so that they rock: they have too little energy to get over the balance point.
+    """Bodies with starts from which they rock, since their energy is too small to pass the balance
+    point.
 
     Yaw and spin rates are between `least_sideways` and 0.1 of sqrt(g/R), in all combinations of
     signs; the tilt rate is up or down.

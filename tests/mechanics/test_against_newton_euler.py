@@ -34,7 +34,7 @@ def compare(body, start, law, its_law, duration, resistances=rb.NONE, agree=1e-7
     oracle = rb.follow(body, rb.release(body, start), its_law, duration, resistances=resistances)
     *before, last = oracle.events or [None]
     if before and last.kind == "face_down":
-        # So flat that it knows no lowest point any more; rimroll goes on. Compared is before.
+        # It is too flat for a lowest point; rimroll continues. The comparison ends before.
         duration = end_time = before[-1].t
     else:
         end_time = oracle.end
@@ -50,7 +50,7 @@ def compare(body, start, law, its_law, duration, resistances=rb.NONE, agree=1e-7
         (end.tilt_rate, tilt_rate, rate),
         (end.yaw_rate, yaw_rate, rate),
         (end.spin_rate, spin_rate, rate),
-        # Ours counts from the body standing upright.
+        # rimroll's is zero for the upright body.
         (end.energy + 9.8 * body.mass * body.height, look.energy, motion.energy[0]),
     ]:
         assert abs(float(ours[0]) - its) < agree * size * (1.0 + abs(its) / size)
@@ -125,7 +125,7 @@ def test_landings_on_friction_by_a_table():
 
 @pytest.mark.parametrize("law", ["rolling", "sliding"])
 def test_resistances(law):
-    """All at once; the smoothing of the signs is that of the laws."""
+    """All resistances together; signs are smoothed as in the laws."""
     ours, its_law = (
         (rr.NoSlip(), rb.Rolling()) if law == "rolling" else (rr.Coulomb(0.1), rb.Coulomb(0.1))
     )
@@ -190,7 +190,7 @@ def test_near_collisions_are_those_of_the_inner_problem(friction, slip, spin):
     passage = rr.passage(CAN, rr.Coulomb(friction), arrival)
     its = inner_problem.near_collision(CAN, friction, arrival.slip, arrival.axial_spin, omega)
     assert rr.turn_limit(CAN, rr.Coulomb(friction), arrival) == passage.turn
-    # What rimroll leaves out is of the third order of 1e-3, with spin of the second.
+    # rimroll neglects terms of third order in 1e-3, with spin of second order.
     digits = 2e-8 if spin == 0.0 else 2e-6
     assert passage.turn == pytest.approx(its.turn, abs=digits)
     assert passage.rising_rate == pytest.approx(its.tilt_rate, abs=digits * omega)

@@ -50,7 +50,8 @@ class Pair:
 
 
 def computed_twice(body, start, law, duration, gravity):
-    """The printed equations let the rim pull, so they follow only as far as rimroll goes."""
+    """The printed equations let the table pull at the rim, so they are followed only as far as
+    rimroll goes."""
     ours = rr.simulate(body, start, law, duration, gravity=gravity, rtol=ACCURATE)
     theirs = paper.integrate(body, start, law.name, ours.t[-1], gravity=gravity)
     closeness = 1e-11 + 3e-14 * (1 + len(theirs.minima)) / theirs.phi.min()
@@ -64,7 +65,7 @@ def can(request):
 
 
 def in_the_paper_s_symbols(moments):
-    """Our moments as the states that the printed formulas take."""
+    """rimroll's moments as states for the printed formulas."""
     return paper.States(
         moments["t"],
         moments["yaw"],
@@ -124,7 +125,7 @@ def oracle_at(pair, times):
 
 
 def extremes(pair):
-    """Our tilt minima and maxima, but for the ends of the motion.
+    """rimroll's tilt minima and maxima, except at the ends of the motion.
 
     A release at rest, and a last instant at rest, are extremes by rounding only.
     """
@@ -161,7 +162,7 @@ def assert_same_turns(pair):
         oracle_at(pair, [getattr(turn, name) for turn in turns]) for name in ("start", "t", "end")
     )
     for i, turn in enumerate(turns):
-        # At both ends yaw hardly moves, so lateness does not enter.
+        # At both ends the yaw hardly changes, so a delay has no effect.
         assert turn.angle == pytest.approx(ends.psi[i] - starts.psi[i], abs=2 * pair.closeness)
         assert turn.min_tilt == pytest.approx(lows.phi[i], rel=2 * pair.closeness)
         assert turn.yaw_rate == pytest.approx(lows.psi_dot[i], rel=2 * pair.closeness)
@@ -205,7 +206,7 @@ def assert_energy_is_that_of_the_states_and_stays(pair):
     allowed = size * (1e-12 + 3e-14 / ours.tilt)
     np.testing.assert_array_less(np.abs(ours.kinetic_energy - kinetic), allowed)
     np.testing.assert_array_less(np.abs(ours.potential_energy - (total - kinetic)), allowed)
-    # 1e-13 was asked for.
+    # rtol is 1e-13.
     np.testing.assert_allclose(pair.ours.energy, ours.energy[0], rtol=0, atol=1e-13 * size)
 
 
@@ -250,7 +251,7 @@ def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
     @given(rockings())
     def holds(rocking):
         case = rocking.body, rocking.start, law, 1.5 * rocking.time
-        # Closer to the table the printed equations have no digits left to compare with.
+        # Closer to the table the printed equations lose all digits.
         assume(rr.simulate(*case, gravity=rocking.gravity).tilt.min() > 1e-6)
         pair = computed_twice(*case, rocking.gravity)
         assert pair.ours.status in ("finished", "lifted_off")
@@ -262,5 +263,5 @@ def test_any_body_from_any_start_moves_as_the_printed_equations_say(law):
         turns.extend(pair.ours.turns)
 
     holds()
-    # Else the starts would not be what they are meant to be.
+    # Otherwise the starts would differ from the intended ones.
     assert len(turns) > drawn(20)

@@ -92,7 +92,7 @@ def test_what_is_no_near_collision_is_refused_with_a_sentence(numbers, complaint
 
 
 def computed_near_collision(law, sideways):
-    """The can's near-collision within three times its least tilt, and the formula for it."""
+    """The can's near-collision within three times its smallest tilt, and the formula for it."""
     start = replace(PAPER_START, yaw_rate=sideways, spin_rate=sideways)
     motion = rr.simulate(CAN, start, law, 0.4, gravity=9.8, rtol=1e-13)
     (low,) = (event for event in motion.events if event.kind == "tilt_min")
@@ -265,7 +265,7 @@ def test_reversed_yaw_and_spin_reverse_the_composite_turn(law):
 
 
 def test_a_body_flicked_too_fast_to_come_from_a_top_is_approximated_from_its_release():
-    """It would have come from beyond the balance point."""
+    """Continued backward, it comes from beyond the balance point."""
     start = replace(PAPER_START, tilt_rate=-4.0)
     composite = rr.composite(CAN, start, rr.NoSlip(), 9.8)
     assert composite.min_tilt_time == composite.half_width

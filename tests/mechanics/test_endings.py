@@ -1,4 +1,4 @@
-"""How motions end, and starts and options that none is followed from."""
+"""How motions end, and which starts and options are refused."""
 
 from dataclasses import replace
 
@@ -33,7 +33,7 @@ def test_the_tilt_that_counts_as_toppled_can_be_set(law, tilt):
     assert (motion.tilt[:-1] < tilt).all()
 
 
-def test_a_disk_topples_only_when_told_so():
+def test_a_disk_topples_only_at_a_given_tilt():
     start = rr.State(tilt=1.2, tilt_rate=10.0, yaw_rate=0.3, spin_rate=0.1)
     assert rr.simulate(DISK, start, rr.NoSlip(), 0.2).tilt.max() > np.pi / 2
     assert rr.simulate(DISK, start, rr.NoSlip(), 0.2, topple_tilt=1.5).status == "toppled"
@@ -77,7 +77,7 @@ def test_a_motion_out_of_steps_has_failed_and_says_where():
     motion = rr.simulate(CAN, PAPER_START, rr.NoSlip(), max_steps=50)
     assert motion.status == "failed" and motion.stats.steps == 50 and len(motion) == 51
     assert motion.message == f"stopped at t = {motion.t[-1]:.6f} s after max_steps = 50 steps"
-    # What there is can be used.
+    # The part before can be used.
     assert motion.evaluate(motion.t[-1]).tilt[0] == pytest.approx(motion.tilt[-1], rel=1e-12)
 
 

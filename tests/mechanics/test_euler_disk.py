@@ -1,4 +1,4 @@
-"""Euler's disk: wobbling ever faster, worn down to rest.
+"""Euler's disk: it wobbles faster and faster until it rests.
 
 A uniform disk that lies nearly flat at a tilt α wobbles at Ω² = 4 g/(R α), and its energy is
 (3/2) m g R α. Losing a power ~ Ω^λ it goes down as α ~ (t₀ − t)^(2/(2+λ)).
@@ -75,7 +75,7 @@ def test_a_disk_goes_to_rest_through_dozens_of_slip_and_roll_phases():
 
 
 def test_the_power_of_each_resistance_is_what_it_says():
-    """At the start, where nothing has happened yet: rates of the account by small differences."""
+    """At the start: rates of the energy budget by small differences."""
     start, dt = wobble(0.2), 1e-7
     weight = DISK.mass * rr.STANDARD_GRAVITY
     for resistance, power in [

@@ -1,4 +1,4 @@
-"""The oracles of exact turns must earn their trust: against the print, each other and 128 bits."""
+"""The oracles of exact turns, tested against the print, each other and 128-bit numbers."""
 
 from types import SimpleNamespace
 
@@ -42,7 +42,7 @@ def test_the_rates_by_taylor_s_clock_are_those_of_the_printed_equations(law, bod
         step = taylor_turns.Step(law, [sin, cos, p, w, s, mp.zero, mp.zero])
         size = 10 + p**2 + w**2 + s**2 + 10 / body.radius
         for name, rate in zip("pws", printed, strict=True):
-            # The print, in Euler angles, loses what it divides by the tilt.
+            # The print, in Euler angles, loses digits by dividing by the tilt.
             assert abs(getattr(step, name)[1] - rate) < 1e-20 * size, name
 
 

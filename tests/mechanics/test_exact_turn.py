@@ -151,7 +151,7 @@ OUTCOMES = {"finished": "rocked", "toppled": "toppled", "lifted_off": "lifted_of
 
 
 def outcome_of(motion):
-    """What became of a body in its first turn, as its whole motion has it."""
+    """The outcome of a body's first turn, from its whole motion."""
     if motion.turns:
         return "rocked"
     came_down = any(event.kind == "tilt_min" for event in motion.events)
@@ -179,7 +179,7 @@ def test_an_exact_turn_is_the_first_of_the_motion(rocking, law):
 
 @st.composite
 def throws(draw):
-    """Bodies let go so that anything may become of them."""
+    """Bodies with starts of all outcomes."""
     body = draw(bodies())
     natural = np.sqrt(9.8 / body.radius)
     rate = st.integers(-1000, 1000).map(lambda rate: 1e-3 * rate * natural)
@@ -261,7 +261,7 @@ def test_the_bits_depend_on_neither_threads_nor_order_nor_company(law):
 
 
 def one_of(starts, rows):
-    """Some of a State of arrays, in which numbers stand for all."""
+    """Some rows of a State of arrays, where a single number stands for all rows."""
     return rr.State(**{f: np.broadcast_to(getattr(starts, f), starts.shape)[rows] for f in FIELDS})
 
 
@@ -322,7 +322,7 @@ def test_mirrored_starts_turn_the_other_way(law, rocking):
 
 
 def with_digits(body, start, gravity):
-    """Everything that a turn depends on, by name."""
+    """All parameters of a turn, by name."""
     named = {name: getattr(body, name) for name in BODY}
     named |= {name: getattr(start, name) for name in FIELDS}
     return named | {"gravity": gravity}
@@ -350,7 +350,7 @@ def test_the_derivatives_are_those_of_turns_in_multiprecision(law, start):
             step = abs(given[name]) * mp.mpf(10) ** -11
             changed = turn_in_digits({**given, name: given[name] + step}, law)
             expected = float((changed - turn) / mp.mpf(10) ** -11)
-        # By as much as the parameter itself.
+        # A change as large as the parameter itself.
         change = abs(given[name]) * found.jacobian[name]
         assert change == pytest.approx(expected, rel=1e-9, abs=1e-10)
     assert found.jacobian["yaw"] == found.jacobian["spin"] == 0.0
@@ -428,7 +428,7 @@ def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
     assert interrupted(start, 0.05 * whole, threads, jacobian=True) < 0.6 * whole
 
 
-# What is refused
+# Refusals
 
 
 @pytest.mark.parametrize(
@@ -451,9 +451,9 @@ def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
     ],
 )
 def test_what_cannot_be_computed_is_refused_with_a_sentence(change, words):
-    asked = {"body": CAN, "start": START, "law": rr.NoSlip(), **change}
+    arguments = {"body": CAN, "start": START, "law": rr.NoSlip(), **change}
     with pytest.raises(rr.RimrollError, match=words):
-        rr.exact_turn(**asked)
+        rr.exact_turn(**arguments)
 
 
 @pytest.mark.parametrize("shape", [(9000,), (90, 100)])
@@ -475,24 +475,24 @@ def test_the_start_of_many_that_is_at_fault_is_named(shape):
 
 
 def off_the_stepped(body, start, law, *, rtol=1e-13):
-    """Greatest difference of turns, and of times, from those of falls that are stepped."""
+    """Largest differences of turns and times from those by time stepping."""
     found = rr.exact_turn(body, start, law)
     stepped = rr.ensemble(body, start, law, rtol=rtol, duration=100.0)
-    told = ~np.isnan(np.atleast_1d(found.turn))
-    assert np.array_equal(told, ~np.isnan(stepped.turn.values))
-    assert told.any()
+    defined = ~np.isnan(np.atleast_1d(found.turn))
+    assert np.array_equal(defined, ~np.isnan(stepped.turn.values))
+    assert defined.any()
     turns, times = found.turn - stepped.turn.values, found.end_time - stepped.end_time.values
-    return np.abs(turns[told]).max(), np.abs(times[told]).max()
+    return np.abs(turns[defined]).max(), np.abs(times[defined]).max()
 
 
 @by_law
 @pytest.mark.parametrize("rate", [-2.66, -2.7, -3.0, -4.0, -5.0, -8.0])
 def test_turns_that_hardly_or_easily_pass_the_balance_point_are_those_of_steps(law, rate):
-    """The can let go at half its balance tilt; the slower ones rock without friction."""
+    """The can released at half its balance tilt; the slower ones rock without friction."""
     yaw, spin = np.random.default_rng(1).uniform(-1.0, 1.0, (2, 60))
     start = rr.State(tilt=0.31826, tilt_rate=rate, yaw_rate=yaw, spin_rate=spin)
     turn, time = off_the_stepped(rr.bodies.can_2007(), start, law)
-    assert turn < 2e-11 and time < 2e-10  # near the balance point steps err more, too
+    assert turn < 2e-11 and time < 2e-10  # near the balance point the steps' errors are larger, too
 
 
 @by_law

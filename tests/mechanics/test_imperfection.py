@@ -167,7 +167,7 @@ def test_the_rim_strikes_again_where_it_first_comes_down(body, law, degrees):
     assert struck / np.hypot(*struck) == pytest.approx(toward(second.azimuth), abs=1e-9)
 
 
-# The whole fall, stepped through time without knowledge of its parts
+# The whole fall by time stepping, without knowledge of its parts
 
 
 def stepped(body, law, angle, step=2e-3, far=300.0):
@@ -241,7 +241,7 @@ def test_after_the_last_collision_the_can_rolls_off_as_simulated(law, degrees):
     assert motion.energy[-1] == pytest.approx(j * end.rising_rate**2 / 2, rel=1e-6)
 
 
-# What the paper says of the theory
+# The paper's statements about the theory
 
 
 @by_law

@@ -72,7 +72,7 @@ def test_a_film_needs_a_radius_a_viscosity_and_gravity(name, unit, value):
     assert str(refusal.value) == f"{name} must be > 0 and finite, got {value} {unit}"
 
 
-def test_resistances_add_up_and_are_told():
+def test_resistances_add_up_and_are_shown():
     law = rr.Coulomb(0.3) + rr.RollingResistance(dry=1e-3) + rr.PivotingFriction(1e-4)
     assert repr(law) == (
         "Coulomb(friction=0.3) + RollingResistance(dry=0.001) + PivotingFriction(length=0.0001)"
@@ -106,7 +106,7 @@ def test_a_law_by_name_takes_its_numbers():
     ("typo", "meant"),
     [("noslp", "no-slip"), ("colomb", "coulomb"), ("frictionles", "frictionless")],
 )
-def test_a_misspelt_law_is_told_what_was_meant(typo, meant):
+def test_the_error_about_a_misspelt_law_suggests_the_right_name(typo, meant):
     with pytest.raises(rr.RimrollError, match=f"unknown law '{typo}': did you mean '{meant}'"):
         laws.by_name(typo)
 

@@ -1,4 +1,4 @@
-"""What a motion must obey: Newton, energy, symmetry and scaling."""
+"""Motions obey Newton's laws, energy conservation, symmetry and scaling."""
 
 from dataclasses import replace
 
@@ -106,7 +106,7 @@ def test_friction_ratio_is_the_length_of_the_friction_over_the_normal_force(moti
 
 @by_law
 def test_energy_stays_over_tens_of_rockings(law):
-    """To the rtol of 1e-10 that is the default."""
+    """To the default rtol of 1e-10."""
     motion = paper_motion(law, duration=15.0)
     assert len(motion.turns) > 20
     total = motion.energy + CAN.mass * 9.8 * CAN.height

@@ -732,7 +732,7 @@ def test_erratum_missing_dot_on_psi_in_the_frictionless_energy():
     accelerations = accelerations_of("frictionless")
     assert vanishes(rate(right, accelerations))
     assert not vanishes(rate(printed, accelerations).subs(psi, 1))
-    assert right.diff(psi) == 0  # the direction called zero yaw is nobody's business
+    assert right.diff(psi) == 0  # the direction of zero yaw must not matter
     assert printed.diff(psi) != 0
 
 
@@ -880,7 +880,7 @@ def test_erratum_homogeneous_disk_turns_42_degrees_more_than_once():
     more = 180 * np.sqrt(5) - 360
     assert more == pytest.approx(42.49, abs=5e-3)
     assert round(more) != 41
-    # The print worked from 2.23 pi, which is sqrt(5) pi cut short rather than rounded.
+    # The print uses 2.23 pi, which is sqrt(5) pi truncated instead of rounded.
     assert round(180 * 2.23 - 360) == 41
 
 

@@ -1,4 +1,4 @@
-"""The oracles of dry friction against what is known without them: they must earn their trust.
+"""The oracles of dry friction, tested against independent results.
 
 Sources of the numbers: the closed forms of Srinivasan & Ruina (2007), the integrations of their
 printed equations in `paper_equations`, and conservation laws.
@@ -161,7 +161,7 @@ def test_a_fast_can_flies_lands_and_takes_no_more_energy_than_it_has_lost(restit
     state = rb.release(CAN, start(sideways=1.0, tilt=np.radians(5), tilt_rate=-12.0))
     motion = rb.follow(CAN, state, rb.Coulomb(0.3, restitution), 0.0074)
     assert motion.phases[0].kind == "flight"
-    # The bounces die out geometrically, and the last is of 1e-9 of a falling speed.
+    # The bounces decrease geometrically, and the last has 1e-9 of a falling speed.
     bounces = len(motion.of_kind("landing"))
     assert bounces == 1 if restitution == 0.0 else 20 < bounces < 40
     assert all(event.landing.work < 0.0 for event in motion.of_kind("landing"))
@@ -193,7 +193,7 @@ def mobility(tilt=0.5, yaw=0.7):
 
 
 def brute_force_landing(W, velocity, friction, restitution, steps):
-    """Routh's impact in equal steps of normal impulse, none of them clever (Euler)."""
+    """Routh's impact in equal steps of normal impulse, by Euler's method."""
     v, impulse, work, compression = velocity.copy(), np.zeros(3), 0.0, None
     step = -velocity[2] / W[2, 2] / steps
     while compression is None or work < (1 - restitution**2) * compression:

@@ -28,7 +28,7 @@ def first_turn_of(row, law, rtol):
 
 
 # (rtol, error of the turn in rad and of its time in s, relative error of the least tilt). The
-# default is meant for tens of rockings, so one comes out better than asked for. At 1e-13 rounding
+# default is meant for tens of rockings, so a single one is more accurate. At 1e-13 rounding
 # is left: some units of the last place of a turn of 3.5 rad, after 200 steps.
 @by_law
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_yaw_and_spin_nearly_cancel_at_the_near_collision():
 
 # How the turn from tilt maximum to tilt maximum converges as yaw and spin rates go to zero: turn
 # minus limit in rad, for rates of 0.1, 0.01, ... rad/s, by independent integration. Their six
-# digits are asked for, and 3e-12 rad beside them, the rounding of that integration's Euler angles;
+# digits are required, and 3e-12 rad beside them, the rounding of that integration's Euler angles;
 # rows end where that was larger.
 CONVERGENCE = [
     pytest.param(

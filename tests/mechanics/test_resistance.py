@@ -1,4 +1,4 @@
-"""Resistance as it vanishes, where it stops the contact point, and where its slope is infinite."""
+"""Resistance: vanishing, stopping the contact point, and with an infinite slope."""
 
 from itertools import pairwise
 
@@ -189,7 +189,7 @@ HELD_AT_ZERO = [
     ("no_slip", 1.8, 1e-5, SPUN, 1.196),
     ("frictionless", 1.8, 1e-5, SPUN, 0.59),
 ]
-"""It falls with the tilt to next to nothing."""
+"""It decreases with the tilt to nearly zero."""
 
 
 @pytest.mark.parametrize(

@@ -212,7 +212,7 @@ def test_painleves_paradox_is_met_where_the_curve_is_high_enough():
     assert rr.simulate(CAN, start, lower, 1.0).status != "painleve"
 
 
-# Where laws are taken
+# Functions that take laws
 
 
 def test_a_table_goes_with_resistances_friction_scale_and_ensembles():
@@ -285,10 +285,10 @@ def test_scenario_files_have_tables(tmp_path, capsys):
     file = tmp_path / "can.toml"
     file.write_text(SCENARIO)
     assert cli.main(["simulate", str(file), "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)["parameters"]
-    assert said["law"] == "tabulated"
-    assert tuple(said["law_speeds"]) == FALLING.speeds
-    assert tuple(said["law_frictions"]) == FALLING.frictions
+    parameters = json.loads(capsys.readouterr().out)["parameters"]
+    assert parameters["law"] == "tabulated"
+    assert tuple(parameters["law_speeds"]) == FALLING.speeds
+    assert tuple(parameters["law_frictions"]) == FALLING.frictions
     for suffix in ("csv", "nc", "json", "png"):
         assert cli.main(["simulate", str(file), "-o", str(tmp_path / f"out.{suffix}")]) == 0
     assert cli.main(["topple", str(file), "-o", str(tmp_path / "falls.csv")]) == 0
@@ -300,7 +300,7 @@ def test_scenario_files_have_tables(tmp_path, capsys):
     assert "tabulated needs speeds from a scenario file" in capsys.readouterr().err
 
 
-# Laws of one's own
+# User-defined laws
 
 
 class MyLaw(rr.Law):
@@ -323,14 +323,14 @@ class MyLaw(rr.Law):
         lambda law: rr.tall_turn_limit(CAN, law),
     ],
 )
-def test_a_law_of_ones_own_is_refused_everywhere_in_words(use):
+def test_a_users_class_of_law_is_refused_everywhere_with_a_reason(use):
     with pytest.raises(rr.RimrollError, match=r"got the class MyLaw: .* use rimroll\.Tabulated"):
         use(MyLaw())
 
 
-def test_a_law_of_ones_own_is_refused_when_it_is_made():
+def test_a_users_class_of_law_is_refused_when_it_is_made():
     class Fading(rr.Coulomb):
-        """Looks like Coulomb's law and would be computed as it."""
+        """Looks like Coulomb's law and would be computed as that."""
 
     for make in (rr.Law, lambda: Fading(0.3), lambda: type("L", (rr.Law,), {})()):
         with pytest.raises(rr.RimrollError, match=r"^law must be one of rimroll's own, NoSlip, "):

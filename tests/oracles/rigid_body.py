@@ -46,7 +46,7 @@ TOPPLED, FACE_DOWN = 1.5, 1e-7
 
 @dataclass(frozen=True)
 class Rolling:
-    """The rim does not slip, whatever that takes."""
+    """The rim does not slip, however large the force."""
 
     unilateral: bool = False
     restitution: float = 0.0
@@ -485,7 +485,7 @@ def ending(solution, events):
 
 @dataclass(frozen=True)
 class Event:
-    """What happened: a tilt_min, tilt_max, slip, stick, lift_off or landing, toppled or face_down.
+    """An event: a tilt_min, tilt_max, slip, stick, lift_off or landing, toppled or face_down.
 
     `y` is the state just after it.
     """
@@ -532,7 +532,7 @@ class Trajectory:
         return self.phase_at(t)(t)
 
     def look(self, t):
-        """Everything there is to compare at one instant."""
+        """All quantities for comparison at one instant."""
         phase = self.phase_at(t)
         return Look(self, phase.kind, phase(t))
 
@@ -712,7 +712,7 @@ class _Run:
     def land(self, y):
         at = Attitude(self.body, y)
         law = self.law
-        # Bounces that no one would see end here, lest there be infinitely many.
+        # Invisible bounces end here; there would be infinitely many.
         bounces = -y[VELOCITY][2] > LEAST_BOUNCE * self.slip_unit
         restitution = law.restitution if bounces else 0.0
         if isinstance(law, DryCurve):
@@ -772,7 +772,7 @@ class _Run:
         return [*events, others[phase]]
 
     def longest_step_of_flight(self, y):
-        """So short that no bounce goes unseen within one step (s)."""
+        """Short enough that no bounce is missed within one step (s)."""
         up, acceleration = y[VELOCITY][2], self.dynamics("flight", y).y_dot[VELOCITY][2]
         turning = 0.1 / (np.linalg.norm(y[OMEGA]) + np.sqrt(self.gravity / self.body.radius))
         if up > 0.0 > acceleration:

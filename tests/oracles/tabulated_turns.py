@@ -69,7 +69,7 @@ def _turn(line, law):
     return ExactTurn(line[f"outcome_{law}"], **numbers)
 
 
-# What is drawn
+# Random draws
 
 
 def short(number):
@@ -255,7 +255,7 @@ KINDS = {
     inside: 14,
     wobbling: 14,
 }
-"""How many of each."""
+"""The number of each kind."""
 
 
 TOPPLING = {
@@ -290,7 +290,7 @@ def rocked(turns):
 
 
 def drawn(seed=2007):
-    """Rows as they are wanted."""
+    """The wanted rows."""
     random = np.random.default_rng(seed)
     for kind, wanted in KINDS.items():
         found = 0

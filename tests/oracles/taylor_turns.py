@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from mpmath import mp
 
 DIGITS = 65
-"""With which is computed unless told otherwise; the last 15 or so are lost on the way."""
+"""Digits of the computation unless given; the last 15 or so are lost on the way."""
 
 LOOKS = 8
 """In each step, for the normal force."""
@@ -159,7 +159,7 @@ LAWS = {"no_slip": NoSlip, "frictionless": Frictionless}
 
 
 class Parts(dict):
-    """Series that are made when they are first asked for."""
+    """Series that are computed when first used."""
 
     def __missing__(self, name):
         self[name] = Series()
@@ -273,7 +273,7 @@ def moments(body, law, start, gravity, topple_tilt):
             return
         if extreme is not None:
             yield step.at(extreme), "tilt_max" if (step.p[0] or step.p[1]) > 0 else "tilt_min"
-            # On from a little later, so as not to find the same again.
+            # Continue a little later, in order not to find the same event again.
             end = extreme + end / 8
         numbers = step.at(end)
 

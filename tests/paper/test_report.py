@@ -1,4 +1,4 @@
-"""`rimroll reproduce`: the whole report, and what happens when it is cut short."""
+"""`rimroll reproduce`: the whole report, and interruptions."""
 
 import json
 import re
@@ -29,7 +29,7 @@ def test_the_page_carries_all_that_it_shows(folder):
     assert all(source.startswith("data:image/") for source in sources)
     assert not re.search(r"<(script|link|iframe)|url\(|@import", page)
     linked = set(re.findall(r'href="([^"#]+)"', page))
-    # A reader may follow a reference; the page itself asks for nothing.
+    # A reader may follow a reference; the page itself loads nothing.
     cited = {link for link in linked if link.startswith("https://arxiv.org/abs/")}
     assert all((folder / name).is_file() for name in linked - cited)
 

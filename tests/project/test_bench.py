@@ -1,4 +1,4 @@
-"""The comparison with the peers: its tools work, and its page shows the run that is kept."""
+"""The comparison with the peers: its tools work, and its page shows the stored run."""
 
 import json
 import shutil

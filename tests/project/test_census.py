@@ -1,4 +1,4 @@
-"""Both engines say the same of wild starts, and the census would notice if they did not."""
+"""Both engines agree for extreme starts, and the census would notice if they did not."""
 
 from __future__ import annotations
 

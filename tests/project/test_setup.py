@@ -1,4 +1,4 @@
-"""The set-up: a machine that lacks something is told so in one line, and versions agree."""
+"""The set-up: one line says what a machine lacks, and versions agree."""
 
 import ast
 import json
@@ -67,7 +67,7 @@ def machine(tmp_path):
     return machine
 
 
-def test_a_complete_machine_is_told_nothing_and_its_python_is_chosen(machine):
+def test_on_a_complete_machine_there_is_no_message_and_its_python_is_chosen(machine):
     run = machine.check()
     assert (run.returncode, run.stderr) == (0, "")
     assert run.stdout == f"{machine.path}/python3\n"
@@ -129,7 +129,7 @@ def test_a_python_without_venv_says_which_package_has_it(machine):
     assert "apt install python3.11-venv" in machine.complaint()
 
 
-def test_the_python_that_is_asked_for_is_the_only_one_tried(machine):
+def test_only_the_named_python_is_tried(machine):
     machine.has_python("3.10", name="mine")
     assert "Python 3.10 is too old" in machine.complaint(PYTHON="mine")
     assert "no-such-python is missing" in machine.complaint(PYTHON="no-such-python")
@@ -172,12 +172,12 @@ def test_constraints_pin_every_package_and_name_no_address():
         assert re.fullmatch(r"[a-z0-9-]+==[0-9][0-9a-z.]*", line), line
     pinned = {line.split("==")[0] for line in pins}
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    asked = project["project"]["dependencies"] + project["dependency-groups"]["dev"]
-    assert {re.split("[<>=]", requirement)[0] for requirement in asked} <= pinned
+    requirements = project["project"]["dependencies"] + project["dependency-groups"]["dev"]
+    assert {re.split("[<>=]", requirement)[0] for requirement in requirements} <= pinned
 
 
 def test_every_package_that_is_imported_is_declared():
-    """What another dependency happens to bring along may be missing or too old."""
+    """Indirect dependencies may be missing or too old."""
     imported = set()
     for file in (ROOT / "python").rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text("utf-8"))):

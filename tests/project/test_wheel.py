@@ -1,4 +1,4 @@
-"""What a user installs is complete: the wheel brings the page of the lab along."""
+"""The wheel is complete: it contains the page of the lab."""
 
 import os
 import subprocess
@@ -15,7 +15,7 @@ PAGE = resources.files("rimroll") / "page"
 
 @pytest.mark.skipif(not (PAGE / "index.html").is_file(), reason="the page is not built: make web")
 def test_the_wheel_ships_the_page_with_its_core_and_licences(tmp_path):
-    # As tools/build_extension.sh compiles, so that nothing is compiled again.
+    # Compiled as by tools/build_extension.sh, so that nothing is compiled again.
     folder = Path(sys.prefix)
     environment = {name: text for name, text in os.environ.items() if name != "CONDA_PREFIX"}
     environment |= {
