@@ -117,7 +117,7 @@ class Fit:
         """Numbers and sentences, in SI units and radians."""
         return {
             "falls": len(self.directions),
-            "strays": self.directions[self.strays],
+            "strays": self.directions[self.strays].tolist(),
             "confidence": self.confidence,
             "supported": self.supported,
             "at_bounds": self.at_bounds,
