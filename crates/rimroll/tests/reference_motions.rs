@@ -206,7 +206,7 @@ fn turns_of_the_can_converge_as_tabulated() {
     converges_as_tabulated(&can(), IdealLaw::Frictionless, &FRICTIONLESS);
 }
 
-/// The same for a uniform disk and a ring of the can's radius, which come closer to the table. The errors of
+/// A uniform disk and a ring of the can's radius come closer to the table than the can. The errors of
 /// the Euler angles are 1e-12 rad at 1e-7 and 2e-11 rad at 1e-8, so there the error law replaces them.
 #[test]
 fn turns_of_disk_and_ring_converge_as_tabulated() {

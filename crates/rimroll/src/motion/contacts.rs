@@ -70,7 +70,7 @@ impl Contacts {
         &self.phases
     }
 
-    /// The same on dual numbers, for derivatives.
+    /// The equations of motion on dual numbers, for Jacobians.
     pub(super) fn dual_phases(&self) -> PhaseDynamics<Dual> {
         let [m, r, h, a, c, g] = self.parameters.as_array();
         let parameters = Parameters { m, r, h, a, c, g };

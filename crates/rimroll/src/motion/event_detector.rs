@@ -22,7 +22,8 @@ const SAMPLES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// The fraction of the initial energy at which a motion counts as over.
 const REST_ENERGY: f64 = 1e-10;
 
-/// The same fraction for a base that resistance has brought down flat: the last impact dissipates the rest.
+/// The fraction of the initial energy below which a motion counts as over once resistance has brought the base
+/// down flat. The last impact dissipates this energy.
 const REST_ENERGY_FLAT: f64 = 1e-2;
 
 /// The value of [`Dynamics::consistency`] at which the Painlevé paradox counts as reached.

@@ -30,7 +30,7 @@ impl<T: Scalar> PhaseDynamics<T> {
         match phase {
             Phase::Rolling => &self.rolling,
             Phase::Sliding => self.sliding.dynamics().unwrap_or(&self.rolling),
-            // Of a body that lies nothing is asked but its energy.
+            // A body that lies on its side does not move; only its energy is computed.
             Phase::Flying | Phase::Lying => &self.flying,
         }
     }
