@@ -3,10 +3,13 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
 #[path = "given/motions.rs"]
 mod motions;
 
-use bodies::{any_body, cases};
+use bodies::any_body;
+use cases::cases;
 use core::f64::consts::PI;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;

@@ -6,10 +6,13 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
 #[path = "given/motions.rs"]
 mod motions;
 
-use bodies::{any_body, cases, powers_of_ten};
+use bodies::{any_body, powers_of_ten};
+use cases::cases;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{

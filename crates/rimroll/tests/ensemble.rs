@@ -5,8 +5,11 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
 
-use bodies::{any_body, cases};
+use bodies::any_body;
+use cases::cases;
 use core::ops::ControlFlow;
 use proptest::prelude::*;
 use rimroll::law::Coulomb;

@@ -2,8 +2,11 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
 
-use bodies::{any_body, cases};
+use bodies::any_body;
+use cases::cases;
 use core::f64::consts::FRAC_PI_2;
 use core::ops::ControlFlow;
 use proptest::prelude::*;

@@ -5,10 +5,13 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
 #[path = "given/motions.rs"]
 mod motions;
 
-use bodies::{any_body, cases};
+use bodies::any_body;
+use cases::cases;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{Coulomb, Stribeck, Viscous};

@@ -3,8 +3,11 @@
 
 #[path = "given/bodies.rs"]
 mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
 
-use bodies::{any_body, cases};
+use bodies::any_body;
+use cases::cases;
 use core::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 use rimroll::imperfection::{ImperfectRim, imperfect_rim};

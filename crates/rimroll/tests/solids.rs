@@ -1,8 +1,11 @@
 //! Bodies composed of solids, against sums over point masses and textbook moments of inertia.
 
+#[path = "given/cases.rs"]
+mod cases;
+
+use cases::cases;
 use core::f64::consts::PI;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use rimroll::{Body, Solid, presets};
 
 /// A mass (kg) at a position (m).
@@ -55,12 +58,7 @@ fn agree(a: [f64; 4], b: [f64; 4], tolerance: f64) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 200,
-        rng_seed: RngSeed::Fixed(2007),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(cases(200))]
 
     /// A can made of two discs, a wall, a thick ring and a filling, combined by the parallel-axis theorem.
     #[test]

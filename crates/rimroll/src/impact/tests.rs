@@ -1,21 +1,13 @@
+#[path = "../../tests/given/cases.rs"]
+mod cases;
 mod logarithms;
 
 use super::resolve;
 use crate::law::Parameters;
 use crate::state::Coordinates;
+use cases::cases;
 use logarithms::Logarithms;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
-
-/// The seed is fixed, so a test that passes keeps passing; no file is written.
-fn cases(count: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases: count,
-        rng_seed: RngSeed::Fixed(2007),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
 
 /// The kinetic energy, J, from the velocity of the centre of mass and the angular velocity.
 fn kinetic(k: &Parameters<f64>, u: &Coordinates<f64>) -> f64 {

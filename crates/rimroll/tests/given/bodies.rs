@@ -1,18 +1,7 @@
 //! Random bodies for the property tests.
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use rimroll::Body;
-
-/// The seed is fixed, so a test that passes keeps passing; no file is written.
-pub fn cases(count: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases: count,
-        rng_seed: RngSeed::Fixed(2007),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
 
 /// 10^x for x uniform in a range.
 pub fn powers_of_ten(low: f64, high: f64) -> impl Strategy<Value = f64> {
