@@ -1,8 +1,12 @@
 //! Motions in which something relaxes far faster than the body moves, so that explicit steps must be short.
 
-use rimroll::law::Stribeck;
-use rimroll::{Body, Options, State, Status, simulate};
-use std::ops::ControlFlow;
+#[path = "given/motions.rs"]
+mod motions;
+
+use motions::{follow, paper_start, tight};
+use rimroll::law::{AirDrag, Resistance, Stribeck, Viscous};
+use rimroll::presets::can_2007;
+use rimroll::{Body, ContactLaw, FrictionLaw, Options, State, Status};
 
 /// A body with almost no moment of inertia, whose creep under regularised friction relaxes at rates beyond
 /// 10⁸/s. Finite-difference Jacobians have errors of 7e-4 there, with which Newton's method converges only in
@@ -49,11 +53,143 @@ fn creep_with_almost_no_inertia_takes_few_steps() {
         max_steps: 1000,
         ..Options::default()
     };
-    let go_on = |_| ControlFlow::Continue(());
-    let motion = simulate(&body, &start, friction, &options, go_on).expect("valid input");
+    let motion = follow(&body, &start, friction, &options);
     assert_eq!(motion.status, Status::Finished);
     for (number, exact) in motion.track.end().state().numbers().iter().zip(END) {
         let error = (number - exact).abs() / exact.abs();
         assert!(error < 1e-7, "{number} is not {exact}");
     }
+}
+
+/// Under strong viscous friction the slip relaxes at a rate proportional to the coefficient c, and the motion
+/// differs from that without slip by a series in 1/c. Two coefficients give its first term.
+#[test]
+fn strong_viscous_friction_tends_to_no_slip_in_few_steps() {
+    let can = can_2007().expect("a rigid body");
+    let start = paper_start(1.0);
+    let options = Options {
+        max_steps: 500,
+        ..tight(0.3)
+    };
+    let end = |friction: FrictionLaw| {
+        let motion = follow(&can, &start, friction, &options);
+        assert_eq!(motion.status, Status::Finished);
+        motion.track.end().state().numbers()
+    };
+    let viscous = |coefficient| end(FrictionLaw::Viscous(Viscous { coefficient }));
+    // The slip relaxes in about a microsecond.
+    let coefficient = 1e6 * can.mass();
+    let (one, two) = (viscous(coefficient), viscous(2.0 * coefficient));
+    let rolling = end(FrictionLaw::NoSlip);
+    for ((one, two), rolling) in one.iter().zip(two).zip(rolling) {
+        let first_term = 2.0 * (one - two);
+        assert!(first_term.abs() < 1e-3, "{first_term:e}");
+        let off = 2.0 * two - one - rolling;
+        assert!(off.abs() < 1e-8, "{off:e}, of {first_term:e}");
+    }
+}
+
+/// The yaw rate below which air drag is smoothed, in units of the axial spin rate and √(g/R): a tenth of the
+/// tolerance of a step.
+fn smoothing(rtol: f64) -> f64 {
+    0.1 * (0.02 * rtol).max(5e-15)
+}
+
+/// Drag with an exponent n < 2 is smoothed below the yaw rate ψ̇₀: there its moment about the vertical is
+/// −k ψ̇₀ⁿ⁻² ψ̇. Without friction and axial spin it alone changes the angular momentum A sin²φ ψ̇, so that ψ̇
+/// sin²φ decays by the factor exp(−k ψ̇₀ⁿ⁻²/A ∫ dt/sin²φ).
+#[test]
+fn drag_on_a_yaw_rate_below_its_smoothing_makes_it_decay_exponentially() {
+    const EXPONENT: f64 = 1.5;
+    const DECAY: f64 = 0.5;
+    const INTERVALS: u32 = 2000;
+    let can = can_2007().expect("a rigid body");
+    let falling_rate = (tight(1.0).gravity / can.radius()).sqrt();
+    for rtol in [1e-6, 1e-10, 1e-13] {
+        let slow = smoothing(rtol) * falling_rate;
+        let start = State {
+            tilt: 0.3,
+            yaw_rate: 1e-6 * slow,
+            spin_rate: -1e-6 * slow * libm::cos(0.3),
+            ..State::default()
+        };
+        let coefficient =
+            DECAY * falling_rate * can.transverse_inertia() / libm::pow(slow, EXPONENT - 2.0);
+        let contact_law = ContactLaw {
+            friction: FrictionLaw::Frictionless,
+            restitution: 0.0,
+            resistance: Resistance {
+                air: AirDrag {
+                    coefficient,
+                    exponent: EXPONENT,
+                },
+                ..Resistance::default()
+            },
+        };
+        let options = Options {
+            rtol,
+            ..tight(0.7 / falling_rate)
+        };
+        let motion = follow(&can, &start, contact_law, &options);
+        assert_eq!(motion.status, Status::Finished, "{}", motion.message());
+        let end = motion.track.end();
+        let dt = end.t / f64::from(INTERVALS);
+        let integral: f64 = (0..INTERVALS)
+            .map(|i| {
+                let sin = motion.track.at((f64::from(i) + 0.5) * dt).sin;
+                dt / (sin * sin)
+            })
+            .sum();
+        let expected = DECAY * falling_rate * integral;
+        let begin = motion.track.start();
+        let decay = libm::log(begin.w * begin.sin / (end.w * end.sin));
+        assert!(expected > 3.0);
+        assert!((decay / expected - 1.0).abs() < 1e-5, "{decay} {expected}");
+    }
+}
+
+/// As a body falls almost flat, air drag holds the yaw rate where it balances the gyroscopic moment, far below
+/// its smoothing. There explicit steps are stable only within 10⁻¹⁸ s, and within their errors the drag
+/// changes so much that friction seems to be exceeded again and again.
+#[test]
+fn drag_that_stops_the_yaw_of_a_body_falling_flat_takes_few_steps() {
+    let body = Body::new(
+        1.868_936_177_587_299,
+        0.677_178_048_299_017_6,
+        0.050_256_878_930_197_875,
+        0.648_182_849_199_642,
+        1.296_365_698_399_284,
+    )
+    .expect("a rigid body");
+    let start = State {
+        tilt: 1.120_911_009_224_417_2e-9,
+        tilt_rate: -0.794_896_249_665_043_5,
+        yaw_rate: -1.124_509_937_483_565_6,
+        spin_rate: 0.172_994_367_343_604_03,
+        ..State::default()
+    };
+    let contact_law = ContactLaw {
+        friction: FrictionLaw::coulomb(0.020_887_830_322_665_158),
+        restitution: 0.0,
+        resistance: Resistance {
+            air: AirDrag {
+                coefficient: 7.668_425_894_690_515e-5,
+                exponent: 1.5,
+            },
+            ..Resistance::default()
+        },
+    };
+    let options = Options {
+        duration: 8.0,
+        gravity: 9.80665,
+        rtol: 2.577_033_793_680_234e-7,
+        max_steps: 500,
+        ..Options::default()
+    };
+    let motion = follow(&body, &start, contact_law, &options);
+    assert_eq!(motion.status, Status::FaceDown, "{}", motion.message());
+    // In a nanosecond the tilt rate hardly changes.
+    let end = motion.track.end();
+    let tilt = start.tilt + start.tilt_rate * end.t;
+    assert!((end.tilt() - tilt).abs() < 1e-6 * start.tilt);
 }

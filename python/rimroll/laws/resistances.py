@@ -83,7 +83,7 @@ class AirDrag(_Resistance):
     by √((dψ/dt)² + ω₀²) with ω₀ = 0.002 ``rtol`` (√(g/R) + axial spin rate), which changes the drag
     on larger rates by less than a change of dψ/dt by ω₀ would. A dψ/dt below ω₀ decays
     exponentially instead of stopping after a finite time: choose ``rtol`` so that ω₀ is well below
-    the yaw rate of the start.
+    the yaw rate of the start. For ``rtol`` below 2.5e-13, ω₀ stays at its value for 2.5e-13.
     """
 
     core_prefix: ClassVar[str] = "air"

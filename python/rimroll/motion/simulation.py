@@ -46,7 +46,9 @@ def simulate(
         The tilt that counts as toppled, rad. By default π/2 for a body with height, whose side
         then meets the table; none for a disk, which may stand on its edge and fall to either face.
     max_steps
-        Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB.
+        Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB. A
+        rocking takes tens of steps. It takes hundreds if slip oscillates as the contact point runs
+        many times round the rim: regularised friction under a body with little transverse inertia.
     progress
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.

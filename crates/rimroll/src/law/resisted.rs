@@ -39,6 +39,9 @@ pub struct PivotingFriction {
 }
 
 /// Resistance of the air between base and table to the wobble.
+///
+/// For exponents below 2 it is smoothed below the yaw rate 0.002 rtol (√(g/R) + |axial spin rate|), with 2.5e-13
+/// in place of a smaller rtol, since the tolerance of a step has a floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AirDrag {
     /// k, W (s/rad)ⁿ.

@@ -23,7 +23,9 @@ pub struct Options {
     /// its side meets the table, and no limit for a disk, which can stand on its edge and fall to either
     /// face.
     pub topple_tilt: Option<f64>,
-    /// The maximal number of steps.
+    /// The maximal number of steps. A rocking motion takes tens of steps, but hundreds if slip oscillates while
+    /// the contact point runs many times round the rim, as under regularised friction with a small transverse
+    /// inertia: each oscillation takes a few steps.
     pub max_steps: usize,
 }
 

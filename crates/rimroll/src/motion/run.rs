@@ -24,7 +24,8 @@ const MAX_EMPTY_PHASES: usize = 30;
 /// A level body in flight lands flat if its gap is smaller than this fraction of its radius.
 const TOUCHING: f64 = 1e-12;
 
-/// The number of explicit steps between two tests for stiffness.
+/// The number of steps from one test for stiffness to the next. Phases may have fewer: where a force depends
+/// steeply on a velocity, explicit steps that are barely stable can end each phase by a false event.
 const STIFFNESS_TEST_INTERVAL: usize = 64;
 
 /// What follows a phase.
@@ -54,6 +55,8 @@ pub(super) struct Run<'a> {
     work: Work,
     next: AfterEvent,
     empty_phases: usize,
+    /// The number of steps at the last test for stiffness.
+    steps_at_stiffness_test: usize,
     /// Time and yaw at the end of the last phase.
     last_end: (f64, f64),
     /// The terminal event of the last phase.
@@ -83,6 +86,7 @@ impl<'a> Run<'a> {
             work: Work::default(),
             next: AfterEvent::EndState(Status::Failed),
             empty_phases: 0,
+            steps_at_stiffness_test: 0,
             last_end: (f64::NAN, f64::NAN),
             last_event: None,
         };
@@ -163,12 +167,13 @@ impl<'a> Run<'a> {
         None
     }
 
-    /// Continues with implicit steps while the system is stiff for explicit steps of size `h`. Returns the
-    /// size of the next explicit step if any implicit steps were made.
+    /// Continues from `u` with implicit steps while the system is stiff for explicit steps of size `h`. Returns
+    /// the size of the next explicit step if any implicit steps were made.
     fn implicit_steps(
         &mut self,
         mechanics: &Mechanics<'_>,
         phase: Phase,
+        u: [f64; COORDINATES],
         h: f64,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<PhaseEnd, Option<f64>> {
@@ -180,7 +185,6 @@ impl<'a> Run<'a> {
         const SHORTEST: f64 = 5.0;
         let phases = self.contacts.dual_phases();
         let dual = phases.mechanics(phase);
-        let u = self.track.end().u.into_array();
         let before = self.work;
         let tolerance = self.options.step_tolerance();
         let mut implicit = Implicit::new(mechanics, &dual, u, tolerance);
@@ -188,7 +192,7 @@ impl<'a> Run<'a> {
         if h * implicit.relaxation() < STIFF {
             return ControlFlow::Continue(None);
         }
-        let mut next = None;
+        let mut stepped = false;
         let mut max_growth: f64 = 4.0;
         let mut h = FIRST * h;
         loop {
@@ -208,7 +212,7 @@ impl<'a> Run<'a> {
                 if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
                     return ControlFlow::Break(self.end_of_phase(event, h));
                 }
-                next = Some(h);
+                stepped = true;
             }
             // After a rejected step the step size grows only slowly for a while.
             let max_factor = if error > 1.0 { 1.0 } else { max_growth };
@@ -218,11 +222,12 @@ impl<'a> Run<'a> {
                 (1.5 * max_growth).min(4.0)
             };
             h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, max_factor);
-            let explicit = STIFF / implicit.relaxation();
+            let stable = STIFF / implicit.relaxation();
             // Written so that a NaN ends it.
-            let is_worthwhile = h > SHORTEST * explicit;
+            let is_worthwhile = h > SHORTEST * stable;
             if !is_worthwhile {
-                return ControlFlow::Continue(next.map(|_| explicit));
+                // Without relaxation every step is stable, but not every one is accurate.
+                return ControlFlow::Continue(stepped.then_some(h.min(stable)));
             }
         }
     }
@@ -441,27 +446,41 @@ impl SystemVisitor for Steps<'_, '_> {
             run,
             mechanics,
             phase,
-            start,
-            h,
+            start: mut u,
+            mut h,
             report,
         } = self;
         let tolerance = run.options.step_tolerance();
-        let mut stepper = Stepper::new(system, leading(&start), h, tolerance);
+        let mut stepper = Stepper::new(system, leading(&u), h, tolerance);
         let mut before = run.work;
         loop {
+            let since_test = run.work.steps - run.steps_at_stiffness_test;
+            if N == COORDINATES && since_test >= STIFFNESS_TEST_INTERVAL {
+                match run.implicit_steps(mechanics, phase, u, h, report) {
+                    ControlFlow::Break(over) => return over,
+                    ControlFlow::Continue(None) => stepper.work = Work::default(),
+                    ControlFlow::Continue(Some(next)) => {
+                        (u, h) = (run.track.end().u.into_array(), next);
+                        stepper = Stepper::new(system, leading(&u), h, tolerance);
+                    }
+                }
+                run.steps_at_stiffness_test = run.work.steps;
+                before = run.work;
+            }
             if let Some(over) = run.out_of_steps(report) {
                 return over;
             }
             let Ok(step) = stepper.advance() else {
                 return PhaseEnd::Motion(Status::Failed);
             };
-            let h = step.h;
+            h = step.h;
+            u[..N].copy_from_slice(&step.end);
             let event = if run.detector.is_uneventful(phase, step) {
-                run.track.push(StepRecord::explicit(phase, step, &start));
+                run.track.push(StepRecord::explicit(phase, step, &u));
                 None
             } else {
-                let record = StepRecord::explicit(phase, step, &start);
-                let dense = step.dense(system).widened(&start);
+                let record = StepRecord::explicit(phase, step, &u);
+                let dense = step.dense(system).widened(&u);
                 run.detector.process(record, &dense, &mut run.track)
             };
             run.work = before + stepper.work;
@@ -471,17 +490,6 @@ impl SystemVisitor for Steps<'_, '_> {
             run.empty_phases = 0;
             if run.slip_is_stopping(phase) {
                 return PhaseEnd::Event(TerminalEvent::SlipEnd);
-            }
-            if N == COORDINATES && stepper.work.steps.is_multiple_of(STIFFNESS_TEST_INTERVAL) {
-                match run.implicit_steps(mechanics, phase, h, report) {
-                    ControlFlow::Break(over) => return over,
-                    ControlFlow::Continue(None) => stepper.work = Work::default(),
-                    ControlFlow::Continue(Some(h)) => {
-                        let u = run.track.end().u.into_array();
-                        stepper = Stepper::new(system, leading(&u), h, tolerance);
-                    }
-                }
-                before = run.work;
             }
         }
     }
