@@ -489,6 +489,7 @@ def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(said):
 
 
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
+@pytest.mark.slow
 def test_compare_draws_itself(said, tmp_path, suffix):
     path = tmp_path / f"compare.{suffix}"
     assert f"wrote {path}" in said(f"compare --on 0.1,rubber -o {path}")
@@ -550,6 +551,7 @@ QUICK = {
 
 
 @pytest.mark.parametrize("asked", QUICK)
+@pytest.mark.slow
 def test_a_command_loads_nothing_slow_that_it_has_no_use_for(asked, tmp_path):
     unused = ["xarray", "pandas", "pint", *QUICK[asked].split()]
     script = (

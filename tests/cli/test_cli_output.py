@@ -58,6 +58,7 @@ def test_standard_output_gets_the_same_csv_and_nothing_else(tmp_path, capfdbinar
     assert captured.err == b""
 
 
+@pytest.mark.slow
 def test_what_topple_says_fit_reads(monkeypatch, capfdbinary):
     assert (
         main(

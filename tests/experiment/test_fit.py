@@ -414,6 +414,7 @@ def test_falls_to_one_side_cannot_tell_a_bias_which_is_taken_for_0(predicted):
     assert low < 0.15 < high
 
 
+@pytest.mark.soak
 def test_intervals_hold_the_truth_as_often_as_they_say(predicted, coverage):
     experiments = 60
     counts = coverage.covered(predicted, [0.05, 0.15, 0.25], 30, experiments, coverage.CONFIDENCES)
@@ -715,6 +716,7 @@ def test_the_share_shows_where_hardly_any_flick_topples():
         rr.predict_falls(CAN, "flick", outcome="fell")
 
 
+@pytest.mark.soak
 def test_a_hand_far_unsteadier_than_assumed_does_not_spoil_the_interval():
     predicted = rr.predict_falls(CAN, RELEASE, gravity=GRAVITY)
     hand = rr.Release.named(RELEASE, CAN, GRAVITY).with_unsteadiness(4.0)

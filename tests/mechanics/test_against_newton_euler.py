@@ -100,13 +100,24 @@ def rising_again(speed):
     return 0.12 + 0.13 * np.exp(-speed / 0.04) + 0.1 * speed
 
 
-@pytest.mark.parametrize(("mu", "static"), [(falling, 0.27), (falling, 0.3), (rising_again, 0.25)])
+soak = pytest.mark.soak
+
+
+@pytest.mark.parametrize(
+    ("mu", "static"),
+    [
+        pytest.param(falling, 0.27, marks=soak),
+        pytest.param(falling, 0.3, marks=soak),
+        (rising_again, 0.25),
+    ],
+)
 def test_friction_by_a_table_of_a_curve(mu, static):
     law = rr.Tabulated.from_function(mu, np.linspace(0.0, 2.0, 11), tolerance=1e-9, static=static)
     changes = compare(CAN, START, law, rb.DryCurve(mu, static), 0.5, agree=1e-6)
     assert changes.count("slip") >= 1
 
 
+@soak
 def test_a_rim_sticks_and_slips_again_and_again_under_friction_that_falls():
     start = rr.State(tilt=0.37, tilt_rate=-0.5, yaw_rate=3.3, spin_rate=2.9)
     law = rr.Tabulated.from_function(falling, [0.0, 2.0], tolerance=1e-9, static=0.3)

@@ -125,6 +125,7 @@ def test_where_rounding_of_the_start_moves_the_turn_by_more_that_bounds_the_erro
         pytest.param(rr.Body(0.3, 0.1, 0.0, 0.003, 0.005), 1.0, -2.0, id="thick"),
     ],
 )
+@pytest.mark.slow
 def test_a_rolling_disk_turns_as_appell_and_korteweg_have_it(body, yaw_rate, spin_rate):
     start = rr.State(tilt=0.7, yaw_rate=yaw_rate, spin_rate=spin_rate)
     found = rr.exact_turn(body, start, rr.NoSlip())
@@ -338,9 +339,16 @@ def turn_in_digits(named, law):
 @by_law
 @pytest.mark.parametrize(
     "start",
-    [START, rr.State(tilt=0.3, tilt_rate=0.4, yaw_rate=0.3, spin_rate=0.5)],
-    ids=["falling", "rising"],
+    [
+        pytest.param(START, id="falling"),
+        pytest.param(
+            rr.State(tilt=0.3, tilt_rate=0.4, yaw_rate=0.3, spin_rate=0.5),
+            id="rising",
+            marks=pytest.mark.soak,
+        ),
+    ],
 )
+@pytest.mark.slow
 def test_the_derivatives_are_those_of_turns_in_multiprecision(law, start):
     given = with_digits(CAN, start, 9.8)
     found = rr.exact_turn(CAN, start, law, gravity=9.8, jacobian=True)
@@ -419,7 +427,8 @@ def test_ctrl_c_is_heard_while_starts_are_stepped(threads):
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timer there")
-@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("threads", [pytest.param(1, marks=pytest.mark.soak), 2])
+@pytest.mark.slow
 def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
     start = rr.State(tilt=np.full(CHUNK, 0.3), yaw_rate=0.1)
     begun = time.process_time()
