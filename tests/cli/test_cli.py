@@ -1,7 +1,9 @@
 """The command line answers as the API does, on the screen, in JSON and in files."""
 
+import inspect
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -50,6 +52,29 @@ def test_each_command_has_help_with_an_example(said, command):
     text = said(f"{command} --help")
     assert f"$ rimroll {command}" in text
     assert "Example" in text
+
+
+@pytest.mark.parametrize(
+    ("command", "function"),
+    [("simulate", rr.simulate), ("turn", rr.simulate), ("topple", rr.topple), ("map", rr.turn_map)],
+)
+def test_the_defaults_in_the_help_are_those_of_python(said, command, function):
+    text = " ".join(said(f"{command} --help").split())
+    usual = inspect.signature(function).parameters
+    for option, unit in (("duration", " s"), ("rtol", ""), ("max_steps", "")):
+        found = re.search(rf"--{option.replace('_', '-')} [A-Z]+ [^\[]*\[([^\]]+)\]", text)
+        assert found
+        assert float(found[1].removesuffix(unit)) == usual[option].default
+
+
+def test_a_map_and_falls_are_followed_with_the_options_of_python(said):
+    """A scenario file, which is for one motion, gives neither duration nor accuracy."""
+    for command in ("map --friction 0.2 --points 2", "topple -n 2 --seed 1"):
+        for file in ("", CAN):
+            told = json.loads(said(f"{command} {file} --json"))["parameters"]
+            assert (told["duration"], told["rtol"], told["max_steps"]) == (10.0, 1e-6, 100_000)
+        told = json.loads(said(f"{command} --duration 3s --max-steps 900 --json"))["parameters"]
+        assert (told["duration"], told["rtol"], told["max_steps"]) == (3.0, 1e-6, 900)
 
 
 @pytest.mark.slow

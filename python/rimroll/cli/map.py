@@ -11,6 +11,7 @@ import numpy as np
 import typer
 
 from rimroll.cli.contact import in_words
+from rimroll.cli.fall_options import FallOptions, options_of_falls
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
 from rimroll.cli.hints import release_hints
@@ -18,7 +19,6 @@ from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
     LawOptions,
-    MotionOptions,
     ResistanceOptions,
     StartOptions,
     ThreadsOption,
@@ -42,9 +42,6 @@ if TYPE_CHECKING:
 
 MOST_POINTS = 3000
 """The largest number of points in each direction of a map: nine million falls."""
-
-RTOL = 1e-6
-"""The default: errors of turns are below 1e-4 degrees."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +112,7 @@ FORMS: Forms[Falls] = {**NUMBERS, **pictures(_map, dpi=300)}
 def map(
     body: BodyOptions,
     plane: PlaneOptions,
-    motion: MotionOptions,
+    motion: FallOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
     threads: ThreadsOption = None,
@@ -126,6 +123,7 @@ def map(
 
     A body let go without either comes down flat; the smallest one decides.
     By default it is flicked so that it topples over.
+    A scenario file gives body, start, law, gravity and topple tilt.
 
     Examples:
 
@@ -143,9 +141,9 @@ def map(
     spin = rates(plane.spin_rates, plane.points, "--spin-rates")
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
     what = requested(body, start, motion, law, resistances)
-    what = replace(what, start=what.start or _flick(what))
-    rtol = RTOL if motion.rtol is None else motion.rtol
-    falls, cut_short = _follow(what, yaw, spin, rtol, threads)
+    options = options_of_falls(motion, what.options)
+    what = replace(what, start=what.start or _flick(what), options=options)
+    falls, cut_short = _follow(what, yaw, spin, threads)
     for file in files:
         write(file, falls, FORMS)
     if json:
@@ -177,12 +175,9 @@ def _flick(what: Request) -> State:
     return release.mean
 
 
-def _follow(
-    what: Request, yaw: Any, spin: Any, rtol: float, threads: int | None
-) -> tuple[Falls, bool]:
+def _follow(what: Request, yaw: Any, spin: Any, threads: int | None) -> tuple[Falls, bool]:
     """The map, and whether Ctrl-C cut it short."""
     assert what.start is not None
-    options = replace(what.options, rtol=rtol)
     with working(f"letting {what.name} fall") as bar:
         try:
             falls = map_falls(
@@ -191,7 +186,7 @@ def _follow(
                 what.law,
                 yaw,
                 spin,
-                options,
+                what.options,
                 threads,
                 lambda done, total: bar(done, total, ""),
             )

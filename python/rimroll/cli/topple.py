@@ -12,6 +12,7 @@ import numpy as np
 import typer
 
 from rimroll.cli.contact import in_words
+from rimroll.cli.fall_options import FallOptions, options_of_falls
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
 from rimroll.cli.hints import release_hints
@@ -19,7 +20,6 @@ from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
     LawOptions,
-    MotionOptions,
     ResistanceOptions,
     StartOptions,
     ThreadsOption,
@@ -30,40 +30,12 @@ from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.experiment.release import Release
-from rimroll.experiment.toppling import FALLING, counted, let_go, limits
+from rimroll.experiment.toppling import counted, let_go, limits
 from rimroll.falls import Falls, Interrupted
 from rimroll.names import typed
-from rimroll.scenario import MOST_STEPS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-
-@dataclass(frozen=True)
-class FallOptions(MotionOptions):
-    """Duration and accuracy of each fall."""
-
-    duration: Annotated[
-        str | None,
-        typer.Option(
-            help="Longest duration of a fall. [10 s]", metavar="TIME", rich_help_panel="Motion"
-        ),
-    ] = None
-    rtol: Annotated[
-        float | None,
-        typer.Option(
-            help="Intended relative error. [1e-6]", metavar="NUMBER", rich_help_panel="Motion"
-        ),
-    ] = None
-    max_steps: Annotated[
-        int | None,
-        typer.Option(
-            help="Largest number of solver steps of a fall. [100000]",
-            metavar="NUMBER",
-            parser=whole(1, MOST_STEPS),
-            rich_help_panel="Motion",
-        ),
-    ] = None
 
 
 NumberOption = Annotated[
@@ -118,7 +90,7 @@ def topple(
 
     The paper's experiment: flicked 42 times, its can fell to left and right,
     never straight ahead. Directions count anticlockwise from the first lean.
-    Of a scenario file, body, law, gravity and topple tilt are used.
+    A scenario file gives body, law, gravity and topple tilt.
     Ctrl-C keeps the falls done so far.
 
     Examples:
@@ -156,13 +128,7 @@ def _fall(
     threads: int | None,
 ) -> tuple[Falls, bool]:
     """The falls, and whether Ctrl-C cut them short."""
-    given = [
-        name for name in ("duration", "rtol", "max_steps") if getattr(motion, name) is not None
-    ]
-    options = replace(
-        FALLING,
-        **{name: getattr(what.options, name) for name in ("gravity", "topple_tilt", *given)},
-    )
+    options = options_of_falls(motion, what.options)
     named = {"body": what.name}
     with working(f"{what.name} falls") as bar:
         try:
