@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body
+from rimroll.endings import FELL, OUTCOMES
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
@@ -29,23 +30,6 @@ Array = NDArray[np.float64]
 
 OPTIONS = Options(duration=10.0, rtol=1e-8, max_steps=100_000)
 """The defaults of :func:`ensemble`."""
-
-OUTCOMES = {
-    "toppled": "passed a tilt minimum, then reached the topple tilt; or, under a law without"
-    " flight, lifted off beyond the balance tilt",
-    "rocked": "passed a tilt minimum, then a tilt maximum",
-    "fell_back": "fell over without a tilt minimum after the release",
-    "hovered": "did none of these in the time given",
-    "lifted_off": "would have left the table, under a law without flight",
-    "face_down": "came down flat",
-    "at_rest": "came to rest",
-    "painleve": "met Painlevé's paradox",
-    "failed": "could not be computed",
-}
-"""The outcomes and their meaning."""
-
-FELL = ("toppled", "rocked")
-"""The outcomes that have a direction: that of the fall, or that of the largest tilt."""
 
 VARIABLES = {
     "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the end"),
@@ -111,8 +95,9 @@ def ensemble(
     -------
     xarray.Dataset
         One row for each ``trial``, or one value for each place on the named dimensions. The columns
-        are ``outcome`` (see :data:`OUTCOMES`), the inputs ``start_...`` and ``friction_scale``,
-        ``body_...`` and ``law_...`` where they differ from row to row, and the :data:`VARIABLES`.
+        are ``outcome`` (see :data:`rimroll.endings.OUTCOMES`), the inputs ``start_...`` and
+        ``friction_scale``, ``body_...`` and ``law_...`` where they differ from row to row, and the
+        :data:`VARIABLES`.
 
         ``turn`` is the angle by which the contact point went round, with its sign, and
         ``direction`` where that led. A body that dips and falls over near where it leaned at first

@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 
 from rimroll import style
 from rimroll.directions import around, middle_of
+from rimroll.endings import FELL, ending_in_words
 from rimroll.falls import Falls
-from rimroll.many_falls import FELL, fell, outcomes
+from rimroll.many_falls import fell, outcomes
 from rimroll.map_line import side_line
 from rimroll.ticks import powers_into_label
 
@@ -147,7 +148,7 @@ def _draw_legend(ax: Axes, falls: Falls, line: Line) -> None:
         handles.append(Line2D([], [], color=style.THEORY, lw=LINE_WIDTH, label="comes down flat"))
     others = set(outcomes(falls)) - set(FELL)
     if seen := sorted(name for name in others if _seen(ax, falls, name, line)):
-        handles.append(Patch(color=NOWHERE, label=", ".join(seen).replace("_", " ")))
+        handles.append(Patch(color=NOWHERE, label=", ".join(map(ending_in_words, seen))))
     if handles:
         ax.legend(handles=handles, loc="lower right", frameon=True)
 

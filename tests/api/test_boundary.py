@@ -171,7 +171,7 @@ def test_a_motion_too_close_to_flat_says_that_the_clock_cannot_tell():
     start = rr.State(tilt=0.01, yaw_rate=1e-14, spin_rate=1e-14)
     motion = rr.simulate(CAN, start, rr.NoSlip())
     assert motion.status == "face_down"
-    assert "larger yaw_rate or spin_rate" in motion.message
+    assert "larger yaw rate or spin rate" in motion.message
 
 
 def test_a_body_of_next_to_no_inertia_slides_without_lifting_off():

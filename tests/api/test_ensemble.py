@@ -13,9 +13,11 @@ from hypothesis import strategies as st
 import rimroll as rr
 from given.ctrl_c import heard
 from given.strategies import bodies, examples, rockings
+from rimroll import _core
 from rimroll.body import body_of
+from rimroll.endings import OUTCOMES, STATUSES
 from rimroll.laws import law_of
-from rimroll.many_falls import OUTCOMES, VARIABLES
+from rimroll.many_falls import VARIABLES
 
 CAN = rr.bodies.can_2007()
 FIELDS = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
@@ -165,6 +167,11 @@ def test_a_body_that_dips_and_falls_over_where_it_leaned_has_toppled_after_a_sma
     assert falls.turn.item() == pytest.approx(found.turn, abs=1e-7)
     # The direction is a bearing: 13.6 degrees to the other side are 346.4 degrees.
     assert falls.direction.item() == pytest.approx(found.turn % (2.0 * np.pi), abs=1e-7)
+
+
+def test_every_outcome_of_the_core_has_a_meaning():
+    assert sorted(OUTCOMES) == sorted(_core.OUTCOMES)
+    assert set(STATUSES) - {"finished"} <= set(OUTCOMES)
 
 
 @pytest.mark.parametrize("name", CASES)

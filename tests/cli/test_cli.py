@@ -14,6 +14,7 @@ import xarray as xr
 
 import rimroll as rr
 from rimroll.cli import main
+from rimroll.cli.commands import COMMANDS
 from rimroll.motion import UNITS
 
 CAN = str(Path(__file__).parents[2] / "examples" / "can_2007.toml")
@@ -75,6 +76,21 @@ def test_a_map_and_falls_are_followed_with_the_options_of_python(said):
             assert (told["duration"], told["rtol"], told["max_steps"]) == (10.0, 1e-6, 100_000)
         told = json.loads(said(f"{command} --duration 3s --max-steps 900 --json"))["parameters"]
         assert (told["duration"], told["rtol"], told["max_steps"]) == (3.0, 1e-6, 900)
+
+
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_help_fits_into_eighty_columns_with_nothing_cut_off(said, command, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    text = said(f"{command} --help")
+    assert max(map(len, text.splitlines())) <= 80
+    assert all(COMMANDS[name] in text for name in COMMANDS if not command or command == name)
+
+
+def test_the_list_of_bodies_says_how_those_of_any_size_are_made(said):
+    text = said("bodies")
+    for made in ("disk --radius LENGTH", "cylinder --radius LENGTH --length LENGTH"):
+        assert f"in any size: {made}" in text
+    assert "soda_can [--fill PART]" in text
 
 
 @pytest.mark.slow
@@ -324,7 +340,7 @@ def test_a_motion_that_topples_or_meets_the_table_flat_says_so(said):
 
 def test_a_solver_that_gives_up_is_exit_code_1(capsys):
     assert main(f"simulate {PAPER} --max-steps 5".split()) == 1
-    assert "max_steps = 5" in capsys.readouterr().out
+    assert "after 5 steps, the most that are allowed" in capsys.readouterr().out
 
 
 def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):

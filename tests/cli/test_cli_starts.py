@@ -78,6 +78,23 @@ def test_many_falls_from_past_the_balance_tilt_are_said_to_start_there(said, com
     assert "balance tilt" not in said(f"{command} --tilt 40deg --tilt-rate -4")
 
 
+@pytest.mark.parametrize(
+    ("command", "name", "words"),
+    [
+        ("map soda_can --tilt 40deg --points 4", "fell_back", "fell back"),
+        ("topple soda_can --tilt 40deg --tilt-rate -0.1 -n 8 --seed 1", "fell_back", "2 fell back"),
+        ("compare coin --tilt 60deg --on no-slip", "lifted_off", "lifted off"),
+        ("simulate coin --tilt 60deg --yaw-rate 1deg/s", "lift_off", "1 lift off"),
+        ("simulate --tilt 20deg", "face_down", "1 face down"),
+    ],
+)
+def test_an_ending_has_one_name_in_json_and_one_wording_on_the_screen(said, command, name, words):
+    text = said(command)
+    assert words in text
+    assert name not in text and name.replace("_", "-") not in text
+    assert f'"{name}"' in said(f"{command} --json")
+
+
 @pytest.mark.slow
 def test_a_fit_of_flicks_from_past_the_balance_tilt_is_said_to_be_one(said):
     fit = f"fit {FALLS} --body soda_can --tilt-rate-error 0"

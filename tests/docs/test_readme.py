@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import rimroll as rr
+from rimroll.endings import OUTCOMES, STATUSES
 
 README = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
 
@@ -32,6 +33,11 @@ def test_what_the_readme_calls_an_attribute_is_one():
     assert len(listed) == 7
     for name in listed:
         assert hasattr(motion, name)
+
+
+def test_the_readme_names_every_ending_of_a_motion_and_of_a_fall():
+    (endings,) = re.findall(r"\* \*\*Endings\*\*: (.*?)\n\*", README, re.S)
+    assert {*STATUSES, *OUTCOMES, "rr.Interrupted"} == set(re.findall(r"`([\w.]+)`", endings))
 
 
 def test_the_pictures_of_the_readme_are_there():

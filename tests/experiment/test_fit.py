@@ -178,9 +178,9 @@ def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
 
 def test_a_coin_that_turns_more_than_all_the_way_round_gets_its_sides_right():
     coin = rr.bodies.coin()
-    predicted = rr.predict_falls(coin, "let go", frictions=FEWEST_FRICTIONS, falls=128)
+    predicted = rr.predict_falls(coin, "let_go", frictions=FEWEST_FRICTIONS, falls=128)
     assert predicted.outcome == "rocked"
-    falls = rr.topple(coin, rr.Coulomb(predicted.frictions[3]), 60, "let go", seed=1)
+    falls = rr.topple(coin, rr.Coulomb(predicted.frictions[3]), 60, "let_go", seed=1)
     directions, turns = falls["direction"].values, falls["turn"].values
     assert np.all(np.abs(turns[falls["outcome"] == "rocked"]) > TURN)
     for side, anticlockwise in ((predicted.left[3], False), (predicted.right[3], True)):
@@ -709,7 +709,7 @@ def test_the_share_shows_where_hardly_any_flick_topples():
     toppled = np.mean(falls["outcome"].values == "toppled")
     assert some.share[10] == pytest.approx(toppled, abs=0.12)  # 128 draws, weighted
     rocked = rr.predict_falls(
-        CAN, "let go", frictions=FEWEST_FRICTIONS, falls=128, outcome="rocked"
+        CAN, "let_go", frictions=FEWEST_FRICTIONS, falls=128, outcome="rocked"
     )
     assert np.all(rocked.share > 0.99)
     with pytest.raises(rr.RimrollError, match="outcome must be toppled or rocked, got 'fell'"):

@@ -145,7 +145,7 @@ def test_a_hand_that_misses_to_one_side_makes_more_falls_there():
 def test_what_counts_is_what_most_of_those_did_that_came_down():
     toppled, word = counted(rr.topple(CAN, rr.NoSlip(), 30, "flick", seed=1))
     assert word == "toppled" and toppled.size == 30
-    rocked, word = counted(rr.topple(COIN, rr.NoSlip(), 30, "let go", seed=1))
+    rocked, word = counted(rr.topple(COIN, rr.NoSlip(), 30, "let_go", seed=1))
     assert word == "rocked" and rocked.size == 30
     assert ((rocked >= 0.0) & (rocked <= 2.0 * np.pi)).all()
     # Released near its balance point, the can has all outcomes.
@@ -253,7 +253,7 @@ def test_left_is_left_of_the_hand_at_the_bottom(papers):
 
 
 def test_a_disk_is_drawn_around_its_first_lean_and_rocks():
-    falls = rr.topple(COIN, rr.NoSlip(), 100, "let go", seed=1)
+    falls = rr.topple(COIN, rr.NoSlip(), 100, "let_go", seed=1)
     ax = falls_figure(falls).axes[0]
     counts, edges = bins(ax)
     assert counts.sum() == 100
@@ -302,7 +302,7 @@ PICTURES = {
     "none that came down": lambda: rr.topple(CAN, rr.NoSlip(), 5, NONE_DOWN, seed=1),
     "none at all": lambda: rr.topple(CAN, rr.NoSlip(), 5, seed=1).isel(trial=slice(0)),
     "humps that meet": lambda: rr.topple(rr.bodies.beer_bottle(), rr.NoSlip(), 300, "paper", 1),
-    "a coin": lambda: rr.topple(COIN, rr.Coulomb(0.2), 100, "let go", seed=1),
+    "a coin": lambda: rr.topple(COIN, rr.Coulomb(0.2), 100, "let_go", seed=1),
     "all round": lambda: rr.topple(rr.bodies.battery(), rr.Frictionless(), 300, "paper", 1),
     "a long title": lambda: rr.topple(
         CAN, rr.Stribeck(0.2, 0.3, restitution=0.5) + rr.RollingResistance(1e-5), 20, "flick", 1
@@ -446,7 +446,7 @@ def test_json_files_have_every_fall(stdout_of, tmp_path):
     path = tmp_path / "falls.json"
     stdout_of(f"topple -n 20 --seed 1 --release let-go -o {path}")
     read = json.loads(path.read_text())
-    falls = rr.topple(CAN, rr.NoSlip(), 20, "let go", seed=1)
+    falls = rr.topple(CAN, rr.NoSlip(), 20, "let_go", seed=1)
     assert read["falls"]["turn"] == falls["turn"].values.tolist()
     assert read["falls"]["outcome"] == falls["outcome"].values.tolist()
     assert read["units"]["turn"] == "rad" and read["parameters"]["seed"] == 1
@@ -546,7 +546,7 @@ def test_help_has_examples_that_work(stdout_of, tmp_path, monkeypatch):
 @pytest.mark.parametrize("command", ["topple", "map"])
 def test_gravity_that_is_none_is_refused_in_a_line(command, gravity, capsys):
     with pytest.raises(rr.RimrollError, match="gravity must be > 0 and finite"):
-        rr.Release.named("let go", CAN, float(gravity))
+        rr.Release.named("let_go", CAN, float(gravity))
     assert main([command, "--gravity", gravity]) == 2
     assert "gravity" in capsys.readouterr().err
 

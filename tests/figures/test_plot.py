@@ -215,6 +215,13 @@ def test_the_comparison_has_units_on_its_axes_and_a_path_for_each_table():
     assert labelled == ["time $t$ (s)", "time from the smallest tilt (µs)", "$x$ (cm)"]
 
 
+def test_the_comparison_says_what_its_straight_lines_are():
+    figure = side_by_side(outcomes({"on": "ice,0.2,no-slip"}))
+    said = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+    assert "$μ^*$ = 0.356, which rolling through the near-collision needs" in said
+    assert "$μ$ of each table" in said
+
+
 def test_the_comparison_under_its_lens_turns_by_nearly_the_limit():
     one, other = outcomes({"on": "rubber,no-slip"})
     panels = side_by_side([one, other]).axes

@@ -102,7 +102,7 @@ pub fn composite(
     let tipping_rate = -end.p;
     let l = end.w * end.sin / INFINITESIMAL;
     if l == 0.0 {
-        let why = "with no yaw_rate and spin_rate to speak of it falls face down";
+        let why = "with no yaw rate and spin rate to speak of it falls face down";
         return Err(InvalidInput::no_near_collision(why, None));
     }
     let stretch = NearCollision::new(body, law, 1.0, tipping_rate, l.signum())?.stretch;
@@ -110,7 +110,7 @@ pub fn composite(
     if min_tilt > MAX_TILT_RATIO * top.tilt {
         let why = format!(
             "the smallest tilt, {} rad, would be no small part of the largest, {} rad; \
-             reduce yaw_rate and spin_rate",
+             reduce yaw rate and spin rate",
             formatted(min_tilt),
             formatted(top.tilt)
         );

@@ -169,7 +169,7 @@ impl Ending {
             EndingKind::FaceDown => format!(
                 "face down at t = {t} s: without any sideways motion the whole rim meets the table at once, \
                  and rigid-body mechanics does not say what follows from simultaneous impacts at every point \
-                 of it. A start with a yaw_rate or spin_rate, however small beside the others (1e-12 of \
+                 of it. A start with a yaw rate or spin rate, however small beside the others (1e-12 of \
                  them will do), can be followed past this point"
             ),
             EndingKind::StoppedRunning {
@@ -183,7 +183,7 @@ impl Ending {
             EndingKind::TooFlat => format!(
                 "face down at t = {t} s: the tilt falls below {}, where the contact point \
                  would run round the rim in less time than the last digit of t can resolve. A start with a \
-                 larger yaw_rate or spin_rate can be followed past this point",
+                 larger yaw rate or spin rate can be followed past this point",
                 unit.rounded(FACE_DOWN_TILT)
             ),
             EndingKind::AtRest { energy_left } => format!(
@@ -195,7 +195,7 @@ impl Ending {
                  starts at a friction of {friction:.4}"
             ),
             EndingKind::OutOfSteps { max_steps } => {
-                format!("stopped at t = {t} s after max_steps = {max_steps} steps")
+                format!("stopped at t = {t} s after {max_steps} steps, the most that are allowed")
             }
             EndingKind::NoStep => format!("the solver found no step short enough at t = {t} s"),
             EndingKind::Interrupted => format!("interrupted at t = {t} s"),

@@ -534,7 +534,9 @@ fn a_motion_that_runs_out_of_steps_says_so() {
     assert_eq!(motion.status, Status::Failed);
     assert_eq!(motion.work.steps, 50);
     assert!(
-        motion.message().contains("max_steps = 50"),
+        motion
+            .message()
+            .contains("after 50 steps, the most that are allowed"),
         "{}",
         motion.message()
     );

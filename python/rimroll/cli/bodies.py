@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import re
-import textwrap
 from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any
@@ -14,12 +13,16 @@ from rimroll.body import Body
 from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
 from rimroll.cli.request import NUMBERS
-from rimroll.cli.screen import say, show_json, table
+from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.scenario import presets
+from rimroll.units import UNIT_OF
+
+METAVARS = {"m": "LENGTH", "1": "PART"}
+"""What stands for a size, by its unit."""
 
 
 def bodies(json: JsonOption = False) -> int:
-    """List the bodies that have a name, their numbers, and where those come from.
+    """The bodies that have a name, their numbers and sources.
 
     Example:
 
@@ -36,11 +39,25 @@ def bodies(json: JsonOption = False) -> int:
         if (body := _by_name_alone(preset)) is not None:
             numbers.add_row(name, *(f"{getattr(body, field):.4g}" for field in NUMBERS))
     say(numbers)
+    say()
     for name, preset in presets().items():
-        options = " ".join(option(argument) for argument in inspect.signature(preset).parameters)
-        say(f"{name} {options}".strip())
-        say(textwrap.indent(textwrap.fill(_about(preset), 76), "    "))
+        if _by_name_alone(preset) is None:
+            prose(f"{name} in any size: {_as_typed(name, preset)}")
+    prose("your own: rimroll measure makes a file of it from readings")
+    say()
+    for name, preset in presets().items():
+        say(_as_typed(name, preset))
+        prose(f"    {_about(preset)}")
     return 0
+
+
+def _as_typed(name: str, preset: Callable[..., Body]) -> str:
+    """A preset with its sizes as they are typed, those that may be left out in brackets."""
+    words = [name]
+    for size in inspect.signature(preset).parameters.values():
+        typed = f"{option(size.name)} {METAVARS[UNIT_OF[size.name]]}"
+        words.append(typed if size.default is size.empty else f"[{typed}]")
+    return " ".join(words)
 
 
 def _described(preset: Callable[..., Body]) -> dict[str, Any]:

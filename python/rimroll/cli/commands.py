@@ -15,21 +15,22 @@ from rimroll.cli.command import SETTINGS, Sparing, made
 from rimroll.errors import RimrollError
 
 COMMANDS = {
-    "turn": "By what angle a body turns in a near-collision.",
-    "simulate": "Follow a body from a start: how it ends, its turns, its events; files on request.",
-    "topple": "Where a body falls, flicked again and again by an unsteady hand.",
-    "map": "Left or right: the direction of fall over a plane of yaw and spin rates.",
+    "turn": "The angle by which a body turns in a near-collision.",
+    "simulate": "A whole motion from a start: its turns, events and ending.",
     "compare": "How the same flick turns out on ice, on wood and on rubber.",
-    "measure": "Mass, H, A and C of your own can, from a ruler, scales and a stopwatch.",
-    "protractor": "A sheet to print and lay under a can, to read in which direction it falls.",
-    "fit": "The friction of a table from the directions in which a body fell on it.",
-    "lab": "Tip the can in a browser, on a page that computes with the mechanics used here.",
-    "reproduce": "Redo the paper's numbers, figures and film as one page to open in a browser.",
-    "bodies": "List the bodies that have a name, their numbers, and where those come from.",
+    "bodies": "The bodies that have a name, their numbers and sources.",
+    "topple": "Where a body falls, flicked many times by an unsteady hand.",
+    "map": "Left or right: the direction of fall over a plane of starts.",
+    "measure": "Your own can from a ruler, scales and a stopwatch.",
+    "protractor": "A sheet to print and to read directions of fall on.",
+    "fit": "The friction of a table from directions of fall.",
+    "lab": "Tip the can in a browser, on a page that computes itself.",
+    "reproduce": "The paper's numbers, figures and film redone as one page.",
 }
 """Each command, the function of that name in the module of that name, and its first line of help.
 
-The line stands here, too, so that the list of commands is shown before any of them is loaded.
+Those that newcomers need come first. The line stands here, too, so that the list of commands is
+shown before any of them is loaded.
 """
 
 

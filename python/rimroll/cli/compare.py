@@ -24,10 +24,10 @@ from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, limit_in_words, start_line
+from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.laws import Law, NoSlip, parameters_of
 from rimroll.motion import Motion
-from rimroll.names import typed
 from rimroll.surfaces import SURFACES
 from rimroll.theory import needed_friction
 from rimroll.units import quantity
@@ -142,7 +142,7 @@ def _show(outcomes: list[Outcome]) -> None:
             "none" if turn is None else angle(abs(turn.angle)),
             _slips(one),
             f"{100 * max(one.lost, 0.0):.2f} %" if one.motion.status != "failed" else "",
-            typed(one.motion.status),
+            ending_in_words(one.motion.status),
         )
     say()
     say(rows)
@@ -184,7 +184,8 @@ def _remarks(one: Outcome) -> list[str]:
     if found := hints(one.motion, "--on"):
         return found
     if one.limit.ends is not None:
-        return [f"no limit: tipping ends as {typed(one.limit.ends)} and not with the base flat"]
+        ending = ending_in_words(one.limit.ends)
+        return [f"no limit: tipping ends as {ending} and not with the base flat"]
     return [one.limit.why_not] if one.limit.why_not else []
 
 

@@ -137,7 +137,7 @@ def fit(
     output: OutputOption = None,
     json: JsonOption = False,
 ) -> int:
-    """The friction of a table from the directions in which a body fell on it.
+    """The friction of a table from directions of fall.
 
     Falls simulated at every friction are held against the measured ones.
     Give the release roughly as it was: from what tilt, how fast.

@@ -32,7 +32,7 @@ def lab(
         bool, typer.Option(help="Open it in the browser, or only say where it is.")
     ] = True,
 ) -> int:
-    """Tip the can in a browser, on a page that computes with the mechanics used here.
+    """Tip the can in a browser, on a page that computes itself.
 
     It is served on this machine and to this machine alone, until Ctrl-C.
 

@@ -27,11 +27,11 @@ from rimroll.cli.options import (
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import body_line, is_ideal
+from rimroll.endings import FELL, ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
-from rimroll.many_falls import FELL, fell, outcomes
-from rimroll.names import typed
+from rimroll.many_falls import fell, outcomes
 from rimroll.sensitivity import map_falls, watershed_slope
 from rimroll.state import State
 from rimroll.theory import turn_limit
@@ -119,9 +119,10 @@ def map(
     output: MapOutputOption = None,
     json: JsonOption = False,
 ) -> int:
-    """Left or right: the direction of fall over a plane of yaw and spin rates.
+    """Left or right: the direction of fall over a plane of starts.
 
-    A body let go without either comes down flat; the smallest one decides.
+    The plane is that of yaw and spin rate. A body let go without either comes
+    down flat; the smallest one decides.
     By default it is flicked so that it topples over.
     A scenario file gives body, start, law, gravity and topple tilt.
 
@@ -244,7 +245,7 @@ def _show(what: Request, falls: Falls, files: list[Path]) -> None:
         rows.add_row(f"to the {side}", str(found[side]["falls"]), *([angle(e) for e in ends or ()]))
     for outcome, count in found["outcomes"].items():
         if outcome not in FELL:
-            rows.add_row(typed(outcome), str(count))
+            rows.add_row(ending_in_words(outcome), str(count))
     say(rows)
     say()
     assert what.start is not None

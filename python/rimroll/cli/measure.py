@@ -130,8 +130,9 @@ FileOption = Annotated[
 
 
 def measure(given: MeasureOptions, output: FileOption = None, json: JsonOption = False) -> int:
-    """Mass, H, A and C of your own can, from a ruler, scales and a stopwatch.
+    """Your own can from a ruler, scales and a stopwatch.
 
+    The numbers of a body are its mass, R, H, A and C.
     Needed: mass, radius or diameter, one way to balance it, one to move it (A).
     C is for whole motions: no limiting angle of turn depends on it.
 
@@ -141,10 +142,12 @@ def measure(given: MeasureOptions, output: FileOption = None, json: JsonOption =
 
     Examples:
 
-    $ rimroll measure --mass 70g --diameter 10.2cm --balance-point 6.9cm --swings 50 --swings-time 38.3s
+    $ rimroll measure --mass 70g --diameter 10.2cm --balance-point 6.9cm \\
+          --swings 50 --swings-time 38.3s
 
-    $ rimroll measure --mass 70g --radius 5.1cm --balance-tilt 36.5deg --rocking-tilt 25deg --rocking-time 0.43s -o my_can.toml
-    """  # noqa: E501 (an example is one line)
+    $ rimroll measure --mass 70g --radius 5.1cm --balance-tilt 36.5deg \\
+          --rocking-tilt 25deg --rocking-time 0.43s -o my_can.toml
+    """
     if output is not None and output.suffix.lower() != ".toml":
         raise RimrollError(f"cannot write {output}: its suffix must be .toml")
     texts = asdict(given)

@@ -37,7 +37,7 @@ def protractor(
     paper: Annotated[str, typer.Option(help="a4 or letter.", metavar="NAME")] = "a4",
     json: JsonOption = False,
 ) -> int:
-    """A sheet to print and lay under a can, to read in which direction it falls.
+    """A sheet to print and to read directions of fall on.
 
     The rim at true size, degrees all round, and between which limits theory has it
     fall. Print it at actual size; a bar on it shows whether the printer did.

@@ -14,6 +14,7 @@ from rimroll.cli.screen import NO_BREAK, unbroken
 from rimroll.errors import RimrollError
 from rimroll.experiment import release as releases
 from rimroll.experiment.release import Release
+from rimroll.names import typed
 from rimroll.units import quantity, tilt_angle
 
 Text = str | None
@@ -23,7 +24,7 @@ def _given(help: str, metavar: str, panel: str) -> Any:
     return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
 
 
-NAMES = ", ".join(name.replace(" ", "-") for name in releases.PRESETS)
+NAMES = ", ".join(map(typed, releases.PRESETS))
 
 RATE = "RATE"
 

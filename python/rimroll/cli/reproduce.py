@@ -20,7 +20,7 @@ def reproduce(
     ] = Path("out/paper"),
     json: JsonOption = False,
 ) -> int:
-    """Redo the paper's numbers, figures and film as one page to open in a browser.
+    """The paper's numbers, figures and film redone as one page.
 
     The page stands by itself; figures and numbers.json lie beside it.
 

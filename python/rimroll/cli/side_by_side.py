@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from rimroll import style
@@ -20,6 +21,8 @@ from rimroll.theory import needed_friction
 DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1)), (0, (2.5, 1)), "-.")
 
 ROCKINGS = 4  # that are drawn at most: of more, nothing could be read off
+
+OFFERED = "#808080"  # of a line that stands for those of all tables
 
 MOST = len(style.SERIES)
 """The largest number of tables in one figure; more would be indistinguishable."""
@@ -45,15 +48,15 @@ def side_by_side(outcomes: list[Outcome]) -> Figure:
 
     Angles in degrees, slip in cm/s, paths in cm; at most four rockings. The magnified times count
     from each motion's own smallest tilt. Thin lines of the same colour are the friction that a
-    table has to offer, the dashed one is μ*, which rolling through needs. Raises ``RimrollError``
-    for more tables than there are colours.
+    table has to offer, the dashed one is μ*, which rolling through needs; a legend below says so.
+    Raises ``RimrollError`` for more tables than there are colours.
     """
     if len(outcomes) > MOST:
         raise RimrollError(f"a figure shows at most {MOST} tables, got {len(outcomes)}")
     until = max(_until(one.motion) for one in outcomes)
     curves, half = _curves(outcomes, until)
     with style.figure_style():
-        figure = style.page(146.0 + 15.0 * max(0, len(curves) - 4))
+        figure = style.page(152.0 + 15.0 * max(0, len(curves) - 4))
         spans: list[float | None] = [None]
         if any(curve.close for curve in curves):
             unit, second = next((u for u in TIME_UNITS if half >= u[1]), TIME_UNITS[-1])
@@ -77,8 +80,19 @@ def side_by_side(outcomes: list[Outcome]) -> Figure:
         figure.legend(
             handles, [_legend(c) for c in curves], loc="outside upper left", ncols=len(curves)
         )
+        figure.legend(handles=_bounds(curves), loc="outside lower left", ncols=2)
         style.settle(figure)
     return figure
+
+
+def _bounds(curves: list[Curve]) -> list[Line2D]:
+    """Legend entries for the straight lines in the panels of |T|/N."""
+    needed = needed_friction(curves[0].motion.body)
+    label = f"$μ^*$ = {needed:.3g}, which rolling through the near-collision needs"
+    lines = [Line2D([], [], color=style.THEORY, lw=0.6, ls="--", label=label)]
+    if any(curve.friction for curve in curves):
+        lines.append(Line2D([], [], color=OFFERED, lw=0.5, label="$μ$ of each table"))
+    return lines
 
 
 def _legend(curve: Curve) -> str:

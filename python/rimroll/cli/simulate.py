@@ -25,6 +25,7 @@ from rimroll.cli.options import (
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import prose, say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
+from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.motion import Moments, Motion
 from rimroll.units import quantity
@@ -73,9 +74,10 @@ def simulate(
     every: EveryOption = None,
     json: JsonOption = False,
 ) -> int:
-    """Follow a body from a start: how it ends, its turns, its events; files on request.
+    """A whole motion from a start: its turns, events and ending.
 
-    It rolls without slip unless another law is given.
+    Numbers, pictures and films go to files on request.
+    The body rolls without slip unless another law is given.
     Without a start the body is let go at half its balance tilt, pushed aside a little.
     In files, times may repeat where the contact changes: once as before, once as after.
 
@@ -157,7 +159,10 @@ def _show(record: Record, files: list[Path]) -> None:
     _show_losses(motion)
     kinds = Counter(event.kind for event in motion.events)
     if kinds:
-        prose("events: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()))
+        prose(
+            "events: "
+            + ", ".join(f"{count} {ending_in_words(kind)}" for kind, count in kinds.items())
+        )
     for file in files:
         say(f"wrote {file}")
 

@@ -29,6 +29,7 @@ from rimroll.cli.release import ReleaseOptions, release_line, requested_release
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
+from rimroll.endings import FELL, ending_in_words
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import counted, let_go, limits
 from rimroll.falls import Falls, Interrupted
@@ -86,7 +87,7 @@ def topple(
     output: FallsOption = None,
     json: JsonOption = False,
 ) -> int:
-    """Where a body falls, flicked again and again by an unsteady hand.
+    """Where a body falls, flicked many times by an unsteady hand.
 
     The paper's experiment: flicked 42 times, its can fell to left and right,
     never straight ahead. Directions count anticlockwise from the first lean.
@@ -199,7 +200,9 @@ def _show(what: Request, release: Release, falls: Falls, paths: list[Path]) -> N
     prose(f"{in_words(what.law)}; {unbroken(f'gravity {what.options.gravity:g} m/s²')}")
     prose(release_line(release))
     say()
-    counts = ", ".join(f"{count} {typed(outcome)}" for outcome, count in _outcomes(falls).items())
+    counts = ", ".join(
+        f"{count} {ending_in_words(outcome)}" for outcome, count in _outcomes(falls).items()
+    )
     counted = f"{falls.size} falls" + (f": {counts}" if counts else "")
     say(f"{counted}; seed {falls.attrs['seed']}")
     say()
@@ -216,7 +219,7 @@ def _show(what: Request, release: Release, falls: Falls, paths: list[Path]) -> N
 
 def _show_sides(falls: Falls) -> None:
     rows = table("having turned", "count", "mean turn", "s.d.", "so at")
-    several = {word: sides for word in ("toppled", "rocked") if (sides := _sides(falls, word))}
+    several = {word: sides for word in FELL if (sides := _sides(falls, word))}
     for word, sides in several.items():
         for way, one in sides.items():
             deviation = "" if math.isnan(one.deviation) else angle(one.deviation)

@@ -56,7 +56,7 @@ def turn(
     resistances: ResistanceOptions,
     json: JsonOption = False,
 ) -> int:
-    """By what angle a body turns in a near-collision.
+    """The angle by which a body turns in a near-collision.
 
     The limiting angle is that of motions ever closer to a face-down collision.
     With a start, the angles of the real motion from there stand beside it.

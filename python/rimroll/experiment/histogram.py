@@ -19,6 +19,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 from rimroll import bodies, style
 from rimroll.body import Body, body_of, one_body
 from rimroll.directions import around, away, middle_of
+from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.experiment.toppling import counted, limits
 from rimroll.falls import Falls
@@ -353,7 +354,7 @@ def _law(law: Law) -> str:
 
 def _outcomes(falls: _Falls) -> str:
     counts = Counter(falls.data["outcome"].tolist()).most_common()
-    counted_as = ", ".join(f"{count} {str(outcome).replace('_', ' ')}" for outcome, count in counts)
+    counted_as = ", ".join(f"{count} {ending_in_words(str(outcome))}" for outcome, count in counts)
     return f"{falls.data.size} trials: {counted_as}"
 
 

@@ -84,7 +84,7 @@ class Release:
         gravity = number("gravity", gravity, "m/s^2")
         if not 0.0 < gravity < math.inf:
             raise RimrollError(f"gravity must be > 0 and finite, got {gravity} m/s2")
-        return choose("release", name.replace("-", " ").replace("_", " "), PRESETS)(body, gravity)
+        return choose("release", name, PRESETS)(body, gravity)
 
     def with_unsteadiness(self, factor: float) -> Self:
         """A copy with the spreads of ``sideways`` and ``twist`` multiplied by a factor."""
@@ -199,10 +199,10 @@ def _flick(body: Body, gravity: float) -> Release:
 def nudged(body: Body, gravity: float, tilt: float | None = None) -> State:
     """A start from which a body rocks: released at half its balance tilt with a small side push.
 
-    It is the mean of the release ``let go`` with a push of one standard deviation; ``tilt`` (rad)
+    It is the mean of the release ``let_go`` with a push of one standard deviation; ``tilt`` (rad)
     replaces its tilt.
     """
-    release = Release.named("let go", body, gravity)
+    release = Release.named("let_go", body, gravity)
     start = State(tilt=release.tilt[0] if tilt is None else tilt)
     assert isinstance(start.tilt, float)
     rates = _sideways_rates(np.float64(start.tilt), release.sideways[1], 0.0)
@@ -239,10 +239,10 @@ def _paper(body: Body, gravity: float) -> Release:
     )
 
 
-PRESETS = {"let go": _let_go, "flick": _flick, "paper": _paper}
+PRESETS = {"let_go": _let_go, "flick": _flick, "paper": _paper}
 """Releases by name, for a body under gravity.
 
-let go: tilted to half the balance tilt and released by a steady hand; the body rocks.
+let_go: tilted to half the balance tilt and released by a steady hand; the body rocks.
 flick: flicked over from half the balance tilt, with energy to spare and an error of aim of 3
 degrees. A low, wide body that would then leave the table before it topples is flicked less hard,
 and rocks. On a table without friction a tall, thin body may rock, too.

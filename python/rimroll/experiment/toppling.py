@@ -56,7 +56,7 @@ def topple(
         Number of releases. The paper: 42.
     release
         How the hand releases the body: a :class:`rimroll.Release`, or the name of a preset,
-        ``let go``, ``flick`` or ``paper`` (see :data:`rimroll.experiment.release.PRESETS`).
+        ``let_go``, ``flick`` or ``paper`` (see :data:`rimroll.experiment.release.PRESETS`).
     seed
         Seed of the scatter, a whole number >= 0. By default it is random, and stored in the
         attributes. Trial k is the same whatever ``n`` and ``threads``.
