@@ -13,11 +13,12 @@ import pytest
 pytest.importorskip("matplotlib")
 
 from matplotlib.figure import Figure
-from PIL import Image
+from PIL import Image, ImageSequence
 
 from rimroll import artists, scene
 from rimroll.animation import animate
 from rimroll.animation.clock import film_clock, slowed
+from rimroll.animation.files import gif_pauses
 from rimroll.animation.painter import Painter, Trail
 from rimroll.animation.stage import Stage
 from rimroll.errors import RimrollError
@@ -339,6 +340,23 @@ def test_what_lies_outside_the_picture_is_left_out() -> None:
     assert area == pytest.approx((9.0 + 1.0 / 3.0) ** 2, rel=0.01)
 
 
+@pytest.mark.parametrize("fps", [0.3, 7.0, 12.0, 24.0, 25.0, 29.97, 30.0, 48.0, 50.0])
+def test_a_gif_runs_at_the_pictures_a_second_that_were_asked_for(fps: float) -> None:
+    pauses = gif_pauses(600, fps)
+    assert all(pause % 10 == 0 and pause >= 20 for pause in pauses)
+    assert max(pauses) - min(pauses) in (0, 10)
+    # A GIF counts in hundredths of a second.
+    assert sum(pauses) == pytest.approx(1e3 * 600 / fps, abs=5.0)
+
+
+def test_the_pauses_of_a_gif_are_those_in_its_file(tmp_path: Path) -> None:
+    path = animate(NearCollision(), tmp_path / "fall.gif", seconds=0.5, fps=30.0, size=(80, 60))
+    with Image.open(path) as film:
+        pauses = [frame.info["duration"] for frame in ImageSequence.Iterator(film)]
+    assert sum(pauses[:-1]) == 500
+    assert pauses[:-1] == gif_pauses(15, 30.0)
+
+
 def test_a_trail_is_the_same_whether_it_grows_or_is_drawn_anew() -> None:
     angle = np.linspace(0.0, 8.0, 61)
     path = np.array([40.0, 30.0]) + 20.0 * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
@@ -368,6 +386,8 @@ def test_a_film_of_unknown_kind_or_with_numbers_out_of_range_is_refused(
         animate(motion, tmp_path / "fall.avi")
     with pytest.raises(RimrollError, match="speed is 0"):
         animate(motion, tmp_path / "fall.gif", speed=0.0)
+    with pytest.raises(RimrollError, match=r"fps is 60; a \.gif has at most 50 pictures a second"):
+        animate(motion, tmp_path / "fall.gif", fps=60)
     with pytest.raises(RimrollError, match="fps is 200"):
         animate(motion, tmp_path / "fall.gif", fps=200)
     with pytest.raises(RimrollError, match='view is "below"'):

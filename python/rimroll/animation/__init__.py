@@ -35,20 +35,20 @@ def animate(
 ) -> Path:
     """Film ``motion`` and write it to ``path``, a .gif, .html or .mp4 file; return the path.
 
-    ``speed`` is film speed over real speed, ``fps`` the number of pictures per second, ``seconds``
-    the length of the film if it is to be fixed, ``view`` "perspective", "side", "top" or a camera,
-    and ``size`` the picture in pixels. With ``slow_collision`` the film slows down while the
-    contact point runs round the rim, and says how much. ``body`` replaces the motion's own, to give
-    it a profile. ``progress`` is called with pictures done and pictures to do.
+    ``speed`` is film speed over real speed, ``fps`` the number of pictures per second (at
+    most 50 in a .gif), ``seconds`` the length of the film if it is to be fixed, ``view``
+    "perspective", "side", "top" or a camera, and ``size`` the picture in pixels. With
+    ``slow_collision`` the film slows down while the contact point runs round the rim, and says how
+    much. ``body`` replaces the motion's own, to give it a profile. ``progress`` is called with pictures done and pictures to do.
 
     The file appears under its name only when it is whole. Raises ``RimrollError`` for an unknown
     suffix or view, for numbers out of range, and for .mp4 where there is no ffmpeg.
     """
     path = Path(path)
-    write = writer_for(path)
-    callback("progress", progress)
     if not 0.0 < fps <= 100.0:
         raise RimrollError(f"fps is {fps:g}; it must be above 0 and at most 100")
+    write = writer_for(path, fps)
+    callback("progress", progress)
     clock = film_clock(motion, speed=speed, seconds=seconds, slow_collision=slow_collision)
     stage = Stage(motion, body or motion.body, clock, fps, view, size)
     with writing(path) as part:

@@ -9,6 +9,7 @@ import subprocess
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from importlib.resources import files
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,8 @@ from rimroll.animation.stage import Stage
 from rimroll.errors import RimrollError
 
 HOLD = 1.2  # s for which the last picture of a film stays
+GIF_FASTEST = 50.0
+"""Pictures a second: browsers show a pause below 20 ms as one of 100 ms."""
 TINTS = 14
 """The number of colours, from its own to white, that each thin bright line gets."""
 
@@ -28,7 +31,7 @@ UNCHANGED = 255
 Writer = Callable[[Path, Iterable[Image.Image], Stage, float], None]
 
 
-def writer_for(path: Path) -> Writer:
+def writer_for(path: Path, fps: float) -> Writer:
     """The function that writes pictures to a file of this suffix; ``RimrollError`` if there is
     none."""
     writers: dict[str, Writer] = {".gif": _write_gif, ".html": _write_page, ".mp4": _write_mp4}
@@ -36,6 +39,11 @@ def writer_for(path: Path) -> Writer:
     if suffix not in writers:
         known = ", ".join(writers)
         raise RimrollError(f'a film can be {known}, not "{suffix}" (asked for: {path.name})')
+    if suffix == ".gif" and fps > GIF_FASTEST:
+        raise RimrollError(
+            f"fps is {fps:g}; a .gif has at most {GIF_FASTEST:g} pictures a second, .html and .mp4"
+            " have up to 100"
+        )
     if suffix == ".mp4" and shutil.which("ffmpeg") is None:
         raise RimrollError("an .mp4 film needs ffmpeg, which was not found; write .gif or .html")
     return writers[suffix]
@@ -76,9 +84,19 @@ def _changes(pictures: Iterable[Image.Image]) -> Iterator[Image.Image]:
         yield changes
 
 
+def gif_pauses(count: int, fps: float) -> list[int]:
+    """How long each of ``count`` pictures of a GIF stays, ms: multiples of 10, as in the format.
+
+    Their sums are rounded and not each by itself, so that the film runs at ``fps``: at 30 pictures
+    a second 30, 40, 30, 30, ...
+    """
+    ends = [10 * round(100.0 * k / fps) for k in range(count + 1)]
+    return [end - start for start, end in pairwise(ends)]
+
+
 def _write_gif(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:
     pictures = _changes(_reduced(shots, _palette(stage)))
-    pause = [round(100.0 / fps) * 10] * (stage.count - 1) + [round(1000.0 * HOLD)]
+    pause = [*gif_pauses(stage.count - 1, fps), round(1000.0 * HOLD)]
     first = next(pictures)
     with path.open("wb") as file:
         first.save(

@@ -172,8 +172,11 @@ def _faded(opacity: float) -> list[int]:
 
 @cache
 def _font(size: float) -> ImageFont.FreeTypeFont:
-    """The font of the figures, at a height in pixels."""
-    # matplotlib is not imported, which would take a twentieth of the time of a film.
+    """DejaVu Sans, the font of the figures, at a height in pixels.
+
+    It is read from matplotlib, which brings it and which rimroll needs anyway. matplotlib is not
+    imported, which would take a twentieth of the time of a film.
+    """
     matplotlib = find_spec("matplotlib")
     assert matplotlib is not None
     assert matplotlib.origin is not None
