@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import asdict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,8 @@ from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, number, optional
 from rimroll.laws import Law
-from rimroll.many_falls import described, parameters
+from rimroll.many_falls import described
+from rimroll.recorded import parameters
 from rimroll.rows import Rows
 from rimroll.state import State
 
@@ -44,7 +46,7 @@ def exact_falls(
     def so_far() -> Falls:
         options = {"gravity": gravity, "topple_tilt": topple_tilt}
         columns = _columns(codes[:done], table[:, :done])
-        return in_rows(columns, parameters(body, law, options))
+        return in_rows(columns, parameters(law.name, options, law=law.numbers, body=asdict(body)))
 
     try:
         for outcomes, columns, _ in turns_in_parts(rows, law, gravity, topple_tilt, threads):

@@ -21,17 +21,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """One number or word for each fall: values, their SI unit ("" for pure numbers) and meaning."""
+    """One number or word for each fall: values, their SI unit ("" for pure numbers) and meaning.
+
+    ``long_name`` is short enough for the label of an axis, ``comment`` says exactly what it means.
+    """
 
     values: NDArray[Any]
     units: str | None = None
-    meaning: str | None = None
+    long_name: str | None = None
+    comment: str | None = None
 
     @property
     def attrs(self) -> dict[str, str]:
         """Unit and meaning by the names that xarray and netCDF use."""
-        both = {"units": self.units, "long_name": self.meaning}
-        return {name: text for name, text in both.items() if text is not None}
+        named = {"units": self.units, "long_name": self.long_name, "comment": self.comment}
+        return {name: text for name, text in named.items() if text is not None}
+
+    @classmethod
+    def with_attrs(cls, values: NDArray[Any], attrs: Mapping[str, Any]) -> Column:
+        """Values with unit and meaning from the attributes of xarray."""
+        return cls(values, *(attrs.get(name) for name in ("units", "long_name", "comment")))
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +100,7 @@ class Falls:
             if dim in self.columns:
                 raise RimrollError(f"a dimension cannot be called {dim}, which is a result")
             _, values, attrs = grid.coords.get(dim, ((dim,), np.arange(size), {}))
-            axes[dim] = Column(values, attrs.get("units"), attrs.get("long_name"))
+            axes[dim] = Column.with_attrs(values, attrs)
         columns = {
             name: replace(one, values=one.values.reshape(grid.shape))
             for name, one in self.columns.items()
@@ -119,7 +128,7 @@ def rows(columns: Mapping[str, Column], attrs: Mapping[str, Any]) -> Falls:
 
 
 def _column(array: xr.DataArray) -> Column:
-    return Column(array.values, array.attrs.get("units"), array.attrs.get("long_name"))
+    return Column.with_attrs(array.values, array.attrs)
 
 
 class Interrupted(KeyboardInterrupt):

@@ -16,8 +16,9 @@ from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, thread_count, values
-from rimroll.laws import Law, contact_law, fixed_numbers, only_fixed, varied_numbers
+from rimroll.laws import Law, contact_law, only_fixed, varied_numbers
 from rimroll.options import Options
+from rimroll.recorded import parameters
 from rimroll.rows import Rows
 from rimroll.state import State
 from rimroll.units import START_UNIT_OF, UNIT_OF
@@ -32,26 +33,39 @@ OPTIONS = Options(duration=10.0, rtol=1e-8, max_steps=100_000)
 """The defaults of :func:`ensemble`."""
 
 VARIABLES = {
-    "turn": ("rad", "change of yaw from the release, or the tilt maximum after it, to the end"),
+    "turn": (
+        "rad",
+        "angle of turn",
+        "change of yaw from the release, or the tilt maximum after it, to the end",
+    ),
     "direction": (
         "rad",
+        "direction",
         "direction of fall or of the largest tilt, counted anticlockwise from that of the first"
         " lean, 0 to 2 pi: a turn of -1 degree leads to 359 degrees",
     ),
-    "min_tilt": ("rad", "smallest tilt: how close the near-collision was"),
-    "min_tilt_time": ("s", "time of the smallest tilt"),
-    "end_time": ("s", "time of the end"),
-    "end_tilt": ("rad", "tilt at the end"),
-    "end_axial_spin": ("rad/s", "angular velocity about the symmetry axis at the end"),
-    "energy_lost": ("J", "energy lost to friction, resistances and impacts"),
-    "friction_loss": ("J", "energy lost to friction"),
-    "resistance_loss": ("J", "energy lost to rolling resistance, pivoting friction and air"),
-    "impact_loss": ("J", "energy lost in landings"),
-    "slid": ("", "whether the rim slid"),
-    "flew": ("", "whether the rim left the table"),
-    "steps": ("", "steps of the solver"),
+    "min_tilt": ("rad", "smallest tilt", "how close the near-collision was"),
+    "min_tilt_time": ("s", "time of the smallest tilt", None),
+    "end_time": ("s", "time of the end", None),
+    "end_tilt": ("rad", "tilt at the end", None),
+    "end_axial_spin": (
+        "rad/s",
+        "axial spin at the end",
+        "angular velocity about the symmetry axis at the end",
+    ),
+    "energy_lost": ("J", "energy lost", "energy lost to friction, resistances and impacts"),
+    "friction_loss": ("J", "energy lost to friction", None),
+    "resistance_loss": (
+        "J",
+        "energy lost to resistances",
+        "energy lost to rolling resistance, pivoting friction and air",
+    ),
+    "impact_loss": ("J", "energy lost in landings", None),
+    "slid": ("", "whether the rim slid", None),
+    "flew": ("", "whether the rim left the table", None),
+    "steps": ("", "steps of the solver", None),
 }
-"""The columns of falls: unit and meaning."""
+"""The columns of falls: unit, a name that fits an axis, and a comment where it needs one."""
 
 
 def ensemble(
@@ -171,7 +185,9 @@ def follow(
     except RimrollError as refusal:
         raise rows.placed(refusal, options.gravity, options.topple_tilt) from None
     columns = _columns(rows, varied, scales, table)
-    falls = in_rows(columns, parameters(body, law, asdict(options)))
+    falls = in_rows(
+        columns, parameters(law.name, asdict(options), law=law.numbers, body=asdict(body))
+    )
     if len(table) == count and rows.grid.dims is not None:
         falls = falls.laid_out(rows.grid)
     if isinstance(stopped, KeyboardInterrupt):
@@ -232,8 +248,8 @@ def _columns(
 def described(numbers: Mapping[str, NDArray[Any]]) -> dict[str, Column]:
     """The :data:`VARIABLES` among some columns of numbers, with unit and meaning."""
     return {
-        name: Column(numbers[name], unit, meaning)
-        for name, (unit, meaning) in VARIABLES.items()
+        name: Column(numbers[name], *meaning)
+        for name, meaning in VARIABLES.items()
         if name in numbers
     }
 
@@ -252,14 +268,3 @@ def outcomes(falls: Falls | xr.Dataset) -> dict[str, int]:
         if sum(counts.values()) < outcome.size:  # comparing a million words is slow
             counts[name] = int(np.count_nonzero(outcome == name))
     return {name: count for name, count in counts.items() if count}
-
-
-def parameters(body: Body, law: Law, options: Mapping[str, object]) -> dict[str, object]:
-    """The attributes of falls: everything that they were computed from, except the starts."""
-    return {
-        "law": law.name,
-        **{f"law_{name}": value for name, value in fixed_numbers(law.numbers).items()},
-        **{f"body_{name}": value for name, value in asdict(body).items() if not np.ndim(value)},
-        **{name: value for name, value in options.items() if value is not None},
-        "rimroll_version": _core.__version__,
-    }

@@ -2,18 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rimroll import _core
 from rimroll.errors import RimrollError, expect
 from rimroll.falls import Falls
 from rimroll.given import number
+from rimroll.grid import is_array
 
 if TYPE_CHECKING:
     import xarray as xr
 
     Record = Falls | xr.Dataset
+
+
+def parameters(
+    law_name: str, options: Mapping[str, object], /, **numbers: Mapping[str, object]
+) -> dict[str, object]:
+    """The attributes of a dataset: everything that it was computed from.
+
+    ``numbers`` are those of the law, the body and the start, by the word that their names begin
+    with. Those that are arrays, and options that are None, are left out.
+    """
+    return {
+        "law": law_name,
+        **{
+            f"{what}_{name}": value
+            for what, values in numbers.items()
+            for name, value in values.items()
+            if not is_array(value)
+        },
+        **{name: value for name, value in options.items() if value is not None},
+        "rimroll_version": _core.__version__,
+    }
 
 
 def is_recorded(record: Record, name: str) -> bool:

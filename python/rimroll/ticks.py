@@ -1,12 +1,14 @@
-"""Ticks of zoomed axes in few digits: the power of ten and the offset go into the axis's label.
+"""Ticks of directions, and of zoomed axes in few digits.
 
-Where matplotlib writes them, beside the axis, they collide with the title or another label.
+The power of ten and the offset of a zoomed axis go into its label: where matplotlib writes them,
+beside the axis, they collide with the title or another label.
 """
 
 from __future__ import annotations
 
 import numpy as np
 from matplotlib.axis import Axis
+from matplotlib.ticker import FuncFormatter, MultipleLocator
 from numpy.typing import NDArray
 
 from rimroll.style import superscript
@@ -17,7 +19,20 @@ FAR = 20.0
 PLAIN = range(-1, 4)
 """Powers of ten that stay in the ticks."""
 
+DEGREES = (5, 10, 20, 30, 60)
+"""Steps between ticks of directions, degrees."""
+
 Array = NDArray[np.float64]
+
+
+def directions_in_degrees(axis: Axis, half: float) -> None:
+    """Ticks of directions, whose axis shows ``half`` degrees to either side of its middle.
+
+    They are numbers from 0 to 360 without a sign; the label of the axis says that they are degrees.
+    """
+    step = next((step for step in DEGREES if 7 * step >= 2 * half), DEGREES[-1])
+    axis.set_major_locator(MultipleLocator(step))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value % 360.0:g}"))
 
 
 def powers_into_label(axis: Axis) -> None:

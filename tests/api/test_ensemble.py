@@ -217,8 +217,10 @@ def test_rows_carry_units_meanings_starts_and_everything_else_they_came_from():
     starts = rr.State(tilt=np.array([0.3, 0.4]), yaw=0.5, yaw_rate=0.02, spin_rate=0.01)
     law = rr.Coulomb(0.2, static=0.25) + rr.AirDrag(1e-12) + rr.PivotingFriction(1e-5)
     falls = rr.ensemble(CAN, starts, law, friction_scale=[1.0, 0.5], duration=2.0, topple_tilt=1.5)
-    for name, (unit, meaning) in VARIABLES.items():
-        assert falls[name].attrs == {"units": unit, "long_name": meaning}
+    for name, (unit, long_name, comment) in VARIABLES.items():
+        meaning = {"long_name": long_name} | ({"comment": comment} if comment else {})
+        assert falls[name].attrs == {"units": unit, **meaning}
+        assert len(f"{long_name} [{unit}]") <= 40  # fits an axis
     assert falls["start_yaw"].values.tolist() == [0.5, 0.5]
     assert falls["friction_scale"].values.tolist() == [1.0, 0.5]
     assert falls.attrs["law_friction"] == 0.2 and falls.attrs["law_air_exponent"] == 4.0

@@ -581,7 +581,8 @@ def test_the_figure_shows_the_falls_three_curves_and_the_deviance(fit_of_the_pap
         "no friction",
         f"friction {fit_of_the_paper.friction.friction:.3f}",
     }
-    assert falls.get_xlabel() == "direction of fall, degrees"
+    assert falls.get_xlabel() == "direction of fall (degrees)"
+    assert falls.get_ylabel() == "falls (per 2°)"
     bars = [patch.get_height() for patch in falls.patches]
     assert sum(bars) == 42
     fitted = falls.lines[2]

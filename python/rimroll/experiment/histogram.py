@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.projections.polar import PolarAxes
-from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
+from matplotlib.ticker import MaxNLocator
 
 from rimroll import bodies, style
 from rimroll.body import Body, body_of, one_body
@@ -27,6 +27,7 @@ from rimroll.laws import LAWS, Law, in_brief, law_of
 from rimroll.many_falls import Array
 from rimroll.names import typed
 from rimroll.paper.setting import MEASURED
+from rimroll.ticks import directions_in_degrees
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -218,11 +219,7 @@ def _draw_flat(
     left = view.half if view.center else -view.half
     ax.set_xlim(view.center + left, view.center - left)
     ax.set_ylim(0.0, 1.2 * highest)
-    steps = (5, 10, 20, 30, 60)
-    ax.xaxis.set_major_locator(
-        MultipleLocator(next((step for step in steps if 7 * step >= 2 * view.half), steps[-1]))
-    )
-    ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value % 360.0:g}"))
+    directions_in_degrees(ax.xaxis, view.half)
     ax.yaxis.set_major_locator(MaxNLocator(6, integer=True, steps=[1, 2, 5, 10]))
     if not any(one.directions.size for one in shown):
         ax.text(0.5, 0.5, "none came down", transform=ax.transAxes, ha="center", color=INK)

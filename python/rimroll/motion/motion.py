@@ -22,7 +22,7 @@ from rimroll.motion.jacobian import PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
 from rimroll.options import Options, options_of
-from rimroll.recorded import expect_dataset
+from rimroll.recorded import expect_dataset, parameters
 from rimroll.state import State, single, start_of, times
 
 if TYPE_CHECKING:
@@ -314,15 +314,13 @@ class Motion(Moments):
 
     def parameters(self) -> dict[str, Any]:
         """Everything that the motion was computed from, as plain numbers and texts."""
-        options = {k: v for k, v in asdict(self._options).items() if v is not None}
-        return {
-            "law": self.law.name,
-            **{f"law_{name}": value for name, value in self.law.numbers.items()},
-            **{f"body_{name}": value for name, value in asdict(self.body).items()},
-            **{f"start_{name}": value for name, value in asdict(self.start).items()},
-            **options,
-            "rimroll_version": _core.__version__,
-        }
+        return parameters(
+            self.law.name,
+            asdict(self._options),
+            law=self.law.numbers,
+            body=asdict(self.body),
+            start=asdict(self.start),
+        )
 
 
 def follow(

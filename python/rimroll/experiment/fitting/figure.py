@@ -16,6 +16,7 @@ from rimroll import style
 from rimroll.directions import around, middle_of
 from rimroll.experiment.fitting.likelihood import Likelihood
 from rimroll.laws import Coulomb
+from rimroll.ticks import directions_in_degrees
 
 if TYPE_CHECKING:
     from rimroll.experiment.fitting.estimate import Estimate
@@ -64,6 +65,7 @@ def _draw_falls(ax: Axes, fit: Fit) -> None:
     ax.axvline(middle, color=style.THEORY, lw=0.5, ls=(0, (1, 3)))
     # What is on the left of the hand, on the left: angles grow that way, but for falls back to it.
     ax.set_xlim(*((angles[-1], angles[0]) if middle else (angles[0], angles[-1])))
+    directions_in_degrees(ax.xaxis, reach)
     ax.margins(y=0.12)
     ax.yaxis.set_major_locator(MaxNLocator(6, integer=True))
     for x, side in ((0.01, "left"), (0.99, "right")):
@@ -74,8 +76,8 @@ def _draw_falls(ax: Axes, fit: Fit) -> None:
         ax,
         "a",
         f"{len(data)} falls",
-        f"direction of {what}, degrees",
-        f"falls in {width:g} degrees",
+        f"direction of {what} (degrees)",
+        f"falls (per {width:g}°)",
     )
 
 
