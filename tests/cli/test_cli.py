@@ -308,7 +308,7 @@ def test_simulate_tells_how_it_ended_its_turns_and_its_events(said):
     text = said(f"simulate {PAPER}")
     assert "202.675°" in text
     assert "followed for the whole 2 s" in text
-    assert "3 tilt_min, 3 tilt_max" in text
+    assert "3 tilt min, 3 tilt max" in text
 
 
 def test_simulate_in_json_is_the_api(said, motion):
