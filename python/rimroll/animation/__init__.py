@@ -39,7 +39,8 @@ def animate(
     most 50 in a .gif), ``seconds`` the length of the film if it is to be fixed, ``view``
     "perspective", "side", "top" or a camera, and ``size`` the picture in pixels. With
     ``slow_collision`` the film slows down while the contact point runs round the rim, and says how
-    much. ``body`` replaces the motion's own, to give it a profile. ``progress`` is called with pictures done and pictures to do.
+    much. ``body`` replaces the motion's own, to give it a profile. ``progress`` is called with
+    pictures done and pictures to do.
 
     The file appears under its name only when it is whole. Raises ``RimrollError`` for an unknown
     suffix or view, for numbers out of range, and for .mp4 where there is no ffmpeg.

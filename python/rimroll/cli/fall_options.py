@@ -40,12 +40,12 @@ class FallOptions(MotionOptions):
     ] = None
 
 
-def options_of_falls(given: FallOptions, asked: Options) -> Options:
+def options_of_falls(given: FallOptions, read: Options) -> Options:
     """The options of many falls, with the defaults of :func:`rimroll.topple`.
 
-    ``asked`` holds the values of what was given. Of a scenario file, whose accuracy is that of a
+    ``read`` holds the values of what was given. Of a scenario file, whose accuracy is that of a
     single motion, only gravity and topple tilt are used.
     """
     own = ("duration", "rtol", "max_steps")
     names = ("gravity", "topple_tilt", *(name for name in own if getattr(given, name) is not None))
-    return replace(FALLING, **{name: getattr(asked, name) for name in names})
+    return replace(FALLING, **{name: getattr(read, name) for name in names})
