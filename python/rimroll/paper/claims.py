@@ -1,4 +1,4 @@
-"""Every number that the paper states, beside what rimroll finds.
+"""Every number that the paper states, beside rimroll's.
 
 A printed number agrees when ours rounds to it: when they differ by no more than half of the last
 digit printed, or of what "about" leaves open, which is stated with the claim.
@@ -88,18 +88,19 @@ def angles_of_the_can() -> list[Claim]:
         Claim("Eq. (15), text", "“numerical integrations agree quite well with this "
               "formula”: turn of the simulated can at ε = 0.005", rolling, "°",
               float(np.degrees(motion(NoSlip()).turns[1].angle)), 0.5,
-              "True of the formula the right way up.", digits=3),
+              "This is true of the corrected formula.", digits=3),
         Claim("Quantitative comparisons", "the limiting angle “does not depend on the initial conditions”: "
               "largest difference between two starts, at no slip and at no friction, ε = 10⁻⁶ rad/s", 0, "°",
-              _largest_difference_between_starts(), 0.01, "So it is at the paper’s two limits. Under dry friction "
-              f"of μ = 0.1 the same starts give {dry.near_collision(0.1, dry.ROCKED):.2f}° and "
-              f"{dry.near_collision(0.1, dry.FLICKED):.2f}°: one comes down sliding faster than the other.",
+              _largest_difference_between_starts(), 0.01, "This holds at the paper’s two limits. Under dry "
+              f"friction of μ = 0.1 the same starts give {dry.near_collision(0.1, dry.ROCKED):.2f}° and "
+              f"{dry.near_collision(0.1, dry.FLICKED):.2f}°, since one comes down sliding faster than the other.",
               digits=-1, stated=False),
     ]  # fmt: skip
 
 
 def _largest_difference_between_starts() -> float:
-    """Of the near-collision's turn in whole motions that roll (μ over μ*) or do not rub, degrees."""
+    """The near-collision's turn, degrees, in whole motions that roll (μ > μ*) or have no
+    friction."""
     turns = [
         [dry.measured_step(dry.motion(friction, start, dry.CLOSEST)) for start in dry.STARTS]
         for friction in (0.0, 0.5)
@@ -111,14 +112,14 @@ def disks_and_rings() -> list[Claim]:
     """The section on disks: angles as multiples of π and against a full turn."""
     disk = _limit(bodies.disk(0.1), NoSlip())
     ring = _limit(bodies.ring(0.1), NoSlip())
-    both = "The same to the last digit without friction."
+    both = "Without friction it is the same to the last digit."
     straight_back = (2 / 3) ** 0.5
     dragged = disks.whole_turn("uniform disk", 0.8, dry.ROCKED) - disk
     return [
         Claim("Disks", "homogeneous disk: π√5 ≈ 2.23 π", 2.23, "π", disk / 180, 0.005,
               "√5 = 2.236, cut to 2.23; rounding gives 2.24. " + both, digits=4),
         Claim("Disks", "… “about 41 degrees more than a full rotation”", 41, "°", disk - 360, 0.5,
-              "0.23 π is 41°, √5 − 2 = 0.236 π is 42.49°: a follow-on of the cut."),
+              "0.23 π is 41°; (√5 − 2) π = 0.236 π is 42.49°: this follows from the cut."),
         Claim("Disks", "ring: π√3 ≈ 1.73 π", 1.73, "π", ring / 180, 0.005, both, digits=4),
         Claim("Disks", "… “about 48 degrees less than a full rotation”", 48, "°", 360 - ring, 0.5),
         Claim("Disks", "disk and ring “differ by about 90 degrees”", 90, "°", disk - ring, 1.0),
@@ -128,26 +129,26 @@ def disks_and_rings() -> list[Claim]:
         Claim("Disks", "“no dependence … on the form of the friction law or the magnitude of the friction”: "
               "largest difference of the near-collision from π√(2+k²)/k", 0, "°", disks.spread_of_the_step(), 1e-6,
               f"Disk and ring under {len(disks.LAWS)} laws, each from two starts.", digits=-1, stated=False),
-        Claim("Disks", "… the same of the turn from the release to the next tilt maximum: uniform disk at μ = 0.8",
-              0, "°", dragged, 0.5, "Sliding on the way down leaves slip and spin behind, which turn the disk on "
-              "as it rises: so much less than the limit, however close the near-collision. The step itself is as "
-              "the paper says.", stated=False),
+        Claim("Disks", "… and of the turn from the release to the next tilt maximum: uniform disk at μ = 0.8",
+              0, "°", dragged, 0.5, "Sliding on the way down leaves slip and spin, which turn the disk further "
+              "as it rises: by this much relative to the limit, however close the near-collision. The step itself "
+              "is as the paper says.", stated=False),
         Claim("Abstract; Tall thin containers", "tall containers: tends to π (here H = 100 R)", 180, "°",
               _limit(bodies.cylinder(0.01, 2.0), Frictionless()), 0.5,
-              "Solid cylinder without friction; no slip comes still closer.", digits=3),
+              "Solid cylinder without friction; without slip it is still closer.", digits=3),
     ]  # fmt: skip
 
 
 def experiment() -> list[Claim]:
-    """The histogram of 42 flicks: what was measured, and between which limits it lies."""
+    """The histogram of 42 flicks: the measurements, and the limits between which they lie."""
     rolling, sliding = _limit(CAN, NoSlip()), _limit(CAN, Frictionless())
 
     def between(angle: float) -> str:
         part = (angle - rolling) / (sliding - rolling)
         rest, slid = dry.friction_for(angle), dry.friction_for(angle, dry.ROCKED)
         return (
-            f"{100 * part:.0f} % of the way from no slip to frictionless. Dry friction of μ = {rest:.3f} turns "
-            f"the near-collision so if the rim comes down at rest, of {slid:.3f} if let go at {dry.ROCKED.name}."
+            f"{100 * part:.0f} % of the way from no slip to frictionless. Dry friction of μ = {rest:.3f} gives "
+            f"this turn if the rim comes down at rest, μ = {slid:.3f} if released at {dry.ROCKED.name}."
         )
 
     where = "Histogram and text"
@@ -162,7 +163,7 @@ def experiment() -> list[Claim]:
 
 
 def parameters() -> list[Claim]:
-    """The can as the paper gives it, and what cannot be right in it."""
+    """The can's parameters as the paper gives them, and those that cannot be right."""
     most = CAN.radius**2
     literal = _caption_taken_literally()
     where = "Simulation figure, caption"
@@ -180,7 +181,7 @@ def parameters() -> list[Claim]:
               f"rimroll uses {1e3 * CAN.axial_inertia / CAN.mass:.1f}; no limiting angle depends on C."),
         Claim(where, "with A and C in kg m²: tilt at the end of the figure's rocking", np.pi / 6, "rad",
               float(literal.tilt[-1]), 0.1,
-              f"Taken literally the can does not rock: {literal.message}. The limits would be "
+              f"With these numbers the can does not rock: {literal.message}. The limits would be "
               f"{_limit(literal.body, NoSlip()):.2f}° and {_limit(literal.body, Frictionless()):.2f}°.",
               digits=4),
         Claim(where, "g", 9.8, "m/s²", GRAVITY, 0.05),
@@ -193,7 +194,7 @@ def _caption_taken_literally() -> Motion:
 
 
 def simulated_motion() -> list[Claim]:
-    """What the text says of the simulated motions."""
+    """The text's claims about the simulated motions."""
     where = "Dynamics"
     claims = []
     for law in LAWS:

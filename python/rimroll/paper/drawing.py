@@ -1,4 +1,4 @@
-"""What a figure of the report is."""
+"""Figures of the report."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 @dataclass(frozen=True)
 class Table:
-    """A table under a figure: texts only, a row a line."""
+    """A table under a figure, as texts."""
 
     caption: str
     head: list[str]
@@ -20,8 +20,8 @@ class Table:
 class Drawing:
     """A drawn figure and what it shows.
 
-    ``caption`` is HTML (inline markup only); ``numbers`` are the figure's results by name, in SI
-    units and radians or as the name says, for ``numbers.json``.
+    ``caption`` is HTML (inline markup only). ``numbers`` are the figure's results by name for
+    ``numbers.json``, in SI units and radians or in the unit in the name.
     """
 
     slug: str

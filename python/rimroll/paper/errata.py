@@ -36,8 +36,8 @@ ERRATA = (
         "Simulation figure, caption",
         "A = 5.1×10⁻³, C = 8×10⁻³ “in consistent SI units”",
         "both are per unit mass, in m²",
-        "Taken in kg m² the can topples at the printed start (φ = 1.5 rad at 2.129 s) and the limits are "
-        "182.99° and 183.18°; taken per unit mass it rocks as the figure shows.",
+        "In kg m², the can would topple from the printed start (φ = 1.5 rad at 2.129 s) and the limits would be "
+        "182.99° and 183.18°; per unit mass, it rocks as the figure shows.",
         "test_erratum_inertias_are_per_unit_mass",
         changes_a_result=True,
     ),
@@ -66,7 +66,7 @@ ERRATA = (
     Erratum(
         "Eq. (7)",
         "ψ̇ + θ̇ = 0 is equivalent to the two equations before",
-        "it is only their solution with spin s = 0; “independent of initial conditions” needs s → 0 "
+        "it is their solution with spin s = 0 only; “independent of initial conditions” needs s → 0 "
         "(no slip, H &gt; 0)",
         "The general solution of both rows; with a finite spin the turn is "
         "√(J/K)[π + 2 arctan(mHRs/(ω√(JK)))].",
@@ -91,7 +91,7 @@ ERRATA = (
         "Appendix B, both energies",
         "2E = … + P.E.",
         "2E = … + 2 P.E.",
-        "Only so is the energy constant along the printed equations.",
+        "Only then is the energy constant along the printed equations.",
         "test_erratum_halved_potential_energy",
     ),
     Erratum(
@@ -140,7 +140,7 @@ ERRATA = (
         "Heuristic treatment",
         "tilt about +e<sub>y1</sub>",
         "the rest of the paper tilts about −e<sub>y1</sub>; the section flips the sign silently",
-        "Half a turn of yaw maps one on the other, so no turn changes.",
+        "Half a turn of yaw maps one to the other, so no turn changes.",
         "test_erratum_heuristic_section_flips_the_sign_of_the_tilt",
     ),
     Erratum(

@@ -31,7 +31,7 @@ FILM = "rocking.gif"
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing as the page shows it; ``source`` is an address that carries the picture itself."""
+    """A drawing as the page shows it; ``source`` is a data URL of the picture."""
 
     slug: str
     title: str
@@ -43,7 +43,7 @@ class Picture:
 def reproduce(folder: str | os.PathLike[str], progress: Progress | None = None) -> Path:
     """Write the report into a folder, made if needed, and return the path of its page.
 
-    The page is self-contained and written last, so that where it stands the report is whole.
+    The page is self-contained and written last: if it exists, the report is complete.
     ``progress`` is called with (steps done, steps in all, what comes next).
 
     Raises ``RimrollError`` when the folder cannot be written to.

@@ -22,7 +22,7 @@ TILT = np.radians(20.0)
 
 @dataclass(frozen=True)
 class Path:
-    """A motion whose path is drawn, and what the panel says of it."""
+    """A motion whose path is drawn, and the panel's title."""
 
     name: str
     note: str
@@ -35,7 +35,7 @@ class Path:
 
 
 def wobble(yaw_rate: float, spin_ratio: float | None = None, duration: float = 2.0) -> Motion:
-    """The can let go at rest in tilt, with ``yaw_rate`` in units of the steady wobble's.
+    """The can released at rest in tilt, with ``yaw_rate`` in units of the steady wobble's.
 
     ``spin_ratio`` is dθ/dt over dψ/dt; that of the steady wobble, H sin φ/R − cos φ, if not given.
     """
@@ -49,7 +49,7 @@ def wobble(yaw_rate: float, spin_ratio: float | None = None, duration: float = 2
 
 @cache
 def paths() -> tuple[Path, ...]:
-    """What the panels show, in order."""
+    """The paths of the panels, in order."""
     near = [
         Path(
             "near-collision",
@@ -115,10 +115,10 @@ def _caption() -> str:
     rolling, sliding = (np.degrees(paths()[k].motion.turns[1].angle) for k in (6, 7))
     needed = [path.motion.samples(4).friction_ratio.max() for path in paths()]
     return (
-        "The contact point’s path on the table, all to one scale. Let go at a tilt of "
+        "The contact point’s path on the table, all to one scale. Released at a tilt of "
         f"{np.degrees(TILT):.0f}° with the rates of its steady wobble and with others (a–e, "
         f"needing friction up to {max(needed[:5]):.2f}), the can draws circles, petals, and cusps "
-        "where the rolling turns back, dθ/dt = 0: the shapes that Collins, Hall and Hogan "
+        "where the rolling reverses, dθ/dt = 0: the shapes that Collins, Hall and Hogan "
         '(<a href="https://arxiv.org/abs/2302.08335">arXiv 2302.08335</a>) call circular, petaloid '
         "and cusped. From the paper’s start (f, g) the cusps close up: the can stands still on one "
         "point of a circle as large as its rim, then on another "

@@ -20,7 +20,8 @@ SIDEWAYS = np.array([float(f"1e-{power}") for power in range(1, 13)])
 """ψ̇ = θ̇ = ε at the release, rad/s."""
 
 FITTED = 5
-"""The start from which a is taken, ε = 1e-6: above, the law itself errs; below, rounding tells."""
+"""The start to which a is fitted, ε = 1e-6: above it the law is less accurate, below it rounding
+matters."""
 
 
 @dataclass(frozen=True)
@@ -119,12 +120,12 @@ def _caption(approaches: list[Approach]) -> str:
     steps = " or ".join(f"{_steps_per_decade(one):.0f}" for one in approaches)
     smallest, fitted = (style.power_of_ten(float(value)) for value in (last, SIDEWAYS[FITTED]))
     return (
-        f"Turn from tilt maximum to tilt maximum, less its limit, for the paper’s start with "
+        f"Turn from tilt maximum to tilt maximum minus its limit, for the paper’s start with "
         f"ψ̇ = θ̇ = ε from {first:g} to {smallest} rad/s, where {nearest:.1e} rad is left. "
         "The paper states the limit; the law of approach is φ<sub>c</sub>(b ln φ<sub>c</sub> + a), "
         f"its slope b = {laws} in closed form and only a fitted, to the one point ε = {fitted}. "
         "No power of ε does it (b, dotted). "
-        f"A tenfold smaller ε costs {steps} more steps, whatever ε (c)."
+        f"A tenfold smaller ε costs {steps} more steps for every ε (c)."
     ).replace("e-", "e−")
 
 

@@ -1,4 +1,4 @@
-"""Disks against friction: the step of the near-collision is blind to it, the whole turn is not."""
+"""Disks and friction: the step of the near-collision does not depend on it, the whole turn does."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DISKS: dict[str, tuple[Body, float]] = {
 """As wide as the can, each with its k."""
 
 FRICTIONS = np.concatenate([np.linspace(0.0, 0.2, 17), np.linspace(0.25, 1.0, 16)])
-"""Below the disk's 1.118, from which on sliding can meet Painlevé's paradox."""
+"""Below 1.118, above which a sliding disk can meet Painlevé's paradox."""
 
 MARKED = np.linspace(0.0, 1.0, 6)
 
@@ -73,7 +73,7 @@ def whole_turns(disk: str, start: Start) -> Array:
 
 @cache
 def spread_of_the_step() -> float:
-    """How far the step is from its closed form at most, under any of the laws, degrees."""
+    """The largest difference of the step from its closed form, under all laws, degrees."""
     return max(
         abs(step(disk, law, start) - limit(disk))
         for disk in DISKS
@@ -121,11 +121,11 @@ def _caption() -> str:
     disk = whole_turn("uniform disk", 0.8, STARTS[0])
     return (
         "The paper finds the turn of disks independent of the law of friction and its magnitude. "
-        "Of the near-collision that is exactly so: π√(2+k²)/k under every law in the table, to "
+        "For the near-collision this is exact: π√(2+k²)/k under every law in the table, to "
         f"{spread_of_the_step():.0e} degrees. In whole motions (Coulomb; points, ε = "
         f"{style.power_of_ten(CLOSE)} rad/s) the same step is found, but a disk that slides on its "
-        "way down takes slip into the near-collision and spin and slip out of it, and these turn "
-        "it on as it rises: to the next tilt maximum (dashed) the uniform disk let go at "
+        "way down enters the near-collision with slip and leaves it with spin and slip, which turn "
+        "it further as it rises: to the next tilt maximum (dashed) the uniform disk released at "
         f"{STARTS[0].name} turns by {limit('uniform disk'):.2f}° without friction and by "
         f"{disk:.2f}° at μ = 0.8."
     ).replace("e-", "e−")
@@ -149,7 +149,9 @@ def _table() -> Table:
     rocked = STARTS[0]
     head = ["law", *(f"{disk} (degrees)" for disk in DISKS)]
     rows = [[_name(law), *(f"{step(disk, law, rocked):.6f}" for disk in DISKS)] for law in LAWS]
-    text = f"The near-collision alone, ε → 0, as the disk comes down when let go at {rocked.name}."
+    text = (
+        f"The near-collision alone, ε → 0, as the disk comes down when released at {rocked.name}."
+    )
     return Table(text, head, rows)
 
 

@@ -40,7 +40,7 @@ def draw() -> Drawing:
         f"The can of the paper, tipped by {lean:.0f}°, flicked upright at "
         f"{-float(FLICKED.tilt_rate)} rad/s and followed until it lies on its side, "
         f"{motion.t[-1]:.2f} s later; from the side (top) and from above (bottom), as in the "
-        "paper’s schematic. It stands on A, all but slaps the table (within "
+        "paper’s schematic. It stands on A, nearly slaps the table (within "
         f"{nearest:.3f}°), rolls round to B in no time, and falls {rolled:.1f}° from A, not "
         f"opposite. On a table without friction it would fall {slid:.1f}° from A; the paper’s "
         f"experiment found {MEASURED[0][0]}° and {MEASURED[1][0]}°."

@@ -1,4 +1,4 @@
-"""The paper's histogram, computed: its can flicked by an even hand, and by one that twists."""
+"""The paper's histogram, computed: its can flicked by a symmetric hand, and by one that twists."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ LAW = Coulomb(0.12)
 """About what a fit of the measured means and spreads gives (docs/friction-from-falls.md)."""
 
 HANDS = {"an even hand": 0.0, "a hand that twists": -0.5}
-"""Mean twist, rad/s: none, or one that sets left and right apart as was measured."""
+"""Mean twist, rad/s: none, or one that gives the measured difference of left and right."""
 
 TRIALS = 4000
 
 
 @dataclass(frozen=True)
 class Side:
-    """The falls to one side: mean turn and standard deviation, degrees, and the part of all."""
+    """The falls to one side: mean turn and standard deviation, degrees, and the fraction of all."""
 
     mean: float
     deviation: float
@@ -71,12 +71,12 @@ def _caption() -> str:
     return (
         f"{TRIALS} flicks of the can by each of two hands, from 20° ± 2° at 5 ± 0.35 rad/s, with "
         "sideways and twisting rates that scatter by 0.5 rad/s, on a table with dry friction "
-        f"μ = {LAW.friction:g}; beside what the paper measured (mean ± s.d.). An even hand makes "
-        "two humps that are mirror images. One that on average twists the can clockwise by "
-        f"{-HANDS['a hand that twists']:g} rad/s sets them apart as was measured, and sends only "
-        f"{100.0 * twisting['left'].share:.0f} % of the falls to the left; how the 42 falls were "
-        "split the paper does not say. The scatter of the hand was chosen to spread the falls "
-        "about as was measured; μ and the twist are what their means then ask for."
+        f"μ = {LAW.friction:g}; beside the paper’s measurements (mean ± s.d.). A symmetric hand "
+        "makes two humps that are mirror images. One that on average twists the can clockwise by "
+        f"{-HANDS['a hand that twists']:g} rad/s gives the measured difference, and sends only "
+        f"{100.0 * twisting['left'].share:.0f} % of the falls to the left; the paper does not say "
+        "how the 42 falls were split. The scatter of the hand was chosen so that the falls spread "
+        "about as much as the measured ones; then μ and the twist follow from the means."
     )
 
 
@@ -87,7 +87,7 @@ def _table() -> Table:
     ]
     measured = [f"{turn:.1f} ± {deviation:.1f}" for turn, deviation in MEASURED]
     return Table(
-        "Angles of turn, degrees, mean ± s.d. and part of all falls",
+        "Angles of turn, degrees, mean ± s.d. and fraction of all falls",
         ["", "to the left", "to the right"],
         [*rows, ["measured", *measured]],
     )

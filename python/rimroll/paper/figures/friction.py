@@ -113,8 +113,8 @@ def _caption() -> str:
         "Friction over normal force for the rolling can. The paper shows that the ratio stays "
         f"finite although the forces do not (N reaches {peak:.0f} N at ε = 0.005 rad/s); it gives "
         "no formula. The ratio tends to μ* = mHR/(A+mH²) = "
-        f"{needed_friction(setting.CAN):.5f} and keeps that value all through the near-collision, "
-        "the longer (in units of φ<sub>c</sub>/ω) the smaller ε. At the smallest tilt the "
+        f"{needed_friction(setting.CAN):.5f} and keeps that value throughout the near-collision, "
+        "for longer (in units of φ<sub>c</sub>/ω) if ε is smaller. At the smallest tilt the "
         "difference falls like φ<sub>c</sub> ln φ<sub>c</sub> (two constants fitted), to "
         f"{difference[-1]:.0e} of μ* at φ<sub>c</sub> = {min_tilt[-1]:.0e} rad."
     ).replace("e-", "e−")

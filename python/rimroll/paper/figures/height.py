@@ -22,7 +22,7 @@ HEIGHTS = np.concatenate([[1e-9], np.linspace(0.02, 1.0, 50), np.linspace(1.05, 
 
 @dataclass(frozen=True)
 class Thing:
-    """A body with a name, and where its label stands (H/R, degrees) with which end at that spot."""
+    """A body with a name, and the place of its label (H/R, degrees) with its alignment there."""
 
     name: str
     body: Body
@@ -31,7 +31,7 @@ class Thing:
 
 
 def things() -> tuple[Thing, ...]:
-    """What is marked in the figure, in order of height."""
+    """The marked bodies, in order of height."""
     return (
         Thing("disk", bodies.disk(1.0), (0.08, 417.0)),
         Thing("coin (1 euro)", bodies.coin(), (0.40, 413.0)),
@@ -46,7 +46,7 @@ def things() -> tuple[Thing, ...]:
 
 
 def draw() -> Drawing:
-    """Turn against H/R for both laws, with real things and the measured turns."""
+    """Turn against H/R for both laws, with real bodies and the measured turns."""
     with style.figure_style():
         figure = style.page(112.0)
         ax = figure.subplots()
@@ -147,7 +147,7 @@ def _draw_measured(ax: Axes) -> None:
 
 
 def _magnify(ax: Axes) -> None:
-    """Put a lens on the can, with the experiment beside the two laws."""
+    """Magnify the can, with the experiment beside the two laws."""
     lens = ax.inset_axes((0.60, 0.36, 0.39, 0.37), xlim=(0.92, 1.8), ylim=(197.0, 227.0))
     x = setting.CAN.height / setting.CAN.radius
     rolling, sliding = _turns(setting.CAN)
@@ -183,9 +183,9 @@ def _caption() -> str:
     return (
         "Limiting angle of turn against the height of the centre of mass, rolling without slip "
         "(blue) and sliding without friction (vermilion): solid cylinders (full lines, H = L/2), "
-        "thin shells without ends (dashed), and things at hand (dots and squares, joined). "
+        "thin shells without ends (dashed), and everyday bodies (dots and squares, joined). "
         f"As the paper says, both laws agree for disks ({disk:.2f}° solid, {ring:.2f}° for a ring) "
-        f"and tend to 180° for tall things (a beer bottle: {bottle[0]:.1f}° to {bottle[1]:.1f}°). "
+        f"and tend to 180° for tall bodies (a beer bottle: {bottle[0]:.1f}° to {bottle[1]:.1f}°). "
         f"The paper’s measured turns of the can, {left}° ± {spread}° and {right}° ± {wider}° "
         f"(bars: one s.d.), lie between its {rolling:.2f}° and {sliding:.2f}°."
     )

@@ -23,7 +23,7 @@ TRIALS = 42
 """Falls in the paper's histogram."""
 
 NEAR = 20.0
-"""Degrees from 180° within which the measured means and s.d. leave none of the falls."""
+"""No fall is within this distance of 180°, degrees, by the measured means and s.d."""
 
 PLACES = np.arange(0.025, 360.0, 0.05)
 """β, degrees: evenly round the rim, which stands for uniformly at random."""
@@ -39,7 +39,8 @@ ANYWHERE: Chosen = PLACES > 0.0
 
 @dataclass(frozen=True)
 class Spread:
-    """How falls are spread: how far from 180° (mean and s.d., degrees), and which part is near."""
+    """The distribution of falls: distance from 180° (mean and s.d., degrees), and the fraction near
+    it."""
 
     mean: float
     deviation: float
@@ -47,12 +48,12 @@ class Spread:
 
     @property
     def chance_of_none_near(self) -> float:
-        """That of as many falls as were measured none is near 180°."""
+        """The chance that none of as many falls as were measured is near 180°."""
         return float((1.0 - self.near) ** TRIALS)
 
 
 def draw() -> Drawing:
-    """Direction of fall and energy lost against the imperfection's place, and all directions."""
+    """Direction of fall and energy loss against the imperfection's place, and all directions."""
     with style.figure_style():
         figure = style.page(78.0)
         left, middle, right = figure.subplots(1, 3, width_ratios=(1.25, 0.8, 1.1))
@@ -89,7 +90,7 @@ def first_directions(law: Law) -> Array:
 
 
 def kept(law: Law) -> Array:
-    """The part of the energy that is left."""
+    """The fraction of the energy that is left."""
     return np.array([fall.energy_kept_fraction for fall in falls(law)])
 
 
@@ -110,14 +111,14 @@ def lossless_flick(law: Law) -> float:
 
 
 def fastest_flick(law: Law) -> float:
-    """The rate of tipping on arrival, rad/s, with which the rim leaves the table beforehand."""
+    """The rate of tipping on arrival, rad/s, above which the rim leaves the table before."""
     if law == NoSlip():
         return float(lift_off_rate(setting.CAN, setting.GRAVITY))
     return float(np.sqrt(setting.GRAVITY / setting.CAN.height))
 
 
 def topples(law: Law) -> Chosen:
-    """The places whose imperfection leaves some flick enough energy to topple the can."""
+    """The places of imperfections after which some flick has enough energy to topple the can."""
     return lossless_flick(law) / np.sqrt(kept(law)) < fastest_flick(law)
 
 

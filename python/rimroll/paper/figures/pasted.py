@@ -1,4 +1,4 @@
-"""The paper's two motions pasted together, over the motion that was computed."""
+"""The paper's two motions pasted together, compared with the computed motion."""
 
 from __future__ import annotations
 
@@ -143,14 +143,14 @@ def _yaw_law(law: Law) -> tuple[float, float]:
 def _caption() -> str:
     worst = {sideways: errors(NoSlip(), sideways)[2].max() for sideways in SHOWN}
     b, _ = _yaw_law(NoSlip())
-    errors = " and ".join(f"{worst[s]:.4f} rad at ε = {s} rad/s" for s in SHOWN)
+    largest = " and ".join(f"{worst[s]:.4f} rad at ε = {s} rad/s" for s in SHOWN)
     return (
         "The paper describes the motion as an inverted pendulum pasted to a near-collision of a "
         "vastly shorter time-scale, without writing it down. Here is the pasted formula (dashed), "
         "computed from the start alone, over the full motion without slip. "
-        f"Its yaw is off by at most {errors}, where all that is left is the approach to the limit: "
+        f"Its yaw is wrong by at most {largest}, which is the approach to the limit: "
         f"the largest error follows φ<sub>c</sub>(b ln φ<sub>c</sub> + a) with the same "
-        f"b = {b:.4f}; the tilt is good to the order φ<sub>c</sub>²."
+        f"b = {b:.4f}; the tilt’s errors are of the order φ<sub>c</sub>²."
     ).replace(" -", " −")
 
 

@@ -24,7 +24,7 @@ from rimroll.style import superscript
 from rimroll.theory import turn_limit
 
 FRICTION = 0.15
-"""With which the flicked can's near-collision turns by about the measured 213.0 degrees."""
+"""With this friction the flicked can's near-collision turns by about the measured 213.0 degrees."""
 
 LAWS: tuple[Law, ...] = (NoSlip(), Coulomb(FRICTION), Frictionless())
 
@@ -35,26 +35,26 @@ MOST = 1.0
 """Yaw and spin rates of the maps reach this far, rad/s."""
 
 CELLS = 150
-"""Of a map, each way; even, so that no start comes down flat."""
+"""Starts of a map in each direction; even, so that no start comes down flat."""
 
 REACH = 60.0
-"""Of the scale of colours on both sides of 180 degrees."""
+"""Range of the colour scale on both sides of 180 degrees."""
 
 YAW_RATES = np.geomspace(1e-9, MOST, 73)
-"""Of the cut through the maps, to either side, rad/s."""
+"""Range of the cut through the maps, to either side, rad/s."""
 
 ZOOM = 1e-9
-"""Between these yaw rates the cut is drawn as if they were one, rad/s."""
+"""Yaw rates smaller than this are drawn at one place in the cut, rad/s."""
 
 BIN = 2.0
-"""Of the histogram, degrees."""
+"""Width of the histogram's bins, degrees."""
 
 AIMS = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
 """Errors of aim that are marked, degrees."""
 
 
 def name(law: Law) -> str:
-    """A law as the figure names it."""
+    """The name of a law in the figure."""
     return (
         f"dry friction, $μ$ = {FRICTION}"
         if isinstance(law, Coulomb)
@@ -106,8 +106,8 @@ def line(law: Law) -> tuple[Array, Array]:
 def jump(law: Law) -> tuple[float, float]:
     """Directions to which falls to the right and to the left tend, degrees.
 
-    Closed forms for the ideal laws; under friction the can turns on as it rises, and they are those
-    of the smallest rates of the cut.
+    Closed forms for the ideal laws; under friction the can turns further as it rises, and the
+    directions are those at the smallest rates of the cut.
     """
     if isinstance(law, Coulomb):
         right, left = cut(law)[0][len(YAW_RATES) - 1 : len(YAW_RATES) + 1]
@@ -177,7 +177,7 @@ def _draw_sides(ax: Axes) -> None:
 
 
 def _draw_aims(ax: Axes) -> None:
-    """Flicks that miss the middle: the angular velocity of the flick turned about the vertical."""
+    """Flicks with an error of aim: the flick's angular velocity, rotated about the vertical."""
     sideways = FLICK.tilt_rate * np.tan(np.radians(AIMS))
     yaw_rates, spin_rates = sideways / np.tan(FLICK.tilt), -sideways / np.sin(FLICK.tilt)
     ax.plot(yaw_rates, spin_rates, ls="none", marker="+", color="white", ms=5.0, mew=1.0)
@@ -278,12 +278,12 @@ def _caption() -> str:
 
 
 def gap(law: Law) -> float:
-    """How near to 180 degrees a fall of the map comes, degrees."""
+    """The smallest distance of a fall of the map from 180 degrees, degrees."""
     return float(np.nanmin(np.abs(directions(falls(law)) - 180.0)))
 
 
 def _at(yaw_rate: float) -> int:
-    """Where in the cut a yaw rate above 0 stands, rad/s."""
+    """The place of a yaw rate above 0 in the cut, rad/s."""
     return len(YAW_RATES) + int(np.argmin(np.abs(YAW_RATES / yaw_rate - 1.0)))
 
 
@@ -313,7 +313,7 @@ def _numbers_of(law: Law) -> dict[str, object]:
 
 
 def table() -> Table:
-    """Falls to the left ever nearer to the jump, without spin."""
+    """Falls to the left that approach the jump, without spin."""
     head = ["yaw rate (rad/s)"]
     for law in LAWS:
         plain = name(law).replace("$", "")

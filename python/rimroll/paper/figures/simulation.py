@@ -27,7 +27,7 @@ def draw() -> Drawing:
         f"The base comes within {np.degrees(turn.min_tilt):.4f}° of the table and the yaw steps by "
         f"{np.degrees(abs(turn.angle)):.3f}° (limit {limit:.3f}°); the lens in (b) shows it "
         f"smooth, half of it within {1e6 * _half_time(motion):.0f} µs. The normal force peaks at "
-        f"{peak:.0f} N, {weights:.0f} times the weight, yet friction never passes "
+        f"{peak:.0f} N, {weights:.0f} times the weight, yet friction never exceeds "
         f"{motion.friction_ratio.max():.4f} of it: as the paper says, finite friction is enough, "
         f"and μ* = mHR/(A+mH²) = {needed_friction(setting.CAN):.4f} says how much."
     )

@@ -1,4 +1,4 @@
-"""The paper's heuristic: near a collision the lean moves like a particle under a central force."""
+"""The paper's heuristic: near a collision the lean moves like a particle in a central force."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Comparison:
 
     @property
     def difference(self) -> Array:
-        """Full less heuristic yaw, rad."""
+        """Full minus heuristic yaw, rad."""
         return self.yaw - self.heuristic_yaw
 
 
@@ -65,7 +65,7 @@ def compare(law: Law, sideways: float) -> Comparison:
 
 
 def draw() -> Drawing:
-    """The lean's path, the yaw in time, and how the two part."""
+    """The lean's path, the yaw over time, and the difference."""
     with style.figure_style():
         figure = style.page(78.0)
         left, middle, right = figure.subplots(1, 3, width_ratios=(1.3, 0.9, 0.95))
@@ -144,7 +144,7 @@ def _caption() -> str:
         "The paper’s heuristic treats the lean as a plane vector of length φ and direction ψ. "
         "Integrated from the smallest tilt (dashed), it lies on the full motion near the "
         "collision: where a free particle would pass by in a straight line, 180°, the central "
-        "force bends its path on to the limiting angles. The yaws part only like φ<sub>c</sub> "
+        "force bends its path to the limiting angles. The yaws differ only by φ<sub>c</sub> "
         "times a logarithm of the time (c): where the curves end, near a tilt of "
         f"{LARGEST} rad, they differ by {differences} without slip."
     ).replace("e-", "e−")

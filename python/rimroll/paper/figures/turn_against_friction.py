@@ -26,7 +26,7 @@ from rimroll.state import State
 from rimroll.theory import Arrival, arrival, needed_friction, passage, turn_limit
 
 NEEDED = needed_friction(setting.CAN)
-"""μ*, from which on the can rolls through."""
+"""μ*, the smallest friction with which the can rolls through."""
 
 FRICTIONS = np.unique(np.append(np.round(np.linspace(0.0, 0.5, 51), 3), NEEDED + 1e-12))
 """Where the curves are drawn: evenly, and where rolling begins."""
@@ -42,15 +42,15 @@ LYING = 1.5
 
 TILTS = np.concatenate([[0.5], np.arange(2.5, 36.0, 2.5)])
 RATES = -np.concatenate([np.arange(0.0, 6.0, 0.5), np.arange(6.0, 9.3, 0.2)])
-"""Starts whose need of friction is drawn: degrees, below the balance point, and rad/s."""
+"""Starts whose needed friction is drawn: degrees, below the balance point, and rad/s."""
 
 INK = "#00705A"
-"""Of texts about what was measured: the measurements' green, dark enough to read."""
+"""Colour of texts about measurements: their green, dark enough to read."""
 
 
 @dataclass(frozen=True)
 class Start:
-    """A way to let the can go: tilt in degrees, tilt rate in rad/s, and how it is drawn."""
+    """A start of the can: tilt in degrees, tilt rate in rad/s, and its style."""
 
     tilt: float
     tilt_rate: float
@@ -60,12 +60,12 @@ class Start:
 
     @property
     def name(self) -> str:
-        """As a legend names it."""
+        """The name in a legend."""
         return f"{self.tilt:g}°, {self.tilt_rate:g} rad/s".replace("-", "−")
 
     @property
     def marks(self) -> dict[str, Any]:
-        """How its points are drawn."""
+        """The style of its points."""
         return {"marker": self.marker, "color": self.color, "mfc": "white", "ls": "none"}
 
     def state(self, sideways: float = 0.0) -> State:
@@ -114,7 +114,7 @@ def whole_turn(friction: float, start: Start) -> float:
 
 
 def measured_step(one: Motion) -> float:
-    """Turn of a motion's first near-collision, degrees, freed of what comes before and after.
+    """Turn of a motion's first near-collision, degrees, without the parts before and after.
 
     The yaw between equal tilts δ = φ_c^(2/3) falling and rising, far outside the near-collision
     and far below the whole motion. Out there nothing but the tilt acts on w = ψ̇ sin φ: w ~ 1/φ,
@@ -134,14 +134,14 @@ def measured_step(one: Motion) -> float:
 
 @cache
 def friction_for(turn: float, start: Start | None = None) -> float:
-    """The friction with which the near-collision turns the can by so many degrees."""
+    """The friction with which the near-collision turns the can by an angle, degrees."""
     found = brentq(lambda friction: near_collision(friction, start) - turn, 0.0, NEEDED, xtol=1e-7)
     return float(found)
 
 
 @cache
 def friction_for_fall(turn: float) -> tuple[float, ...]:
-    """The frictions with which the flicked can falls over so many degrees from its start."""
+    """The frictions with which the flicked can falls over at an angle from its start, degrees."""
     roots = []
     for k in np.flatnonzero(np.diff(np.sign(whole_turns(FLICKED) - turn))):
         ends = float(FRICTIONS[k]), float(FRICTIONS[k + 1])
@@ -150,7 +150,7 @@ def friction_for_fall(turn: float) -> tuple[float, ...]:
 
 
 def draw() -> Drawing:
-    """The step, the whole turn, the friction that starts need, and what friction leaves behind."""
+    """The step, the whole turn, the friction that starts need, and spin and losses afterwards."""
     with style.figure_style():
         figure = style.page(142.0)
         (step, whole), (need, left) = figure.subplots(2, 2, height_ratios=(1.25, 1.0))
@@ -192,7 +192,7 @@ def _draw_steps(ax: Axes) -> None:
     _draw_frame(ax)
     ax.plot(FRICTIONS, steps(), color=style.THEORY, label="with its rim at rest")
     for start in STARTS:
-        name = f"let go at {start.name}"
+        name = f"released at {start.name}"
         ax.plot(FRICTIONS, steps(start), color=start.color, ls=start.dashes, label=name)
         ax.plot(CHECKED, checks(start), clip_on=False, zorder=4, **start.marks)
     title = "the near-collision alone, $ε$ → 0"
@@ -264,7 +264,7 @@ def _draw_needs(ax: Axes) -> None:
 
 @cache
 def leftovers(start: Start | None = None) -> tuple[Array, Array]:
-    """Spin s/ω and part of the energy lost in the near-collision, at :data:`FRICTIONS`."""
+    """Spin s/ω and fraction of the energy lost in the near-collision, at :data:`FRICTIONS`."""
     spins, losses = [], []
     for friction in map(float, FRICTIONS):
         arriving = Arrival() if start is None else start.arrival(friction)
@@ -300,17 +300,17 @@ def _caption() -> str:
     most = [friction_for(mean, ROCKED) for mean in (left, right)]
     (fall_left,), (fall_right,) = (friction_for_fall(mean) for mean in (left, right))
     return (
-        "What the paper leaves open: dry friction (Coulomb) between its two limits, for its can. "
+        "Dry friction (Coulomb) between the paper’s two limits, which it leaves open, for its can. "
         "(a) From μ* = mHR/(A+mH²) on, the near-collision turns by the no-slip angle if the rim "
-        "comes down at rest, and by the frictionless one at μ = 0. Between, it is a function of μ, "
-        "the body and the slip on arrival, so of the start; points are whole motions at ε = "
+        "comes down at rest, and by the frictionless one at μ = 0. Between, it depends on μ, the "
+        "body and the slip on arrival, and so on the start; points are whole motions at ε = "
         f"{style.power_of_ten(CLOSEST)} rad/s. The measured means (green, ± one s.d.) lie inside: "
         f"{left}° takes μ = {rest[0]:.3f} to {most[0]:.3f}, {right}° takes {rest[1]:.3f} to "
-        f"{most[1]:.3f}. Friction cannot tell left from right: no μ gives one start both. "
-        "(b) Slip leaves spin behind (d), so the can goes on turning as it rises; falls of the "
+        f"{most[1]:.3f}. Friction cannot explain the difference: no μ gives both from one start. "
+        "(b) Slip leaves spin (d), so the can continues to turn as it rises; falls of the "
         f"flicked can by {left}° and {right}° take μ = {fall_left:.3f} and {fall_right:.3f}. "
         "(c) A start rolls down to the table if μ exceeds its number; from μ* on, those below the "
-        "black line then turn by the no-slip angle, however they were let go."
+        "black line then turn by the no-slip angle, whatever the release."
     )
 
 
@@ -345,7 +345,7 @@ def _numbers() -> dict[str, object]:
 
 
 def table() -> Table:
-    """Limiting turns and whole turns for frictions from none to what rolling needs."""
+    """Limiting turns and whole turns for frictions from zero to that needed for rolling."""
     rows = []
     for friction in map(float, [*CHECKED[CHECKED < NEEDED], NEEDED]):
         turns = [near_collision(friction, start) for start in (None, *STARTS)]
