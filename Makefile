@@ -39,7 +39,7 @@ test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the packa
 	tools/test_page.sh
 
 soak: .venv/.extension $(PAGE) ## run all tests, with four times as many random examples, as before a release
-	PROPTEST_CASES=1024 cargo test
+	RIMROLL_CASES=4 cargo test
 	.venv/bin/python -m pytest -m "" --hypothesis-profile soak
 	tools/test_page.sh
 
