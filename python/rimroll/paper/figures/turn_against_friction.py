@@ -192,7 +192,7 @@ def _draw_steps(ax: Axes) -> None:
     _draw_frame(ax)
     ax.plot(FRICTIONS, steps(), color=style.THEORY, label="with its rim at rest")
     for start in STARTS:
-        name = f"released at {start.name}"
+        name = f"let go at {start.name}"
         ax.plot(FRICTIONS, steps(start), color=start.color, ls=start.dashes, label=name)
         ax.plot(CHECKED, checks(start), clip_on=False, zorder=4, **start.marks)
     title = "the near-collision alone, $ε$ → 0"
