@@ -153,7 +153,7 @@ _NAMES = {
         "turn_limit_with_spin",
     ),
 }
-"""What is public, by the module that holds it: a module is loaded when it is first asked for."""
+"""The public names by module; a module is loaded when one of its names is first used."""
 
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 

@@ -1,7 +1,7 @@
 """Everyday bodies.
 
 Each says where its numbers come from. Those made from nominal sizes are typical of their kind, not
-of one specimen: weigh and measure yours, or put it together with :mod:`rimroll.solids`.
+of one specimen: weigh and measure yours, or compose it with :mod:`rimroll.solids`.
 """
 
 from __future__ import annotations

@@ -73,7 +73,7 @@ def optional(field: str, value: object, unit: str = "1") -> float | None:
 
 
 def numbers(field: str, value: object, unit: str = "1") -> NDArray[np.float64]:
-    """A number, or an array of any shape, in an SI unit: a copy that nobody can change.
+    """A number, or an array of any shape, in an SI unit: a read-only copy.
 
     Raises ``RimrollError`` naming the field for anything else, and for a unit of another kind.
     """

@@ -102,7 +102,7 @@ def run(arguments: Sequence[str] | None, begin: Callable[[], object]) -> int:
         raise RimrollError(_one_line(error)) from None
     except typer.Abort:
         raise KeyboardInterrupt from None
-    if code == 130:  # so typer tells of Ctrl-C
+    if code == 130:  # the exit code that typer gives for Ctrl-C
         raise KeyboardInterrupt
     return code or 0
 

@@ -111,7 +111,7 @@ def angle(radians: float) -> str:
 
 
 def _silent(done: int, total: int, what: str) -> None:
-    """A bar that nobody watches."""
+    """A bar without output."""
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""A sheet to print and lay under a can, to read the direction in which it falls.
+"""A sheet to print and put under a can, to read the direction in which it falls.
 
 The page is drawn at true size, on axes that cover it in mm from its lower left corner. Directions
 are counted in degrees anticlockwise as seen from above, from 0 at the foot of the page, toward

@@ -14,7 +14,7 @@ from rimroll.laws.shared import RESTITUTION
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Viscous(Law):
-    """A film of oil: T = −``coefficient`` (N s/m) times the slip, whatever the normal force.
+    """A film of oil: T = −``coefficient`` (N s/m) times the slip, for any normal force.
 
     In the limit of a near-collision, which takes no time, it has no effect. The rim flies and lands
     as under :class:`Coulomb`, but without friction in the impulse.

@@ -1,7 +1,7 @@
 """Zeros of a function of a motion: sampled inside each step, then bracketed and refined.
 
-A step is looked at by the solver's clock, in which the motion is as smooth in a near-collision as
-elsewhere, and by itself: what a landing changes at once is no passage through zero.
+Each step is searched separately, in the solver's time, in which the motion is as smooth in a
+near-collision as elsewhere. A jump in a landing is not a passage through zero.
 """
 
 from __future__ import annotations

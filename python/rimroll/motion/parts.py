@@ -1,4 +1,4 @@
-"""Events, phases and turns, of which a motion consists, and the work of computing it."""
+"""The events, phases and turns of a motion, and the solver's work."""
 
 from __future__ import annotations
 
