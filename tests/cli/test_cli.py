@@ -23,7 +23,7 @@ START = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005
 
 
 @pytest.fixture
-def said(capsys):
+def stdout_of(capsys):
     """Runs a command that must succeed, and returns its stdout."""
 
     def run(arguments):
@@ -40,17 +40,17 @@ def motion():
     return rr.simulate(rr.bodies.can_2007(), START, rr.NoSlip(), gravity=9.8)
 
 
-def test_the_version_is_the_packages(said):
-    assert said("--version") == f"rimroll {rr.__version__}\n"
+def test_the_version_is_the_packages(stdout_of):
+    assert stdout_of("--version") == f"rimroll {rr.__version__}\n"
 
 
-def test_without_a_command_there_is_help(said):
-    assert "Usage: rimroll" in said("")
+def test_without_a_command_there_is_help(stdout_of):
+    assert "Usage: rimroll" in stdout_of("")
 
 
 @pytest.mark.parametrize("command", ["turn", "simulate", "map", "compare", "reproduce", "bodies"])
-def test_each_command_has_help_with_an_example(said, command):
-    text = said(f"{command} --help")
+def test_each_command_has_help_with_an_example(stdout_of, command):
+    text = stdout_of(f"{command} --help")
     assert f"$ rimroll {command}" in text
     assert "Example" in text
 
@@ -59,8 +59,8 @@ def test_each_command_has_help_with_an_example(said, command):
     ("command", "function"),
     [("simulate", rr.simulate), ("turn", rr.simulate), ("topple", rr.topple), ("map", rr.turn_map)],
 )
-def test_the_defaults_in_the_help_are_those_of_python(said, command, function):
-    text = " ".join(said(f"{command} --help").split())
+def test_the_defaults_in_the_help_are_those_of_python(stdout_of, command, function):
+    text = " ".join(stdout_of(f"{command} --help").split())
     usual = inspect.signature(function).parameters
     for option, unit in (("duration", " s"), ("rtol", ""), ("max_steps", "")):
         found = re.search(rf"--{option.replace('_', '-')} [A-Z]+ [^\[]*\[([^\]]+)\]", text)
@@ -68,56 +68,66 @@ def test_the_defaults_in_the_help_are_those_of_python(said, command, function):
         assert float(found[1].removesuffix(unit)) == usual[option].default
 
 
-def test_a_map_and_falls_are_followed_with_the_options_of_python(said):
+def test_a_map_and_falls_are_followed_with_the_options_of_python(stdout_of):
     """A scenario file, which is for one motion, gives neither duration nor accuracy."""
     for command in ("map --friction 0.2 --points 2", "topple -n 2 --seed 1"):
         for file in ("", CAN):
-            told = json.loads(said(f"{command} {file} --json"))["parameters"]
-            assert (told["duration"], told["rtol"], told["max_steps"]) == (10.0, 1e-6, 100_000)
-        told = json.loads(said(f"{command} --duration 3s --max-steps 900 --json"))["parameters"]
-        assert (told["duration"], told["rtol"], told["max_steps"]) == (3.0, 1e-6, 900)
+            parameters = json.loads(stdout_of(f"{command} {file} --json"))["parameters"]
+            assert (parameters["duration"], parameters["rtol"], parameters["max_steps"]) == (
+                10.0,
+                1e-6,
+                100_000,
+            )
+        parameters = json.loads(stdout_of(f"{command} --duration 3s --max-steps 900 --json"))[
+            "parameters"
+        ]
+        assert (parameters["duration"], parameters["rtol"], parameters["max_steps"]) == (
+            3.0,
+            1e-6,
+            900,
+        )
 
 
 @pytest.mark.parametrize("command", ["", *COMMANDS])
-def test_help_fits_into_eighty_columns_with_nothing_cut_off(said, command, monkeypatch):
+def test_help_fits_into_eighty_columns_with_nothing_cut_off(stdout_of, command, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    text = said(f"{command} --help")
+    text = stdout_of(f"{command} --help")
     assert max(map(len, text.splitlines())) <= 80
     assert all(COMMANDS[name] in text for name in COMMANDS if not command or command == name)
 
 
-def test_the_list_of_bodies_says_how_those_of_any_size_are_made(said):
-    text = said("bodies")
+def test_the_list_of_bodies_says_how_those_of_any_size_are_made(stdout_of):
+    text = stdout_of("bodies")
     for made in ("disk --radius LENGTH", "cylinder --radius LENGTH --length LENGTH"):
         assert f"in any size: {made}" in text
     assert "soda_can [--fill PART]" in text
 
 
 @pytest.mark.slow
-def test_the_examples_in_the_help_work(said, monkeypatch, tmp_path):
+def test_the_examples_in_the_help_work(stdout_of, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     Path("examples").symlink_to(Path(CAN).parent)
     for command in ("turn", "simulate", "compare", "bodies"):
-        lines = said(f"{command} --help").splitlines()
+        lines = stdout_of(f"{command} --help").splitlines()
         examples = [line.split("$ rimroll ")[1] for line in lines if "$ rimroll" in line]
         assert examples
         for example in examples:
-            assert said(example)
+            assert stdout_of(example)
 
 
 # turn
 
 
-def test_turn_shows_the_papers_limiting_angles(said):
-    text = said("turn")
+def test_turn_shows_the_papers_limiting_angles(stdout_of):
+    text = stdout_of("turn")
     assert "202.287°" in text and "22.287°" in text  # without slip
     assert "220.969°" in text and "40.969°" in text  # without friction
     assert "0.3558" in text  # the friction needed
 
 
-def test_turn_in_json_is_the_api(said):
+def test_turn_in_json_is_the_api(stdout_of):
     can = rr.bodies.can_2007()
-    answer = json.loads(said("turn can-2007 --json"))
+    answer = json.loads(stdout_of("turn can-2007 --json"))
     assert answer["turn_limit"] == {
         "no_slip": rr.turn_limit(can, rr.NoSlip()),
         "frictionless": rr.turn_limit(can, rr.Frictionless()),
@@ -129,24 +139,24 @@ def test_turn_in_json_is_the_api(said):
     assert answer["motions"] == {}
 
 
-def test_turn_of_one_law_is_that_law_only(said):
-    assert list(json.loads(said("turn --law no-slip --json"))["turn_limit"]) == ["no_slip"]
+def test_turn_of_one_law_is_that_law_only(stdout_of):
+    assert list(json.loads(stdout_of("turn --law no-slip --json"))["turn_limit"]) == ["no_slip"]
 
 
-def test_a_disk_never_lifts_off_which_json_says_as_null(said):
-    answer = json.loads(said("turn disk --radius 4cm --json"))
+def test_a_disk_never_lifts_off_which_json_says_as_null(stdout_of):
+    answer = json.loads(stdout_of("turn disk --radius 4cm --json"))
     assert answer["lift_off_rate"] is None
     assert answer["turn_limit"]["no_slip"] == pytest.approx(np.pi * np.sqrt(5))  # the paper
-    assert "never lifts off" in said("turn disk --radius 4cm")
+    assert "never lifts off" in stdout_of("turn disk --radius 4cm")
 
 
-def test_turn_with_a_start_sets_the_real_turns_beside_the_limit(said, motion):
-    answer = json.loads(said(f"turn {PAPER} --json"))["motions"]["no_slip"]
+def test_turn_with_a_start_sets_the_real_turns_beside_the_limit(stdout_of, motion):
+    answer = json.loads(stdout_of(f"turn {PAPER} --json"))["motions"]["no_slip"]
     assert [turn["angle"] for turn in answer["turns"]] == [turn.angle for turn in motion.turns]
     assert answer["turns"][1]["min_tilt"] == motion.turns[1].min_tilt
     limit = rr.turn_limit(rr.bodies.can_2007(), rr.NoSlip())
     assert answer["turns"][1]["beyond_limit"] == motion.turns[1].angle - limit
-    assert "202.675°" in said(f"turn {PAPER}")
+    assert "202.675°" in stdout_of(f"turn {PAPER}")
 
 
 @pytest.mark.parametrize(
@@ -168,8 +178,8 @@ def test_turn_with_a_start_sets_the_real_turns_beside_the_limit(said, motion):
         (f"coin --scenario {CAN}", rr.bodies.coin()),
     ],
 )
-def test_a_body_is_a_preset_or_a_file_or_five_numbers(said, arguments, body):
-    answer = json.loads(said(f"turn {arguments} --json"))
+def test_a_body_is_a_preset_or_a_file_or_five_numbers(stdout_of, arguments, body):
+    answer = json.loads(stdout_of(f"turn {arguments} --json"))
     assert answer["turn_limit"]["no_slip"] == rr.turn_limit(body, rr.NoSlip())
     assert answer["body"]["mass"] == body.mass
 
@@ -179,22 +189,22 @@ FLICK = rr.State(tilt=np.pi / 6, tilt_rate=-0.5, yaw_rate=1e-5)
 CAN_2007 = rr.bodies.can_2007()
 
 
-def test_turn_with_friction_sets_its_limit_beside_the_ideal_ones(said):
-    answer = json.loads(said("turn --friction 0.2 --json"))
+def test_turn_with_friction_sets_its_limit_beside_the_ideal_ones(stdout_of):
+    answer = json.loads(stdout_of("turn --friction 0.2 --json"))
     assert answer["turn_limit"] == {
         "no_slip": rr.turn_limit(CAN_2007, rr.NoSlip()),
         "frictionless": rr.turn_limit(CAN_2007, rr.Frictionless()),
         "coulomb": rr.turn_limit(CAN_2007, rr.Coulomb(0.2)),
     }
     assert answer["arrivals"] == {} and answer["motions"] == {}
-    text = said("turn --friction 0.2")
+    text = stdout_of("turn --friction 0.2")
     assert "coulomb, friction 0.2" in text and "no-slip" in text
     assert "What depends on the arrival" in text
 
 
-def test_turn_with_friction_and_a_start_has_the_limit_of_its_arrival(said):
+def test_turn_with_friction_and_a_start_has_the_limit_of_its_arrival(stdout_of):
     arrival = rr.arrival(CAN_2007, FLICK, rr.Coulomb(0.2))
-    answer = json.loads(said(f"turn {FRICTION} --json"))
+    answer = json.loads(stdout_of(f"turn {FRICTION} --json"))
     assert answer["arrivals"]["coulomb"] == {
         "turn_limit": rr.turn_limit(CAN_2007, rr.Coulomb(0.2), arrival),
         "tipping_rate": arrival.tipping_rate,
@@ -204,23 +214,23 @@ def test_turn_with_friction_and_a_start_has_the_limit_of_its_arrival(said):
     }
     assert list(answer["motions"]) == ["coulomb"]
     assert "beyond_limit" not in answer["motions"]["coulomb"]["turns"][0]
-    text = said(f"turn {FRICTION}")
+    text = stdout_of(f"turn {FRICTION}")
     assert "210.784°" in text  # from this start
     assert "209.800°" in text  # arriving without slip
     assert "slipping outward at 3.05 cm/s" in " ".join(text.split())
 
 
-def test_turn_with_friction_says_of_what_its_limit_is_as_compare_does(said):
+def test_turn_with_friction_says_of_what_its_limit_is_as_compare_does(stdout_of):
     alone = "limit: the turn of the near-collision alone as the sideways push goes to 0"
     other = "slip before and after it changes the turn, too"
     for command in ("turn --friction 0.2", f"turn {FRICTION}", "compare --on 0.2"):
-        text = " ".join(said(command).split())
+        text = " ".join(stdout_of(command).split())
         assert alone in text and other in text
-    assert "alone" not in said("turn")  # the ideal limits are those of every start
+    assert "alone" not in stdout_of("turn")  # the ideal limits are those of every start
 
 
-def test_turn_from_a_start_that_topples_still_has_the_ideal_limits(said):
-    text = said("turn --friction 0.2 --tilt 50deg")
+def test_turn_from_a_start_that_topples_still_has_the_ideal_limits(stdout_of):
+    text = stdout_of("turn --friction 0.2 --tilt 50deg")
     assert "202.287°" in text and "209.800°" in text
     assert "this start has no near-collision" in text
 
@@ -258,9 +268,9 @@ def test_turn_from_a_start_that_topples_still_has_the_ideal_limits(said):
         ("--air-drag film", rr.NoSlip() + rr.AirDrag.film(0.051)),
     ],
 )
-def test_options_are_the_laws_of_the_api(said, arguments, law):
+def test_options_are_the_laws_of_the_api(stdout_of, arguments, law):
     start = "--tilt 30deg --yaw-rate 0.005 --duration 50ms"
-    parameters = json.loads(said(f"simulate {start} {arguments} --json"))["parameters"]
+    parameters = json.loads(stdout_of(f"simulate {start} {arguments} --json"))["parameters"]
     assert parameters["law"] == law.name
     given = {name: value for name, value in parameters.items() if name.startswith("law_")}
     assert given == {f"law_{name}": value for name, value in law.numbers.items()}
@@ -290,29 +300,29 @@ def sticky(tmp_path):
         ("--rolling-resistance 0", rr.Coulomb(0.2, 0.3) + rr.RollingResistance(0.0)),
     ],
 )
-def test_options_replace_the_numbers_of_a_files_law(said, sticky, arguments, law):
-    parameters = json.loads(said(f"simulate {sticky} {arguments} --json"))["parameters"]
+def test_options_replace_the_numbers_of_a_files_law(stdout_of, sticky, arguments, law):
+    parameters = json.loads(stdout_of(f"simulate {sticky} {arguments} --json"))["parameters"]
     assert parameters["law"] == law.name
     given = {name: value for name, value in parameters.items() if name.startswith("law_")}
     assert given == {f"law_{name}": value for name, value in law.numbers.items()}
 
 
-def test_turn_of_a_file_with_friction_shows_its_limit(said, sticky):
-    assert "coulomb, friction 0.2, static 0.3" in said(f"turn {sticky}")
+def test_turn_of_a_file_with_friction_shows_its_limit(stdout_of, sticky):
+    assert "coulomb, friction 0.2, static 0.3" in stdout_of(f"turn {sticky}")
 
 
 # simulate
 
 
-def test_simulate_tells_how_it_ended_its_turns_and_its_events(said):
-    text = said(f"simulate {PAPER}")
+def test_simulate_tells_how_it_ended_its_turns_and_its_events(stdout_of):
+    text = stdout_of(f"simulate {PAPER}")
     assert "202.675°" in text
     assert "followed for the whole 2 s" in text
     assert "3 tilt min, 3 tilt max" in text
 
 
-def test_simulate_in_json_is_the_api(said, motion):
-    answer = json.loads(said(f"simulate {PAPER} --json"))
+def test_simulate_in_json_is_the_api(stdout_of, motion):
+    answer = json.loads(stdout_of(f"simulate {PAPER} --json"))
     assert answer["status"] == motion.status
     assert [turn["angle"] for turn in answer["turns"]] == [turn.angle for turn in motion.turns]
     assert [event["t"] for event in answer["events"]] == [event.t for event in motion.events]
@@ -320,9 +330,9 @@ def test_simulate_in_json_is_the_api(said, motion):
     assert answer["parameters"]["duration"] == 2.0
 
 
-def test_options_replace_what_a_scenario_file_says(said):
+def test_options_replace_what_a_scenario_file_says(stdout_of):
     answer = json.loads(
-        said(f"simulate {CAN} --duration 1s --tilt 20deg --law frictionless --json")
+        stdout_of(f"simulate {CAN} --duration 1s --tilt 20deg --law frictionless --json")
     )
     parameters = answer["parameters"]
     assert parameters["duration"] == 1.0
@@ -332,10 +342,10 @@ def test_options_replace_what_a_scenario_file_says(said):
     assert parameters["gravity"] == 9.8
 
 
-def test_a_motion_that_topples_or_meets_the_table_flat_says_so(said):
-    assert "toppled" in said("simulate --tilt 40deg --yaw-rate 1")
-    assert "face down" in said("simulate --tilt 30deg")
-    assert json.loads(said("simulate --tilt 30deg --json"))["status"] == "face_down"
+def test_a_motion_that_topples_or_meets_the_table_flat_says_so(stdout_of):
+    assert "toppled" in stdout_of("simulate --tilt 40deg --yaw-rate 1")
+    assert "face down" in stdout_of("simulate --tilt 30deg")
+    assert json.loads(stdout_of("simulate --tilt 30deg --json"))["status"] == "face_down"
 
 
 def test_a_solver_that_gives_up_is_exit_code_1(capsys):
@@ -343,9 +353,9 @@ def test_a_solver_that_gives_up_is_exit_code_1(capsys):
     assert "after 5 steps, the most that are allowed" in capsys.readouterr().out
 
 
-def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
+def test_csv_keeps_every_bit_and_every_parameter(stdout_of, motion, tmp_path):
     path = tmp_path / "can.csv"
-    said(f"simulate {PAPER} -o {path}")
+    stdout_of(f"simulate {PAPER} -o {path}")
     lines = path.read_text().splitlines()
     comments = [line for line in lines if line.startswith("#")]
     assert "# body_mass = 0.07" in comments
@@ -363,9 +373,9 @@ def test_csv_keeps_every_bit_and_every_parameter(said, motion, tmp_path):
     assert lines[0] == header and lines[-len(comments) :] == comments
 
 
-def test_netcdf_opens_again_as_the_same_dataset(said, motion, tmp_path):
+def test_netcdf_opens_again_as_the_same_dataset(stdout_of, motion, tmp_path):
     path = tmp_path / "can.nc"
-    said(f"simulate {PAPER} -o {path}")
+    stdout_of(f"simulate {PAPER} -o {path}")
     with xr.open_dataset(path) as read:
         assert read.drop_vars(["phase_kind", "phase_start", "phase_end"]).equals(motion.to_xarray())
         assert read["tilt"].attrs["units"] == "rad"
@@ -373,31 +383,31 @@ def test_netcdf_opens_again_as_the_same_dataset(said, motion, tmp_path):
         assert read.attrs["duration"] == 2.0
 
 
-def test_json_files_also_have_the_samples(said, motion, tmp_path):
+def test_json_files_also_have_the_samples(stdout_of, motion, tmp_path):
     path = tmp_path / "can.json"
-    said(f"simulate {PAPER} -o {path}")
+    stdout_of(f"simulate {PAPER} -o {path}")
     read = json.loads(path.read_text())
     assert read["samples"]["yaw"] == motion.yaw.tolist()
     assert read["units"]["yaw"] == "rad"
     assert read["parameters"]["body"] == "can_2007"
 
 
-def test_simulate_with_friction_tells_phases_and_losses(said):
+def test_simulate_with_friction_tells_phases_and_losses(stdout_of):
     motion = rr.simulate(CAN_2007, FLICK, rr.Coulomb(0.3))
     rolling = [phase for phase in motion.phases if phase.kind == "rolling"]
     sliding = [phase for phase in motion.phases if phase.kind == "sliding"]
-    text = said(f"simulate {FRICTION} --friction 0.3")
+    text = stdout_of(f"simulate {FRICTION} --friction 0.3")
     assert f"phases: {len(rolling)} rolling" in text and f"{len(sliding)} sliding" in text
     assert f"lost {1e3 * motion.friction_loss[-1]:.4g} mJ to friction" in text
     assert f"{len(rolling) - 1} stick" in text
-    rolled = said(f"simulate {PAPER}")
+    rolled = stdout_of(f"simulate {PAPER}")
     assert "phases" not in rolled and "lost" not in rolled
 
 
-def test_files_have_the_phases_the_losses_and_repeated_times(said, tmp_path):
+def test_files_have_the_phases_the_losses_and_repeated_times(stdout_of, tmp_path):
     motion = rr.simulate(CAN_2007, FLICK, rr.Coulomb(0.3))
     files = [tmp_path / f"can.{suffix}" for suffix in ("csv", "nc", "json")]
-    said(f"simulate {FRICTION} --friction 0.3 " + " ".join(f"-o {file}" for file in files))
+    stdout_of(f"simulate {FRICTION} --friction 0.3 " + " ".join(f"-o {file}" for file in files))
     changes = len(motion.phases) - 1
     assert changes > 0
 
@@ -432,9 +442,9 @@ def test_files_have_the_phases_the_losses_and_repeated_times(said, tmp_path):
         ("--every 3s", [0.0]),
     ],
 )
-def test_points_can_be_evenly_spaced_in_every_table(said, motion, tmp_path, spacing, t):
+def test_points_can_be_evenly_spaced_in_every_table(stdout_of, motion, tmp_path, spacing, t):
     files = [tmp_path / f"can.{suffix}" for suffix in ("csv", "nc", "json")]
-    said(f"simulate {PAPER} {spacing} " + " ".join(f"-o {file}" for file in files))
+    stdout_of(f"simulate {PAPER} {spacing} " + " ".join(f"-o {file}" for file in files))
     expected = motion(np.asarray(t)).yaw
     assert np.array_equal(np.loadtxt(files[0], delimiter=",", skiprows=1, ndmin=2)[:, 3], expected)
     with xr.open_dataset(files[1]) as read:
@@ -443,8 +453,8 @@ def test_points_can_be_evenly_spaced_in_every_table(said, motion, tmp_path, spac
 
 
 @pytest.mark.parametrize(("name", "begins"), [("can.svg", b"<?xml"), ("can.gif", b"GIF89a")])
-def test_figures_and_films_are_written_by_their_suffix(said, tmp_path, name, begins):
-    said(f"simulate {PAPER} --duration 20ms -o {tmp_path / name}")
+def test_figures_and_films_are_written_by_their_suffix(stdout_of, tmp_path, name, begins):
+    stdout_of(f"simulate {PAPER} --duration 20ms -o {tmp_path / name}")
     assert (tmp_path / name).read_bytes().startswith(begins)
     assert [path.name for path in tmp_path.iterdir()] == [name]
 
@@ -452,8 +462,8 @@ def test_figures_and_films_are_written_by_their_suffix(said, tmp_path, name, beg
 # compare
 
 
-def test_compare_shows_the_papers_flick_on_ice_wood_and_rubber(said):
-    lines = said(f"compare {PAPER.removesuffix(' --gravity 9.8')}").splitlines()
+def test_compare_shows_the_papers_flick_on_ice_wood_and_rubber(stdout_of):
+    lines = stdout_of(f"compare {PAPER.removesuffix(' --gravity 9.8')}").splitlines()
     ice, wood, rubber = (
         next(line for line in lines if line.startswith(name)) for name in ("ice", "wood", "rubber")
     )
@@ -463,8 +473,10 @@ def test_compare_shows_the_papers_flick_on_ice_wood_and_rubber(said):
     assert any("rolling needs friction 0.2516 while tipping, 0.3558" in line for line in lines)
 
 
-def test_compare_in_json_is_the_api(said):
-    answer = json.loads(said(f"compare {FRICTION[15:]} --on ice,0.2,no-slip,frictionless --json"))
+def test_compare_in_json_is_the_api(stdout_of):
+    answer = json.loads(
+        stdout_of(f"compare {FRICTION[15:]} --on ice,0.2,no-slip,frictionless --json")
+    )
     laws = [rr.Coulomb(0.03), rr.Coulomb(0.2), rr.NoSlip(), rr.Frictionless()]
     assert [one["table"] for one in answer["outcomes"]] == ["ice", "0.2", "no-slip", "frictionless"]
     for one, law in zip(answer["outcomes"], laws, strict=True):
@@ -480,33 +492,35 @@ def test_compare_in_json_is_the_api(said):
     assert [one["slips"] for one in answer["outcomes"]] == [True, True, False, True]
 
 
-def test_compare_takes_a_files_body_and_start_and_resistances_but_not_its_friction(said, sticky):
-    answer = json.loads(said(f"compare {sticky} --on 0.5 --json"))["outcomes"][0]["parameters"]
+def test_compare_takes_a_files_body_and_start_and_resistances_but_not_its_friction(
+    stdout_of, sticky
+):
+    answer = json.loads(stdout_of(f"compare {sticky} --on 0.5 --json"))["outcomes"][0]["parameters"]
     assert answer["start_tilt_rate"] == 0.0 and answer["duration"] == 0.05
     assert (answer["law_friction"], answer["law_rolling_dry"]) == (0.5, 1e-6)
     assert "law_static" not in answer
 
 
-def test_compare_takes_a_files_law_as_one_more_table(said, sticky):
+def test_compare_takes_a_files_law_as_one_more_table(stdout_of, sticky):
     of_file = rr.Coulomb(0.2, 0.3) + rr.RollingResistance(1e-6)
     for options, names in (("", "ice wood rubber file"), ("--on file,0.5", "file 0.5")):
-        outcomes = json.loads(said(f"compare {sticky} {options} --json"))["outcomes"]
+        outcomes = json.loads(stdout_of(f"compare {sticky} {options} --json"))["outcomes"]
         assert [one["table"] for one in outcomes] == names.split()
         (parameters,) = [one["parameters"] for one in outcomes if one["table"] == "file"]
         given = {name[4:]: value for name, value in parameters.items() if name.startswith("law_")}
         assert given == of_file.numbers
-    last = json.loads(said(f"compare {sticky} --restitution 1 --json"))["outcomes"][-1]
+    last = json.loads(stdout_of(f"compare {sticky} --restitution 1 --json"))["outcomes"][-1]
     assert last["table"] == "file" and last["parameters"]["law_restitution"] == 1.0
 
 
-def test_compare_of_a_file_on_wood_has_wood_once(said, tmp_path):
+def test_compare_of_a_file_on_wood_has_wood_once(stdout_of, tmp_path):
     path = tmp_path / "wood.toml"
     path.write_text('[body]\npreset = "can_2007"\n[law]\nsurface = "wood"\n')
-    outcomes = json.loads(said(f"compare {path} --json"))["outcomes"]
+    outcomes = json.loads(stdout_of(f"compare {path} --json"))["outcomes"]
     assert [one["table"] for one in outcomes] == ["ice", "wood", "rubber"]
 
 
-def test_compare_tells_where_a_table_of_friction_begins_to_slip(said, tmp_path):
+def test_compare_tells_where_a_table_of_friction_begins_to_slip(stdout_of, tmp_path):
     """The can needs 0.2516 while it tips and 0.3558 in the near-collision."""
     path = tmp_path / "table.toml"
     slips = []
@@ -516,14 +530,16 @@ def test_compare_tells_where_a_table_of_friction_begins_to_slip(said, tmp_path):
             'yaw_rate = 0.005\nspin_rate = 0.005\n[law]\nkind = "tabulated"\n'
             f"speeds = [0, 1]\nfrictions = [0.2, 0.1]\nstatic = {static}\n"
         )
-        (row,) = [line for line in said(f"compare {path} --on file").splitlines() if "%" in line]
+        (row,) = [
+            line for line in stdout_of(f"compare {path} --on file").splitlines() if "%" in line
+        ]
         assert row.startswith("file   0.1 to 0.2 ")
         slips.append(row.split()[6])
     assert slips == ["tipping", "collision", "nowhere"]
 
 
-def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(said):
-    text = said("compare --tilt 50deg")
+def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(stdout_of):
+    text = stdout_of("compare --tilt 50deg")
     assert text.count("toppled") == 3
     assert text.count("past the balance tilt of this body, 36.47°") == 1
     assert " rad " not in text and "try --tilt 18deg" in text
@@ -531,21 +547,21 @@ def test_compare_of_a_flick_that_topples_says_so_once_and_in_degrees(said):
 
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
 @pytest.mark.slow
-def test_compare_draws_itself(said, tmp_path, suffix):
+def test_compare_draws_itself(stdout_of, tmp_path, suffix):
     path = tmp_path / f"compare.{suffix}"
-    assert f"wrote {path}" in said(f"compare --on 0.1,rubber -o {path}")
+    assert f"wrote {path}" in stdout_of(f"compare --on 0.1,rubber -o {path}")
     assert path.read_bytes()[:4] in (b"<?xm", b"\x89PNG", b"%PDF")
 
 
 # bodies and reproduce
 
 
-def test_bodies_lists_every_preset_with_its_numbers_and_origin(said):
-    text = said("bodies")
+def test_bodies_lists_every_preset_with_its_numbers_and_origin(stdout_of):
+    text = stdout_of("bodies")
     for name in rr.bodies.PRESETS:
         assert name in text
     assert "Quantitative comparisons" in text
-    listed = json.loads(said("bodies --json"))["bodies"]
+    listed = json.loads(stdout_of("bodies --json"))["bodies"]
     assert listed["coin"]["mass"] == 0.0075
     assert listed["cylinder"]["arguments"] == ["radius", "length"]
 
@@ -564,13 +580,13 @@ def short_report(monkeypatch):
     monkeypatch.setattr("rimroll.paper.report.reproduce", reproduce)
 
 
-def test_reproduce_says_last_where_the_report_is(said, short_report, monkeypatch, tmp_path):
+def test_reproduce_says_last_where_the_report_is(stdout_of, short_report, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
-    text = said("reproduce")
+    text = stdout_of("reproduce")
     page = tmp_path / "out" / "paper" / "index.html"
     assert text.splitlines()[-1] == f"The report is at {page}"
     assert page.read_text() == "whole"
-    assert json.loads(said("reproduce -o elsewhere --json")) == {
+    assert json.loads(stdout_of("reproduce -o elsewhere --json")) == {
         "report": str(tmp_path / "elsewhere" / "index.html")
     }
 
@@ -591,12 +607,12 @@ QUICK = {
 """Commands, and packages that they do not need, besides xarray and pandas."""
 
 
-@pytest.mark.parametrize("asked", QUICK)
+@pytest.mark.parametrize("command", QUICK)
 @pytest.mark.slow
-def test_a_command_loads_nothing_slow_that_it_has_no_use_for(asked, tmp_path):
-    unused = ["xarray", "pandas", "pint", *QUICK[asked].split()]
+def test_a_command_loads_nothing_slow_that_it_has_no_use_for(command, tmp_path):
+    unused = ["xarray", "pandas", "pint", *QUICK[command].split()]
     script = (
-        f"import sys; from rimroll.cli import main; assert main({asked.split()}) == 0;"
+        f"import sys; from rimroll.cli import main; assert main({command.split()}) == 0;"
         f" print([name for name in {unused} if name in sys.modules])"
     )
     run = subprocess.run(

@@ -78,8 +78,8 @@ def test_what_topple_says_fit_reads(monkeypatch, capfdbinary):
         )
         == 0
     )
-    told = capfdbinary.readouterr().out
-    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(told)))
+    written = capfdbinary.readouterr().out
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(written)))
     assert main(["fit", "-", "--release", "paper", "--json"]) == 0
     assert json.loads(capfdbinary.readouterr().out)["falls"] == 40
 
@@ -93,7 +93,7 @@ def test_what_topple_says_fit_reads(monkeypatch, capfdbinary):
         ("simulate --json -o none/can.csv", "there is no folder none"),
     ],
 )
-def test_where_json_is_asked_for_errors_are_json_too(capsys, command, says):
+def test_with_json_errors_are_json_too(capsys, command, says):
     assert main(command.split()) == 2
     captured = capsys.readouterr()
     assert captured.out == "" and captured.err.count("\n") == 1
@@ -207,9 +207,9 @@ def test_an_ignored_ctrl_c_stays_ignored_while_modules_are_loaded():
 
 def test_a_shell_can_complete_commands_and_bodies():
     for words, found in (("rimroll tu", "turn"), ("rimroll turn soda", "soda_can")):
-        asked = {"_RIMROLL_COMPLETE": "complete_bash", "COMP_WORDS": words}
+        request = {"_RIMROLL_COMPLETE": "complete_bash", "COMP_WORDS": words}
         count = {"COMP_CWORD": str(len(words.split()) - 1)}
         done = subprocess.run(
-            script(), env={**os.environ, **asked, **count}, capture_output=True, text=True
+            script(), env={**os.environ, **request, **count}, capture_output=True, text=True
         )
         assert done.stdout.split() == [found], done.stderr

@@ -16,7 +16,7 @@ from rimroll.cli import main, screen
 
 
 @pytest.fixture
-def said(capsys):
+def stdout_of(capsys):
     """Runs a command that must succeed, and returns its stdout."""
 
     def run(arguments):
@@ -27,9 +27,9 @@ def said(capsys):
 
 
 @pytest.mark.parametrize("name", sorted(bodies.PRESETS))
-def test_compare_and_simulate_need_no_start_for_any_body(said, name):
-    compared = json.loads(said(f"compare {name} --json"))["outcomes"]
-    followed = json.loads(said(f"simulate {name} --json"))
+def test_compare_and_simulate_need_no_start_for_any_body(stdout_of, name):
+    compared = json.loads(stdout_of(f"compare {name} --json"))["outcomes"]
+    followed = json.loads(stdout_of(f"simulate {name} --json"))
     balance = rr.balance_tilt(bodies.by_name(name))
     for one in compared:
         assert one["parameters"]["start_tilt"] == pytest.approx(0.5 * balance)
@@ -39,29 +39,33 @@ def test_compare_and_simulate_need_no_start_for_any_body(said, name):
     assert followed["status"] == "finished" and len(followed["turns"]) > 1
 
 
-def test_a_tilt_alone_is_compared_with_a_push_and_simulated_as_it_is(said):
-    start = json.loads(said("compare --tilt 20deg --json"))["outcomes"][0]["parameters"]
+def test_a_tilt_alone_is_compared_with_a_push_and_simulated_as_it_is(stdout_of):
+    start = json.loads(stdout_of("compare --tilt 20deg --json"))["outcomes"][0]["parameters"]
     assert start["start_tilt"] == math.radians(20.0) and start["start_yaw_rate"] != 0.0
-    start = json.loads(said("compare --spin-rate 0.1 --json"))["outcomes"][0]["parameters"]
+    start = json.loads(stdout_of("compare --spin-rate 0.1 --json"))["outcomes"][0]["parameters"]
     assert (start["start_yaw_rate"], start["start_spin_rate"]) == (0.0, 0.1)
-    assert json.loads(said("simulate --tilt 20deg --json"))["status"] == "face_down"
+    assert json.loads(stdout_of("simulate --tilt 20deg --json"))["status"] == "face_down"
 
 
 @pytest.mark.parametrize("body", ["soda_can", "beer_bottle", "battery", "can_2007", "coin"])
 @pytest.mark.parametrize("tilt", [5, 20, 40, 70, 85])
-def test_no_loss_is_above_what_there_is_to_lose(said, body, tilt):
-    for one in json.loads(said(f"compare {body} --tilt {tilt}deg --json"))["outcomes"]:
+def test_no_loss_is_above_what_there_is_to_lose(stdout_of, body, tilt):
+    for one in json.loads(stdout_of(f"compare {body} --tilt {tilt}deg --json"))["outcomes"]:
         assert -1e-9 < one["energy_lost_fraction"] <= 1.0 + 1e-9
         assert one["energy_available"] >= one["energy_at_start"]
 
 
 @pytest.mark.parametrize("command", ["simulate", "turn"])
-def test_a_start_past_the_balance_tilt_is_said_to_be_so_in_degrees(said, command):
-    text = " ".join(said(f"{command} beer_bottle --tilt 20deg --yaw-rate 1 --law no-slip").split())
+def test_a_start_past_the_balance_tilt_is_reported_in_degrees(stdout_of, command):
+    text = " ".join(
+        stdout_of(f"{command} beer_bottle --tilt 20deg --yaw-rate 1 --law no-slip").split()
+    )
     assert "toppled: the tilt reached 90.000°" in text and " rad at" not in text
     assert "the start at 20° is past the balance tilt of this body, 17.05°" in text
     assert "try --tilt 8.5deg" in text
-    assert "past the balance tilt" not in said(f"{command} beer_bottle --tilt 8.5deg --yaw-rate 1")
+    assert "past the balance tilt" not in stdout_of(
+        f"{command} beer_bottle --tilt 8.5deg --yaw-rate 1"
+    )
 
 
 FALLS = str(Path(__file__).parents[2] / "examples" / "falls_of_the_paper.csv")
@@ -69,13 +73,13 @@ PAST = "the start at 40° is past the balance tilt of this body, 24.95°"
 
 
 @pytest.mark.parametrize("command", ["topple soda_can --seed 1", "map soda_can --points 4"])
-def test_many_falls_from_past_the_balance_tilt_are_said_to_start_there(said, command):
-    text = " ".join(said(f"{command} --tilt 40deg --tilt-rate -1").split())
+def test_many_falls_from_past_the_balance_tilt_are_reported(stdout_of, command):
+    text = " ".join(stdout_of(f"{command} --tilt 40deg --tilt-rate -1").split())
     assert f"{PAST}, and -1 rad/s is too slow to bring it back, so it falls over" in text
     assert "try --tilt 12deg" in text
-    assert "balance tilt" not in said(f"{command} --tilt 12deg --tilt-rate -1")
+    assert "balance tilt" not in stdout_of(f"{command} --tilt 12deg --tilt-rate -1")
     # A flick that brings the body back past its balance tilt is a valid start.
-    assert "balance tilt" not in said(f"{command} --tilt 40deg --tilt-rate -4")
+    assert "balance tilt" not in stdout_of(f"{command} --tilt 40deg --tilt-rate -4")
 
 
 @pytest.mark.parametrize(
@@ -88,25 +92,27 @@ def test_many_falls_from_past_the_balance_tilt_are_said_to_start_there(said, com
         ("simulate --tilt 20deg", "face_down", "1 face down"),
     ],
 )
-def test_an_ending_has_one_name_in_json_and_one_wording_on_the_screen(said, command, name, words):
-    text = said(command)
+def test_an_ending_has_one_name_in_json_and_one_wording_on_the_screen(
+    stdout_of, command, name, words
+):
+    text = stdout_of(command)
     assert words in text
     assert name not in text and name.replace("_", "-") not in text
-    assert f'"{name}"' in said(f"{command} --json")
+    assert f'"{name}"' in stdout_of(f"{command} --json")
 
 
 @pytest.mark.slow
-def test_a_fit_of_flicks_from_past_the_balance_tilt_is_said_to_be_one(said):
+def test_a_fit_of_flicks_from_past_the_balance_tilt_is_reported(stdout_of):
     fit = f"fit {FALLS} --body soda_can --tilt-rate-error 0"
-    assert PAST in " ".join(said(f"{fit} --tilt 40deg --tilt-rate -1").split())
-    assert "balance tilt" not in said(f"{fit} --tilt 12deg")
+    assert PAST in " ".join(stdout_of(f"{fit} --tilt 40deg --tilt-rate -1").split())
+    assert "balance tilt" not in stdout_of(f"{fit} --tilt 12deg")
 
 
 @pytest.mark.parametrize("command", ["simulate", "turn"])
-def test_a_flick_back_over_the_balance_tilt_is_not_said_to_fall_over(said, command):
+def test_a_flick_back_over_the_balance_tilt_is_not_reported_to_fall_over(stdout_of, command):
     fast = "--tilt 40deg --tilt-rate -4.27 --yaw-rate 0.1 --law no-slip"
-    assert "toppled" in said(f"{command} soda_can {fast}")
-    assert "balance tilt of" not in said(f"{command} soda_can {fast}")
+    assert "toppled" in stdout_of(f"{command} soda_can {fast}")
+    assert "balance tilt of" not in stdout_of(f"{command} soda_can {fast}")
 
 
 @pytest.mark.parametrize(
@@ -122,15 +128,15 @@ def test_a_flick_back_over_the_balance_tilt_is_not_said_to_fall_over(said, comma
         "bodies",
     ],
 )
-def test_what_a_command_says_fits_into_eighty_columns(said, command):
-    assert max(map(len, said(command).splitlines())) <= 80
+def test_what_a_command_says_fits_into_eighty_columns(stdout_of, command):
+    assert max(map(len, stdout_of(command).splitlines())) <= 80
 
 
 @pytest.mark.parametrize("command", ["simulate", "turn"])
-def test_where_the_rim_lifts_off_another_friction_is_proposed_and_helps(said, command):
-    text = " ".join(said(f"{command} coin --tilt 60deg --yaw-rate 1deg/s").split())
+def test_where_the_rim_lifts_off_another_friction_is_proposed_and_helps(stdout_of, command):
+    text = " ".join(stdout_of(f"{command} coin --tilt 60deg --yaw-rate 1deg/s").split())
     assert "try --law coulomb --friction 0.3" in text
-    text = said(f"{command} coin --tilt 60deg --yaw-rate 1deg/s --friction 0.3")
+    text = stdout_of(f"{command} coin --tilt 60deg --yaw-rate 1deg/s --friction 0.3")
     assert "followed for the whole 2 s" in text and "try --" not in text
 
 
@@ -142,12 +148,14 @@ def test_where_the_rim_lifts_off_another_friction_is_proposed_and_helps(said, co
     ],
 )
 @pytest.mark.parametrize("command", ["simulate {} --law", "turn {} --law", "compare {} --on"])
-def test_the_friction_that_a_command_proposes_is_one_that_it_takes(said, command, law, start):
+def test_the_friction_that_a_command_proposes_is_one_that_it_takes(stdout_of, command, law, start):
     command = f"{command.format(start)} {law}"
-    proposed = re.search(r"try (--law coulomb |)(--\S+ [\d.]+)", " ".join(said(command).split()))
+    proposed = re.search(
+        r"try (--law coulomb |)(--\S+ [\d.]+)", " ".join(stdout_of(command).split())
+    )
     assert proposed
     # Where an option is given twice the last one counts.
-    assert "leaves the table" not in said(f"{command} {proposed[1]}{proposed[2]}")
+    assert "leaves the table" not in stdout_of(f"{command} {proposed[1]}{proposed[2]}")
 
 
 def test_a_wide_table_is_not_cut_where_it_is_not_shown_on_a_terminal(monkeypatch, capsys):
