@@ -9,6 +9,7 @@ mod double;
 mod dual;
 mod elementary;
 mod fieldwise;
+mod kernel;
 mod lanes;
 mod register;
 mod widest;
@@ -20,11 +21,14 @@ pub(crate) use elementary::{FloatBits, approx_acosh, approx_asinh, asinh, sin_co
 pub(crate) use fieldwise::fieldwise;
 
 pub use dual::{Dual, Slope, Slopes};
+pub(crate) use kernel::{SimdKernel, Task};
 pub(crate) use lanes::{Bits, Mask, Packed, Part, Vector};
 pub use lanes::{LANES, Lanes};
 #[cfg(test)]
 pub(crate) use widest::in_every_width;
-pub(crate) use widest::{SimdKernel, run_widest};
+pub(crate) use widest::{call_vectorized, run_widest};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use x86::Avx2;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

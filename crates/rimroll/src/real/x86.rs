@@ -4,103 +4,185 @@
 //! SIMD registers are addressed explicitly, because compilers shuffle lanes that are held in arrays: many of the
 //! instructions would then only move numbers between lanes.
 //!
-//! AVX registers are only used in the functions of [`widest`](super::widest) that are compiled for such processors, and
-//! in the functions inlined there. So every function that takes a [`Vector`](super::Vector) must be `#[inline(always)]`. It
-//! must not contain closures or call `map` on an array, because these would be compiled without AVX.
+//! No safe function executes an instruction that the processor lacks, because
+//!
+//! * a value of [`Avx2`] or [`Avx512`] exists only if the processor has these instructions;
+//! * the register types are private to this file and named only in [`Avx2::run`] and [`Avx512::run`], which need such
+//!   a value. Other code knows them only as the type parameter of a kernel that is running in them.
+//!
+//! So the operations on registers need no proof of their own, not even those that make a number from nothing, such
+//! as `From<f64>`, which generic formulas use for their constants.
+//!
+//! The two functions compile a kernel, with all that is inlined into it, for its registers. So every function that
+//! takes a [`Vector`](super::Vector) must be `#[inline(always)]`. It must not contain closures or call `map` on an
+//! array, because these would be compiled without AVX and be slow.
 
+use super::kernel::{SimdKernel, Task};
 use super::lanes::{Grouped, LANES, Packed};
 use super::register::{FRACTION, ONE_BITS, ROUNDER, Register, SQRT_HALF_BITS, inlined};
 use core::arch::x86_64::*;
 use core::hint::black_box;
+use std::arch::is_x86_feature_detected;
 
 const SQRT_HALF: i64 = SQRT_HALF_BITS.cast_signed();
 const ROUNDER_BITS: i64 = ROUNDER.to_bits().cast_signed();
 
-pub(super) type Avx512 = Packed<__m512d, { LANES / 8 }>;
-pub(super) type Avx2 = Packed<__m256d, { LANES / 4 }>;
-pub(super) type Sse2 = Packed<__m128d, { LANES / 2 }>;
+/// Eight numbers.
+#[derive(Debug, Clone, Copy)]
+#[repr(transparent)]
+struct Zmm(__m512d);
 
-impl Grouped for __m512d {
-    type Part = Avx512;
+/// Four numbers.
+#[derive(Debug, Clone, Copy)]
+#[repr(transparent)]
+struct Ymm(__m256d);
+
+/// Two numbers.
+#[derive(Debug, Clone, Copy)]
+#[repr(transparent)]
+struct Xmm(__m128d);
+
+impl Grouped for Zmm {
+    type Part = Packed<Zmm, { LANES / 8 }>;
 }
 
 /// Two registers for each quantity. All lanes would need four, too many for the sixteen registers of AVX2.
-impl Grouped for __m256d {
-    type Part = Packed<__m256d, 2>;
+impl Grouped for Ymm {
+    type Part = Packed<Ymm, 2>;
 }
 
 /// Four registers for each quantity, which hold as many lanes as with AVX2.
-impl Grouped for __m128d {
-    type Part = Packed<__m128d, 4>;
+impl Grouped for Xmm {
+    type Part = Packed<Xmm, 4>;
+}
+
+/// A proof that the processor has AVX-512F.
+#[derive(Debug, Clone, Copy)]
+pub struct Avx512(());
+
+impl Avx512 {
+    /// The proof, if the processor has AVX-512F.
+    pub fn detect() -> Option<Self> {
+        is_x86_feature_detected!("avx512f").then_some(Avx512(()))
+    }
+
+    /// Runs a computation in AVX-512 registers.
+    pub fn run<K: SimdKernel>(self, kernel: K) -> K::Done {
+        #[target_feature(enable = "avx512f")]
+        fn compiled<K: SimdKernel>(kernel: K) -> K::Done {
+            kernel.run::<Packed<Zmm, { LANES / 8 }>>()
+        }
+        // SAFETY: `self` proves that the processor has AVX-512F.
+        unsafe { compiled(kernel) }
+    }
+}
+
+/// A proof that the processor has AVX2.
+#[derive(Debug, Clone, Copy)]
+pub struct Avx2(());
+
+impl Avx2 {
+    /// The proof, if the processor has AVX2.
+    pub fn detect() -> Option<Self> {
+        is_x86_feature_detected!("avx2").then_some(Avx2(()))
+    }
+
+    /// Runs a computation that is compiled for processors with AVX2.
+    pub fn call<T: Task>(self, task: T) -> T::Done {
+        #[target_feature(enable = "avx2")]
+        fn compiled<T: Task>(task: T) -> T::Done {
+            task.call()
+        }
+        // SAFETY: `self` proves that the processor has AVX2.
+        unsafe { compiled(task) }
+    }
+
+    /// Runs a computation in AVX2 registers.
+    pub fn run<K: SimdKernel>(self, kernel: K) -> K::Done {
+        struct InYmm<K>(K);
+        impl<K: SimdKernel> Task for InYmm<K> {
+            type Done = K::Done;
+
+            #[inline(always)]
+            fn call(self) -> K::Done {
+                self.0.run::<Packed<Ymm, { LANES / 4 }>>()
+            }
+        }
+        self.call(InYmm(kernel))
+    }
+}
+
+/// Runs a computation in SSE2 registers.
+pub(super) fn run_in_sse2<K: SimdKernel>(kernel: K) -> K::Done {
+    kernel.run::<Packed<Xmm, { LANES / 2 }>>()
 }
 
 /// Evaluates intrinsics.
 macro_rules! instruction {
     ($operation:expr) => {
-        // SAFETY: registers of this type exist only in code that runs on processors with these instructions, as
-        // the module documentation explains.
+        // SAFETY: only processors with these instructions get here, as the documentation of the module explains.
         unsafe { $operation }
     };
 }
 
-impl Register for __m512d {
+impl Register for Zmm {
     type Flags = __mmask8;
     const WIDTH: usize = 8;
 
     inlined! {
-        all(value: f64) -> __m512d = instruction!(_mm512_set1_pd(value));
-        add(a: __m512d, b: __m512d) -> __m512d = instruction!(_mm512_add_pd(a, b));
-        sub(a: __m512d, b: __m512d) -> __m512d = instruction!(_mm512_sub_pd(a, b));
-        mul(a: __m512d, b: __m512d) -> __m512d = instruction!(_mm512_mul_pd(a, b));
-        div(a: __m512d, b: __m512d) -> __m512d = instruction!(_mm512_div_pd(a, b));
-        neg(a: __m512d) -> __m512d = instruction!({
+        all(value: f64) -> Zmm = Zmm(instruction!(_mm512_set1_pd(value)));
+        add(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!(_mm512_add_pd(a.0, b.0)));
+        sub(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!(_mm512_sub_pd(a.0, b.0)));
+        mul(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!(_mm512_mul_pd(a.0, b.0)));
+        div(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!(_mm512_div_pd(a.0, b.0)));
+        neg(a: Zmm) -> Zmm = Zmm(instruction!({
             let signs = _mm512_set1_epi64(i64::MIN);
-            _mm512_castsi512_pd(_mm512_xor_si512(_mm512_castpd_si512(a), signs))
-        });
-        sqrt(a: __m512d) -> __m512d = instruction!(_mm512_sqrt_pd(a));
-        abs(a: __m512d) -> __m512d = instruction!(_mm512_abs_pd(a));
-        max(a: __m512d, b: __m512d) -> __m512d = instruction!(_mm512_max_pd(a, b));
-        min(a: __m512d, b: __m512d) -> __m512d = instruction!(_mm512_min_pd(a, b));
-        less(a: __m512d, b: __m512d) -> u8 = instruction!(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b));
-        at_most(a: __m512d, b: __m512d) -> u8 = instruction!(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b));
-        choose(flags: u8, yes: __m512d, no: __m512d) -> __m512d =
-            instruction!(_mm512_mask_blend_pd(flags, no, yes));
+            _mm512_castsi512_pd(_mm512_xor_si512(_mm512_castpd_si512(a.0), signs))
+        }));
+        sqrt(a: Zmm) -> Zmm = Zmm(instruction!(_mm512_sqrt_pd(a.0)));
+        abs(a: Zmm) -> Zmm = Zmm(instruction!(_mm512_abs_pd(a.0)));
+        max(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!(_mm512_max_pd(a.0, b.0)));
+        min(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!(_mm512_min_pd(a.0, b.0)));
+        less(a: Zmm, b: Zmm) -> u8 = instruction!(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a.0, b.0));
+        at_most(a: Zmm, b: Zmm) -> u8 = instruction!(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0));
+        choose(flags: u8, yes: Zmm, no: Zmm) -> Zmm =
+            Zmm(instruction!(_mm512_mask_blend_pd(flags, no.0, yes.0)));
         and(a: u8, b: u8) -> u8 = a & b;
         or(a: u8, b: u8) -> u8 = a | b;
         not(a: u8) -> u8 = !a;
         bits(a: u8) -> u8 = a;
-        ldexp_one(shifted: __m512d) -> __m512d = instruction!({
-            let k = _mm512_slli_epi64::<FRACTION>(_mm512_castpd_si512(shifted));
+        ldexp_one(shifted: Zmm) -> Zmm = Zmm(instruction!({
+            let k = _mm512_slli_epi64::<FRACTION>(_mm512_castpd_si512(shifted.0));
             _mm512_castsi512_pd(_mm512_add_epi64(k, _mm512_set1_epi64(ONE_BITS)))
-        });
-        approx_16th_root_of(a: __m512d, b: __m512d) -> __m512d = instruction!({
-            let logarithm = _mm512_sub_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(b));
+        }));
+        approx_16th_root_of(a: Zmm, b: Zmm) -> Zmm = Zmm(instruction!({
+            let logarithm = _mm512_sub_epi64(_mm512_castpd_si512(a.0), _mm512_castpd_si512(b.0));
             let root = _mm512_srai_epi64::<4>(logarithm);
             _mm512_castsi512_pd(_mm512_add_epi64(root, _mm512_set1_epi64(ONE_BITS)))
-        });
-        frexp(x: __m512d) -> [__m512d; 2] = instruction!({
-            let bits = _mm512_castpd_si512(x);
+        }));
+        frexp(x: Zmm) -> [Zmm; 2] = instruction!({
+            let bits = _mm512_castpd_si512(x.0);
             let from_half = _mm512_sub_epi64(bits, _mm512_set1_epi64(SQRT_HALF));
             let exponent = _mm512_srai_epi64::<FRACTION>(from_half);
             let m = _mm512_sub_epi64(bits, _mm512_slli_epi64::<FRACTION>(exponent));
             let k = _mm512_add_epi64(exponent, _mm512_set1_epi64(ROUNDER_BITS));
             let k = _mm512_sub_pd(_mm512_castsi512_pd(k), _mm512_set1_pd(ROUNDER));
-            [k, _mm512_castsi512_pd(m)]
+            [Zmm(k), Zmm(_mm512_castsi512_pd(m))]
         });
     }
 
     #[inline(always)]
-    fn load(numbers: &[f64]) -> __m512d {
+    fn load(numbers: &[f64]) -> Zmm {
         let numbers = &numbers[..Self::WIDTH];
-        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
-        unsafe { _mm512_loadu_pd(numbers.as_ptr()) }
+        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
+        Zmm(unsafe { _mm512_loadu_pd(numbers.as_ptr()) })
     }
 
     #[inline(always)]
-    fn store(a: __m512d, numbers: &mut [f64]) {
+    fn store(a: Zmm, numbers: &mut [f64]) {
         let numbers = &mut numbers[..Self::WIDTH];
-        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
-        unsafe { _mm512_storeu_pd(numbers.as_mut_ptr(), a) }
+        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
+        unsafe { _mm512_storeu_pd(numbers.as_mut_ptr(), a.0) }
     }
 }
 
@@ -108,7 +190,7 @@ impl Register for __m512d {
 /// arithmetic right shift of 64-bit integers, which is done by adding 2⁶³, a logical shift and a subtraction.
 macro_rules! register_without_masks {
     (
-        $register:ident of $width:literal,
+        $register:ident($flags:ident) of $width:literal,
         $all:ident $load:ident $store:ident
         $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident
         $xor:ident $and:ident $and_not:ident $or:ident $bits:ident
@@ -117,72 +199,72 @@ macro_rules! register_without_masks {
         $add_whole:ident $sub_whole:ident $xor_whole:ident $shift_left:ident $shift_right:ident
     ) => {
         impl Register for $register {
-            type Flags = $register;
+            type Flags = $flags;
             const WIDTH: usize = $width;
 
             inlined! {
-                all(value: f64) -> $register = instruction!($all(value));
-                add(a: $register, b: $register) -> $register = instruction!($add(a, b));
-                sub(a: $register, b: $register) -> $register = instruction!($sub(a, b));
-                mul(a: $register, b: $register) -> $register = instruction!($mul(a, b));
-                div(a: $register, b: $register) -> $register = instruction!($div(a, b));
-                neg(a: $register) -> $register = instruction!($xor(a, $all(-0.0)));
-                sqrt(a: $register) -> $register = instruction!($sqrt(a));
-                abs(a: $register) -> $register = instruction!($and_not($all(-0.0), a));
-                max(a: $register, b: $register) -> $register = instruction!($max(a, b));
-                min(a: $register, b: $register) -> $register = instruction!($min(a, b));
-                less(a: $register, b: $register) -> $register = instruction!($less(a, b));
-                at_most(a: $register, b: $register) -> $register = instruction!($at_most(a, b));
+                all(value: f64) -> $register = $register(instruction!($all(value)));
+                add(a: $register, b: $register) -> $register = $register(instruction!($add(a.0, b.0)));
+                sub(a: $register, b: $register) -> $register = $register(instruction!($sub(a.0, b.0)));
+                mul(a: $register, b: $register) -> $register = $register(instruction!($mul(a.0, b.0)));
+                div(a: $register, b: $register) -> $register = $register(instruction!($div(a.0, b.0)));
+                neg(a: $register) -> $register = $register(instruction!($xor(a.0, $all(-0.0))));
+                sqrt(a: $register) -> $register = $register(instruction!($sqrt(a.0)));
+                abs(a: $register) -> $register = $register(instruction!($and_not($all(-0.0), a.0)));
+                max(a: $register, b: $register) -> $register = $register(instruction!($max(a.0, b.0)));
+                min(a: $register, b: $register) -> $register = $register(instruction!($min(a.0, b.0)));
+                less(a: $register, b: $register) -> $flags = instruction!($less(a.0, b.0));
+                at_most(a: $register, b: $register) -> $flags = instruction!($at_most(a.0, b.0));
                 // The blend intrinsic would defeat `opaque`, because compilers turn it back into a comparison. They
                 // choose the blend instruction by themselves where the flags are not opaque.
-                choose(flags: $register, yes: $register, no: $register) -> $register =
-                    instruction!($or($and(flags, yes), $and_not(flags, no)));
-                and(a: $register, b: $register) -> $register = instruction!($and(a, b));
-                or(a: $register, b: $register) -> $register = instruction!($or(a, b));
-                not(a: $register) -> $register = instruction!($xor(a, $as_numbers($whole(-1))));
-                opaque(a: $register) -> $register = black_box(a);
-                bits(a: $register) -> u8 = instruction!($bits(a)) as u8;
-                ldexp_one(shifted: $register) -> $register = instruction!({
-                    let k = $shift_left::<{ FRACTION as i32 }>($as_whole(shifted));
+                choose(flags: $flags, yes: $register, no: $register) -> $register =
+                    $register(instruction!($or($and(flags, yes.0), $and_not(flags, no.0))));
+                and(a: $flags, b: $flags) -> $flags = instruction!($and(a, b));
+                or(a: $flags, b: $flags) -> $flags = instruction!($or(a, b));
+                not(a: $flags) -> $flags = instruction!($xor(a, $as_numbers($whole(-1))));
+                opaque(a: $flags) -> $flags = black_box(a);
+                bits(a: $flags) -> u8 = instruction!($bits(a)) as u8;
+                ldexp_one(shifted: $register) -> $register = $register(instruction!({
+                    let k = $shift_left::<{ FRACTION as i32 }>($as_whole(shifted.0));
                     $as_numbers($add_whole(k, $whole(ONE_BITS)))
-                });
-                approx_16th_root_of(a: $register, b: $register) -> $register = instruction!({
-                    let logarithm = $sub_whole($as_whole(a), $as_whole(b));
+                }));
+                approx_16th_root_of(a: $register, b: $register) -> $register = $register(instruction!({
+                    let logarithm = $sub_whole($as_whole(a.0), $as_whole(b.0));
                     let shifted = $shift_right::<4>($xor_whole(logarithm, $whole(i64::MIN)));
                     let root = $sub_whole(shifted, $whole(1 << (63 - 4)));
                     $as_numbers($add_whole(root, $whole(ONE_BITS)))
-                });
+                }));
                 frexp(x: $register) -> [$register; 2] = instruction!({
-                    let bits = $as_whole(x);
+                    let bits = $as_whole(x.0);
                     let from_half = $sub_whole(bits, $whole(SQRT_HALF));
                     let shifted = $shift_right::<{ FRACTION as i32 }>($xor_whole(from_half, $whole(i64::MIN)));
                     let exponent = $sub_whole(shifted, $whole(1 << (63 - FRACTION)));
                     let m = $sub_whole(bits, $shift_left::<{ FRACTION as i32 }>(exponent));
                     let k = $add_whole(exponent, $whole(ROUNDER_BITS));
                     let k = $sub($as_numbers(k), $all(ROUNDER));
-                    [k, $as_numbers(m)]
+                    [$register(k), $register($as_numbers(m))]
                 });
             }
 
             #[inline(always)]
             fn load(numbers: &[f64]) -> $register {
                 let numbers = &numbers[..Self::WIDTH];
-                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
-                unsafe { $load(numbers.as_ptr()) }
+                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
+                $register(unsafe { $load(numbers.as_ptr()) })
             }
 
             #[inline(always)]
             fn store(a: $register, numbers: &mut [f64]) {
                 let numbers = &mut numbers[..Self::WIDTH];
-                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers.
-                unsafe { $store(numbers.as_mut_ptr(), a) }
+                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
+                unsafe { $store(numbers.as_mut_ptr(), a.0) }
             }
         }
     };
 }
 
 register_without_masks! {
-    __m256d of 4,
+    Ymm(__m256d) of 4,
     _mm256_set1_pd _mm256_loadu_pd _mm256_storeu_pd
     _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd _mm256_min_pd
     _mm256_xor_pd _mm256_and_pd _mm256_andnot_pd _mm256_or_pd _mm256_movemask_pd
@@ -192,7 +274,7 @@ register_without_masks! {
 }
 
 register_without_masks! {
-    __m128d of 2,
+    Xmm(__m128d) of 2,
     _mm_set1_pd _mm_loadu_pd _mm_storeu_pd
     _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_max_pd _mm_min_pd
     _mm_xor_pd _mm_and_pd _mm_andnot_pd _mm_or_pd _mm_movemask_pd

@@ -4,10 +4,14 @@
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sections II.5,
 //! II.6 and II.10. The method suits smooth systems at tolerances from 1e-5 down to rounding.
 
+#[cfg(target_arch = "x86_64")]
+use super::registers::Avx;
 use super::registers::{Registers, Scalar};
 use super::tableau::{DENSE, ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
 use super::{Dense, Estimate, System};
-use crate::real::Real;
+#[cfg(target_arch = "x86_64")]
+use crate::real::Avx2;
+use crate::real::{Real, Task, call_vectorized};
 
 /// A finished step from `start` to `end`.
 #[derive(Debug, Clone)]
@@ -67,22 +71,16 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     /// A step of size h from `start`, with AVX2 instructions where the processor has them.
     pub fn take<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
-        #[cfg(target_arch = "x86_64")]
-        {
-            #[target_feature(enable = "avx2")]
-            unsafe fn wide<T: Real, S: System<T, N>, const N: usize>(
-                system: &S,
-                start: &[T; N],
-                h: T,
-            ) -> Step<T, N> {
-                Step::take_anywhere(system, start, h)
-            }
-            if std::arch::is_x86_feature_detected!("avx2") {
-                // SAFETY: the processor has AVX2.
-                return unsafe { wide(system, start, h) };
+        struct Take<'a, S, T, const N: usize>(&'a S, &'a [T; N], T);
+        impl<S: System<T, N>, T: Real, const N: usize> Task for Take<'_, S, T, N> {
+            type Done = Step<T, N>;
+
+            #[inline(always)]
+            fn call(self) -> Step<T, N> {
+                Step::take_anywhere(self.0, self.1, self.2)
             }
         }
-        Step::take_anywhere(system, start, h)
+        call_vectorized(Take(system, start, h))
     }
 
     #[inline(always)]
@@ -219,25 +217,36 @@ impl<T: Real, const N: usize> Step<T, N> {
 trait Kernel<const N: usize> {
     type Output;
 
+    /// The number of leading ignorable components, known at compile time.
+    const IGNORABLE: usize;
+
     fn with(self, registers: impl Registers<f64, N>) -> Self::Output;
 }
 
 /// Runs the kernel in AVX registers where the processor has AVX2. The results are the same to the last bit.
 #[inline(always)]
-fn in_registers<const N: usize, J: Kernel<N>>(ignorable: usize, kernel: J) -> J::Output {
+fn in_registers<const N: usize, K: Kernel<N>>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    {
-        #[target_feature(enable = "avx2")]
-        unsafe fn wide<const N: usize, J: Kernel<N>>(ignorable: usize, kernel: J) -> J::Output {
-            // SAFETY: a processor with AVX2 has AVX.
-            kernel.with(unsafe { super::registers::Avx::new(ignorable) })
-        }
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has AVX2.
-            return unsafe { wide(ignorable, kernel) };
-        }
+    if let Some(proof) = Avx2::detect() {
+        return proof.call(InAvx(kernel, proof));
     }
-    kernel.with(Scalar { ignorable })
+    kernel.with(Scalar {
+        ignorable: K::IGNORABLE,
+    })
+}
+
+/// A kernel that runs in AVX registers.
+#[cfg(target_arch = "x86_64")]
+struct InAvx<K, const N: usize>(K, Avx2);
+
+#[cfg(target_arch = "x86_64")]
+impl<K: Kernel<N>, const N: usize> Task for InAvx<K, N> {
+    type Done = K::Output;
+
+    #[inline(always)]
+    fn call(self) -> K::Output {
+        self.0.with(Avx::new(self.1, K::IGNORABLE))
+    }
 }
 
 impl<const N: usize> Step<f64, N> {
@@ -246,6 +255,7 @@ impl<const N: usize> Step<f64, N> {
         struct Compute<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64);
         impl<S: System<f64, N>, const N: usize> Kernel<N> for Compute<'_, S, N> {
             type Output = ();
+            const IGNORABLE: usize = S::IGNORABLE;
 
             #[inline(always)]
             fn with(self, registers: impl Registers<f64, N>) {
@@ -253,7 +263,7 @@ impl<const N: usize> Step<f64, N> {
             }
         }
         let mut step = Step::empty(start, &system.rates(start));
-        in_registers(S::IGNORABLE, Compute(&mut step, system, h));
+        in_registers(Compute(&mut step, system, h));
         step
     }
 
@@ -267,6 +277,7 @@ impl<const N: usize> Step<f64, N> {
         struct Attempt<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64, f64);
         impl<S: System<f64, N>, const N: usize> Kernel<N> for Attempt<'_, S, N> {
             type Output = Estimate<f64>;
+            const IGNORABLE: usize = S::IGNORABLE;
 
             #[inline(always)]
             fn with(self, registers: impl Registers<f64, N>) -> Estimate<f64> {
@@ -275,7 +286,7 @@ impl<const N: usize> Step<f64, N> {
                 step.estimate(registers, system, &before_end, tolerance)
             }
         }
-        in_registers(S::IGNORABLE, Attempt(self, system, h, tolerance))
+        in_registers(Attempt(self, system, h, tolerance))
     }
 
     /// The dense output, which costs three more evaluations of the right-hand side.
@@ -283,13 +294,14 @@ impl<const N: usize> Step<f64, N> {
         struct Polynomial<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S);
         impl<S: System<f64, N>, const N: usize> Kernel<N> for Polynomial<'_, S, N> {
             type Output = Dense<f64, N>;
+            const IGNORABLE: usize = S::IGNORABLE;
 
             #[inline(always)]
             fn with(self, registers: impl Registers<f64, N>) -> Dense<f64, N> {
                 self.0.polynomial(registers, self.1)
             }
         }
-        in_registers(S::IGNORABLE, Polynomial(self, system))
+        in_registers(Polynomial(self, system))
     }
 }
 

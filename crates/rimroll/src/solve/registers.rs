@@ -51,6 +51,7 @@ pub(super) use wide::Avx;
 #[cfg(target_arch = "x86_64")]
 mod wide {
     use super::{Registers, Scalar};
+    use crate::real::Avx2;
     use core::arch::x86_64::{
         _mm_add_pd, _mm_loadu_pd, _mm_mul_pd, _mm_set_pd, _mm_set1_pd, _mm_storeu_pd,
         _mm256_add_pd, _mm256_loadu_pd, _mm256_mul_pd, _mm256_set_pd, _mm256_set1_pd,
@@ -65,15 +66,16 @@ mod wide {
     #[derive(Clone, Copy)]
     pub struct Avx {
         ignorable: usize,
+        _proof: Avx2,
     }
 
     impl Avx {
-        /// Registers for a state with `ignorable` leading ignorable components.
-        ///
-        /// # Safety
-        /// The processor must have AVX.
-        pub unsafe fn new(ignorable: usize) -> Self {
-            Avx { ignorable }
+        /// Registers for a state with `ignorable` leading ignorable components. A processor with AVX2 has AVX.
+        pub fn new(proof: Avx2, ignorable: usize) -> Self {
+            Avx {
+                ignorable,
+                _proof: proof,
+            }
         }
     }
 
@@ -102,7 +104,7 @@ mod wide {
             let (sum_fours, sum) = sum.as_chunks_mut::<4>();
             let (stage_fours, stage) = stage.as_chunks::<4>();
             for (sum, stage) in sum_fours.iter_mut().zip(stage_fours) {
-                // SAFETY: the chunks have four numbers, and the processor has AVX by the contract of `new`.
+                // SAFETY: the chunks have four numbers, and a value of `Avx` exists only where the processor has AVX.
                 unsafe {
                     let stage = _mm256_loadu_pd(stage.as_ptr());
                     let part = _mm256_mul_pd(_mm256_set1_pd(weight), stage);
