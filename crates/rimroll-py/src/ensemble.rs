@@ -1,15 +1,11 @@
 //! Many falls at once.
 
 use crate::arguments::{BodiesArgument, ContactLawArgument, VariedArgument, of_row, refusal};
+use crate::watched::in_threads;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rimroll::motion::Fall;
 use rimroll::{ContactLaw, Options, Release, State, ensemble as ensemble_in_core};
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::time::Duration;
 
 /// The numbers of a fall, in the order of [`numbers`].
 pub const FALL_COLUMNS: [&str; 14] = [
@@ -64,7 +60,10 @@ pub struct StartsArgument<'py> {
 impl StartsArgument<'_> {
     pub fn starts(&self) -> PyResult<impl Iterator<Item = State> + '_> {
         let columns = self.columns()?;
-        Ok((0..columns[0].len()).map(move |i| state(columns.map(|column| column[i]))))
+        Ok(
+            (0..columns[0].len())
+                .map(move |i| State::from_numbers(columns.map(|column| column[i]))),
+        )
     }
 
     /// Slices of equal length.
@@ -87,18 +86,6 @@ impl StartsArgument<'_> {
             spin_rate,
         } = self;
         [tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]
-    }
-}
-
-/// The state from [tilt, tilt rate, yaw, yaw rate, spin, spin rate].
-pub fn state([tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate]: [f64; 6]) -> State {
-    State {
-        tilt,
-        tilt_rate,
-        yaw,
-        yaw_rate,
-        spin,
-        spin_rate,
     }
 }
 
@@ -166,77 +153,13 @@ pub fn ensemble<'py>(
             (of_row(&bodies, row), start, contact_law)
         })
         .collect();
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-    let watched = Watched::default();
-    let follow = || ensemble_in_core(&trials, &options, |falls| watched.count(falls));
-    let (falls, stopped) = py.detach(|| {
-        std::thread::scope(|scope| {
-            let (sender, receiver) = channel();
-            let work = scope.spawn(|| {
-                let falls = pool.install(follow);
-                drop(sender);
-                falls
-            });
-            let stopped = watched.until_done(&receiver, progress.as_ref());
-            (work.join(), stopped)
-        })
-    });
-    let falls = falls
-        .map_err(|_| PyRuntimeError::new_err("internal error: a worker thread panicked"))?
-        .map_err(refusal)?;
+    let (falls, stopped) = in_threads(py, threads, progress.as_ref(), |watched| {
+        ensemble_in_core(&trials, &options, |falls| watched.count(falls))
+    })?;
+    let falls = falls.map_err(refusal)?;
     let table: Vec<f64> = falls.iter().flat_map(numbers).collect();
     let table = table
         .into_pyarray(py)
         .reshape([falls.len(), FALL_COLUMNS.len()])?;
     Ok((table, stopped))
-}
-
-/// Work done by other threads while this one handles signals and progress for Python.
-#[derive(Default)]
-pub struct Watched {
-    done: AtomicUsize,
-    stop: AtomicBool,
-}
-
-impl Watched {
-    pub fn count(&self, falls: usize) -> ControlFlow<()> {
-        self.done.fetch_add(falls, Relaxed);
-        if self.stop.load(Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
-
-    /// Waits for the work, handles Ctrl-C and reports progress. An exception from Python stops the work and
-    /// is returned.
-    pub fn until_done(
-        &self,
-        receiver: &Receiver<()>,
-        progress: Option<&Py<PyAny>>,
-    ) -> Option<PyErr> {
-        const POLLING_INTERVAL: Duration = Duration::from_millis(100);
-        let mut stopped = None;
-        loop {
-            let over = receiver.recv_timeout(POLLING_INTERVAL) != Err(RecvTimeoutError::Timeout);
-            if stopped.is_none() {
-                stopped = Python::attach(|py| self.look(py, progress)).err();
-                self.stop.store(stopped.is_some(), Relaxed);
-            }
-            if over {
-                return stopped;
-            }
-        }
-    }
-
-    fn look(&self, py: Python<'_>, progress: Option<&Py<PyAny>>) -> PyResult<()> {
-        py.check_signals()?;
-        if let Some(progress) = progress {
-            progress.call1(py, (self.done.load(Relaxed),))?;
-        }
-        Ok(())
-    }
 }

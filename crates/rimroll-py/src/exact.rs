@@ -1,14 +1,14 @@
 //! Turns by quadrature.
 
 use crate::arguments::{BodiesArgument, ideal_law, of_row, refusal};
-use crate::ensemble::{StartsArgument, Watched, state};
+use crate::ensemble::StartsArgument;
+use crate::watched::in_threads;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use rimroll::State;
 use rimroll::motion::PARAMETERS;
 use rimroll::turn::exact::{ExactRows, ExactTurn};
-use std::sync::mpsc::channel;
 
 /// The numbers of a turn, in the order of [`numbers`].
 pub const EXACT_COLUMNS: [&str; 6] = ["turn", "min_tilt", "max_tilt", "min_time", "time", "yaw"];
@@ -44,17 +44,12 @@ pub fn exact_turns<'py>(
 ) -> PyResult<(Bound<'py, PyArray2<u8>>, Table<'py>, Option<Table<'py>>)> {
     let (bodies, law) = (bodies.bodies()?, ideal_law(law_name)?);
     let columns = starts.columns()?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-    let watched = Watched::default();
-    let work = || {
+    let (results, stopped) = in_threads(py, threads, None, |watched| {
         let should_continue = || watched.count(0).is_continue();
         let rows: Vec<_> = (0..columns[0].len())
             .into_par_iter()
             .map(|row| {
-                let start = state(columns.map(|column| column[row]));
+                let start = State::from_numbers(columns.map(|column| column[row]));
                 (of_row(&bodies, row), start)
             })
             .collect();
@@ -68,25 +63,11 @@ pub fn exact_turns<'py>(
             table: by_columns(&turns, numbers),
             slopes: slopes.map(|slopes| by_columns(&slopes, |slopes| *slopes)),
         })
-    };
-    let (done, stopped) = py.detach(|| {
-        std::thread::scope(|scope| {
-            let (sender, receiver) = channel();
-            let done = scope.spawn(|| {
-                let done = pool.install(work);
-                drop(sender);
-                done
-            });
-            let stopped = watched.until_done(&receiver, None);
-            (done.join(), stopped)
-        })
-    });
+    })?;
     if let Some(stopped) = stopped {
         return Err(stopped);
     }
-    let results = done
-        .map_err(|_| PyRuntimeError::new_err("internal error: a worker thread panicked"))?
-        .map_err(refusal)?;
+    let results: Results = results.map_err(refusal)?;
     let count = results.codes.len() / 2;
     let reshaped = |table: Vec<f64>, rows| table.into_pyarray(py).reshape([rows, count]);
     Ok((

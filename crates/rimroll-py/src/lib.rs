@@ -7,6 +7,7 @@ mod exact;
 mod imperfection;
 mod motion;
 mod theory;
+mod watched;
 
 use pyo3::prelude::*;
 

@@ -61,15 +61,7 @@ impl Arguments {
 
     /// Tilt, yaw and spin, each with its rate.
     pub fn start(&mut self) -> State {
-        let [tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate] = self.array();
-        State {
-            tilt,
-            tilt_rate,
-            yaw,
-            yaw_rate,
-            spin,
-            spin_rate,
-        }
+        State::from_numbers(self.array())
     }
 
     /// The law's index in [`FrictionLaw::NAMES`], then the numbers of [`PARAMETERS`].

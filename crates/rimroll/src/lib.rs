@@ -62,6 +62,7 @@ pub mod law;
 pub mod motion;
 pub mod presets;
 pub mod real;
+mod slip_onset;
 pub mod small_angle;
 pub mod solids;
 pub mod solve;

@@ -21,6 +21,7 @@ mod run;
 mod sensitivity;
 mod step_bounds;
 mod step_record;
+mod topple;
 mod track;
 mod turns;
 
@@ -35,6 +36,7 @@ pub use options::{Options, STANDARD_GRAVITY};
 pub use outcome::Outcome;
 pub(crate) use run::{pass_near_collision, stopped};
 pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
+pub(crate) use topple::Topple;
 pub use track::{LookUp, Track};
 pub use turns::Turn;
 pub(crate) use turns::direction_at_release;

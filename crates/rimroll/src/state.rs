@@ -38,6 +38,19 @@ impl State {
         ]
     }
 
+    /// The state with these six numbers, in the order of the fields.
+    pub fn from_numbers(numbers: [f64; 6]) -> State {
+        let [tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate] = numbers;
+        State {
+            tilt,
+            tilt_rate,
+            yaw,
+            yaw_rate,
+            spin,
+            spin_rate,
+        }
+    }
+
     /// Checks an initial state: tilt inside (0, π), |yaw| and |spin| up to 1e6 rad, rates up to 1e30 rad/s.
     ///
     /// # Errors

@@ -1,11 +1,11 @@
 //! A chunk of work: some trials and the parameters of their bodies.
 
-use super::limits::{Limits, Topple};
+use super::limits::Limits;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::law::Parameters;
-use crate::motion::Options;
+use crate::motion::{Options, Topple};
 use crate::state::State;
 
 /// A trial: the body, its state and the contact law at the release.
@@ -43,7 +43,9 @@ impl<'a> Chunk<'a> {
                     place: bodies.len(),
                     parameters,
                     error_scale: ErrorScale::new(&parameters),
-                    topple: Topple::at(options.topple_tilt_of(body)),
+                    topple: options
+                        .topple_tilt_of(body)
+                        .map_or_else(Topple::never, Topple::at),
                 });
             }
             body_of.push(bodies.len() - 1);

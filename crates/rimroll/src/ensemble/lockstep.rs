@@ -1,8 +1,9 @@
 //! A batch of sixteen motions, one in each lane. All lanes make a step at once, each with its own step size,
 //! and each step is accepted or rejected independently of the others.
 
-use super::limits::{Limits, Topple};
+use super::limits::Limits;
 use super::reduced_system::ReducedSystem;
+use crate::motion::Topple;
 use crate::real::{Bits, Lanes, Mask, Part, SimdKernel, Vector, run_widest};
 use crate::solve::Estimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
@@ -106,7 +107,7 @@ impl<const N: usize> Lockstep<N> {
             direction: zero,
             free: zero,
             steps: zero,
-            topple: Topple::at(None).map(|&number| Lanes::from(number)),
+            topple: Topple::never().map(|&number| Lanes::from(number)),
             end: [zero; N],
             end_rates: [zero; N],
             end_scales: [zero; N],

@@ -15,6 +15,7 @@
 use super::reduced_system::{ReducedSliding, ReducedSystem};
 use crate::error_scale::{NEVER_ZERO, direction_scale};
 use crate::real::{LANES, Lanes, Mask, Packed, SimdKernel, Vector, run_widest};
+use crate::slip_onset::{SAFETY, along_and_across, growth, next_step, until_stop};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
 
@@ -186,8 +187,8 @@ impl OnsetStep {
         let at = <ReducedSliding<f64> as ReducedSystem<f64, N>>::expand(
             &self.end.map(|lanes| lanes.0[lane]),
         );
-        let factor = factor.clamp(0.3, 4.0);
-        if relaxation * factor < MAX_EXPLICIT_STIFFNESS || steps >= MAX_STEPS {
+        let growth = growth(factor);
+        if relaxation * growth < MAX_EXPLICIT_STIFFNESS || steps >= MAX_STEPS {
             return OnsetResult::Follow(at, h / relaxation.max(1.0) / self.sundman_factor.0[lane]);
         }
         let speed = at.slip_speed();
@@ -195,8 +196,7 @@ impl OnsetStep {
             at,
             direction: [at.slip_x / speed, at.slip_y / speed],
             speed,
-            // The step must end before a slip that is about to stop.
-            h: (h * factor).min(0.9 * self.until_stop.0[lane]),
+            h: next_step(h, growth, self.until_stop.0[lane]),
             steps,
             ..*start
         })
@@ -386,9 +386,7 @@ impl<V: Vector> BatchOnset<V> {
         let mut rates = self
             .slipping
             .rates_against(&self.cartesian(point), self.unit_vector(q));
-        let [x, y] = self.direction;
-        let along = rates[ALONG] * x + rates[ACROSS] * y;
-        let across = rates[ACROSS] * x - rates[ALONG] * y;
+        let [along, across] = along_and_across([rates[ALONG], rates[ACROSS]], self.direction);
         rates[ALONG] = along + self.offset;
         rates[ACROSS] = across - q * rates[ALONG];
         rates
@@ -458,10 +456,6 @@ impl<V: Vector> BatchOnset<V> {
         scales
     }
 
-    #[expect(
-        clippy::needless_range_loop,
-        reason = "the indices are those of the formulas"
-    )]
     #[inline(always)]
     fn onset_step(
         &self,
@@ -474,14 +468,13 @@ impl<V: Vector> BatchOnset<V> {
     ) -> OnsetStep {
         let end = points[POINTS - 1];
         let scales = self.scales(&end);
-        // The contribution of the highest Legendre polynomial bounds that of the omitted ones.
         let mut error = V::from(0.0);
         for k in 0..N {
-            let mut highest = V::from(0.0);
+            let mut of_coordinate = [V::from(0.0); POINTS];
             for j in 0..POINTS {
-                highest = highest + V::from(method.last[j]) * rates[j][k];
+                of_coordinate[j] = rates[j][k];
             }
-            error = error.max((V::from(0.05) * self.h * highest / scales[k]).abs());
+            error = error.max(method.error(self.h, &of_coordinate, scales[k]));
         }
         // A step in which r becomes negative is rejected.
         let mut min_slip = end[ALONG];
@@ -494,11 +487,11 @@ impl<V: Vector> BatchOnset<V> {
         // The error is proportional to the seventh power of the step size. The approximate eighth root, with an
         // error of up to 6 %, is accurate enough unless this error exceeds the tolerance by a factor of ten
         // thousand.
-        let factor = V::from(0.8) * V::approx_16th_root_of(V::from(1.0), error * error);
+        let factor = V::from(SAFETY) * V::approx_16th_root_of(V::from(1.0), error * error);
         let is_finite = error.at_most(V::from(f64::MAX));
         OnsetStep {
             end: V::store_all(cartesian),
-            until_stop: (end[ALONG] / (-rates[POINTS - 1][ALONG]).max(V::from(0.0))).store(),
+            until_stop: until_stop(end[ALONG], rates[POINTS - 1][ALONG]).store(),
             sundman_factor: self
                 .slipping
                 .sundman_factor(&ReducedSliding::<V>::expand(&cartesian))

@@ -2,12 +2,12 @@
 //! ends its phase leaves its lane to the next fall.
 
 use super::chunk::BodyNumbers;
-use super::limits::{Limits, Topple};
+use super::limits::Limits;
 use super::lockstep::{EVENT_FUNCTIONS, EventFunction, Lockstep, StepOutcome, lanes_of};
 use super::reduced_system::ReducedSystem;
 use super::trial::Trial;
 use crate::error_scale::ErrorScale;
-use crate::motion::Status;
+use crate::motion::{Status, Topple};
 use crate::real::{LANES, Lanes};
 use crate::solve::bracketed_root_in;
 use crate::state::Coordinates;

@@ -6,6 +6,7 @@ use crate::law::{
     Coulomb, Dynamics, Frictionless, NoSlip, Parameters, Sliding, SlidingDry, SundmanScaling,
 };
 use crate::real::Real;
+use crate::slip_onset::{ROUNDING, along_and_across};
 use crate::state::Coordinates;
 
 /// The equations of one phase in N reduced coordinates.
@@ -204,14 +205,10 @@ impl<T: Real> ReducedSliding<T> {
     /// force is negative or not determined, or if the slip would decelerate by more than a rounding error.
     #[inline(always)]
     pub(super) fn can_begin(&self, u: &[T; 10], direction: [T; 2]) -> T {
-        // At loose tolerances sin² φ + cos² φ differs from 1 by up to about 1e-8. The condition for slip in
-        // the rolling and in the sliding equations agrees only to that accuracy.
-        const ROUNDING: f64 = 1e-6;
         let u = Self::expand(u);
         let friction_force = self.dynamics.friction().against(direction);
         let (contact, rates) = self.dynamics.reduced_rates_under(&u, &friction_force);
-        let along = rates.slip_x * direction[0] + rates.slip_y * direction[1];
-        let across = rates.slip_y * direction[0] - rates.slip_x * direction[1];
+        let [along, across] = along_and_across([rates.slip_x, rates.slip_y], direction);
         let friction = contact.along.abs() + contact.across.abs();
         let scale =
             friction * self.dynamics.parameters().sideways_mobility() + along.abs() + across.abs();

@@ -9,6 +9,7 @@ use crate::error_scale::ErrorScale;
 use crate::impact;
 use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, SlidingDynamics};
 use crate::real::Dual;
+use crate::slip_onset::{ROUNDING, along_and_across};
 use crate::solve::System;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
 use core::f64::consts::{FRAC_PI_2, TAU};
@@ -294,10 +295,8 @@ struct TrialOnset {
 }
 
 impl TrialOnset {
-    /// At loose tolerances sin² φ + cos² φ = 1 holds to about 1e-8, and so does the agreement of the laws on
-    /// when the slip begins.
     fn is_possible(&self) -> bool {
-        self.forward >= -1e-6 * self.size && self.normal > 0.0 && self.consistency > 0.0
+        self.forward >= -ROUNDING * self.size && self.normal > 0.0 && self.consistency > 0.0
     }
 }
 
@@ -331,9 +330,10 @@ fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64
     };
     let (contact, rates) = dry.slipping(&at_rest, e, 0.0);
     let k = dry.parameters();
+    let [forward, sideways] = along_and_across([rates.slip_x, rates.slip_y], e);
     TrialOnset {
-        sideways: rates.slip_y * e[0] - rates.slip_x * e[1],
-        forward: rates.slip_x * e[0] + rates.slip_y * e[1],
+        sideways,
+        forward,
         size: libm::hypot(contact.along, contact.across) * k.sideways_mobility()
             + libm::hypot(rates.slip_x, rates.slip_y),
         normal: contact.normal,

@@ -6,6 +6,7 @@ use super::instant::{Instant, Phase};
 use super::options::Options;
 use super::step_bounds::{StepBounds, are_clear};
 use super::step_record::{Polynomial, StepRecord};
+use super::topple::Topple;
 use super::track::Track;
 use super::turns;
 use crate::ending::{FACE_DOWN_TILT, STOPPED_TILT};
@@ -143,10 +144,9 @@ pub(super) struct EventDetector<'a> {
     contacts: &'a Contacts,
     error_scale: ErrorScale<f64>,
     goal: Goal,
-    topple: Option<(f64, f64)>,
+    topple: Option<Topple<f64>>,
     start_energy: f64,
-    /// The sign of a tilt rate is significant if the rate exceeds this fraction of its scale. In a steady
-    /// wobble it never is.
+    /// [`Options::significant_tilt_rate`].
     significant: f64,
     /// The last significant sign; at first [that of the release](turns::direction_at_release).
     direction: f64,
@@ -167,9 +167,9 @@ impl<'a> EventDetector<'a> {
             contacts,
             error_scale: ErrorScale::new(contacts.parameters()),
             goal,
-            topple: options.topple_tilt.map(libm::sincos),
+            topple: options.topple_tilt.map(Topple::at),
             start_energy: energy,
-            significant: 10.0 * options.rtol,
+            significant: options.significant_tilt_rate(),
             started_on_first_face: start.cos > 0.0,
             direction: turns::direction_at_release(start),
             crossing: None,
@@ -213,7 +213,7 @@ impl<'a> EventDetector<'a> {
         let in_time = !matches!(self.goal, Goal::Passed(_));
         [
             (TerminalEvent::Done, -1.0, true),
-            (TerminalEvent::Topple, -1.0, self.topple.is_some()),
+            (TerminalEvent::Topple, 1.0, self.topple.is_some()),
             (TerminalEvent::LiftOff, 1.0, on_table),
             (TerminalEvent::Flat, 1.0, in_time),
             (
@@ -276,7 +276,7 @@ impl<'a> EventDetector<'a> {
     /// Whether the step contains none of the few terminal events of an ideal law.
     #[inline(always)]
     fn excludes_ideal_endings(&self, bounds: &StepBounds, end: f64) -> bool {
-        let upright = |(sin, cos)| bounds.stays_above(0.0, |u| u.cos * sin - u.sin * cos);
+        let upright = |topple: Topple<f64>| bounds.stays_above(0.0, |u| topple.below(u));
         bounds.end().t < end
             && bounds.stays_above(FACE_DOWN_TILT, |u| u.sin)
             && self.topple.is_none_or(upright)
@@ -353,10 +353,7 @@ impl<'a> EventDetector<'a> {
                 Goal::Passed(w) if u.p > 0.0 => w - u.w.abs(),
                 Goal::Passed(_) => -1.0,
             },
-            // sin(φ − φ_topple) has the sign of φ − φ_topple within (0, π).
-            TerminalEvent::Topple => self
-                .topple
-                .map_or(-1.0, |(sin, cos)| u.sin * cos - u.cos * sin),
+            TerminalEvent::Topple => self.topple.map_or(1.0, |topple| topple.below(u)),
             TerminalEvent::LiftOff if phase == Phase::Sliding => {
                 self.contacts.scaled_normal_force(u)
             }
@@ -469,9 +466,8 @@ impl<'a> EventDetector<'a> {
     }
 
     fn detect_edge(&mut self, part: StepPart<'_>, samples: &[Sample]) {
-        // A body that topples at π/2 does not pass over its edge. The cosine of the double next to π/2 is
-        // 6e-17; a body with a larger topple tilt passes its edge first.
-        if self.topple.is_some_and(|(_, cos)| cos.abs() < 1e-15) {
+        // A body that topples at π/2 does not pass over its edge; one with a larger topple tilt passes it first.
+        if self.topple.is_some_and(|topple| topple.is_upright()) {
             return;
         }
         for sample in samples.windows(2) {

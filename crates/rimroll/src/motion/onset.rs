@@ -16,6 +16,7 @@ use super::contacts::rotated;
 use super::mechanics::Mechanics;
 use crate::error_scale::direction_scale;
 use crate::law::DryDynamics;
+use crate::slip_onset::{SAFETY, along_and_across, growth, next_step, until_stop};
 use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
 
@@ -121,15 +122,14 @@ pub(super) fn integrate(
             Some(result) if result.error <= 1.0 => {
                 onset.steps.push(result.step);
                 at = result.end;
-                let grow = (0.8 / libm::pow(result.error.max(1e-9), 1.0 / 7.0)).clamp(0.3, 4.0);
+                let growth = growth(SAFETY / libm::pow(result.error.max(1e-9), 1.0 / 7.0));
                 onset.h = h / result.relaxation.max(1.0);
-                if result.relaxation * grow < MAX_EXPLICIT_STIFFNESS {
+                if result.relaxation * growth < MAX_EXPLICIT_STIFFNESS {
                     break;
                 }
-                // The next step must not pass the end of a slip that is about to stop.
-                h = (h * grow).min(0.9 * result.until_stop);
+                h = next_step(h, growth, result.until_stop);
             }
-            Some(result) => h *= (0.8 / libm::pow(result.error, 1.0 / 7.0)).clamp(0.1, 0.5),
+            Some(result) => h *= (SAFETY / libm::pow(result.error, 1.0 / 7.0)).clamp(0.1, 0.5),
             None => h *= 0.25,
         }
     }
@@ -156,8 +156,7 @@ impl PolarSystem<'_> {
         let e = self.direction(polar.turn);
         let u = self.cartesian(polar);
         let (_, rates) = self.dry.slipping(&u, e, polar.speed);
-        let forward = rates.slip_x * e[0] + rates.slip_y * e[1];
-        let sideways = rates.slip_y * e[0] - rates.slip_x * e[1];
+        let [forward, sideways] = along_and_across([rates.slip_x, rates.slip_y], e);
         (rates, forward, sideways)
     }
 
@@ -326,15 +325,14 @@ impl PolarSystem<'_> {
         let step = self
             .method
             .through(h, &self.cartesian(start).into_array(), &states);
-        // The contribution of the highest power of the polynomial bounds that of the powers left out.
-        let highest_term = |value: &dyn Fn(usize) -> f64, scale: f64| {
-            let coefficient: f64 = (0..POINTS).map(|j| self.method.last[j] * value(j)).sum();
-            (0.05 * h * coefficient / scale).abs()
-        };
-        let mut error: f64 = highest_term(&|j| rates[j].speed, scales.speed)
-            .max(highest_term(&|j| turns[j], scales.turn));
+        let speeds = rates.map(|rates| rates.speed);
+        let mut error = self
+            .method
+            .error(h, &speeds, scales.speed)
+            .max(self.method.error(h, turns, scales.turn));
         for i in 0..COORDINATES {
-            error = error.max(highest_term(&|j| rates[j].at[i], scales.at[i]));
+            let rates = rates.map(|rates| rates.at[i]);
+            error = error.max(self.method.error(h, &rates, scales.at[i]));
         }
         let end = points[POINTS - 1];
         let (before, after) = (
@@ -350,7 +348,7 @@ impl PolarSystem<'_> {
             step,
             error: error / self.tolerance,
             relaxation: h * rates[POINTS - 1].slope.abs() / end.speed,
-            until_stop: end.speed / (-rates[POINTS - 1].speed).max(0.0),
+            until_stop: until_stop(end.speed, rates[POINTS - 1].speed),
             end,
         }
     }

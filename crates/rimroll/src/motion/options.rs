@@ -52,6 +52,12 @@ impl Options {
         (0.02 * self.rtol).max(5e-15)
     }
 
+    /// The sign of a tilt rate is significant if the rate exceeds this fraction of its error scale. In a steady
+    /// wobble it never is.
+    pub(crate) fn significant_tilt_rate(&self) -> f64 {
+        10.0 * self.rtol
+    }
+
     /// The index of the first body and start from which no motion can be computed, if there is one.
     pub fn first_refused<'a>(
         &self,

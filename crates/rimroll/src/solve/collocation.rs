@@ -5,6 +5,7 @@
 //! stage order 7, order 13).
 
 use super::Dense;
+use crate::real::Real;
 use std::sync::LazyLock;
 
 /// The number of points.
@@ -106,6 +107,17 @@ impl Collocation {
 }
 
 impl Collocation {
+    /// The estimated error of a component over a step of size h, relative to its scale, from its rates at the points.
+    /// The contribution of the highest Legendre polynomial bounds that of the omitted ones.
+    #[inline(always)]
+    pub fn error<T: Real>(&self, h: T, rates: &[T; POINTS], scale: T) -> T {
+        let mut highest = T::from(0.0);
+        for (weight, rate) in self.last.iter().zip(rates) {
+            highest = highest + T::from(*weight) * *rate;
+        }
+        (T::from(0.05) * h * highest / scale).abs()
+    }
+
     /// The part of a step up to the fraction x, as a separate step.
     pub fn cut<const N: usize>(&self, step: &Dense<f64, N>, x: f64) -> Dense<f64, N> {
         self.through(x * step.h, &step.start, &RADAU.map(|c| step.at(x * c)))
