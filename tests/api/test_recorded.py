@@ -68,10 +68,10 @@ def test_starts_in_other_units_are_converted():
     falls = rr.ensemble(CAN, START, rr.NoSlip())
     in_degrees = falls["start_yaw_rate"] * 180.0 / np.pi
     other = falls.assign(start_yaw_rate=in_degrees.assign_attrs(units="deg/s"))
-    assert rr.State.from_xarray(other).yaw_rate == pytest.approx(0.05, rel=1e-14)
+    assert rr.State.from_xarray(other).yaw_rate == pytest.approx(0.05, rel=1e-14, abs=0.0)
     motion = rr.simulate(CAN, START, rr.NoSlip(), 0.1).to_xarray()
     worded = motion.assign_attrs(start_tilt="30 deg")
-    assert rr.State.from_xarray(worded).tilt == pytest.approx(np.pi / 6.0, rel=1e-15)
+    assert rr.State.from_xarray(worded).tilt == pytest.approx(np.pi / 6.0, rel=1e-15, abs=0.0)
 
 
 def test_a_motion_with_derivatives_comes_back_with_them():

@@ -52,7 +52,7 @@ def test_mirrored_starts_fall_in_mirrored_directions(law):
     assert falls.turn.values == pytest.approx(-mirrored.turn.values, abs=1e-9)
     directions = falls.direction.values + mirrored.direction.values
     assert directions == pytest.approx(2.0 * np.pi, abs=1e-9)
-    assert falls.min_tilt.values == pytest.approx(mirrored.min_tilt.values, rel=1e-9)
+    assert falls.min_tilt.values == pytest.approx(mirrored.min_tilt.values, rel=1e-9, abs=0.0)
     assert np.array_equal(falls.outcome.values, mirrored.outcome.values)
 
 
@@ -188,7 +188,7 @@ def test_the_watershed_of_rolling_is_the_motion_that_rises_from_lying_flat(body,
     yaw_rate = l / np.sin(tilt) ** 2
     slope = yaw_rate / (s - yaw_rate * np.cos(tilt))
     # Ten times the tolerance of the integration.
-    assert rr.watershed_slope(body, tilt, rr.NoSlip()) == pytest.approx(slope, rel=1e-11)
+    assert rr.watershed_slope(body, tilt, rr.NoSlip()) == pytest.approx(slope, rel=1e-11, abs=0.0)
 
 
 @examples(25)
@@ -198,7 +198,7 @@ def test_the_watershed_without_friction_keeps_the_angular_momentum_of_a_flat_spi
     yaw_rate = rr.watershed_slope(body, tilt, rr.Frictionless()) * spin_rate
     l, s = yaw_rate * np.sin(tilt) ** 2, spin_rate + yaw_rate * np.cos(tilt)
     vertical = body.transverse_inertia * l + body.axial_inertia * s * np.cos(tilt)
-    assert vertical == pytest.approx(body.axial_inertia * s, rel=1e-9)
+    assert vertical == pytest.approx(body.axial_inertia * s, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("law", IDEAL, ids=repr)
@@ -217,7 +217,7 @@ def test_under_friction_that_holds_the_rim_the_watershed_is_that_of_rolling():
         found = rr.watershed(CAN, FLICK, rr.Coulomb(friction), spins, gravity=GRAVITY)
         rolling, sliding = (rr.watershed_slope(CAN, FLICK.tilt, law) * spins for law in IDEAL)
         if holds:
-            assert found == pytest.approx(rolling, rel=1e-9)
+            assert found == pytest.approx(rolling, rel=1e-9, abs=0.0)
         else:
             assert np.all((1.01 * rolling < found) & (found < sliding))
 
@@ -266,15 +266,15 @@ def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
     yaw, spin = np.radians(np.linspace(-30.0, 30.0, 4)), np.linspace(-1.0, 1.0, 4)
     falls = rr.turn_map(CAN, FLICK, rr.NoSlip(), yaw, spin, gravity=GRAVITY, duration=2.0)
     with xr.open_dataset(files[0], engine="scipy") as stored:
-        assert stored.turn.values == pytest.approx(falls.turn.values, rel=1e-12)
+        assert stored.turn.values == pytest.approx(falls.turn.values, rel=1e-12, abs=0.0)
         assert stored.attrs["gravity"] == GRAVITY
     lines = [line for line in files[1].read_text().splitlines() if not line.startswith("#")]
     head, *rows = (line.split(",") for line in lines)
     turns = np.array([float(row[head.index("turn[rad]")]) for row in rows])
-    assert turns == pytest.approx(falls.turn.values.ravel(), rel=1e-12)
+    assert turns == pytest.approx(falls.turn.values.ravel(), rel=1e-12, abs=0.0)
     assert head[:4] == ["direction[deg]", "outcome", "spin_rate[rad/s]", "yaw_rate[rad/s]"]
     numbers = json.loads(files[3].read_text("utf-8"))
-    assert numbers["coordinates"]["yaw_rate"] == pytest.approx(yaw, rel=1e-15)
+    assert numbers["coordinates"]["yaw_rate"] == pytest.approx(yaw, rel=1e-15, abs=0.0)
     assert np.shape(numbers["falls"]["turn"]) == (4, 4)
     assert files[2].read_bytes().startswith(b"\x89PNG")
     assert answer["left"]["falls"] == answer["right"]["falls"] == 8
@@ -351,7 +351,7 @@ def test_the_watershed_of_a_flat_body_has_digits_down_to_the_smallest_tilt():
     flat = rr.Body(1.0, 1.0, 0.0, 0.5, 1.0)
     for tilt in (1e-9, 1e-3, 1.0):
         slope = rr.watershed_slope(flat, tilt, rr.Frictionless())
-        assert slope == pytest.approx(1.0 / np.sin(0.5 * tilt) ** 2, rel=1e-14)
+        assert slope == pytest.approx(1.0 / np.sin(0.5 * tilt) ** 2, rel=1e-14, abs=0.0)
 
 
 @pytest.mark.parametrize("law", [rr.NoSlip(), rr.Coulomb(0.3)], ids=lambda law: law.name)

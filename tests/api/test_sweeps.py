@@ -412,10 +412,10 @@ def test_what_cannot_be_computed_for_rows_is_refused_with_a_sentence(call, words
 
 def test_an_axis_of_a_quantity_keeps_its_unit():
     tilt = rr.State(tilt=rr.axis("lean", [15.0, 20.0] * DEGREE)).tilt
-    assert tilt.values == pytest.approx(np.radians([15.0, 20.0]), rel=1e-15)
+    assert tilt.values == pytest.approx(np.radians([15.0, 20.0]), rel=1e-15, abs=0.0)
     rate = rr.axis("push", np.array([1, 10]) * DEGREE / registry().s)
     found = rr.State(tilt=0.5, yaw_rate=rate).yaw_rate
-    assert found.values == pytest.approx(np.radians([1.0, 10.0]), rel=1e-15)
+    assert found.values == pytest.approx(np.radians([1.0, 10.0]), rel=1e-15, abs=0.0)
 
 
 @pytest.mark.parametrize(
@@ -436,10 +436,12 @@ def test_an_axis_that_is_converted_already_but_keeps_its_unit_is_refused(units, 
     # A unit that is given explicitly counts.
     labelled = converted.assign_attrs(units="deg" if convert is np.degrees else "rad")
     expected = rr.State(tilt=lean).tilt.values
-    assert rr.State(tilt=labelled).tilt.values == pytest.approx(expected, rel=1e-14)
+    assert rr.State(tilt=labelled).tilt.values == pytest.approx(expected, rel=1e-14, abs=0.0)
 
 
 def test_other_arithmetic_with_an_axis_is_as_it_was():
     lean = rr.axis("lean", [15, 20], units="deg")
     half = (0.5 * lean).assign_attrs(units="deg")
-    assert rr.State(tilt=half).tilt.values == pytest.approx(np.radians([7.5, 10.0]), rel=1e-15)
+    assert rr.State(tilt=half).tilt.values == pytest.approx(
+        np.radians([7.5, 10.0]), rel=1e-15, abs=0.0
+    )

@@ -55,7 +55,7 @@ def test_thirty_degrees_are_a_sixth_of_pi_however_written(text):
     ],
 )
 def test_rates_of_turning_count_in_radians(text, value):
-    assert quantity(text, "rad/s") == pytest.approx(value, rel=1e-15)
+    assert quantity(text, "rad/s") == pytest.approx(value, rel=1e-15, abs=0.0)
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
@@ -69,7 +69,7 @@ def test_the_everyday_units_agree_with_the_registry():
     for (given_unit, si), factor in units._EVERYDAY.items():
         ours = registry.Quantity(1.0, given_unit)
         theirs = ours.to("dimensionless" if si == "1" else si).magnitude
-        assert factor == pytest.approx(theirs, rel=1e-15), given_unit
+        assert factor == pytest.approx(theirs, rel=1e-15, abs=0.0), given_unit
 
 
 @pytest.mark.parametrize("unit", units.KINDS)

@@ -246,14 +246,14 @@ def test_the_likelihood_is_the_product_of_the_densities_where_they_were_computed
     likelihood = Likelihood(predicted, GRID[places])
     point = at(predicted.frictions[i], unsteadiness=UNSTEADY[k], left_share=share)
     mixture = share * predicted.left[i, k, places] + (1.0 - share) * predicted.right[i, k, places]
-    assert likelihood.density(GRID[places], point) == pytest.approx(mixture, rel=1e-9)
+    assert likelihood.density(GRID[places], point) == pytest.approx(mixture, rel=1e-9, abs=0.0)
     best = likelihood.best(
         friction=point.friction,
         bias=0.0,
         log_unsteadiness=math.log(UNSTEADY[k]),
         logit=math.log(share / (1.0 - share)),
     )
-    assert best.log_likelihood == pytest.approx(np.log(mixture).sum(), rel=1e-9)
+    assert best.log_likelihood == pytest.approx(np.log(mixture).sum(), rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("fraction", [0.0, 0.31, 0.5, 1.0])
@@ -289,7 +289,7 @@ def test_a_bias_turns_the_densities(predicted):
     likelihood = Likelihood(predicted, GRID)
     for bias in (math.radians(-7.5), math.radians(3.0)):
         turned = likelihood.density(GRID + bias, at(0.1, bias=bias))
-        assert turned == pytest.approx(likelihood.density(GRID, at(0.1)), rel=1e-9)
+        assert turned == pytest.approx(likelihood.density(GRID, at(0.1)), rel=1e-9, abs=0.0)
 
 
 def test_between_frictions_densities_are_as_good_as_computed_there(predicted):
@@ -316,7 +316,7 @@ def test_the_limit_of_the_deviance_is_that_of_student_for_normal_data(predicted,
     lefts = n // 2
     off = student.ppf(0.5 + 0.5 * confidence, n - 2) * spread / math.sqrt(lefts)
     deviance = n * math.log((left_over + lefts * off**2) / left_over)
-    assert likelihood.most(confidence) == pytest.approx(deviance, rel=1e-9)
+    assert likelihood.most(confidence) == pytest.approx(deviance, rel=1e-9, abs=0.0)
     assert likelihood.chance(likelihood.most(confidence)) == pytest.approx(1.0 - confidence)
     if n == 1000:  # Wilks
         assert likelihood.most(confidence) == pytest.approx(chi2.ppf(confidence, 1), rel=0.02)
@@ -787,7 +787,7 @@ def test_the_summary_of_the_falls_leaves_out_what_the_fit_takes_for_slips_of_the
     assert main([*command, "--json"]) == 0
     answer = json.loads(capsys.readouterr().out)
     assert answer["falls"] == 43
-    assert answer["strays"] == pytest.approx([math.radians(60.0)], rel=1e-12)
+    assert answer["strays"] == pytest.approx([math.radians(60.0)], rel=1e-12, abs=0.0)
 
 
 def test_the_command_reads_the_columns_that_it_is_given(tmp_path, capsys):

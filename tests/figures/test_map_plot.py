@@ -67,7 +67,7 @@ def test_ticks_times_their_power_and_the_offset_are_the_rates():
     ax = map_figure(mapped(0.05 + 5e-8 * RATES)).axes[0]
     labels = [float(label.get_text().replace("−", "-")) for label in ax.get_xticklabels()]
     assert len(labels) > 3
-    assert 0.05 + 1e-8 * np.array(labels) == pytest.approx(ax.get_xticks(), rel=1e-14)
+    assert 0.05 + 1e-8 * np.array(labels) == pytest.approx(ax.get_xticks(), rel=1e-14, abs=0.0)
 
 
 def test_under_friction_that_holds_the_rim_the_line_is_that_of_rolling():

@@ -111,7 +111,7 @@ def test_the_yaw_inside_the_lens_stays_between_the_two_halves_of_the_limit():
     motion = setting.motion(rr.NoSlip())
     (lens,) = panels_and_lenses(plot.nine_panels(motion))[1]
     low, high, curve = (np.asarray(line.get_ydata()) for line in lens.lines)
-    assert high[0] - low[0] == pytest.approx(rr.turn_limit(CAN, rr.NoSlip()), rel=1e-12)
+    assert high[0] - low[0] == pytest.approx(rr.turn_limit(CAN, rr.NoSlip()), rel=1e-12, abs=0.0)
     assert low[0] < curve.min() and curve.max() < high[0]
     assert np.ptp(curve) > 0.95 * (high[0] - low[0])
     assert "µs" in lens.get_xlabel()
@@ -122,7 +122,7 @@ def test_the_dashed_line_of_the_friction_panel_is_the_closed_form():
     needed = (
         CAN.mass * CAN.height * CAN.radius / (CAN.transverse_inertia + CAN.mass * CAN.height**2)
     )
-    assert ax.lines[0].get_ydata()[0] == pytest.approx(needed, rel=1e-14)
+    assert ax.lines[0].get_ydata()[0] == pytest.approx(needed, rel=1e-14, abs=0.0)
     assert needed * 0.995 < ax.lines[1].get_ydata().max() < needed
 
 

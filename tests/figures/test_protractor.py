@@ -42,7 +42,7 @@ def test_the_page_is_the_paper_and_the_rim_has_its_true_size(paper, size):
     x, y = rim.center
     for way in ((51.0, 0.0), (0.0, 51.0)):
         moved = in_points(figure, (x + way[0], y + way[1])) - in_points(figure, (x, y))
-        assert np.hypot(*moved) == pytest.approx(51.0 * POINTS, rel=1e-12)
+        assert np.hypot(*moved) == pytest.approx(51.0 * POINTS, rel=1e-12, abs=0.0)
     assert rim.radius == pytest.approx(51.0)
     (bar,) = drawn(figure, mpl.lines.Line2D, "bar")
     ends = in_points(figure, np.column_stack(bar.get_data()))

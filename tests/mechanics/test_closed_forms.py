@@ -26,7 +26,7 @@ def inertias(body, law):
 @given(body=bodies())
 def test_limiting_turn_is_pi_times_the_root_of_j_over_k(law, body):
     J, K = inertias(body, law)
-    assert rr.turn_limit(body, law) == pytest.approx(np.pi * np.sqrt(J / K), rel=1e-14)
+    assert rr.turn_limit(body, law) == pytest.approx(np.pi * np.sqrt(J / K), rel=1e-14, abs=0.0)
 
 
 @few
@@ -34,15 +34,17 @@ def test_limiting_turn_is_pi_times_the_root_of_j_over_k(law, body):
 def test_turn_of_a_disk_is_the_same_with_and_without_friction(disk):
     """The paper's k belongs to a flat body, C = 2A; free numbers with H = 0 have A alone."""
     no_slip, frictionless = (rr.turn_limit(disk, law) for law in LAWS)
-    assert no_slip == pytest.approx(frictionless, rel=1e-14)
+    assert no_slip == pytest.approx(frictionless, rel=1e-14, abs=0.0)
     k = np.sqrt(2 * disk.transverse_inertia / (disk.mass * disk.radius**2))
-    assert rr.disk_turn_limit(k) == pytest.approx(no_slip, rel=1e-14)
+    assert rr.disk_turn_limit(k) == pytest.approx(no_slip, rel=1e-14, abs=0.0)
 
 
 def test_turn_of_a_uniform_disk_is_pi_sqrt_5_and_of_a_ring_pi_sqrt_3():
     for law in LAWS:
-        assert rr.turn_limit(DISK, law) == pytest.approx(np.pi * np.sqrt(5), rel=1e-15)
-        assert rr.turn_limit(rr.bodies.ring(), law) == pytest.approx(np.pi * np.sqrt(3), rel=1e-15)
+        assert rr.turn_limit(DISK, law) == pytest.approx(np.pi * np.sqrt(5), rel=1e-15, abs=0.0)
+        assert rr.turn_limit(rr.bodies.ring(), law) == pytest.approx(
+            np.pi * np.sqrt(3), rel=1e-15, abs=0.0
+        )
     assert rr.disk_turn_limit(1e-9) > 1e9
 
 
@@ -52,7 +54,7 @@ def test_turn_with_spin_has_an_arctangent_more(body, spin, rate):
     J, K = inertias(body, rr.NoSlip())
     lead = body.mass * body.height * body.radius * spin / (rate * np.sqrt(J * K))
     expected = np.sqrt(J / K) * (np.pi + 2 * np.arctan(lead))
-    assert rr.turn_limit_with_spin(body, spin, rate) == pytest.approx(expected, rel=1e-13)
+    assert rr.turn_limit_with_spin(body, spin, rate) == pytest.approx(expected, rel=1e-13, abs=0.0)
     assert rr.turn_limit_with_spin(body, 0.0, rate) == rr.turn_limit(body, rr.NoSlip())
 
 
@@ -89,15 +91,15 @@ def test_a_can_that_arrives_spinning_with_its_turn_lifts_off_instead(spin):
 def test_tall_limit_is_above_the_limit_by_the_next_order_at_most(law, body):
     J, K = inertias(body, law)
     tall, exact = rr.tall_turn_limit(body, law), rr.turn_limit(body, law)
-    assert tall == pytest.approx(np.pi + np.pi / 2 * (J / K - 1), rel=1e-14)
+    assert tall == pytest.approx(np.pi + np.pi / 2 * (J / K - 1), rel=1e-14, abs=0.0)
     assert -1e-14 * exact <= tall - exact <= np.pi / 8 * (J / K - 1) ** 2 + 1e-14 * exact
 
 
 def test_point_mass_limit_is_approached_as_the_moments_vanish():
     point = rr.Body(1.0, 0.1, 0.2, 1e-12, 1e-12)
     limit = rr.point_mass_turn_limit(0.1, 0.2, rr.NoSlip())
-    assert limit == pytest.approx(np.pi * np.sqrt(1.25), rel=1e-15)
-    assert rr.turn_limit(point, rr.NoSlip()) == pytest.approx(limit, rel=1e-10)
+    assert limit == pytest.approx(np.pi * np.sqrt(1.25), rel=1e-15, abs=0.0)
+    assert rr.turn_limit(point, rr.NoSlip()) == pytest.approx(limit, rel=1e-10, abs=0.0)
     assert rr.point_mass_turn_limit(0.1, 0.2, rr.Frictionless()) == np.inf
     assert rr.turn_limit(point, rr.Frictionless()) > 1e5
 
@@ -107,7 +109,7 @@ def test_point_mass_limit_is_approached_as_the_moments_vanish():
 def test_needed_friction_is_mhr_over_k(body):
     _, K = inertias(body, rr.NoSlip())
     expected = body.mass * body.height * body.radius / K
-    assert rr.needed_friction(body) == pytest.approx(expected, rel=1e-14)
+    assert rr.needed_friction(body) == pytest.approx(expected, rel=1e-14, abs=0.0)
 
 
 def test_a_rolling_can_needs_that_friction_all_through_a_close_near_collision():
@@ -176,7 +178,7 @@ def test_there_is_no_steady_wobble_beyond_the_balance_tilt():
 @given(body=bodies())
 def test_balance_tilt_has_the_center_over_the_rim(body):
     tilt = rr.balance_tilt(body)
-    assert tilt == pytest.approx(np.arctan2(body.radius, body.height), rel=1e-15)
+    assert tilt == pytest.approx(np.arctan2(body.radius, body.height), rel=1e-15, abs=0.0)
     rho = body.radius * np.cos(tilt) - body.height * np.sin(tilt)
     assert abs(rho) < 1e-15 * np.hypot(body.radius, body.height) * 4
 
@@ -194,8 +196,8 @@ def test_lift_off_and_slip_rates_are_their_formulas(body, gravity):
     m, H = body.mass, body.height
     lift_off = np.sqrt(gravity * K / (J * H)) if H else np.inf
     slip = np.sqrt(2 * m * gravity * H * K / (J * (K + m * H**2)))
-    assert rr.lift_off_rate(body, gravity) == pytest.approx(lift_off, rel=1e-13)
-    assert rr.slip_rate(body, gravity) == pytest.approx(slip, rel=1e-13)
+    assert rr.lift_off_rate(body, gravity) == pytest.approx(lift_off, rel=1e-13, abs=0.0)
+    assert rr.slip_rate(body, gravity) == pytest.approx(slip, rel=1e-13, abs=0.0)
 
 
 def test_a_can_lifts_off_on_arrival_above_the_lift_off_rate_only():

@@ -130,7 +130,7 @@ def test_a_rolling_disk_turns_as_appell_and_korteweg_have_it(body, yaw_rate, spi
     start = rr.State(tilt=0.7, yaw_rate=yaw_rate, spin_rate=spin_rate)
     found = rr.exact_turn(body, start, rr.NoSlip())
     turn, min_tilt = rolling_disk.turn(body, start, rr.STANDARD_GRAVITY)
-    assert found.end_tilt == pytest.approx(0.7, rel=1e-14)
+    assert found.end_tilt == pytest.approx(0.7, rel=1e-14, abs=0.0)
     assert float(abs(found.turn - turn)) < 1e-13
     assert float(abs(found.min_tilt / min_tilt - 1)) < 1e-13
 
@@ -173,9 +173,9 @@ def test_an_exact_turn_is_the_first_of_the_motion(rocking, law):
         turn = motion.turns[0]
         assert found.turn == pytest.approx(turn.angle, abs=1e-9)
         assert found.min_tilt == pytest.approx(turn.min_tilt, rel=1e-8)
-        assert found.end_tilt == pytest.approx(turn.max_tilt, rel=1e-9)
-        assert found.min_tilt_time == pytest.approx(turn.t, rel=1e-9)
-        assert found.end_time == pytest.approx(turn.end, rel=1e-9)
+        assert found.end_tilt == pytest.approx(turn.max_tilt, rel=1e-9, abs=0.0)
+        assert found.min_tilt_time == pytest.approx(turn.t, rel=1e-9, abs=0.0)
+        assert found.end_time == pytest.approx(turn.end, rel=1e-9, abs=0.0)
 
 
 @st.composite
