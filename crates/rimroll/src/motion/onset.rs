@@ -325,13 +325,13 @@ impl PolarSystem<'_> {
         let step = self
             .method
             .through(h, &self.cartesian(start).into_array(), &states);
-        let speeds = rates.map(|rates| rates.speed);
+        let speeds = core::array::from_fn(|j| rates[j].speed);
         let mut error = self
             .method
             .error(h, &speeds, scales.speed)
             .max(self.method.error(h, turns, scales.turn));
         for i in 0..COORDINATES {
-            let rates = rates.map(|rates| rates.at[i]);
+            let rates = core::array::from_fn(|j| rates[j].at[i]);
             error = error.max(self.method.error(h, &rates, scales.at[i]));
         }
         let end = points[POINTS - 1];
