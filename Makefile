@@ -12,7 +12,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web dev check test soak bench coverage census lint audit semver msrv clean toolchain
+.PHONY: help demo web docs dev check test soak bench coverage census lint audit semver msrv clean toolchain
 
 help: ## list the targets (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -22,6 +22,9 @@ demo: $(REPORT) ## redo the paper's figures and tables as one page
 
 web: $(PAGE) ## build the lab, the page that `rimroll lab` opens
 	@echo "The page is $(PAGE): .venv/bin/rimroll lab opens it."
+
+docs: $(REPORT) $(PAGE) .venv/.docs ## build the documentation site: out/docs
+	tools/build_docs.sh
 
 # The next target that needs the optimised extension builds it again.
 dev: .venv/.packages ## build the extension quickly, with little optimisation, for work on the core
@@ -91,6 +94,10 @@ web/src/core/rimroll.wasm: $(WASM) tools/build_wasm.sh tools/debian_rust.sh | to
 # If the machine has no Node.js, that in .venv is used.
 web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc tools/node.sh | .venv/.packages
 	tools/node.sh npm ci --silent
+	@touch $@
+
+.venv/.docs: .venv/.packages
+	.venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt --group docs
 	@touch $@
 
 .venv/.extension: $(RUST) tools/build_extension.sh .venv/.packages

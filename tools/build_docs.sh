@@ -1,0 +1,16 @@
+#!/bin/sh
+# Builds the documentation site into out/docs, with the lab, the reproduced paper and the crate's
+# documentation inside. Warnings are errors. `make docs` runs it when these have been built.
+set -eu
+cd "$(dirname "$0")/.."
+
+RUSTDOCFLAGS="-D warnings" cargo doc --quiet --package rimroll --no-deps
+.venv/bin/sphinx-build --quiet --nitpicky --fail-on-warning --keep-going \
+    --doctree-dir out/docs-work/doctrees docs out/docs
+rm -rf out/docs/lab out/docs/paper out/docs/reference/rust
+cp -R python/rimroll/page out/docs/lab
+cp -R out/paper out/docs/paper
+cp -R "${CARGO_TARGET_DIR:-target}/doc" out/docs/reference/rust
+touch out/docs/.nojekyll  # GitHub Pages would leave out folders that begin with _
+.venv/bin/python tools/check_site.py out/docs
+echo "The site is out/docs/index.html."
