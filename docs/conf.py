@@ -37,13 +37,14 @@ myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
 myst_dmath_double_inline = True
 myst_heading_anchors = 3
 suppress_warnings = ["myst.header"]  # CHANGELOG.md repeats headings by intent
-numfig = False
-math_numfig = False
+numfig = True  # equations are numbered by the page of the theory that they stand on
+numfig_secnum_depth = 1
 
 autosummary_generate = False
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
+autodoc_type_aliases = {name: name for name in ("Array", "Number", "Values")}
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88
 napoleon_google_docstring = False

@@ -10,6 +10,7 @@ import contextlib
 import io
 import re
 import shlex
+import traceback
 from logging import getLogger
 from pathlib import Path
 
@@ -25,7 +26,10 @@ def wrong_examples(text):
     for code, shown in PYTHON.findall(text):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
-            exec(code, names)
+            try:
+                exec(code, names)
+            except Exception:
+                traceback.print_exc(file=printed)
         if printed.getvalue() != shown:
             yield shown, printed.getvalue()
 
