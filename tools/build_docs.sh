@@ -5,8 +5,12 @@ set -eu
 cd "$(dirname "$0")/.."
 
 RUSTDOCFLAGS="-D warnings" cargo doc --quiet --package rimroll --no-deps
+# Sphinx would not warn again of a page that has not changed, so after a failure it starts afresh.
 .venv/bin/sphinx-build --quiet --nitpicky --fail-on-warning --keep-going \
-    --doctree-dir out/docs-work/doctrees docs out/docs
+    --doctree-dir out/docs-work/doctrees docs out/docs || {
+    rm -rf out/docs-work
+    exit 1
+}
 rm -rf out/docs/lab out/docs/paper out/docs/reference/rust
 cp -R python/rimroll/page out/docs/lab
 cp -R out/paper out/docs/paper
