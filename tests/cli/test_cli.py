@@ -350,7 +350,7 @@ def test_a_motion_that_topples_or_meets_the_table_flat_says_so(stdout_of):
 
 def test_a_solver_that_gives_up_is_exit_code_1(capsys):
     assert main(f"simulate {PAPER} --max-steps 5".split()) == 1
-    assert "after 5 steps, the most that are allowed" in capsys.readouterr().out
+    assert "after 5 steps, the limit max_steps" in capsys.readouterr().out
 
 
 def test_csv_keeps_every_bit_and_every_parameter(stdout_of, motion, tmp_path):

@@ -76,7 +76,7 @@ def test_what_the_face_down_message_promises_is_true(law):
 def test_a_motion_out_of_steps_has_failed_and_says_where():
     motion = rr.simulate(CAN, PAPER_START, rr.NoSlip(), max_steps=50)
     assert motion.status == "failed" and motion.stats.steps == 50 and len(motion) == 51
-    why = "after 50 steps, the most that are allowed"
+    why = "after 50 steps, the limit max_steps"
     assert motion.message == f"stopped at t = {motion.t[-1]:.6f} s {why}"
     # The part before can be used.
     assert motion.evaluate(motion.t[-1]).tilt[0] == pytest.approx(

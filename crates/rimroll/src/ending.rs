@@ -195,7 +195,7 @@ impl Ending {
                  starts at a friction of {friction:.4}"
             ),
             EndingKind::OutOfSteps { max_steps } => {
-                format!("stopped at t = {t} s after {max_steps} steps, the most that are allowed")
+                format!("stopped at t = {t} s after {max_steps} steps, the limit max_steps")
             }
             EndingKind::NoStep => format!("the solver found no step short enough at t = {t} s"),
             EndingKind::Interrupted => format!("interrupted at t = {t} s"),
@@ -209,8 +209,8 @@ impl OnItsSide {
             return "comes to rest".to_owned();
         }
         format!(
-            "goes on, sliding at {:.3} m/s, spinning about its axis at {:.3} rad/s and turning about \
-             the vertical at {:.3} rad/s",
+            "continues to slide at {:.3} m/s, spins about its axis at {:.3} rad/s and turns about the vertical at \
+             {:.3} rad/s",
             self.sliding, self.axial_spin, self.turning
         )
     }

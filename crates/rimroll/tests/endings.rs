@@ -536,7 +536,7 @@ fn a_motion_that_runs_out_of_steps_says_so() {
     assert!(
         motion
             .message()
-            .contains("after 50 steps, the most that are allowed"),
+            .contains("after 50 steps, the limit max_steps"),
         "{}",
         motion.message()
     );

@@ -60,7 +60,7 @@ fn first_ending(motion: &Motion) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(cases(200))]
+    #![proptest_config(cases(50))]
 
     #[test]
     fn a_fall_is_the_first_turn_of_its_motion(
@@ -161,6 +161,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(cases(500))]
 
     #[test]
     fn a_fall_in_an_ensemble_is_that_fall(
@@ -177,6 +181,79 @@ proptest! {
         if steady {
             prop_assert!(same_kind(found, &alone), "{found:?}\n{alone:?}");
             prop_assert!(near(found, &alone, 1e-5), "{found:?}\n{alone:?}");
+        }
+    }
+}
+
+/// A rim that slips for a small part of a step, or that would lift off soon after it slips. The three bodies were
+/// found by random search, each with a release that lost such a slip at a tolerance of 1e-7.
+#[test]
+fn brief_slips_are_noticed_at_any_tolerance() {
+    let cases = [
+        (
+            [
+                0.0366548094959212,
+                0.1593777002609654,
+                0.004028070432256429,
+                0.008056140864512859,
+            ],
+            [0.3189996721683935, 0.40492146764965203, 0.0, 0.0],
+            0.5136834404820946,
+        ),
+        (
+            [
+                0.04787797705645884,
+                0.23874029744417935,
+                0.0022179115531163096,
+                0.004435823106232619,
+            ],
+            [
+                0.09401344734155365,
+                -5.293243303084646,
+                0.48648796882759665,
+                0.0,
+            ],
+            0.2965213813123225,
+        ),
+        (
+            [
+                0.016453748130860483,
+                0.07723083846825918,
+                0.0006641510240006189,
+                0.0009730636490860418,
+            ],
+            [
+                0.24728950830993987,
+                -3.457326826370055,
+                0.0,
+                -0.636504901193022,
+            ],
+            0.5162887805998276,
+        ),
+    ];
+    for ([radius, height, transverse, axial], [tilt, tilt_rate, yaw_rate, spin_rate], friction) in
+        cases
+    {
+        let body = Body::new(1.0, radius, height, transverse, axial).expect("a rigid body");
+        let start = State {
+            tilt,
+            tilt_rate,
+            yaw_rate,
+            spin_rate,
+            ..State::default()
+        };
+        let contact_law: ContactLaw = FrictionLaw::coulomb(friction).into();
+        let loss = |fall: &Fall| fall.end.friction_loss;
+        let with = |rtol| Options { rtol, ..options() };
+        let exact = fall(&body, &start, &contact_law, &with(1e-11)).expect("a valid start");
+        for rtol in [1e-6, 3e-7, 1e-7, 3e-8, 1e-8] {
+            let alone = fall(&body, &start, &contact_law, &with(rtol)).expect("a valid start");
+            let among = all(&body, &[(start, contact_law.clone())], &with(rtol))[0];
+            for found in [alone, among] {
+                // The missed slips were a part of 1e-4 or more of the loss.
+                let off = (loss(&found) / loss(&exact) - 1.0).abs();
+                assert!(off < 1e-6, "{off:e} for rtol = {rtol:e}: {found:?}");
+            }
         }
     }
 }

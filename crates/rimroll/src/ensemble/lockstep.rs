@@ -36,11 +36,17 @@ pub(super) struct Lockstep<const N: usize> {
     end_scales: [Lanes; N],
     /// The next step size that the error estimate allows.
     pub next: Lanes,
-    /// The minimum, over some points inside the step, of the event functions for tilt extremes and contact.
+    /// Negative if an event function for tilt extremes or contact is negative inside the step, or may be.
     pub inside: Lanes,
+    /// The contact margins at [`MARGIN_NODES`].
+    margins: [Lanes; MARGIN_NODES.len()],
     /// The rates at the stages of the step, beginning with those at its start.
     stages: [[Lanes; N]; 16],
 }
+
+/// The places in a step, as fractions of its size, at which the contact margin is computed: the start, three
+/// stages, and the end.
+const MARGIN_NODES: [f64; 5] = [0.0, 1.0 / 3.0, 3.0 / 5.0, 6.0 / 7.0, 1.0];
 
 /// The event functions. Each is negative after its event.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,12 +119,15 @@ impl<const N: usize> Lockstep<N> {
             end_scales: [zero; N],
             next: zero,
             inside: zero,
+            margins: [zero; MARGIN_NODES.len()],
             stages: [[zero; N]; 16],
         }
     }
 
-    /// Puts a motion into a lane.
-    pub(super) fn put(&mut self, lane: usize, u: [f64; N], rates: [f64; N], scales: [f64; N]) {
+    /// Puts a motion under the equations of `system` into a lane.
+    pub(super) fn put<P: ReducedSystem<f64, N>>(&mut self, lane: usize, u: [f64; N], system: &P) {
+        let (rates, scales) = (system.rates(&u), system.scales(&u));
+        self.margins[0].0[lane] = system.contact_margin(&u);
         for i in 0..N {
             self.u[i].0[lane] = u[i];
             self.stages[0][i].0[lane] = rates[i];
@@ -154,6 +163,8 @@ impl<const N: usize> Lockstep<N> {
             self.stages[0][i].0[lane] = self.end_rates[i].0[lane];
             self.scales[i].0[lane] = self.end_scales[i].0[lane];
         }
+        let [start, .., end] = &mut self.margins;
+        start.0[lane] = end.0[lane];
         self.steps.0[lane] += 1.0;
     }
 
@@ -188,6 +199,11 @@ impl<const N: usize> Lockstep<N> {
             V::from(limits.duration) - at.t,
             phase.contact_margin(&end),
         ];
+        let [.., end_margin] = &mut self.margins;
+        *end_margin = event_values[EventFunction::Contact as usize].store();
+        let margins = V::load_all(&self.margins);
+        let inside = V::load(&self.inside).min(lowest_dip(&margins));
+        self.inside = inside.store();
         let slip_persists = phase.slip_persists(&end, &end_rates, limits.tolerance);
         let event_margin = self.event_margin(&at, &event_values, slip_persists, limits);
         let quiet = within_tolerance
@@ -202,6 +218,8 @@ impl<const N: usize> Lockstep<N> {
             self.end_scales[i] = scales[i].store();
             self.scales[i] = quiet.choose(scales[i], V::load(&self.scales[i])).store();
         }
+        let [start_margin, .., end_margin] = margins;
+        self.margins[0] = quiet.choose(end_margin, start_margin).store();
         let zero = V::from(0.0);
         let mut crossed = [0; EVENT_FUNCTIONS.len()];
         for i in 0..EVENT_FUNCTIONS.len() {
@@ -246,11 +264,13 @@ impl<const N: usize> Lockstep<N> {
         }
         let at = stage_argument(i, &u, h, &self.stages, part, P::ESSENTIAL);
         V::store_parts(phase.rates(&at), &mut self.stages[i + 1], part);
-        // These stages lie at 1/3, 3/5 and 6/7 of the step.
-        if matches!(i, 4 | 8 | 9) {
+        // The stages at the inner nodes of `MARGIN_NODES`.
+        if let Some(node) = [4, 8, 9].iter().position(|&stage| stage == i) {
             let extreme = V::load_part(&self.direction, part) * P::expand(&at).p;
+            let margin = phase.contact_margin(&at);
+            margin.store_part(&mut self.margins[node + 1], part);
             let inside = V::load_part(&self.inside, part);
-            let inside = inside.min(extreme).min(phase.contact_margin(&at));
+            let inside = inside.min(extreme).min(margin);
             inside.store_part(&mut self.inside, part);
         }
     }
@@ -325,6 +345,26 @@ impl<const N: usize> Lockstep<N> {
         let exceeds_min = !next.at_most(V::load(&self.min_h));
         shortened.and(is_finite.and(exceeds_min))
     }
+}
+
+/// Negative if the contact margin may be negative between two of its nodes: if a parabola through three
+/// successive margins falls and then rises, and its minimum is below a quarter of the middle margin.
+#[inline(always)]
+fn lowest_dip<V: Vector>(margins: &[V; MARGIN_NODES.len()]) -> V {
+    let dip = |i: usize| {
+        let [x, y, z] = [MARGIN_NODES[i], MARGIN_NODES[i + 1], MARGIN_NODES[i + 2]];
+        let divided = |a: V, b: V, distance: f64| (b - a) * V::from(1.0 / distance);
+        let before = divided(margins[i], margins[i + 1], y - x);
+        let after = divided(margins[i + 1], margins[i + 2], z - y);
+        let curvature = divided(before, after, z - x);
+        let first_slope = before - V::from(y - x) * curvature;
+        let slope = before + V::from(y - x) * curvature;
+        let last_slope = after + V::from(z - y) * curvature;
+        // The minimum is lower than the middle margin by slope²/(4 curvature).
+        let depth = V::from(3.0) * curvature * margins[i + 1] - slope * slope;
+        depth.max(first_slope).max(-last_slope)
+    };
+    dip(0).min(dip(1)).min(dip(2))
 }
 
 /// The computation of a step: the motions, their equations and their bounds.
@@ -453,7 +493,7 @@ mod tests {
                 slip_y: 0.01,
                 ..Coordinates::from_state(&start)
             });
-            lockstep.put(lane, u, phase.rates(&u), phase.scales(&u));
+            lockstep.put(lane, u, phase);
             lockstep.h.0[lane] = 1e-3;
             lockstep.direction.0[lane] = -1.0;
             lockstep.free.0[lane] = 1.0;

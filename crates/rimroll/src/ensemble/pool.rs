@@ -114,9 +114,8 @@ where
             self.prepare(lane, LaneModel::new(body, friction));
         }
         self.count += 1;
-        let (u, system) = (A::project(at), &self.lane_models[lane].system);
         self.lockstep
-            .put(lane, u, system.rates(&u), system.scales(&u));
+            .put(lane, A::project(at), &self.lane_models[lane].system);
         self.lockstep.h.0[lane] = h;
         self.lockstep.min_h.0[lane] = 1e-16 * h;
         self.lockstep.direction.0[lane] = trial.direction;

@@ -117,18 +117,17 @@ impl<T: Real, const DRY: bool> ReducedSystem<T, 7> for ReducedNoSlip<T, DRY> {
         Self::project(&self.error_scale.scales(&Self::expand(u)))
     }
 
-    /// N sin φ. Under dry friction it is (μ_s² N² − T²) sin² φ where N is positive.
+    /// N sin φ, or, under dry friction, (μ_s² N |N| − T²) sin² φ. A margin that were N itself where N is negative
+    /// would have a false root where N is 0.
     #[inline(always)]
     fn contact_margin(&self, u: &[T; 7]) -> T {
         let contact = self.dynamics.contact(&Self::expand(u));
         if !DRY {
             return contact.normal;
         }
-        let available = self.static_friction_squared * contact.normal * contact.normal;
+        let available = self.static_friction_squared * contact.normal * contact.normal.abs();
         let needed = contact.along * contact.along + contact.across * contact.across;
-        contact
-            .normal
-            .where_negative(contact.normal, available - needed)
+        available - needed
     }
 }
 

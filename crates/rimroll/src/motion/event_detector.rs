@@ -15,9 +15,9 @@ use crate::law::Dynamics;
 use crate::solve::Step;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES, TIME};
 
-/// The fractions of a step at which the event functions are sampled, in addition to the extrema of the tilt.
-/// So no topple tilt is missed, and the normal force can be negative unnoticed only within a quarter of a
-/// step.
+/// The fractions of a step at which the event functions are sampled, in addition to the extrema of the tilt and
+/// to the dips of the contact forces. So no topple tilt is missed, and the normal force or the friction cone
+/// margin can be negative unnoticed only within a fraction of a quarter of a step.
 const SAMPLES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// The fraction of the initial energy at which a motion counts as over.
@@ -123,6 +123,21 @@ fn with_extrema(dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
         all.push(*sample);
     }
     all
+}
+
+/// How often samples are added where the parabola through three of them has a minimum near zero.
+const DIP_ROUNDS: usize = 2;
+
+/// The place of the minimum of a parabola through three samples (place, positive value) if it lies between the
+/// outer ones and below a quarter of the middle value.
+fn dip([(x, a), (y, b), (z, c)]: [(f64, f64); 3]) -> Option<f64> {
+    let (before, after) = ((b - a) / (y - x), (c - b) / (z - y));
+    let curvature = (after - before) / (z - x);
+    let slope = before + (y - x) * curvature;
+    let place = y - slope / (2.0 * curvature);
+    let is_low = slope * slope > 3.0 * curvature * b;
+    let is_between = curvature > 0.0 && x < place && place < z;
+    (a.min(b).min(c) > 0.0 && is_between && is_low && place != y).then_some(place)
 }
 
 /// A fraction of a step from `from` on at which the gap is positive, for a flight that begins at `from` and
@@ -308,7 +323,8 @@ impl<'a> EventDetector<'a> {
         };
         let samples = SAMPLES.map(|x| Sample::at(dense, x)).to_vec();
         let with_tilt_extrema = with_extrema(dense, &samples);
-        let Some((event, x)) = self.first_terminal_event(phase, dense, &with_tilt_extrema) else {
+        let with_dips = self.with_dips(phase, dense, &with_tilt_extrema);
+        let Some((event, x)) = self.first_terminal_event(phase, dense, &with_dips) else {
             self.detect_extrema(part, &samples);
             self.detect_edge(part, &with_tilt_extrema);
             track.push(record);
@@ -378,6 +394,39 @@ impl<'a> EventDetector<'a> {
     }
 
     /// The first terminal event inside a step and the fraction of the step at which it occurs.
+    /// The samples, with more where the normal force or the friction cone margin may be negative between them.
+    fn with_dips(&self, phase: Phase, dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
+        let mut all = samples.to_vec();
+        for _ in 0..DIP_ROUNDS {
+            let mut places: Vec<f64> = self
+                .terminal_events(phase)
+                .filter(|(event, _)| {
+                    matches!(event, TerminalEvent::LiftOff | TerminalEvent::SlipOnset)
+                })
+                .flat_map(|(event, before)| {
+                    let value = |sample: &Sample| {
+                        (
+                            sample.x,
+                            before * self.event_function(event, phase, &sample.u),
+                        )
+                    };
+                    let values: Vec<_> = all.iter().map(value).collect();
+                    let dips = values
+                        .windows(3)
+                        .filter_map(|three| dip([three[0], three[1], three[2]]));
+                    dips.collect::<Vec<_>>()
+                })
+                .collect();
+            if places.is_empty() {
+                break;
+            }
+            places.retain(|&place| all.iter().all(|sample| sample.x != place));
+            all.extend(places.into_iter().map(|x| Sample::at(dense, x)));
+            all.sort_by(|a, b| a.x.total_cmp(&b.x));
+        }
+        all
+    }
+
     fn first_terminal_event(
         &self,
         phase: Phase,

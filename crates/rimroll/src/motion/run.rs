@@ -456,6 +456,7 @@ impl SystemVisitor for Steps<'_, '_> {
         loop {
             let since_test = run.work.steps - run.steps_at_stiffness_test;
             if N == COORDINATES && since_test >= STIFFNESS_TEST_INTERVAL {
+                run.work = before + stepper.work;
                 match run.implicit_steps(mechanics, phase, u, h, report) {
                     ControlFlow::Break(over) => return over,
                     ControlFlow::Continue(None) => stepper.work = Work::default(),
