@@ -67,6 +67,14 @@ def number(field: str, value: object, unit: str = "1") -> float:
     raise RimrollError(f"{field} must be a single number, got {value!r}")
 
 
+def positive(field: str, value: object, unit: str = "1") -> float:
+    """A number as :func:`number` reads it; ``RimrollError`` unless it is > 0 and finite."""
+    read = number(field, value, unit)
+    if not 0.0 < read < math.inf:
+        raise RimrollError(f"{field} must be > 0 and finite, got {read} {unit}")
+    return read
+
+
 def optional(field: str, value: object, unit: str = "1") -> float | None:
     """A number as :func:`number` reads it, or None."""
     return None if value is None else number(field, value, unit)

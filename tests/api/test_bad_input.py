@@ -263,6 +263,8 @@ def body(**changed):
         ("simulate --tilt 30deg --duration inf", "not a finite number"),
         ("simulate --tilt 30deg --gravity 0", "--gravity must be > 0"),
         ("simulate --gravity -1", "--gravity must be > 0 and finite"),
+        ("turn --gravity -3", "--gravity must be > 0 and finite, got -3.0 m/s^2"),
+        ("turn --tilt 20deg --gravity -3", "--gravity must be > 0 and finite, got -3.0 m/s^2"),
         ("topple -n 0", "--number must be a whole number >= 1, got 0"),
         ("topple --tilt-spread -1", "--tilt-spread must be finite and >= 0"),
         ("simulate --tilt 30deg --rtol 1", "rtol must be between 1e-14 and 1e-3, got 1"),
@@ -305,6 +307,32 @@ def test_a_half_written_scenario_is_named_with_line_and_column(complaint, tmp_pa
     line = complaint("simulate half.toml")
     assert line.startswith("half.toml: is not valid TOML: ")
     assert "line 3, column 7" in line
+
+
+@pytest.mark.parametrize(
+    ("command", "table", "says"),
+    [
+        ("turn", 'gravity = "-3 m/s^2"', "can.toml: gravity must be > 0 and finite, got -3.0"),
+        ("turn --tilt 20deg", "gravity = -3", "can.toml: gravity must be > 0 and finite, got -3.0"),
+        ("simulate", 'duration = "-1 s"', "can.toml: duration must be > 0, got -1 s"),
+        ("simulate --duration -2s", 'duration = "-1 s"', "--duration must be > 0, got -2 s"),
+        ("simulate --gravity -3", 'duration = "-1 s"', "--gravity must be > 0 and finite, got -3"),
+        ("simulate", "rtol = 1", "can.toml: rtol must be between 1e-14 and 1e-3, got 1"),
+        ("simulate --tilt 30deg", "topple_tilt = 0.2", "--tilt must be below topple_tilt = 0.2"),
+        (
+            "simulate --topple-tilt 0.2",
+            "rtol = 1e-9\n[start]\ntilt = 0.5",
+            "can.toml: tilt must be below --topple-tilt = 0.2",
+        ),
+    ],
+)
+def test_a_value_is_blamed_on_the_file_or_on_the_option_that_gives_it(
+    complaint, tmp_path, command, table, says
+):
+    file = tmp_path / "can.toml"
+    file.write_text(f'[body]\npreset = "can_2007"\n[simulation]\n{table}\n')
+    for given in ("can.toml", "--scenario can.toml"):
+        assert complaint(f"{command} {given}").startswith(says)
 
 
 @pytest.mark.parametrize(

@@ -52,6 +52,7 @@ json.dump({
     "help": output_of(["turn", "--help"]),
     "implied": output_of(["turn", "--grease-drag", "1", "--tilt", "30deg", "--yaw-rate", "0.1"]),
     "unit": output_of(["turn", "--grease-drag", "1 m"]),
+    "negative": output_of(["turn", "--grease-drag", "-1"]),
     "needs": output_of(["turn", "--law", "viscous"]),
     "alien": output_of(["turn", "--law", "viscous", "--friction", "0.2"]),
 }, sys.stdout)
@@ -88,6 +89,7 @@ def test_a_new_law_has_its_option_on_the_command_line(found):
     assert code == 0 and "viscous, coefficient 1 N s/m" in text
     for case, message in (
         ("unit", "--grease-drag must be a viscous resistance"),
+        ("negative", "--grease-drag must be >= 0, got -1 N s/m"),
         ("needs", "viscous needs --grease-drag"),
         ("alien", "--friction does not go with viscous, which takes --grease-drag, --restitution"),
     ):

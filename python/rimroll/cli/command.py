@@ -17,13 +17,14 @@ from rimroll.errors import RimrollError
 
 OTHER_NAMES = {
     "n": "number",
-    "static": "static_friction",
-    "coefficient": "viscous_coefficient",
     "rolling_resistance_dry": "rolling_resistance",
     "rolling_resistance_viscous": "rolling_viscous",
     "air_drag_exponent": "air_exponent",
 }
-"""Options that errors of the Python interface call by another name, with ``_`` between words."""
+"""Options that errors of the Python interface call by another name, with ``_`` between words.
+
+The numbers of contact laws are not among them: their parameters name their options.
+"""
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -80,16 +81,28 @@ class Command(Sparing, TyperCommand):
         try:
             return super().invoke(ctx)
         except RimrollError as error:
-            message = as_typed(str(error), self._options())
+            message = self._as_given(str(error), ctx)
             if message == str(error):
                 raise
             raise RimrollError(message) from None
 
-    def _options(self) -> dict[str, str]:
-        """The options by the names that Python has for them."""
-        found = {one.name: one.opts[0] for one in self.params if one.param_type_name == "option"}
-        others = {name: found[option] for name, option in OTHER_NAMES.items() if option in found}
-        return found | others
+    def _as_given(self, message: str, ctx: Any) -> str:
+        """An error that names options as they are typed, or the scenario file that has the value.
+
+        Names of options that were not typed stay as they are in files.
+        """
+        from rimroll.cli.request import is_file  # which loads numpy
+
+        options = {one.name: one.opts[0] for one in self.params if one.param_type_name == "option"}
+        typed = {name: option for name, option in options.items() if _is_on_command_line(name, ctx)}
+        others = _other_names()
+        in_typed = typed | {name: typed[option] for name, option in others if option in typed}
+        untyped = options.keys() | {name for name, option in others if option in options}
+        untyped -= in_typed.keys()
+        file = ctx.params.get("scenario") or ctx.params.get("body")
+        if _subject(message) in untyped and file is not None and is_file(str(file)):
+            return f"{file}: {as_typed(message, in_typed)}"
+        return as_typed(message, in_typed)
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         sections: dict[str, list[tuple[str, str]]] = {}
@@ -103,22 +116,42 @@ class Command(Sparing, TyperCommand):
                 formatter.write_dl(records)
 
 
+def _is_on_command_line(name: str, ctx: Any) -> bool:
+    return getattr(ctx.get_parameter_source(name), "name", None) == "COMMANDLINE"
+
+
+def _other_names() -> list[tuple[str, str]]:
+    """The names that errors have for options, and the options; those of contact laws, too."""
+    from rimroll.laws import LAWS, parameters_of  # which load numpy
+
+    of_laws = (item for law in LAWS.values() for item in parameters_of(law).items())
+    return [*OTHER_NAMES.items(), *((name, parameter.option) for name, parameter in of_laws)]
+
+
+_SUBJECT = re.compile(r"(\w+(?: \w+)?) must ")
+
+
+def _subject(message: str) -> str | None:
+    """The name of the value that an error is about, with ``_`` between words."""
+    found = _SUBJECT.match(message)
+    return found[1].replace(" ", "_") if found else None
+
+
 def as_typed(message: str, options: Mapping[str, str]) -> str:
-    """An error of the Python interface that names an option as it is typed.
+    """An error of the Python interface that names options as they are typed.
 
     >>> as_typed("yaw_rate must be finite, got inf", {"yaw_rate": "--yaw-rate"})
     '--yaw-rate must be finite, got inf'
     """
-    found = re.match(r"(\w+(?: \w+)?) must ", message)
-    option = options.get(found[1].replace(" ", "_")) if found else None
-    if found is None or option is None:
+    found = _SUBJECT.match(message)
+    if found is None:
         return message
     rest = re.sub(
         r"\b(\w+_\w+) = ",
         lambda other: f"{options.get(other[1], other[1])} = ",
         message[found.end(1) :],
     )
-    return option + rest
+    return options.get(found[1].replace(" ", "_"), found[1]) + rest
 
 
 def _is_text(hint: Any) -> bool:

@@ -18,6 +18,7 @@ from rimroll.cli.options import (
 )
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import nudged
+from rimroll.given import positive
 from rimroll.names import choose
 from rimroll.options import Options
 from rimroll.scenario import Scenario, load, presets
@@ -53,7 +54,7 @@ def requested(
     Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
     """
     file, preset = body.scenario, body.body
-    if preset is not None and _is_file(preset):
+    if preset is not None and is_file(preset):
         if file is not None:
             raise RimrollError(f"{preset} and --scenario {file} are both scenario files: give one")
         file, preset = Path(preset), None
@@ -61,6 +62,7 @@ def requested(
     sizes = {name: text for name in SIZES if (text := getattr(body, name)) is not None}
     what = _body(preset, sizes, scenario)
     options = _options(motion, scenario.options if scenario else Options())
+    positive("gravity", options.gravity, "m/s^2")  # commands compute with it before the core does
     of_file = scenario.law if scenario else None
     contact = requested_law(law, resistances, of_file)
     if of_file is not None:
@@ -80,7 +82,7 @@ def requested(
     )
 
 
-def _is_file(name: str) -> bool:
+def is_file(name: str) -> bool:
     """Whether a body's name looks like a file's."""
     return name.endswith(".toml") or "/" in name or Path(name).is_file()
 

@@ -14,7 +14,7 @@ from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError
 from rimroll.experiment.normal import chance_below, quantiles
-from rimroll.given import Number, number, whole_number
+from rimroll.given import Number, number, positive, whole_number
 from rimroll.names import choose
 from rimroll.state import State
 from rimroll.theory import balance_tilt
@@ -81,9 +81,7 @@ class Release:
         Raises ``RimrollError`` with the nearest name when there is none such.
         """
         one_body(body)
-        gravity = number("gravity", gravity, "m/s^2")
-        if not 0.0 < gravity < math.inf:
-            raise RimrollError(f"gravity must be > 0 and finite, got {gravity} m/s2")
+        gravity = positive("gravity", gravity, "m/s^2")
         return choose("release", name, PRESETS)(body, gravity)
 
     def with_unsteadiness(self, factor: float) -> Self:

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from rimroll import _core
-from rimroll.errors import RimrollError
-from rimroll.given import Number, Values, number
+from rimroll.given import Number, Values, number, positive
 from rimroll.laws.core import check
 from rimroll.laws.parameters import Parameter, Parameters, parameters_of
 from rimroll.units import air_unit
@@ -112,17 +111,10 @@ class AirDrag(_Resistance):
         His π μ R³ Ω²/(4 α) with Ω² α = 4 g/R. ``radius`` in m, ``viscosity`` in Pa s (air:
         1.82e-5), ``gravity`` in m/s², all > 0.
         """
-        radius = _positive("radius", radius, "m")
-        viscosity = _positive("viscosity", viscosity, "Pa s")
-        gravity = _positive("gravity", gravity, "m/s^2")
+        radius = positive("radius", radius, "m")
+        viscosity = positive("viscosity", viscosity, "Pa s")
+        gravity = positive("gravity", gravity, "m/s^2")
         return cls(math.pi * viscosity * radius**4 / (16.0 * gravity), 4.0)
-
-
-def _positive(name: str, value: Number, unit: str) -> float:
-    read = number(name, value, unit)
-    if not 0.0 < read < math.inf:
-        raise RimrollError(f"{name} must be > 0 and finite, got {read} {unit}")
-    return read
 
 
 Resistance = RollingResistance | PivotingFriction | AirDrag
