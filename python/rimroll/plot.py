@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
 
 from rimroll import style
-from rimroll.laws import IDEAL, Coulomb, NoSlip, Stribeck
+from rimroll.laws import IDEAL, NoSlip
 from rimroll.theory import needed_friction, turn_limit
 
 if TYPE_CHECKING:
@@ -146,14 +146,12 @@ def _draw_ratio(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
 
 
 def _friction_there_is(motion: Motion) -> dict[str, float]:
-    """The coefficients of a law of dry friction by their symbols."""
-    law = motion.law
-    if not isinstance(law, Coulomb | Stribeck):
+    """The parameters ``friction`` and ``static`` of a law that has the first, by their symbols."""
+    friction = getattr(motion.law, "friction", None)
+    static = getattr(motion.law, "static", None)
+    if friction is None:
         return {}
-    if law.static in (None, law.friction):
-        return {"$μ$": law.friction}
-    assert law.static is not None
-    return {"$μ$": law.friction, "$μ_s$": law.static}
+    return {"$μ$": friction} if static in (None, friction) else {"$μ$": friction, "$μ_s$": static}
 
 
 def _draw_rate_plane(ax: Axes, moments: Moments, color: str) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+from dataclasses import dataclass
+from typing import ClassVar
 
 import matplotlib as mpl
 import numpy as np
@@ -13,6 +15,8 @@ from rimroll import plot, style
 from rimroll.cli.outcomes import outcome, tables
 from rimroll.cli.request import Request
 from rimroll.cli.side_by_side import side_by_side
+from rimroll.laws import LAWS
+from rimroll.laws.shared import FRICTION, RESTITUTION, STATIC
 from rimroll.options import Options
 from rimroll.paper import setting
 
@@ -137,6 +141,24 @@ def test_dotted_lines_are_the_friction_that_there_is():
         ax = plot.nine_panels(MOTIONS[name]()).axes[7]
         dotted = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == ":"]
         assert dotted == expected
+
+
+def test_a_new_law_of_friction_has_its_dotted_line(monkeypatch):
+    @dataclass(frozen=True, repr=False, eq=False)
+    class Wax(rr.Law):
+        name: ClassVar[str] = "coulomb"
+        color: ClassVar[str] = "#117733"
+        marker: ClassVar[str] = "*"
+
+        friction: float = FRICTION.field()
+        static: float | None = STATIC.field(None)
+        restitution: float = RESTITUTION.field(0.0)
+
+    monkeypatch.setitem(LAWS, "coulomb", Wax)
+    motion = rr.simulate(CAN, rr.State(tilt=0.5, yaw_rate=0.1), Wax(0.3, 0.33), duration=0.1)
+    ax = plot.nine_panels(motion).axes[7]
+    dotted = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == ":"]
+    assert dotted == [0.3, 0.33]
 
 
 def test_sliding_is_shaded_where_it_alternates_with_rolling():
