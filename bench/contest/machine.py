@@ -13,7 +13,7 @@ from .contestants import BUILT, PEERS_VENV, ROOT
 PACKAGES = ("scipy", "heyoka", "numba", "diffrax", "jax", "numpy")
 
 
-def _said(*command: str | Path) -> str:
+def _output_of(*command: str | Path) -> str:
     try:
         run = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     except OSError:
@@ -38,8 +38,8 @@ def _locked(lock: Path, package: str) -> str:
 
 def versions() -> dict[str, str]:
     """Versions of the contestants and the compilers."""
-    asked = f"from importlib.metadata import version\nfor p in {PACKAGES!r}: print(p, version(p))"
-    found = dict(line.split() for line in _said(PEERS_VENV, "-c", asked).splitlines())
+    program = f"from importlib.metadata import version\nfor p in {PACKAGES!r}: print(p, version(p))"
+    found = dict(line.split() for line in _output_of(PEERS_VENV, "-c", program).splitlines())
     lock = ROOT / "bench/peers-rs/Cargo.lock"
     for crate in "ode_solvers", "diffsol":
         found[crate] = _locked(lock, crate)
@@ -50,8 +50,8 @@ def versions() -> dict[str, str]:
         )
         found["Boost"] = line.split('"')[1].replace("_", ".")
     found["Python"] = platform.python_version()
-    found["rustc"] = _said("rustc", "--version").removeprefix("rustc ").split(" ")[0]
-    found["g++"] = _said("g++", "-dumpfullversion")
+    found["rustc"] = _output_of("rustc", "--version").removeprefix("rustc ").split(" ")[0]
+    found["g++"] = _output_of("g++", "-dumpfullversion")
     workspace = tomllib.loads((ROOT / "Cargo.toml").read_text("utf-8"))["workspace"]
     found["rimroll"] = workspace["package"]["version"]
     return {name: version for name, version in found.items() if version}
@@ -61,10 +61,10 @@ def peak() -> dict[str, float]:
     """Measured double-precision operations per second of one core with its widest vectors, and
     how many lanes these have; empty if it cannot be measured.
     """
-    said = _said(BUILT / "core-rs/release/peak").split()
-    if len(said) != 3:
+    numbers = _output_of(BUILT / "core-rs/release/peak").split()
+    if len(numbers) != 3:
         return {}
-    return {"lanes": int(said[0]), "separate": float(said[1]), "fused": float(said[2])}
+    return {"lanes": int(numbers[0]), "separate": float(numbers[1]), "fused": float(numbers[2])}
 
 
 def describe() -> dict[str, object]:

@@ -73,12 +73,12 @@ class Worker:
         try:
             stdin.write(question.line(repeats))
             stdin.flush()
-            said = stdout.readline()
+            line = stdout.readline()
         except BrokenPipeError as broken:
             raise Complaint("the worker is gone") from broken
-        if not said or said.startswith("error"):
-            raise Complaint(said.removeprefix("error").strip() or "the worker is gone")
-        seconds, *found = map(float, said.split())
+        if not line or line.startswith("error"):
+            raise Complaint(line.removeprefix("error").strip() or "the worker is gone")
+        seconds, *found = map(float, line.split())
         return Answer(seconds, np.array(found))
 
     def __enter__(self) -> Worker:

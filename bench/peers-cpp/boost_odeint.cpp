@@ -1,5 +1,5 @@
-// The turn of the can by Boost.odeint. What is asked on a line of standard input and answered on a line
-// of standard output is said in bench/contest/contestant.py.
+// The turn of the can by Boost.odeint. bench/contest/worker.py describes the lines of standard input and
+// of standard output.
 
 #include <boost/numeric/odeint.hpp>
 

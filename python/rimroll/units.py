@@ -96,7 +96,7 @@ def tilt_angle(value: object, name: str) -> float:
     angle = quantity(value, "rad", name)
     if abs(angle) >= math.pi:
         if _has_unit(value):
-            raise UnitError(f"{name} must be below 180 deg, got {value}")
+            raise UnitError(f"{name} must be between -180 and 180 deg, got {value}")
         raise UnitError(
             f"{name}: {value} is read as radians, and a tilt is less than pi; "
             f"for degrees write {str(value).strip()}deg"

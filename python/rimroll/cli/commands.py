@@ -57,7 +57,7 @@ app = typer.Typer(
 @app.callback(invoke_without_command=True)
 def rimroll(
     context: typer.Context,
-    version: Annotated[bool, typer.Option("--version", help="Say the version and stop.")] = False,
+    version: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False,
 ) -> None:
     """How round things fall, rock and roll on the rim of their base.
 
