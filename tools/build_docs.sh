@@ -4,7 +4,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-RUSTDOCFLAGS="-D warnings" cargo doc --quiet --package rimroll --no-deps
+# In a folder of its own: `make lint` documents private items, too, in that of the other builds.
+RUSTDOCFLAGS="-D warnings" cargo doc --quiet --package rimroll --no-deps --target-dir out/docs-work/rust
 # Sphinx would not warn again of a page that has not changed, so after a failure it starts afresh.
 .venv/bin/sphinx-build --quiet --nitpicky --fail-on-warning --keep-going \
     --doctree-dir out/docs-work/doctrees docs out/docs || {
@@ -14,7 +15,7 @@ RUSTDOCFLAGS="-D warnings" cargo doc --quiet --package rimroll --no-deps
 rm -rf out/docs/lab out/docs/paper out/docs/reference/rust
 cp -R python/rimroll/page out/docs/lab
 cp -R out/paper out/docs/paper
-cp -R "${CARGO_TARGET_DIR:-target}/doc" out/docs/reference/rust
+cp -R out/docs-work/rust/doc out/docs/reference/rust
 touch out/docs/.nojekyll  # GitHub Pages would leave out folders that begin with _
 .venv/bin/python tools/check_site.py out/docs
 echo "The site is out/docs/index.html."

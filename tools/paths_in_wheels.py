@@ -7,7 +7,7 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-HOMES = rb"(?:/(?:root|home|tmp|work|Users|github|__w)/|[A-Za-z]:[/\\]+(?:Users|a)[/\\]+)"
+HOMES = rb"(?:/(?:root|home|tmp|Users|github|__w)/|[A-Za-z]:[/\\]+(?:Users|a)[/\\]+)"
 PATTERN = re.compile(HOMES + rb"[\w.@+-]+[/\\]+[\w.@+/\\-]+")
 
 

@@ -45,3 +45,22 @@ def test_a_broken_link_and_a_file_from_elsewhere_are_found(tmp_path, body, fault
     run = check(tmp_path, body)
     assert run.returncode == 1
     assert run.stderr == f"index.html {fault}\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "is_checked"),
+    [
+        ("lab.html", True),
+        ("paper.html", True),
+        ("reference/rust.html", True),
+        ("lab/index.html", False),
+        ("paper/index.html", False),
+        ("reference/rust/index.html", False),
+    ],
+)
+def test_only_folders_that_other_builds_check_are_passed_over(tmp_path, page, is_checked):
+    path = tmp_path / page
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text('<a href="gone.html">', "utf-8")
+    fault = f"{page} links to gone.html, which is not there\n" if is_checked else ""
+    assert check(tmp_path, "").stderr == fault
