@@ -1,5 +1,7 @@
 """The workflows of .github call what exists, at the versions that the project itself names."""
 
+import json
+import os
 import re
 import shutil
 import subprocess
@@ -70,6 +72,90 @@ def test_the_check_that_a_branch_requires_waits_for_all_others():
     found = jobs(TEXTS[ROOT / ".github/workflows/checks.yml"])
     needs = re.search(r"needs: \[(.*)\]", found.pop("passed"))
     assert set(needs[1].split(", ")) == set(found)
+
+
+@pytest.mark.skipif(not shutil.which("jq"), reason="jq is missing")
+@pytest.mark.parametrize(
+    ("results", "passes"),
+    [
+        ({"all": "success", "soak": "success"}, True),
+        ({"all": "success", "soak": "skipped"}, True),
+        ({"all": "success", "soak": "failure"}, False),
+        ({"all": "success", "soak": "cancelled"}, False),
+        ({"all": "skipped", "soak": "success"}, False),
+        ({"all": "failure", "soak": "skipped"}, False),
+    ],
+)
+def test_the_check_that_a_branch_requires_lets_only_soak_be_skipped(results, passes):
+    passed = jobs(TEXTS[ROOT / ".github/workflows/checks.yml"])["passed"]
+    expression = re.search(r"jq --exit-status '(.*?)'", passed, re.S)[1]
+    needs = json.dumps({job: {"result": result} for job, result in results.items()})
+    run = subprocess.run(
+        ["jq", "--exit-status", expression], input=needs, capture_output=True, text=True
+    )
+    assert (run.returncode, run.stdout) == ((0, "true\n") if passes else (1, "false\n"))
+
+
+def test_soak_runs_every_week_and_before_a_release():
+    checks = TEXTS[ROOT / ".github/workflows/checks.yml"]
+    assert "\n  schedule:\n" in checks
+    soak = jobs(checks)["soak"]
+    assert "if: github.event_name == 'schedule' || inputs.soak\n" in soak
+    assert "run: make soak\n" in soak
+    release = jobs(TEXTS[ROOT / ".github/workflows/release.yml"])
+    assert "checks.yml\n    with:\n      soak: true\n" in release["checks"]
+
+
+def test_only_the_documentation_of_main_is_published():
+    deploy = jobs(TEXTS[ROOT / ".github/workflows/docs.yml"])["deploy"]
+    assert "if: github.ref == 'refs/heads/main'\n" in deploy
+    assert "run: make docs\n" in jobs(TEXTS[ROOT / ".github/workflows/checks.yml"])["site"]
+
+
+def test_a_wheel_is_tried_for_every_platform_that_one_is_built_for():
+    wheels = TEXTS[ROOT / ".github/workflows/wheels.yml"]
+    built = set(re.findall(r"- \{ name: ([\w-]+),", wheels))
+    assert built == set(re.findall(r"- \{ wheel: ([\w-]+),", wheels))
+
+
+def test_caches_lie_where_the_tools_of_each_system_keep_them():
+    """On Windows they are in no folder that can be named by ~."""
+    prepare = TEXTS[ROOT / ".github/actions/prepare/action.yml"]
+    assert "uv cache dir" in prepare and "npm config get cache" in prepare
+    assert "~/" not in prepare
+
+
+def test_the_interface_is_compared_with_that_of_the_release_before(tmp_path):
+    """Also on the commit of a release, which has a tag itself."""
+    (tmp_path / "tools").mkdir()
+    shutil.copy(ROOT / "tools/semver.sh", tmp_path / "tools")
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin/cargo").write_text('#!/bin/sh\necho "$@"\n')
+    (tmp_path / "bin/cargo").chmod(0o755)
+
+    def git(*arguments):
+        own = ["-c", "user.name=x", "-c", "user.email=x", "-c", "commit.gpgsign=false"]
+        subprocess.run(["git", *own, *arguments], cwd=tmp_path, check=True, capture_output=True)
+
+    def compared():
+        run = subprocess.run(
+            ["/bin/sh", tmp_path / "tools/semver.sh"],
+            env={"PATH": f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}"},
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        found = re.search(r"--baseline-rev (\S+)", run.stdout)
+        return found and found[1]
+
+    git("init")
+    git("commit", "--allow-empty", "--message", "first")
+    git("-c", "tag.gpgsign=false", "tag", "v0.1.0")
+    assert compared() is None
+    git("commit", "--allow-empty", "--message", "second")
+    assert compared() == "v0.1.0"
+    git("-c", "tag.gpgsign=false", "tag", "v0.2.0")
+    assert compared() == "v0.1.0"
 
 
 def test_nothing_that_is_released_comes_from_a_cache():
