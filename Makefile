@@ -43,7 +43,7 @@ test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the packa
 
 soak: .venv/.extension $(PAGE) ## run all tests, with four times as many random examples, as before a release
 	RIMROLL_CASES=4 cargo test
-	.venv/bin/python -m pytest -m "" --hypothesis-profile soak
+	.venv/bin/python -m pytest -m "" --hypothesis-profile soak tests
 	tools/test_page.sh
 
 bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)
@@ -66,8 +66,8 @@ lint: .venv/.packages web/node_modules/.installed ## check format, lints, types,
 	.venv/bin/mypy
 	.venv/bin/typos
 	.venv/bin/zizmor --offline --quiet --strict-collection .github
-	tools/node.sh tsc --noEmit
-	tools/node.sh prettier --check .
+	tools/node.sh tsc --noEmit --incremental --tsBuildInfoFile node_modules/.cache/tsc.json
+	tools/node.sh prettier --cache --check .
 
 audit: ## check licences and advisories of what the crates depend on (needs cargo-deny)
 	cargo deny --workspace check

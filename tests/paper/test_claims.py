@@ -9,7 +9,7 @@ import pytest
 from rimroll.paper.claims import AGREES, CUT, DIFFERS, MEASURED, Claim, all_claims
 from rimroll.paper.errata import ERRATA
 
-PROOFS = (Path(__file__).parents[1] / "mechanics/test_newton_euler.py").read_text("utf-8")
+PROOFS = (Path(__file__).parents[1] / "proofs/test_newton_euler.py").read_text("utf-8")
 
 
 @pytest.fixture(scope="module")

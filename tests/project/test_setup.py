@@ -219,3 +219,9 @@ def test_scripts_can_be_run(script):
     assert os.access(ROOT / script, os.X_OK)
     shell = (ROOT / script).read_text().splitlines()[0].split("/")[-1].split()[-1]
     subprocess.run([shell, "-n", ROOT / script], check=True)
+
+
+def test_every_folder_of_tests_is_run_by_make_test_but_the_proofs():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    folders = {f"tests/{file.parent.name}" for file in ROOT.glob("tests/*/test_*.py")}
+    assert folders - {*project["tool"]["pytest"]["ini_options"]["testpaths"]} == {"tests/proofs"}

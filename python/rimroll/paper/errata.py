@@ -1,7 +1,7 @@
 """The paper's errata: what is printed, what is right, and the test that proves it.
 
 Each is verified by computer algebra from Newton's and Euler's laws alone, or by integrating the
-printed equations, in ``tests/mechanics/test_newton_euler.py``; ``test`` is the name of the
+printed equations, in ``tests/proofs/test_newton_euler.py``; ``test`` is the name of the
 test there.
 """
 

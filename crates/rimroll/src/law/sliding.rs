@@ -19,7 +19,7 @@
 //!
 //! which does not determine N where A + mρη ≤ 0 (the Painlevé paradox). In the code, forces and moments of
 //! inertia are divided by m, which saves multiplications. The equations are derived by computer algebra in
-//! `tests/mechanics/test_sliding_equations.py`.
+//! `tests/proofs/test_sliding_equations.py`.
 
 use super::{
     Contact, Coulomb, DryFriction, Dynamics, Friction, FrictionForce, Parameters, Resisted,

@@ -13,8 +13,6 @@ from given.strategies import bodies, examples
 from oracles import paper_equations as paper
 from oracles import rolling_disk, tabulated_turns, taylor_turns
 
-pytestmark = pytest.mark.soak
-
 by_law = pytest.mark.parametrize("law", taylor_turns.LAWS)
 BODY = tabulated_turns.BODY
 ROWS = tabulated_turns.rows()

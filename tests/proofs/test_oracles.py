@@ -13,8 +13,6 @@ from oracles import inner_problem
 from oracles import paper_equations as paper
 from oracles import rigid_body as rb
 
-pytestmark = pytest.mark.soak
-
 
 def body(mass=0.070, radius=0.051, height=0.069, transverse=5.13e-3, axial=2.0e-3):
     """A body from its moments of inertia per unit mass (m2)."""

@@ -43,8 +43,6 @@ from oracles.newton_euler import (
     z,
 )
 
-pytestmark = pytest.mark.soak
-
 v_x, v_y, v_x_dot, v_y_dot = sp.symbols("v_x v_y v_x_dot v_y_dot", real=True)
 T_x, T_y, N, L_x, L_y, L_z = sp.symbols("T_x T_y N L_x L_y L_z", real=True)
 mu, along = sp.symbols("mu u_x/|u|", real=True)  # along is the cosine of the slip from e_x1

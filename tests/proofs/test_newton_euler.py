@@ -54,8 +54,6 @@ from oracles.newton_euler import (
 )
 from oracles.paper_equations import integrate
 
-pytestmark = pytest.mark.soak
-
 LAWS = ["no_slip", "frictionless"]
 # K and J of each law: the turn is pi sqrt(J/K), with K = A alone where friction cannot act.
 K_OF = {"no_slip": K, "frictionless": A}
