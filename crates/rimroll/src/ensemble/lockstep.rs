@@ -265,10 +265,16 @@ impl<const N: usize> Lockstep<N> {
         let at = stage_argument(i, &u, h, &self.stages, part, P::ESSENTIAL);
         V::store_parts(phase.rates(&at), &mut self.stages[i + 1], part);
         // The stages at the inner nodes of `MARGIN_NODES`.
-        if let Some(node) = [4, 8, 9].iter().position(|&stage| stage == i) {
+        let node = match i {
+            4 => 1,
+            8 => 2,
+            9 => 3,
+            _ => 0,
+        };
+        if node > 0 {
             let extreme = V::load_part(&self.direction, part) * P::expand(&at).p;
             let margin = phase.contact_margin(&at);
-            margin.store_part(&mut self.margins[node + 1], part);
+            margin.store_part(&mut self.margins[node], part);
             let inside = V::load_part(&self.inside, part);
             let inside = inside.min(extreme).min(margin);
             inside.store_part(&mut self.inside, part);
@@ -347,24 +353,26 @@ impl<const N: usize> Lockstep<N> {
     }
 }
 
-/// Negative if the contact margin may be negative between two of its nodes: if a parabola through three
-/// successive margins falls and then rises, and its minimum is below a quarter of the middle margin.
+/// Negative if the contact margin may be negative between two of its nodes.
 #[inline(always)]
 fn lowest_dip<V: Vector>(margins: &[V; MARGIN_NODES.len()]) -> V {
-    let dip = |i: usize| {
-        let [x, y, z] = [MARGIN_NODES[i], MARGIN_NODES[i + 1], MARGIN_NODES[i + 2]];
-        let divided = |a: V, b: V, distance: f64| (b - a) * V::from(1.0 / distance);
-        let before = divided(margins[i], margins[i + 1], y - x);
-        let after = divided(margins[i + 1], margins[i + 2], z - y);
-        let curvature = divided(before, after, z - x);
-        let first_slope = before - V::from(y - x) * curvature;
-        let slope = before + V::from(y - x) * curvature;
-        let last_slope = after + V::from(z - y) * curvature;
-        // The minimum is lower than the middle margin by slope²/(4 curvature).
-        let depth = V::from(3.0) * curvature * margins[i + 1] - slope * slope;
-        depth.max(first_slope).max(-last_slope)
-    };
-    dip(0).min(dip(1)).min(dip(2))
+    dip(0, margins).min(dip(1, margins)).min(dip(2, margins))
+}
+
+/// Negative if a parabola through three margins from node `i` on falls and then rises, and its minimum is below a
+/// quarter of the middle margin. (Closures would not be inlined, and so not use the registers.)
+#[inline(always)]
+fn dip<V: Vector>(i: usize, margins: &[V; MARGIN_NODES.len()]) -> V {
+    let [x, y, z] = [MARGIN_NODES[i], MARGIN_NODES[i + 1], MARGIN_NODES[i + 2]];
+    let before = (margins[i + 1] - margins[i]) * V::from(1.0 / (y - x));
+    let after = (margins[i + 2] - margins[i + 1]) * V::from(1.0 / (z - y));
+    let curvature = (after - before) * V::from(1.0 / (z - x));
+    let first_slope = before - V::from(y - x) * curvature;
+    let slope = before + V::from(y - x) * curvature;
+    let last_slope = after + V::from(z - y) * curvature;
+    // The minimum is lower than the middle margin by slope²/(4 curvature).
+    let depth = V::from(3.0) * curvature * margins[i + 1] - slope * slope;
+    depth.max(first_slope).max(-last_slope)
 }
 
 /// The computation of a step: the motions, their equations and their bounds.
