@@ -1,6 +1,6 @@
 """The cost of dry friction in ensembles, as a multiple of that of rolling.
 
-The same starts are followed with Coulomb friction, where they slip, stick and slip again, and
+Starts are followed with Coulomb friction, where they slip, stick and slip again, and
 without slip, alternately and on one thread. The result is the median ratio of processor times. Run,
 with the package installed:
 

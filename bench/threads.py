@@ -1,6 +1,6 @@
 """The speed-up from using all processors instead of one, for both engines.
 
-The same starts are followed alternately on one thread and on as many threads as there are
+Starts are followed alternately on one thread and on as many threads as there are
 processors. The result is the median ratio of their wall-clock times, which include Python's work
 before and after. Other work on the machine reduces the measured speed-up. Run, with the package
 installed:

@@ -20,7 +20,7 @@ def test_the_five_lines_print_what_the_readme_says():
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         exec(code, {})
-    # The same bits everywhere, except in NumPy's conversion from radians to degrees.
+    # Bits are the same everywhere, except in NumPy's conversion from radians to degrees.
     assert np.array(printed.getvalue().split(), float) == pytest.approx(
         np.array(output.split(), float), rel=4e-16, abs=0.0
     )

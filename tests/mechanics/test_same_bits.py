@@ -1,4 +1,4 @@
-"""The same motion has the same bits in every process and thread."""
+"""A motion has the same bits in every process and thread."""
 
 import subprocess
 import sys

@@ -24,7 +24,7 @@ def hints(motion: Motion, friction_option: str) -> list[str]:
 
 
 def release_hints(body: Body, start: State, law: Law, options: Options) -> list[str]:
-    """The same for many falls whose mean start is given; none if that start comes down."""
+    """Hints for many falls with this mean start; none if that start comes down."""
     if single(start).tilt < balance_tilt(body):
         return []
     hint = _past_balance(simulate(body, start, law, **asdict(options)))
