@@ -107,5 +107,4 @@ def test_other_slashes_are_no_paths(tmp_path):
     with zipfile.ZipFile(wheel, "w") as file:
         file.writestr("core.so", b"rimroll/crates/rimroll/src/lib.rs /rustc/0a1b/library/core.rs")
         file.writestr("a.py", b'"The folder /tmp/ and /home."')
-        file.writestr("b.md", b"docs/home/energy/power.md")
     assert WHEELS["paths"](wheel) == []
