@@ -35,6 +35,7 @@
 //! * [`body`], [`solids`], [`presets`]: the rolling body.
 //! * [`contact_law`]: friction, restitution and resistance of the table.
 //! * [`state`]: Euler angles, and the coordinates that stay regular through the near-collision.
+//! * [`ground`]: the acceleration of a table that moves.
 //! * [`law`]: the equations of motion, one file per law.
 //! * [`solve`]: an ODE solver that knows no mechanics.
 //! * [`motion`]: [`simulate`], which joins smooth phases at events; [`motion::Sensitivity`], the derivatives
@@ -56,6 +57,7 @@ mod ending;
 pub mod ensemble;
 pub mod error;
 mod error_scale;
+pub mod ground;
 mod impact;
 pub mod imperfection;
 pub mod law;

@@ -1,0 +1,140 @@
+//! Motion of the table: its acceleration as a function of time.
+//!
+//! The table translates and does not turn. A [`Ground`] is a sum of pulses in closed form and a record that is
+//! linear between its samples. Its acceleration is smooth except at corners: the samples of the record, and
+//! the beginnings and ends of pulses. The solver ends a step at each corner, and in between follows one
+//! [`Stretch`], so that its order is not lost. After its end a ground is at rest.
+
+mod pulse;
+mod record;
+
+pub use pulse::{Pulse, Shape};
+pub use record::Record;
+
+use crate::error::InvalidInput;
+use crate::real::Real;
+use record::Segment;
+use std::sync::Arc;
+
+/// The acceleration of the table along x, y and z, in m/s², as a function of time.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Ground {
+    pulses: Vec<Pulse>,
+    record: Option<Record>,
+}
+
+/// The part of a [`Ground`] between two corners, continued smoothly beyond them.
+#[derive(Debug, Clone)]
+pub(crate) struct Stretch {
+    ground: Arc<Ground>,
+    segment: Option<Segment>,
+    /// A time inside this part, which tells the pulses that act from those that are over.
+    begin: f64,
+    /// The next corner, s; infinite after the last.
+    pub(crate) end: f64,
+}
+
+impl Ground {
+    /// The sum of pulses.
+    ///
+    /// # Errors
+    /// Names the first field of a pulse that is out of bounds.
+    pub fn pulses(pulses: Vec<Pulse>) -> Result<Ground, InvalidInput> {
+        pulses.iter().try_for_each(Pulse::check)?;
+        Ok(Ground {
+            pulses,
+            record: None,
+        })
+    }
+
+    /// Samples of the acceleration (m/s²) along x, y and z at equal intervals of `step` seconds, the first at
+    /// t = 0. Between samples the acceleration is linear.
+    ///
+    /// # Errors
+    /// Refuses an empty record, a step that is not positive, and a sample that is not finite or exceeds
+    /// 1e9 m/s².
+    pub fn sampled(step: f64, acceleration: Vec<[f64; 3]>) -> Result<Ground, InvalidInput> {
+        Ok(Ground {
+            pulses: Vec::new(),
+            record: Some(Record::new(step, acceleration)?),
+        })
+    }
+
+    /// The time from which on the table is at rest, s.
+    pub fn duration(&self) -> f64 {
+        let record = self.record.as_ref().map_or(0.0, Record::duration);
+        let ends = self.pulses.iter().map(|pulse| pulse.duration);
+        ends.fold(record, f64::max)
+    }
+
+    /// The acceleration along x, y and z at a time (s), m/s². Where it jumps, the value after the jump.
+    pub fn acceleration(&self, t: f64) -> [f64; 3] {
+        let segment = self.record.as_ref().and_then(|record| record.segment(t));
+        self.sum(segment.as_ref(), t, t)
+    }
+
+    /// This ground with all accelerations multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Ground {
+        self.mapped(|a| a.map(|component| factor * component))
+    }
+
+    /// This ground turned about the vertical by an angle (rad), from x toward y.
+    #[must_use]
+    pub fn rotated(&self, angle: f64) -> Ground {
+        let (sin, cos) = libm::sincos(angle);
+        self.mapped(|[x, y, z]| [x * cos - y * sin, x * sin + y * cos, z])
+    }
+
+    fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3] + Copy) -> Ground {
+        let pulse = |pulse: &Pulse| Pulse {
+            amplitude: map(pulse.amplitude),
+            ..*pulse
+        };
+        Ground {
+            pulses: self.pulses.iter().map(pulse).collect(),
+            record: self.record.as_ref().map(|record| record.mapped(map)),
+        }
+    }
+
+    /// The stretch that contains a time (s) or begins there.
+    pub(crate) fn stretch(self: &Arc<Self>, t: f64) -> Stretch {
+        let segment = self.record.as_ref().and_then(|record| record.segment(t));
+        let next_sample = segment
+            .as_ref()
+            .map_or(f64::INFINITY, |segment| segment.end);
+        let ends = self.pulses.iter().map(|pulse| pulse.duration);
+        Stretch {
+            ground: Arc::clone(self),
+            segment,
+            begin: t,
+            end: ends.filter(|&end| end > t).fold(next_sample, f64::min),
+        }
+    }
+
+    /// The acceleration at `t` of the pulses that act at the time `at` and of a segment of the record.
+    #[inline(always)]
+    fn sum<T: Real>(&self, segment: Option<&Segment>, at: f64, t: T) -> [T; 3] {
+        let mut sum = segment.map_or([T::from(0.0); 3], |segment| segment.acceleration(t));
+        for pulse in &self.pulses {
+            if at < pulse.duration {
+                let shape = pulse.shape.at(t);
+                for (sum, &amplitude) in sum.iter_mut().zip(&pulse.amplitude) {
+                    *sum = *sum + T::from(amplitude) * shape;
+                }
+            }
+        }
+        sum
+    }
+}
+
+impl Stretch {
+    /// The acceleration along x, y and z at a time (s), m/s².
+    #[inline(always)]
+    pub(crate) fn acceleration<T: Real>(&self, t: T) -> [T; 3] {
+        self.ground.sum(self.segment.as_ref(), self.begin, t)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,85 @@
+//! A sampled record of the table's acceleration.
+
+use super::pulse::MAX_ACCELERATION;
+use crate::error::{InvalidInput, bounded, positive};
+use crate::real::Real;
+use std::sync::Arc;
+
+/// Samples at equal intervals, with straight lines between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    step: f64,
+    samples: Arc<[[f64; 3]]>,
+}
+
+/// The straight line between two samples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Segment {
+    begin: f64,
+    pub(super) end: f64,
+    value: [f64; 3],
+    slope: [f64; 3],
+}
+
+impl Record {
+    pub(super) fn new(step: f64, samples: Vec<[f64; 3]>) -> Result<Record, InvalidInput> {
+        positive("step", step, "s")?;
+        let count = samples.len() as f64;
+        bounded("number of samples", count, |n| n >= 1.0, ">= 1", "")?;
+        for &value in samples.iter().flatten() {
+            let is_fit = |a: f64| a.abs() <= MAX_ACCELERATION;
+            bounded(
+                "acceleration",
+                value,
+                is_fit,
+                "between -1e9 and 1e9",
+                "m/s2",
+            )?;
+        }
+        let samples = samples.into();
+        Ok(Record { step, samples })
+    }
+
+    /// The time of the last sample, s.
+    pub(super) fn duration(&self) -> f64 {
+        self.time(self.samples.len() - 1)
+    }
+
+    fn time(&self, index: usize) -> f64 {
+        index as f64 * self.step
+    }
+
+    /// The segment that contains a time (s) or begins there; `None` after the last sample and before t = 0.
+    pub(super) fn segment(&self, t: f64) -> Option<Segment> {
+        // A negative quotient becomes 0. Rounding can put a time at a sample into the segment before it.
+        let mut index = (t / self.step) as usize;
+        if index > 0 && t < self.time(index) {
+            index -= 1;
+        } else if t >= self.time(index + 1) {
+            index += 1;
+        }
+        let [from, to] = [self.samples.get(index)?, self.samples.get(index + 1)?];
+        let (begin, end) = (self.time(index), self.time(index + 1));
+        (t >= 0.0).then(|| Segment {
+            begin,
+            end,
+            value: *from,
+            slope: core::array::from_fn(|i| (to[i] - from[i]) / (end - begin)),
+        })
+    }
+
+    pub(super) fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Record {
+        Record {
+            step: self.step,
+            samples: self.samples.iter().map(|&sample| map(sample)).collect(),
+        }
+    }
+}
+
+impl Segment {
+    #[inline(always)]
+    pub(super) fn acceleration<T: Real>(&self, t: T) -> [T; 3] {
+        let elapsed = t - T::from(self.begin);
+        core::array::from_fn(|i| T::from(self.value[i]) + T::from(self.slope[i]) * elapsed)
+    }
+}
