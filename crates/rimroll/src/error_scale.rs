@@ -105,6 +105,7 @@ impl<T: Real> ErrorScale<T> {
             friction_loss: energy,
             resistance_loss: energy,
             impact_loss: energy,
+            ground_work: energy,
         }
     }
 

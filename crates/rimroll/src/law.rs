@@ -9,7 +9,8 @@
 //! slides under a friction that depends on its slip: [`Sliding`] with [`Coulomb`], [`Tabulated`],
 //! [`Stribeck`] or [`Viscous`] friction. Under dry friction the rim can also roll, which is [`NoSlip`]
 //! again, and any contact can end in [`Flight`]; [`motion`](crate::motion) decides which law holds when.
-//! [`Resisted`] adds rolling resistance, pivoting friction and air drag to any of them.
+//! [`Resisted`] adds rolling resistance, pivoting friction and air drag to any of them, and `OnTable` the motion
+//! of the table.
 
 mod coulomb;
 mod flight;
@@ -22,6 +23,7 @@ mod no_slip;
 mod resisted;
 mod sliding;
 mod stribeck;
+mod table;
 mod tabulated;
 mod viscous;
 
@@ -32,12 +34,14 @@ pub use friction_law::FrictionLaw;
 pub(crate) use friction_law::SlidingDynamics;
 pub use friction_model::{DryFrictionModel, FrictionModel, NamedParameters};
 pub use frictionless::Frictionless;
+use frictionless::NoFriction;
 pub use ideal_law::IdealLaw;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
 pub use sliding::Sliding;
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
 pub use stribeck::Stribeck;
+pub(crate) use table::{InertialEffect, Movable, OnTable, Table};
 pub use tabulated::Tabulated;
 pub use viscous::Viscous;
 
@@ -154,6 +158,16 @@ pub struct Contact<T> {
 }
 
 impl<T: Real> Contact<T> {
+    /// The sum of two forces.
+    #[inline(always)]
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Contact {
+            along: self.along + other.along,
+            across: self.across + other.across,
+            normal: self.normal + other.normal,
+        }
+    }
+
     /// This force multiplied by `factor`.
     #[inline(always)]
     pub(crate) fn times(&self, factor: T) -> Self {

@@ -47,7 +47,8 @@ pub use crate::text::AngleUnit;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
-use crate::law::Dynamics;
+use crate::ground::Ground;
+use crate::law::{Dynamics, FrictionLaw};
 use crate::solve::Work;
 use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;
@@ -103,19 +104,41 @@ pub fn simulate(
     start: &State,
     contact_law: impl Into<ContactLaw>,
     options: &Options,
+    watch: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<Motion, InvalidInput> {
+    simulate_on(None, body, start, contact_law, options, watch)
+}
+
+/// As [`simulate`], on a table that moves with `ground`. Coordinates, velocities and energies are relative to the
+/// table, which is at rest after the end of `ground`.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_on(
+    ground: Option<Arc<Ground>>,
+    body: &Body,
+    start: &State,
+    contact_law: impl Into<ContactLaw>,
+    options: &Options,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
     let contact_law = contact_law.into();
     contact_law.check()?;
     let options = options.checked(body, start)?;
-    let contacts = Contacts::new(
+    let contacts = Contacts::on_ground(
         body,
         &contact_law,
+        ground,
         options.gravity,
         options.step_tolerance(),
     );
     let contacts = Arc::new(contacts);
-    let start = Coordinates::from_state(start);
+    let mut start = Coordinates::from_state(start);
+    if contacts.moves() && contact_law.friction == FrictionLaw::Frictionless {
+        // Only on a table that moves is the slip without friction a coordinate.
+        let [along, across] = contacts.parameters().rolling_velocity(&start);
+        (start.slip_x, start.slip_y) = (-along, -across);
+    }
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
     let status = run.follow_to_the_end(&mut watch);

@@ -78,14 +78,17 @@ impl State {
 }
 
 /// The number of [`Coordinates`].
-pub const COORDINATES: usize = 17;
+pub const COORDINATES: usize = 18;
+
+/// The number of leading coordinates that can change on a table at rest.
+pub(crate) const COORDINATES_AT_REST: usize = 17;
 
 /// The number of leading coordinates that describe the body's position and rotation. The others (slip, gap
 /// and losses) stay constant under the two ideal laws.
 pub const RIGID_COORDINATES: usize = 10;
 
-/// The number of leading coordinates that are ignorable (cyclic): no rate depends on yaw and spin.
-/// No rate depends on the time either; it stays among the eight that fill two registers.
+/// The number of leading coordinates that are ignorable (cyclic) on a table at rest: no rate depends on yaw and
+/// spin. No rate depends on the time either; it stays among the eight that fill two registers.
 pub(crate) const IGNORABLE: usize = 2;
 
 /// Index of the time among the coordinates.
@@ -136,6 +139,8 @@ pub struct Coordinates<T> {
     pub resistance_loss: T,
     /// Energy lost in impacts since the start, J.
     pub impact_loss: T,
+    /// Work of the moving table on the body since the start, in the frame of the table, J.
+    pub ground_work: T,
 }
 
 impl<T: Copy> Coordinates<T> {
@@ -145,11 +150,11 @@ impl<T: Copy> Coordinates<T> {
     pub fn from_array(array: &[T; COORDINATES]) -> Self {
         let [
             yaw, spin, sin, cos, p, w, s, t, x1, y1, slip_x, slip_y, gap, gap_rate,
-            friction_loss, resistance_loss, impact_loss,
+            friction_loss, resistance_loss, impact_loss, ground_work,
         ] = *array;
         Coordinates {
             yaw, spin, sin, cos, p, w, s, t, x1, y1, slip_x, slip_y, gap, gap_rate,
-            friction_loss, resistance_loss, impact_loss,
+            friction_loss, resistance_loss, impact_loss, ground_work,
         }
     }
 
@@ -160,7 +165,7 @@ impl<T: Copy> Coordinates<T> {
         [
             self.yaw, self.spin, self.sin, self.cos, self.p, self.w, self.s, self.t, self.x1, self.y1,
             self.slip_x, self.slip_y, self.gap, self.gap_rate,
-            self.friction_loss, self.resistance_loss, self.impact_loss,
+            self.friction_loss, self.resistance_loss, self.impact_loss, self.ground_work,
         ]
     }
 }

@@ -7,7 +7,7 @@
 //! gap̈ = −(g + ρ φ̈ − z φ̇²)       since the rim's lowest point is z below the centre of mass
 //! ```
 
-use super::{Contact, Dynamics, Parameters};
+use super::{Contact, Dynamics, InertialEffect, Movable, Parameters};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -62,5 +62,15 @@ impl<T: Real> Dynamics<T> for Flight<T> {
 
     fn slip(&self, u: &Coordinates<T>) -> [T; 2] {
         [u.slip_x, u.slip_y]
+    }
+}
+
+impl<T: Real> Movable<T> for Flight<T> {
+    fn set_gravity(&mut self, gravity: T) {
+        self.k.g = gravity;
+    }
+
+    fn inertial_effect(&self, u: &Coordinates<T>, acceleration: [T; 2]) -> InertialEffect<T> {
+        InertialEffect::staying_behind(u, acceleration)
     }
 }

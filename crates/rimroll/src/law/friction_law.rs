@@ -6,7 +6,8 @@
 
 use super::{
     Coulomb, DryDynamics, DryFrictionModel, Dynamics, FrictionModel, Frictionless, IdealLaw,
-    NamedParameters, Parameters, Resistance, Resisted, Sliding, Stribeck, Tabulated, Viscous,
+    NamedParameters, NoFriction, OnTable, Parameters, Resistance, Resisted, Sliding, Stribeck,
+    Table, Tabulated, Viscous,
 };
 use crate::error::InvalidInput;
 use crate::real::Scalar;
@@ -119,25 +120,32 @@ macro_rules! friction_laws {
             /// The rim cannot slide.
             Never,
             Frictionless(Resisted<Frictionless<T>>),
-            $($law(Resisted<Sliding<T, <$law as FrictionModel>::Friction<T>>>),)*
+            /// Without friction on a table that moves.
+            StayingBehind(Resisted<OnTable<Sliding<T, NoFriction>>>),
+            $($law(Resisted<OnTable<Sliding<T, <$law as FrictionModel>::Friction<T>>>>),)*
         }
 
         impl<T: Scalar> SlidingDynamics<T> {
-            /// With the arguments of [`Resisted::new`].
+            /// The dynamics on a table, with the arguments of [`Resisted::new`].
             pub(crate) fn new(
                 friction: &FrictionLaw,
                 k: Parameters<T>,
+                table: &Table,
                 resistance: Resistance,
                 tolerance: f64,
             ) -> Self {
                 match friction {
                     FrictionLaw::NoSlip => SlidingDynamics::Never,
+                    FrictionLaw::Frictionless if table.moves() => {
+                        let sliding = OnTable::new(Sliding::new(k, NoFriction), table);
+                        SlidingDynamics::StayingBehind(Resisted::new(sliding, resistance, tolerance))
+                    }
                     FrictionLaw::Frictionless => {
                         let sliding = Frictionless::new(k);
                         SlidingDynamics::Frictionless(Resisted::new(sliding, resistance, tolerance))
                     }
                     $(FrictionLaw::$law(law) => {
-                        let sliding = Sliding::new(k, law.friction::<T>());
+                        let sliding = OnTable::new(Sliding::new(k, law.friction::<T>()), table);
                         SlidingDynamics::$law(Resisted::new(sliding, resistance, tolerance))
                     })*
                 }
@@ -148,6 +156,7 @@ macro_rules! friction_laws {
                 match self {
                     SlidingDynamics::Never => None,
                     SlidingDynamics::Frictionless(dynamics) => Some(dynamics),
+                    SlidingDynamics::StayingBehind(dynamics) => Some(dynamics),
                     $(SlidingDynamics::$law(dynamics) => Some(dynamics),)*
                 }
             }
@@ -155,7 +164,9 @@ macro_rules! friction_laws {
             /// Whether the friction is dry.
             pub(crate) fn is_dry(&self) -> bool {
                 let dry: Option<()> = match self {
-                    SlidingDynamics::Never | SlidingDynamics::Frictionless(_) => None,
+                    SlidingDynamics::Never
+                    | SlidingDynamics::Frictionless(_)
+                    | SlidingDynamics::StayingBehind(_) => None,
                     $(SlidingDynamics::$law(_) => if_dry!($kind, ()),)*
                 };
                 dry.is_some()
@@ -166,7 +177,9 @@ macro_rules! friction_laws {
             /// The equations of motion, if the friction is dry.
             pub(crate) fn dry(&self) -> Option<&dyn DryDynamics> {
                 match self {
-                    SlidingDynamics::Never | SlidingDynamics::Frictionless(_) => None,
+                    SlidingDynamics::Never
+                    | SlidingDynamics::Frictionless(_)
+                    | SlidingDynamics::StayingBehind(_) => None,
                     $(#[allow(unused_variables)]
                     SlidingDynamics::$law(dynamics) => if_dry!($kind, dynamics),)*
                 }

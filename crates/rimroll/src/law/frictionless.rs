@@ -15,9 +15,21 @@
 //!
 //! The horizontal velocity of the centre of mass is constant; it is zero in the frame chosen here.
 
-use super::{Contact, Dynamics, Parameters};
+use super::{Contact, Dynamics, Friction, FrictionForce, Parameters};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
+
+/// The friction force that is always zero. A rim that slides under it has a slip among its coordinates, as it must
+/// on a table that moves, where the centre of mass stays behind.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NoFriction;
+
+impl<T: Real> Friction<T> for NoFriction {
+    #[inline(always)]
+    fn friction_force(&self, slip: [T; 2]) -> FrictionForce<T> {
+        FrictionForce::proportional_to_normal(slip, T::from(0.0))
+    }
+}
 
 /// The equations of motion without friction.
 #[derive(Debug, Clone, Copy)]

@@ -14,8 +14,11 @@
 //! ```text
 //! J φ̈ = K w ψ̇ cosφ − mHR s ψ̇ cosφ − (C + mR²) w s + mHR w² − mgρ
 //! ```
+//!
+//! On a table with the horizontal acceleration (a₁, a₂), the inertial force adds (m z/J) a₁ to φ̈, (mHC/D) a₂ to ẇ
+//! and −(mRA/D) a₂ to ṡ.
 
-use super::{Contact, Dynamics, Parameters};
+use super::{Contact, Dynamics, InertialEffect, Movable, Parameters};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
@@ -131,5 +134,36 @@ impl<T: Real> Dynamics<T> for NoSlip<T> {
 
     fn is_conservative(&self) -> bool {
         true
+    }
+}
+
+impl<T: Real> Movable<T> for NoSlip<T> {
+    #[inline(always)]
+    fn set_gravity(&mut self, gravity: T) {
+        let ratio = gravity / self.k.g;
+        self.weight_of_cos = ratio * self.weight_of_cos;
+        self.weight_of_sin = ratio * self.weight_of_sin;
+        self.k.g = gravity;
+    }
+
+    #[inline(always)]
+    fn inertial_effect(&self, u: &Coordinates<T>, [along, across]: [T; 2]) -> InertialEffect<T> {
+        let k = &self.k;
+        let per_radius = u.sin / k.r;
+        // m/J = (mgR/J)/(gR), mHC/D = (mHRC/D)/R and mRA/D = (mR²A/D)/R.
+        let p = self.weight_of_cos * k.z(u) * per_radius * along / k.g;
+        let w = self.s_of_s * per_radius * across;
+        let s = -(self.s_of_w * per_radius * across);
+        InertialEffect {
+            p,
+            w,
+            s,
+            slip: [T::from(0.0); 2],
+            contact: Contact {
+                along: k.m * (u.sin * along - k.z(u) * p),
+                across: -(self.c_over_r * s),
+                normal: k.m * k.rho(u) * p,
+            },
+        }
     }
 }

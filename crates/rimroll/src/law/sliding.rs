@@ -22,7 +22,8 @@
 //! `tests/proofs/test_sliding_equations.py`.
 
 use super::{
-    Contact, Coulomb, DryFriction, Dynamics, Friction, FrictionForce, Parameters, Resisted,
+    Contact, Coulomb, DryFriction, Dynamics, Friction, FrictionForce, InertialEffect, Movable,
+    OnTable, Parameters, Resisted,
 };
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
@@ -42,20 +43,21 @@ pub(crate) trait DryDynamics: Dynamics<f64> {
     fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64;
 }
 
-impl<F: DryFriction<f64>> DryDynamics for Resisted<Sliding<f64, F>> {
+impl<F: DryFriction<f64> + Clone> DryDynamics for Resisted<OnTable<Sliding<f64, F>>> {
     fn slipping(
         &self,
         u: &Coordinates<f64>,
         direction: [f64; 2],
         speed: f64,
     ) -> (Contact<f64>, Coordinates<f64>) {
-        let sliding = self.dynamics();
-        let (contact, rates) = sliding.under(u, &sliding.against(direction, speed));
+        let on_table = self.dynamics();
+        let friction_force = on_table.dynamics().against(direction, speed);
+        let (contact, rates) = on_table.under_friction(u, &friction_force);
         (contact, self.resist(u, rates, contact.normal))
     }
 
     fn consistency_at_onset(&self, u: &Coordinates<f64>, direction: [f64; 2]) -> f64 {
-        let sliding = self.dynamics();
+        let sliding = self.dynamics().dynamics();
         sliding.consistency_under(u, &sliding.against(direction, 0.0))
     }
 }
@@ -357,6 +359,18 @@ impl<T: Real, F: Friction<T>> Dynamics<T> for Sliding<T, F> {
     #[inline(always)]
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.consistency_under(u, &self.friction_force(u))
+    }
+}
+
+impl<T: Real, F: Friction<T> + Clone> Movable<T> for Sliding<T, F> {
+    #[inline(always)]
+    fn set_gravity(&mut self, gravity: T) {
+        self.k.g = gravity;
+    }
+
+    #[inline(always)]
+    fn inertial_effect(&self, u: &Coordinates<T>, acceleration: [T; 2]) -> InertialEffect<T> {
+        InertialEffect::staying_behind(u, acceleration)
     }
 }
 

@@ -1,27 +1,19 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
 use super::instant::{Instant, Phase};
-use super::mechanics::Mechanics;
 use super::phase_dynamics::PhaseDynamics;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
+use crate::ground::Ground;
 use crate::impact;
-use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, SlidingDynamics};
+use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, Table};
 use crate::real::Dual;
 use crate::slip_onset::{ROUNDING, along_and_across};
-use crate::solve::System;
-use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES};
+use crate::state::Coordinates;
 use core::f64::consts::{FRAC_PI_2, TAU};
-
-/// A computation with the system of equations of a phase. It is compiled separately for each of the most
-/// frequent laws.
-pub(super) trait SystemVisitor {
-    type Output;
-
-    /// Runs the computation on a system in which only the first N coordinates change.
-    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Self::Output;
-}
+use std::borrow::Cow;
+use std::sync::Arc;
 
 /// The next phase of a rim on the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +35,8 @@ pub(crate) enum Transition {
 pub struct Contacts {
     parameters: Parameters<f64>,
     contact_law: ContactLaw,
+    /// The motion of the table; `None` if it is at rest.
+    ground: Option<Arc<Ground>>,
     /// The tolerance of a step.
     tolerance: f64,
     phases: PhaseDynamics<f64>,
@@ -52,12 +46,25 @@ impl Contacts {
     /// The equations of a body under a contact law and gravity g (m/s²), for steps with the given tolerance.
     /// A slip below a tenth of the tolerance, relative to the other velocities, counts as none.
     pub(crate) fn new(body: &Body, contact_law: &ContactLaw, gravity: f64, tolerance: f64) -> Self {
+        Contacts::on_ground(body, contact_law, None, gravity, tolerance)
+    }
+
+    /// As [`Contacts::new`], on a table that moves with `ground`.
+    pub(crate) fn on_ground(
+        body: &Body,
+        contact_law: &ContactLaw,
+        ground: Option<Arc<Ground>>,
+        gravity: f64,
+        tolerance: f64,
+    ) -> Self {
         let parameters = Parameters::new(body, gravity);
+        let table = Table::new(ground.as_ref());
         Contacts {
             parameters,
             contact_law: contact_law.clone(),
             tolerance,
-            phases: PhaseDynamics::new(parameters, contact_law, tolerance),
+            phases: PhaseDynamics::new(parameters, contact_law, &table, tolerance),
+            ground,
         }
     }
 
@@ -66,37 +73,44 @@ impl Contacts {
         self.phases.in_phase(phase)
     }
 
-    /// The laws of all phases.
-    pub(super) fn phases(&self) -> &PhaseDynamics<f64> {
-        &self.phases
+    /// The equations of all phases for steps that begin at a time (s). Where the table moves, they are those of
+    /// the stretch of its motion that contains this time.
+    pub(super) fn phases_from(&self, t: f64) -> Cow<'_, PhaseDynamics<f64>> {
+        if self.moves() {
+            let (table, tolerance) = (self.table_from(t), self.tolerance);
+            let phases = PhaseDynamics::new(self.parameters, &self.contact_law, &table, tolerance);
+            Cow::Owned(phases)
+        } else {
+            Cow::Borrowed(&self.phases)
+        }
     }
 
-    /// The equations of motion on dual numbers, for Jacobians.
-    pub(super) fn dual_phases(&self) -> PhaseDynamics<Dual> {
+    /// [`Self::phases_from`] on dual numbers, for Jacobians.
+    pub(super) fn dual_phases_from(&self, t: f64) -> PhaseDynamics<Dual> {
         let [m, r, h, a, c, g] = self.parameters.as_array();
         let parameters = Parameters { m, r, h, a, c, g };
-        PhaseDynamics::new(parameters, &self.contact_law, self.tolerance)
+        PhaseDynamics::new(
+            parameters,
+            &self.contact_law,
+            &self.table_from(t),
+            self.tolerance,
+        )
     }
 
-    /// Runs a computation with the system of differential equations of a phase.
-    pub(super) fn solve<K: SystemVisitor>(&self, phase: Phase, visitor: K) -> K::Output {
-        match (phase, &self.phases.sliding) {
-            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
-                if self.phases.rolling.is_conservative() =>
-            {
-                visitor
-                    .with::<_, RIGID_COORDINATES>(&Mechanics::new(self.phases.rolling.dynamics()))
-            }
-            (Phase::Sliding, SlidingDynamics::Frictionless(sliding))
-                if sliding.is_conservative() =>
-            {
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(sliding.dynamics()))
-            }
-            (Phase::Sliding, SlidingDynamics::Coulomb(sliding)) => {
-                visitor.with::<_, COORDINATES>(&Mechanics::slipping(sliding))
-            }
-            _ => visitor.with::<_, COORDINATES>(&self.phases.mechanics(phase)),
-        }
+    fn table_from(&self, t: f64) -> Table {
+        let stretch = self.ground.as_ref().map(|ground| ground.stretch(t));
+        stretch.map_or(Table::AtRest, Table::Along)
+    }
+
+    /// The first time after `t` at which the acceleration of the table has a corner, s; infinite if there is none.
+    pub(super) fn corner_after(&self, t: f64) -> f64 {
+        let ground = self.ground.as_ref();
+        ground.map_or(f64::INFINITY, |ground| ground.stretch(t).end)
+    }
+
+    /// Whether the table moves.
+    pub(crate) fn moves(&self) -> bool {
+        self.ground.is_some()
     }
 
     /// The body and gravity.

@@ -49,6 +49,8 @@ pub(super) enum TerminalEvent {
     Land,
     Rest,
     Paradox,
+    /// The acceleration of the table has a corner. The phase continues.
+    Corner,
 }
 
 /// The goal of a simulation.
@@ -168,6 +170,8 @@ pub(super) struct EventDetector<'a> {
     started_on_first_face: bool,
     crossing: Option<Crossing>,
     events: Vec<Event>,
+    /// The time at which steps have to end, s.
+    corner: f64,
 }
 
 impl<'a> EventDetector<'a> {
@@ -189,7 +193,13 @@ impl<'a> EventDetector<'a> {
             direction: turns::direction_at_release(start),
             crossing: None,
             events: Vec::new(),
+            corner: f64::INFINITY,
         }
+    }
+
+    /// Steps from now on are cut at a corner of the table's acceleration, at this time (s).
+    pub(super) fn cut_steps_at(&mut self, corner: f64) {
+        self.corner = corner;
     }
 
     /// The events in order of time.
@@ -248,7 +258,12 @@ impl<'a> EventDetector<'a> {
                 !ideal && phase == Phase::Sliding,
             ),
             (TerminalEvent::Land, 1.0, !on_table),
-            (TerminalEvent::Rest, 1.0, loses && in_time && on_table),
+            (
+                TerminalEvent::Rest,
+                1.0,
+                loses && in_time && on_table && !self.contacts.moves(),
+            ),
+            (TerminalEvent::Corner, -1.0, self.corner.is_finite()),
         ]
         .into_iter()
         .filter(|&(.., possible)| possible)
@@ -342,6 +357,9 @@ impl<'a> EventDetector<'a> {
             // The motion must end exactly at the given time, without a rounding error.
             last.end[TIME] = duration;
         }
+        if event == TerminalEvent::Corner {
+            last.end[TIME] = self.corner;
+        }
         self.detect_extrema(part, &until_end(samples));
         self.detect_edge(part, &until_end(with_tilt_extrema));
         // Rounding must not put an event after the end.
@@ -380,6 +398,7 @@ impl<'a> EventDetector<'a> {
             TerminalEvent::SlipEnd => u.slip_speed() - self.contacts.stopped_speed(u),
             TerminalEvent::Paradox => dynamics.consistency(u) - PARADOX,
             TerminalEvent::Land => u.gap,
+            TerminalEvent::Corner => u.t - self.corner,
             TerminalEvent::Rest => energy_above_rest(dynamics, u) - REST_ENERGY * self.start_energy,
         }
     }

@@ -4,7 +4,16 @@ use crate::error_scale::ErrorScale;
 use crate::law::Dynamics;
 use crate::real::Real;
 use crate::solve::System;
-use crate::state::{COORDINATES, Coordinates, IGNORABLE, RIGID_COORDINATES};
+use crate::state::{COORDINATES, COORDINATES_AT_REST, Coordinates, IGNORABLE, RIGID_COORDINATES};
+
+/// The independent variable of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Clock {
+    /// τ, or σ in dry slip: all rates are bounded.
+    Regularized,
+    /// The time, so that a step can end at a given time.
+    Time,
+}
 
 /// The equations of motion under one law, with their error scales.
 pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
@@ -12,34 +21,47 @@ pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
     pub error_scale: ErrorScale<T>,
     /// Whether they are those of slip under dry friction.
     dry: bool,
+    clock: Clock,
 }
 
 impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
-    pub(super) fn new(dynamics: &'a L) -> Self {
+    pub(super) fn new(dynamics: &'a L, clock: Clock) -> Self {
         Mechanics {
             dynamics,
             error_scale: ErrorScale::new(dynamics.parameters()),
             dry: false,
+            clock,
         }
     }
 
-    /// The system for slip under dry friction, whose independent variable is the σ of
+    /// The system for slip under dry friction, whose regularized independent variable is the σ of
     /// [`ErrorScale::sundman_denominator`].
-    pub(super) fn slipping(dynamics: &'a L) -> Self {
+    pub(super) fn slipping(dynamics: &'a L, clock: Clock) -> Self {
         Mechanics {
             dry: true,
-            ..Mechanics::new(dynamics)
+            ..Mechanics::new(dynamics, clock)
         }
     }
 
     /// dτ/dσ, where σ is the independent variable.
     #[inline(always)]
     pub(super) fn sundman_factor(&self, u: &Coordinates<T>) -> T {
-        if self.dry {
-            self.error_scale.sundman_factor(u)
-        } else {
-            T::from(1.0)
+        match self.clock {
+            Clock::Regularized if self.dry => self.error_scale.sundman_factor(u),
+            Clock::Regularized => T::from(1.0),
+            Clock::Time => T::from(1.0) / u.sin,
         }
+    }
+
+    /// The rates of all coordinates with respect to the independent variable.
+    #[inline(always)]
+    fn all_rates(&self, u: &Coordinates<T>) -> [T; COORDINATES] {
+        let rates = self.dynamics.rates(u).into_array();
+        if !self.dry && self.clock == Clock::Regularized {
+            return rates;
+        }
+        let factor = self.sundman_factor(u);
+        rates.map(|rate| factor * rate)
     }
 
     #[inline(always)]
@@ -52,24 +74,31 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
     }
 }
 
-/// All coordinates.
+/// All coordinates, as on a table that moves.
 impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
-    const IGNORABLE: usize = IGNORABLE;
-
     #[inline(always)]
     fn rates(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
-        let u = Coordinates::from_array(u);
-        let rates = self.dynamics.rates(&u).into_array();
-        if !self.dry {
-            return rates;
-        }
-        let factor = self.sundman_factor(&u);
-        rates.map(|rate| factor * rate)
+        self.all_rates(&Coordinates::from_array(u))
     }
 
     #[inline(always)]
     fn scale(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
         self.scales(&Coordinates::from_array(u)).into_array()
+    }
+}
+
+/// The coordinates that can change on a table at rest.
+impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES_AT_REST> for Mechanics<'_, T, L> {
+    const IGNORABLE: usize = IGNORABLE;
+
+    #[inline(always)]
+    fn rates(&self, u: &[T; COORDINATES_AT_REST]) -> [T; COORDINATES_AT_REST] {
+        leading(&self.all_rates(&Coordinates::from_first(u)))
+    }
+
+    #[inline(always)]
+    fn scale(&self, u: &[T; COORDINATES_AT_REST]) -> [T; COORDINATES_AT_REST] {
+        leading(&self.scales(&Coordinates::from_first(u)).into_array())
     }
 }
 

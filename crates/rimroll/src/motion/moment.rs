@@ -9,7 +9,7 @@ use crate::state::Coordinates;
 /// point), friction and slip are vectors in the plane of the table. `friction_ratio` is |T|/N. For a rim that
 /// slides the law prescribes it; for a rim that rolls it is the coefficient that rolling needs, which is
 /// infinite where friction is needed and the normal force is zero, as at a lift-off from rolling.
-pub const COLUMNS: [&str; 25] = [
+pub const COLUMNS: [&str; 26] = [
     "t",
     "tilt",
     "tilt_rate",
@@ -35,6 +35,7 @@ pub const COLUMNS: [&str; 25] = [
     "friction_loss",
     "resistance_loss",
     "impact_loss",
+    "ground_work",
 ];
 
 /// One moment: a number for each of [`COLUMNS`].
@@ -103,5 +104,6 @@ pub fn moment(dynamics: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
         u.friction_loss,
         u.resistance_loss,
         u.impact_loss,
+        u.ground_work,
     ]
 }

@@ -1,27 +1,44 @@
 //! The equations of motion of each phase.
 
 use super::instant::Phase;
-use super::mechanics::Mechanics;
+use super::mechanics::{Clock, Mechanics};
 use crate::contact_law::ContactLaw;
-use crate::law::{Dynamics, Flight, NoSlip, Parameters, Resisted, SlidingDynamics};
+use crate::law::{Dynamics, Flight, NoSlip, OnTable, Parameters, Resisted, SlidingDynamics, Table};
 use crate::real::Scalar;
+use crate::solve::System;
+use crate::state::{COORDINATES, COORDINATES_AT_REST, RIGID_COORDINATES};
+
+/// A computation with the system of equations of a phase. It is compiled separately for each of the most
+/// frequent laws.
+pub(super) trait SystemVisitor {
+    type Output;
+
+    /// Runs the computation on a system in which only the first N coordinates change.
+    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> Self::Output;
+}
 
 /// The equations of motion of a body under a contact law in each phase.
 #[derive(Clone)]
 pub(super) struct PhaseDynamics<T: Scalar> {
-    pub(super) rolling: Resisted<NoSlip<T>>,
+    pub(super) rolling: Resisted<OnTable<NoSlip<T>>>,
     pub(super) sliding: SlidingDynamics<T>,
-    pub(super) flying: Flight<T>,
+    pub(super) flying: OnTable<Flight<T>>,
 }
 
 impl<T: Scalar> PhaseDynamics<T> {
-    /// Under a law, for steps that may err by `tolerance`.
-    pub(super) fn new(k: Parameters<T>, contact_law: &ContactLaw, tolerance: f64) -> Self {
+    /// Under a law on a table, for steps that may err by `tolerance`.
+    pub(super) fn new(
+        k: Parameters<T>,
+        contact_law: &ContactLaw,
+        table: &Table,
+        tolerance: f64,
+    ) -> Self {
         let (friction, resistance) = (&contact_law.friction, contact_law.resistance);
+        let rolling = OnTable::new(NoSlip::new(k), table);
         PhaseDynamics {
-            rolling: Resisted::new(NoSlip::new(k), resistance, tolerance),
-            sliding: SlidingDynamics::new(friction, k, resistance, tolerance),
-            flying: Flight::new(k),
+            rolling: Resisted::new(rolling, resistance, tolerance),
+            sliding: SlidingDynamics::new(friction, k, table, resistance, tolerance),
+            flying: OnTable::new(Flight::new(k), table),
         }
     }
 
@@ -36,12 +53,51 @@ impl<T: Scalar> PhaseDynamics<T> {
     }
 
     /// Those that hold in a phase, as the solver sees them.
-    pub(super) fn mechanics(&self, phase: Phase) -> Mechanics<'_, T> {
+    pub(super) fn mechanics(&self, phase: Phase, clock: Clock) -> Mechanics<'_, T> {
         let dynamics = self.in_phase(phase);
         if phase == Phase::Sliding && self.sliding.is_dry() {
-            Mechanics::slipping(dynamics)
+            Mechanics::slipping(dynamics, clock)
         } else {
-            Mechanics::new(dynamics)
+            Mechanics::new(dynamics, clock)
+        }
+    }
+}
+
+impl PhaseDynamics<f64> {
+    /// Runs a computation with the system of differential equations of a phase.
+    pub(super) fn solve<K: SystemVisitor>(
+        &self,
+        phase: Phase,
+        clock: Clock,
+        visitor: K,
+    ) -> K::Output {
+        let moves = self.flying.moves();
+        match (phase, &self.sliding) {
+            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never) if moves => {
+                visitor.with::<_, COORDINATES>(&Mechanics::new(&self.rolling, clock))
+            }
+            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
+                if self.rolling.is_conservative() =>
+            {
+                let rolling = self.rolling.dynamics().dynamics();
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
+            }
+            (Phase::Sliding, SlidingDynamics::Frictionless(sliding))
+                if sliding.is_conservative() =>
+            {
+                let sliding = sliding.dynamics();
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(sliding, clock))
+            }
+            (Phase::Sliding, SlidingDynamics::Coulomb(sliding)) => {
+                let mechanics = Mechanics::slipping(sliding, clock);
+                if moves {
+                    visitor.with::<_, COORDINATES>(&mechanics)
+                } else {
+                    visitor.with::<_, COORDINATES_AT_REST>(&mechanics)
+                }
+            }
+            _ if moves => visitor.with::<_, COORDINATES>(&self.mechanics(phase, clock)),
+            _ => visitor.with::<_, COORDINATES_AT_REST>(&self.mechanics(phase, clock)),
         }
     }
 }

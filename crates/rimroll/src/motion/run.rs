@@ -1,19 +1,20 @@
 //! The phases of a motion, one after another.
 
-use super::contacts::{Contacts, SystemVisitor, Transition};
+use super::contacts::{Contacts, Transition};
 use super::event::{Event, EventKind};
 use super::event_detector::{EventDetector, Goal, TerminalEvent};
 use super::instant::{Instant, Phase};
-use super::mechanics::{Mechanics, leading};
+use super::mechanics::{Clock, Mechanics, leading};
 use super::onset;
 use super::options::Options;
+use super::phase_dynamics::SystemVisitor;
 use super::step_record::StepRecord;
 use super::track::Track;
 use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::error_scale::{ErrorScale, max_brief_change};
 use crate::law::Parameters;
 use crate::solve::{Found, Implicit, Stepper, System, Work};
-use crate::state::{COORDINATES, Coordinates};
+use crate::state::{COORDINATES, COORDINATES_AT_REST, Coordinates, TIME};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
 use std::sync::Arc;
@@ -35,9 +36,25 @@ enum AfterEvent {
 }
 
 /// The start of a phase: the coordinates, and the direction of a slip that begins from rest.
+#[derive(Clone, Copy)]
 struct PhaseStart {
     u: Coordinates<f64>,
     direction: Option<[f64; 2]>,
+}
+
+/// The independent variable and the size of the next step.
+#[derive(Clone, Copy)]
+struct Pace {
+    clock: Clock,
+    h: f64,
+}
+
+/// The reason why explicit steps end.
+enum StepsEnd {
+    Phase(PhaseEnd),
+    /// The phase goes on from these coordinates, in the next stretch of the table's motion or with another
+    /// independent variable. Without a pace, the first step is sought anew.
+    Continue(Coordinates<f64>, Option<Pace>),
 }
 
 /// The end of a phase: a terminal event, or the end of the motion without one.
@@ -140,21 +157,67 @@ impl<'a> Run<'a> {
             return over;
         }
         let contacts = self.contacts;
-        let mechanics = contacts.phases().mechanics(phase);
-        let (start, h) = match self.slow_slip(&mechanics, phase, phase_start) {
-            ControlFlow::Continue(begun) => begun,
-            ControlFlow::Break(over) => return over,
-        };
-        let h = h / mechanics.sundman_factor(&start);
-        let steps = Steps {
-            run: self,
-            mechanics: &mechanics,
-            phase,
-            start: start.into_array(),
-            h,
-            report,
-        };
-        contacts.solve(phase, steps)
+        let (mut start, mut pace) = (*phase_start, None);
+        loop {
+            let phases = contacts.phases_from(start.u.t);
+            let mechanics = phases.mechanics(phase, Clock::Regularized);
+            let corner = contacts.corner_after(start.u.t);
+            let Pace { clock, h } = match pace {
+                Some(pace) => pace,
+                None => match self.first_pace(&mechanics, phase, &mut start, corner) {
+                    ControlFlow::Continue(Some(pace)) => pace,
+                    ControlFlow::Continue(None) => continue,
+                    ControlFlow::Break(over) => return over,
+                },
+            };
+            let steps = Steps {
+                run: self,
+                mechanics: &mechanics,
+                phase,
+                clock,
+                corner,
+                start: start.u.into_array(),
+                h,
+                report,
+            };
+            match phases.solve(phase, clock, steps) {
+                StepsEnd::Phase(over) => return over,
+                StepsEnd::Continue(u, next) => {
+                    let direction = None;
+                    start = PhaseStart { u, direction };
+                    pace = next;
+                }
+            }
+        }
+    }
+
+    /// The first explicit step of a phase, after dry slip that is too slow for explicit steps. `None` if a corner
+    /// of the table's acceleration came first. The start becomes that of the explicit steps.
+    fn first_pace(
+        &mut self,
+        mechanics: &Mechanics<'_>,
+        phase: Phase,
+        start: &mut PhaseStart,
+        corner: f64,
+    ) -> ControlFlow<PhaseEnd, Option<Pace>> {
+        self.detector.cut_steps_at(corner);
+        let begun = self.slow_slip(mechanics, phase, start);
+        self.detector.cut_steps_at(f64::INFINITY);
+        let direction = None;
+        match begun {
+            ControlFlow::Continue((u, h)) => {
+                *start = PhaseStart { u, direction };
+                let h = h / mechanics.sundman_factor(&u);
+                let clock = Clock::Regularized;
+                ControlFlow::Continue(Some(Pace { clock, h }))
+            }
+            ControlFlow::Break(PhaseEnd::Event(TerminalEvent::Corner)) => {
+                let u = self.track.end().u;
+                *start = PhaseStart { u, direction };
+                ControlFlow::Continue(None)
+            }
+            ControlFlow::Break(over) => ControlFlow::Break(over),
+        }
     }
 
     fn out_of_steps(&self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<PhaseEnd> {
@@ -183,8 +246,8 @@ impl<'a> Run<'a> {
         // longer, because it may have to be repeated with smaller step sizes.
         const FIRST: f64 = 20.0;
         const SHORTEST: f64 = 5.0;
-        let phases = self.contacts.dual_phases();
-        let dual = phases.mechanics(phase);
+        let phases = self.contacts.dual_phases_from(u[TIME]);
+        let dual = phases.mechanics(phase, Clock::Regularized);
         let before = self.work;
         let tolerance = self.options.step_tolerance();
         let mut implicit = Implicit::new(mechanics, &dual, u, tolerance);
@@ -326,6 +389,13 @@ impl<'a> Run<'a> {
         };
         match event {
             TerminalEvent::Done => AfterEvent::EndState(Status::Finished),
+            TerminalEvent::Corner => {
+                let start = PhaseStart {
+                    u: at.u,
+                    direction: None,
+                };
+                AfterEvent::Phase(at.phase, start)
+            }
             TerminalEvent::Topple => {
                 self.detector.add(EventKind::Topple, *at);
                 if self.contacts.falls_on_its_side(at) {
@@ -433,66 +503,183 @@ struct Steps<'r, 'a> {
     run: &'r mut Run<'a>,
     mechanics: &'r Mechanics<'r>,
     phase: Phase,
+    clock: Clock,
+    /// The next corner of the table's acceleration, s.
+    corner: f64,
     start: [f64; COORDINATES],
     h: f64,
     report: &'r mut dyn FnMut(f64) -> ControlFlow<()>,
 }
 
 impl SystemVisitor for Steps<'_, '_> {
-    type Output = PhaseEnd;
+    type Output = StepsEnd;
 
-    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> PhaseEnd {
+    fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> StepsEnd {
         let Steps {
             run,
             mechanics,
             phase,
+            clock,
+            corner,
             start: mut u,
             mut h,
             report,
         } = self;
         let tolerance = run.options.step_tolerance();
+        let approach = Approach {
+            mechanics,
+            clock,
+            corner,
+        };
         let mut stepper = Stepper::new(system, leading(&u), h, tolerance);
         let mut before = run.work;
         loop {
             let since_test = run.work.steps - run.steps_at_stiffness_test;
-            if N == COORDINATES && since_test >= STIFFNESS_TEST_INTERVAL {
+            if N >= COORDINATES_AT_REST && since_test >= STIFFNESS_TEST_INTERVAL {
                 run.work = before + stepper.work;
-                match run.implicit_steps(mechanics, phase, u, h, report) {
-                    ControlFlow::Break(over) => return over,
+                let explicit = approach.regularized(&u, h);
+                run.detector.cut_steps_at(corner);
+                let implicit = run.implicit_steps(mechanics, phase, u, explicit, report);
+                run.detector.cut_steps_at(f64::INFINITY);
+                run.steps_at_stiffness_test = run.work.steps;
+                match implicit {
+                    ControlFlow::Break(PhaseEnd::Event(TerminalEvent::Corner)) => {
+                        return StepsEnd::Continue(run.track.end().u, None);
+                    }
+                    ControlFlow::Break(over) => return StepsEnd::Phase(over),
                     ControlFlow::Continue(None) => stepper.work = Work::default(),
+                    ControlFlow::Continue(Some(next)) if clock == Clock::Time => {
+                        let pace = Pace {
+                            clock: Clock::Regularized,
+                            h: next,
+                        };
+                        return StepsEnd::Continue(run.track.end().u, Some(pace));
+                    }
                     ControlFlow::Continue(Some(next)) => {
                         (u, h) = (run.track.end().u.into_array(), next);
                         stepper = Stepper::new(system, leading(&u), h, tolerance);
                     }
                 }
-                run.steps_at_stiffness_test = run.work.steps;
                 before = run.work;
             }
             if let Some(over) = run.out_of_steps(report) {
-                return over;
+                return StepsEnd::Phase(over);
             }
+            if let Some(pace) = approach.other_clock(&u, stepper.h) {
+                run.work = before + stepper.work;
+                return StepsEnd::Continue(Coordinates::from_array(&u), Some(pace));
+            }
+            let to_corner = approach.limit(&u, &mut stepper.h);
             let Ok(step) = stepper.advance() else {
-                return PhaseEnd::Motion(Status::Failed);
+                return StepsEnd::Phase(PhaseEnd::Motion(Status::Failed));
             };
             h = step.h;
+            let at_corner = clock == Clock::Time && h == to_corner;
+            if at_corner {
+                step.end[TIME] = corner;
+            } else if step.end[TIME] > corner {
+                run.work = before + stepper.work;
+                return StepsEnd::Continue(
+                    Coordinates::from_array(&u),
+                    Some(approach.in_time(to_corner)),
+                );
+            }
             u[..N].copy_from_slice(&step.end);
             let event = if run.detector.is_uneventful(phase, step) {
-                run.track.push(StepRecord::explicit(phase, step, &u));
+                run.track
+                    .push(StepRecord::explicit((phase, clock), step, &u));
                 None
             } else {
-                let record = StepRecord::explicit(phase, step, &u);
+                let record = StepRecord::explicit((phase, clock), step, &u);
                 let dense = step.dense(system).widened(&u);
                 run.detector.process(record, &dense, &mut run.track)
             };
             run.work = before + stepper.work;
             if let Some(event) = event {
-                return run.end_of_phase(event, h);
+                return StepsEnd::Phase(run.end_of_phase(event, h));
             }
             run.empty_phases = 0;
             if run.slip_is_stopping(phase) {
-                return PhaseEnd::Event(TerminalEvent::SlipEnd);
+                return StepsEnd::Phase(PhaseEnd::Event(TerminalEvent::SlipEnd));
+            }
+            if at_corner {
+                let u = Coordinates::from_array(&u);
+                return StepsEnd::Continue(u, Some(approach.in_time(stepper.h)));
             }
         }
+    }
+}
+
+/// How steps approach the next corner of the table's acceleration, at which one has to end.
+///
+/// With respect to τ or σ, the size of the step that ends there is not known before. So a step that comes near the
+/// corner is made with respect to the time. In a near-collision, whose steps are far shorter than the time to the
+/// corner, steps are made with respect to τ.
+struct Approach<'a> {
+    mechanics: &'a Mechanics<'a>,
+    clock: Clock,
+    /// The corner, s; infinite if there is none.
+    corner: f64,
+}
+
+impl Approach<'_> {
+    /// dt/dτ or dt/dσ.
+    fn time_rate(&self, u: &[f64; COORDINATES]) -> f64 {
+        let u = Coordinates::from_array(u);
+        u.sin * self.mechanics.sundman_factor(&u)
+    }
+
+    /// A step of size h in the regularized variable.
+    fn regularized(&self, u: &[f64; COORDINATES], h: f64) -> f64 {
+        match self.clock {
+            Clock::Regularized => h,
+            Clock::Time => h / self.time_rate(u),
+        }
+    }
+
+    /// A step of h seconds.
+    fn in_time(&self, h: f64) -> Pace {
+        let clock = Clock::Time;
+        Pace { clock, h }
+    }
+
+    /// The pace of a step from `u` if it should be made with respect to the other variable.
+    fn other_clock(&self, u: &[f64; COORDINATES], h: f64) -> Option<Pace> {
+        // The fractions of the time to the corner beyond which the variable is changed. They differ, so that it does
+        // not change to and fro.
+        const NEAR: f64 = 0.25;
+        const FAR: f64 = 0.02;
+        if self.corner == f64::INFINITY {
+            return (self.clock == Clock::Time).then(|| Pace {
+                clock: Clock::Regularized,
+                h: self.regularized(u, h),
+            });
+        }
+        let remaining = self.corner - u[TIME];
+        match self.clock {
+            Clock::Regularized => {
+                let h = h * self.time_rate(u);
+                (h > NEAR * remaining).then(|| self.in_time(h))
+            }
+            Clock::Time => (h < FAR * remaining).then(|| Pace {
+                clock: Clock::Regularized,
+                h: self.regularized(u, h),
+            }),
+        }
+    }
+
+    /// Limits the size of a step with respect to the time. Returns the time to the corner.
+    fn limit(&self, u: &[f64; COORDINATES], h: &mut f64) -> f64 {
+        let remaining = self.corner - u[TIME];
+        if self.clock == Clock::Time {
+            // Two equal steps are better than a long and a very short one.
+            *h = if *h >= remaining {
+                remaining
+            } else {
+                h.min(0.5 * remaining)
+            };
+        }
+        remaining
     }
 }
 

@@ -13,7 +13,7 @@
 use super::Motion;
 use super::event::EventKind;
 use super::instant::Phase;
-use super::mechanics::{Mechanics, leading};
+use super::mechanics::{Clock, Mechanics, leading};
 use super::track::Track;
 use super::turns::Turn;
 use crate::error::InvalidInput;
@@ -69,8 +69,12 @@ impl Smooth {
     fn step(&self, start: &[Number; RIGID_COORDINATES], h: f64) -> [Number; RIGID_COORDINATES] {
         let h = h.into();
         match self {
-            Smooth::Rolling(dynamics) => Step::take(&Mechanics::new(dynamics), start, h).end,
-            Smooth::Frictionless(dynamics) => Step::take(&Mechanics::new(dynamics), start, h).end,
+            Smooth::Rolling(dynamics) => {
+                Step::take(&Mechanics::new(dynamics, Clock::Regularized), start, h).end
+            }
+            Smooth::Frictionless(dynamics) => {
+                Step::take(&Mechanics::new(dynamics, Clock::Regularized), start, h).end
+            }
         }
     }
 

@@ -1,11 +1,12 @@
 //! The record of an accepted step: its size and the states at its ends. The dense output is recomputed on
 //! demand, to the same bits.
 
-use super::contacts::{Contacts, SystemVisitor};
+use super::contacts::Contacts;
 use super::instant::Phase;
-use super::mechanics::leading;
+use super::mechanics::{Clock, leading};
+use super::phase_dynamics::SystemVisitor;
 use crate::solve::{Collocation, Dense, Step, System};
-use crate::state::COORDINATES;
+use crate::state::{COORDINATES, TIME};
 
 pub(super) type Polynomial = Dense<f64, COORDINATES>;
 
@@ -13,7 +14,9 @@ pub(super) type Polynomial = Dense<f64, COORDINATES>;
 #[derive(Clone)]
 pub(super) struct StepRecord {
     pub phase: Phase,
-    /// The step size in the phase's independent variable.
+    /// The independent variable of the step.
+    clock: Clock,
+    /// The step size in the independent variable.
     pub h: f64,
     pub start: [f64; COORDINATES],
     pub end: [f64; COORDINATES],
@@ -25,7 +28,7 @@ impl StepRecord {
     /// An explicit step of the first N coordinates; the others keep their values in `constant`.
     #[inline(always)]
     pub fn explicit<const N: usize>(
-        phase: Phase,
+        (phase, clock): (Phase, Clock),
         step: &Step<f64, N>,
         constant: &[f64; COORDINATES],
     ) -> StepRecord {
@@ -36,6 +39,7 @@ impl StepRecord {
         };
         StepRecord {
             phase,
+            clock,
             h: step.h,
             start: widened(&step.start),
             end: widened(&step.end),
@@ -47,6 +51,7 @@ impl StepRecord {
     pub fn polynomial(phase: Phase, dense: Polynomial) -> StepRecord {
         StepRecord {
             phase,
+            clock: Clock::Regularized,
             h: dense.h,
             start: dense.start,
             end: dense.end,
@@ -62,7 +67,7 @@ impl StepRecord {
     pub fn dense(&self, contacts: &Contacts) -> Polynomial {
         match &self.polynomial {
             Some(dense) => (**dense).clone(),
-            None => contacts.solve(self.phase, DenseOutput(self)),
+            None => self.solve(contacts, DenseOutput(self)),
         }
     }
 
@@ -71,8 +76,13 @@ impl StepRecord {
     pub fn cut(&self, contacts: &Contacts, x: f64) -> StepRecord {
         match &self.polynomial {
             Some(dense) => StepRecord::polynomial(self.phase, Collocation::get().cut(dense, x)),
-            None => contacts.solve(self.phase, Cut(self, x)),
+            None => self.solve(contacts, Cut(self, x)),
         }
+    }
+
+    fn solve<K: SystemVisitor>(&self, contacts: &Contacts, visitor: K) -> K::Output {
+        let phases = contacts.phases_from(self.start[TIME]);
+        phases.solve(self.phase, self.clock, visitor)
     }
 
     /// The step recomputed with the size h.
@@ -103,7 +113,7 @@ impl SystemVisitor for Cut<'_> {
     fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> StepRecord {
         let Cut(record, x) = self;
         StepRecord::explicit(
-            record.phase,
+            (record.phase, record.clock),
             &record.recompute(system, x * record.h),
             &record.start,
         )

@@ -9,7 +9,7 @@ pub struct Stepper<'a, S, const N: usize> {
     system: &'a S,
     tolerance: f64,
     /// The size of the next step to try.
-    h: f64,
+    pub h: f64,
     step: Step<f64, N>,
     /// Work so far.
     pub work: Work,

@@ -1,0 +1,239 @@
+//! The table under the body, at rest or moving, and the equations of motion relative to it.
+//!
+//! The table translates with the acceleration a(t) and does not turn. Relative to it, the equations of every law
+//! hold with two changes: gravity is G = g + a_z, and the horizontal inertial force −m (a₁, a₂) acts at the centre
+//! of mass, where a₁ = a_x cos ψ + a_y sin ψ and a₂ = −a_x sin ψ + a_y cos ψ are the components along e_x1 and e_y1.
+//!
+//! The energy relative to the table changes by the work −m a · v of the inertial force, with v the
+//! velocity of the centre of mass relative to the table.
+
+use super::{Contact, Dynamics, Friction, FrictionForce, Parameters, Sliding};
+use crate::ground::{Ground, Stretch};
+use crate::real::{Real, Scalar};
+use crate::state::Coordinates;
+use std::sync::Arc;
+
+/// The table under the body.
+#[derive(Debug, Clone, Default)]
+pub(crate) enum Table {
+    /// It is at rest.
+    #[default]
+    AtRest,
+    /// It moves.
+    Moving(Arc<Ground>),
+    /// It moves as in this stretch, also before and after it, so that rates are smooth over a step.
+    Along(Stretch),
+}
+
+impl Table {
+    /// The table that moves with `ground`, or is at rest without one.
+    pub(crate) fn new(ground: Option<&Arc<Ground>>) -> Table {
+        ground.map_or(Table::AtRest, |ground| Table::Moving(Arc::clone(ground)))
+    }
+
+    /// Whether the table moves.
+    pub(crate) fn moves(&self) -> bool {
+        !matches!(self, Table::AtRest)
+    }
+
+    /// The acceleration of a table that moves.
+    #[inline(always)]
+    fn acceleration<T: Scalar>(&self, u: &Coordinates<T>) -> Option<Acceleration<T>> {
+        let [x, y, vertical] = match self {
+            Table::AtRest => return None,
+            Table::Along(stretch) => stretch.acceleration(u.t),
+            Table::Moving(ground) => ground.stretch(u.t.value()).acceleration(u.t),
+        };
+        let (sin, cos) = u.yaw.sin_cos();
+        Some(Acceleration {
+            horizontal: [x * cos + y * sin, y * cos - x * sin],
+            vertical,
+        })
+    }
+}
+
+/// The acceleration of the table along e_x1, e_y1 and e_z, m/s².
+#[derive(Clone, Copy)]
+struct Acceleration<T> {
+    horizontal: [T; 2],
+    vertical: T,
+}
+
+/// What the horizontal inertial force adds to the rates of the velocities and to the contact force, all times
+/// sin φ.
+pub(crate) struct InertialEffect<T> {
+    /// dp/dτ.
+    pub p: T,
+    /// dw/dτ.
+    pub w: T,
+    /// ds/dτ.
+    pub s: T,
+    /// The rate of the slip with respect to τ.
+    pub slip: [T; 2],
+    /// The contact force.
+    pub contact: Contact<T>,
+}
+
+impl<T: Real> InertialEffect<T> {
+    /// The effect on a body that can slip: it stays behind, so the rate of its slip is smaller by the acceleration.
+    #[inline(always)]
+    pub(crate) fn staying_behind(u: &Coordinates<T>, acceleration: [T; 2]) -> Self {
+        let zero = T::from(0.0);
+        InertialEffect {
+            p: zero,
+            w: zero,
+            s: zero,
+            slip: acceleration.map(|component| -(u.sin * component)),
+            contact: Contact {
+                along: zero,
+                across: zero,
+                normal: zero,
+            },
+        }
+    }
+}
+
+/// Equations of motion that hold on a table that moves.
+pub(crate) trait Movable<T: Real>: Dynamics<T> + Clone {
+    /// Replaces gravity by another, m/s².
+    fn set_gravity(&mut self, gravity: T);
+
+    /// The effect of the horizontal acceleration of the table (m/s², along e_x1 and e_y1). It is linear in the
+    /// acceleration.
+    fn inertial_effect(&self, u: &Coordinates<T>, acceleration: [T; 2]) -> InertialEffect<T>;
+}
+
+/// Equations of motion relative to a table.
+#[derive(Debug, Clone)]
+pub(crate) struct OnTable<L> {
+    dynamics: L,
+    table: Table,
+}
+
+impl<L> OnTable<L> {
+    pub(crate) fn new(dynamics: L, table: &Table) -> Self {
+        let table = table.clone();
+        OnTable { dynamics, table }
+    }
+
+    /// The equations on a table at rest.
+    pub(crate) fn dynamics(&self) -> &L {
+        &self.dynamics
+    }
+
+    /// Whether the table moves.
+    pub(crate) fn moves(&self) -> bool {
+        self.table.moves()
+    }
+
+    /// The equations under the gravity g + a_z.
+    #[inline(always)]
+    fn under<T: Scalar>(&self, acceleration: &Acceleration<T>) -> L
+    where
+        L: Movable<T>,
+    {
+        let mut dynamics = self.dynamics.clone();
+        dynamics.set_gravity(self.dynamics.parameters().g + acceleration.vertical);
+        dynamics
+    }
+
+    /// Adds the effect of the horizontal inertial force to `rates`, and the power of the inertial force.
+    #[inline(always)]
+    fn shaken<T: Scalar>(
+        &self,
+        u: &Coordinates<T>,
+        rates: Coordinates<T>,
+        acceleration: &Acceleration<T>,
+    ) -> Coordinates<T>
+    where
+        L: Movable<T>,
+    {
+        let k = self.dynamics.parameters();
+        let [along, across] = acceleration.horizontal;
+        let InertialEffect { p, w, s, slip, .. } =
+            self.dynamics.inertial_effect(u, [along, across]);
+        let [vx, vy] = self.dynamics.center_velocity(u);
+        let vz = k.rho(u) * u.p + u.gap_rate;
+        Coordinates {
+            p: rates.p + p,
+            w: rates.w + w,
+            s: rates.s + s,
+            slip_x: rates.slip_x + slip[0],
+            slip_y: rates.slip_y + slip[1],
+            ground_work: -(u.sin * k.m) * (along * vx + across * vy + acceleration.vertical * vz),
+            ..rates
+        }
+    }
+}
+
+impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L> {
+    fn parameters(&self) -> &Parameters<T> {
+        self.dynamics.parameters()
+    }
+
+    #[inline(always)]
+    fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        match self.table.acceleration(u) {
+            None => self.dynamics.reduced_rates(u),
+            Some(acceleration) => {
+                let rates = self.under(&acceleration).reduced_rates(u);
+                self.shaken(u, rates, &acceleration)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
+        match self.table.acceleration(u) {
+            None => self.dynamics.contact(u),
+            Some(acceleration) => {
+                let effect = self.dynamics.inertial_effect(u, acceleration.horizontal);
+                self.under(&acceleration).contact(u).plus(&effect.contact)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
+        self.dynamics.center_velocity(u)
+    }
+
+    fn slip(&self, u: &Coordinates<T>) -> [T; 2] {
+        self.dynamics.slip(u)
+    }
+
+    fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
+        self.dynamics.constraint_reaction(moment)
+    }
+
+    fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
+        self.dynamics.friction_ratio(u)
+    }
+
+    #[inline(always)]
+    fn consistency(&self, u: &Coordinates<T>) -> T {
+        self.dynamics.consistency(u)
+    }
+
+    fn is_conservative(&self) -> bool {
+        !self.table.moves() && self.dynamics.is_conservative()
+    }
+}
+
+impl<F: Friction<f64> + Clone> OnTable<Sliding<f64, F>> {
+    /// The contact force (times sin φ) and the rates under a given friction force.
+    #[inline]
+    pub(crate) fn under_friction(
+        &self,
+        u: &Coordinates<f64>,
+        friction_force: &FrictionForce<f64>,
+    ) -> (Contact<f64>, Coordinates<f64>) {
+        match self.table.acceleration(u) {
+            None => self.dynamics.under(u, friction_force),
+            Some(acceleration) => {
+                let (contact, rates) = self.under(&acceleration).under(u, friction_force);
+                (contact, self.shaken(u, rates, &acceleration))
+            }
+        }
+    }
+}

@@ -1,0 +1,445 @@
+//! Motions on a table that moves.
+
+use proptest::prelude::*;
+use rimroll::ground::{Ground, Pulse, Shape};
+use rimroll::law::{
+    AirDrag, Coulomb, PivotingFriction, Resistance, RollingResistance, Stribeck, Viscous,
+};
+use rimroll::motion::COLUMNS;
+use rimroll::{
+    Body, ContactLaw, FrictionLaw, Motion, Options, State, Status, presets, simulate, simulate_on,
+};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+#[path = "given/bodies.rs"]
+mod bodies;
+#[path = "given/cases.rs"]
+mod cases;
+use bodies::{any_body, powers_of_ten};
+use cases::cases;
+
+/// A solid stone cylinder of 1000 kg, 4 m high.
+fn column() -> Body {
+    Body::new(1000.0, 0.5, 2.0, 1395.833_333_333_333_3, 125.0).unwrap()
+}
+
+/// A sine pulse.
+fn sine(amplitude: [f64; 3], period: f64, cycles: f64) -> Pulse {
+    Pulse {
+        amplitude,
+        shape: Shape::Sine { period },
+        duration: cycles * period,
+    }
+}
+
+/// A constant acceleration for a time, s.
+fn constant(amplitude: [f64; 3], duration: f64) -> Arc<Ground> {
+    ground(vec![Pulse {
+        amplitude,
+        shape: Shape::Constant,
+        duration,
+    }])
+}
+
+fn ground(pulses: Vec<Pulse>) -> Arc<Ground> {
+    Arc::new(Ground::pulses(pulses).unwrap())
+}
+
+/// The pulse of the first reference motion.
+fn two_sines() -> Vec<Pulse> {
+    vec![
+        sine([3.0, 0.0, 0.0], 1.2, 1.0),
+        sine([0.0, 1.5, 0.0], 0.8, 1.0),
+    ]
+}
+
+fn tight(duration: f64) -> Options {
+    Options {
+        duration,
+        gravity: 9.81,
+        rtol: 1e-12,
+        ..Options::default()
+    }
+}
+
+fn shaken(
+    ground: Arc<Ground>,
+    body: &Body,
+    start: &State,
+    law: impl Into<ContactLaw>,
+    options: &Options,
+) -> Motion {
+    let watch = |_| ControlFlow::Continue(());
+    simulate_on(Some(ground), body, start, law, options, watch).unwrap()
+}
+
+fn leaning() -> State {
+    State {
+        tilt: 0.05,
+        yaw: 0.3,
+        ..State::default()
+    }
+}
+
+/// A quantity at a time, s.
+fn value(motion: &Motion, t: f64, column: &str) -> f64 {
+    let index = COLUMNS.iter().position(|name| *name == column).unwrap();
+    motion.moment(&motion.track.at(t))[index]
+}
+
+/// The reference values of a case: column, time, value.
+fn references(case: &str) -> Vec<(String, f64, f64)> {
+    let table = include_str!("given/shaken_motions.csv");
+    let mut lines = table.lines().filter(|line| !line.starts_with('#'));
+    let columns: Vec<&str> = lines.next().unwrap().split(',').skip(2).collect();
+    let mut values = Vec::new();
+    for line in lines {
+        let mut entries = line.split(',');
+        if entries.next() == Some(case) {
+            let t: f64 = entries.next().unwrap().parse().unwrap();
+            for (column, entry) in columns.iter().zip(entries) {
+                values.push(((*column).to_owned(), t, entry.parse().unwrap()));
+            }
+        }
+    }
+    assert!(!values.is_empty());
+    values
+}
+
+/// The reference motions have 13 digits; 2e-12 leaves room for the digits of the yaw rate, which is up to 8 rad/s.
+fn compare_with_references(case: &str, motion: &Motion, body: &Body) {
+    let rho = body.radius() * 0.05_f64.cos() - body.height() * 0.05_f64.sin();
+    for (column, t, expected) in references(case) {
+        let found = match column.as_str() {
+            "x" => value(motion, t, "x") + rho * 0.3_f64.cos(),
+            "y" => value(motion, t, "y") + rho * 0.3_f64.sin(),
+            "normal_over_weight" => value(motion, t, "normal_force") / (body.mass() * 9.81),
+            other => value(motion, t, other),
+        };
+        let error = (found - expected).abs();
+        assert!(error < 2e-12, "{column} at {t} s: {found}, not {expected}");
+    }
+}
+
+#[test]
+fn a_column_rolls_as_in_the_reference_motions() {
+    let vertical = sine([0.0, 0.0, 2.0], 0.5, 2.0);
+    for (case, more) in [("s1", None), ("s2", Some(vertical))] {
+        let pulses = two_sines().into_iter().chain(more).collect();
+        let law = FrictionLaw::NoSlip;
+        let motion = shaken(ground(pulses), &column(), &leaning(), law, &tight(2.6));
+        compare_with_references(case, &motion, &column());
+    }
+}
+
+/// A record with a straight line between samples gives the same motion as the sum of its parts: here one line of
+/// 0.5 s, cut into samples of 0.01 s, under every law.
+#[test]
+fn corners_without_a_kink_change_nothing() {
+    let samples = |count: i32| {
+        let sample = |i| {
+            let t = 0.5 * f64::from(i) / f64::from(count);
+            [1.0 + 2.0 * t, -0.5 + 3.0 * t, 1.5 * t]
+        };
+        let step = 0.5 / f64::from(count);
+        Arc::new(Ground::sampled(step, (0..=count).map(sample).collect()).unwrap())
+    };
+    for law in laws() {
+        let [one, many] = [1, 50]
+            .map(|count| shaken(samples(count), &can(), &tipped(), law.clone(), &tight(0.6)));
+        for column in ["tilt", "yaw", "spin", "x", "y", "ground_work"] {
+            for t in [0.1, 0.3, 0.5, 0.6] {
+                let [a, b] = [&one, &many].map(|motion| value(motion, t, column));
+                let allowed = 1e-8 * (1.0 + a.abs());
+                assert!(
+                    (a - b).abs() < allowed,
+                    "{law:?}: {column} at {t} s: {a} and {b}"
+                );
+            }
+        }
+    }
+}
+
+fn can() -> Body {
+    presets::can_2007().unwrap()
+}
+
+fn tipped() -> State {
+    State {
+        tilt: 0.4,
+        tilt_rate: -0.2,
+        yaw: 0.7,
+        yaw_rate: 0.4,
+        spin_rate: -0.3,
+        ..State::default()
+    }
+}
+
+/// A contact law of each kind, without and with resistance.
+fn laws() -> Vec<ContactLaw> {
+    let frictions: [FrictionLaw; 5] = [
+        FrictionLaw::NoSlip,
+        FrictionLaw::Frictionless,
+        Coulomb::uniform(0.25).into(),
+        Viscous { coefficient: 0.3 }.into(),
+        Stribeck {
+            friction: 0.2,
+            static_friction: 0.3,
+            stribeck_speed: 0.05,
+            creep_speed: 0.01,
+        }
+        .into(),
+    ];
+    let resistance = Resistance {
+        rolling: RollingResistance {
+            dry: 1e-3,
+            viscous: 1e-4,
+        },
+        pivoting: PivotingFriction { length: 1e-4 },
+        air: AirDrag::default(),
+    };
+    let with_resistance = |friction: &FrictionLaw| ContactLaw {
+        resistance,
+        ..friction.clone().into()
+    };
+    frictions
+        .iter()
+        .flat_map(|friction| [friction.clone().into(), with_resistance(friction)])
+        .collect()
+}
+
+/// The sum of energies and losses less the work of the ground, which does not change, over the largest of them.
+fn imbalance(motion: &Motion) -> f64 {
+    let budget = |instant: rimroll::motion::Instant| {
+        let moment = motion.moment(&instant);
+        let number = |name| moment[COLUMNS.iter().position(|column| *column == name).unwrap()];
+        let energy = number("kinetic_energy") + number("potential_energy");
+        let losses = number("friction_loss") + number("resistance_loss") + number("impact_loss");
+        let work = number("ground_work");
+        (energy + losses - work, energy.abs() + losses + work.abs())
+    };
+    let nodes: Vec<_> = motion.track.nodes().map(budget).collect();
+    let size = nodes.iter().map(|node| node.1).fold(0.0, f64::max);
+    let start = nodes[0].0;
+    nodes
+        .iter()
+        .map(|node| (node.0 - start).abs())
+        .fold(0.0, f64::max)
+        / size
+}
+
+#[test]
+fn the_energy_budget_closes_under_every_law() {
+    for law in laws() {
+        let vertical = sine([1.0, 0.0, 3.0], 0.3, 3.0);
+        let pulses = two_sines().into_iter().chain([vertical]).collect();
+        let motion = shaken(ground(pulses), &can(), &tipped(), law.clone(), &tight(2.0));
+        let error = imbalance(&motion);
+        assert!(error < 1e-9, "{law:?}: {error:e}");
+        assert!(value(&motion, 0.2, "ground_work") != 0.0);
+    }
+}
+
+#[test]
+fn a_body_without_friction_stays_behind_and_does_not_turn() {
+    let a = [2.0, -3.0, 0.0];
+    let options = tight(1.5);
+    let law = FrictionLaw::Frictionless;
+    let motion = shaken(constant(a, 10.0), &can(), &tipped(), law.clone(), &options);
+    let watch = |_| ControlFlow::Continue(());
+    let at_rest = simulate(&can(), &tipped(), law, &options, watch).unwrap();
+    for t in [0.1, 0.5, 1.0, 1.5] {
+        for column in ["tilt", "yaw", "spin", "tilt_rate", "normal_force"] {
+            let [found, expected] = [&motion, &at_rest].map(|motion| value(motion, t, column));
+            let allowed = 1e-10 * (1.0 + expected.abs());
+            assert!(
+                (found - expected).abs() < allowed,
+                "{column}: {found}, {expected}"
+            );
+        }
+        for (i, column) in [(0, "x"), (1, "y")] {
+            let (found, expected) = (value(&motion, t, column), -0.5 * a[i] * t * t);
+            assert!(
+                (found - expected).abs() < 1e-10,
+                "{column}: {found}, {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_constant_horizontal_acceleration_has_a_potential() {
+    for law in laws() {
+        let a = [1.5, -0.8, 0.0];
+        let motion = shaken(
+            constant(a, 10.0),
+            &can(),
+            &tipped(),
+            law.clone(),
+            &tight(1.0),
+        );
+        for t in [0.2, 0.6, 1.0] {
+            let [x, y] = ["x", "y"].map(|column| value(&motion, t, column));
+            let expected = -can().mass() * (a[0] * x + a[1] * y);
+            let work = value(&motion, t, "ground_work");
+            assert!(
+                (work - expected).abs() < 1e-11,
+                "{law:?}: {work}, not {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_constant_vertical_acceleration_is_another_gravity() {
+    // The smooth sign in resistances has a width of √(g/R)/1000, which is not that of the larger gravity.
+    for law in laws().into_iter().filter(|law| law.resistance.is_none()) {
+        let ground = constant([0.0, 0.0, 2.5], 10.0);
+        let motion = shaken(ground, &can(), &tipped(), law.clone(), &tight(1.5));
+        let options = Options {
+            gravity: 9.81 + 2.5,
+            ..tight(1.5)
+        };
+        let watch = |_| ControlFlow::Continue(());
+        let heavier = simulate(&can(), &tipped(), law.clone(), &options, watch).unwrap();
+        for t in [0.1, 0.7, 1.5] {
+            for column in ["tilt", "yaw", "spin", "x", "y"] {
+                let [a, b] = [&motion, &heavier].map(|motion| value(motion, t, column));
+                let error = (a - b).abs() / (1.0 + b.abs());
+                assert!(error < 1e-9, "{law:?}: {column} at {t} s: {a}, {b}");
+            }
+        }
+    }
+}
+
+/// A body that is larger by L, and times longer by √L, under the same accelerations.
+#[test]
+fn larger_bodies_move_alike_in_longer_times() {
+    const L: f64 = 3.7;
+    let small = column();
+    let (m, r, h) = (small.mass(), L * small.radius(), L * small.height());
+    let [a, c] = [small.transverse_inertia(), small.axial_inertia()].map(|inertia| L * L * inertia);
+    let large = Body::new(m, r, h, a, c).unwrap();
+    let slower = |pulse: Pulse, factor: f64| match pulse.shape {
+        Shape::Sine { period } => sine(pulse.amplitude, factor * period, pulse.duration / period),
+        _ => pulse,
+    };
+    for law in [FrictionLaw::NoSlip, FrictionLaw::coulomb(0.2)] {
+        let [fast, slow] = [(small, 1.0), (large, L.sqrt())].map(|(body, factor)| {
+            let pulses = two_sines().into_iter().map(|pulse| slower(pulse, factor));
+            let options = tight(2.0 * factor);
+            shaken(
+                ground(pulses.collect()),
+                &body,
+                &leaning(),
+                law.clone(),
+                &options,
+            )
+        });
+        for t in [0.4, 1.0, 1.6, 2.0] {
+            for column in ["tilt", "yaw", "spin"] {
+                let (a, b) = (value(&fast, t, column), value(&slow, L.sqrt() * t, column));
+                assert!(
+                    (a - b).abs() < 1e-8,
+                    "{law:?}: {column} at {t} s: {a} and {b}"
+                );
+            }
+        }
+    }
+}
+
+/// A step of the acceleration makes a rim slip or leave the table at once.
+#[test]
+fn a_jump_of_the_acceleration_changes_the_contact_at_once() {
+    let law = FrictionLaw::coulomb(0.3);
+    let later = |amplitude| {
+        let mut samples = vec![[0.0; 3]; 11];
+        samples.push(amplitude);
+        samples.extend(vec![amplitude; 20]);
+        Arc::new(Ground::sampled(0.01, samples).unwrap())
+    };
+    let phase = |ground, t| {
+        let motion = shaken(ground, &column(), &leaning(), law.clone(), &tight(0.3));
+        motion.track.at(t).phase.name()
+    };
+    assert_eq!(phase(later([0.0; 3]), 0.15), "rolling");
+    assert_eq!(phase(later([12.0, 0.0, 0.0]), 0.15), "sliding");
+    assert_eq!(phase(later([0.0, 0.0, -12.0]), 0.15), "flying");
+}
+
+fn any_law() -> impl Strategy<Value = ContactLaw> {
+    let all = laws();
+    let dry = (0.0..1.5).prop_map(|friction| FrictionLaw::coulomb(friction).into());
+    prop_oneof![1 => prop::sample::select(all), 2 => dry]
+}
+
+fn any_vector(size: f64) -> impl Strategy<Value = [f64; 3]> {
+    let component = move || prop_oneof![1 => Just(0.0), 4 => -size..size];
+    (component(), component(), component()).prop_map(|(x, y, z)| [x, y, z])
+}
+
+fn any_pulse() -> impl Strategy<Value = Pulse> {
+    let shape = prop_oneof![
+        Just(Shape::Constant),
+        (0.05..2.0).prop_map(|period| Shape::Sine { period }),
+        (0.05..2.0).prop_map(|period| Shape::Cosine { period }),
+        (0.05..2.0).prop_map(|period| Shape::Ricker {
+            period,
+            center: 1.5 * period
+        }),
+    ];
+    (any_vector(15.0), shape, 0.01..3.0).prop_map(|(amplitude, shape, duration)| Pulse {
+        amplitude,
+        shape,
+        duration,
+    })
+}
+
+/// Pulses, and records of noise with spikes of 100 g, with free fall, or with zeros throughout.
+fn any_ground() -> impl Strategy<Value = Arc<Ground>> {
+    let pulses = prop::collection::vec(any_pulse(), 0..4).prop_map(ground);
+    let sample = prop_oneof![
+        8 => any_vector(5.0),
+        1 => any_vector(981.0),
+        1 => Just([0.0, 0.0, -9.81]),
+        1 => Just([0.0; 3]),
+    ];
+    let record = (
+        powers_of_ten(-3.0, 0.0),
+        prop::collection::vec(sample, 1..120),
+    )
+        .prop_map(|(step, samples)| Arc::new(Ground::sampled(step, samples).unwrap()));
+    prop_oneof![pulses, record]
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    /// No panic, no endless loop and no number that is not finite; the energy budget closes, the friction is within
+    /// the cone and the ending is that of the last moment.
+    #[test]
+    fn any_body_on_any_ground_ends_in_a_truthful_way(
+        (body, law, ground) in (any_body(), any_law(), any_ground()),
+        (tilt, yaw) in (0.001..1.4, -3.0..3.0),
+        (p, w, s) in (-2.0..2.0, -2.0..2.0, -2.0..2.0),
+    ) {
+        let start = State { tilt, tilt_rate: p, yaw, yaw_rate: w, spin: 0.0, spin_rate: s };
+        let options = Options { duration: 2.0, gravity: 9.81, rtol: 1e-10, max_steps: 100_000, ..Options::default() };
+        let motion = shaken(ground, &body, &start, law.clone(), &options);
+        let end = motion.track.end();
+        for node in motion.track.nodes() {
+            prop_assert!(motion.moment(&node)[..8].iter().all(|number| number.is_finite()));
+            prop_assert!(node.t <= options.duration && node.t >= 0.0);
+        }
+        match motion.status {
+            Status::Finished => prop_assert_eq!(end.t, options.duration),
+            Status::Toppled | Status::LiftedOff | Status::FaceDown | Status::Painleve | Status::Failed => {}
+            Status::AtRest | Status::Interrupted => prop_assert!(false, "{}", motion.message()),
+        }
+        if motion.status != Status::Failed {
+            let error = imbalance(&motion);
+            prop_assert!(error < 1e-6, "{:e}", error);
+        }
+    }
+}
