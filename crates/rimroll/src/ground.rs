@@ -73,6 +73,14 @@ impl Ground {
         self.sum(segment.as_ref(), t, t)
     }
 
+    /// The shortest time in which a pulse that acts after `t` (s) changes much, s; infinite without pulses.
+    pub(crate) fn shortest_period(&self, t: f64) -> f64 {
+        let acting = self.pulses.iter().filter(|pulse| pulse.duration > t);
+        acting
+            .map(|pulse| pulse.shape.period())
+            .fold(f64::INFINITY, f64::min)
+    }
+
     /// This ground with all accelerations multiplied by `factor`.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Ground {

@@ -239,6 +239,11 @@ pub trait Dynamics<T: Real> {
         None
     }
 
+    /// The friction on a base that lies flat and slips (m/s, along e_x1 and e_y1) under a normal force (N).
+    fn flat_friction(&self, _slip: [T; 2], _normal: T) -> [T; 2] {
+        [T::from(0.0); 2]
+    }
+
     /// Positive as long as the law and rigidity determine the normal force: 1 − a_x z mρ/(A + mρ²),
     /// where a_x is the friction along e_x1 per unit of normal force. Zero is the Painlevé paradox.
     fn consistency(&self, _u: &Coordinates<T>) -> T {

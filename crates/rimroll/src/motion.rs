@@ -11,6 +11,8 @@ mod event;
 mod event_detector;
 mod fall;
 mod instant;
+mod landing;
+mod level;
 mod mechanics;
 mod moment;
 mod onset;
@@ -25,13 +27,16 @@ mod topple;
 mod track;
 mod turns;
 
-pub use contacts::Contacts;
 pub(crate) use contacts::Transition;
+pub use contacts::{Contacts, STANDING_TILT};
 pub use event::{Event, EventKind};
 pub(crate) use fall::FallRecord;
 pub use fall::{EndState, Fall, fall};
 pub use instant::{Instant, Phase};
-pub use moment::{COLUMNS, Moment, Pose, moment, pose};
+pub use landing::{FlatLanding, Side};
+use level::Level;
+use moment::moment;
+pub use moment::{COLUMNS, Moment, Pose, pose};
 pub use options::{Options, STANDARD_GRAVITY};
 pub use outcome::Outcome;
 pub(crate) use run::{pass_near_collision, stopped};
@@ -87,7 +92,11 @@ impl Motion {
 
     /// All quantities at an instant of the motion.
     pub fn moment(&self, at: &Instant) -> Moment {
-        moment(self.dynamics(at), at)
+        let force = at
+            .phase
+            .is_level()
+            .then(|| Level::new(&self.contacts, at.yaw).force(at));
+        moment(self.dynamics(at), at, force)
     }
 }
 
@@ -124,7 +133,7 @@ pub fn simulate_on(
 ) -> Result<Motion, InvalidInput> {
     let contact_law = contact_law.into();
     contact_law.check()?;
-    let options = options.checked(body, start)?;
+    let options = options.checked_standing_or_tilted(body, start)?;
     let contacts = Contacts::on_ground(
         body,
         &contact_law,

@@ -51,6 +51,30 @@ impl State {
         }
     }
 
+    /// A body that stands flat on the table, at rest.
+    pub fn standing() -> State {
+        State::default()
+    }
+
+    /// Whether the body stands flat on the table, at rest.
+    pub fn is_standing(&self) -> bool {
+        let State { yaw, spin, .. } = *self;
+        *self
+            == State {
+                yaw,
+                spin,
+                ..State::standing()
+            }
+    }
+
+    /// Checks yaw and spin.
+    pub(crate) fn check_angles(&self) -> Result<(), InvalidInput> {
+        // A larger angle would leave too few digits for the turn that is added to it.
+        within("yaw", self.yaw, 1e6, "between -1e6 and 1e6", "rad")?;
+        within("spin", self.spin, 1e6, "between -1e6 and 1e6", "rad")?;
+        Ok(())
+    }
+
     /// Checks an initial state: tilt inside (0, π), |yaw| and |spin| up to 1e6 rad, rates up to 1e30 rad/s.
     ///
     /// # Errors
@@ -63,9 +87,7 @@ impl State {
             "inside (0, pi)",
             "rad",
         )?;
-        // A larger angle would leave too few digits for the turn that is added to it.
-        within("yaw", self.yaw, 1e6, "between -1e6 and 1e6", "rad")?;
-        within("spin", self.spin, 1e6, "between -1e6 and 1e6", "rad")?;
+        self.check_angles()?;
         for (field, rate) in [
             ("tilt_rate", self.tilt_rate),
             ("yaw_rate", self.yaw_rate),
@@ -279,13 +301,14 @@ impl Coordinates<f64> {
 
     /// The paper's Euler angles and their rates.
     pub fn state(&self) -> State {
+        let is_level = self.sin == 0.0;
         State {
             tilt: self.tilt(),
             tilt_rate: self.p,
             yaw: self.yaw,
-            yaw_rate: self.yaw_rate(),
+            yaw_rate: if is_level { 0.0 } else { self.yaw_rate() },
             spin: self.spin,
-            spin_rate: self.spin_rate(),
+            spin_rate: if is_level { self.s } else { self.spin_rate() },
         }
     }
 }

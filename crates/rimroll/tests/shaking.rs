@@ -5,7 +5,8 @@ use rimroll::ground::{Ground, Pulse, Shape};
 use rimroll::law::{
     AirDrag, Coulomb, PivotingFriction, Resistance, RollingResistance, Stribeck, Viscous,
 };
-use rimroll::motion::COLUMNS;
+use rimroll::motion::{COLUMNS, FlatLanding, Side};
+use rimroll::turn::turn_limit;
 use rimroll::{
     Body, ContactLaw, FrictionLaw, Motion, Options, State, Status, presets, simulate, simulate_on,
 };
@@ -441,5 +442,228 @@ proptest! {
             let error = imbalance(&motion);
             prop_assert!(error < 1e-6, "{:e}", error);
         }
+    }
+}
+
+/// The least duration of a rectangular pulse that overturns a body that stands flat: where the energy at its end
+/// suffices to reach the balance tilt. From quadrature of the planar motion.
+const LEAST_DURATIONS: [(f64, f64); 2] = [
+    (3.678_75, 0.580_520_881_038_642_9),
+    (2.943, 0.944_283_985_340_178_3),
+];
+
+fn overturns(body: &Body, amplitude: f64, duration: f64) -> bool {
+    let ground = constant([amplitude, 0.0, 0.0], duration);
+    let options = Options {
+        topple_tilt: Some(0.9),
+        ..tight(60.0)
+    };
+    let motion = shaken(
+        ground,
+        body,
+        &State::standing(),
+        FrictionLaw::NoSlip,
+        &options,
+    );
+    println!(
+        "{duration}: tilt {} p {} at its end; {}",
+        value(&motion, duration, "tilt"),
+        value(&motion, duration, "tilt_rate"),
+        motion.message()
+    );
+    assert!(
+        matches!(motion.status, Status::Toppled | Status::FaceDown),
+        "{}",
+        motion.message()
+    );
+    motion.status == Status::Toppled
+}
+
+#[test]
+fn rectangular_pulses_overturn_from_the_exact_duration_on() {
+    let can = presets::can_2007().unwrap();
+    let can_amplitude = 2.0 * 9.81 * can.radius() / can.height();
+    for (body, amplitude, least) in [
+        (column(), LEAST_DURATIONS[0].0, LEAST_DURATIONS[0].1),
+        (column(), LEAST_DURATIONS[1].0, LEAST_DURATIONS[1].1),
+        (can, can_amplitude, 0.085_462_990_117_159_76),
+    ] {
+        assert!(!overturns(&body, amplitude, least - 1e-9));
+        assert!(overturns(&body, amplitude, least + 1e-9));
+    }
+}
+
+fn event_times(motion: &Motion, kind: &str) -> Vec<f64> {
+    let events = motion
+        .events
+        .iter()
+        .filter(|event| event.kind.name() == kind);
+    events.map(|event| event.at.t).collect()
+}
+
+/// a(t) = 3 sin(2πt/1.2) m/s² lifts the column where it reaches g R/H, and it turns about the side away from a.
+#[test]
+fn a_column_lifts_where_the_acceleration_reaches_the_limit() {
+    for angle in [0.0, 0.8, -2.5] {
+        let pulse = sine([3.0, 0.0, 0.0], 1.2, 1.0);
+        let ground = Arc::new(Ground::pulses(vec![pulse]).unwrap().rotated(angle));
+        let motion = shaken(
+            ground,
+            &column(),
+            &State::standing(),
+            FrictionLaw::NoSlip,
+            &tight(0.5),
+        );
+        let expected = 1.2 / core::f64::consts::TAU * (9.81 * 0.25 / 3.0_f64).asin();
+        let found = event_times(&motion, "uplift");
+        assert_eq!(found.len(), 1);
+        assert!(
+            (found[0] - expected).abs() < 2e-9,
+            "{} {expected}",
+            found[0]
+        );
+        assert!((value(&motion, 0.4, "yaw") - angle).abs() < 1e-12);
+        assert!(value(&motion, 0.4, "tilt") > 1e-3);
+        // Before, the table accelerates it by friction.
+        let force = value(&motion, 0.1, "friction_x").hypot(value(&motion, 0.1, "friction_y"));
+        let needed = 1000.0 * 3.0 * (core::f64::consts::TAU * 0.1 / 1.2).sin();
+        assert!((force - needed).abs() < 1e-9 * needed);
+    }
+}
+
+/// Below the friction R/H a body slides flat; the slip follows from the impulse.
+#[test]
+fn a_slippery_column_slides_flat() {
+    let (a, friction, pulse, g) = (2.0, 0.1, 0.5, 9.81);
+    let ground = constant([a, 0.0, 0.0], pulse);
+    let law = FrictionLaw::coulomb(friction);
+    let motion = shaken(ground, &column(), &State::standing(), law, &tight(3.0));
+    let speed = (a - friction * g) * pulse;
+    let braking = speed / (friction * g);
+    let distance = 0.5 * speed * pulse + 0.5 * speed * braking;
+    assert!((value(&motion, pulse, "slip_x") + speed).abs() < 1e-9);
+    assert!((value(&motion, 3.0, "x") + distance).abs() < 1e-9);
+    let stops = event_times(&motion, "stick");
+    assert!(
+        stops.len() == 1 && (stops[0] - pulse - braking).abs() < 1e-6,
+        "{stops:?}"
+    );
+    assert!(motion.status == Status::Finished && value(&motion, 3.0, "tilt") == 0.0);
+    let lost = value(&motion, 3.0, "friction_loss");
+    assert!((lost - friction * g * 1000.0 * distance).abs() < 1e-6 * lost);
+    assert!(imbalance(&motion) < 1e-9);
+}
+
+/// The table falls away with 15 m/s² for 0.1 s, and the body lands on it again.
+#[test]
+fn a_body_leaves_a_table_that_falls_and_lands_on_it() {
+    let ground = constant([0.5, 0.0, -15.0], 0.1);
+    let law = FrictionLaw::coulomb(0.2);
+    let motion = shaken(ground, &column(), &State::standing(), law, &tight(1.0));
+    assert_eq!(event_times(&motion, "lift_off"), [0.0]);
+    let (rise, speed) = (0.5 * 5.19 * 0.01, 5.19 * 0.1_f64);
+    let expected = 0.1 + (speed + (speed * speed + 2.0 * 9.81 * rise).sqrt()) / 9.81;
+    let landed = event_times(&motion, "land");
+    assert!((landed[0] - expected).abs() < 1e-9, "{landed:?} {expected}");
+    assert_eq!(motion.track.end().phase.name(), "standing");
+    assert!(imbalance(&motion) < 1e-9);
+}
+
+fn with_flat(flat: FlatLanding, duration: f64) -> Options {
+    Options {
+        flat,
+        ..tight(duration)
+    }
+}
+
+/// Housner's column on a table at rest: each impact leaves the fraction (K − mR²)/J of the tilt rate, and it stands in
+/// the end.
+#[test]
+fn impacts_on_the_flat_base_bring_a_column_to_rest() {
+    let k: f64 = 1395.833_333_333_333_3 + 1000.0 * 4.0;
+    let factor = (k - 250.0) / (k + 250.0);
+    assert!((factor - 0.911_439).abs() < 1e-6);
+    let start = State {
+        tilt: 0.1,
+        ..State::default()
+    };
+    let ground = constant([0.0; 3], 1.0);
+    let law = FrictionLaw::NoSlip;
+    let housner = shaken(
+        ground.clone(),
+        &column(),
+        &start,
+        law.clone(),
+        &with_flat(FlatLanding::Housner, 60.0),
+    );
+    let same = FlatLanding::Restitution(factor);
+    let restitution = shaken(
+        ground.clone(),
+        &column(),
+        &start,
+        law.clone(),
+        &with_flat(same, 60.0),
+    );
+    for motion in [&housner, &restitution] {
+        let peaks: Vec<f64> = motion.turns.iter().map(|turn| turn.max_tilt).collect();
+        let height = |tilt: f64| 0.5 * tilt.sin() + 2.0 * (tilt.cos() - 1.0);
+        let mut before = height(0.1);
+        for tilt in &peaks[..5] {
+            let ratio = height(*tilt) / before;
+            assert!(
+                (ratio - factor * factor).abs() < 1e-9,
+                "{ratio} {}",
+                factor * factor
+            );
+            before = height(*tilt);
+        }
+        assert!(
+            motion
+                .turns
+                .iter()
+                .all(|turn| (turn.angle - core::f64::consts::PI).abs() < 1e-9)
+        );
+        assert_eq!(motion.track.end().phase.name(), "standing");
+        assert_eq!(motion.status, Status::Finished);
+        assert!(imbalance(motion) < 1e-9);
+    }
+    // Without loss it rocks on, and the contact point runs round by the limiting turn.
+    let smooth = with_flat(FlatLanding::Smooth(Side::Right), 5.0);
+    let motion = shaken(ground, &column(), &start, law, &smooth);
+    let limit = turn_limit(&column(), rimroll::IdealLaw::NoSlip);
+    assert!(motion.turns.len() > 1);
+    for turn in &motion.turns {
+        assert!((turn.angle + limit).abs() < 1e-7, "{} {limit}", turn.angle);
+        assert!((turn.max_tilt - 0.1).abs() < 1e-9);
+    }
+    assert!(imbalance(&motion) < 1e-9);
+}
+
+/// Under Housner's impacts a column that was lifted by one pulse stands again, and is lifted by the next.
+#[test]
+fn a_body_that_stands_again_is_lifted_by_the_next_pulse() {
+    let mut samples = vec![[0.0; 3]; 8001];
+    for start in [200, 6000] {
+        for sample in &mut samples[start..start + 60] {
+            *sample = [3.5, 1.0, 0.0];
+        }
+    }
+    let ground = Arc::new(Ground::sampled(0.005, samples).unwrap());
+    let options = with_flat(FlatLanding::Housner, 60.0);
+    for law in [FrictionLaw::NoSlip, FrictionLaw::coulomb(0.8)] {
+        let motion = shaken(ground.clone(), &column(), &State::standing(), law, &options);
+        let (lifted, stood) = (
+            event_times(&motion, "uplift"),
+            event_times(&motion, "stand"),
+        );
+        assert_eq!(
+            (lifted.len(), stood.len()),
+            (2, 2),
+            "{lifted:?} {stood:?} {}",
+            motion.message()
+        );
+        assert!(lifted[0] < stood[0] && stood[0] < lifted[1] && lifted[1] < stood[1]);
+        assert!((lifted[0] - 1.0).abs() < 0.01 && (lifted[1] - 30.0).abs() < 0.01);
+        assert!(imbalance(&motion) < 1e-9);
     }
 }

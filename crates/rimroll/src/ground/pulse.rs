@@ -65,6 +65,16 @@ impl Pulse {
 }
 
 impl Shape {
+    /// The period, s; infinite for a constant.
+    pub(super) fn period(&self) -> f64 {
+        match *self {
+            Shape::Constant => f64::INFINITY,
+            Shape::Sine { period } | Shape::Cosine { period } | Shape::Ricker { period, .. } => {
+                period
+            }
+        }
+    }
+
     /// The value at a time, s.
     #[inline(always)]
     pub(super) fn at<T: Real>(&self, t: T) -> T {

@@ -205,6 +205,11 @@ impl FrictionLaw {
         Coulomb::uniform(friction).into()
     }
 
+    /// Whether the rim never slips.
+    pub fn never_slips(&self) -> bool {
+        matches!(self, FrictionLaw::NoSlip)
+    }
+
     /// The ideal law that this is, if it is one.
     pub fn ideal(&self) -> Option<IdealLaw> {
         match self {

@@ -267,6 +267,10 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
         self.dynamics.friction_ratio(u)
     }
 
+    fn flat_friction(&self, slip: [T; 2], normal: T) -> [T; 2] {
+        self.dynamics.flat_friction(slip, normal)
+    }
+
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.dynamics.consistency(u)
     }

@@ -356,6 +356,16 @@ impl<T: Real, F: Friction<T>> Dynamics<T> for Sliding<T, F> {
             .then(|| (x * x + y * y).sqrt() / denominator)
     }
 
+    fn flat_friction(&self, slip: [T; 2], normal: T) -> [T; 2] {
+        let FrictionForce {
+            numerator,
+            denominator,
+            load_independent,
+        } = self.friction.friction_force(slip);
+        let independent = load_independent.unwrap_or([T::from(0.0); 2]);
+        core::array::from_fn(|i| normal * numerator[i] / denominator + independent[i])
+    }
+
     #[inline(always)]
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.consistency_under(u, &self.friction_force(u))

@@ -210,6 +210,10 @@ impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L> {
         self.dynamics.friction_ratio(u)
     }
 
+    fn flat_friction(&self, slip: [T; 2], normal: T) -> [T; 2] {
+        self.dynamics.flat_friction(slip, normal)
+    }
+
     #[inline(always)]
     fn consistency(&self, u: &Coordinates<T>) -> T {
         self.dynamics.consistency(u)

@@ -1,6 +1,7 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
 use super::instant::{Instant, Phase};
+use super::level::Level;
 use super::phase_dynamics::PhaseDynamics;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
@@ -28,6 +29,21 @@ pub(crate) enum Transition {
     Fly,
     /// The Painlevé paradox: rigid-body mechanics does not determine the motion.
     Paradox,
+}
+
+/// A body that can no longer reach this tilt (rad) stands flat: the gap under the rim is far smaller than the roughness
+/// of any surface.
+pub const STANDING_TILT: f64 = 1e-7;
+
+impl Transition {
+    /// The phase that follows.
+    pub(super) fn phase(self) -> Phase {
+        match self {
+            Transition::Roll => Phase::Rolling,
+            Transition::Fly => Phase::Flying,
+            Transition::Slide | Transition::BeginToSlip(_) | Transition::Paradox => Phase::Sliding,
+        }
+    }
 }
 
 /// The equations of motion of a body under a contact law, in each phase.
@@ -108,6 +124,16 @@ impl Contacts {
         ground.map_or(f64::INFINITY, |ground| ground.stretch(t).end)
     }
 
+    /// The motion of the table, if it moves.
+    pub(super) fn ground(&self) -> Option<&Arc<Ground>> {
+        self.ground.as_ref()
+    }
+
+    /// Whether the friction is dry.
+    pub(super) fn is_dry(&self) -> bool {
+        self.dry().is_some()
+    }
+
     /// Whether the table moves.
     pub(crate) fn moves(&self) -> bool {
         self.ground.is_some()
@@ -180,6 +206,32 @@ impl Contacts {
         let k = &self.parameters;
         let rates = u.p * u.p + u.w * u.w + u.s * u.s;
         k.m * (u.sin * k.g + (k.r + k.h) * rates)
+    }
+
+    /// Whether the tilt falls at a rate beyond rounding.
+    pub(super) fn is_falling(&self, u: &Coordinates<f64>) -> bool {
+        const SIGNIFICANT: f64 = 1e-6;
+        let k = &self.parameters;
+        u.p < -SIGNIFICANT * (k.g / k.r).sqrt()
+    }
+
+    /// An event function on a table that moves. It is negative where the tilt falls and the energy of tilting does not
+    /// suffice for a tilt of more than about [`STANDING_TILT`], so that the body stands flat from now on.
+    pub(super) fn excess_over_standing(&self, u: &Coordinates<f64>) -> f64 {
+        let k = &self.parameters;
+        if !self.is_falling(u) || u.cos < 0.0 || !Level::new(self, u.yaw).stands(u.t) {
+            return 1.0;
+        }
+        let (rho, z) = (k.rho(u), k.z(u));
+        let tilting = (k.a + k.m * (rho * rho + z * z)) * u.p * u.p + k.a * u.w * u.w;
+        0.5 * tilting + k.m * k.g * k.r * (u.sin - STANDING_TILT)
+    }
+
+    /// Whether a body at the beginning of its rocking has too little energy to reach a tilt of [`STANDING_TILT`].
+    pub(super) fn hardly_rocks(&self, u: &Coordinates<f64>) -> bool {
+        let k = &self.parameters;
+        let inertia = k.a + k.m * (k.r * k.r + k.h * k.h);
+        0.5 * inertia * u.p * u.p < k.m * k.g * k.r * STANDING_TILT
     }
 
     /// Whether resistance has stopped the motion of the contact point along the rim for good, so that the
@@ -274,6 +326,24 @@ impl Contacts {
             (Transition::Roll, _) => self.phases.rolling.rates(u),
             (Transition::BeginToSlip(e), Some(dry)) => dry.slipping(u, e, u.slip_speed()).1,
             _ => self.dynamics(Phase::Sliding).rates(u),
+        }
+    }
+
+    /// The coordinates after a level base has struck the table. The rebound is slower by the coefficient of restitution;
+    /// the horizontal velocity stays the same.
+    pub(super) fn landed_level(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
+        // A geometric sequence of rebounds needs an end: slower rebounds are ignored.
+        const SLOW: f64 = 1e-6;
+        let k = &self.parameters;
+        let rebound = -self.contact_law.restitution * u.gap_rate;
+        let is_slow = rebound < SLOW * (k.g * k.r).sqrt();
+        let gap_rate = if is_slow { 0.0 } else { rebound };
+        let lost = 0.5 * k.m * (u.gap_rate * u.gap_rate - gap_rate * gap_rate);
+        Coordinates {
+            gap: 0.0,
+            gap_rate,
+            impact_loss: u.impact_loss + lost,
+            ..*u
         }
     }
 

@@ -19,6 +19,10 @@ pub enum EventKind {
     LiftOff,
     /// The rim strikes the table.
     Land,
+    /// A body that stood flat begins to rock.
+    Uplift,
+    /// A body that rocked or wobbled stands flat again.
+    Stand,
     /// The topple tilt is reached; the motion ends.
     Topple,
     /// The base lands flat; the motion ends.
@@ -41,6 +45,8 @@ impl EventKind {
             EventKind::Stick => "stick",
             EventKind::LiftOff => "lift_off",
             EventKind::Land => "land",
+            EventKind::Uplift => "uplift",
+            EventKind::Stand => "stand",
             EventKind::Topple => "topple",
             EventKind::FaceDown => "face_down",
             EventKind::Rest => "rest",

@@ -65,6 +65,11 @@ pub(super) enum Goal {
 }
 
 impl Goal {
+    /// Whether time passes. In the inner problem of the near-collision it stands still.
+    pub(super) fn needs_time(self) -> bool {
+        !matches!(self, Goal::Passed(_))
+    }
+
     /// Whether the whole track is needed, and not only its end.
     pub(super) fn needs_track(self) -> bool {
         !matches!(self, Goal::Turn(_))
@@ -197,6 +202,12 @@ impl<'a> EventDetector<'a> {
         }
     }
 
+    /// Forgets in which direction the tilt changes, for a body that stands flat.
+    pub(super) fn forget_direction(&mut self) {
+        self.direction = 0.0;
+        self.crossing = None;
+    }
+
     /// Steps from now on are cut at a corner of the table's acceleration, at this time (s).
     pub(super) fn cut_steps_at(&mut self, corner: f64) {
         self.corner = corner;
@@ -261,7 +272,7 @@ impl<'a> EventDetector<'a> {
             (
                 TerminalEvent::Rest,
                 1.0,
-                loses && in_time && on_table && !self.contacts.moves(),
+                (loses || self.contacts.moves()) && in_time && on_table,
             ),
             (TerminalEvent::Corner, -1.0, self.corner.is_finite()),
         ]
@@ -392,6 +403,7 @@ impl<'a> EventDetector<'a> {
                 self.contacts.scaled_normal_force(u)
             }
             TerminalEvent::LiftOff => dynamics.contact(u).normal,
+            TerminalEvent::Flat if self.contacts.moves() => self.height_over_flat(u),
             TerminalEvent::Flat => u.sin - FACE_DOWN_TILT,
             TerminalEvent::StoppedRunning => self.excess_over_stopped(phase, u),
             TerminalEvent::SlipOnset => self.contacts.friction_cone_margin(u),
@@ -399,7 +411,20 @@ impl<'a> EventDetector<'a> {
             TerminalEvent::Paradox => dynamics.consistency(u) - PARADOX,
             TerminalEvent::Land => u.gap,
             TerminalEvent::Corner => u.t - self.corner,
+            TerminalEvent::Rest if self.contacts.moves() => self.contacts.excess_over_standing(u),
             TerminalEvent::Rest => energy_above_rest(dynamics, u) - REST_ENERGY * self.start_energy,
+        }
+    }
+
+    /// The event function of [`TerminalEvent::Flat`] on a table that moves. A body that begins to rock is flatter than
+    /// that.
+    fn height_over_flat(&self, u: &Coordinates<f64>) -> f64 {
+        // Rounding in the components of the table's acceleration makes planar motions deviate by as much.
+        const FLAT_TILT: f64 = 1e-13;
+        if self.contacts.is_falling(u) {
+            u.sin - FLAT_TILT
+        } else {
+            1.0
         }
     }
 

@@ -12,17 +12,34 @@ pub enum Phase {
     Sliding,
     /// The rim is off the table.
     Flying,
+    /// The base lies flat on the table and does not slip.
+    Standing,
+    /// The base lies flat on the table and slips.
+    SlidingFlat,
+    /// The base is level and off the table.
+    FlyingLevel,
     /// The body lies on its side: the end of a motion that topples.
     Lying,
 }
 
 impl Phase {
+    /// Whether the base is level, so that the tilt is zero.
+    pub fn is_level(self) -> bool {
+        matches!(
+            self,
+            Phase::Standing | Phase::SlidingFlat | Phase::FlyingLevel
+        )
+    }
+
     /// The name that users read.
     pub fn name(self) -> &'static str {
         match self {
             Phase::Rolling => "rolling",
             Phase::Sliding => "sliding",
             Phase::Flying => "flying",
+            Phase::Standing => "standing",
+            Phase::SlidingFlat => "sliding_flat",
+            Phase::FlyingLevel => "flying_level",
             Phase::Lying => "lying",
         }
     }

@@ -22,6 +22,8 @@ pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
     /// Whether they are those of slip under dry friction.
     dry: bool,
     clock: Clock,
+    /// Added to the error scales of the rates of rotation, rad/s.
+    rate_floor: T,
 }
 
 impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
@@ -31,6 +33,7 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
             error_scale: ErrorScale::new(dynamics.parameters()),
             dry: false,
             clock,
+            rate_floor: T::from(0.0),
         }
     }
 
@@ -41,6 +44,16 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
             dry: true,
             ..Mechanics::new(dynamics, clock)
         }
+    }
+
+    /// The system on a table that moves, whose acceleration has rounding errors. They change the rates of rotation by
+    /// more than a tolerance relative to the rates themselves, where these are tiny: as a body begins to rock, and in
+    /// planar motions.
+    pub(super) fn on_moving_table(self) -> Self {
+        const FLOOR: f64 = 1e-3;
+        let k = self.dynamics.parameters();
+        let rate_floor = T::from(FLOOR) * (k.g / k.r).sqrt();
+        Mechanics { rate_floor, ..self }
     }
 
     /// dτ/dσ, where σ is the independent variable.
@@ -66,10 +79,16 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
 
     #[inline(always)]
     fn scales(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        if self.dry {
+        let scales = if self.dry {
             self.error_scale.scales_in_dry_slip(u)
         } else {
             self.error_scale.scales(u)
+        };
+        Coordinates {
+            p: scales.p + self.rate_floor,
+            w: scales.w + self.rate_floor,
+            s: scales.s + self.rate_floor,
+            ..scales
         }
     }
 }

@@ -1,6 +1,6 @@
 //! All quantities of a motion at one moment, as users read them.
 
-use crate::law::Dynamics;
+use crate::law::{Contact, Dynamics};
 use crate::state::Coordinates;
 
 /// The names of the quantities at one moment, in SI units and radians.
@@ -59,15 +59,21 @@ pub fn pose(u: &Coordinates<f64>) -> Pose {
     ]
 }
 
-/// All quantities of a motion under these equations of motion at `u`.
-pub fn moment(dynamics: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
+/// All quantities of a motion under these equations of motion at `u`. The force of the table (N) is given where the base
+/// is level and the equations do not contain it.
+pub(super) fn moment(
+    dynamics: &dyn Dynamics<f64>,
+    u: &Coordinates<f64>,
+    force: Option<Contact<f64>>,
+) -> Moment {
     let k = dynamics.parameters();
     let [t, tilt, tilt_rate, yaw, yaw_rate, spin, spin_rate, s] = pose(u);
     let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
     let [x, y] = u.center();
     let rho = k.rho(u);
-    let force = dynamics.contact(u);
-    let (along, across) = (force.along / u.sin, force.across / u.sin);
+    let scale = if force.is_some() { 1.0 } else { u.sin };
+    let force = force.unwrap_or_else(|| dynamics.contact(u));
+    let (along, across) = (force.along / scale, force.across / scale);
     let friction = (force.along * force.along + force.across * force.across).sqrt();
     let needed = match dynamics.friction_ratio(u) {
         Some(ratio) if ratio.is_finite() => ratio,
@@ -92,7 +98,7 @@ pub fn moment(dynamics: &dyn Dynamics<f64>, u: &Coordinates<f64>) -> Moment {
         k.z(u) + u.gap,
         x - rho * cos_yaw,
         y - rho * sin_yaw,
-        force.normal / u.sin,
+        force.normal / scale,
         along * cos_yaw - across * sin_yaw,
         along * sin_yaw + across * cos_yaw,
         needed,

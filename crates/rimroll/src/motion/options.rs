@@ -1,5 +1,6 @@
 //! The options of a simulation and their checks.
 
+use super::landing::FlatLanding;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
 use crate::state::State;
@@ -23,6 +24,8 @@ pub struct Options {
     /// its side meets the table, and no limit for a disk, which can stand on its edge and fall to either
     /// face.
     pub topple_tilt: Option<f64>,
+    /// What follows where the whole base comes down flat at once.
+    pub flat: FlatLanding,
     /// The maximal number of steps. A rocking motion takes tens of steps, but hundreds if slip oscillates while
     /// the contact point runs many times round the rim, as under regularised friction with a small transverse
     /// inertia: each oscillation takes a few steps.
@@ -36,6 +39,7 @@ impl Default for Options {
             gravity: STANDARD_GRAVITY,
             rtol: 1e-10,
             topple_tilt: None,
+            flat: FlatLanding::Stop,
             max_steps: 1_000_000,
         }
     }
@@ -99,6 +103,19 @@ impl Options {
         Ok(options)
     }
 
+    /// As [`Self::checked`], for a start that may also stand flat.
+    pub(crate) fn checked_standing_or_tilted(
+        self,
+        body: &Body,
+        start: &State,
+    ) -> Result<Options, InvalidInput> {
+        if !start.is_standing() {
+            return self.checked(body, start);
+        }
+        start.check_angles()?;
+        self.completed(body)
+    }
+
     /// Checks the options and fills in the body's default topple tilt.
     fn completed(mut self, body: &Body) -> Result<Options, InvalidInput> {
         self.check_numbers()?;
@@ -125,6 +142,7 @@ impl Options {
 
     /// Checks the options that do not depend on the body.
     fn check_numbers(&self) -> Result<(), InvalidInput> {
+        self.flat.check()?;
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;
         bounded(

@@ -47,18 +47,27 @@ impl<T: Scalar> PhaseDynamics<T> {
         match phase {
             Phase::Rolling => &self.rolling,
             Phase::Sliding => self.sliding.dynamics().unwrap_or(&self.rolling),
-            // A body that lies on its side does not move; only its energy is computed.
-            Phase::Flying | Phase::Lying => &self.flying,
+            // Only the energy of a body that is level or lies on its side is computed by these.
+            Phase::Flying
+            | Phase::Standing
+            | Phase::SlidingFlat
+            | Phase::FlyingLevel
+            | Phase::Lying => &self.flying,
         }
     }
 
     /// Those that hold in a phase, as the solver sees them.
     pub(super) fn mechanics(&self, phase: Phase, clock: Clock) -> Mechanics<'_, T> {
         let dynamics = self.in_phase(phase);
-        if phase == Phase::Sliding && self.sliding.is_dry() {
+        let mechanics = if phase == Phase::Sliding && self.sliding.is_dry() {
             Mechanics::slipping(dynamics, clock)
         } else {
             Mechanics::new(dynamics, clock)
+        };
+        if self.flying.moves() {
+            mechanics.on_moving_table()
+        } else {
+            mechanics
         }
     }
 }
@@ -74,7 +83,8 @@ impl PhaseDynamics<f64> {
         let moves = self.flying.moves();
         match (phase, &self.sliding) {
             (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never) if moves => {
-                visitor.with::<_, COORDINATES>(&Mechanics::new(&self.rolling, clock))
+                let mechanics = Mechanics::new(&self.rolling, clock);
+                visitor.with::<_, COORDINATES>(&mechanics.on_moving_table())
             }
             (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
                 if self.rolling.is_conservative() =>
@@ -91,7 +101,7 @@ impl PhaseDynamics<f64> {
             (Phase::Sliding, SlidingDynamics::Coulomb(sliding)) => {
                 let mechanics = Mechanics::slipping(sliding, clock);
                 if moves {
-                    visitor.with::<_, COORDINATES>(&mechanics)
+                    visitor.with::<_, COORDINATES>(&mechanics.on_moving_table())
                 } else {
                     visitor.with::<_, COORDINATES_AT_REST>(&mechanics)
                 }

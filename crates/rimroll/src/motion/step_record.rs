@@ -5,7 +5,7 @@ use super::contacts::Contacts;
 use super::instant::Phase;
 use super::mechanics::{Clock, leading};
 use super::phase_dynamics::SystemVisitor;
-use crate::solve::{Collocation, Dense, Step, System};
+use crate::solve::{Dense, Step, System};
 use crate::state::{COORDINATES, TIME};
 
 pub(super) type Polynomial = Dense<f64, COORDINATES>;
@@ -75,7 +75,7 @@ impl StepRecord {
     /// the full order of the method instead of that of the dense output.
     pub fn cut(&self, contacts: &Contacts, x: f64) -> StepRecord {
         match &self.polynomial {
-            Some(dense) => StepRecord::polynomial(self.phase, Collocation::get().cut(dense, x)),
+            Some(dense) => StepRecord::polynomial(self.phase, dense.cut(x)),
             None => self.solve(contacts, Cut(self, x)),
         }
     }

@@ -44,6 +44,34 @@ impl<T: Real, const N: usize> Dense<T, N> {
         }
     }
 
+    /// The N components of this step among M, at the given places. The others keep their values in `constant`.
+    pub fn placed<const M: usize>(&self, constant: &[T; M], places: &[usize; N]) -> Dense<T, M> {
+        let placed = |components: &[T; N], constant: &[T; M]| {
+            let mut all = *constant;
+            for (component, &place) in components.iter().zip(places) {
+                all[place] = *component;
+            }
+            all
+        };
+        Dense {
+            h: self.h,
+            start: placed(&self.start, constant),
+            end: placed(&self.end, constant),
+            coefficients: self
+                .coefficients
+                .map(|coefficient| placed(&coefficient, &[T::from(0.0); M])),
+        }
+    }
+
+    /// A step on which all components change linearly.
+    pub fn line(h: T, start: [T; N], end: [T; N]) -> Self {
+        let mut line = Dense::empty(start);
+        line.h = h;
+        line.end = end;
+        line.coefficients[0] = core::array::from_fn(|i| end[i] - start[i]);
+        line
+    }
+
     /// The state at the fraction x.
     pub fn at(&self, x: T) -> [T; N] {
         core::array::from_fn(|i| self.component(i, x))
@@ -61,6 +89,11 @@ impl<T: Real, const N: usize> Dense<T, N> {
 }
 
 impl<const N: usize> Dense<f64, N> {
+    /// The step shortened to the fraction x.
+    pub fn cut(&self, x: f64) -> Dense<f64, N> {
+        super::Collocation::get().cut(self, x)
+    }
+
     /// The fraction between `from` and `to` where `function` of the state changes sign.
     pub fn root(&self, from: f64, to: f64, function: impl Fn(&[f64; N]) -> f64) -> f64 {
         root::bracketed_root(from, to, |x| function(&self.at(x)))
