@@ -20,7 +20,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rimroll import bodies as bodies, solids as solids, surfaces as surfaces
+    from rimroll import (
+        bodies as bodies,
+        ground as ground,
+        solids as solids,
+        surfaces as surfaces,
+    )
     from rimroll._core import STANDARD_GRAVITY as STANDARD_GRAVITY, __version__ as __version__
     from rimroll.approximations import (
         Composite as Composite,
@@ -45,6 +50,7 @@ if TYPE_CHECKING:
     from rimroll.experiment.toppling import topple as topple
     from rimroll.falls import Interrupted as Interrupted
     from rimroll.grid import axis as axis
+    from rimroll.ground.ground import Ground as Ground
     from rimroll.imperfection import (
         Collision as Collision,
         ImperfectRim as ImperfectRim,
@@ -99,7 +105,7 @@ if TYPE_CHECKING:
         turn_limit_with_spin as turn_limit_with_spin,
     )
 
-_MODULES = ("bodies", "solids", "surfaces")
+_MODULES = ("bodies", "ground", "solids", "surfaces")
 _NAMES = {
     "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
     "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),
@@ -115,6 +121,7 @@ _NAMES = {
     "rimroll.experiment.toppling": ("topple",),
     "rimroll.falls": ("Interrupted",),
     "rimroll.grid": ("axis",),
+    "rimroll.ground.ground": ("Ground",),
     "rimroll.imperfection": ("Collision", "ImperfectRim", "imperfect_rim"),
     "rimroll.laws": (
         "AirDrag",

@@ -10,6 +10,7 @@ package: quantities convert themselves.
 from __future__ import annotations
 
 import math
+import operator
 import re
 from decimal import Decimal
 from fractions import Fraction
@@ -126,6 +127,17 @@ def whole_number(field: str, value: object) -> int:
     if not (count.is_integer() and 1 <= count < 2**53):
         raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
     return int(count)
+
+
+def random_seed(value: object) -> int:
+    """A seed of random numbers: a whole number from 0 to below 2⁶³, else ``RimrollError``."""
+    try:
+        seed = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        seed = -1
+    if not 0 <= seed < 2**63:
+        raise RimrollError(f"seed must be a whole number >= 0 and below 2^63, got {value!r}")
+    return seed
 
 
 def thread_count(threads: object) -> int:

@@ -11,6 +11,7 @@ from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from rimroll._core import STANDARD_GRAVITY
 from rimroll.errors import UnitError
 
 if TYPE_CHECKING:
@@ -74,10 +75,14 @@ _EVERYDAY = {
     ("cm/s", "m/s"): 0.01,
     ("mm/s", "m/s"): 0.001,
     ("m/s^2", "m/s^2"): 1.0,
+    ("cm/s^2", "m/s^2"): 0.01,
     ("N s/m", "N s/m"): 1.0,
     ("%", "1"): 0.01,
 }
 """Factors without the registry, whose loading takes longer than most motions."""
+
+_ACCELERATIONS = {"g": STANDARD_GRAVITY, "gal": 0.01}
+"""Units that measure something else elsewhere: to the registry these are a gram and a gallon."""
 
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[\s*]*(.*)", re.DOTALL)
 _NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
@@ -250,6 +255,8 @@ def factor_of(given: str, unit: str, name: str, value: object) -> float:
     """The factor from a ``given`` unit to the SI unit; the message quotes ``value``."""
     given = _BARE_POWER.sub(r"\1^\2", given.replace("²", "^2").replace("³", "^3").strip())
     everyday = _EVERYDAY.get((given.replace("°", "deg"), unit))
+    if unit == "m/s^2":
+        everyday = _ACCELERATIONS.get(given, everyday)
     if everyday is not None:
         return everyday
     units = registry()

@@ -36,6 +36,9 @@ def shape_of(state: rr.State) -> tuple[int, ...]:
 
 shape_of(start), shape_of(starts), shape_of(motion(0.1))
 columns: list[str] = list(motion)
+ground: rr.Ground = rr.ground.sine(("0.3 g", 1.5, 0.0), period=1.2) + rr.ground.read("x.at2")
+assert_type(ground([0.1, 0.2]), NDArray[np.float64])
+assert_type(ground.scaled(1.5).rotated("30 deg").peak.horizontal, float)
 again: rr.Motion = rr.Motion.from_xarray(motion.to_xarray())
 """
 

@@ -169,7 +169,7 @@ def test_any_list_of_angles_reads_back(tmp_path_factory, falls, separator, data)
     [
         ("", "falls.csv is empty"),
         (" \n\n\t\n", "falls.csv is empty"),
-        ("# only\n# comments\n", "falls.csv holds no angles"),
+        ("# only\n# comments\n", "falls.csv holds nothing but comments"),
         ("direction[deg]\n", "falls.csv holds no angles"),
         ("direction,outcome\nnan,fell_back\nnan,hovered\n", "falls.csv holds no angles"),
         ("213\nabout 140\n", r'line 2: an angle must read as 213 or 213 deg, got "about 140"'),

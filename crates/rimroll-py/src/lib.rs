@@ -4,6 +4,7 @@ mod arguments;
 mod bodies;
 mod ensemble;
 mod exact;
+mod ground;
 mod imperfection;
 mod motion;
 mod theory;
@@ -27,6 +28,8 @@ mod _core {
     use crate::ensemble::{ensemble, first_refused};
     #[pymodule_export]
     use crate::exact::exact_turns;
+    #[pymodule_export]
+    use crate::ground::CoreGround;
     #[pymodule_export]
     use crate::imperfection::imperfect_rim;
     #[pymodule_export]

@@ -51,7 +51,7 @@ impl Ground {
     /// t = 0. Between samples the acceleration is linear.
     ///
     /// # Errors
-    /// Refuses an empty record, a step that is not positive, and a sample that is not finite or exceeds
+    /// Refuses fewer than two samples, a step that is not positive, and a sample that is not finite or exceeds
     /// 1e9 m/s².
     pub fn sampled(step: f64, acceleration: Vec<[f64; 3]>) -> Result<Ground, InvalidInput> {
         Ok(Ground {
@@ -94,6 +94,24 @@ impl Ground {
         self.mapped(|[x, y, z]| [x * cos - y * sin, x * sin + y * cos, z])
     }
 
+    /// The sum of this ground and another.
+    ///
+    /// # Errors
+    /// Refuses two records that differ in step or in number of samples.
+    pub fn plus(&self, other: &Ground) -> Result<Ground, InvalidInput> {
+        let record = match (&self.record, &other.record) {
+            (Some(mine), Some(theirs)) => Some(mine.plus(theirs)?),
+            (mine, theirs) => mine.as_ref().or(theirs.as_ref()).cloned(),
+        };
+        let pulses = [&self.pulses[..], &other.pulses].concat();
+        Ok(Ground { pulses, record })
+    }
+
+    /// The pulses, and the record if there is one.
+    pub fn parts(&self) -> (&[Pulse], Option<&Record>) {
+        (&self.pulses, self.record.as_ref())
+    }
+
     fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3] + Copy) -> Ground {
         let pulse = |pulse: &Pulse| Pulse {
             amplitude: map(pulse.amplitude),
@@ -125,7 +143,7 @@ impl Ground {
     fn sum<T: Real>(&self, segment: Option<&Segment>, at: f64, t: T) -> [T; 3] {
         let mut sum = segment.map_or([T::from(0.0); 3], |segment| segment.acceleration(t));
         for pulse in &self.pulses {
-            if at < pulse.duration {
+            if (0.0..pulse.duration).contains(&at) {
                 let shape = pulse.shape.at(t);
                 for (sum, &amplitude) in sum.iter_mut().zip(&pulse.amplitude) {
                     *sum = *sum + T::from(amplitude) * shape;

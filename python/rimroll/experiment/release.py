@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import operator
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Self
 
@@ -14,7 +13,7 @@ from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError
 from rimroll.experiment.normal import chance_below, quantiles
-from rimroll.given import Number, number, positive, whole_number
+from rimroll.given import Number, number, positive, random_seed, whole_number
 from rimroll.names import choose
 from rimroll.state import State
 from rimroll.theory import balance_tilt
@@ -111,7 +110,7 @@ class Release:
         count = whole_number("n", n)
         if count > MOST_TRIALS:
             raise RimrollError(f"n must be at most {MOST_TRIALS}, got {count}")
-        chances = np.random.default_rng(_seed(seed)).random((count, len(fields(self))))
+        chances = np.random.default_rng(random_seed(seed)).random((count, len(fields(self))))
         return self.at(np.maximum(chances, LEAST_CHANCE))
 
     def at(self, chances: Array) -> tuple[State, Array]:
@@ -149,16 +148,6 @@ def _sideways_rates(tilt: Any, sideways: Any, twist: Any) -> dict[str, Any]:
     """
     sin, cos = np.sin(tilt), np.cos(tilt)
     return {"yaw_rate": twist + sideways * cos / sin, "spin_rate": -sideways / sin}
-
-
-def _seed(value: object) -> int:
-    try:
-        seed = -1 if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
-    except TypeError:
-        seed = -1
-    if not 0 <= seed < 2**63:
-        raise RimrollError(f"seed must be a whole number >= 0 and below 2^63, got {value!r}")
-    return seed
 
 
 def _pair(name: str, value: Any) -> tuple[float, float]:

@@ -1,7 +1,7 @@
 //! A sampled record of the table's acceleration.
 
 use super::pulse::MAX_ACCELERATION;
-use crate::error::{InvalidInput, bounded, positive};
+use crate::error::{InvalidInput, entry, positive};
 use crate::real::Real;
 use std::sync::Arc;
 
@@ -24,20 +24,28 @@ pub(super) struct Segment {
 impl Record {
     pub(super) fn new(step: f64, samples: Vec<[f64; 3]>) -> Result<Record, InvalidInput> {
         positive("step", step, "s")?;
-        let count = samples.len() as f64;
-        bounded("number of samples", count, |n| n >= 1.0, ">= 1", "")?;
-        for &value in samples.iter().flatten() {
-            let is_fit = |a: f64| a.abs() <= MAX_ACCELERATION;
-            bounded(
-                "acceleration",
-                value,
-                is_fit,
-                "between -1e9 and 1e9",
-                "m/s2",
-            )?;
+        if samples.len() < 2 {
+            return Err(wrong_length("at least 2 samples".to_owned(), samples.len()));
+        }
+        for (index, sample) in samples.iter().enumerate() {
+            for &value in sample {
+                let is_fit = |a: f64| a.abs() <= MAX_ACCELERATION;
+                let bound = "between -1e9 and 1e9";
+                entry("acceleration", index, value, is_fit, bound, "m/s2")?;
+            }
         }
         let samples = samples.into();
         Ok(Record { step, samples })
+    }
+
+    /// The time between two samples, s.
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// The acceleration along x, y and z at each sample, m/s².
+    pub fn samples(&self) -> &[[f64; 3]] {
+        &self.samples
     }
 
     /// The time of the last sample, s.
@@ -68,11 +76,45 @@ impl Record {
         })
     }
 
+    /// The sum of two records with the same times of samples.
+    pub(super) fn plus(&self, other: &Record) -> Result<Record, InvalidInput> {
+        if self.step != other.step {
+            return Err(InvalidInput::OutOfBounds {
+                field: "step",
+                value: other.step,
+                bound: format!("that of the record it is added to, {} s", self.step),
+                unit: "s",
+            });
+        }
+        let (mine, theirs) = (&self.samples, &other.samples);
+        if mine.len() != theirs.len() {
+            let bound = format!(
+                "as many samples as the record it is added to, {}",
+                mine.len()
+            );
+            return Err(wrong_length(bound, theirs.len()));
+        }
+        let sum = |(a, b): (&[f64; 3], &[f64; 3])| core::array::from_fn(|i| a[i] + b[i]);
+        Ok(Record {
+            step: self.step,
+            samples: mine.iter().zip(theirs.iter()).map(sum).collect(),
+        })
+    }
+
     pub(super) fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Record {
         Record {
             step: self.step,
             samples: self.samples.iter().map(|&sample| map(sample)).collect(),
         }
+    }
+}
+
+fn wrong_length(bound: String, count: usize) -> InvalidInput {
+    let field = "acceleration";
+    InvalidInput::WrongLength {
+        field,
+        bound,
+        count,
     }
 }
 

@@ -85,6 +85,31 @@ fn a_turned_and_scaled_ground_has_turned_and_scaled_accelerations() {
 }
 
 #[test]
+fn grounds_add_up() {
+    let [record, sine] = [record(), sine()];
+    let sum = record.plus(&sine).unwrap().plus(&record).unwrap();
+    for t in [-0.1, 0.0, 0.03, 0.11, 0.9, 1.5, 1.7] {
+        let [a, b] = [record.acceleration(t), sine.acceleration(t)];
+        for (i, total) in sum.acceleration(t).into_iter().enumerate() {
+            assert!((total - 2.0 * a[i] - b[i]).abs() < 1e-14);
+        }
+    }
+    let refused = |step, count| {
+        let other = Ground::sampled(step, vec![[0.0; 3]; count]).unwrap();
+        record.plus(&other).unwrap_err().to_string()
+    };
+    assert!(refused(0.2, 3).contains("step"));
+    assert!(refused(0.1, 4).contains("samples"));
+}
+
+#[test]
+fn before_it_begins_a_ground_is_at_rest() {
+    for ground in [record(), sine()] {
+        assert_eq!(ground.acceleration(-0.01), [0.0; 3]);
+    }
+}
+
+#[test]
 fn a_ricker_wavelet_has_no_net_velocity() {
     let shape = Shape::Ricker {
         period: 0.5,
@@ -107,9 +132,9 @@ fn a_ricker_wavelet_has_no_net_velocity() {
 fn grounds_that_are_none_are_refused() {
     let message = |ground: Result<Ground, crate::InvalidInput>| ground.unwrap_err().to_string();
     assert!(message(Ground::sampled(0.0, vec![[0.0; 3]])).contains("step"));
-    assert!(message(Ground::sampled(0.1, vec![])).contains("samples"));
+    assert!(message(Ground::sampled(0.1, vec![[0.0; 3]])).contains("at least 2 samples"));
     let spike = vec![[0.0; 3], [f64::NAN, 0.0, 0.0]];
-    assert!(message(Ground::sampled(0.1, spike)).contains("acceleration"));
+    assert!(message(Ground::sampled(0.1, spike)).contains("acceleration[1]"));
     let endless = Pulse {
         amplitude: [1.0; 3],
         shape: Shape::Sine { period: 0.0 },

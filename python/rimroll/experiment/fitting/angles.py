@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, UnitError
 from rimroll.experiment.fitting.predicted import TURN
-from rimroll.experiment.fitting.table import Row, Source, Table, read_table
+from rimroll.table import Row, Source, Table, read_table
 from rimroll.units import quantity
 
 Array = NDArray[np.float64]

@@ -61,22 +61,27 @@ class Table:
 
 
 def read_table(source: Source, *, has_columns: bool = False) -> Table:
-    """Read comma, semicolon, tab or space separated values.
+    """The table in a file; ``has_columns`` and errors as for :func:`table_of`."""
+    name = source_name(source)
+    return table_of(name, text_of(name, source), has_columns=has_columns)
+
+
+def table_of(name: str, text: str, *, has_columns: bool = False) -> Table:
+    """Comma, semicolon, tab or space separated values, of a file that messages call ``name``.
 
     Lines that begin with # and lines without content are passed over (``blank`` lists the latter),
-    and so are columns at the end that are empty throughout. The text is UTF-8, UTF-16 with a byte
-    order mark, or Windows' code page 1252. Decimals follow a point, or a comma where commas cannot
-    separate columns; that they do is known where the file ``has_columns``.
+    and so are columns at the end that are empty throughout. Decimals follow a point, or a comma
+    where commas cannot separate columns; that they do is known where the file ``has_columns``.
 
-    Raises ``RimrollError`` for what is no text, for rows of different widths, and for commas that
-    may be decimal or separate columns.
+    Raises ``RimrollError`` for no lines, for rows of different widths, and for commas that may be
+    decimal or separate columns.
     """
-    name = source_name(source)
-    text = _text(source, name)
     every = [(i, line.strip()) for i, line in enumerate(text.splitlines(), 1)]
     lines = [(i, line) for i, line in every if line.strip(EMPTY) and not line.startswith("#")]
     if not lines:
-        raise RimrollError(f"{name} holds no angles" if text.strip() else f"{name} is empty")
+        raise RimrollError(
+            f"{name} holds nothing but comments" if text.strip() else f"{name} is empty"
+        )
     try:
         cells = _cells(name, [line for _, line in lines], has_columns)
     except csv.Error as error:
@@ -103,7 +108,11 @@ def source_name(source: Source) -> str:
     return "standard input" if getattr(source, "name", None) == "<stdin>" else "the stream"
 
 
-def _text(source: Source, name: str) -> str:
+def text_of(name: str, source: Source) -> str:
+    """The text of a file in UTF-8, UTF-16 with a byte order mark, or Windows' code page 1252.
+
+    Raises ``RimrollError`` for a file that cannot be read, is too large or no text.
+    """
     try:
         if isinstance(source, str | os.PathLike):
             with Path(source).open("rb") as stream:

@@ -1,0 +1,168 @@
+"""Records from files."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError
+from rimroll.given import Number
+from rimroll.ground.at2 import Component, component_of, is_at2
+from rimroll.ground.columns import columns_of
+from rimroll.ground.ground import Ground
+from rimroll.ground.names import DOWN, UP, Direction, given_direction
+from rimroll.ground.records import along, sampled
+from rimroll.table import Source, source_name, text_of
+
+Array = NDArray[np.float64]
+
+RIGHT_ANGLE = math.pi / 2.0
+ASKEW = math.radians(1.0)
+"""How far two horizontal components may be from perpendicular, rad."""
+
+
+def read(
+    *files: Source,
+    headings: Sequence[Number] | None = None,
+    units: str | None = None,
+    component: str | None = None,
+) -> Ground:
+    """A record from files, whose format is known by their content.
+
+    **AT2** (PEER): a file for each component, one to three. The direction is read from the end of
+    line 2: a heading in degrees clockwise from north, or UP, VER, DWN and the like. x points in the
+    direction of the first horizontal file, y at a right angle to its left, seen from above, and z
+    upward. So if the second horizontal file points to the right of the first, its sign is changed,
+    and so is that of a vertical file that points down. :attr:`Ground.heading` is that of x. The
+    horizontal directions must be perpendicular within 1 degree. The unit g is 9.80665 m/s².
+
+    **CSV**: one file, with a line of names of columns and their units: ``t (s)``, and ``ax``,
+    ``ay``, ``az``, or one column of any name, in ``(m/s2)``, ``[g]``, ``(cm/s2)``, ``(gal)`` or
+    another unit of acceleration. Commas, semicolons, tabs or spaces separate columns. Times must
+    have equal steps; the first is taken as t = 0. At most 20 MB are read from a file.
+
+    For other formats see :func:`from_obspy`.
+
+    Parameters
+    ----------
+    files
+        Paths, or binary streams.
+    headings
+        The directions of AT2 files in place of those in line 2, one for each: texts as there,
+        ``"230"``, ``"N40E"``, ``"up"``, or angles clockwise from north, rad or with a unit.
+    units
+        The unit of the acceleration where the file names none.
+    component
+        ``"x"``, ``"y"`` or ``"z"``: the axis of a single component. By default it is z for a
+        vertical one and x for any other.
+
+    Raises ``RimrollError``, with file and line, for files that are cut, hold text among their
+    numbers or another number of samples than they say, for other quantities and unknown units; and
+    for components that differ in step or length, or whose directions do not go together.
+    """
+    if not files:
+        raise RimrollError("files must be one or more, got none")
+    if component not in (None, "x", "y", "z"):
+        raise RimrollError(f'component must be "x", "y" or "z", got {component!r}')
+    texts = [(name := source_name(file), text_of(name, file)) for file in files]
+    for name, text in texts:
+        if not text.strip():
+            raise RimrollError(f"{name} is empty")
+    if all(is_at2(text) for _, text in texts):
+        return _of_components([component_of(*one, units) for one in texts], headings, component)
+    if len(texts) > 1:
+        table = next(name for name, text in texts if not is_at2(text))
+        raise RimrollError(
+            f"{table} is no AT2 file; a CSV file holds all components and is read alone"
+        )
+    if headings is not None:
+        raise RimrollError("headings are for AT2 files: a CSV file names its components x, y and z")
+    read = columns_of(*texts[0], units, component)
+    return sampled(read.step, read.samples)
+
+
+def _of_components(
+    components: list[Component], headings: Sequence[Number] | None, axis: str | None
+) -> Ground:
+    first = components[0]
+    for other in components[1:]:
+        if other.step != first.step:
+            raise RimrollError(
+                f"{other.name} has a step of {other.step:g} s, but {first.name} of {first.step:g} s"
+            )
+        if len(other.samples) != len(first.samples):
+            raise RimrollError(
+                f"{other.name} has {len(other.samples)} samples, but {first.name}"
+                f" {len(first.samples)}"
+            )
+    directions = _directions(components, headings)
+    if len(components) == 1:
+        return _alone(first, directions[0], axis)
+    if axis is not None:
+        raise RimrollError(f"component is for a single one, and there are {len(components)} files")
+    samples = np.zeros((len(first.samples), 3))
+    horizontal: list[tuple[Component, float]] = []
+    vertical: list[Component] = []
+    for one, direction in zip(components, directions, strict=True):
+        if direction is None:
+            raise RimrollError(
+                f"{one.name}: line 2 does not end with a direction: give headings, as in"
+                ' headings=("0 deg", "90 deg", "up")'
+            )
+        if isinstance(direction, str):
+            vertical.append(one)
+            samples[:, 2] = one.samples if direction == UP else -one.samples
+        else:
+            horizontal.append((one, direction))
+    if len(vertical) > 1 or len(horizontal) > 2:
+        which = vertical if len(vertical) > 1 else [one for one, _ in horizontal]
+        names = " and ".join(one.name for one in which)
+        kind = "vertical" if len(vertical) > 1 else "horizontal"
+        raise RimrollError(
+            f"{names} are all {kind}: a record has two horizontal components and one vertical"
+        )
+    samples[:, 0] = horizontal[0][0].samples
+    if len(horizontal) == 2:
+        samples[:, 1] = _sign_of_second(*horizontal) * horizontal[1][0].samples
+    return Ground(sampled(first.step, samples).core, horizontal[0][1])
+
+
+def _directions(
+    components: list[Component], headings: Sequence[Number] | None
+) -> list[Direction | None]:
+    if headings is None:
+        return [one.direction for one in components]
+    given = [headings] if isinstance(headings, str) else list(headings)
+    if len(given) != len(components):
+        raise RimrollError(
+            f"headings must be one for each file, {len(components)}, got {len(given)}"
+        )
+    return [given_direction(f"headings[{i}]", value) for i, value in enumerate(given)]
+
+
+def _alone(one: Component, direction: Direction | None, axis: str | None) -> Ground:
+    """A single component; a heading is that of x, and known of a component along x or y."""
+    vertical = isinstance(direction, str)
+    along_axis = axis or ("z" if vertical else "x")
+    sign = -1.0 if direction == DOWN and along_axis == "z" else 1.0
+    ground = sampled(one.step, along(along_axis, sign * one.samples))
+    if direction is None or isinstance(direction, str) or along_axis == "z":
+        return ground
+    heading = direction if along_axis == "x" else direction + RIGHT_ANGLE
+    return Ground(ground.core, heading % math.tau)
+
+
+def _sign_of_second(first: tuple[Component, float], second: tuple[Component, float]) -> float:
+    """1 if the second horizontal component points to the left of the first, -1 if to the right."""
+    to_right = math.remainder(second[1] - first[1], math.tau)
+    if abs(abs(to_right) - RIGHT_ANGLE) > ASKEW:
+        angles = [f"{math.degrees(one[1]):g}" for one in (first, second)]
+        raise RimrollError(
+            f"{first[0].name} points to {angles[0]} degrees and {second[0].name} to {angles[1]}:"
+            " horizontal components must be perpendicular; if line 2 says something else, give"
+            " headings"
+        )
+    return -1.0 if to_right > 0.0 else 1.0

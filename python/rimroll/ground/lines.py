@@ -1,0 +1,81 @@
+"""A ground as straight lines of the acceleration, and its integrals."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.errors import RimrollError
+
+Array = NDArray[np.float64]
+
+PER_PERIOD = 1000
+"""Lines in each period of a pulse: the error is below 1e-5 of the amplitude."""
+
+MAX_POINTS = 10_000_000
+"""The largest number of samples, or of points with which a ground is followed: some 0.5 GB."""
+
+
+@dataclass(frozen=True)
+class Lines:
+    """The acceleration at times; straight lines between them, exact for a record."""
+
+    t: Array
+    """Times (n,), s, from 0 to the end of the ground, where the last value is that before the end.
+    At a jump between them there are two times that differ by rounding."""
+    acceleration: Array
+    """(n, 3), m/s²."""
+    scale: float
+    """The time over which the acceleration changes, s."""
+
+    @cached_property
+    def velocity(self) -> Array:
+        """(n, 3), m/s, from rest at t = 0; exact for the lines."""
+        from scipy.integrate import cumulative_trapezoid
+
+        velocity: Array = cumulative_trapezoid(self.acceleration, self.t, axis=0, initial=0.0)
+        return velocity
+
+    @cached_property
+    def displacement(self) -> Array:
+        """(n, 3), m, from rest at t = 0; exact for the lines."""
+        step = np.diff(self.t)[:, np.newaxis]
+        before, after = self.acceleration[:-1], self.acceleration[1:]
+        moved = (self.velocity[:-1] + (2.0 * before + after) * step / 6.0) * step
+        return np.concatenate((np.zeros((1, 3)), np.cumsum(moved, axis=0)))
+
+
+def lines_of(core: _core.CoreGround) -> Lines:
+    """The lines of a ground.
+
+    Raises ``RimrollError`` for pulses of so many cycles that there are too many lines.
+    """
+    pulses, record = core.pulses(), core.samples()
+    points: list[Array] = [np.zeros(1)]
+    scales, ends = [], {core.duration}
+    for _, _, period, duration, _ in pulses:
+        step = min(period or duration, duration) / PER_PERIOD
+        scales.append(50.0 * step)
+        ends.add(duration)
+        if not duration / step <= MAX_POINTS:
+            raise RimrollError(
+                f"a pulse of {duration / period:g} periods needs too many points: this is computed"
+                f" for at most {MAX_POINTS // PER_PERIOD} periods"
+            )
+        # With a quarter of the period among them, at which a pulse is largest.
+        points.append(np.arange(0.0, duration, step))
+    if record is not None:
+        step, samples = record
+        scales.append(step)
+        points.append(np.arange(len(samples), dtype=np.float64) * step)
+        ends.add(points[-1][-1])
+    last = np.array(sorted(ends))
+    t = np.unique(np.concatenate((*points, last, np.nextafter(last, 0.0))))
+    t = t[t < core.duration]
+    acceleration = core.acceleration(t)
+    t[-1] = core.duration
+    return Lines(t, acceleration, min(scales))

@@ -1,0 +1,66 @@
+"""AT2 files as PEER and others write them, and the record of which examples/ holds three files."""
+
+import numpy as np
+
+import rimroll as rr
+
+HEADERS = (
+    "NPTS={npts:6d}, DT={dt} SEC",
+    "NPTS= {npts}, DT= {dt} SEC,   0 POLE @    30.00000 HZ,  -5 POLE @      .12000",
+    "{npts:7d}    {dt}    NPTS, DT",
+    "NPTS, DT = {npts}, {dt}",
+    "DT= {dt} SEC, NPTS= {npts}",
+    "npts = {npts} dt = {dt}sec",
+)
+"""Line 4, as it is found in files of different years."""
+
+STYLES = {
+    "exponents": lambda value: f"{value:15.7E}",
+    "decimals": lambda value: f"{value:10.6f}",
+    "no nought": lambda value: f"{value:12.7f}".replace("-0.", " -.").replace(" 0.", "  ."),
+    "touching": lambda value: f"{value:.6f}" if value < 0 else f" {value:.7f}",
+    "double": lambda value: f"{value:15.7E}".replace("E", "D"),
+}
+"""How a sample is written."""
+
+
+def at2(
+    samples,
+    step="0.02",
+    header=HEADERS[0],
+    direction="000",
+    style="exponents",
+    per_line=5,
+    npts=None,
+    unit="G",
+    title="PEER NGA STRONG MOTION DATABASE RECORD",
+):
+    """The text of a file with these samples."""
+    written = [STYLES[style](value) for value in samples]
+    rows = ["".join(written[i : i + per_line]) for i in range(0, len(written), per_line)]
+    count = len(written) if npts is None else npts
+    lines = (
+        title,
+        f"Somewhere-01, 1/1/2001, A Station, {direction}",
+        f"ACCELERATION TIME SERIES IN UNITS OF {unit}",
+        header.format(npts=count, dt=step),
+    )
+    return "\n".join((*lines, *rows, ""))
+
+
+def example_record():
+    """The record in examples/: x points to the north, y to the west."""
+    return rr.ground.synthetic(2007, ("0.35 g", "0.3 g", "0.2 g"), step=0.02)
+
+
+def example_files():
+    """The files of that record by name; that of 090 points to the east, against y."""
+    _, samples = example_record().core.samples()
+    components = samples.T / rr.STANDARD_GRAVITY * np.array([[1.0], [-1.0], [1.0]])
+    title = "SYNTHETIC, NOT AN EARTHQUAKE: filtered noise of rr.ground.synthetic, seed 2007"
+    return {
+        f"synthetic_{name}.at2": at2(values, direction=name.upper(), title=title).replace(
+            "Somewhere-01, 1/1/2001, A Station", "rimroll, examples"
+        )
+        for name, values in zip(("000", "090", "up"), components, strict=True)
+    }
