@@ -142,6 +142,8 @@ def simulate(
     max_steps: int,
     progress: Callable[[float], object] | None,
     jacobian: bool,
+    ground: CoreGround | None,
+    flat: tuple[str, float, int],
 ) -> CoreMotion: ...
 def ensemble(
     bodies: _Bodies,

@@ -125,6 +125,20 @@ class State(Generic[FieldT]):
         return plain and 0.0 < self.tilt < math.pi  # type: ignore[return-value]
 
     @classmethod
+    def standing(cls, *, yaw: float | str = 0.0, spin: float | str = 0.0) -> State[float]:
+        """A body that stands flat on the table, at rest: a start on a table that moves."""
+        upright = cls(tilt=1.0, yaw=yaw, spin=spin)
+        return cls.computed(**{**vars(upright), "tilt": 0.0})
+
+    @classmethod
+    def computed(cls, **numbers: Any) -> Any:
+        """A state of a motion, which may stand flat on the table, at the tilt 0."""
+        state = object.__new__(cls)
+        for name, value in numbers.items():
+            object.__setattr__(state, name, value)
+        return state
+
+    @classmethod
     def from_xarray(cls, dataset: xr.Dataset) -> State:
         """The start of a dataset of a motion, or the starts of one of falls (n,).
 

@@ -135,6 +135,7 @@ pub fn ensemble<'py>(
         rtol,
         topple_tilt,
         max_steps,
+        ..Options::default()
     };
     let bodies = bodies.bodies()?;
     let contact_laws: Vec<ContactLaw> = if varied.is_empty() {

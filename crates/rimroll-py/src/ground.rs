@@ -1,10 +1,11 @@
 //! The motion of the table.
 
-use crate::arguments::refusal;
+use crate::arguments::{RimrollError, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use rimroll::InvalidInput;
 use rimroll::ground::{Ground, Pulse, Shape};
+use rimroll::motion::{FlatLanding, Side};
 use std::sync::Arc;
 
 /// (kind, amplitude, period, duration, center); numbers that the kind does not have are 0.
@@ -122,4 +123,22 @@ fn numbers(pulse: &Pulse) -> PulseNumbers<&'static str> {
         Shape::Ricker { period, center } => ("ricker", period, center),
     };
     (kind, pulse.amplitude, period, pulse.duration, center)
+}
+
+/// What follows where the base comes down flat: (kind, restitution, seed).
+pub(crate) fn flat_landing(
+    (kind, restitution, seed): &(String, f64, u64),
+) -> PyResult<FlatLanding> {
+    Ok(match kind.as_str() {
+        "stop" => FlatLanding::Stop,
+        "housner" => FlatLanding::Housner,
+        "restitution" => FlatLanding::Restitution(*restitution),
+        "smooth_left" => FlatLanding::Smooth(Side::Left),
+        "smooth_right" => FlatLanding::Smooth(Side::Right),
+        "smooth" => FlatLanding::Smooth(Side::Drawn(*seed)),
+        other => {
+            let message = format!("unknown kind of flat landing: {other}");
+            return Err(RimrollError::new_err(message));
+        }
+    })
 }

@@ -1,11 +1,13 @@
 //! `simulate`, and the tables of numbers that describe a motion.
 
 use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument, refusal};
+use crate::ground::{CoreGround, flat_landing};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::{AngleUnit, Instant, PARAMETERS, Sensitivity, pose};
-use rimroll::{Options, Status, simulate as simulate_in_core};
+use rimroll::{Options, Status, simulate_on};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
 type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
@@ -196,14 +198,18 @@ pub fn simulate(
     max_steps: usize,
     progress: Option<Py<PyAny>>,
     jacobian: bool,
+    ground: Option<PyRef<'_, CoreGround>>,
+    flat: (String, f64, u64),
 ) -> PyResult<CoreMotion> {
     let options = Options {
         duration,
         gravity,
         rtol,
         topple_tilt,
+        flat: flat_landing(&flat)?,
         max_steps,
     };
+    let ground = ground.map(|ground| Arc::clone(&ground.ground));
     let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
     // An exception raised by a signal handler (KeyboardInterrupt for Ctrl-C) or by `progress`.
     let mut raised = None;
@@ -223,7 +229,7 @@ pub fn simulate(
         }
     };
     let followed = py.detach(|| {
-        let motion = simulate_in_core(&body, &start, contact_law, &options, &mut watch)?;
+        let motion = simulate_on(ground, &body, &start, contact_law, &options, &mut watch)?;
         let sensitivity = match motion.status {
             Status::Interrupted => None,
             _ if jacobian => motion.sensitivity(&mut watch)?,

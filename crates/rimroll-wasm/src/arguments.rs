@@ -81,8 +81,8 @@ impl Arguments {
             duration,
             gravity,
             rtol,
-            topple_tilt: None,
             max_steps: max_steps as usize,
+            ..Options::default()
         }
     }
 }

@@ -38,6 +38,7 @@ UNITS = {
     "friction_loss": "J",
     "resistance_loss": "J",
     "impact_loss": "J",
+    "ground_work": "J",
 }
 """The unit of each column of a table of moments."""
 
@@ -166,15 +167,24 @@ class Moments:
         return self["impact_loss"]
 
     @property
+    def ground_work(self) -> Array:
+        """Work of the moving table on the body so far, in the frame of the table, J."""
+        return self["ground_work"]
+
+    @property
     def energy_budget(self) -> Array:
-        """Energy and all losses so far, J: constant except for numerical errors."""
-        return self.energy + self.friction_loss + self.resistance_loss + self.impact_loss
+        """Energy and all losses so far less the work of the moving table, J.
+
+        It is constant except for numerical errors.
+        """
+        losses = self.friction_loss + self.resistance_loss + self.impact_loss
+        return self.energy + losses - self.ground_work
 
     @property
     def state(self) -> State[Array]:
         """Euler angles and rates as a :class:`rimroll.State` of arrays."""
         names = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
-        return cast("State[Array]", State(**{name: self[name] for name in names}))
+        return cast("State[Array]", State.computed(**{name: self[name] for name in names}))
 
     def __len__(self) -> int:
         return int(self._table.shape[1])

@@ -18,6 +18,7 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, whole_number
 from rimroll.laws import Law, law_of
 from rimroll.motion.crossings import checked, crossings
+from rimroll.motion.flat import FlatLanding, flat_in_core
 from rimroll.motion.jacobian import PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
@@ -28,6 +29,8 @@ from rimroll.state import State, single, start_of, times
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
+
+    from rimroll.ground.ground import Ground
 
 MAX_SAMPLES = 10_000_000
 """Samples at a time: some 1.5 GB."""
@@ -42,7 +45,7 @@ class Motion(Moments):
 
     Attributes
     ----------
-    body, start, law, duration, gravity, rtol, topple_tilt, max_steps
+    body, start, law, duration, gravity, rtol, topple_tilt, max_steps, ground, flat
         What it was computed from.
     status
         ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
@@ -57,6 +60,8 @@ class Motion(Moments):
         law: Law,
         options: Options,
         has_jacobian: bool = False,
+        ground: Ground | None = None,
+        flat: FlatLanding = "stop",
     ) -> None:
         self._core = core
         self.body = body
@@ -70,6 +75,8 @@ class Motion(Moments):
         self.max_steps = options.max_steps
         self.status = core.status
         self._has_jacobian = has_jacobian
+        self.ground = ground
+        self.flat = flat
 
     @cached_property
     def _table(self) -> Array:  # type: ignore[override]
@@ -138,7 +145,19 @@ class Motion(Moments):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickling computes the motion again, with the same bits."""
-        return follow, (self.body, self.start, self.law, self._options, self._has_jacobian)
+        return (
+            follow,
+            (
+                self.body,
+                self.start,
+                self.law,
+                self._options,
+                self._has_jacobian,
+                None,
+                self.ground,
+                self.flat,
+            ),
+        )
 
     @overload
     def __call__(self, t: float | str) -> State[float]: ...
@@ -155,7 +174,7 @@ class Motion(Moments):
         states = self.evaluate(moments).state
         if moments.ndim:
             return states
-        return State(**{name: float(values[0]) for name, values in vars(states).items()})
+        return State.computed(**{name: float(values[0]) for name, values in vars(states).items()})
 
     def evaluate(self, t: Values) -> Moments:
         """All quantities at times t (s, shape (n,), inside the motion)."""
@@ -330,7 +349,18 @@ def follow(
     options: Options,
     has_jacobian: bool = False,
     progress: Callable[[float], object] | None = None,
+    ground: Ground | None = None,
+    flat: FlatLanding = "stop",
 ) -> Motion:
     """What :func:`rimroll.simulate` computes, from arguments that are already checked."""
-    core = _core.simulate(body, start, law, *options.values, progress, has_jacobian)
-    return Motion(core, body, start, law, options, has_jacobian)
+    core = _core.simulate(
+        body,
+        start,
+        law,
+        *options.values,
+        progress,
+        has_jacobian,
+        None if ground is None else ground.core,
+        flat_in_core(flat),
+    )
+    return Motion(core, body, start, law, options, has_jacobian, ground, flat)

@@ -80,6 +80,6 @@ def events_of(kinds: list[str], table: Array) -> list[Event]:
     times = table[ROW_OF["t"]].tolist()
     states = zip(*(table[ROW_OF[name]].tolist() for name in names), strict=True)
     return [
-        Event(kind, t, State(**dict(zip(names, numbers, strict=True))))
+        Event(kind, t, State.computed(**dict(zip(names, numbers, strict=True))))
         for kind, t, numbers in zip(kinds, times, states, strict=True)
     ]

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import callback, expect
 from rimroll.given import Number
 from rimroll.laws import Law, one_law
+from rimroll.motion.flat import FlatLanding, flat_given, ground_given
 from rimroll.motion.motion import Motion, follow
 from rimroll.options import Options
 from rimroll.state import State, single
+
+if TYPE_CHECKING:
+    from rimroll.ground.ground import Ground
 
 
 def simulate(
@@ -24,6 +29,8 @@ def simulate(
     rtol: float = 1e-10,
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
+    ground: Ground | None = None,
+    flat: FlatLanding = "stop",
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
 ) -> Motion:
@@ -49,6 +56,17 @@ def simulate(
         Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB. A
         rocking takes tens of steps. It takes hundreds if slip oscillates as the contact point runs
         many times round the rim: regularised friction under a body with little transverse inertia.
+    ground
+        The motion of the table: see :mod:`rimroll.ground`. Positions, velocities and energies are
+        then relative to the table. After its end the table is at rest.
+    flat
+        What follows where the whole base comes down flat at once, as in planar motions, which
+        rigid-body mechanics does not determine. ``stop``: the motion ends as ``face_down``.
+        ``smooth``: the limit of near-collisions, which lose no energy; the contact point runs round
+        the rim to a side that is drawn at random, always the same for the same motion, or to the
+        given side with ``smooth_left`` (yaw increases) and ``smooth_right``; ``("smooth", seed)``
+        draws other sides. ``housner``: a plastic collision with the opposite point of the rim
+        (Housner 1963). A number r from 0 to 1: the tilt rate falls by this factor.
     progress
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.
@@ -83,5 +101,7 @@ def simulate(
     expect("start", start, State)
     one_law(law)
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
+    moving = ground_given(ground)
+    landing = flat_given(flat)
     callback("progress", progress)
-    return follow(body, single(start), law, options, bool(jacobian), progress)
+    return follow(body, single(start), law, options, bool(jacobian), progress, moving, landing)

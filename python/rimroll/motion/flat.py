@@ -1,0 +1,51 @@
+"""What follows where the whole base comes down flat at once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rimroll.errors import RimrollError
+from rimroll.given import number, whole_number
+
+if TYPE_CHECKING:
+    from rimroll.ground.ground import Ground
+
+FlatLanding = str | float | tuple[str, int]
+"""See ``flat`` of :func:`rimroll.simulate`."""
+
+KINDS = ("stop", "smooth", "smooth_left", "smooth_right", "housner")
+
+
+def flat_given(flat: object) -> FlatLanding:
+    """A flat landing as users give it; raises ``RimrollError`` for another value."""
+    if isinstance(flat, str) and flat.replace("-", "_") in KINDS:
+        return flat.replace("-", "_")
+    if isinstance(flat, tuple) and len(flat) == 2 and flat[0] == "smooth":
+        return ("smooth", whole_number("flat seed", flat[1]))
+    if isinstance(flat, str | bool | tuple) or flat is None:
+        raise RimrollError(
+            f'flat must be one of {", ".join(KINDS)}, ("smooth", seed)'
+            f" or a restitution from 0 to 1, got {flat!r}"
+        )
+    return number("flat", flat)
+
+
+def flat_in_core(flat: FlatLanding) -> tuple[str, float, int]:
+    """A flat landing as the core takes it: its kind, the restitution and the seed."""
+    if isinstance(flat, str):
+        return flat, 0.0, 0
+    if isinstance(flat, tuple):
+        return flat[0], 0.0, flat[1]
+    return "restitution", float(flat), 0
+
+
+def ground_given(ground: object) -> Ground | None:
+    """A motion of the table as users give it; raises ``RimrollError`` for another value."""
+    if ground is None:
+        return None
+    from rimroll.errors import expect
+    from rimroll.ground.ground import Ground
+
+    expect("ground", ground, Ground)
+    assert isinstance(ground, Ground)
+    return ground
