@@ -128,7 +128,8 @@ class State(Generic[FieldT]):
     def standing(cls, *, yaw: float | str = 0.0, spin: float | str = 0.0) -> State[float]:
         """A body that stands flat on the table, at rest: a start on a table that moves."""
         upright = cls(tilt=1.0, yaw=yaw, spin=spin)
-        return cls.computed(**{**vars(upright), "tilt": 0.0})
+        state: State[float] = cls.computed(**{**vars(upright), "tilt": 0.0})
+        return state
 
     @classmethod
     def computed(cls, **numbers: Any) -> Any:

@@ -1,6 +1,6 @@
 //! Detection of the events in a step, and their location.
 
-use super::contacts::Contacts;
+use super::contacts::{Contacts, STANDING_TILT};
 use super::event::{Event, EventKind};
 use super::instant::{Instant, Phase};
 use super::options::Options;
@@ -430,8 +430,13 @@ impl<'a> EventDetector<'a> {
 
     /// The event function of [`TerminalEvent::StoppedRunning`].
     fn excess_over_stopped(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        if u.sin > STOPPED_TILT || self.contacts.has_stopped_running(phase, u) {
-            u.sin - STOPPED_TILT
+        let stopped = if self.contacts.moves() {
+            STANDING_TILT
+        } else {
+            STOPPED_TILT
+        };
+        if u.sin > stopped || self.contacts.has_stopped_running(phase, u) {
+            u.sin - stopped
         } else {
             u.sin
         }

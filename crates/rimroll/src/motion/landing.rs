@@ -180,7 +180,7 @@ fn smooth(
     let end = track.end();
     let is_same = |a: f64, b: f64| (a - b).abs() < 1e3 * sideways;
     let s = if is_same(end.s, at.s) { at.s } else { end.s };
-    (status == Status::Finished).then(|| Coordinates {
+    (status == Status::Finished).then_some(Coordinates {
         sin: UPLIFT_TILT,
         cos: 1.0,
         w: 0.0,

@@ -19,7 +19,6 @@ use crate::ground::{Ground, Stretch};
 use crate::law::{Contact, Dynamics, Parameters};
 use crate::solve::{Dense, Step, Stepper, System, bracketed_root};
 use crate::state::{COORDINATES, Coordinates, TIME};
-use core::f64::consts::TAU;
 use std::sync::Arc;
 
 /// What a body whose base is level does next, and when.
@@ -172,11 +171,8 @@ impl<'a> Level<'a> {
         };
         let [x1, y1] = turned([u.x1, u.y1]);
         let [slip_x, slip_y] = turned([u.slip_x, u.slip_y]);
-        // A heading that differs from a whole number of quarter turns by rounding is that number, so that planar
-        // shaking along an axis keeps a motion planar.
-        let yaw = u.yaw + change;
         Coordinates {
-            yaw: libm::remainder(yaw - u.yaw, TAU) + u.yaw,
+            yaw: u.yaw + change,
             spin: u.spin - change,
             sin: UPLIFT_TILT,
             cos: 1.0,
@@ -210,7 +206,7 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// The largest step of time from which the motion is smooth, and the equations along it.
+    /// The equations of a base that slides or flies, along a stretch of the table's motion.
     pub(super) fn motion(&self, phase: Phase, stretch: Option<Stretch>) -> LevelMotion<'_> {
         LevelMotion {
             level: self,
@@ -277,7 +273,7 @@ pub(super) struct LevelPart {
 }
 
 impl LevelMotion<'_> {
-    /// The rates with respect to the time, and T.
+    /// The rates with respect to the time.
     fn rates_in_time(&self, u: &[f64; LEVEL]) -> [f64; LEVEL] {
         let [t, _, _, vx, vy, _, gap_rate, ..] = *u;
         let k = &self.level.k;
@@ -355,7 +351,7 @@ impl LevelMotion<'_> {
     ) -> Option<LevelPart> {
         let all = u.into_array();
         let start = PLACES.map(|place| all[place]);
-        if let Some(departure) = self.departed(&start, None) {
+        if let Some((_, departure)) = self.departed(&start, None) {
             let dense = Dense::empty(all);
             let departure = Some(departure);
             return Some(LevelPart { dense, departure });
@@ -369,8 +365,7 @@ impl LevelMotion<'_> {
         for x in [0.25, 0.5, 0.75, 1.0] {
             let (from, to) = (dense.at(before), dense.at(x));
             let over = to[0] >= end;
-            if let Some(departure) = self.departed(&to, Some(&from)) {
-                let index = self.index_of(&to, &from);
+            if let Some((index, departure)) = self.departed(&to, Some(&from)) {
                 let margin = |x: f64| self.margins(&dense.at(x))[index].1;
                 let root = bracketed_root(before, x, margin);
                 if !over || dense.at(root)[0] < end {
@@ -394,15 +389,13 @@ impl LevelMotion<'_> {
         })
     }
 
-    /// The index of the first margin that is negative at `to`. A slip that has just begun is slow, but it does not end,
-    /// and a body that has just left the table is near it.
-    fn index_of(&self, to: &[f64; LEVEL], from: &[f64; LEVEL]) -> usize {
-        let (after, before) = (self.margins(to), self.margins(from));
-        let falls = |i: usize| after[i].1 < 0.0 && after[i].1 < before[i].1;
-        (0..after.len()).find(|&i| falls(i)).unwrap_or(0)
-    }
-
-    fn departed(&self, to: &[f64; LEVEL], from: Option<&[f64; LEVEL]>) -> Option<Departure> {
+    /// The first margin that has become negative at `to`, by its index. A slip that has just begun is slow, but it does
+    /// not end, and a body that has just left the table is near it.
+    fn departed(
+        &self,
+        to: &[f64; LEVEL],
+        from: Option<&[f64; LEVEL]>,
+    ) -> Option<(usize, Departure)> {
         let before = from.map(|from| self.margins(from));
         let mut after = self.margins(to).into_iter().enumerate();
         after.find_map(|(i, (departure, margin))| {
@@ -411,7 +404,7 @@ impl LevelMotion<'_> {
                 (None, Departure::Stick | Departure::Land) => false,
                 (None, _) => true,
             };
-            (margin < 0.0 && falls).then_some(departure)
+            (margin < 0.0 && falls).then_some((i, departure))
         })
     }
 }

@@ -557,7 +557,7 @@ impl<'a> Run<'a> {
         let mut stretches = 0_usize;
         while let Some(ground) = self.contacts.ground() {
             stretches += 1;
-            if stretches % 4096 == 0 && report(t).is_break() {
+            if stretches.is_multiple_of(4096) && report(t).is_break() {
                 stands_until(self, t);
                 return ControlFlow::Break(Status::Interrupted);
             }

@@ -100,7 +100,13 @@ fn a_new_law_has_a_name_bounds_and_scaling() {
 fn a_new_law_has_equations_of_motion_that_lose_what_friction_takes() {
     let can = presets::can_2007().expect("the paper's can");
     let k = Parameters::new(&can, 9.8);
-    let sliding = SlidingDynamics::new(&quadratic(), k, Resistance::default(), 1e-12);
+    let sliding = SlidingDynamics::new(
+        &quadratic(),
+        k,
+        &Table::AtRest,
+        Resistance::default(),
+        1e-12,
+    );
     assert!(sliding.dry().is_none() && !sliding.is_dry());
     let dynamics = sliding.dynamics().expect("the rim can slide");
     let start = State {
