@@ -293,6 +293,7 @@ def test_what_is_no_ground_is_refused_in_one_sentence(make, message):
     assert message in str(refusal.value) and "\n" not in str(refusal.value)
 
 
+@pytest.mark.slow
 def test_ten_million_samples_are_taken():
     samples = np.zeros(10_000_000)
     samples[-1] = 2.0

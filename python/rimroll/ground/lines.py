@@ -17,7 +17,7 @@ PER_PERIOD = 1000
 """Lines in each period of a pulse: the error is below 1e-5 of the amplitude."""
 
 MAX_POINTS = 10_000_000
-"""The largest number of samples, or of points with which a ground is followed: some 0.5 GB."""
+"""The largest number of samples, or of points with which a ground is followed: some 1.5 GB."""
 
 
 @dataclass(frozen=True)
