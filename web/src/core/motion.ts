@@ -28,7 +28,8 @@ export type Column =
   | "potential_energy"
   | "friction_loss"
   | "resistance_loss"
-  | "impact_loss";
+  | "impact_loss"
+  | "ground_work";
 
 /** The state of the motion at one time. */
 export type Moment = Record<Column, number>;

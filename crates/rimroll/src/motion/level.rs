@@ -356,10 +356,22 @@ impl LevelMotion<'_> {
             let departure = Some(departure);
             return Some(LevelPart { dense, departure });
         }
-        let mut stepper = Stepper::new(self, start, *h, tolerance);
-        let step: &mut Step<f64, LEVEL> = stepper.advance().ok()?;
-        let dense = step.dense(self);
-        *h = stepper.h;
+        // A step far beyond the end of the stretch would be accurate at its own end only.
+        const OVERSHOOT: f64 = 1.1;
+        let remaining = end - u.t;
+        let limited = |h: f64| h.min(remaining / self.time_rate([u.slip_x, u.slip_y]));
+        let mut tried = limited(*h);
+        let dense = loop {
+            let mut stepper = Stepper::new(self, start, tried, tolerance);
+            let step: &mut Step<f64, LEVEL> = stepper.advance().ok()?;
+            let elapsed = step.end[0] - u.t;
+            if elapsed <= OVERSHOOT * remaining {
+                let dense = step.dense(self);
+                *h = stepper.h;
+                break dense;
+            }
+            tried = step.h * (remaining / elapsed).max(0.1);
+        };
         let placed = |dense: &Dense<f64, LEVEL>| dense.placed(&all, &PLACES);
         let mut before = 0.0;
         for x in [0.25, 0.5, 0.75, 1.0] {
