@@ -33,7 +33,7 @@ dev: .venv/.packages ## build the extension quickly, with little optimisation, f
 
 check: lint .venv/.extension web/src/core/rimroll.wasm ## lint, and run the tests that are quick and find most mistakes
 	cargo test --package rimroll --lib
-	.venv/bin/python -m pytest -m "not slow and not soak" tests/api tests/cli tests/mechanics
+	.venv/bin/python -m pytest -m "not slow and not soak" tests/api tests/cli tests/examples tests/mechanics
 	tools/test_page.sh --project modules
 
 test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the package (Python) and of the page (in a browser)
@@ -87,6 +87,7 @@ $(REPORT): $(PACKAGE) .venv/.extension
 
 $(PAGE): $(WEB) web/src/core/rimroll.wasm web/node_modules/.installed
 	tools/node.sh vite build --logLevel warn
+	tools/node.sh vite build --logLevel warn --mode alone  # for rimroll.lab
 
 web/src/core/rimroll.wasm: $(WASM) tools/build_wasm.sh tools/debian_rust.sh | toolchain
 	tools/build_wasm.sh

@@ -25,6 +25,7 @@ extensions = [
     "sphinx_copybutton",
     # In docs/_extensions:
     "command_help",
+    "examples",
     "links",
     "mathematics",
     "public_names",

@@ -73,6 +73,7 @@ def check_the_page() -> None:
     page = resources.files("rimroll") / "page"
     assert (page / "index.html").is_file(), "the wheel was built without its page: make web"
     assert (page / "licences.txt").is_file()
+    assert (page / "alone.js").is_file()
     assets = (page / "assets").iterdir()
     assert any(file.name.endswith(".wasm") for file in assets)
 

@@ -1,8 +1,9 @@
 import { defineConfig } from "vitest/config";
+import { ALONE, aloneBuild, onlyScript } from "./alone";
 import { fields } from "./fields";
 import { licences } from "./licences";
 
-export default defineConfig({
+export default defineConfig(({ mode }) => ({
   // Relative addresses let the page work from any folder of any server.
   base: "./",
   build: {
@@ -12,8 +13,9 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 800, // kB, most of it three.js
+    ...(mode === ALONE && aloneBuild),
   },
-  plugins: [licences("licences.txt"), fields("setup.json")],
+  plugins: mode === ALONE ? [onlyScript()] : [licences("licences.txt"), fields("setup.json")],
   test: {
     // Run one browser at a time, because drawing in software uses all processors.
     fileParallelism: false,
@@ -33,4 +35,4 @@ export default defineConfig({
       },
     ],
   },
-});
+}));

@@ -27,7 +27,7 @@ def read(app, name, source):
         return
     shown = shown_files()
     original = next((file for file, at in shown.items() if at == page), page)
-    text = original.read_text("utf-8")
+    text = source[0] if original == page else original.read_text("utf-8")
 
     def link(match):
         before, target, fragment, after = match.groups()

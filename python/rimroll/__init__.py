@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         pasted as pasted,
     )
     from rimroll.body import Body as Body
+    from rimroll.browser.view import Lab as Lab, lab as lab
     from rimroll.errors import RimrollError as RimrollError
     from rimroll.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
     from rimroll.experiment.fitting.angles import read_directions as read_directions
@@ -110,6 +111,7 @@ _NAMES = {
     "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
     "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),
     "rimroll.body": ("Body",),
+    "rimroll.browser.view": ("Lab", "lab"),
     "rimroll.errors": ("RimrollError",),
     "rimroll.exact": ("ExactTurn", "exact_turn"),
     "rimroll.experiment.fitting.angles": ("read_directions",),

@@ -91,6 +91,12 @@ class Body:
     def __hash__(self) -> int:
         return hash(tuple(key(getattr(self, field.name)) for field in fields(self)))
 
+    def _repr_html_(self) -> str | None:
+        """The view in notebooks."""
+        from rimroll.notebook import body_in_html
+
+        return body_in_html(self)
+
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape that the fields broadcast to; () for one body."""

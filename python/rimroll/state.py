@@ -148,6 +148,12 @@ class State(Generic[FieldT]):
         expect_dataset(dataset)
         return start_of(dataset)
 
+    def _repr_html_(self) -> str | None:
+        """The view in notebooks."""
+        from rimroll.notebook import state_in_html
+
+        return state_in_html(self)
+
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape that the fields broadcast to; () when every field is a single number."""

@@ -31,6 +31,9 @@ NORMAL_FORCE = "#56B4E9"
 SERIES = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 """Colours of data series without a colour of their own, in order."""
 
+SHOWN_DPI = 110.0
+"""Resolution of figures in notebooks."""
+
 SLIDING = "#F0E442"
 """Background colour of the times at which the rim slides; drawn faintly."""
 
@@ -92,9 +95,20 @@ def figure_style() -> Iterator[None]:
         yield
 
 
+class ShownFigure(Figure):
+    """A figure that a notebook shows even if pyplot has not been imported there."""
+
+    def _repr_png_(self) -> bytes:
+        """The view in notebooks."""
+        picture = io.BytesIO()
+        with figure_style():
+            self.savefig(picture, format="png", dpi=SHOWN_DPI)
+        return picture.getvalue()
+
+
 def page(height: float, width: float = PAGE_WIDTH) -> Figure:
     """An empty figure of a size in mm that lays out its own axes, free of pyplot's state."""
-    return Figure(figsize=(width / 25.4, height / 25.4), layout="constrained")
+    return ShownFigure(figsize=(width / 25.4, height / 25.4), layout="constrained")
 
 
 def settle(figure: Figure) -> Figure:

@@ -32,5 +32,6 @@ def test_the_wheel_ships_the_page_with_its_core_and_licences(tmp_path):
     with zipfile.ZipFile(next(tmp_path.glob("*.whl"))) as wheel:
         names = wheel.namelist()
         assert wheel.read("rimroll/page/index.html") == (PAGE / "index.html").read_bytes()
+        assert wheel.read("rimroll/page/alone.js") == (PAGE / "alone.js").read_bytes()
         assert b"three" in wheel.read("rimroll/page/licences.txt")
     assert any(name.startswith("rimroll/page/") and name.endswith(".wasm") for name in names)

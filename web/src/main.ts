@@ -1,7 +1,6 @@
 // Starts the page: loads the core, creates the lab and mounts each section on it.
 
 import { followAnchors } from "./anchors";
-import coreAddress from "./core/rimroll.wasm?url";
 import { mountControls } from "./controls/controls";
 import { Core } from "./core/core";
 import { element } from "./elements";
@@ -20,7 +19,7 @@ import { mountVerdict } from "./verdict/verdict";
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 
 async function start(): Promise<void> {
-  const core = await Core.load(await fetch(coreAddress));
+  const core = await Core.load(await coreOfPage());
   const lab = new Lab(core);
   keepInAddress(lab);
   startTicker(lab.clock);
@@ -33,6 +32,12 @@ async function start(): Promise<void> {
   mountPlots(lab, section("plots"));
   mountShare(lab, section("share"));
 }
+
+/** The page that rimroll.lab makes carries the core, since it may load nothing. */
+const coreOfPage = (): ArrayBuffer | Promise<Response> =>
+  import.meta.env.MODE === "alone"
+    ? (globalThis as unknown as { rimrollCore: ArrayBuffer }).rimrollCore
+    : fetch(new URL("./core/rimroll.wasm", import.meta.url));
 
 followAnchors();
 start().catch((error: unknown) => {

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import webbrowser
-from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 from urllib.parse import quote
 
 import typer
 
-from rimroll.cli.lab_setup import check
+from rimroll.browser.built_page import built_page
+from rimroll.browser.setup_check import check
 from rimroll.cli.screen import say
 from rimroll.errors import RimrollError
 
 if TYPE_CHECKING:
-    from rimroll.cli.page_server import PageServer
+    from rimroll.browser.server import PageServer
 
 
 def lab(
@@ -42,10 +42,9 @@ def lab(
 
     $ rimroll lab --setup "body=coin&tilt=60" --no-browser
     """
-    folder = resources.files("rimroll") / "page"
-    with resources.as_file(folder) as page, _server(page, port) as server:
+    with built_page() as page, _server(page, port) as server:
         if setup:
-            check(setup, page)
+            _check(setup, page)
         address = server.address + (f"#{quote(setup, safe='=&%+')}" if setup else "")
         try:
             say(f"The lab is at {address}")
@@ -58,11 +57,16 @@ def lab(
     return 0
 
 
-def _server(page: Path, port: int) -> PageServer:
-    from rimroll.cli.page_server import PageServer  # brings http.server, slow to load
+def _check(setup: str, page: Path) -> None:
+    try:
+        check(setup, page)
+    except RimrollError as error:
+        raise RimrollError(f"--setup: {error}") from None
 
-    if not (page / "index.html").is_file():
-        raise RimrollError("the page is not built yet; in rimroll's source tree, run: make web")
+
+def _server(page: Path, port: int) -> PageServer:
+    from rimroll.browser.server import PageServer  # brings http.server, slow to load
+
     try:
         return PageServer(page, port)
     except OSError as error:

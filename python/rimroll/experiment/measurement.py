@@ -67,6 +67,12 @@ class Measurement:
     axial_inertia_measured: bool
     """False if C is an estimate for a hollow vessel."""
 
+    def _repr_html_(self) -> str:
+        """The view in notebooks."""
+        from rimroll.notebook import measurement_in_html
+
+        return measurement_in_html(self)
+
     @property
     def turn_no_slip(self) -> UFloat:
         """Limiting angle of turn without slip, rad: π √(1 + mR²/(A + mH²))."""

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
+    from rimroll.animation import Film
+    from rimroll.browser.view import Lab
     from rimroll.ground.ground import Ground
 
 MAX_SAMPLES = 10_000_000
@@ -297,6 +299,33 @@ class Motion(Moments):
         from rimroll.animation import animate
 
         return animate(self, path, **options)
+
+    def film(self, **options: Any) -> Film:
+        """The motion as a film that a notebook shows: a GIF in memory.
+
+        The options are those of :meth:`animate`; unless they are given, the film lasts 6 s and has
+        15 pictures a second of 400 × 300 pixels.
+        """
+        from rimroll.animation.film import film
+
+        return film(self, **options)
+
+    def lab(self, **options: Any) -> Lab:
+        """The lab with this motion: in the notebook's cell, or in the browser.
+
+        The options ``height`` and ``browser`` are those of :func:`rimroll.lab`, and so are the laws
+        that the lab has.
+        """
+        from rimroll.browser.view import lab
+
+        return lab(
+            self.body,
+            self.start,
+            self.law,
+            duration=self.duration,
+            gravity=self.gravity,
+            **options,
+        )
 
     def to_xarray(self) -> xr.Dataset:
         """The motion as a dataset over ``t`` with units and everything that it was computed from.

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-import numpy as np
+from rimroll.notebook import TURN_HEAD, table, turn_cells
 
 if TYPE_CHECKING:
     from rimroll.motion.motion import Motion
@@ -16,19 +15,12 @@ SHOWN = 6  # turns of a motion
 
 def motion_in_html(motion: Motion) -> str:
     """The ending of a motion, its first turns as a table in degrees, and what it lost."""
-    rows = [
-        (
-            str(number),
-            f"{np.degrees(turn.angle):.4f}°",
-            f"{np.degrees(turn.min_tilt):.4g}°",
-            f"{turn.t:.6g} s",
-        )
-        for number, turn in enumerate(motion.turns[:SHOWN], 1)
-    ]
+    rows = [(str(number), *turn_cells(turn)) for number, turn in enumerate(motion.turns[:SHOWN], 1)]
     head = f"<p><b>Motion</b>, {escape(repr(motion.law))}: {escape(motion.message)}</p>"
     more = len(motion.turns) - len(rows)
+    turns = table(rows, ("turn", *TURN_HEAD)) if rows else "<p>no turns</p>"
     rest = f"<p>and {more} more turns</p>" if more else ""
-    return f"<div>{head}{_table(rows)}{rest}{_losses(motion)}</div>"
+    return f"<div>{head}{turns}{rest}{_losses(motion)}</div>"
 
 
 def _losses(motion: Motion) -> str:
@@ -42,14 +34,3 @@ def _losses(motion: Motion) -> str:
         )
     )
     return f"<p>lost: {lost}</p>"
-
-
-def _table(rows: Sequence[tuple[str, ...]]) -> str:
-    if not rows:
-        return "<p>no turns</p>"
-    names = ("turn", "angle", "smallest tilt", "at t")
-    head = "".join(f"<th>{name}</th>" for name in names)
-    body = "".join(
-        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows
-    )
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"

@@ -61,6 +61,12 @@ class Turn:
     max_tilt: float
     """The tilt maximum after."""
 
+    def _repr_html_(self) -> str:
+        """The view in notebooks."""
+        from rimroll.notebook import turn_in_html
+
+        return turn_in_html(self)
+
 
 @dataclass(frozen=True)
 class Stats:

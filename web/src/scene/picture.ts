@@ -5,7 +5,7 @@ import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } f
 import { type Lab, type Outcome, type TurnProgress, bodyAngleAlongContact } from "../lab";
 import type { Moment, Motion } from "../core/motion";
 import { formatDegrees } from "../format/numbers";
-import { BODY_NOUNS } from "../setup/fields";
+import { BODY_FIELDS, BODY_NOUNS } from "../setup/fields";
 import type { Held } from "../setup/release";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "./bodies/bodies";
@@ -208,8 +208,8 @@ export class Picture {
 
   /** Builds the picture of the body again if the body has changed. */
   private updateBody(setup: Readonly<Setup>): void {
-    const { body, fill, radius, length, wall, base } = setup;
-    const key = [body, ...(body === "own" ? [radius, length, wall, base] : [fill])].join(" ");
+    const { body } = setup;
+    const key = [body, ...(BODY_FIELDS[body] ?? []).map((name) => setup[name])].join(" ");
     if (key === this.bodyKey) return;
     this.bodyKey = key;
     dispose(this.body);

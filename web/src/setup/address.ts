@@ -4,7 +4,8 @@ import { batch, effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { fromHash, holdsSetup, toHash } from "./url";
 
-/** Reads the set-up from the address, now and whenever the visitor edits it, and writes changes back. */
+/** Reads the set-up from the address, now and whenever the visitor edits it, and writes changes back. A page
+ * that rimroll.lab makes has the set-up in its first element. */
 export function keepInAddress(lab: Lab): void {
   const read = (link: string) => {
     if (!holdsSetup(link)) return;
@@ -15,7 +16,7 @@ export function keepInAddress(lab: Lab): void {
       lab.clock.setPlayback(playback);
     });
   };
-  read(location.hash);
+  read(location.hash || `#${document.documentElement.dataset["setup"] ?? ""}`);
   // Read the address of the event: a later one may have been written since.
   addEventListener("hashchange", ({ newURL }) => read(new URL(newURL).hash));
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -31,6 +32,8 @@ export function keepInAddress(lab: Lab): void {
 const WRITE_DELAY = 200;
 
 function write(hash: string): void {
+  // A page that another one holds as a text has no address of its own.
+  if (location.protocol === "about:") return;
   // Replace the address, so that moves of a slider make no entries in the history.
   if (hash !== location.hash.replace(/^#/, ""))
     history.replaceState(null, "", hash === "" ? location.pathname + location.search : `#${hash}`);

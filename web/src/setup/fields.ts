@@ -32,7 +32,10 @@ export interface ChoiceField {
   help: string;
 }
 
-const BODIES: Record<Preset | "own", string> = {
+/** The bodies that a visitor describes by numbers: by its parts, or by its mass and inertia. */
+export type Described = "own" | "inertia";
+
+const BODIES: Record<Preset | Described, string> = {
   can_2007: "The paper's can",
   soda_can: "Soda can",
   beer_bottle: "Beer bottle",
@@ -41,10 +44,11 @@ const BODIES: Record<Preset | "own", string> = {
   battery: "Battery (AA)",
   euler_disk: "Euler's disk",
   own: "Your own",
+  inertia: "By its inertia",
 };
 
 /** Nouns for the bodies in a sentence. */
-export const BODY_NOUNS: Record<Preset | "own", string> = {
+export const BODY_NOUNS: Record<Preset | Described, string> = {
   can_2007: "can",
   soda_can: "can",
   beer_bottle: "bottle",
@@ -53,6 +57,7 @@ export const BODY_NOUNS: Record<Preset | "own", string> = {
   battery: "battery",
   euler_disk: "disk",
   own: "body",
+  inertia: "body",
 };
 
 const LAW_NAMES: Record<LawName, string> = {
@@ -128,6 +133,36 @@ export const FIELDS = {
     max: 100,
     slider: [0, 100, 1],
     help: "Share of the total mass, in a thin plate at the bottom.",
+  },
+  height: {
+    kind: "number",
+    label: "Centre of mass",
+    unit: "cm",
+    initial: 6,
+    min: 0,
+    max: 1000,
+    slider: [0, 20, 0.1],
+    help: "Height of the centre of mass above the base. 0 is a flat disk.",
+  },
+  transverse: {
+    kind: "number",
+    label: "A/m",
+    unit: "cm²",
+    initial: 25,
+    min: 1e-9,
+    max: 1e9,
+    slider: [0.5, 200, 0.5],
+    help: "Moment of inertia about a line through the centre of mass across the body, over the mass.",
+  },
+  axial: {
+    kind: "number",
+    label: "C/m",
+    unit: "cm²",
+    initial: 15,
+    min: 1e-9,
+    max: 1e9,
+    slider: [0.5, 200, 0.5],
+    help: "Moment of inertia about the body's axis, over the mass. No rigid body has more than 2 A/m.",
   },
   tilt: {
     kind: "number",
@@ -291,4 +326,5 @@ export const BODY_FIELDS: Record<string, readonly FieldName[]> = {
   soda_can: ["fill"],
   beer_bottle: ["fill"],
   own: ["radius", "length", "mass", "wall", "base"],
+  inertia: ["radius", "mass", "height", "transverse", "axial"],
 };

@@ -2,7 +2,7 @@
 
 import { withUnit } from "../format/numbers";
 import type { LawName, Preset } from "../core/core";
-import { FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
+import { type Described, FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
 import { type Refusal, noSuchChoice } from "./refusal";
 
 type Values = {
@@ -10,7 +10,7 @@ type Values = {
 };
 
 export interface Setup extends Values {
-  body: Preset | "own";
+  body: Preset | Described;
   law: LawName;
 }
 

@@ -29,11 +29,25 @@ export function bodyOf(core: Core, setup: Readonly<Setup>): Body {
   switch (setup.body) {
     case "own":
       return core.composed(setup.radius / 100, solidsOf(setup));
+    case "inertia":
+      return byInertia(setup);
     case "ring":
       return core.preset("ring", RING_RADIUS);
     default:
       return core.preset(setup.body, setup.fill / 100);
   }
+}
+
+/** A body by its mass, its centre of mass and its moments of inertia. */
+function byInertia(setup: Readonly<Setup>): Body {
+  const mass = setup.mass / 1000;
+  return {
+    mass,
+    radius: setup.radius / 100,
+    height: setup.height / 100,
+    transverseInertia: (mass * setup.transverse) / 1e4,
+    axialInertia: (mass * setup.axial) / 1e4,
+  };
 }
 
 /** The visitor's own body: a base plate, a side wall and a solid filling up to the top. */

@@ -60,7 +60,7 @@ const WORDS = {
     name: "Link",
   },
   command: {
-    help: "This page is served by your own machine, so its address works only here and only now. This command opens the same set-up wherever rimroll is installed.",
+    help: "The address of this page works only on your own machine. This command opens the same set-up wherever rimroll is installed.",
     label: "Command that opens this set-up",
     name: "Command",
   },

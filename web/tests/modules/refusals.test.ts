@@ -113,7 +113,7 @@ describe("refusals have words", () => {
 
   test.each(["teapot", "", "constructor"])("no such body: “%s”", (text) => {
     expect(message("body", text)).toBe(
-      `Body: there is no “${text}”; choose The paper's can, Soda can, Beer bottle, Coin (1 euro), Ring, Battery (AA), Euler's disk or Your own.`,
+      `Body: there is no “${text}”; choose The paper's can, Soda can, Beer bottle, Coin (1 euro), Ring, Battery (AA), Euler's disk, Your own or By its inertia.`,
     );
   });
 });

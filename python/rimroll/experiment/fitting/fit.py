@@ -107,6 +107,12 @@ class Fit:
             np.asarray(angles, np.float64), self.best
         )
 
+    def _repr_html_(self) -> str:
+        """The view in notebooks."""
+        from rimroll.notebook import fit_in_html
+
+        return fit_in_html(self)
+
     def plot(self) -> Figure:
         """The predicted histogram over the measured one, and how well each friction fits."""
         from rimroll.experiment.fitting.figure import fit_figure

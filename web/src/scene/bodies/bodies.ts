@@ -10,22 +10,28 @@ import {
   type MeshStandardMaterialParameters,
   type Texture,
 } from "three";
+import type { Preset } from "../../core/core";
 import type { Setup } from "../../setup/setup";
 import { batteryPrint, beerLabel, coinFace, diskFace, ringPrint, sodaPrint, tinLabel } from "./art";
 import { markOn } from "./mark";
-import { ownBody } from "./own";
+import { ownBody, plainBody } from "./own";
 import { type Outline, arc, revolved } from "./revolved";
-import { sizeOf } from "./shapes";
+import { type Size, sizeOf } from "./shapes";
 
 export function pictureOf(setup: Readonly<Setup>): Group {
   const size = sizeOf(setup);
-  const body = setup.body === "own" ? ownBody(setup, size) : PICTURES[setup.body](setup);
+  const body = modelOf(setup, size);
   body.add(markOn(size, setup.body === "ring" ? HOLLOW * size.widest : 0));
   body.traverse((part) => {
     part.castShadow = true;
     part.receiveShadow = true;
   });
   return body;
+}
+
+function modelOf(setup: Readonly<Setup>, size: Size): Group {
+  if (setup.body === "own") return ownBody(setup, size);
+  return setup.body === "inertia" ? plainBody(size) : PICTURES[setup.body](setup);
 }
 
 /** Frees the graphics memory of a body. */
@@ -56,7 +62,7 @@ function face(radius: number, z: number, look: Material, below = false): Mesh {
   return mesh;
 }
 
-const PICTURES: Record<Exclude<Setup["body"], "own">, (setup: Readonly<Setup>) => Group> = {
+const PICTURES: Record<Preset, (setup: Readonly<Setup>) => Group> = {
   can_2007: () => tin(0.051, 0.138),
   soda_can: sodaCan,
   beer_bottle: bottle,

@@ -1,4 +1,5 @@
-// The visitor's own body: base plate, wall and filling, with a sector cut out to show the inside.
+// The visitor's own body: base plate, wall and filling, with a sector cut out to show the inside; or a plain
+// cylinder if only its inertia is known.
 
 import {
   Color,
@@ -36,6 +37,10 @@ export function ownBody(setup: Readonly<Setup>, { rim, length }: Size): Group {
   }
   return body;
 }
+
+/** A body of which only the mass and the inertia are known. */
+export const plainBody = ({ rim, length }: Size): Group =>
+  new Group().add(new Mesh(revolved(block(0, rim, 0, length)), look("#37506b", 0.55)));
 
 const look = (color: string, roughness: number) =>
   new MeshStandardMaterial({ color, roughness, side: DoubleSide });

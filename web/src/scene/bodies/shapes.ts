@@ -32,6 +32,11 @@ export function sizeOf(setup: Readonly<Setup>): Size {
       const [radius, length] = [setup.radius / 100, setup.length / 100];
       return { rim: radius, widest: radius, length: Math.max(length, 0.03 * radius) };
     }
+    case "inertia": {
+      // As long as if the centre of mass were in the middle.
+      const [radius, length] = [setup.radius / 100, (2 * setup.height) / 100];
+      return { rim: radius, widest: radius, length: Math.max(length, 0.03 * radius) };
+    }
   }
 }
 

@@ -27,37 +27,31 @@ def check(setup: str, page: Path) -> None:
     """
     table = page / "setup.json"
     if not table.is_file():
-        raise RimrollError(
-            "--setup: the page is older than this rimroll; in its source tree, run: make web"
-        )
+        raise RimrollError("the page is older than this rimroll; in its source tree, run: make web")
     quantities = json.loads(table.read_text(encoding="utf-8"))
     for name, value in parse_qsl(setup, keep_blank_values=True):
         if name not in quantities:
-            raise RimrollError(f"--setup: there is no quantity {name!r}{nearest(name, quantities)}")
+            raise RimrollError(f"there is no quantity {name!r}{nearest(name, quantities)}")
         _check_value(name, value, quantities[name])
 
 
 def _check_value(name: str, value: str, allowed: dict[str, Any]) -> None:
     if "choices" in allowed:
         if value not in allowed["choices"]:
-            raise RimrollError(
-                f"--setup: {name} cannot be {value!r}{nearest(value, allowed['choices'])}"
-            )
+            raise RimrollError(f"{name} cannot be {value!r}{nearest(value, allowed['choices'])}")
         return
     low, high, unit = allowed["min"], allowed["max"], allowed["unit"]
     number = _number(value, unit)
     if number is None:
-        raise RimrollError(f"--setup: {name} must be a number, got {value!r}")
+        raise RimrollError(f"{name} must be a number, got {value!r}")
     if allowed["whole"] and not number.is_integer():
-        raise RimrollError(f"--setup: {name} must be a whole number, got {value!r}")
+        raise RimrollError(f"{name} must be a whole number, got {value!r}")
     inside = low < number < high if allowed["open"] else low <= number <= high
     if not inside:
         bounds = "between" if allowed["open"] else "from"
         joint = "and" if allowed["open"] else "to"
         in_unit = f" ({unit})" if unit else ""
-        raise RimrollError(
-            f"--setup: {name} must be {bounds} {low} {joint} {high}{in_unit}, got {value!r}"
-        )
+        raise RimrollError(f"{name} must be {bounds} {low} {joint} {high}{in_unit}, got {value!r}")
 
 
 def _number(text: str, unit: str) -> float | None:

@@ -1,0 +1,186 @@
+"""``rr.lab`` shows a body, a start and a law in the lab; web/tests has what the page does."""
+
+import html
+import re
+import sys
+import urllib.request
+from importlib import resources
+from types import SimpleNamespace
+from urllib.parse import parse_qs
+
+import numpy as np
+import pytest
+
+import rimroll as rr
+from rimroll.browser.setup import setup_of
+
+PAGE = resources.files("rimroll") / "page"
+built = pytest.mark.skipif(
+    not (PAGE / "alone.js").is_file(), reason="the page is not built: make web"
+)
+CAN = rr.bodies.can_2007()
+START = rr.State(tilt="30 deg", tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
+
+
+def setup(body=None, start=None, law=None, duration=None, gravity=None):
+    text = setup_of(body, start, law, duration, gravity)
+    return {name: value for name, (value,) in parse_qs(text, keep_blank_values=True).items()}
+
+
+@pytest.mark.parametrize("name", sorted(rr.bodies.PRESETS.keys() - {"ring"}))
+def test_a_preset_is_named(name):
+    assert setup(rr.bodies.by_name(name)) == {"body": name}
+
+
+def test_the_page_s_ring_is_named_and_another_is_described():
+    assert setup(rr.bodies.ring("5 cm")) == {"body": "ring"}
+    assert setup(rr.bodies.ring("6 cm"))["body"] == "inertia"
+
+
+@pytest.mark.parametrize("fill", [0.25, 1 / 3, 1.0])
+@pytest.mark.parametrize("name", ["soda_can", "beer_bottle"])
+def test_a_drink_is_as_full_as_it_is(name, fill):
+    given = setup(getattr(rr.bodies, name)(fill))
+    assert given["body"] == name
+    assert float(given["fill"]) == pytest.approx(100 * fill, rel=1e-12)
+
+
+def test_any_other_body_is_described_by_its_five_numbers_in_few_digits():
+    assert setup(rr.Body(0.15, 0.03, 0.045, 3e-4, 1.5e-4)) == {
+        "body": "inertia",
+        "mass": "150",
+        "radius": "3",
+        "height": "4.5",
+        "transverse": "20",
+        "axial": "10",
+    }
+
+
+def test_a_start_is_described_as_a_hand_makes_it():
+    given = {name: float(value) for name, value in setup(start=START).items()}
+    sin, cos = np.sin(START.tilt), np.cos(START.tilt)
+    assert (given["tilt"], given["tilt_rate"], given["yaw"]) == (30.0, -0.5, 0.0)
+    # As startOf of web/src/setup/simulation_input.ts reads it.
+    assert -given["sideways"] / sin == START.spin_rate
+    assert given["twist"] + given["sideways"] * cos / sin == START.yaw_rate
+
+
+def test_a_yaw_of_more_than_a_turn_is_the_same_direction():
+    assert setup(start=rr.State(tilt=0.3, yaw="730 deg"))["yaw"] == "10"
+
+
+def test_laws_with_their_numbers():
+    assert setup(law=rr.NoSlip()) == {"law": "no_slip"}
+    law = rr.Coulomb(0.2, restitution=0.5) + rr.RollingResistance(dry=1e-3)
+    assert setup(law=law) == {
+        "law": "coulomb",
+        "friction": "0.2",
+        "restitution": "0.5",
+        "rolling": "0.001",
+    }
+
+
+@pytest.mark.parametrize(
+    ("law", "reason"),
+    [
+        (rr.Viscous(0.1), "which has NoSlip, Frictionless and Coulomb, got Viscous"),
+        (rr.Coulomb(0.2, static=0.3), "which has one coefficient for sticking and sliding"),
+        (rr.NoSlip() + rr.AirDrag(1e-9), "which has dry rolling resistance alone"),
+        (rr.NoSlip() + rr.RollingResistance(viscous=1e-3), "dry rolling resistance alone"),
+    ],
+)
+def test_a_law_that_the_lab_does_not_have_is_refused(law, reason):
+    with pytest.raises(rr.RimrollError, match=f"law cannot be shown in the lab, .*{reason}"):
+        setup(law=law)
+
+
+def test_what_is_not_one_motion_is_refused():
+    with pytest.raises(rr.RimrollError, match="body must be a single body"):
+        rr.lab(rr.Body.stack([CAN, CAN]), browser=False)
+    with pytest.raises(rr.RimrollError, match="a motion has one start"):
+        rr.lab(CAN, rr.State(tilt=[0.1, 0.2]), browser=False)
+    with pytest.raises(rr.RimrollError, match="height must be"):
+        rr.lab(CAN, height=0.5, browser=False)
+
+
+@built
+def test_a_number_outside_the_lab_s_bounds_is_refused():
+    with pytest.raises(rr.RimrollError, match="tilt must be between"):
+        rr.lab(CAN, rr.State(tilt="95 deg"), browser=False)
+    with pytest.raises(rr.RimrollError, match=r"duration must be from 0\.001 to 120"):
+        rr.lab(duration=200.0, browser=False)
+
+
+@built
+def test_the_page_is_one_text_that_loads_nothing(tmp_path):
+    lab = rr.lab(CAN, START, rr.NoSlip(), browser=False)
+    page = lab.save(tmp_path / "can.html").read_text("utf-8")
+    assert not re.search(r'(src|href)="(?!data:|#|https://doi\.org|licences\.txt)', page)
+    (given,) = re.findall(r'<html data-setup="([^"]+)"', page)
+    assert html.unescape(given) == lab.setup
+    assert len(page) < 700_000
+    (frame,) = re.findall(r'<iframe srcdoc="([^"]+)"', lab._repr_html_())
+    assert html.unescape(frame) == page
+
+
+@built
+def test_a_motion_shows_itself_in_the_lab():
+    motion = rr.simulate(CAN, START, rr.Coulomb(0.2), duration=1.5, gravity=1.62)
+    shown = motion.lab(browser=False)
+    assert shown.setup == setup_of(CAN, START, rr.Coulomb(0.2), 1.5, 1.62)
+    assert repr(shown) == f"<Lab {shown.setup}>"
+
+
+def test_without_the_built_page_it_says_how_to_build_it(tmp_path, monkeypatch):
+    monkeypatch.setattr("rimroll.browser.built_page.resources.files", lambda _name: tmp_path)
+    with pytest.raises(rr.RimrollError, match=r"the page is not built yet.*make web"):
+        rr.lab(CAN, browser=False)
+    (tmp_path / "page").mkdir()
+    (tmp_path / "page/index.html").write_text("<html><body></body></html>")
+    (tmp_path / "page/setup.json").write_text('{"body": {"choices": ["can_2007"]}}')
+    with pytest.raises(rr.RimrollError, match=r"the page is older than this rimroll.*make web"):
+        rr.lab(CAN, browser=False)
+
+
+@pytest.fixture
+def fetched(monkeypatch):
+    """The pages that the browser fetched."""
+    pages = {}
+
+    def browse(address):
+        with urllib.request.urlopen(address, timeout=10) as response:
+            pages[address] = response.read().decode()
+        return True
+
+    monkeypatch.setattr("rimroll.browser.view.webbrowser.open", browse)
+    return pages
+
+
+@built
+def test_outside_a_notebook_the_browser_opens_it(fetched):
+    lab = rr.lab(CAN, START)
+    ((address, page),) = fetched.items()
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address)
+    assert html.escape(page) in lab._repr_html_()
+    assert lab.open() == address
+    with pytest.raises(urllib.error.HTTPError):
+        urllib.request.urlopen(address + "secret.txt", timeout=10)
+
+
+@built
+def test_in_a_notebook_the_browser_does_not_open(fetched, monkeypatch):
+    kernel = SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: kernel))
+    rr.lab(CAN)
+    assert fetched == {}
+    terminal = SimpleNamespace(get_ipython=lambda: SimpleNamespace())
+    monkeypatch.setitem(sys.modules, "IPython", terminal)
+    rr.lab(CAN)
+    assert len(fetched) == 1
+
+
+@built
+def test_without_a_browser_it_says_what_to_do(monkeypatch):
+    monkeypatch.setattr("rimroll.browser.view.webbrowser.open", lambda _address: False)
+    with pytest.raises(rr.RimrollError, match=r"no browser has opened .* its method save"):
+        rr.lab(CAN)
