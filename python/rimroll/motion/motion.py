@@ -176,7 +176,9 @@ class Motion(Moments):
         states = self.evaluate(moments).state
         if moments.ndim:
             return states
-        return State.computed(**{name: float(values[0]) for name, values in vars(states).items()})
+        numbers = {name: float(values[0]) for name, values in vars(states).items()}
+        state: State[float] = State.computed(**numbers)
+        return state
 
     def evaluate(self, t: Values) -> Moments:
         """All quantities at times t (s, shape (n,), inside the motion)."""
