@@ -160,7 +160,7 @@ def ensemble(
     progress: Callable[[int], object] | None,
 ) -> tuple[_Array, BaseException | None]: ...
 def first_refused(
-    bodies: _Bodies, starts: _Starts, gravity: float, topple_tilt: float | None
+    bodies: _Bodies, starts: _Starts, law_name: str, gravity: float, topple_tilt: float | None
 ) -> int | None: ...
 def exact_turns(
     bodies: _Bodies,

@@ -169,7 +169,7 @@ def turns_in_parts(
                 bodies, starts, law.name, *options, jacobian
             )
         except RimrollError as refusal:
-            raise rows.placed(refusal, *options[:2]) from None
+            raise rows.placed(refusal, law.name, *options[:2]) from None
         _, outcomes = codes
         none = np.empty((0, len(outcomes)))
         yield outcomes, table, none if derivatives is None else derivatives

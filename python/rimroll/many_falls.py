@@ -183,7 +183,7 @@ def follow(
             report,
         )
     except RimrollError as refusal:
-        raise rows.placed(refusal, options.gravity, options.topple_tilt) from None
+        raise rows.placed(refusal, law.name, options.gravity, options.topple_tilt) from None
     columns = _columns(rows, varied, scales, table)
     falls = in_rows(
         columns, parameters(law.name, asdict(options), law=law.numbers, body=asdict(body))

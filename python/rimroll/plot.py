@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
 
 from rimroll import style
-from rimroll.laws import IDEAL, NoSlip
+from rimroll.laws import NoSlip, has_one_limit
 from rimroll.theory import needed_friction, turn_limit
 
 if TYPE_CHECKING:
@@ -44,17 +44,12 @@ def near_collision_window(motion: Motion) -> NearCollisionWindow | None:
         if event.kind != "tilt_min" or rate == 0.0:
             continue
         # ψ̇ = √(J'/K') ω/φ_c at the smallest tilt; under friction, nearly.
-        ideal = motion.law if _is_ideal(motion) else NoSlip()
+        ideal = motion.law if has_one_limit(motion.law) else NoSlip()
         half = MAGNIFIED * turn_limit(motion.body, ideal) / (np.pi * rate)
         resolved = half > 1e4 * np.spacing(event.t)
         if resolved and 2.0 * half < BRIEF * float(motion.t[-1]):
             return NearCollisionWindow(event.t, half, float(event.state.yaw))
     return None
-
-
-def _is_ideal(motion: Motion) -> bool:
-    """Whether the law has its limit in closed form."""
-    return type(motion.law) in map(type, IDEAL)
 
 
 def nine_panels(motion: Motion) -> Figure:
@@ -228,7 +223,7 @@ def _magnify(ax: Axes, motion: Motion, color: str) -> None:
     t = window.t + window.half_width * np.linspace(-1.0, 1.0, 401)
     unit, second = next((u for u in TIME_UNITS if window.half_width >= u[1]), TIME_UNITS[-1])
     lens = ax.inset_axes((*_room(ax, motion), *LENS))
-    if _is_ideal(motion):
+    if has_one_limit(motion.law):
         half = 0.5 * turn_limit(motion.body, motion.law)
         for limit in (window.yaw - half, window.yaw + half):
             lens.axhline(limit, color=style.THEORY, ls="--", lw=0.7)

@@ -68,13 +68,13 @@ class Rows:
         )
 
     def placed(
-        self, refusal: RimrollError, gravity: float, topple_tilt: float | None
+        self, refusal: RimrollError, law: str, gravity: float, topple_tilt: float | None
     ) -> RimrollError:
-        """An error of the core, with the element of the array: ``tilt[3]``."""
+        """An error of the core under a law, with the element of the array: ``tilt[3]``."""
         name, _ = str(refusal).split(" ", 1)
         if name not in self.given:
             return refusal
-        row = _core.first_refused(self.bodies, self.starts, gravity, topple_tilt)
+        row = _core.first_refused(self.bodies, self.starts, law, gravity, topple_tilt)
         return (
             refusal
             if row is None

@@ -143,6 +143,19 @@ def test_turn_of_one_law_is_that_law_only(stdout_of):
     assert list(json.loads(stdout_of("turn --law no-slip --json"))["turn_limit"]) == ["no_slip"]
 
 
+def test_the_law_in_place_has_the_limit_without_slip(stdout_of, tmp_path):
+    limit = rr.turn_limit(rr.bodies.can_2007(), rr.NoSlip())
+    answer = json.loads(stdout_of("turn --law in-place --json"))
+    assert answer["turn_limit"] == {"in_place": limit}
+    file = tmp_path / "column.toml"
+    file.write_text(
+        '[body]\npreset = "can_2007"\n[start]\ntilt = "30 deg"\nyaw_rate = 0.01\n'
+        '[law]\nkind = "in_place"\n'
+    )
+    turns = json.loads(stdout_of(f"simulate {file} --json"))["turns"]
+    assert abs(turns[0]["angle"]) == pytest.approx(limit, abs=0.1)
+
+
 def test_a_disk_never_lifts_off_which_json_says_as_null(stdout_of):
     answer = json.loads(stdout_of("turn disk --radius 4cm --json"))
     assert answer["lift_off_rate"] is None

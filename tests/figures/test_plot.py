@@ -212,7 +212,7 @@ def test_small_numbers_are_written_plainly(value, text):
 
 
 def test_the_laws_differ_in_marker_as_well_as_in_colour():
-    laws = (*setting.LAWS, rr.Coulomb(0.2), rr.Viscous(1.0), rr.Stribeck(0.2))
+    laws = (*setting.LAWS, rr.InPlace(), rr.Coulomb(0.2), rr.Viscous(1.0), rr.Stribeck(0.2))
     looks = [style.look(law) for law in laws]
     assert len({look["color"] for look in looks}) == len(laws)
     assert len({look["marker"] for look in looks}) == len(laws)

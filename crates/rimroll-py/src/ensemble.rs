@@ -89,11 +89,13 @@ impl StartsArgument<'_> {
     }
 }
 
-/// The index of the first row whose body or start `ensemble` and `exact_turns` refuse, if there is one.
+/// The index of the first row whose body or start `ensemble` and `exact_turns` refuse under the law of this name, if
+/// there is one.
 #[pyfunction]
 pub fn first_refused(
     bodies: BodiesArgument<'_>,
     starts: StartsArgument<'_>,
+    law_name: &str,
     gravity: f64,
     topple_tilt: Option<f64>,
 ) -> PyResult<Option<usize>> {
@@ -104,7 +106,8 @@ pub fn first_refused(
     };
     let bodies = bodies.bodies()?;
     let rows = starts.starts()?.enumerate();
-    Ok(options.first_refused(rows.map(|(row, start)| (of_row(&bodies, row), start))))
+    let rows = rows.map(|(row, start)| (of_row(&bodies, row), start));
+    Ok(options.first_refused(law_name, rows))
 }
 
 /// A table with one row per fall and a column for each of [`FALL_COLUMNS`], with outcomes as indices into

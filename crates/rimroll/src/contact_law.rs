@@ -11,8 +11,8 @@ pub struct ContactLaw {
     /// Friction on the rim.
     pub friction: FrictionLaw,
     /// W. J. Stronge's energetic coefficient of restitution e of an impact after flight: the fraction e² of
-    /// the work of compression is returned. Motions under the two ideal laws have no flight; they end
-    /// where the rim would lift off.
+    /// the work of compression is returned. Motions without slip, without friction or in place have
+    /// no flight; they end where the rim would lift off.
     pub restitution: f64,
     /// Dissipation other than friction.
     pub resistance: Resistance,

@@ -29,6 +29,7 @@ pub use self::chunk::Release;
 
 use self::batch::{batch, fits_lanes};
 use crate::error::InvalidInput;
+use crate::law::FrictionLaw;
 #[cfg(doc)]
 use crate::motion::fall;
 use crate::motion::{Fall, Options};
@@ -64,7 +65,10 @@ pub fn ensemble(
     for (.., contact_law) in trials {
         contact_law.check()?;
     }
-    options.check_all(trials.iter().map(|&(body, start, _)| (body, start)))?;
+    let starts = trials.iter().map(|&(body, start, _)| (body, start));
+    options.check_all(starts, |index| {
+        trials[index].2.friction == FrictionLaw::InPlace
+    })?;
     let work = |chunk: &[Release<'_>], should_continue: &dyn Fn() -> bool| {
         batch(chunk, options, should_continue)
     };

@@ -5,7 +5,8 @@
 //! equation names are the paper's; ρ = R cos φ − H sin φ is the horizontal and z = R sin φ + H cos φ the
 //! vertical distance from the contact point to the centre of mass.
 //!
-//! The paper's two laws, [`NoSlip`] and [`Frictionless`], are the ideal limits. Between them the rim
+//! The paper's two laws, [`NoSlip`] and [`Frictionless`], are the ideal limits. [`InPlace`] is no slip on the circle
+//! on which the body stood. Between the two limits the rim
 //! slides under a friction that depends on its slip: [`Sliding`] with [`Coulomb`], [`Tabulated`],
 //! [`Stribeck`] or [`Viscous`] friction. Under dry friction the rim can also roll, which is [`NoSlip`]
 //! again, and any contact can end in [`Flight`]; [`motion`](crate::motion) decides which law holds when.
@@ -19,8 +20,10 @@ mod friction_law;
 mod friction_model;
 mod frictionless;
 mod ideal_law;
+mod in_place;
 mod no_slip;
 mod resisted;
+mod rolling;
 mod sliding;
 mod stribeck;
 mod table;
@@ -36,8 +39,10 @@ pub use friction_model::{DryFrictionModel, FrictionModel, NamedParameters};
 pub use frictionless::Frictionless;
 use frictionless::NoFriction;
 pub use ideal_law::IdealLaw;
+pub use in_place::InPlace;
 pub use no_slip::NoSlip;
 pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
+pub(crate) use rolling::RollingDynamics;
 pub use sliding::Sliding;
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
 pub use stribeck::Stribeck;
@@ -195,6 +200,30 @@ impl<T: Real> Energy<T> {
     }
 }
 
+/// What applied moments about e_x2 and e_z2 add to the rates and to the force on the rim, where they and the reactions
+/// of the table are multiplied by sin φ.
+#[derive(Debug, Clone, Copy)]
+pub struct Response<T> {
+    /// dw/dτ.
+    pub w: T,
+    /// ds/dτ.
+    pub s: T,
+    /// The reaction of the table along e_y1.
+    pub across: T,
+}
+
+impl<T: Real> Response<T> {
+    /// The response to moments and to a reaction along e_y1.
+    #[inline(always)]
+    pub(crate) fn to(k: &Parameters<T>, [about_x, about_z]: [T; 2], across: T) -> Self {
+        Response {
+            w: (about_x + k.h * across) / k.a,
+            s: (about_z - k.r * across) / k.c,
+            across,
+        }
+    }
+}
+
 /// The equations of motion and the contact force under one law.
 pub trait Dynamics<T: Real> {
     /// The body and gravity.
@@ -222,9 +251,9 @@ pub trait Dynamics<T: Real> {
         [vx - rolling_x, vy - rolling_y]
     }
 
-    /// The reaction along e_y1 that keeps the rim from slipping under applied moments about e_x2 and e_z2;
-    /// `None` where the law imposes no such constraint. Force and moments are multiplied by sin φ.
-    fn constraint_reaction(&self, _moment: [T; 2]) -> Option<T> {
+    /// The response to applied moments about e_x2 and e_z2 (times sin φ) where the law holds the rim along e_y1;
+    /// `None` where it does not.
+    fn constrained_response(&self, _u: &Coordinates<T>, _moment: [T; 2]) -> Option<Response<T>> {
         None
     }
 

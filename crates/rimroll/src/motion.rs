@@ -142,7 +142,7 @@ pub fn simulate_on(
         options.step_tolerance(),
     );
     let contacts = Arc::new(contacts);
-    let mut start = Coordinates::from_state(start);
+    let mut start: Coordinates<f64> = contact_law.friction.start(start)?;
     if contacts.moves() && contact_law.friction == FrictionLaw::Frictionless {
         // Only on a table that moves is the slip without friction a coordinate.
         let [along, across] = contacts.parameters().rolling_velocity(&start);

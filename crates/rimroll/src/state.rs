@@ -106,7 +106,7 @@ pub const COORDINATES: usize = 18;
 pub(crate) const COORDINATES_AT_REST: usize = 17;
 
 /// The number of leading coordinates that describe the body's position and rotation. The others (slip, gap
-/// and losses) stay constant under the two ideal laws.
+/// and losses) stay constant without slip, without friction and in place.
 pub const RIGID_COORDINATES: usize = 10;
 
 /// The number of leading coordinates that are ignorable (cyclic) on a table at rest: no rate depends on yaw and

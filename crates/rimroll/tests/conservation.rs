@@ -16,7 +16,7 @@ use cases::cases;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{
-    self, AirDrag, Contact, Dynamics, Parameters, PivotingFriction, Resistance, Resisted,
+    self, AirDrag, Contact, Dynamics, Parameters, PivotingFriction, Resistance, Resisted, Response,
     RollingResistance,
 };
 use rimroll::motion::Instant;
@@ -53,6 +53,7 @@ fn any_coordinates() -> impl Strategy<Value = Coordinates<f64>> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mode {
     NoSlip,
+    InPlace,
     Frictionless,
     Coulomb,
     Viscous,
@@ -60,9 +61,28 @@ enum Mode {
     Flight,
 }
 
-use Mode::{Coulomb, Flight, Frictionless, NoSlip, Stribeck, Viscous};
+use Mode::{Coulomb, Flight, Frictionless, InPlace, NoSlip, Stribeck, Viscous};
 
-const MODES: [Mode; 6] = [NoSlip, Frictionless, Coulomb, Viscous, Stribeck, Flight];
+const MODES: [Mode; 7] = [
+    NoSlip,
+    InPlace,
+    Frictionless,
+    Coulomb,
+    Viscous,
+    Stribeck,
+    Flight,
+];
+
+/// The coordinates with the spin that the law demands, where it does.
+fn under(mode: Mode, at: &Coordinates<f64>) -> Coordinates<f64> {
+    match mode {
+        InPlace => Coordinates {
+            s: -(at.w * at.sin / (1.0 + at.cos)),
+            ..*at
+        },
+        _ => *at,
+    }
+}
 
 fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     let k = Parameters::new(body, PAPER_GRAVITY);
@@ -70,6 +90,7 @@ fn law_of<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> {
     let friction = T::from(0.5 * painleve_friction(body).min(1.0));
     match mode {
         NoSlip => Box::new(law::NoSlip::new(k)),
+        InPlace => Box::new(law::InPlace::new(k)),
         Frictionless => Box::new(law::Frictionless::new(k)),
         Coulomb => Box::new(law::Sliding::new(k, law::Coulomb::uniform(friction))),
         Viscous => {
@@ -118,8 +139,8 @@ fn resisted<T: Real + 'static>(mode: Mode, body: &Body) -> Box<dyn Dynamics<T>> 
         fn center_velocity(&self, u: &Coordinates<T>) -> [T; 2] {
             self.0.center_velocity(u)
         }
-        fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
-            self.0.constraint_reaction(moment)
+        fn constrained_response(&self, u: &Coordinates<T>, moment: [T; 2]) -> Option<Response<T>> {
+            self.0.constrained_response(u, moment)
         }
     }
     let tolerance = 1e-14;
@@ -195,6 +216,7 @@ struct NewtonEuler {
 impl NewtonEuler {
     fn new(mode: Mode, body: &Body, at: &Coordinates<f64>) -> NewtonEuler {
         let law = law_of::<f64>(mode, body);
+        let at = &under(mode, at);
         let u = along_the_motion(&*law, at);
         let [m, a, c] =
             [body.mass(), body.transverse_inertia(), body.axial_inertia()].map(Dual::from);
@@ -227,16 +249,17 @@ proptest! {
     fn energy_and_losses_together_have_no_rate(body in any_body(), at in any_coordinates()) {
         let plain = MODES.map(|mode| (mode, law_of(mode, &body), law_of(mode, &body)));
         // In flight there is no resistance.
-        let worn = [NoSlip, Frictionless, Coulomb, Viscous, Stribeck]
+        let worn = [NoSlip, InPlace, Frictionless, Coulomb, Viscous, Stribeck]
             .map(|mode| (mode, resisted(mode, &body), resisted(mode, &body)));
         for (mode, law, duals) in plain.into_iter().chain(worn) {
+            let at = under(mode, &at);
             let rates = law.rates(&at);
             // A negative normal force, which no motion has for long, would make friction drive the rim
             // instead of braking it.
             let pressed = law.contact(&at).normal >= 0.0;
             let lost = rates.friction_loss >= 0.0 && rates.resistance_loss >= 0.0;
             prop_assert!(lost || !pressed, "{mode:?} {rates:?}");
-            if matches!(mode, NoSlip | Frictionless | Flight) {
+            if matches!(mode, NoSlip | InPlace | Frictionless | Flight) {
                 prop_assert_eq!(rates.friction_loss, 0.0);
             }
             let coordinates = along_the_motion(&*law, &at).into_array();
@@ -290,7 +313,8 @@ proptest! {
         }
     }
 
-    /// d(I Ω)/dt about the centre of mass = the moment of the contact force.
+    /// d(I Ω)/dt about the centre of mass = the moment of the contact force and, in place, a twisting moment. That does no
+    /// work on the rotation about e_x1 + tan(φ/2) e_z and about e_y1.
     #[test]
     fn angular_momentum_changes_by_the_moment_of_the_contact_force(
         body in any_body(),
@@ -300,20 +324,28 @@ proptest! {
             let n = NewtonEuler::new(kind, &body, &at);
             let by_frame = cross(n.yawing, values(n.angular_momentum));
             let moment = cross(n.arm, n.force).map(|x| -x);
-            prop_assert!(balance(&[slopes(n.angular_momentum), by_frame, moment]), "{kind:?}");
+            let change = slopes(n.angular_momentum);
+            let twist = match kind {
+                InPlace => change[2] + by_frame[2] + moment[2],
+                _ => 0.0,
+            };
+            let reaction = [twist * at.sin / (1.0 + at.cos), 0.0, -twist];
+            let terms = [change, by_frame, moment, reaction];
+            prop_assert!(balance(&terms), "{kind:?}");
         }
     }
 
     /// v_P = v_G + Ω × r_GP is zero without slip; without friction only its vertical part is.
     #[test]
     fn the_point_of_contact_is_at_rest_without_slip(body in any_body(), at in any_coordinates()) {
-        for kind in [NoSlip, Frictionless] {
+        for kind in [NoSlip, InPlace, Frictionless] {
             let n = NewtonEuler::new(kind, &body, &at);
             let swing = cross(n.angular_velocity, n.arm);
             let velocity = values(n.momentum).map(|p| p / body.mass());
+            let at = under(kind, &at);
             let size = (body.radius() + body.height()) * (at.p.abs() + at.w.abs() + at.s.abs());
             let held = match kind {
-                NoSlip => 0..3,
+                NoSlip | InPlace => 0..3,
                 _ => 2..3,
             };
             for i in held {

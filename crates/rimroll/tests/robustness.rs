@@ -14,7 +14,7 @@ mod random_cases;
 use cases::cases;
 use examination::look;
 use proptest::prelude::*;
-use random_cases::{Case, any_case, falling_rate, faster, follow, wild_case};
+use random_cases::{Case, any_case, case_in_place, falling_rate, faster, follow, wild_case};
 use rimroll::law::{Resistance, Stribeck, Viscous};
 use rimroll::motion::Phase;
 use rimroll::{Body, ContactLaw, FrictionLaw, Motion, Options, State, Status};
@@ -31,6 +31,12 @@ proptest! {
 
 proptest! {
     #![proptest_config(cases(300))]
+
+    #[test]
+    fn so_do_bodies_that_wobble_in_place(case in case_in_place()) {
+        let (_, found) = look(&case).map_err(TestCaseError::fail)?;
+        prop_assert!(found.violations.is_empty(), "{:?}\n{case:?}", found.violations);
+    }
 
     #[test]
     fn so_do_bodies_that_nobody_would_build(case in wild_case()) {

@@ -6,7 +6,7 @@ import math
 from dataclasses import asdict
 
 from rimroll.body import Body
-from rimroll.laws import Frictionless, Law, NoSlip
+from rimroll.laws import Frictionless, InPlace, Law, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.names import typed
 from rimroll.options import Options
@@ -55,9 +55,9 @@ def _below(balance: float) -> str:
 
 
 def _lifted_off(motion: Motion, friction_option: str) -> str:
-    if motion.status != "lifted_off" or not isinstance(motion.law, NoSlip | Frictionless):
+    if motion.status != "lifted_off" or not isinstance(motion.law, NoSlip | InPlace | Frictionless):
         return ""
-    friction = 0.3 if isinstance(motion.law, NoSlip) else 0
+    friction = 0 if isinstance(motion.law, Frictionless) else 0.3
     return (
         f"{typed(motion.law.name)} ends where the rim leaves the table; with dry friction the body"
         f" slides or flies on: try {friction_option} {friction:g}"

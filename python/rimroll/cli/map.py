@@ -26,11 +26,12 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
-from rimroll.cli.turn import body_line, is_ideal
+from rimroll.cli.turn import body_line
 from rimroll.endings import FELL, ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
+from rimroll.laws import IDEAL
 from rimroll.many_falls import fell, outcomes
 from rimroll.sensitivity import map_falls, watershed_slope
 from rimroll.state import State
@@ -204,7 +205,7 @@ def summary(what: Request, falls: Falls) -> dict[str, Any]:
     """A map without its falls, as a dictionary."""
     directions = falls["direction"][fell(falls)]
     left, right = directions[directions > np.pi], directions[directions < np.pi]
-    ideal = is_ideal(what.law) and not what.law.resistances
+    ideal = what.law in IDEAL
     tilt = falls.attrs["start_tilt"]
     theory = ideal and tilt < 0.5 * math.pi
     return {

@@ -11,7 +11,7 @@ from rimroll import surfaces
 from rimroll.cli.request import Request
 from rimroll.cli.turn import Limit, limit_of
 from rimroll.errors import RimrollError
-from rimroll.laws import IDEAL, Coulomb, Frictionless, Law, NoSlip, Tabulated, in_brief
+from rimroll.laws import IDEAL, Coulomb, Frictionless, InPlace, Law, NoSlip, Tabulated, in_brief
 from rimroll.motion import Motion, Turn, simulate
 from rimroll.names import choose, typed
 from rimroll.units import quantity
@@ -52,7 +52,7 @@ class Outcome:
         law = self.motion.law
         if isinstance(law, Tabulated):
             return in_brief(tuple(law.frictions))
-        return "any" if isinstance(law, NoSlip) else typed(law.name)
+        return "any" if isinstance(law, NoSlip | InPlace) else typed(law.name)
 
     @property
     def turn(self) -> Turn | None:

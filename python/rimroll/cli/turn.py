@@ -23,7 +23,7 @@ from rimroll.cli.options import (
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.errors import NoNearCollision, RimrollError
-from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous
+from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous, has_one_limit
 from rimroll.motion import Motion, simulate
 from rimroll.names import typed
 from rimroll.state import State
@@ -77,7 +77,7 @@ def turn(
     motions = {
         limit.law.name: _motion(replace(what, law=limit.law))
         for limit in limits
-        if what.start is not None and (is_ideal(limit.law) == is_ideal(what.law))
+        if what.start is not None and (has_one_limit(limit.law) == has_one_limit(what.law))
     }
     if json:
         show_json(_answer(what, limits, motions))
@@ -103,11 +103,6 @@ class Limit:
     from_start: float | None = None
     why_not: str = ""
     ends: str | None = None
-
-
-def is_ideal(law: Law) -> bool:
-    """Whether the limit has a closed form that holds for every arrival without spin."""
-    return type(law) in map(type, IDEAL)
 
 
 def limit_of(what: Request, law: Law) -> Limit:
@@ -148,7 +143,7 @@ def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
 def _limits(what: Request, named: bool) -> list[Limit]:
     """The limits under the two ideal laws, under the law of ``--law``, or under all three."""
     ideals = [replace(law, resistances=what.law.resistances) for law in IDEAL]
-    if not is_ideal(what.law):
+    if not has_one_limit(what.law):
         laws: list[Law] = [*ideals, what.law]
     else:
         laws = [what.law] if named else ideals
@@ -183,7 +178,7 @@ def _answer(what: Request, limits: list[Limit], motions: dict[str, Motion]) -> d
 
 def _turns(motion: Motion, limit: Limit) -> dict[str, Any]:
     turns = [asdict(turn) for turn in motion.turns]
-    if is_ideal(motion.law) and limit.angle is not None:
+    if has_one_limit(motion.law) and limit.angle is not None:
         turns = [{**turn, "beyond_limit": abs(turn["angle"]) - limit.angle} for turn in turns]
     return {
         "parameters": motion.parameters(),
@@ -222,7 +217,7 @@ def _show_limits(what: Request, limits: list[Limit]) -> None:
     angles = table("law", "limiting angle of turn", "beyond 180°")
     for limit in limits:
         plain = in_words(replace(limit.law, resistances=()))
-        if is_ideal(limit.law):
+        if has_one_limit(limit.law):
             _row(angles, plain, limit.angle)
         else:
             _row(angles, plain, limit.angle)
@@ -239,7 +234,7 @@ def _show_limits(what: Request, limits: list[Limit]) -> None:
     known = f"{rate:.4g} rad/s ({faster})" if math.isfinite(rate) else "none: it never lifts off"
     _named("lift-off rate", known)
     for limit in limits:
-        if not is_ideal(limit.law):
+        if not has_one_limit(limit.law):
             _show_arrival(what, limit)
     if what.law.resistances:
         say()
@@ -307,7 +302,7 @@ def show_turns(motion: Motion) -> None:
         prose(hint)
     if not motion.turns:
         return
-    limit = turn_limit(motion.body, motion.law) if is_ideal(motion.law) else None
+    limit = turn_limit(motion.body, motion.law) if has_one_limit(motion.law) else None
     beyond = [] if limit is None else ["beyond the limit"]
     turns = table("turn", "angle", *beyond, "smallest tilt", "at t")
     for i, turn in enumerate(motion.turns[:SHOWN], 1):

@@ -8,7 +8,8 @@ Coulomb(friction=0.3) + RollingResistance(dry=0.001)
 from rimroll.laws.core import OneLaw
 from rimroll.laws.coulomb import Coulomb
 from rimroll.laws.ideal import Frictionless, NoSlip
-from rimroll.laws.known import IDEAL, ideal
+from rimroll.laws.in_place import InPlace
+from rimroll.laws.known import IDEAL, has_one_limit, ideal
 from rimroll.laws.law import (
     LAWS,
     Law,
@@ -37,6 +38,7 @@ __all__ = [
     "AirDrag",
     "Coulomb",
     "Frictionless",
+    "InPlace",
     "Law",
     "NoSlip",
     "OneLaw",
@@ -50,6 +52,7 @@ __all__ = [
     "by_name",
     "contact_law",
     "fixed_numbers",
+    "has_one_limit",
     "ideal",
     "in_brief",
     "kind",

@@ -6,11 +6,15 @@
 
 use super::{
     Coulomb, DryDynamics, DryFrictionModel, Dynamics, FrictionModel, Frictionless, IdealLaw,
-    NamedParameters, NoFriction, OnTable, Parameters, Resistance, Resisted, Sliding, Stribeck,
-    Table, Tabulated, Viscous,
+    InPlace, NamedParameters, NoFriction, OnTable, Parameters, Resistance, Resisted, Sliding,
+    Stribeck, Table, Tabulated, Viscous,
 };
 use crate::error::InvalidInput;
 use crate::real::Scalar;
+use crate::state::{Coordinates, State};
+
+/// The name that users type.
+const IN_PLACE: &str = "in_place";
 
 /// Selects what only dry friction has.
 macro_rules! if_dry {
@@ -32,6 +36,8 @@ macro_rules! friction_laws {
             NoSlip,
             /// The table exerts only a normal force.
             Frictionless,
+            /// The rim neither slips nor rolls out of its place: [`InPlace`](super::InPlace).
+            InPlace,
             $($(#[doc = $doc])* $law($law),)*
         }
 
@@ -40,6 +46,7 @@ macro_rules! friction_laws {
             pub const NAMES: &[&str] = &[
                 IdealLaw::NoSlip.name(),
                 IdealLaw::Frictionless.name(),
+                IN_PLACE,
                 $($law::NAME,)*
             ];
 
@@ -48,6 +55,7 @@ macro_rules! friction_laws {
                 match self {
                     FrictionLaw::NoSlip => IdealLaw::NoSlip.name(),
                     FrictionLaw::Frictionless => IdealLaw::Frictionless.name(),
+                    FrictionLaw::InPlace => IN_PLACE,
                     $(FrictionLaw::$law(_) => $law::NAME,)*
                 }
             }
@@ -61,6 +69,7 @@ macro_rules! friction_laws {
                 match IdealLaw::from_name(&typed) {
                     Ok(IdealLaw::NoSlip) => return Ok(FrictionLaw::NoSlip),
                     Ok(IdealLaw::Frictionless) => return Ok(FrictionLaw::Frictionless),
+                    Err(_) if typed == IN_PLACE => return Ok(FrictionLaw::InPlace),
                     Err(_) => {}
                 }
                 $(if typed == $law::NAME {
@@ -76,7 +85,7 @@ macro_rules! friction_laws {
             /// Checks the parameters.
             pub(crate) fn check(&self) -> Result<(), InvalidInput> {
                 match self {
-                    FrictionLaw::NoSlip | FrictionLaw::Frictionless => Ok(()),
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => Ok(()),
                     $(FrictionLaw::$law(law) => law.check(),)*
                 }
             }
@@ -86,6 +95,7 @@ macro_rules! friction_laws {
                 match self {
                     FrictionLaw::NoSlip => FrictionLaw::NoSlip,
                     FrictionLaw::Frictionless => FrictionLaw::Frictionless,
+                    FrictionLaw::InPlace => FrictionLaw::InPlace,
                     $(FrictionLaw::$law(law) => FrictionLaw::$law(law.scaled(factor)),)*
                 }
             }
@@ -93,7 +103,7 @@ macro_rules! friction_laws {
             /// [`FrictionModel::impact_coefficient`].
             pub(crate) fn impact_coefficient(&self, slip_speed: f64) -> f64 {
                 match self {
-                    FrictionLaw::NoSlip | FrictionLaw::Frictionless => 0.0,
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => 0.0,
                     $(FrictionLaw::$law(law) => law.impact_coefficient(slip_speed),)*
                 }
             }
@@ -101,7 +111,7 @@ macro_rules! friction_laws {
             /// μ_s of dry friction; `None` for other laws.
             pub(crate) fn static_friction(&self) -> Option<f64> {
                 match self {
-                    FrictionLaw::NoSlip | FrictionLaw::Frictionless => None,
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => None,
                     $(#[allow(unused_variables)]
                     FrictionLaw::$law(law) => if_dry!($kind, law.static_friction()),)*
                 }
@@ -135,7 +145,7 @@ macro_rules! friction_laws {
                 tolerance: f64,
             ) -> Self {
                 match friction {
-                    FrictionLaw::NoSlip => SlidingDynamics::Never,
+                    FrictionLaw::NoSlip | FrictionLaw::InPlace => SlidingDynamics::Never,
                     FrictionLaw::Frictionless if table.moves() => {
                         let sliding = OnTable::new(Sliding::new(k, NoFriction), table);
                         SlidingDynamics::StayingBehind(Resisted::new(sliding, resistance, tolerance))
@@ -207,7 +217,7 @@ impl FrictionLaw {
 
     /// Whether the rim never slips.
     pub fn never_slips(&self) -> bool {
-        matches!(self, FrictionLaw::NoSlip)
+        matches!(self, FrictionLaw::NoSlip | FrictionLaw::InPlace)
     }
 
     /// The ideal law that this is, if it is one.
@@ -216,6 +226,23 @@ impl FrictionLaw {
             FrictionLaw::NoSlip => Some(IdealLaw::NoSlip),
             FrictionLaw::Frictionless => Some(IdealLaw::Frictionless),
             _ => None,
+        }
+    }
+
+    /// Whether the rim can leave the table and land again. Where it cannot, motions end at a lift-off.
+    pub(crate) fn covers_flight(&self) -> bool {
+        self.ideal().is_none() && *self != FrictionLaw::InPlace
+    }
+
+    /// The start of a motion under this law. The rim does not slip; without friction, the centre of mass has no
+    /// horizontal velocity.
+    ///
+    /// # Errors
+    /// Refuses a start that contradicts the law: [`InPlace::start`].
+    pub(crate) fn start(&self, start: &State) -> Result<Coordinates<f64>, InvalidInput> {
+        match self {
+            FrictionLaw::InPlace => InPlace::start(start),
+            _ => Ok(Coordinates::from_state(start)),
         }
     }
 }

@@ -18,7 +18,7 @@
 //! On a table with the horizontal acceleration (a₁, a₂), the inertial force adds (m z/J) a₁ to φ̈, (mHC/D) a₂ to ẇ
 //! and −(mRA/D) a₂ to ṡ.
 
-use super::{Contact, Dynamics, InertialEffect, Movable, Parameters};
+use super::{Contact, Dynamics, InertialEffect, Movable, Parameters, Response};
 use crate::real::{Real, fieldwise};
 use crate::state::Coordinates;
 
@@ -75,7 +75,7 @@ impl<T: Real> NoSlip<T> {
 
     /// (dp/dτ, dw/dτ, ds/dτ).
     #[inline(always)]
-    fn accelerations(&self, u: &Coordinates<T>) -> [T; 3] {
+    pub(super) fn accelerations(&self, u: &Coordinates<T>) -> [T; 3] {
         let (falling, level) = (u.sin * u.p, u.w * u.cos);
         let through_collision = level * (self.base_inertia * u.w - self.mhr * u.s);
         let gyroscopic = u.w * (self.mhr * u.w - self.c_rolling * u.s);
@@ -126,10 +126,12 @@ impl<T: Real> Dynamics<T> for NoSlip<T> {
     }
 
     /// Without the reaction, the moments would accelerate the slip along e_y1 by H L_x/A − R L_z/C.
-    fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
+    #[inline(always)]
+    fn constrained_response(&self, _: &Coordinates<T>, moment: [T; 2]) -> Option<Response<T>> {
         let k = &self.k;
         let slip = k.h * moment[0] / k.a - k.r * moment[1] / k.c;
-        Some(-slip / k.sideways_mobility())
+        let across = -slip / k.sideways_mobility();
+        Some(Response::to(k, moment, across))
     }
 
     fn is_conservative(&self) -> bool {

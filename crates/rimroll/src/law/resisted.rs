@@ -18,7 +18,7 @@
 //! about the vertical or, for rolling, θ̇ sin φ, the one about e_x1, the horizontal direction in the
 //! plane of the tilt; x₀ = √(g/R)/1000.
 
-use super::{Contact, Dynamics, Parameters};
+use super::{Contact, Dynamics, Parameters, Response};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -203,16 +203,15 @@ impl<L> Resisted<L> {
             return rates;
         }
         let k = self.dynamics.parameters();
-        let [about_x, about_z] = self.resistance.moment(k, u, normal, self.tolerance);
-        let reaction = self.dynamics.constraint_reaction([about_x, about_z]);
-        let across = reaction.unwrap_or(T::from(0.0));
-        let dw = (about_x + k.h * across) / k.a;
-        let ds = (about_z - k.r * across) / k.c;
-        rates.w = rates.w + dw;
-        rates.s = rates.s + ds;
-        if reaction.is_none() {
-            rates.slip_y = rates.slip_y + k.h * dw - k.r * ds;
+        let moment = self.resistance.moment(k, u, normal, self.tolerance);
+        let constrained = self.dynamics.constrained_response(u, moment);
+        let response = constrained.unwrap_or_else(|| Response::to(k, moment, T::from(0.0)));
+        rates.w = rates.w + response.w;
+        rates.s = rates.s + response.s;
+        if constrained.is_none() {
+            rates.slip_y = rates.slip_y + k.h * response.w - k.r * response.s;
         }
+        let [about_x, about_z] = moment;
         rates.resistance_loss = -(about_x * u.w + about_z * u.s);
         rates
     }
@@ -237,10 +236,8 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
         if self.resists {
             let k = self.dynamics.parameters();
             let moment = self.resistance.moment(k, u, contact.normal, self.tolerance);
-            let reaction = self
-                .dynamics
-                .constraint_reaction(moment)
-                .unwrap_or(T::from(0.0));
+            let constrained = self.dynamics.constrained_response(u, moment);
+            let reaction = constrained.map_or(T::from(0.0), |response| response.across);
             contact.across = contact.across + reaction;
         }
         contact
@@ -254,8 +251,8 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
         self.dynamics.slip(u)
     }
 
-    fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
-        self.dynamics.constraint_reaction(moment)
+    fn constrained_response(&self, u: &Coordinates<T>, moment: [T; 2]) -> Option<Response<T>> {
+        self.dynamics.constrained_response(u, moment)
     }
 
     fn resistance_rate(&self, u: &Coordinates<T>) -> T {

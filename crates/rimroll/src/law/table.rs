@@ -7,7 +7,7 @@
 //! The energy relative to the table changes by the work −m a · v of the inertial force, with v the
 //! velocity of the centre of mass relative to the table.
 
-use super::{Contact, Dynamics, Friction, FrictionForce, Parameters, Sliding};
+use super::{Contact, Dynamics, Friction, FrictionForce, Parameters, Response, Sliding};
 use crate::ground::{Ground, Stretch};
 use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
@@ -202,8 +202,8 @@ impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L> {
         self.dynamics.slip(u)
     }
 
-    fn constraint_reaction(&self, moment: [T; 2]) -> Option<T> {
-        self.dynamics.constraint_reaction(moment)
+    fn constrained_response(&self, u: &Coordinates<T>, moment: [T; 2]) -> Option<Response<T>> {
+        self.dynamics.constrained_response(u, moment)
     }
 
     fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {

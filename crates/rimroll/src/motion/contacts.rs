@@ -154,9 +154,9 @@ impl Contacts {
         self.phases.sliding.dry()
     }
 
-    /// Whether motions can contain flights. Under the two ideal laws they end at a lift-off instead.
+    /// Whether motions can contain flights. Where they cannot, they end at a lift-off instead.
     pub(super) fn can_fly(&self) -> bool {
-        self.contact_law.friction.ideal().is_none()
+        self.contact_law.friction.covers_flight()
     }
 
     /// The margin of a rolling rim to the friction cone, (μ_s N − |T|) sin φ.
@@ -164,7 +164,7 @@ impl Contacts {
         let Some(static_friction) = self.contact_law.friction.static_friction() else {
             return 1.0;
         };
-        let contact = self.phases.rolling.contact(u);
+        let contact = self.dynamics(Phase::Rolling).contact(u);
         static_friction * contact.normal - libm::hypot(contact.along, contact.across)
     }
 
@@ -177,10 +177,10 @@ impl Contacts {
     /// The next phase of a rim on the table.
     pub(crate) fn settle(&self, u: &Coordinates<f64>) -> Transition {
         match self.contact_law.friction {
-            FrictionLaw::NoSlip => Transition::Roll,
+            FrictionLaw::NoSlip | FrictionLaw::InPlace => Transition::Roll,
             FrictionLaw::Frictionless => Transition::Slide,
             _ if self.dry().is_some() && u.slip_speed() <= self.stopped_speed(u) => {
-                let in_contact = self.phases.rolling.contact(u).normal > 0.0;
+                let in_contact = self.dynamics(Phase::Rolling).contact(u).normal > 0.0;
                 if in_contact && self.friction_cone_margin(u) >= 0.0 {
                     Transition::Roll
                 } else {
@@ -266,7 +266,7 @@ impl Contacts {
         let Some(dry) = self.dry() else {
             return Transition::Slide;
         };
-        let needed = self.phases.rolling.contact(u);
+        let needed = self.dynamics(Phase::Rolling).contact(u);
         let size = libm::hypot(needed.along, needed.across);
         let against = if size > 0.0 {
             [-needed.along / size, -needed.across / size]
@@ -295,7 +295,7 @@ impl Contacts {
     }
 
     /// Whether toppling means here that the side of the body strikes the table. It does not in flight, nor
-    /// under the two ideal laws, which have no impacts.
+    /// under laws without flight, which have no impacts.
     pub(super) fn falls_on_its_side(&self, at: &Instant) -> bool {
         let on_table = at.phase != Phase::Flying;
         let upright_base = (at.tilt() - FRAC_PI_2).abs() < 1e-9;
@@ -323,7 +323,7 @@ impl Contacts {
     /// The rates at the start of a motion, under the law that holds there.
     pub(crate) fn first_rates(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         match (self.settle(u), self.dry()) {
-            (Transition::Roll, _) => self.phases.rolling.rates(u),
+            (Transition::Roll, _) => self.dynamics(Phase::Rolling).rates(u),
             (Transition::BeginToSlip(e), Some(dry)) => dry.slipping(u, e, u.slip_speed()).1,
             _ => self.dynamics(Phase::Sliding).rates(u),
         }

@@ -132,7 +132,7 @@ pub fn fall(
     let options = options.checked(body, start)?;
     let contacts = Contacts::new(body, contact_law, options.gravity, options.step_tolerance());
     let contacts = Arc::new(contacts);
-    let start = Coordinates::from_state(start);
+    let start = contact_law.friction.start(start)?;
     let mut run = Run::new(&contacts, &options, Goal::Turn(options.duration), start);
     let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
     let (track, events, work) = run.into_parts();

@@ -3,6 +3,7 @@
 use super::landing::FlatLanding;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
+use crate::law::{FrictionLaw, InPlace};
 use crate::state::State;
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -62,37 +63,47 @@ impl Options {
         10.0 * self.rtol
     }
 
-    /// The index of the first body and start from which no motion can be computed, if there is one.
+    /// The index of the first body and start from which no motion can be computed under the friction law of this name,
+    /// if there is one.
     pub fn first_refused<'a>(
         &self,
+        law: &str,
         starts: impl IntoIterator<Item = (&'a Body, State)>,
     ) -> Option<usize> {
-        let mut checks = self.checks(starts);
+        let in_place = law == FrictionLaw::InPlace.name();
+        let mut checks = self.checks(starts, |_| in_place);
         checks.position(|check| check.is_err())
     }
 
-    /// Checks many bodies and starts.
+    /// Checks many bodies and starts, some of which (by their index) wobble in place.
     pub(crate) fn check_all<'a>(
         &self,
         starts: impl IntoIterator<Item = (&'a Body, State)>,
+        in_place: impl Fn(usize) -> bool,
     ) -> Result<(), InvalidInput> {
         // An empty list does not make invalid options acceptable.
         self.check_numbers()?;
-        self.checks(starts).collect()
+        self.checks(starts, in_place).collect()
     }
 
     fn checks<'a>(
         &self,
         starts: impl IntoIterator<Item = (&'a Body, State)>,
+        in_place: impl Fn(usize) -> bool,
     ) -> impl Iterator<Item = Result<(), InvalidInput>> {
         let mut last: Option<(&Body, Options)> = None;
-        starts.into_iter().map(move |(body, start)| {
+        let starts = starts.into_iter().enumerate();
+        starts.map(move |(index, (body, start))| {
             let options = match last {
                 Some((known, options)) if known == body => options,
                 _ => self.completed(body)?,
             };
             last = Some((body, options));
-            options.check(&start)
+            options.check(&start)?;
+            if in_place(index) {
+                InPlace::start(&start)?;
+            }
+            Ok(())
         })
     }
 

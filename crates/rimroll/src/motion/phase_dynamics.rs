@@ -3,7 +3,10 @@
 use super::instant::Phase;
 use super::mechanics::{Clock, Mechanics};
 use crate::contact_law::ContactLaw;
-use crate::law::{Dynamics, Flight, NoSlip, OnTable, Parameters, Resisted, SlidingDynamics, Table};
+use crate::law::{
+    Dynamics, Flight, Movable, OnTable, Parameters, Resisted, RollingDynamics, SlidingDynamics,
+    Table,
+};
 use crate::real::Scalar;
 use crate::solve::System;
 use crate::state::{COORDINATES, COORDINATES_AT_REST, RIGID_COORDINATES};
@@ -20,7 +23,7 @@ pub(super) trait SystemVisitor {
 /// The equations of motion of a body under a contact law in each phase.
 #[derive(Clone)]
 pub(super) struct PhaseDynamics<T: Scalar> {
-    pub(super) rolling: Resisted<OnTable<NoSlip<T>>>,
+    pub(super) rolling: RollingDynamics<T>,
     pub(super) sliding: SlidingDynamics<T>,
     pub(super) flying: OnTable<Flight<T>>,
 }
@@ -34,9 +37,8 @@ impl<T: Scalar> PhaseDynamics<T> {
         tolerance: f64,
     ) -> Self {
         let (friction, resistance) = (&contact_law.friction, contact_law.resistance);
-        let rolling = OnTable::new(NoSlip::new(k), table);
         PhaseDynamics {
-            rolling: Resisted::new(rolling, resistance, tolerance),
+            rolling: RollingDynamics::new(friction, k, table, resistance, tolerance),
             sliding: SlidingDynamics::new(friction, k, table, resistance, tolerance),
             flying: OnTable::new(Flight::new(k), table),
         }
@@ -45,8 +47,8 @@ impl<T: Scalar> PhaseDynamics<T> {
     /// Those that hold in a phase.
     pub(super) fn in_phase(&self, phase: Phase) -> &dyn Dynamics<T> {
         match phase {
-            Phase::Rolling => &self.rolling,
-            Phase::Sliding => self.sliding.dynamics().unwrap_or(&self.rolling),
+            Phase::Rolling => self.rolling.dynamics(),
+            Phase::Sliding => self.sliding.dynamics().unwrap_or(self.rolling.dynamics()),
             // Only the energy of a body that is level or lies on its side is computed by these.
             Phase::Flying
             | Phase::Standing
@@ -82,16 +84,10 @@ impl PhaseDynamics<f64> {
     ) -> K::Output {
         let moves = self.flying.moves();
         match (phase, &self.sliding) {
-            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never) if moves => {
-                let mechanics = Mechanics::new(&self.rolling, clock);
-                visitor.with::<_, COORDINATES>(&mechanics.on_moving_table())
-            }
-            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never)
-                if self.rolling.is_conservative() =>
-            {
-                let rolling = self.rolling.dynamics().dynamics();
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
-            }
+            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never) => match &self.rolling {
+                RollingDynamics::Freely(rolling) => solve_rolling(rolling, clock, visitor),
+                RollingDynamics::InPlace(rolling) => solve_rolling(rolling, clock, visitor),
+            },
             (Phase::Sliding, SlidingDynamics::Frictionless(sliding))
                 if sliding.is_conservative() =>
             {
@@ -109,5 +105,23 @@ impl PhaseDynamics<f64> {
             _ if moves => visitor.with::<_, COORDINATES>(&self.mechanics(phase, clock)),
             _ => visitor.with::<_, COORDINATES_AT_REST>(&self.mechanics(phase, clock)),
         }
+    }
+}
+
+/// [`PhaseDynamics::solve`] for a rim that rolls.
+fn solve_rolling<L: Movable<f64>, K: SystemVisitor>(
+    rolling: &Resisted<OnTable<L>>,
+    clock: Clock,
+    visitor: K,
+) -> K::Output {
+    let on_table = rolling.dynamics();
+    if on_table.moves() {
+        visitor.with::<_, COORDINATES>(&Mechanics::new(rolling, clock).on_moving_table())
+    } else if rolling.is_conservative() {
+        let rolling = on_table.dynamics();
+        visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
+    } else {
+        let rolling: &dyn Dynamics<f64> = rolling;
+        visitor.with::<_, COORDINATES_AT_REST>(&Mechanics::new(rolling, clock))
     }
 }

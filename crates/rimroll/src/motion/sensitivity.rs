@@ -17,7 +17,7 @@ use super::mechanics::{Clock, Mechanics, leading};
 use super::track::Track;
 use super::turns::Turn;
 use crate::error::InvalidInput;
-use crate::law::{Dynamics, Frictionless, NoSlip, Parameters};
+use crate::law::{Dynamics, FrictionLaw, Frictionless, NoSlip, Parameters};
 use crate::real::{Dual, Slopes};
 use crate::solve::Step;
 use crate::state::{Coordinates, RIGID_COORDINATES, TIME};
@@ -242,7 +242,8 @@ fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
             "the contact changes on the way, which joins laws that are not the same",
         ));
     }
-    if !motion.contacts.dynamics(phase).is_conservative() {
+    let in_place = motion.contacts.contact_law().friction == FrictionLaw::InPlace;
+    if in_place || !motion.contacts.dynamics(phase).is_conservative() {
         return Err(refused(
             "only rolling without slip and frictionless sliding are, without resistance",
         ));

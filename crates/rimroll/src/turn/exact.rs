@@ -12,7 +12,8 @@
 //! * a closed form for the part of the yaw that the near-collision alone produces (`segments`).
 //!
 //! `scalar` handles one start with any outcome. In batches of sixteen lanes, `rocking` handles starts that
-//! rock and `toppling` starts that topple. `bodies` groups many starts by their bodies.
+//! rock and `toppling` starts that topple. `bodies` groups many starts by their bodies. `in_place` is the turn of a body
+//! that wobbles in place, where the same holds.
 
 mod antiderivative;
 mod batch;
@@ -21,6 +22,7 @@ mod dispatch;
 mod extremes;
 mod frictionless;
 mod fundamental;
+mod in_place;
 mod lane;
 mod near_balance;
 mod no_slip;
@@ -48,10 +50,10 @@ use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use frictionless::FrictionlessTilt;
 use fundamental::Fundamental;
-use near_balance::{NearBalance, lingers};
+pub use in_place::turn_in_place;
 use no_slip::NoSlipTilt;
 use ridge::Balance;
-use scalar::{Quadrature, Scalar, ScalarQuadrature};
+use scalar::{Quadrature, Scalar, quadrature_of};
 use start::Start;
 use tilting::{Tilting, half_tangent};
 pub use watershed::watershed_slope;
@@ -106,20 +108,7 @@ impl Exact {
         gravity: f64,
         topple_tilt: Option<f64>,
     ) -> Result<Exact, InvalidInput> {
-        let gravity = positive("gravity", gravity, "m/s2")?;
-        let options = Options {
-            gravity,
-            topple_tilt,
-            duration: 1000.0 * natural_time(body, gravity),
-            rtol: 1e-13,
-            ..Options::default()
-        };
-        // With a start that is always valid, this checks the options.
-        let start = State {
-            tilt: 1e-300,
-            ..State::default()
-        };
-        let options = options.checked(body, &start)?;
+        let options = options(body, gravity, topple_tilt)?;
         let parameters = Parameters::new(body, gravity);
         let rolls = law == IdealLaw::NoSlip;
         let mut exact = Exact {
@@ -152,7 +141,7 @@ impl Exact {
 
     /// Whether the start lies outside the range of the quadrature.
     fn is_beyond(&self, start: &State) -> bool {
-        start.tilt >= FRAC_PI_2 || self.options.topple_tilt > Some(FRAC_PI_2)
+        is_beyond(start, &self.options)
     }
 
     /// The turn of one start.
@@ -191,15 +180,9 @@ impl Exact {
         } else {
             self.quadrature(start)
         };
-        let Some(turn) = quadrature.map(|quadrature| turn_of_quadrature(&quadrature)) else {
-            return self.stepped(start);
-        };
-        match turn.ending {
-            Outcome::LiftedOff => ExactTurn {
-                outcome: Outcome::lifted_off(self.parameters.is_past_balance(turn.max_tilt)),
-                ..turn
-            },
-            _ => turn,
+        match quadrature {
+            Some(quadrature) => resolved(&quadrature, &self.parameters),
+            None => self.stepped(start),
         }
     }
 
@@ -221,12 +204,7 @@ impl Exact {
         k: &Parameters<T>,
         start: Start<T>,
     ) -> Option<Quadrature<T>> {
-        let (end, balance) = (self.end(), self.balance);
-        if lingers(motion, &start, &balance) {
-            let motion = NearBalance::new(motion, k, start, [balance.eta, libm::log(end.0)]);
-            return ScalarQuadrature::new(&motion, start, end, balance).quadrature();
-        }
-        ScalarQuadrature::new(motion, start, end, balance).quadrature()
+        quadrature_of(motion, k, start, self.end(), self.balance)
     }
 
     /// The turn by time integration, for starts outside the range of the quadrature.
@@ -243,6 +221,29 @@ impl Exact {
     }
 }
 
+/// The options of a motion for the quadrature, or in its place.
+fn options(body: &Body, gravity: f64, topple_tilt: Option<f64>) -> Result<Options, InvalidInput> {
+    let gravity = positive("gravity", gravity, "m/s2")?;
+    let options = Options {
+        gravity,
+        topple_tilt,
+        duration: 1000.0 * natural_time(body, gravity),
+        rtol: 1e-13,
+        ..Options::default()
+    };
+    // With a start that is always valid, this checks the options.
+    let start = State {
+        tilt: 1e-300,
+        ..State::default()
+    };
+    options.checked(body, &start)
+}
+
+/// Whether a start lies outside the range of the quadrature.
+fn is_beyond(start: &State, options: &Options) -> bool {
+    start.tilt >= FRAC_PI_2 || options.topple_tilt > Some(FRAC_PI_2)
+}
+
 /// The end of a motion without an upper turning point, as tan(φ/2), and its outcome. For a disk this can be
 /// the vertical: its turn ends there, and it falls to the other face.
 fn end(options: &Options) -> (f64, Outcome) {
@@ -257,6 +258,18 @@ fn end(options: &Options) -> (f64, Outcome) {
 fn natural_time(body: &Body, gravity: f64) -> f64 {
     let arm = libm::hypot(body.radius(), body.height());
     (body.rim_inertia() / (body.mass() * gravity * arm)).sqrt()
+}
+
+/// The turn of a quadrature. A body that lifts off as it rises past the balance point falls over.
+fn resolved(quadrature: &Quadrature<f64>, k: &Parameters<f64>) -> ExactTurn {
+    let turn = turn_of_quadrature(quadrature);
+    match turn.ending {
+        Outcome::LiftedOff => ExactTurn {
+            outcome: Outcome::lifted_off(k.is_past_balance(turn.max_tilt)),
+            ..turn
+        },
+        _ => turn,
+    }
 }
 
 fn turn_of_quadrature(outcome: &Quadrature<f64>) -> ExactTurn {

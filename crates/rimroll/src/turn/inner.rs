@@ -15,7 +15,7 @@
 use super::{needed_friction, turn_limit, turn_limit_with_spin};
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
-use crate::error::{InvalidInput, finite, positive};
+use crate::error::{InvalidInput, bounded, finite, positive};
 use crate::law::FrictionLaw;
 use crate::law::IdealLaw;
 use crate::law::{Coulomb, Viscous};
@@ -104,6 +104,12 @@ impl Arrival {
         finite("spin", self.spin)?;
         Ok(())
     }
+
+    /// Refuses a spin, which a body that wobbles in place does not have at zero tilt.
+    fn without_spin(&self) -> Result<(), InvalidInput> {
+        let bound = "0 for a body that wobbles in place";
+        bounded("spin", self.spin, |spin| spin == 0.0, bound, "rad/s").map(|_| ())
+    }
 }
 
 /// The outcome of a near-collision.
@@ -138,6 +144,9 @@ pub fn turn_limit_of(
     let at_rest = arrival.slip == 0.0 && arrival.spin == 0.0;
     match friction {
         FrictionLaw::NoSlip => turn_limit_with_spin(body, arrival.spin, arrival.tipping_rate),
+        FrictionLaw::InPlace => arrival
+            .without_spin()
+            .map(|()| turn_limit(body, IdealLaw::NoSlip)),
         // The impulse of a viscous force vanishes with the duration of the near-collision.
         FrictionLaw::Frictionless
         | FrictionLaw::Viscous(Viscous { .. })
@@ -163,6 +172,10 @@ pub fn passage(
     let at_rest = arrival.slip == 0.0 && arrival.spin == 0.0;
     let needed = needed_friction(body);
     match *friction {
+        FrictionLaw::InPlace => {
+            arrival.without_spin()?;
+            computed_passage(body, friction, arrival)
+        }
         _ if at_rest && sticks(friction, needed) => {
             computed_passage(body, &FrictionLaw::NoSlip, arrival)
         }

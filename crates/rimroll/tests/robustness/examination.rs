@@ -322,7 +322,9 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
     let fits = match motion.status {
         Status::Finished => end.t == options.duration,
         Status::Toppled => body.height() > 0.0 && (end.tilt() - FRAC_PI_2).abs() < 1e-7,
-        Status::LiftedOff => contact_law.friction.ideal().is_some(),
+        Status::LiftedOff => {
+            contact_law.friction.ideal().is_some() || contact_law.friction == FrictionLaw::InPlace
+        }
         Status::FaceDown => end.sin <= 1.001e-9,
         // The energy left when the body lies flat is lost with the ending.
         Status::AtRest => end.sin <= 1.001e-9 || above_rest(&end) <= 1.001e-10 * above_rest(&begin),

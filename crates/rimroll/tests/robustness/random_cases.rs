@@ -201,6 +201,15 @@ pub fn any_case() -> impl Strategy<Value = Case> {
     any_case_of(any_body())
 }
 
+/// Bodies that wobble in place.
+pub fn case_in_place() -> impl Strategy<Value = Case> {
+    any_case().prop_map(|mut case| {
+        case.contact_law.friction = FrictionLaw::InPlace;
+        case.start.spin_rate = -case.start.yaw_rate;
+        case
+    })
+}
+
 /// Bodies at the limits of rigid-body inertias, at tight tolerances. These cases have few steps, because the
 /// fastest relaxation requires slow, implicit steps.
 pub fn wild_case() -> impl Strategy<Value = Case> {

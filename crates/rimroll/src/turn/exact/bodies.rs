@@ -63,7 +63,8 @@ impl<'a> ExactRows<'a> {
     ) -> Result<Option<Vec<R>>, InvalidInput> {
         let groups = self.groups();
         if groups.len() > 1 {
-            self.options.check_all(self.rows.iter().copied())?;
+            self.options
+                .check_all(self.rows.iter().copied(), |_| false)?;
         }
         let Options {
             gravity,

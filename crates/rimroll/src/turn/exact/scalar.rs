@@ -1,6 +1,7 @@
 //! The turn of one start, with any outcome.
 
 use super::extremes::{Extreme, highest, lowest};
+use super::near_balance::{NearBalance, lingers};
 use super::ridge::{Balance, Ridge};
 use super::rule::{Choice, MAX_OUTER, Rule, nodes_across, nodes_to_highest};
 use super::segments::{Segment, across, from_lowest, short, to_highest};
@@ -10,6 +11,7 @@ use super::sign_search::{
 use super::small_oscillation::{MAX_SPAN, SmallOscillation};
 use super::start::Start;
 use super::tilting::{FLAT, SHORT, Tilting};
+use crate::law::Parameters;
 use crate::motion::Outcome;
 use crate::real::{Dual, Real, Slope};
 
@@ -70,6 +72,21 @@ enum UpperEnd<T> {
     TurningPoint(Extreme<T>),
     /// A tilt, as tan(φ/2), at which the motion ends with a positive tilt rate, and its outcome.
     Moving(T, Outcome),
+}
+
+/// The quadrature of a motion of a body from a start. `end` is that of [`ScalarQuadrature`].
+pub(super) fn quadrature_of<T: Scalar>(
+    motion: &dyn Tilting<T>,
+    k: &Parameters<T>,
+    start: Start<T>,
+    end: (f64, Outcome),
+    balance: Balance,
+) -> Option<Quadrature<T>> {
+    if lingers(motion, &start, &balance) {
+        let motion = NearBalance::new(motion, k, start, [balance.eta, libm::log(end.0)]);
+        return ScalarQuadrature::new(&motion, start, end, balance).quadrature();
+    }
+    ScalarQuadrature::new(motion, start, end, balance).quadrature()
 }
 
 /// One motion and its limits.
