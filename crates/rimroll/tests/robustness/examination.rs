@@ -260,7 +260,9 @@ fn events(motion: &Motion, found: &mut Found) {
     let begins_with = |phase| match phase {
         Phase::Rolling => EventKind::Stick,
         Phase::Sliding => EventKind::Slip,
-        Phase::Flying => EventKind::LiftOff,
+        Phase::Flying | Phase::FlyingLevel => EventKind::LiftOff,
+        Phase::Standing => EventKind::Stand,
+        Phase::SlidingFlat => EventKind::Slip,
         Phase::Lying => EventKind::Topple,
     };
     let mut t = 0.0;
