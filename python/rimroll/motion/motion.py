@@ -22,9 +22,11 @@ from rimroll.motion.flat import FlatLanding, flat_in_core
 from rimroll.motion.jacobian import PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
+from rimroll.motion.shaken import first_uplift, footprint_of, is_overturned, largest_tilt
 from rimroll.options import Options, options_of
 from rimroll.recorded import expect_dataset, parameters
 from rimroll.state import State, single, start_of, times
+from rimroll.theory import balance_tilt
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -128,6 +130,57 @@ class Motion(Moments):
         begins = self._core.phases()
         ends = [*(start for _, start in begins[1:]), float(self.t[-1])][: len(begins)]
         return [Phase(kind, start, end) for (kind, start), end in zip(begins, ends, strict=True)]
+
+    @property
+    def footprint(self) -> Array:
+        """Centre of the base's footprint on the table (x, y), m, shape (n, 2).
+
+        It is the centre of the circle on which the base would stand if the body turned upright
+        about its contact point. Rocking does not move it; rolling and sliding do.
+        """
+        return footprint_of(self, self.body)
+
+    @property
+    def overturned(self) -> bool:
+        """Whether the body toppled, that is, reached :attr:`topple_tilt`.
+
+        Under a law without flight, a rim that lifts off beyond the balance tilt also counts.
+        """
+        return is_overturned(self)
+
+    @property
+    def overturning_time(self) -> float | None:
+        """The time at which the body toppled, s; None unless it :attr:`overturned`."""
+        return float(self.t[-1]) if self.overturned else None
+
+    @property
+    def uplift_time(self) -> float | None:
+        """The time at which a body that stood flat first began to rock, s; None if it never did."""
+        return first_uplift(self)
+
+    @cached_property
+    def max_tilt(self) -> float:
+        """The largest tilt, rad, also between the solver's steps."""
+        return largest_tilt(self)
+
+    @property
+    def max_tilt_ratio(self) -> float:
+        """The largest tilt over the balance tilt atan(R/H)."""
+        return self.max_tilt / float(balance_tilt(self.body))
+
+    @property
+    def residual_displacement(self) -> Array:
+        """How far the :attr:`footprint` has moved on the table (x, y) from start to end, m."""
+        displacement: Array = self.footprint[-1] - self.footprint[0]
+        return displacement
+
+    @property
+    def residual_yaw(self) -> float:
+        """The angle by which the body has turned about the vertical from start to end, rad.
+
+        It is the change of yaw + spin, and says where the body faces if it is upright at the end.
+        """
+        return float(self.body_yaw[-1] - self.body_yaw[0])
 
     def __repr__(self) -> str:
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
