@@ -1,12 +1,15 @@
 """What became of a body on a table that moved, against motions that can be computed by hand."""
 
 import math
+import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
-from given.motions import CAN, PAPER_START
+import xarray as xr
 
 import rimroll as rr
+from given.motions import CAN, PAPER_START, same_bits
 
 COLUMN = rr.Body(
     mass=1000.0,
@@ -18,6 +21,7 @@ COLUMN = rr.Body(
 """A solid cylinder of stone, 4 m high."""
 
 G = 9.81
+EXAMPLES = Path(__file__).parents[2] / "examples"
 REST = rr.ground.rectangular(1e-6, 1e-3)
 """A ground that is as good as at rest."""
 
@@ -119,3 +123,50 @@ def test_events_of_uplift_and_standing_are_in_order():
     assert kinds == ["uplift", "stand"]
     assert motion.phases[-1].kind == "standing"
     assert motion.uplift_time == 0.0
+
+
+RECORD = rr.ground.sampled(0.01, 3.0 * np.random.default_rng(3).standard_normal((300, 3)))
+GROUNDS = {
+    "record": RECORD,
+    "record with a heading": rr.ground.read(*sorted(EXAMPLES.glob("*.at2"))),
+    "pulses": rr.ground.ricker((3.1, 1.0, 0.3), 0.7) + rr.ground.rectangular(1.0 / 3.0, 0.4),
+    "both": RECORD + rr.ground.sine((0.1, 3.0, 0.0), (1.0, 0.7, 1.0), 2.5),
+}
+
+
+@pytest.mark.parametrize("ground", GROUNDS.values(), ids=GROUNDS)
+@pytest.mark.parametrize("flat", ["housner", ("smooth", 7), 0.3])
+def test_a_shaken_motion_comes_back_from_its_file_and_its_pickle_bit_for_bit(
+    tmp_path, ground, flat
+):
+    motion = shaken(ground, rr.State.standing(yaw=0.1), rr.Coulomb(0.5), 4.0, flat=flat)
+    assert len(motion.t) > 10
+    path = tmp_path / "motion.nc"
+    motion.to_xarray().to_netcdf(path, engine="scipy")
+    with xr.open_dataset(path) as read:
+        stored = rr.Motion.from_xarray(read)
+    for again in (stored, pickle.loads(pickle.dumps(motion))):
+        assert (again.ground, again.flat) == (ground, flat)
+        assert again.parameters() == motion.parameters()
+        assert same_bits(again, motion)
+
+
+def test_a_dataset_whose_record_was_dropped_is_refused():
+    dataset = shaken(RECORD).to_xarray()
+    assert dataset["ground_record"].dims == ("ground_t", "component")
+    with pytest.raises(
+        rr.RimrollError, match="without its record: there is no ground_record"
+    ):
+        rr.Motion.from_xarray(dataset.drop_vars("ground_record"))
+    with pytest.raises(rr.RimrollError, match="ground_pulses must be pulses in JSON"):
+        rr.Motion.from_xarray(dataset.assign_attrs(ground_pulses="[1]"))
+    with pytest.raises(rr.RimrollError, match="tilt_rate must be 0 where the tilt is 0"):
+        rr.Motion.from_xarray(dataset.assign_attrs(start_tilt_rate=0.1))
+
+
+def test_a_motion_shows_what_the_ground_was():
+    motion = shaken(rr.ground.rectangular(3.0, 0.2), flat="housner", duration=40.0)
+    assert repr(motion).startswith("<Motion on a ground of 1 pulse, 0.2 s, peaks 3, 0, 0 m/s²:")
+    html = motion._repr_html_()
+    assert "The ground: 1 pulse, 0.2 s" in html and "lifted at 0 s" in html
+    assert "It did not overturn" in html

@@ -18,7 +18,7 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, whole_number
 from rimroll.laws import Law, law_of
 from rimroll.motion.crossings import checked, crossings
-from rimroll.motion.flat import FlatLanding, flat_in_core
+from rimroll.motion.flat import FlatLanding, flat_as_text, flat_given, flat_in_core
 from rimroll.motion.jacobian import PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
@@ -186,8 +186,12 @@ class Motion(Moments):
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
         if len(self.turns) > 3:
             turns += f", {len(self.turns) - 3} more"
+        ending = f"{self.law.name}, {self.status} at t = {self.t[-1]:.6g} s"
+        if self.ground is None:
+            return f"<Motion {ending}; turns: [{turns}]>"
         return (
-            f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
+            f"<Motion on a ground of {self.ground.in_words()}: {ending};"
+            f" largest tilt {self.max_tilt_ratio:.4g} of the balance tilt>"
         )
 
     def _repr_html_(self) -> str:
@@ -368,7 +372,12 @@ class Motion(Moments):
             },
             coords={"t": ("t", self.t[last], {"units": "s"})},
         )
-        return dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+        dataset = dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+        if self.ground is None:
+            return dataset
+        from rimroll.ground.dataset import with_record
+
+        return with_record(dataset, self.ground)
 
     @classmethod
     def from_xarray(cls, dataset: xr.Dataset, *, jacobian: bool = False) -> Motion:
@@ -381,18 +390,37 @@ class Motion(Moments):
         expect_dataset(dataset)
         if "outcome" in dataset:
             raise RimrollError("dataset must be that of a motion, got one of falls")
-        start = single(start_of(dataset))
-        return follow(body_of(dataset), start, law_of(dataset), options_of(dataset), jacobian)
+        from rimroll.ground.dataset import ground_of
+
+        return follow(
+            body_of(dataset),
+            single(start_of(dataset)),
+            law_of(dataset),
+            options_of(dataset),
+            jacobian,
+            ground=ground_of(dataset),
+            flat=flat_given(dataset.attrs.get("flat", "stop")),
+        )
 
     def parameters(self) -> dict[str, Any]:
-        """Everything that the motion was computed from, as plain numbers and texts."""
+        """Everything that the motion was computed from, as plain numbers and texts.
+
+        Only the samples of a record of the ground are left out; the dataset has them.
+        """
         return parameters(
             self.law.name,
-            asdict(self._options),
+            {**asdict(self._options), "flat": flat_as_text(self.flat), **self._ground_in_words()},
             law=self.law.numbers,
             body=asdict(self.body),
             start=asdict(self.start),
         )
+
+    def _ground_in_words(self) -> dict[str, Any]:
+        if self.ground is None:
+            return {}
+        from rimroll.ground.dataset import attributes
+
+        return attributes(self.ground)
 
 
 def follow(

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rimroll.motion.shaken import shaken_in_words
+
 if TYPE_CHECKING:
     from rimroll.motion.motion import Motion
 
@@ -26,9 +28,10 @@ def motion_in_html(motion: Motion) -> str:
         for number, turn in enumerate(motion.turns[:SHOWN], 1)
     ]
     head = f"<p><b>Motion</b>, {escape(repr(motion.law))}: {escape(motion.message)}</p>"
+    ground = f"<p>{escape(shaken_in_words(motion))}</p>" if motion.ground is not None else ""
     more = len(motion.turns) - len(rows)
     rest = f"<p>and {more} more turns</p>" if more else ""
-    return f"<div>{head}{_table(rows)}{rest}{_losses(motion)}</div>"
+    return f"<div>{head}{ground}{_table(rows)}{rest}{_losses(motion)}</div>"
 
 
 def _losses(motion: Motion) -> str:

@@ -40,3 +40,35 @@ def largest_tilt(motion: Motion) -> float:
 def first_uplift(motion: Motion) -> float | None:
     """The time at which a body that stood flat first began to rock, s."""
     return next((event.t for event in motion.events if event.kind == "uplift"), None)
+
+
+def shaken_in_words(motion: Motion) -> str:
+    """The ground, and what became of the body on it, in sentences with angles in degrees."""
+    sentences = []
+    if motion.ground is not None:
+        sentences.append(f"The ground: {motion.ground.in_words()}.")
+    sentences.append(_uplift_in_words(motion))
+    if motion.uplift_time is not None or motion.max_tilt > 0.0:
+        part = motion.max_tilt_ratio
+        sentences.append(
+            f"Its largest tilt was {np.degrees(motion.max_tilt):.4g}°, {part:.4g} of the balance"
+            " tilt."
+        )
+    if motion.overturned:
+        sentences.append(f"It overturned at {motion.overturning_time:.6g} s.")
+        return " ".join(sentences)
+    x, y = motion.residual_displacement
+    turned = np.degrees(motion.residual_yaw)
+    sentences.append(
+        f"It did not overturn; at the end its footprint was displaced by {np.hypot(x, y):.4g} m"
+        f" (x {x:.4g}, y {y:.4g}) and the body had turned by {turned:.4g}°."
+    )
+    return " ".join(sentences)
+
+
+def _uplift_in_words(motion: Motion) -> str:
+    if motion.uplift_time is not None:
+        return f"The body was lifted at {motion.uplift_time:.6g} s."
+    if motion.start.tilt > 0.0:
+        return "The body leaned at the start."
+    return "The body was never lifted."
