@@ -154,9 +154,7 @@ def test_a_shaken_motion_comes_back_from_its_file_and_its_pickle_bit_for_bit(
 def test_a_dataset_whose_record_was_dropped_is_refused():
     dataset = shaken(RECORD).to_xarray()
     assert dataset["ground_record"].dims == ("ground_t", "component")
-    with pytest.raises(
-        rr.RimrollError, match="without its record: there is no ground_record"
-    ):
+    with pytest.raises(rr.RimrollError, match="without its record: there is no ground_record"):
         rr.Motion.from_xarray(dataset.drop_vars("ground_record"))
     with pytest.raises(rr.RimrollError, match="ground_pulses must be pulses in JSON"):
         rr.Motion.from_xarray(dataset.assign_attrs(ground_pulses="[1]"))
