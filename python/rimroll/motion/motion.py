@@ -340,7 +340,14 @@ class Motion(Moments):
         return per_step
 
     def plot(self) -> Figure:
-        """The paper's nine-panel simulation figure of this motion."""
+        """The paper's nine-panel simulation figure of this motion.
+
+        For a motion on a ground: the ground, the tilt with its events, and the footprint's path.
+        """
+        if self.ground is not None:
+            from rimroll.shaken_figure import shaken_figure
+
+            return shaken_figure(self)
         from rimroll.plot import nine_panels
 
         return nine_panels(self)
