@@ -61,7 +61,7 @@ def shaken_figure(motion: Motion) -> Figure:
         _draw_footprint(panels["d"], motion, path)
         for column, (axis, tone, dashes) in enumerate(AXES[:2]):
             panels["e"].plot(moments.t, path[:, column], dashes, color=tone, label=axis, lw=0.9)
-        style.label(panels["e"], "e", "its centre", "time $t$ (s)", "$x$, $y$ (m)")
+        style.label(panels["e"], "e", "centre of the footprint", "time $t$ (s)", "$x$, $y$ (m)")
         panels["e"].legend(loc="best", ncols=2)
         for letter in "abce":
             panels[letter].set_xlim(0.0, end)
