@@ -118,9 +118,9 @@ def shade_phases(ax: Axes, motion: Motion) -> None:
     if len(motion.phases) < 2:
         return
     for phase in motion.phases:
-        if phase.kind == "sliding":
+        if phase.kind in ("sliding", "sliding_flat"):
             ax.axvspan(phase.start, phase.end, color=style.SLIDING, alpha=0.25, lw=0, zorder=0)
-        elif phase.kind == "flying":
+        elif phase.kind in ("flying", "flying_level"):
             ax.axvspan(phase.start, phase.end, fc="none", ec="#CCCCCC", hatch="////", lw=0)
 
 

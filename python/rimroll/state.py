@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from typing_extensions import TypeVar
 
     FieldT = TypeVar("FieldT", bound=Numbers, covariant=True, default=Numbers)
+    StateT = TypeVar("StateT", bound=Numbers)
 else:
     from typing import TypeVar
 
@@ -127,14 +128,13 @@ class State(Generic[FieldT]):
     @classmethod
     def standing(cls, *, yaw: float | str = 0.0, spin: float | str = 0.0) -> State[float]:
         """A body that stands flat on the table, at rest: a start on a table that moves."""
-        upright = cls(tilt=1.0, yaw=yaw, spin=spin)
-        state: State[float] = cls.computed(**{**vars(upright), "tilt": 0.0})
-        return state
+        upright = State(tilt=1.0, yaw=yaw, spin=spin)
+        return State.computed(**{**vars(upright), "tilt": 0.0})
 
-    @classmethod
-    def computed(cls, **numbers: Any) -> Any:
+    @staticmethod
+    def computed(**numbers: StateT) -> State[StateT]:
         """A state of a motion, which may stand flat on the table, at the tilt 0."""
-        state = object.__new__(cls)
+        state: State[StateT] = object.__new__(State)
         for name, value in numbers.items():
             object.__setattr__(state, name, value)
         return state
@@ -165,13 +165,23 @@ def start_of(dataset: xr.Dataset) -> State:
 
     Raises ``RimrollError`` for a dataset without them, as a map of falls, whose plane has them.
     """
-    given: dict[str, Values] = {}
+    given: dict[str, Array] = {}
     for field in fields(State):
         if (key := f"start_{field.name}") not in dataset and key not in dataset.attrs:
             raise not_recorded("start", key)
         value = dataset[key] if key in dataset else dataset.attrs[key]
         given[field.name] = numbers(key, value, START_UNIT_OF[field.name])
+    if not given["tilt"].ndim and given["tilt"] == 0.0:
+        return _standing(given)
     return State(**given)
+
+
+def _standing(given: dict[str, Array]) -> State[float]:
+    """A start that stands flat, from its numbers."""
+    moving = [name for name, rate in given.items() if name.endswith("_rate") and rate != 0.0]
+    if moving:
+        raise RimrollError(f"{moving[0]} must be 0 where the tilt is 0, got {given[moving[0]]}")
+    return State.standing(yaw=float(given["yaw"]), spin=float(given["spin"]))
 
 
 def single(start: State) -> State[float]:

@@ -12,7 +12,8 @@ import numpy as np
 from rimroll.cli.formats import Forms, pictures, write_csv, write_json
 from rimroll.cli.request import Request
 from rimroll.cli.screen import Bar
-from rimroll.motion import UNITS, Moments, Motion
+from rimroll.ground.dataset import SAMPLES, TIMES
+from rimroll.motion import UNITS, Array, Moments, Motion
 
 TWICE = "times may repeat where the contact changes: once as before, once as after"
 """A comment on the times in the files."""
@@ -49,6 +50,7 @@ def summary(record: Record) -> dict[str, Any]:
         "turns": [asdict(turn) for turn in motion.turns],
         "events": [asdict(event) for event in motion.events],
         "phases": [asdict(phase) for phase in motion.phases],
+        **({} if motion.ground is None else {"shaken": shaken(motion)}),
         "losses": {
             "friction": float(motion.friction_loss[-1]),
             "resistance": float(motion.resistance_loss[-1]),
@@ -57,15 +59,49 @@ def summary(record: Record) -> dict[str, Any]:
     }
 
 
+def shaken(motion: Motion) -> dict[str, Any]:
+    """What became of a body on a table that moved, in SI units and radians."""
+    assert motion.ground is not None
+    return {
+        "ground_duration": motion.ground.duration,
+        "ground_peak": motion.ground.peak._asdict(),
+        "overturned": motion.overturned,
+        "overturning_time": motion.overturning_time,
+        "uplift_time": motion.uplift_time,
+        "max_tilt": motion.max_tilt,
+        "max_tilt_ratio": motion.max_tilt_ratio,
+        "residual_displacement": motion.residual_displacement,
+        "residual_yaw": motion.residual_yaw,
+        "ground_work": float(motion.ground_work[-1]),
+    }
+
+
+GROUND_COLUMNS = ("ground_x", "ground_y", "ground_z")
+"""Columns for the acceleration of the ground, m/s², in files of a shaken motion."""
+
+
+def _columns(record: Record) -> dict[str, tuple[str, Array]]:
+    """The columns of a file, each with its unit."""
+    columns = {name: (unit, record.moments[name]) for name, unit in UNITS.items()}
+    if (ground := record.motion.ground) is not None:
+        accelerations = ground(record.moments.t).T
+        columns |= {
+            name: ("m/s^2", values)
+            for name, values in zip(GROUND_COLUMNS, accelerations, strict=True)
+        }
+    return columns
+
+
 def _csv(part: Path, record: Record, bar: Bar) -> None:
     """A column ``name[unit]`` for each quantity, doubles in full."""
     comments = {**record.parameters, "status": record.motion.status, "t": TWICE}
-    names = (f"{name}[{unit}]" for name, unit in UNITS.items())
-    write_csv(part, names, _rows(record.moments, bar), comments)
+    columns = _columns(record)
+    names = (f"{name}[{unit}]" for name, (unit, _) in columns.items())
+    write_csv(part, names, _rows([values for _, values in columns.values()], bar), comments)
 
 
-def _rows(moments: Moments, bar: Bar) -> Iterator[Iterable[str]]:
-    columns = np.stack([moments[name] for name in UNITS], axis=-1)
+def _rows(values: list[Array], bar: Bar) -> Iterator[Iterable[str]]:
+    columns = np.stack(values, axis=-1)
     for first in range(0, len(columns), ROWS):
         bar(first, len(columns), "")
         yield from (map(repr, row) for row in columns[first : first + ROWS].tolist())
@@ -75,12 +111,14 @@ def _netcdf(part: Path, record: Record, bar: Bar) -> None:
     import xarray as xr
 
     whole = record.motion.to_xarray()
-    names = [name for name in UNITS if name != "t"]
+    columns = {name: column for name, column in _columns(record).items() if name != "t"}
+    ground = [name for name in (SAMPLES, TIMES, "component") if name in whole.variables]
     phases = record.motion.phases
     in_seconds = {"units": "s"}
     dataset = xr.Dataset(
         {
-            **{name: ("t", record.moments[name], whole[name].attrs) for name in names},
+            **{name: ("t", values, {"units": unit}) for name, (unit, values) in columns.items()},
+            **whole[ground].variables,
             "phase_kind": ("phase", [phase.kind for phase in phases]),
             "phase_start": ("phase", [phase.start for phase in phases], in_seconds),
             "phase_end": ("phase", [phase.end for phase in phases], in_seconds),
@@ -94,15 +132,17 @@ def _netcdf(part: Path, record: Record, bar: Bar) -> None:
 def _json(part: Path, record: Record, bar: Bar) -> None:
     content = {
         **summary(record),
-        "units": UNITS,
+        "units": {name: unit for name, (unit, _) in _columns(record).items()},
         "comments": {"t": TWICE},
-        "samples": {name: record.moments[name] for name in UNITS},
+        "samples": {name: values for name, (_, values) in _columns(record).items()},
     }
     write_json(part, content)
 
 
 def _film(part: Path, record: Record, bar: Bar) -> None:
-    record.motion.animate(part, progress=lambda done, total: bar(done, total, ""))
+    # A motion on a ground lasts long: it is shown in real time.
+    options = {} if record.motion.ground is None else {"speed": 1.0, "slow_collision": False}
+    record.motion.animate(part, progress=lambda done, total: bar(done, total, ""), **options)
 
 
 FORMS: Forms[Record] = {

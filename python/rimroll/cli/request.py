@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import inspect
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 
 from rimroll import bodies
@@ -19,6 +20,9 @@ from rimroll.cli.options import (
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import nudged
 from rimroll.given import positive
+from rimroll.ground.described import AFTER
+from rimroll.ground.ground import Ground
+from rimroll.motion.flat import FlatLanding
 from rimroll.names import choose
 from rimroll.options import Options
 from rimroll.scenario import Scenario, load, presets
@@ -31,6 +35,16 @@ DEFAULT = "can_2007"
 
 
 @dataclass(frozen=True)
+class Shaking:
+    """What options say of the ground and of flat landings; None where they say nothing."""
+
+    ground: Ground | None = None
+    flat: FlatLanding | None = None
+    change: Callable[[Ground], Ground] = field(default=lambda ground: ground)
+    """What options change of the ground of a file."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Request(Scenario):
     """A scenario, with the name that was given for its body."""
 
@@ -48,8 +62,12 @@ def requested(
     law: LawOptions,
     resistances: ResistanceOptions,
     needs_start: bool = False,
+    shaking: Shaking | None = None,
 ) -> Request:
     """The set-up that options describe; every body has a default start for commands that need one.
+
+    ``shaking`` is what the options say of the ground. Without it, a file with a ground is refused.
+    On a ground that moves a body stands unless a start is given.
 
     Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
     """
@@ -62,24 +80,50 @@ def requested(
     sizes = {name: text for name in SIZES if (text := getattr(body, name)) is not None}
     what = _body(preset, sizes, scenario)
     options = _options(motion, scenario.options if scenario else Options())
+    ground, flat = _shaken(shaking, scenario, file)
+    if ground is not None and motion.duration is None and not (scenario and scenario.has_duration):
+        options = replace(options, duration=ground.duration + AFTER)
     positive("gravity", options.gravity, "m/s^2")  # commands compute with it before the core does
     of_file = scenario.law if scenario else None
     contact = requested_law(law, resistances, of_file)
     if of_file is not None:
         contact = replace(contact, resistances=of_file.resistances)
     given, begin = _given(start), scenario.start if scenario else None
-    is_nudged = needs_start and begin is None
+    is_nudged = needs_start and begin is None and ground is None
     if is_nudged:
         begin = _nudged(what, options.gravity, given)
+    if ground is not None and begin is None and not given.keys() - {"yaw"}:
+        begin = State.standing(**given)
+        given = {}
     return Request(
         body=what,
         start=_start(given, begin),
         law=with_resistances(contact, resistances, what, options.gravity),
         options=options,
+        ground=ground,
+        flat=flat,
         has_file=scenario is not None,
         name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
         nudged=is_nudged and not given,
     )
+
+
+def _shaken(
+    shaking: Shaking | None, scenario: Scenario | None, file: Path | None
+) -> tuple[Ground | None, FlatLanding]:
+    """The ground and the flat landing of the options, or else of the file."""
+    ground, flat = (scenario.ground, scenario.flat) if scenario else (None, "stop")
+    if shaking is None:
+        if ground is not None or flat != "stop":
+            raise RimrollError(
+                f"{file}: [ground] and flat are for rimroll simulate and rimroll shake"
+            )
+        return None, "stop"
+    if shaking.ground is not None:
+        ground = shaking.ground
+    elif ground is not None:
+        ground = shaking.change(ground)
+    return ground, flat if shaking.flat is None else shaking.flat
 
 
 def is_file(name: str) -> bool:
@@ -151,7 +195,7 @@ def _nudged(body: Body, gravity: float, given: dict[str, float]) -> State:
 
 def _start(given: dict[str, float], start: State | None) -> State | None:
     if start is not None:
-        return replace(start, **given)
+        return replace(start, **given) if given else start
     if given and "tilt" not in given:
         raise RimrollError("a start needs --tilt, for instance --tilt 30deg")
     return State(**given) if given else None

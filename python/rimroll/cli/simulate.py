@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -11,6 +11,7 @@ import numpy as np
 import typer
 
 from rimroll import motion as motions
+from rimroll.cli.contact import in_words
 from rimroll.cli.files import FORMS, Record, summary
 from rimroll.cli.formats import STDOUT, check, form_of, write
 from rimroll.cli.options import (
@@ -22,12 +23,13 @@ from rimroll.cli.options import (
     StartOptions,
     whole,
 )
-from rimroll.cli.request import Request, requested
+from rimroll.cli.request import Request, Shaking, requested
 from rimroll.cli.screen import prose, say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
 from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.motion import Moments, Motion
+from rimroll.motion.shaken import shaken_in_words
 from rimroll.units import quantity
 
 MOST_POINTS = 10_000_000
@@ -93,20 +95,42 @@ def simulate(
 
     $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
     """
-    files = output or []
-    check(files, FORMS, json)
-    spacing = None if every is None else quantity(every, "s", "--every")
-    _check_spacing(points, spacing, files)
-    what = requested(body, start, motion, law, resistances, needs_start=start.tilt is None)
-    computed = _follow(what)
-    record = Record(computed, _moments(computed, points, spacing), what)
-    for file in files:
-        write(file, record, FORMS)
-    if json:
-        show_json({**summary(record), "files": [str(file) for file in files]})
-    elif STDOUT not in files:
-        _show(record, files)
-    return int(computed.status == "failed")
+    task = Output.checked(output, points, every, json)
+    no_tilt = start.tilt is None
+    return task.done(requested(body, start, motion, law, resistances, no_tilt, Shaking()))
+
+
+@dataclass(frozen=True)
+class Output:
+    """The files and the answer that are asked for."""
+
+    files: list[Path]
+    points: int | None
+    every: float | None
+    json: bool
+
+    @classmethod
+    def checked(
+        cls, output: list[Path] | None, points: int | None, every: str | None, json: bool
+    ) -> Output:
+        """What options ask for; raises ``RimrollError`` for what could not be written."""
+        files = output or []
+        check(files, FORMS, json)
+        spacing = None if every is None else quantity(every, "s", "--every")
+        _check_spacing(points, spacing, files)
+        return cls(files, points, spacing, json)
+
+    def done(self, what: Request) -> int:
+        """Follow the motion and write and show it; returns the exit code."""
+        computed = _follow(what)
+        record = Record(computed, _moments(computed, self.points, self.every), what)
+        for file in self.files:
+            write(file, record, FORMS)
+        if self.json:
+            show_json({**summary(record), "files": [str(file) for file in self.files]})
+        elif STDOUT not in self.files:
+            _show(record, self.files)
+        return int(computed.status == "failed")
 
 
 def _check_spacing(points: int | None, every: float | None, files: list[Path]) -> None:
@@ -130,7 +154,13 @@ def _follow(what: Request) -> Motion:
             bar(int(1000 * t / what.options.duration), 1000, "")
 
         return motions.simulate(
-            what.body, what.start, what.law, **asdict(what.options), progress=progress
+            what.body,
+            what.start,
+            what.law,
+            **asdict(what.options),
+            ground=what.ground,
+            flat=what.flat,
+            progress=progress,
         )
 
 
@@ -153,7 +183,10 @@ def _show(record: Record, files: list[Path]) -> None:
     motion = record.motion
     prose(body_line(record.request.name, motion.body))
     prose(start_line(motion, record.request.nudged))
-    show_turns(motion)
+    if motion.ground is None:
+        show_turns(motion)
+    else:
+        _show_shaken(motion)
     if len(motion.phases) > 1:
         prose("phases: " + ", ".join(_phases(motion)))
     _show_losses(motion)
@@ -167,13 +200,22 @@ def _show(record: Record, files: list[Path]) -> None:
         say(f"wrote {file}")
 
 
+def _show_shaken(motion: Motion) -> None:
+    say()
+    prose(f"{in_words(motion.law)}: {motion.message_in_degrees}")
+    if motion.status == "face_down":
+        prose("the motion goes on with --flat housner, smooth or a restitution")
+    prose(shaken_in_words(motion), 0)
+
+
 def _phases(motion: Motion) -> list[str]:
-    """The number and duration of phases in which the rim rolled, slid and flew."""
+    """The number and duration of the phases of each kind."""
     lines = []
-    for kind in ("rolling", "sliding", "flying"):
+    for kind in ("standing", "sliding_flat", "flying_level", "rolling", "sliding", "flying"):
         spans = [phase.end - phase.start for phase in motion.phases if phase.kind == kind]
         if spans:
-            lines.append(f"{len(spans)} {kind} ({sum(spans):.4g} s in all)")
+            words = kind.replace("_", " ")
+            lines.append(f"{len(spans)} {words} ({sum(spans):.4g} s in all)")
     return lines
 
 
@@ -185,5 +227,22 @@ def _show_losses(motion: Motion) -> None:
         "landing": motion.impact_loss[-1],
     }
     lost = [f"{1e3 * loss:.4g} mJ to {to}" for to, loss in losses.items() if loss > 0.0]
-    if lost:
+    if motion.ground is not None:
+        prose(_energy_of_shaken(motion))
+    elif lost:
         prose(f"energy: {1e3 * motion.energy[0]:.4g} mJ at the start; lost " + ", ".join(lost))
+
+
+def _energy_of_shaken(motion: Motion) -> str:
+    """What the ground gave a body, what took of it, and what is left, in J."""
+    losses = {
+        "friction": motion.friction_loss[-1],
+        "resistance": motion.resistance_loss[-1],
+        "impacts": motion.impact_loss[-1],
+    }
+    lost = [f"{loss:.4g} J to {to}" for to, loss in losses.items() if loss > 0.0]
+    return (
+        f"energy: {motion.energy[0]:.4g} J at the start, {motion.ground_work[-1]:.4g} J from the"
+        f" ground, {motion.energy[-1]:.4g} J at the end"
+        + ("; lost " + ", ".join(lost) if lost else "")
+    )

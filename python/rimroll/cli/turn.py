@@ -203,12 +203,14 @@ def body_line(name: str, body: Body) -> str:
 def start_line(motion: Motion, nudged: bool = False) -> str:
     """A start and the gravity in a line of prose; ``nudged`` if it is the default start."""
     start = motion.start
+    gravity = unbroken(f"gravity {motion.gravity:g} m/s²")
+    if start.tilt == 0.0:
+        return f"standing flat; {gravity}"
     rates = ", ".join(
         f"{name} {getattr(start, f'{name}_rate'):.4g}" for name in ("tilt", "yaw", "spin")
     )
     tilt = angle(float(start.tilt))
     tilt += " (half its balance tilt)" if nudged else ""
-    gravity = unbroken(f"gravity {motion.gravity:g} m/s²")
     return f"from tilt {tilt}, rates of {rates} rad/s; {gravity}"
 
 

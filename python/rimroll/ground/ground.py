@@ -222,8 +222,12 @@ class Ground:
         return _again, self._parts()
 
     def __repr__(self) -> str:
+        return f"<Ground of {self.in_words(': ')}>"
+
+    def in_words(self, after_kind: str = ", ") -> str:
+        """What it consists of, its duration and its peaks."""
         peaks = ", ".join(f"{value:.4g}" for value in self.peak[:3])
-        return f"<Ground of {self._kind()}: {self.duration:.6g} s, peaks {peaks} m/s²>"
+        return f"{self._kind()}{after_kind}{self.duration:.6g} s, peaks {peaks} m/s²"
 
     def _kind(self) -> str:
         """What it consists of, in words."""

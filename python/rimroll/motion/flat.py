@@ -17,9 +17,11 @@ KINDS = ("stop", "smooth", "smooth_left", "smooth_right", "housner")
 
 
 def flat_given(flat: object) -> FlatLanding:
-    """A flat landing as users give it; raises ``RimrollError`` for another value."""
-    if isinstance(flat, str) and flat.replace("-", "_") in KINDS:
-        return flat.replace("-", "_")
+    """A flat landing as users give it, or as a text; raises ``RimrollError`` for another value."""
+    if isinstance(flat, str):
+        flat = _of_text(flat)
+    if isinstance(flat, str) and flat in KINDS:
+        return flat
     if isinstance(flat, tuple) and len(flat) == 2 and flat[0] == "smooth":
         return ("smooth", whole_number("flat seed", flat[1]))
     if isinstance(flat, str | bool | tuple) or flat is None:
@@ -28,6 +30,22 @@ def flat_given(flat: object) -> FlatLanding:
             f" or a restitution from 0 to 1, got {flat!r}"
         )
     return number("flat", flat)
+
+
+def _of_text(text: str) -> object:
+    """``smooth:7`` and ``0.5`` as they are given in Python; another text with _ for -."""
+    kind, colon, seed = text.partition(":")
+    if colon and seed.isdecimal():
+        return kind, int(seed)
+    try:
+        return float(text)
+    except ValueError:
+        return text.replace("-", "_")
+
+
+def flat_as_text(flat: FlatLanding) -> str | float:
+    """A flat landing as a text or a number, which :func:`flat_given` reads."""
+    return ":".join(map(str, flat)) if isinstance(flat, tuple) else flat
 
 
 def flat_in_core(flat: FlatLanding) -> tuple[str, float, int]:

@@ -108,6 +108,15 @@ class Moments:
         return self._vector("contact_x", "contact_y")
 
     @property
+    def body_yaw(self) -> Array:
+        """ψ + θ, rad: the heading of the body's own x axis where the body is upright.
+
+        It does not jump where the body stands up, is lifted or lands on its flat base, as yaw and
+        spin do.
+        """
+        return self.yaw + self.spin
+
+    @property
     def normal_force(self) -> Array:
         """N, the table's upward push, N."""
         return self["normal_force"]

@@ -18,13 +18,15 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, whole_number
 from rimroll.laws import Law, law_of
 from rimroll.motion.crossings import checked, crossings
-from rimroll.motion.flat import FlatLanding, flat_in_core
+from rimroll.motion.flat import FlatLanding, flat_as_text, flat_given, flat_in_core
 from rimroll.motion.jacobian import PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
+from rimroll.motion.shaken import first_uplift, footprint_of, is_overturned, largest_tilt
 from rimroll.options import Options, options_of
 from rimroll.recorded import expect_dataset, parameters
 from rimroll.state import State, single, start_of, times
+from rimroll.theory import balance_tilt
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -131,12 +133,67 @@ class Motion(Moments):
         ends = [*(start for _, start in begins[1:]), float(self.t[-1])][: len(begins)]
         return [Phase(kind, start, end) for (kind, start), end in zip(begins, ends, strict=True)]
 
+    @property
+    def footprint(self) -> Array:
+        """Centre of the base's footprint on the table (x, y), m, shape (n, 2).
+
+        It is the centre of the circle on which the base would stand if the body turned upright
+        about its contact point. Rocking does not move it; rolling and sliding do.
+        """
+        return footprint_of(self, self.body)
+
+    @property
+    def overturned(self) -> bool:
+        """Whether the body toppled, that is, reached :attr:`topple_tilt`.
+
+        Under a law without flight, a rim that lifts off beyond the balance tilt also counts.
+        """
+        return is_overturned(self)
+
+    @property
+    def overturning_time(self) -> float | None:
+        """The time at which the body toppled, s; None unless it :attr:`overturned`."""
+        return float(self.t[-1]) if self.overturned else None
+
+    @property
+    def uplift_time(self) -> float | None:
+        """The time at which a body that stood flat first began to rock, s; None if it never did."""
+        return first_uplift(self)
+
+    @cached_property
+    def max_tilt(self) -> float:
+        """The largest tilt, rad, also between the solver's steps."""
+        return largest_tilt(self)
+
+    @property
+    def max_tilt_ratio(self) -> float:
+        """The largest tilt over the balance tilt atan(R/H)."""
+        return self.max_tilt / float(balance_tilt(self.body))
+
+    @property
+    def residual_displacement(self) -> Array:
+        """How far the :attr:`footprint` has moved on the table (x, y) from start to end, m."""
+        displacement: Array = self.footprint[-1] - self.footprint[0]
+        return displacement
+
+    @property
+    def residual_yaw(self) -> float:
+        """The angle by which the body has turned about the vertical from start to end, rad.
+
+        It is the change of yaw + spin, and says where the body faces if it is upright at the end.
+        """
+        return float(self.body_yaw[-1] - self.body_yaw[0])
+
     def __repr__(self) -> str:
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
         if len(self.turns) > 3:
             turns += f", {len(self.turns) - 3} more"
+        ending = f"{self.law.name}, {self.status} at t = {self.t[-1]:.6g} s"
+        if self.ground is None:
+            return f"<Motion {ending}; turns: [{turns}]>"
         return (
-            f"<Motion {self.law.name}, {self.status} at t = {self.t[-1]:.6g} s; turns: [{turns}]>"
+            f"<Motion on a ground of {self.ground.in_words()}: {ending};"
+            f" largest tilt {self.max_tilt_ratio:.4g} of the balance tilt>"
         )
 
     def _repr_html_(self) -> str:
@@ -287,7 +344,14 @@ class Motion(Moments):
         return per_step
 
     def plot(self) -> Figure:
-        """The paper's nine-panel simulation figure of this motion."""
+        """The paper's nine-panel simulation figure of this motion.
+
+        For a motion on a ground: the ground, the tilt with its events, and the footprint's path.
+        """
+        if self.ground is not None:
+            from rimroll.shaken_figure import shaken_figure
+
+            return shaken_figure(self)
         from rimroll.plot import nine_panels
 
         return nine_panels(self)
@@ -346,7 +410,12 @@ class Motion(Moments):
             },
             coords={"t": ("t", self.t[last], {"units": "s"})},
         )
-        return dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+        dataset = dataset.assign_attrs(self.parameters(), status=self.status, message=self.message)
+        if self.ground is None:
+            return dataset
+        from rimroll.ground.dataset import with_record
+
+        return with_record(dataset, self.ground)
 
     @classmethod
     def from_xarray(cls, dataset: xr.Dataset, *, jacobian: bool = False) -> Motion:
@@ -359,18 +428,37 @@ class Motion(Moments):
         expect_dataset(dataset)
         if "outcome" in dataset:
             raise RimrollError("dataset must be that of a motion, got one of falls")
-        start = single(start_of(dataset))
-        return follow(body_of(dataset), start, law_of(dataset), options_of(dataset), jacobian)
+        from rimroll.ground.dataset import ground_of
+
+        return follow(
+            body_of(dataset),
+            single(start_of(dataset)),
+            law_of(dataset),
+            options_of(dataset),
+            jacobian,
+            ground=ground_of(dataset),
+            flat=flat_given(dataset.attrs.get("flat", "stop")),
+        )
 
     def parameters(self) -> dict[str, Any]:
-        """Everything that the motion was computed from, as plain numbers and texts."""
+        """Everything that the motion was computed from, as plain numbers and texts.
+
+        Only the samples of a record of the ground are left out; the dataset has them.
+        """
         return parameters(
             self.law.name,
-            asdict(self._options),
+            {**asdict(self._options), "flat": flat_as_text(self.flat), **self._ground_in_words()},
             law=self.law.numbers,
             body=asdict(self.body),
             start=asdict(self.start),
         )
+
+    def _ground_in_words(self) -> dict[str, Any]:
+        if self.ground is None:
+            return {}
+        from rimroll.ground.dataset import attributes
+
+        return attributes(self.ground)
 
 
 def follow(

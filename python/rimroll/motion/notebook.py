@@ -5,6 +5,7 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
+from rimroll.motion.shaken import shaken_in_words
 from rimroll.notebook import TURN_HEAD, table, turn_cells
 
 if TYPE_CHECKING:
@@ -17,10 +18,11 @@ def motion_in_html(motion: Motion) -> str:
     """The ending of a motion, its first turns as a table in degrees, and what it lost."""
     rows = [(str(number), *turn_cells(turn)) for number, turn in enumerate(motion.turns[:SHOWN], 1)]
     head = f"<p><b>Motion</b>, {escape(repr(motion.law))}: {escape(motion.message)}</p>"
+    ground = f"<p>{escape(shaken_in_words(motion))}</p>" if motion.ground is not None else ""
     more = len(motion.turns) - len(rows)
     turns = table(rows, ("turn", *TURN_HEAD)) if rows else "<p>no turns</p>"
     rest = f"<p>and {more} more turns</p>" if more else ""
-    return f"<div>{head}{turns}{rest}{_losses(motion)}</div>"
+    return f"<div>{head}{ground}{turns}{rest}{_losses(motion)}</div>"
 
 
 def _losses(motion: Motion) -> str:

@@ -13,7 +13,8 @@ class Event:
     """An event of a motion.
 
     ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
-    faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``) or an ending
+    faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``, ``uplift`` where a
+    body that stood flat begins to rock, ``stand`` where it stands again) or an ending
     (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``), or a ``crossing`` (see
     :meth:`Motion.crossings`); ``t`` in s; ``state`` as single numbers.
     """
@@ -25,7 +26,11 @@ class Event:
 
 @dataclass(frozen=True)
 class Phase:
-    """A part of a motion of one kind: ``rolling``, ``sliding`` or ``flying``; times in s."""
+    """A part of a motion of one kind; times in s.
+
+    The kinds are ``rolling``, ``sliding`` and ``flying``; with a level base ``standing``,
+    ``sliding_flat`` and ``flying_level``; and ``lying``, once the body has toppled.
+    """
 
     kind: str
     start: float

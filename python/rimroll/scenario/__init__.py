@@ -1,4 +1,4 @@
-"""Scenario files: a body, a start, a law and the options of a motion, in TOML.
+"""Scenario files: a body, a start, a law, a ground and the options of a motion, in TOML.
 
 Numbers are SI and radians; texts carry their unit. See ``examples/`` for files that explain
 themselves.
@@ -10,13 +10,18 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rimroll import bodies
 from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
+from rimroll.motion.flat import FlatLanding
 from rimroll.options import Options
 from rimroll.state import State
+
+if TYPE_CHECKING:
+    from rimroll.ground.ground import Ground
 
 MOST_STEPS = 2_000_000_000
 """The upper bound of max_steps: the largest number that the files of a motion can hold."""
@@ -30,6 +35,10 @@ class Scenario:
     start: State | None
     law: Law
     options: Options
+    ground: Ground | None = None
+    flat: FlatLanding = "stop"
+    has_duration: bool = False
+    """Whether the file gives the duration, which else is 10 s longer than that of a ground."""
 
 
 def load(path: str | os.PathLike[str]) -> Scenario:
@@ -42,7 +51,7 @@ def load(path: str | os.PathLike[str]) -> Scenario:
 
     file = Path(path)
     try:
-        return scenario(read(file))
+        return scenario(read(file), file.parent)
     except RimrollError as error:
         raise RimrollError(f"{file}: {error}") from None
 

@@ -6,7 +6,7 @@ import inspect
 import json
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
@@ -25,6 +25,8 @@ from pydantic_core import ErrorDetails
 from rimroll import laws, solids, surfaces
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.ground.described import AFTER, NUMBERS, Description
+from rimroll.ground.ground import Ground
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -35,6 +37,7 @@ from rimroll.laws import (
     RollingResistance,
     parameters_of,
 )
+from rimroll.motion.flat import FlatLanding, flat_given
 from rimroll.names import choose, nearest, typed
 from rimroll.options import Options
 from rimroll.scenario import (
@@ -137,6 +140,7 @@ class _File(_Table):
     body: dict[str, Any]
     start: dict[str, Any] | None = None
     law: Any = NoSlip.name
+    ground: dict[str, Any] | None = None
     simulation: dict[str, Any] = {}
 
 
@@ -155,6 +159,35 @@ class _Simulation(_Table):
     rtol: Annotated[float, _in("1")] = Options.rtol
     topple_tilt: Tilt | None = None
     max_steps: Annotated[int, Field(gt=0, le=MOST_STEPS)] = Options.max_steps
+    flat: Any = "stop"
+
+
+def _in_three(unit: str) -> BeforeValidator:
+    """Reads a quantity in an SI unit, or a list of three (x, y, z)."""
+
+    def read(value: object, info: ValidationInfo) -> float | list[float]:
+        name = info.field_name or "the value"
+        if not isinstance(value, list):
+            return quantity(_readable(value), unit, name)
+        if len(value) != 3:
+            raise RimrollError(f"{name} must be one or three, x, y and z, got {as_toml(value)}")
+        return [quantity(_readable(one), unit, name) for one in value]
+
+    return BeforeValidator(read)
+
+
+class _Ground(_Table):
+    record: str | list[str] = []
+    units: str | None = None
+    component: str | None = None
+    pulse: str | None = None
+    amplitude: Annotated[Any, _in_three("m/s^2")] = None
+    period: Annotated[Any, _in_three("s")] = None
+    cycles: Annotated[Any, _in_three("1")] = None
+    duration: Annotated[Any, _in_three("s")] = None
+    center: Annotated[Any, _in_three("s")] = None
+    scale: Annotated[float | None, _in("1")] = None
+    rotation: Annotated[float | None, _in("rad")] = None
 
 
 class _Numbers(_Table):
@@ -213,8 +246,8 @@ def read(file: Path) -> dict[str, Any]:
         raise RimrollError(f"is not valid TOML: {error}") from None
 
 
-def scenario(content: dict[str, Any]) -> Scenario:
-    """The scenario that the content of a file describes."""
+def scenario(content: dict[str, Any], folder: Path = Path()) -> Scenario:
+    """The scenario that the content of a file in that folder describes."""
     if "body" not in content and content.keys() <= _File.model_fields.keys():
         what = "has no table [body]" if content else "is empty"
         raise RimrollError(f'{what}: write what rolls, such as [body] and preset = "can_2007"')
@@ -225,12 +258,42 @@ def scenario(content: dict[str, Any]) -> Scenario:
         start = _made("[start]", lambda: State(**table.model_dump()))
     simulation = _checked(_Simulation, file.simulation, "[simulation]")
     body = _body(file.body)
+    options = Options(**simulation.model_dump(exclude={"flat"}))
+    ground = None if file.ground is None else _ground(file.ground, folder)
+    has_duration = "duration" in simulation.model_fields_set
+    if ground is not None and not has_duration:
+        options = replace(options, duration=ground.duration + AFTER)
     return Scenario(
         body=body,
         start=start,
         law=_law(file.law, body, simulation.gravity),
-        options=Options(**simulation.model_dump()),
+        options=options,
+        ground=ground,
+        flat=_made("[simulation]", lambda: _flat(simulation.flat)),
+        has_duration=has_duration,
     )
+
+
+def _flat(given: object) -> FlatLanding:
+    """What follows a flat landing: a text, a number, or a list of "smooth" and a seed."""
+    return flat_given(tuple(given) if isinstance(given, list) else given)
+
+
+def _ground(given: dict[str, Any], folder: Path) -> Ground:
+    """The ground of a table; paths of records are relative to the folder of the file."""
+    table = _checked(_Ground, given, "[ground]")
+    names = [table.record] if isinstance(table.record, str) else table.record
+    numbers = {name: value for name in NUMBERS if (value := getattr(table, name)) is not None}
+    description = Description(
+        record=[folder / name for name in names],
+        pulse=table.pulse,
+        numbers=numbers,
+        **{name: getattr(table, name) for name in ("scale", "rotation", "units", "component")},
+    )
+    ground = _made("[ground]", description.made)
+    if ground is None:
+        raise RimrollError("[ground] lacks 'record' or 'pulse'")
+    return ground
 
 
 def _law(given: object, body: Body, gravity: float) -> Law:

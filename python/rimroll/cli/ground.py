@@ -1,0 +1,133 @@
+"""Options of a motion of the ground."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rimroll.cli.contact import option
+from rimroll.cli.options import StartOptions, completing
+from rimroll.cli.request import Shaking
+from rimroll.errors import RimrollError
+from rimroll.ground.described import NUMBERS, PULSES, Description
+from rimroll.motion.flat import KINDS, flat_given
+from rimroll.names import typed
+from rimroll.units import quantity
+
+_PULSES = [typed(name) for name in PULSES]
+_KINDS = [typed(name) for name in KINDS]
+
+OPTION_OF = {"duration": "--pulse-duration", "rotation": "--rotate"}
+"""Fields of a description whose options have other names."""
+
+
+def _given(help: str, metavar: str, choices: Sequence[str] = (), panel: str = "Ground") -> object:
+    return typer.Option(
+        help=help, metavar=metavar, rich_help_panel=panel, autocompletion=completing(choices)
+    )
+
+
+@dataclass(frozen=True)
+class GroundOptions:
+    """How the table moves."""
+
+    record: Annotated[
+        list[Path] | None,
+        _given("AT2 files, one for each component, or a CSV file; more may follow it.", "FILE"),
+    ] = None
+    units: Annotated[
+        str | None, _given("Unit of the record where its files name none.", "UNIT")
+    ] = None
+    pulse: Annotated[str | None, _given(f"{', '.join(_PULSES)}.", "NAME", _PULSES)] = None
+    amplitude: Annotated[
+        str | None, _given("Of the pulse: along x, or x,y,z as in 0.3g,1m/s2,0.", "ACCELERATION")
+    ] = None
+    period: Annotated[str | None, _given("Of sine, cosine and ricker; or x,y,z.", "TIME")] = None
+    cycles: Annotated[str | None, _given("Periods of sine and cosine; or x,y,z. [1]", "NUMBER")] = (
+        None
+    )
+    pulse_duration: Annotated[
+        str | None, _given("Of half-sine and rectangular; or x,y,z.", "TIME")
+    ] = None
+    center: Annotated[str | None, _given("Time of the peak of ricker. [two periods]", "TIME")] = (
+        None
+    )
+    scale: Annotated[str | None, _given("Multiply all accelerations.", "FACTOR")] = None
+    rotate: Annotated[
+        str | None, _given("Turn the ground about the vertical, from x toward y.", "ANGLE")
+    ] = None
+    flat: Annotated[
+        str | None,
+        _given(
+            "What follows where the base comes down flat: "
+            f"{', '.join(_KINDS)}, smooth:SEED, or a restitution. [stop]",
+            "HOW",
+            _KINDS,
+            "Table",
+        ),
+    ] = None
+
+
+@dataclass(frozen=True)
+class LeanOptions(StartOptions):
+    """A start that leans in some direction."""
+
+    yaw: Annotated[
+        str | None,
+        _given("Where the tilt lifts the base: 0 is x, 90deg y. [0]", "ANGLE", (), "Start"),
+    ] = None
+
+
+def requested_shaking(options: GroundOptions, more: Sequence[Path]) -> Shaking:
+    """The ground that options describe; ``more`` are further files of the record.
+
+    Raises ``RimrollError`` naming the option that is at fault.
+    """
+    numbers = {
+        name: _three(text, unit, _called(name))
+        for name, unit in NUMBERS.items()
+        if (text := _text_of(options, name)) is not None
+    }
+    description = Description(
+        record=[*(options.record or ()), *more],
+        pulse=options.pulse,
+        numbers=numbers,
+        scale=_number(options.scale, "1", "--scale"),
+        rotation=_number(options.rotate, "rad", "--rotate"),
+        units=options.units,
+    )
+    try:
+        ground = description.made(_called)
+    except RimrollError as error:
+        field = str(error).partition(" must ")[0]
+        if field not in OPTION_OF:
+            raise
+        raise RimrollError(OPTION_OF[field] + str(error).removeprefix(field)) from None
+    flat = None if options.flat is None else flat_given(options.flat)
+    return Shaking(ground, flat, description.changed)
+
+
+def _called(name: str) -> str:
+    return OPTION_OF.get(name, option(name))
+
+
+def _text_of(options: GroundOptions, name: str) -> str | None:
+    text: str | None = getattr(options, _called(name).removeprefix("--").replace("-", "_"))
+    return text
+
+
+def _number(text: str | None, unit: str, name: str) -> float | None:
+    return None if text is None else quantity(text, unit, name)
+
+
+def _three(text: str, unit: str, name: str) -> float | list[float]:
+    """One quantity, or three between commas."""
+    parts = text.split(",")
+    if len(parts) not in (1, 3):
+        raise RimrollError(f"{name} must be one or three, x,y,z, got {text!r}")
+    values = [quantity(part, unit, name) for part in parts]
+    return values[0] if len(values) == 1 else values

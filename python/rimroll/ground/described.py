@@ -1,0 +1,92 @@
+"""A ground as a scenario file or the command line describes it: a pulse, a record, or both."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rimroll.errors import RimrollError
+from rimroll.ground.files import read
+from rimroll.ground.ground import Ground
+from rimroll.ground.pulses import cosine, half_sine, rectangular, ricker, sine
+from rimroll.names import choose, typed
+
+PULSES: dict[str, Callable[..., Ground]] = {
+    "sine": sine,
+    "cosine": cosine,
+    "half_sine": half_sine,
+    "rectangular": rectangular,
+    "ricker": ricker,
+}
+
+NUMBERS = {"amplitude": "m/s^2", "period": "s", "cycles": "1", "duration": "s", "center": "s"}
+"""The numbers of pulses and their SI units."""
+
+AFTER = 10.0
+"""How long a motion is followed after the end of the ground unless its duration is given, s."""
+
+Three = float | list[float]
+"""A number, or three (x, y, z)."""
+
+
+@dataclass(frozen=True)
+class Description:
+    """What a ground consists of.
+
+    ``numbers`` are the arguments of the pulse, in SI units; ``scale`` multiplies all
+    accelerations, and ``rotation`` (rad) turns them about the vertical, from x toward y.
+    """
+
+    record: Sequence[str | Path] = ()
+    pulse: str | None = None
+    numbers: Mapping[str, Three] = field(default_factory=dict)
+    scale: float | None = None
+    rotation: float | None = None
+    units: str | None = None
+    component: str | None = None
+
+    def made(self, called: Callable[[str], str] = str) -> Ground | None:
+        """The ground; None if there is neither a record nor a pulse.
+
+        ``called`` says what errors call a field. Raises ``RimrollError`` for fields that do not go
+        together, and what :func:`rimroll.ground.read` and the pulses raise.
+        """
+        parts = [part for part in (self._recorded(called), self._pulsed(called)) if part]
+        if not parts:
+            return None
+        return self.changed(parts[0] if len(parts) == 1 else parts[0] + parts[1])
+
+    def changed(self, ground: Ground) -> Ground:
+        """A ground scaled and turned as this describes it."""
+        if self.scale is not None:
+            ground = ground.scaled(self.scale)
+        return ground if self.rotation is None else ground.rotated(self.rotation)
+
+    def _recorded(self, called: Callable[[str], str]) -> Ground | None:
+        if self.record:
+            return read(*self.record, units=self.units, component=self.component)
+        if self.units is not None or self.component is not None:
+            name = called("component" if self.units is None else "units")
+            raise RimrollError(f"{name} needs {called('record')}")
+        return None
+
+    def _pulsed(self, called: Callable[[str], str]) -> Ground | None:
+        if self.pulse is None:
+            if self.numbers:
+                raise RimrollError(f"{called(next(iter(self.numbers)))} needs {called('pulse')}")
+            return None
+        make = choose("pulse", self.pulse, PULSES)
+        takes = inspect.signature(make).parameters
+        for name in self.numbers:
+            if name not in takes:
+                known = ", ".join(map(called, takes))
+                raise RimrollError(
+                    f"{called(name)} does not go with the pulse {typed(self.pulse)}, which takes"
+                    f" {known}"
+                )
+        for name, parameter in takes.items():
+            if parameter.default is parameter.empty and name not in self.numbers:
+                raise RimrollError(f"the pulse {typed(self.pulse)} needs {called(name)}")
+        return make(**self.numbers)

@@ -1,0 +1,214 @@
+"""``rimroll shake``: the ground from options and files, answers, files and errors."""
+
+import csv
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import rimroll as rr
+from given.motions import CAN, same_bits
+from rimroll.cli import main
+from rimroll.scenario import load
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+COLUMN = EXAMPLES / "column.toml"
+RECORD = [EXAMPLES / f"synthetic_{name}.at2" for name in ("000", "090", "up")]
+FILES = " ".join(map(str, RECORD))
+PULSE = "shake --pulse sine --amplitude 0.9g --period 0.3s"
+
+
+@pytest.fixture
+def stdout_of(capsys):
+    """Runs a command that must succeed, and returns its stdout with single spaces."""
+
+    def run(arguments):
+        assert main(arguments.split()) == 0
+        return " ".join(capsys.readouterr().out.split())
+
+    return run
+
+
+@pytest.fixture
+def error_of(capsys):
+    """Runs a command that must fail, and returns its stderr."""
+
+    def run(arguments):
+        assert main(arguments.split()) == 2
+        return capsys.readouterr().err
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def column():
+    return load(COLUMN).body
+
+
+def shaken(body, ground, law, flat="stop", **options):
+    duration = ground.duration + 10.0
+    return rr.simulate(
+        body, rr.State.standing(), law, duration, ground=ground, flat=flat, **options
+    )
+
+
+def test_a_record_in_json_is_the_api(stdout_of, column):
+    command = f"shake {COLUMN} --record {FILES} --scale 1.2 --flat housner --json"
+    answer = json.loads(stdout_of(command))
+    ground = rr.ground.read(*RECORD).scaled(1.2)
+    motion = shaken(column, ground, rr.Coulomb(0.6), "housner", gravity=9.81)
+    assert answer["parameters"].items() >= motion.parameters().items()
+    assert answer["status"] == motion.status
+    result = answer["shaken"]
+    for name in ("overturned", "overturning_time", "uplift_time", "max_tilt", "max_tilt_ratio"):
+        assert result[name] == getattr(motion, name)
+    assert result["residual_displacement"] == motion.residual_displacement.tolist()
+    assert result["residual_yaw"] == motion.residual_yaw
+    assert result["ground_peak"]["x"] == ground.peak.x
+    assert answer["losses"]["friction"] == motion.friction_loss[-1]
+
+
+@pytest.mark.parametrize(
+    "files", [f"--record {FILES}", FILES, " ".join(f"--record {file}" for file in RECORD)]
+)
+def test_files_of_a_record_may_be_given_in_any_of_these_ways(stdout_of, files):
+    answer = json.loads(stdout_of(f"shake {COLUMN} {files} --duration 3s --json"))
+    assert answer["shaken"]["ground_peak"]["x"] == rr.ground.read(*RECORD).peak.x
+    bodiless = json.loads(stdout_of(f"shake {files} --duration 3s --json"))
+    assert bodiless["parameters"]["body_radius"] == CAN.radius
+    assert bodiless["shaken"]["ground_peak"] == answer["shaken"]["ground_peak"]
+
+
+@pytest.mark.parametrize(
+    ("options", "ground"),
+    [
+        ("sine --amplitude 0.9g --period 0.3s", rr.ground.sine("0.9 g", 0.3)),
+        ("cosine --amplitude 9,1,0 --period 0.3 --cycles 2,3,1",
+         rr.ground.cosine((9.0, 1.0, 0.0), 0.3, (2, 3, 1))),
+        ("half-sine --amplitude 9m/s2 --pulse-duration 200ms", rr.ground.half_sine(9.0, 0.2)),
+        ("rectangular --amplitude 900gal --pulse-duration 0.2s", rr.ground.rectangular(9.0, 0.2)),
+        ("ricker --amplitude 9 --period 0.4 --center 1s", rr.ground.ricker(9.0, 0.4, 1.0)),
+        ("sine --amplitude 9 --period 0.3 --scale 50% --rotate 90deg",
+         rr.ground.sine(9.0, 0.3).scaled(0.5).rotated(math.pi / 2)),
+    ],
+)  # fmt: skip
+def test_pulses_are_those_of_the_api(stdout_of, options, ground):
+    answer = json.loads(stdout_of(f"shake --pulse {options} --json"))
+    motion = shaken(CAN, ground, rr.NoSlip())
+    assert answer["parameters"].items() >= motion.parameters().items()
+    assert answer["shaken"]["max_tilt"] == motion.max_tilt
+
+
+def test_a_lean_replaces_the_standing_start(stdout_of):
+    text = f"{PULSE} --tilt 5deg --yaw 30deg --duration 1s --friction 0.3 --flat smooth:4 --json"
+    given = json.loads(stdout_of(text))["parameters"]
+    assert given["start_tilt"] == math.radians(5.0) and given["start_yaw"] == math.radians(30.0)
+    assert given["flat"] == "smooth:4" and given["duration"] == 1.0
+    assert json.loads(stdout_of(f"{PULSE} --yaw 30deg --json"))["parameters"]["start_tilt"] == 0.0
+
+
+def test_it_tells_what_became_of_the_body(stdout_of):
+    text = stdout_of(f"shake {COLUMN} --record {FILES} --scale 1.2")
+    assert "The ground: 1001 samples at 0.02 s, 20 s" in text
+    assert "standing flat; gravity 9.81 m/s²" in text
+    assert "The body was lifted at 1.99528 s." in text and "It overturned at 12.8104 s." in text
+    calm = stdout_of(f"shake {COLUMN} --scale 0.5")
+    assert "The body was never lifted. It did not overturn" in calm
+    assert "--flat housner" in stdout_of(PULSE)
+    assert "--flat" not in stdout_of(f"{PULSE} --flat housner")
+
+
+def test_simulate_follows_a_file_with_a_ground_too(stdout_of):
+    one, other = (
+        json.loads(stdout_of(f"{name} {COLUMN} --json")) for name in ("shake", "simulate")
+    )
+    assert one == other and one["shaken"]["uplift_time"] > 0.0
+
+
+def test_files_hold_the_motion_and_the_ground(tmp_path, stdout_of, column):
+    paths = [tmp_path / f"c.{suffix}" for suffix in ("csv", "nc", "json")]
+    outputs = " ".join(f"-o {path}" for path in paths)
+    stdout_of(f"shake {COLUMN} --duration 8s --every 0.5s {outputs}")
+    ground = load(COLUMN).ground
+    with xr.open_dataset(paths[1]) as stored:
+        motion = rr.Motion.from_xarray(stored)
+        np.testing.assert_array_equal(stored["ground_x"], ground(stored["t"].values)[:, 0])
+    direct = rr.simulate(
+        column, rr.State.standing(), rr.Coulomb(0.6), 8.0, ground=ground, flat="housner",
+        gravity=9.81,
+    )  # fmt: skip
+    assert motion.ground == ground and same_bits(motion, direct)
+    lines = paths[0].read_text().splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    t = np.array([float(row["t[s]"]) for row in rows])
+    assert t == pytest.approx(0.5 * np.arange(17))
+    assert [float(row["ground_y[m/s^2]"]) for row in rows] == ground(t)[:, 1].tolist()
+    assert "# flat = housner" in lines
+    samples = json.loads(paths[2].read_text())["samples"]
+    assert samples["ground_z"] == ground(samples["t"])[:, 2].tolist()
+
+
+@pytest.mark.slow
+def test_pictures_and_films_are_written(tmp_path, stdout_of):
+    stdout_of(f"shake {COLUMN} --duration 4s -o {tmp_path}/c.svg -o {tmp_path}/c.gif")
+    assert (tmp_path / "c.svg").stat().st_size > 10_000
+    assert (tmp_path / "c.gif").read_bytes()[:3] == b"GIF"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("shake", "nothing says how the ground moves: give --record, --pulse or a file"),
+        ("shake --scale 2", "nothing says how the ground moves"),
+        ("shake --period 1s", "--period needs --pulse"),
+        ("shake --pulse sin", "did you mean 'sine'?"),
+        ("shake --pulse sine --amplitude 3", "the pulse sine needs --period"),
+        ("shake --pulse rectangular --amplitude 3 --pulse-duration -1s", "--pulse-duration must"),
+        ("shake --pulse ricker --amplitude 3 --period 1 --cycles 2", "--cycles does not go with"),
+        ("shake --pulse sine --amplitude 3,1 --period 1", "--amplitude must be one or three"),
+        ("shake --pulse sine --amplitude 3kg --period 1", "--amplitude"),
+        (f"{PULSE} --flat 2", "restitution must be between 0 and 1, got 2"),
+        (f"{PULSE} --flat plastic", "must be one of stop, smooth"),
+        (f"{PULSE} --tilt-rate 1", "a start needs --tilt"),
+        ("shake --record nosuch.at2", "nosuch.at2"),
+        (f"shake {RECORD[0]} {RECORD[0]}", "are all horizontal|must be perpendicular"),
+        (f"turn {COLUMN}", "[ground] and flat are for rimroll simulate and rimroll shake"),
+    ],
+)
+def test_errors_are_one_line_that_names_the_option(error_of, arguments, message):
+    error = error_of(arguments)
+    assert len(error.splitlines()) == 1
+    assert any(part in error for part in message.split("|"))
+
+
+@pytest.mark.parametrize(
+    ("ground", "message"),
+    [
+        ("{}", "[ground] lacks 'record' or 'pulse'"),
+        ('{ pulse = "sine", amplitude = 3 }', "[ground] the pulse sine needs period"),
+        ('{ pulse = "sine", amplitude = [1, 2], period = 1 }', "amplitude must be one or three"),
+        ('{ pulse = "sine", amplitude = 1, period = 1, color = 2 }', "unknown key 'color'"),
+        ('{ record = "nosuch.csv" }', "nosuch.csv"),
+    ],
+)
+def test_errors_in_a_files_ground_name_the_table(tmp_path, ground, message):
+    path = tmp_path / "shaken.toml"
+    path.write_text(f'ground = {ground}\n[body]\npreset = "coin"\n')
+    with pytest.raises(rr.RimrollError) as raised:
+        load(path)
+    assert message in str(raised.value) and str(raised.value).startswith(str(path))
+
+
+def test_a_files_ground_and_flat_are_those_of_the_api(tmp_path):
+    path = tmp_path / "shaken.toml"
+    path.write_text(
+        '[body]\npreset = "coin"\n[simulation]\nflat = ["smooth", 3]\n[ground]\npulse = "cosine"\n'
+        'amplitude = ["0.3 g", 1, 0]\nperiod = "500 ms"\ncycles = [1, 2, 1]\nscale = 2\n'
+    )
+    read = load(path)
+    assert read.ground == rr.ground.cosine(("0.3 g", 1.0, 0.0), 0.5, (1, 2, 1)).scaled(2.0)
+    assert read.flat == ("smooth", 3)
+    assert read.options.duration == 1.0 + 10.0 and not read.has_duration
