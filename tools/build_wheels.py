@@ -78,14 +78,17 @@ class Failed(Exception):
 
 def run(*command: str | Path, cwd: Path = ROOT, **more: str) -> None:
     """Runs a command. Raises Failed, and shows the last lines of its output, if it fails."""
-    result = subprocess.run(
-        command,
-        cwd=cwd,
-        env=ENVIRONMENT | more,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
+    try:
+        result = subprocess.run(
+            command,
+            cwd=cwd,
+            env=ENVIRONMENT | more,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+    except FileNotFoundError:
+        raise Failed(f"{command[0]} is missing") from None
     if result.returncode:
         print("\n".join(result.stdout.splitlines()[-30:]), file=sys.stderr)
         raise Failed(" ".join(map(str, command[:3])))
@@ -177,8 +180,12 @@ def main(names: list[str]) -> int:
         return 2
     shutil.rmtree(DIST, ignore_errors=True)
     DIST.mkdir()
-    sdist = write_sdist()
-    tree = unpacked(sdist)
+    try:
+        sdist = write_sdist()
+        tree = unpacked(sdist)
+    except Failed as error:
+        print(f"FAILED: {error}")
+        return 1
     failed = False
     for name in names or BUILDS:
         build, start = BUILDS[name], time.monotonic()

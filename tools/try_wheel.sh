@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs a wheel or a source distribution beside nothing else, and runs the smoke test on it:
-#   try_wheel.sh here FILE       in an empty environment, without a compiler
+#   try_wheel.sh here FILE       in an empty environment, without Rust
 #   try_wheel.sh offline FILE    built there from the source distribution, with what cargo has downloaded
 #   try_wheel.sh arm64 FILE      emulated, with Debian's Python
 #   try_wheel.sh pyodide FILE    the compiled core, in Node.js

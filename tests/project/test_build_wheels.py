@@ -62,6 +62,11 @@ def test_an_unknown_name_is_refused_before_anything_is_built(tool, tmp_path, cap
     assert (tmp_path / "dist/old.whl").exists()
 
 
+def test_a_tool_that_is_missing_is_named(tool):
+    with pytest.raises(tool.Failed, match="rustup-of-nobody is missing"):
+        tool.run("rustup-of-nobody", "target", "add", "wasm32-unknown-emscripten")
+
+
 def test_a_side_module_is_linked_by_the_linker_of_rust():
     given = ["-s", 'EXPORTED_FUNCTIONS=["_PyInit__core"]', "a.o", "b.rlib", "-B/rust/gcc-ld"]
     command = LINKER["command"]([*given, "-o", "_core.wasm", "-sSIDE_MODULE=2", "-O3"])
