@@ -1,4 +1,4 @@
-# Results are in .venv, web/node_modules, target, out and python/rimroll/page; each is rebuilt only if
+# Results are in .venv, web/node_modules, target, out, dist and python/rimroll/page; each is rebuilt only if
 # its sources have changed. Scripts for the set-up are in tools/.
 
 # The sources of crates.
@@ -12,7 +12,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web docs dev check test soak bench coverage census lint audit semver msrv clean toolchain
+.PHONY: help demo web docs dev check test soak bench coverage census wheels lint audit semver msrv clean toolchain
 
 help: ## list the targets (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -69,6 +69,9 @@ lint: .venv/.packages web/node_modules/.installed ## check format, lints, types,
 	tools/node.sh tsc --noEmit --incremental --tsBuildInfoFile node_modules/.cache/tsc.json
 	tools/node.sh prettier --cache --check .
 
+wheels: .venv/.wheels $(PAGE) ## build the source distribution and wheels: dist (all, or make wheels WHEELS="sdist pyodide")
+	.venv/bin/python tools/build_wheels.py $(WHEELS)
+
 audit: ## check licences and advisories of what the crates depend on (needs cargo-deny)
 	cargo deny --workspace check
 
@@ -79,7 +82,7 @@ msrv: ## compile with the oldest Rust that Cargo.toml names
 	tools/oldest_rust.sh
 
 clean: ## remove everything that was installed or built
-	rm -rf .venv web/node_modules target out
+	rm -rf .venv web/node_modules target out dist
 	rm -rf python/rimroll/page python/rimroll/_core.*so web/src/core/rimroll.wasm
 
 $(REPORT): $(PACKAGE) .venv/.extension
@@ -99,6 +102,10 @@ web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc t
 
 .venv/.docs: .venv/.packages
 	.venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt --group docs
+	@touch $@
+
+.venv/.wheels: .venv/.packages
+	.venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt --group wheels
 	@touch $@
 
 .venv/.extension: $(RUST) tools/build_extension.sh .venv/.packages

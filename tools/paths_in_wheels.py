@@ -1,5 +1,6 @@
 """Looks for paths of the machine that built the given wheels and source distributions."""
 
+import os
 import re
 import sys
 import tarfile
@@ -7,8 +8,9 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
+HERE = re.escape(os.fsencode(Path(__file__).parents[1])) + rb"[/\\]+"
 HOMES = rb"(?:/(?:root|home|tmp|Users|github|__w)/|[A-Za-z]:[/\\]+(?:Users|a)[/\\]+)"
-PATTERN = re.compile(HOMES + rb"[\w.@+-]+[/\\]+[\w.@+/\\-]+")
+PATTERN = re.compile(rb"(?:" + HERE + rb"|" + HOMES + rb"[\w.@+-]+[/\\]+)[\w.@+/\\-]+")
 
 
 def files(archive: Path) -> Iterator[tuple[str, bytes]]:

@@ -92,7 +92,13 @@ def test_a_wheel_holds_the_licences_of_all_that_is_compiled_into_it():
 
 
 @pytest.mark.parametrize(
-    "path", [b"/home/me/rimroll/src/lib.rs", b"C:\\Users\\me\\.cargo\\x.rs", b"/root/.cargo/a/b.rs"]
+    "path",
+    [
+        b"/home/me/rimroll/src/lib.rs",
+        b"C:\\Users\\me\\.cargo\\x.rs",
+        b"/root/.cargo/a/b.rs",
+        bytes(ROOT / "Cargo.toml"),
+    ],
 )
 def test_paths_of_the_machine_that_built_a_wheel_are_found(tmp_path, path):
     wheel = tmp_path / "one.whl"

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -112,10 +113,15 @@ def test_only_the_documentation_of_main_is_published():
     assert "run: make docs\n" in jobs(TEXTS[ROOT / ".github/workflows/checks.yml"])["site"]
 
 
-def test_a_wheel_is_tried_for_every_platform_that_one_is_built_for():
+def test_every_wheel_is_built_and_tried():
+    """`make wheels` tries the source distribution itself."""
     wheels = TEXTS[ROOT / ".github/workflows/wheels.yml"]
-    built = set(re.findall(r"- \{ name: ([\w-]+),", wheels))
-    assert built == set(re.findall(r"- \{ wheel: ([\w-]+),", wheels))
+    builds = set(runpy.run_path(str(ROOT / "tools/build_wheels.py"))["BUILDS"])
+    on_linux = re.search(r'WHEELS="([^"]*)"', wheels)[1].split()
+    elsewhere = re.findall(r"- \{ name: ([\w-]+),", wheels)
+    assert sorted([*on_linux, *elsewhere]) == sorted(builds)
+    tried = re.findall(r"- \{ wheel: ([\w-]+),|^    name: try (\w+)$", wheels, re.M)
+    assert {name for names in tried for name in names if name} == builds - {"sdist"}
 
 
 def test_caches_lie_where_the_tools_of_each_system_keep_them():

@@ -1,43 +1,20 @@
-//! Work on other threads while this one serves Python.
+//! Work that Python watches: it reports progress, and Ctrl-C stops it.
 
-use pyo3::exceptions::PyRuntimeError;
+#[cfg(target_os = "emscripten")]
+mod one_thread;
+#[cfg(not(target_os = "emscripten"))]
+mod threads;
+
+#[cfg(target_os = "emscripten")]
+pub use one_thread::in_threads;
+#[cfg(not(target_os = "emscripten"))]
+pub use threads::in_threads;
+
 use pyo3::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::time::Duration;
 
-/// Runs some work on a pool of threads (0 means one per processor), while this thread handles Ctrl-C and
-/// reports progress about ten times a second. The result includes the exception that stopped the work, if any.
-pub fn in_threads<R: Send>(
-    py: Python<'_>,
-    threads: usize,
-    progress: Option<&Py<PyAny>>,
-    work: impl FnOnce(&Watched) -> R + Send,
-) -> PyResult<(R, Option<PyErr>)> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-    let watched = &Watched::default();
-    let (done, stopped) = py.detach(|| {
-        std::thread::scope(|scope| {
-            let (sender, receiver) = channel();
-            let done = scope.spawn(|| {
-                let done = pool.install(|| work(watched));
-                drop(sender);
-                done
-            });
-            let stopped = watched.until_done(&receiver, progress);
-            (done.join(), stopped)
-        })
-    });
-    let done =
-        done.map_err(|_| PyRuntimeError::new_err("internal error: a worker thread panicked"))?;
-    Ok((done, stopped))
-}
-
-/// Work done by other threads while this one handles signals and progress for Python.
+/// Work of which Python knows how much is done, and which it can stop.
 #[derive(Default)]
 pub struct Watched {
     done: AtomicUsize,
@@ -51,23 +28,6 @@ impl Watched {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
-        }
-    }
-
-    /// Waits for the work, handles Ctrl-C and reports progress. An exception from Python stops the work and
-    /// is returned.
-    fn until_done(&self, receiver: &Receiver<()>, progress: Option<&Py<PyAny>>) -> Option<PyErr> {
-        const POLLING_INTERVAL: Duration = Duration::from_millis(100);
-        let mut stopped = None;
-        loop {
-            let over = receiver.recv_timeout(POLLING_INTERVAL) != Err(RecvTimeoutError::Timeout);
-            if stopped.is_none() {
-                stopped = Python::attach(|py| self.look(py, progress)).err();
-                self.stop.store(stopped.is_some(), Relaxed);
-            }
-            if over {
-                return stopped;
-            }
         }
     }
 
