@@ -22,7 +22,7 @@ use cases::cases;
 
 /// A solid stone cylinder of 1000 kg, 4 m high.
 fn column() -> Body {
-    Body::new(1000.0, 0.5, 2.0, 1395.833_333_333_333_3, 125.0).unwrap()
+    Body::new(1000.0, 0.5, 2.0, 1_395.833_333_333_333_3, 125.0).unwrap()
 }
 
 /// A sine pulse.
@@ -121,11 +121,11 @@ fn references(case: &str) -> Vec<(String, f64, f64)> {
 
 /// The reference motions have 13 digits; 2e-12 leaves room for the digits of the yaw rate, which is up to 8 rad/s.
 fn compare_with_references(case: &str, motion: &Motion, body: &Body) {
-    let rho = body.radius() * 0.05_f64.cos() - body.height() * 0.05_f64.sin();
+    let rho = body.radius() * libm::cos(0.05) - body.height() * libm::sin(0.05);
     for (column, t, expected) in references(case) {
         let found = match column.as_str() {
-            "x" => value(motion, t, "x") + rho * 0.3_f64.cos(),
-            "y" => value(motion, t, "y") + rho * 0.3_f64.sin(),
+            "x" => value(motion, t, "x") + rho * libm::cos(0.3),
+            "y" => value(motion, t, "y") + rho * libm::sin(0.3),
             "normal_over_weight" => value(motion, t, "normal_force") / (body.mass() * 9.81),
             other => value(motion, t, other),
         };
@@ -540,7 +540,7 @@ fn a_column_lifts_where_the_acceleration_reaches_the_limit() {
             FrictionLaw::NoSlip,
             &tight(0.5),
         );
-        let expected = 1.2 / core::f64::consts::TAU * (9.81 * 0.25 / 3.0_f64).asin();
+        let expected = 1.2 / core::f64::consts::TAU * libm::asin(9.81 * 0.25 / 3.0);
         let found = event_times(&motion, "uplift");
         assert_eq!(found.len(), 1);
         assert!(
@@ -551,8 +551,11 @@ fn a_column_lifts_where_the_acceleration_reaches_the_limit() {
         assert!((value(&motion, 0.4, "yaw") - angle).abs() < 1e-12);
         assert!(value(&motion, 0.4, "tilt") > 1e-3);
         // Before, the table accelerates it by friction.
-        let force = value(&motion, 0.1, "friction_x").hypot(value(&motion, 0.1, "friction_y"));
-        let needed = 1000.0 * 3.0 * (core::f64::consts::TAU * 0.1 / 1.2).sin();
+        let force = libm::hypot(
+            value(&motion, 0.1, "friction_x"),
+            value(&motion, 0.1, "friction_y"),
+        );
+        let needed = 1000.0 * 3.0 * libm::sin(core::f64::consts::TAU * 0.1 / 1.2);
         assert!((force - needed).abs() < 1e-9 * needed);
     }
 }
@@ -606,7 +609,7 @@ fn with_flat(flat: FlatLanding, duration: f64) -> Options {
 /// the end.
 #[test]
 fn impacts_on_the_flat_base_bring_a_column_to_rest() {
-    let k: f64 = 1395.833_333_333_333_3 + 1000.0 * 4.0;
+    let k: f64 = 1_395.833_333_333_333_3 + 1000.0 * 4.0;
     let factor = (k - 250.0) / (k + 250.0);
     assert!((factor - 0.911_439).abs() < 1e-6);
     let start = State {
@@ -632,7 +635,7 @@ fn impacts_on_the_flat_base_bring_a_column_to_rest() {
     );
     for motion in [&housner, &restitution] {
         let peaks: Vec<f64> = motion.turns.iter().map(|turn| turn.max_tilt).collect();
-        let height = |tilt: f64| 0.5 * tilt.sin() + 2.0 * (tilt.cos() - 1.0);
+        let height = |tilt: f64| 0.5 * libm::sin(tilt) + 2.0 * (libm::cos(tilt) - 1.0);
         let mut before = height(0.1);
         for tilt in &peaks[..5] {
             let ratio = height(*tilt) / before;
@@ -697,7 +700,7 @@ fn a_body_that_stands_again_is_lifted_by_the_next_pulse() {
         );
         assert!(lifted[0] < stood[0] && stood[0] < lifted[1] && lifted[1] < stood[1]);
         assert!((lifted[0] - 1.0).abs() < 0.01 && (lifted[1] - 30.0).abs() < 0.01);
-        let moved = value(&motion, 60.0, "x").hypot(value(&motion, 60.0, "y"));
+        let moved = libm::hypot(value(&motion, 60.0, "x"), value(&motion, 60.0, "y"));
         assert!(law != FrictionLaw::InPlace || moved < 1e-6, "{moved}");
         assert!(imbalance(&motion) < 1e-9);
     }
