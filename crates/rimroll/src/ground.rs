@@ -3,7 +3,7 @@
 //! The table translates and does not turn. A [`Ground`] is a sum of pulses in closed form and a record that is
 //! linear between its samples. Its acceleration is smooth except at corners: the samples of the record, and
 //! the beginnings and ends of pulses. The solver ends a step at each corner, and in between follows one
-//! [`Stretch`], so that its order is not lost. After its end a ground is at rest.
+//! stretch, so that its order is not lost. After its end a ground is at rest.
 
 mod pulse;
 mod record;

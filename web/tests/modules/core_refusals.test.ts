@@ -51,7 +51,9 @@ describe("unknown names", () => {
       theory: () => core.theory(body, start, contactLaw, options.gravity),
       falls: () => core.falls(body, contactLaw, options, [{ start, frictionScale: 1 }]),
     }[asked];
-    expect(refusal(ask)).toMatch(/^unknown law .*: choose from no_slip, frictionless, in_place, coulomb/);
+    expect(refusal(ask)).toMatch(
+      /^unknown law .*: choose from no_slip, frictionless, in_place, coulomb/,
+    );
   });
 });
 
