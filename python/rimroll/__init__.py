@@ -86,6 +86,24 @@ if TYPE_CHECKING:
         watershed as watershed,
         watershed_slope as watershed_slope,
     )
+    from rimroll.shaking.lognormal import Fragility as Fragility, fragility as fragility
+    from rimroll.shaking.many import shake_many as shake_many
+    from rimroll.shaking.maxima import (
+        Distance as Distance,
+        Maxima as Maxima,
+        imperfect_starts as imperfect_starts,
+        random_maxima as random_maxima,
+    )
+    from rimroll.shaking.overturning import (
+        OverturningSpectrum as OverturningSpectrum,
+        overturning_scale as overturning_scale,
+        overturning_spectrum as overturning_spectrum,
+    )
+    from rimroll.shaking.rocking import (
+        RockingSpectrum as RockingSpectrum,
+        rocking_spectrum as rocking_spectrum,
+    )
+    from rimroll.shaking.scales import rocking_frequency as rocking_frequency
     from rimroll.solids import Solid as Solid
     from rimroll.state import State as State
     from rimroll.theory import (
@@ -143,6 +161,16 @@ _NAMES = {
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
     "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
+    "rimroll.shaking.lognormal": ("Fragility", "fragility"),
+    "rimroll.shaking.many": ("shake_many",),
+    "rimroll.shaking.maxima": ("Distance", "Maxima", "imperfect_starts", "random_maxima"),
+    "rimroll.shaking.overturning": (
+        "OverturningSpectrum",
+        "overturning_scale",
+        "overturning_spectrum",
+    ),
+    "rimroll.shaking.rocking": ("RockingSpectrum", "rocking_spectrum"),
+    "rimroll.shaking.scales": ("rocking_frequency",),
     "rimroll.solids": ("Solid",),
     "rimroll.state": ("State",),
     "rimroll.theory": (

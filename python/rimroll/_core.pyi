@@ -11,6 +11,8 @@ COLUMNS: list[str]
 EXACT_COLUMNS: list[str]
 PARAMETERS: list[str]
 FALL_COLUMNS: list[str]
+SHAKEN_COLUMNS: list[str]
+STATUSES: list[str]
 OUTCOMES: list[str]
 LAWS: list[str]
 MAX_FRICTION: float
@@ -64,6 +66,24 @@ class _Starts(Protocol):
     def spin(self) -> _Array: ...
     @property
     def spin_rate(self) -> _Array: ...
+
+class _Shakings(Protocol):
+    @property
+    def bodies(self) -> _Bodies: ...
+    @property
+    def starts(self) -> _Starts: ...
+    @property
+    def contact_law(self) -> _ContactLaw: ...
+    @property
+    def varied(self) -> dict[str, _Array]: ...
+    @property
+    def grounds(self) -> list[CoreGround]: ...
+    @property
+    def ground(self) -> NDArray[np.int64]: ...
+    @property
+    def scale(self) -> _Array: ...
+    @property
+    def duration(self) -> _Array: ...
 
 class _Solid(Protocol):
     @property
@@ -159,6 +179,19 @@ def ensemble(
     threads: int,
     progress: Callable[[int], object] | None,
 ) -> tuple[_Array, BaseException | None]: ...
+def shake_many(
+    shakings: _Shakings,
+    gravity: float,
+    rtol: float,
+    topple_tilt: float | None,
+    max_steps: int,
+    flat: tuple[str, float, int],
+    threads: int,
+    progress: Callable[[int], object] | None,
+) -> tuple[_Array, BaseException | None]: ...
+def first_refused_shaking(
+    shakings: _Shakings, gravity: float, topple_tilt: float | None
+) -> int | None: ...
 def first_refused(
     bodies: _Bodies, starts: _Starts, law_name: str, gravity: float, topple_tilt: float | None
 ) -> int | None: ...

@@ -5,6 +5,7 @@ Importing xarray takes longer than computing most falls, so it is imported only 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -83,7 +84,7 @@ class Falls:
     @property
     def size(self) -> int:
         """Number of falls."""
-        return int(self["outcome"].size)
+        return math.prod(len(axis.values) for axis in self.axes.values())
 
     def with_attrs(self, attrs: Mapping[str, Any]) -> Falls:
         """These falls with more attributes, which replace existing ones."""
@@ -123,7 +124,7 @@ class Falls:
 
 def rows(columns: Mapping[str, Column], attrs: Mapping[str, Any]) -> Falls:
     """Falls in rows, numbered as trials from 0 on."""
-    trials = np.arange(len(columns["outcome"].values))
+    trials = np.arange(len(next(iter(columns.values())).values))
     return Falls(columns, {"trial": Column(trials)}, dict(attrs))
 
 

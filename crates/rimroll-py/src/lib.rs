@@ -7,6 +7,7 @@ mod exact;
 mod ground;
 mod imperfection;
 mod motion;
+mod shaking;
 mod theory;
 mod watched;
 
@@ -35,6 +36,8 @@ mod _core {
     #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};
     #[pymodule_export]
+    use crate::shaking::{first_refused_shaking, shake_many};
+    #[pymodule_export]
     use crate::theory::{
         CoreComposite, CoreNearCollision, arrival, balance_tilt, check_contact_law,
         disk_turn_limit, error_law_coefficient, first_bad_contact_law, friction_at, lift_off_rate,
@@ -49,6 +52,8 @@ mod _core {
         module.add("PARAMETERS", core::PARAMETERS)?;
         module.add("EXACT_COLUMNS", crate::exact::EXACT_COLUMNS)?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
+        module.add("SHAKEN_COLUMNS", crate::shaking::SHAKEN_COLUMNS)?;
+        module.add("STATUSES", crate::shaking::statuses())?;
         module.add("OUTCOMES", core::Outcome::ALL.map(core::Outcome::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("MAX_FRICTION", rimroll::law::MAX_FRICTION)?;

@@ -29,13 +29,12 @@ pub use self::chunk::Release;
 
 use self::batch::{batch, fits_lanes};
 use crate::error::InvalidInput;
+use crate::in_order::{done_in_order, threads};
 use crate::law::FrictionLaw;
 #[cfg(doc)]
 use crate::motion::fall;
 use crate::motion::{Fall, Options};
 use core::ops::ControlFlow;
-#[cfg(feature = "threads")]
-use rayon::prelude::*;
 
 /// The maximal size of a chunk of work. In lanes it takes a few hundredths of a second, and the computation can
 /// only be stopped after it.
@@ -72,7 +71,8 @@ pub fn ensemble(
     let work = |chunk: &[Release<'_>], should_continue: &dyn Fn() -> bool| {
         batch(chunk, options, should_continue)
     };
-    Ok(done_in_order(trials, work, watch))
+    let chunks: Vec<_> = chunks(trials, threads()).collect();
+    Ok(done_in_order(&chunks, work, watch))
 }
 
 /// Divides the trials into chunks of work. The last chunks are small, so that no thread waits long for another.
@@ -99,72 +99,6 @@ fn chunks<'a>(
         let chunk = trials.split_off(..taken.count())?;
         (!chunk.is_empty()).then_some(chunk)
     })
-}
-
-/// The results of the chunks, which are started in order. They end with the first chunk that is incomplete
-/// because the watch stopped the computation.
-#[cfg(feature = "threads")]
-fn done_in_order<R: Send>(
-    trials: &[Release<'_>],
-    work: impl Fn(&[Release<'_>], &dyn Fn() -> bool) -> Vec<R> + Sync,
-    watch: impl Fn(usize) -> ControlFlow<()> + Sync,
-) -> Vec<R> {
-    use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
-    let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let should_continue_after = |count| {
-        if watch(count).is_break() {
-            stopped.store(true, Relaxed);
-        }
-        !stopped.load(Relaxed)
-    };
-    let threads = rayon::current_num_threads();
-    let chunks: Vec<_> = chunks(trials, threads).collect();
-    let work_of_thread = || {
-        let mut done = Vec::new();
-        while !stopped.load(Relaxed) {
-            let index = next.fetch_add(1, Relaxed);
-            let Some(chunk) = chunks.get(index) else {
-                break;
-            };
-            let results = work(chunk, &|| should_continue_after(0));
-            should_continue_after(results.len());
-            done.push((index, results));
-        }
-        done
-    };
-    let mut done: Vec<_> = (0..threads.min(chunks.len()))
-        .into_par_iter()
-        .with_max_len(1)
-        .flat_map_iter(|_| work_of_thread())
-        .collect();
-    done.sort_unstable_by_key(|&(index, _)| index);
-    let mut all = Vec::with_capacity(trials.len());
-    for ((_, results), chunk) in done.into_iter().zip(&chunks) {
-        let is_complete = results.len() == chunk.len();
-        all.extend(results);
-        if !is_complete {
-            break;
-        }
-    }
-    all
-}
-
-#[cfg(not(feature = "threads"))]
-fn done_in_order<R>(
-    trials: &[Release<'_>],
-    work: impl Fn(&[Release<'_>], &dyn Fn() -> bool) -> Vec<R>,
-    watch: impl Fn(usize) -> ControlFlow<()>,
-) -> Vec<R> {
-    let mut all = Vec::with_capacity(trials.len());
-    for chunk in chunks(trials, 1) {
-        let results = work(chunk, &|| watch(0).is_continue());
-        let (count, is_complete) = (results.len(), results.len() == chunk.len());
-        all.extend(results);
-        if watch(count).is_break() || !is_complete {
-            break;
-        }
-    }
-    all
 }
 
 #[cfg(test)]

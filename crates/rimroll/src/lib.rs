@@ -41,6 +41,7 @@
 //! * [`motion`]: [`simulate`], which joins smooth phases at events; [`motion::Sensitivity`], the derivatives
 //!   of a motion with respect to its parameters; [`motion::fall`], one turn without a recorded motion.
 //! * [`ensemble`](mod@ensemble): many falls at once.
+//! * [`shaking`]: many motions on tables that move, of which only the ends and the extremes are kept.
 //! * [`turn`]: closed forms, and the near-collision as a problem of its own under any friction.
 //! * [`composite`] and [`small_angle`]: the paper's two approximations.
 //! * [`imperfection`]: the theory that the paper rejects.
@@ -60,10 +61,12 @@ mod error_scale;
 pub mod ground;
 mod impact;
 pub mod imperfection;
+mod in_order;
 pub mod law;
 pub mod motion;
 pub mod presets;
 pub mod real;
+pub mod shaking;
 mod slip_onset;
 pub mod small_angle;
 pub mod solids;
@@ -79,5 +82,6 @@ pub use error::InvalidInput;
 pub use ground::Ground;
 pub use law::{FrictionLaw, IdealLaw};
 pub use motion::{Motion, Options, Status, simulate, simulate_on};
+pub use shaking::{Shaking, shake_many};
 pub use solids::Solid;
 pub use state::State;

@@ -21,6 +21,7 @@ mod outcome;
 mod phase_dynamics;
 mod run;
 mod sensitivity;
+mod shaken;
 mod step_bounds;
 mod step_record;
 mod topple;
@@ -41,6 +42,7 @@ pub use options::{Options, STANDARD_GRAVITY};
 pub use outcome::Outcome;
 pub(crate) use run::{pass_near_collision, stopped};
 pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
+pub use shaken::{Shaken, shaken};
 pub(crate) use topple::Topple;
 pub use track::{LookUp, Track};
 pub use turns::Turn;
@@ -131,23 +133,7 @@ pub fn simulate_on(
     options: &Options,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
-    let contact_law = contact_law.into();
-    contact_law.check()?;
-    let options = options.checked_standing_or_tilted(body, start)?;
-    let contacts = Contacts::on_ground(
-        body,
-        &contact_law,
-        ground,
-        options.gravity,
-        options.step_tolerance(),
-    );
-    let contacts = Arc::new(contacts);
-    let mut start: Coordinates<f64> = contact_law.friction.start(start)?;
-    if contacts.moves() && contact_law.friction == FrictionLaw::Frictionless {
-        // Only on a table that moves is the slip without friction a coordinate.
-        let [along, across] = contacts.parameters().rolling_velocity(&start);
-        (start.slip_x, start.slip_y) = (-along, -across);
-    }
+    let (options, contacts, start) = begun(ground, body, start, &contact_law.into(), options)?;
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
     let status = run.follow_to_the_end(&mut watch);
@@ -162,4 +148,26 @@ pub fn simulate_on(
         status,
         work,
     })
+}
+
+/// What a simulation begins with: its completed options, the laws with the body's parameters, and the coordinates at
+/// the start.
+fn begun(
+    ground: Option<Arc<Ground>>,
+    body: &Body,
+    start: &State,
+    contact_law: &ContactLaw,
+    options: &Options,
+) -> Result<(Options, Arc<Contacts>, Coordinates<f64>), InvalidInput> {
+    contact_law.check()?;
+    let options = options.checked_standing_or_tilted(body, start)?;
+    let (gravity, tolerance) = (options.gravity, options.step_tolerance());
+    let contacts = Contacts::on_ground(body, contact_law, ground, gravity, tolerance);
+    let mut start: Coordinates<f64> = contact_law.friction.start(start)?;
+    if contacts.moves() && contact_law.friction == FrictionLaw::Frictionless {
+        // Only on a table that moves is the slip without friction a coordinate.
+        let [along, across] = contacts.parameters().rolling_velocity(&start);
+        (start.slip_x, start.slip_y) = (-along, -across);
+    }
+    Ok((options, Arc::new(contacts), start))
 }

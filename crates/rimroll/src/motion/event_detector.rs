@@ -58,6 +58,8 @@ pub(super) enum TerminalEvent {
 pub(super) enum Goal {
     /// A time, s.
     Time(f64),
+    /// A time (s), where only the events and the end are wanted, and not the track.
+    End(f64),
     /// The end of the first turn, or a time (s) if that comes first.
     Turn(f64),
     /// The end of a near-collision: the tilt rises, and |w| has fallen to this value, rad/s.
@@ -72,7 +74,7 @@ impl Goal {
 
     /// Whether the whole track is needed, and not only its end.
     pub(super) fn needs_track(self) -> bool {
-        !matches!(self, Goal::Turn(_))
+        !matches!(self, Goal::Turn(_) | Goal::End(_))
     }
 }
 
@@ -305,7 +307,7 @@ impl<'a> EventDetector<'a> {
         bounds.stays_above(0.0, |u| self.direction * u.p)
             && bounds.stays_above(0.0, |u| side * u.cos)
             && match self.goal {
-                Goal::Time(end) | Goal::Turn(end)
+                Goal::Time(end) | Goal::End(end) | Goal::Turn(end)
                     if N == RIGID_COORDINATES && !self.contacts.can_fly() =>
                 {
                     self.excludes_ideal_endings(&bounds, end)
@@ -362,8 +364,10 @@ impl<'a> EventDetector<'a> {
             samples
         };
         let mut last = self.refine(part, x, |u| self.event_function(event, phase, u));
-        if let (TerminalEvent::Done, Goal::Time(duration) | Goal::Turn(duration)) =
-            (event, self.goal)
+        if let (
+            TerminalEvent::Done,
+            Goal::Time(duration) | Goal::End(duration) | Goal::Turn(duration),
+        ) = (event, self.goal)
         {
             // The motion must end exactly at the given time, without a rounding error.
             last.end[TIME] = duration;
@@ -394,7 +398,7 @@ impl<'a> EventDetector<'a> {
         let dynamics = self.contacts.dynamics(phase);
         match event {
             TerminalEvent::Done => match self.goal {
-                Goal::Time(duration) | Goal::Turn(duration) => u.t - duration,
+                Goal::Time(duration) | Goal::End(duration) | Goal::Turn(duration) => u.t - duration,
                 Goal::Passed(w) if u.p > 0.0 => w - u.w.abs(),
                 Goal::Passed(_) => -1.0,
             },

@@ -152,7 +152,7 @@ impl Options {
     }
 
     /// Checks the options that do not depend on the body.
-    fn check_numbers(&self) -> Result<(), InvalidInput> {
+    pub(crate) fn check_numbers(&self) -> Result<(), InvalidInput> {
         self.flat.check()?;
         positive("duration", self.duration, "s")?;
         positive("gravity", self.gravity, "m/s2")?;

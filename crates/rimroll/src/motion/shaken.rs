@@ -1,0 +1,112 @@
+//! The outcome of a motion on a table that moves: a motion of which only the end and the extremes are kept.
+
+use super::begun;
+use super::event::EventKind;
+use super::event_detector::Goal;
+use super::options::Options;
+use super::run::Run;
+use crate::body::Body;
+use crate::contact_law::ContactLaw;
+use crate::ending::Status;
+use crate::error::InvalidInput;
+use crate::ground::Ground;
+use crate::law::Parameters;
+use crate::state::{Coordinates, State};
+use core::ops::ControlFlow;
+use std::sync::Arc;
+
+/// The outcome of a motion on a table that moves. All quantities are relative to the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shaken {
+    /// The way in which the motion ended.
+    pub status: Status,
+    /// The time at which the topple tilt was reached or, under a law without flight, at which the rim lifted off beyond
+    /// the balance tilt, s; `None` for a body that did not overturn.
+    pub overturning_time: Option<f64>,
+    /// The largest tilt, rad. For a body that toppled it is the topple tilt.
+    pub max_tilt: f64,
+    /// The time of the largest tilt, s.
+    pub max_tilt_time: f64,
+    /// The time of the first uplift of a body that stood flat, s.
+    pub uplift_time: Option<f64>,
+    /// The time of the end, s.
+    pub end_time: f64,
+    /// φ at the end, rad.
+    pub end_tilt: f64,
+    /// Displacement of the footprint along x and y from the start to the end, m. Its centre is that of the circle on
+    /// which the base would stand if the body turned upright about the contact point.
+    pub residual_displacement: [f64; 2],
+    /// Change of ψ + θ from the start to the end, rad: for a body that stands, the angle by which it has turned about
+    /// the vertical.
+    pub residual_yaw: f64,
+    /// Energy lost to friction, J.
+    pub friction_loss: f64,
+    /// Energy lost to rolling resistance, pivoting friction and air drag, J.
+    pub resistance_loss: f64,
+    /// Energy lost in impacts, J, without that of the side on the table.
+    pub impact_loss: f64,
+    /// Work of the ground, J.
+    pub ground_work: f64,
+    /// The number of steps of the solver.
+    pub steps: usize,
+}
+
+/// The outcome of a motion as [`simulate_on`](super::simulate_on) computes it, without its track.
+///
+/// # Errors
+/// As [`simulate`](super::simulate).
+pub fn shaken(
+    ground: Option<Arc<Ground>>,
+    body: &Body,
+    start: &State,
+    contact_law: &ContactLaw,
+    options: &Options,
+    mut watch: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<Shaken, InvalidInput> {
+    let (options, contacts, start) = begun(ground, body, start, contact_law, options)?;
+    let mut run = Run::new(&contacts, &options, Goal::End(options.duration), start);
+    let status = run.follow_to_the_end(&mut watch);
+    let (track, events, work) = run.into_parts();
+    let first = |kind| events.iter().find(|event| event.kind == kind);
+    let topple = first(EventKind::Topple);
+    let end = topple.map_or_else(|| track.end().u, |event| event.at.u);
+    // The tilt has its largest value at a maximum or at an end of the motion.
+    let maxima = events
+        .iter()
+        .filter(|event| event.kind == EventKind::TiltMax);
+    let candidates = maxima.map(|event| (event.at.tilt(), event.at.t));
+    let (max_tilt, max_tilt_time) =
+        candidates
+            .chain([(end.tilt(), end.t)])
+            .fold((start.tilt(), start.t), |largest, next| {
+                if next.0 > largest.0 { next } else { largest }
+            });
+    let k = contacts.parameters();
+    let has_overturned =
+        topple.is_some() || status == Status::LiftedOff && k.is_past_balance(end.tilt());
+    let (from, to) = (footprint(k, &start), footprint(k, &end));
+    Ok(Shaken {
+        status,
+        overturning_time: has_overturned.then_some(end.t),
+        max_tilt,
+        max_tilt_time,
+        uplift_time: first(EventKind::Uplift).map(|event| event.at.t),
+        end_time: end.t,
+        end_tilt: end.tilt(),
+        residual_displacement: [to[0] - from[0], to[1] - from[1]],
+        residual_yaw: (end.yaw + end.spin) - (start.yaw + start.spin),
+        friction_loss: end.friction_loss,
+        resistance_loss: end.resistance_loss,
+        impact_loss: end.impact_loss,
+        ground_work: end.ground_work,
+        steps: work.steps,
+    })
+}
+
+/// The centre of the footprint relative to the place of the centre of mass at the start, m.
+fn footprint(k: &Parameters<f64>, u: &Coordinates<f64>) -> [f64; 2] {
+    let [x, y] = u.center();
+    let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
+    let toward_axis = k.r - k.rho(u);
+    [x + toward_axis * cos_yaw, y + toward_axis * sin_yaw]
+}

@@ -1,0 +1,165 @@
+"""The figures of rocking spectra, overturning spectra, fragility curves and distributions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from rimroll import style
+
+if TYPE_CHECKING:
+    from rimroll.shaking.lognormal import Fragility
+    from rimroll.shaking.maxima import Maxima
+    from rimroll.shaking.overturning import OverturningSpectrum
+    from rimroll.shaking.rocking import RockingSpectrum
+
+OVERTURNED = "#F3D9C9"
+"""The background of what overturns."""
+
+UNDECIDED = "#DDDDDD"
+"""The background of motions that end before they are decided."""
+
+HEIGHT, WIDTH = 70.0, 110.0
+"""The size of a figure of one panel, mm."""
+
+
+def _panel() -> tuple[Figure, Axes]:
+    figure = style.page(HEIGHT, WIDTH)
+    return figure, figure.add_subplot()
+
+
+def rocking_figure(spectrum: RockingSpectrum) -> Figure:
+    """The largest tilt over the balance tilt against 2π/p."""
+    period, fell = spectrum.period, spectrum.overturned
+    with style.figure_style():
+        figure, ax = _panel()
+        ax.plot(period, spectrum.max_tilt_ratio, ".-", color=style.SERIES[0], ms=3.0)
+        for begin, end in _intervals(period, fell):
+            ax.axvspan(begin, end, color=OVERTURNED, lw=0.0)
+        ax.set_xlim(period.min(), period.max())
+        ax.set_ylim(bottom=0.0)
+        style.label(ax, "", "rocking spectrum", "period $2π/p$ (s)", "largest tilt / balance tilt")
+        if fell.any():
+            ax.legend(handles=[Patch(color=OVERTURNED, label="overturns")], loc="upper right")
+    return figure
+
+
+def _intervals(x: np.ndarray, inside: np.ndarray) -> list[tuple[float, float]]:
+    """The intervals of ascending points at which something holds, up to halfway to the others."""
+    order = np.argsort(x)
+    x, inside = x[order], inside[order]
+    edges = np.concatenate([x[:1], 0.5 * (x[1:] + x[:-1]), x[-1:]])
+    changes = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(int)))
+    return [(float(edges[a]), float(edges[b])) for a, b in changes.reshape(-1, 2)]
+
+
+def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
+    """The least amplitude that overturns against the frequency, over what was tried."""
+    order = np.argsort(spectrum.frequency_ratio)
+    ratio = spectrum.frequency_ratio[order]
+    with style.figure_style():
+        figure, ax = _panel()
+        handles = [Patch(color=OVERTURNED, label="overturns")]
+        if spectrum.undecided.any():
+            handles.append(Patch(color=UNDECIDED, label="not determined"))
+        if len(ratio) > 1:
+            ax.pcolormesh(
+                ratio,
+                spectrum.tried,
+                (spectrum.overturned + 2.0 * spectrum.undecided)[order].T,
+                cmap=ListedColormap(["white", OVERTURNED, UNDECIDED]),
+                vmin=0.0,
+                vmax=2.0,
+                shading="nearest",
+                rasterized=True,
+            )
+        (line,) = ax.plot(
+            ratio,
+            spectrum.amplitude_ratio[order],
+            ".-",
+            color=style.SERIES[0],
+            ms=3.0,
+            label="least amplitude",
+        )
+        uplift = ax.axhline(1.0, color=style.CONTRAST, ls="--", lw=0.8, label="uplift")
+        ax.set_yscale("log")
+        ax.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        ax.set_ylim(min(0.9, spectrum.tried.min()), spectrum.tried.max())
+        ax.set_xlim(ratio.min(), ratio.max())
+        style.label(ax, "", "overturning spectrum", "$ω_p/p$", r"$a_p/(g\,\tan\,α)$")
+        ax.legend(
+            handles=[line, *handles, uplift],
+            loc="upper left",
+            frameon=True,
+            framealpha=0.9,
+            edgecolor="none",
+        )
+    return figure
+
+
+def fragility_figure(curve: Fragility, label: str) -> Figure:
+    """A fragility curve, the fractions that overturned, and the interval of the median."""
+    low, high = curve.intensity.min(), curve.intensity.max()
+    margin = 0.08 * np.log(max(high / low, 1.01))
+    x = np.exp(np.linspace(np.log(low) - margin, np.log(high) + margin, 300))
+    with style.figure_style():
+        figure, ax = _panel()
+        ax.plot(x, curve(x), color=style.SERIES[0], label=_parameters(curve))
+        ends = np.clip(curve.median_interval, x[0], x[-1])
+        ax.plot(
+            ends,
+            [0.5, 0.5],
+            "|-",
+            color=style.THEORY,
+            lw=0.9,
+            label=f"{100.0 * curve.level:g} % interval of θ",
+        )
+        ax.plot(
+            curve.intensity,
+            curve.overturned / curve.trials,
+            "o",
+            color=style.MEASURED,
+            markerfacecolor="none",
+            label="overturned",
+            alpha=0.7,
+        )
+        ax.set_xlim(x[0], x[-1])
+        ax.set_ylim(-0.03, 1.03)
+        style.label(ax, "", "fragility", label, "probability of overturning")
+        ax.legend(loc="center right")
+    return figure
+
+
+def _parameters(curve: Fragility) -> str:
+    return f"θ = {curve.median:.3g}, β = {curve.dispersion:.2g}"
+
+
+def maxima_figure(maxima: Maxima, other: Maxima | None) -> Figure:
+    """Empirical distributions of the largest tilt."""
+    with style.figure_style():
+        figure, ax = _panel()
+        samples = [(maxima, style.SERIES[0], "-")]
+        if other is not None:
+            samples.append((other, style.SERIES[1], "--"))
+        finite = [sample.values[np.isfinite(sample.values)] for sample, *_ in samples]
+        right = 1.1 * max((float(values.max()) for values in finite if values.size), default=1.0)
+        for values, (sample, color, dashes) in zip(finite, samples, strict=True):
+            x = np.concatenate([[0.0], values, [right]])
+            fractions = np.minimum(np.arange(len(x)), len(values)) / len(sample.values)
+            ax.step(x, fractions, where="post", color=color, ls=dashes)
+        ax.set_ylim(0.0, 1.03)
+        ax.set_xlim(0.0, right)
+        title = "largest tilt"
+        if other is not None:
+            distance = maxima.distance(other)
+            title = f"distance {distance.statistic:.3g} ($p$ = {distance.pvalue:.2g})"
+            names = [Line2D([], [], color=c, ls=d) for _, c, d in samples]
+            ax.legend(names, ["this sample", "the other"], loc="upper left")
+        style.label(ax, "", title, "largest tilt / balance tilt", "fraction of the bodies")
+    return figure

@@ -1,0 +1,274 @@
+"""Fragility: the probability of overturning as a function of the intensity of the ground motion."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError, hold
+from rimroll.given import Number, Values, number, numbers
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Fragility:
+    """A lognormal fragility curve P(im) = Φ(ln(im/θ)/β) with intervals of its parameters.
+
+    Attributes
+    ----------
+    median
+        θ, the intensity at which half of the bodies overturn, in the unit of the intensities.
+    dispersion
+        β, the standard deviation of the logarithm of the intensity that overturns.
+    median_interval, dispersion_interval
+        Their intervals of profile likelihood. An end is 0 or infinite where the data do not bound
+        it.
+    level
+        The confidence level of the intervals.
+    log_likelihood
+        The largest logarithm of the likelihood.
+    intensity, overturned, trials
+        The data (n,): intensities, and how many of how many trials overturned.
+    """
+
+    median: float
+    dispersion: float
+    median_interval: Interval
+    dispersion_interval: Interval
+    level: float
+    log_likelihood: float
+    intensity: Array
+    overturned: Array
+    trials: Array
+
+    def __call__(self, intensity: Values) -> Array:
+        """The probability of overturning at intensities of any shape, > 0."""
+        from scipy.special import ndtr
+
+        given = numbers("intensity", intensity)
+        hold("intensity", given, given > 0.0, "> 0")
+        return np.asarray(ndtr(np.log(given / self.median) / self.dispersion))
+
+    def plot(self, label: str = "intensity") -> Figure:
+        """The curve with its data; ``label`` names the intensity with its unit."""
+        from rimroll.shaking.figures import fragility_figure
+
+        return fragility_figure(self, label)
+
+
+def fragility(
+    overturned: Any, intensity: Values, *, trials: Values = 1, level: Number = 0.95
+) -> Fragility:
+    """Fit a lognormal fragility curve by maximum likelihood.
+
+    Each trial is a Bernoulli experiment with the probability Φ(ln(im/θ)/β). This is the binomial
+    generalised linear model with a probit link on ln(im); the intervals hold the values that a test
+    of the likelihood ratio at this level does not reject (χ² with one degree of freedom).
+
+    Parameters
+    ----------
+    overturned
+        Whether each body overturned, or how many of the ``trials`` did: an array or a data array.
+    intensity
+        The intensity of each, > 0, in any unit: the largest acceleration or velocity of the ground,
+        or a ratio such as p PGV/(g tan α). It broadcasts with ``overturned``.
+    trials
+        The number of trials of each.
+    level
+        Confidence level of the intervals, between 0 and 1.
+
+    >>> import rimroll as rr
+    >>> curve = rr.fragility([0, 3, 7, 10], [2.0, 3.0, 4.0, 6.0], trials=10)
+    >>> round(curve.median, 2), round(curve.dispersion, 2)
+    (3.47, 0.26)
+
+    Raises
+    ------
+    RimrollError
+        Where no such curve fits best: all or none overturned; the data are separable, that is, one
+        intensity divides those that overturned from the others, so that β = 0 fits best; or the
+        probability does not grow with the intensity. Also for numbers outside their bounds and
+        arrays that do not broadcast.
+    """
+    count, logs, of = _data(overturned, intensity, trials)
+    confidence = number("level", level)
+    if not 0.0 < confidence < 1.0:
+        raise RimrollError(f"level must be between 0 and 1, got {confidence:g}")
+    _expect_overlap(count, logs, of)
+    likelihood = Likelihood(count, logs - logs.mean(), of)
+    intercept, slope = likelihood.largest()
+    if not slope > 0.0:
+        raise RimrollError("the probability of overturning does not grow with the intensity")
+    best = likelihood(intercept, slope)
+    theta, beta = -intercept / slope, 1.0 / slope
+    center = float(logs.mean())
+    medians = likelihood.interval(likelihood.at_median, theta, beta, best, confidence)
+    slopes = likelihood.interval(likelihood.at_slope, slope, slope, best, confidence)
+    return Fragility(
+        median=math.exp(center + theta),
+        dispersion=beta,
+        median_interval=(_exp(center + medians[0]), _exp(center + medians[1])),
+        dispersion_interval=(
+            1.0 / slopes[1],
+            1.0 / slopes[0] if slopes[0] > 0.0 else math.inf,
+        ),
+        level=confidence,
+        log_likelihood=best,
+        intensity=np.exp(logs),
+        overturned=count,
+        trials=of,
+    )
+
+
+def _exp(x: float) -> float:
+    return math.exp(x) if x < 700.0 else math.inf
+
+
+def _data(overturned: Any, intensity: Values, trials: Values) -> tuple[Array, Array, Array]:
+    """How many overturned, the logarithms of the intensities, and the numbers of trials, (n,)."""
+    bare = overturned
+    if np.asarray(bare).dtype.kind == "b":
+        bare = np.asarray(bare).astype(np.float64)
+    count, of = numbers("overturned", bare), numbers("trials", trials)
+    strength = numbers("intensity", _without_units(intensity))
+    hold("intensity", strength, (strength > 0.0) & np.isfinite(strength), "> 0 and finite")
+    hold("trials", of, (of >= 1.0) & (of == np.floor(of)) & np.isfinite(of), "whole and >= 1")
+    try:
+        count, strength, of = np.broadcast_arrays(count, strength, of)
+    except ValueError:
+        shapes = f"{count.shape}, {strength.shape} and {of.shape}"
+        raise RimrollError(
+            f"overturned, intensity and trials must broadcast, got shapes {shapes}"
+        ) from None
+    count, strength, of = count.ravel(), strength.ravel(), of.ravel()
+    within = (count >= 0.0) & (count <= of) & (count == np.floor(count))
+    hold("overturned", count, within, "whole, >= 0 and at most the trials")
+    return count, np.log(strength), of
+
+
+def _without_units(intensity: Any) -> Any:
+    """Intensities may be in any unit, which is not converted."""
+    return intensity.values if hasattr(intensity, "values") else intensity
+
+
+def _expect_overlap(count: Array, logs: Array, of: Array) -> None:
+    fell, stood = logs[count > 0.0], logs[count < of]
+    if not fell.size or not stood.size:
+        which = "no body" if not fell.size else "every body"
+        raise RimrollError(f"{which} overturned: the data do not determine a fragility curve")
+    if fell.min() >= stood.max():
+        raise RimrollError(
+            "the data are separable: every body that overturned did so at an intensity of at least"
+            f" {math.exp(fell.min()):g}, and no other reached more than {math.exp(stood.max()):g},"
+            " so that the dispersion with the largest likelihood is 0"
+        )
+    if fell.max() <= stood.min():
+        raise RimrollError("the probability of overturning does not grow with the intensity")
+
+
+@dataclass(frozen=True)
+class Likelihood:
+    """The logarithm of the likelihood of Φ(intercept + slope x), which is concave."""
+
+    count: Array
+    x: Array
+    of: Array
+
+    def __call__(self, intercept: float, slope: float) -> float:
+        from scipy.special import log_ndtr
+
+        z = intercept + slope * self.x
+        rest = self.of - self.count
+        return float(np.sum(self.count * log_ndtr(z) + rest * log_ndtr(-z)))
+
+    def largest(self) -> tuple[float, float]:
+        """The intercept and the slope with the largest likelihood."""
+        from scipy.optimize import minimize
+
+        spread = float(self.x.std())
+        begin = np.array([0.0, 1.0])
+        found = minimize(
+            lambda a: -self(a[0], a[1] / spread),
+            begin,
+            jac=lambda a: -self._gradient(a[0], a[1] / spread) * [1.0, 1.0 / spread],
+            method="BFGS",
+            options={"gtol": 1e-9},
+        )
+        return float(found.x[0]), float(found.x[1]) / spread
+
+    def _gradient(self, intercept: float, slope: float) -> Array:
+        from scipy.special import log_ndtr
+
+        z = intercept + slope * self.x
+        log_density = -0.5 * z * z - 0.5 * math.log(2.0 * math.pi)
+        rest = self.of - self.count
+        each = self.count * np.exp(log_density - log_ndtr(z)) - rest * np.exp(
+            log_density - log_ndtr(-z)
+        )
+        return np.array([each.sum(), (each * self.x).sum()])
+
+    def at_median(self, theta: float) -> float:
+        """The largest likelihood with this ln θ and a slope that is not negative."""
+        from scipy.optimize import brentq
+
+        def rate(slope: float) -> float:
+            of_intercept, of_slope = self._gradient(-slope * theta, slope)
+            return float(of_slope - theta * of_intercept)
+
+        if rate(0.0) <= 0.0:
+            return self(0.0, 0.0)
+        steep = 1.0 / float(self.x.std())
+        while rate(steep) > 0.0:
+            steep *= 2.0
+        slope = float(brentq(rate, 0.0, steep, xtol=1e-12))
+        return self(-slope * theta, slope)
+
+    def at_slope(self, slope: float) -> float:
+        """The largest likelihood with this slope."""
+        from scipy.optimize import brentq
+
+        reach = 10.0 + abs(slope) * float(np.abs(self.x).max())
+        intercept = brentq(lambda a: self._gradient(a, slope)[0], -reach, reach, xtol=1e-12)
+        return self(float(intercept), slope)
+
+    def interval(
+        self,
+        profile: Callable[[float], float],
+        at: float,
+        width: float,
+        best: float,
+        level: float,
+    ) -> Interval:
+        """The values around ``at`` that the test of the likelihood ratio does not reject."""
+        from scipy.optimize import brentq
+        from scipy.stats import chi2
+
+        drop = 0.5 * float(chi2.ppf(level, 1))
+
+        def excess(value: float) -> float:
+            return best - profile(value) - drop
+
+        ends = []
+        for sign in (-1.0, 1.0):
+            distance = 0.1 * width
+            for _ in range(60):
+                if excess(at + sign * distance) > 0.0:
+                    ends.append(float(brentq(excess, at, at + sign * distance)))
+                    break
+                distance *= 2.0
+                if distance > 1e3 * (width + abs(at)):
+                    ends.append(sign * math.inf)
+                    break
+            else:
+                ends.append(sign * math.inf)
+        return ends[0], ends[1]

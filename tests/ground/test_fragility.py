@@ -1,0 +1,149 @@
+"""Fragility curves by maximum likelihood."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+from scipy.special import log_ndtr, ndtr
+from scipy.stats import chi2
+
+import rimroll as rr
+
+
+def drawn(theta: float, beta: float, count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
+    random = np.random.default_rng(seed)
+    intensity = np.exp(random.normal(math.log(theta), 1.2 * beta, count))
+    return random.random(count) < ndtr(np.log(intensity / theta) / beta), intensity
+
+
+def iteratively_reweighted(overturned: np.ndarray, intensity: np.ndarray) -> tuple[float, float]:
+    """Median and dispersion by the textbook's Fisher scoring of a probit regression."""
+    x = np.column_stack([np.ones(len(intensity)), np.log(intensity)])
+    coefficients = np.zeros(2)
+    for _ in range(100):
+        z = x @ coefficients
+        mean, density = ndtr(z), np.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)
+        weight = density**2 / (mean * (1.0 - mean))
+        working = z + (overturned - mean) / density
+        coefficients = np.linalg.solve(x.T @ (weight[:, None] * x), x.T @ (weight * working))
+    return math.exp(-coefficients[0] / coefficients[1]), 1.0 / coefficients[1]
+
+
+def profile(fixed: str, value: float, overturned: np.ndarray, intensity: np.ndarray) -> float:
+    """The largest likelihood at a median or a dispersion, by a search for the other one."""
+
+    def minus(other: np.ndarray) -> float:
+        theta, beta = (
+            (value, math.exp(other[0])) if fixed == "median" else (math.exp(other[0]), value)
+        )
+        z = np.log(intensity / theta) / beta
+        return -float(np.sum(np.where(overturned, log_ndtr(z), log_ndtr(-z))))
+
+    best = min(minimize(minus, [x], method="Nelder-Mead").fun for x in (-1.0, 0.0, 1.0))
+    return -float(best)
+
+
+def test_it_is_the_probit_regression() -> None:
+    overturned, intensity = drawn(3.0, 0.4, 300, seed=1)
+    curve = rr.fragility(overturned, intensity)
+    theta, beta = iteratively_reweighted(overturned, intensity)
+    assert curve.median == pytest.approx(theta, rel=1e-6)
+    assert curve.dispersion == pytest.approx(beta, rel=1e-6)
+    assert curve(theta) == pytest.approx(0.5, abs=1e-6)
+
+
+def test_the_intervals_are_those_of_the_likelihood_ratio() -> None:
+    overturned, intensity = drawn(3.0, 0.4, 60, seed=2)
+    curve = rr.fragility(overturned, intensity, level=0.9)
+    drop = 0.5 * chi2.ppf(0.9, 1)
+    for fixed, ends in (
+        ("median", curve.median_interval),
+        ("dispersion", curve.dispersion_interval),
+    ):
+        assert ends[0] < getattr(curve, fixed) < ends[1]
+        for end in ends:
+            fallen = curve.log_likelihood - profile(fixed, end, overturned, intensity)
+            assert fallen == pytest.approx(drop, rel=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_truth_is_found_back(seed: int) -> None:
+    overturned, intensity = drawn(0.35, 0.5, 2000, seed=10 + seed)
+    curve = rr.fragility(overturned, intensity, level=0.999)
+    assert curve.median_interval[0] < 0.35 < curve.median_interval[1]
+    assert curve.dispersion_interval[0] < 0.5 < curve.dispersion_interval[1]
+    assert curve.median == pytest.approx(0.35, rel=0.1)
+
+
+@pytest.mark.soak
+def test_the_intervals_hold_the_truth_as_often_as_they_say() -> None:
+    held = np.zeros(2)
+    for seed in range(300):
+        curve = rr.fragility(*drawn(2.0, 0.4, 120, seed=1000 + seed), level=0.9)
+        held += [
+            curve.median_interval[0] < 2.0 < curve.median_interval[1],
+            curve.dispersion_interval[0] < 0.4 < curve.dispersion_interval[1],
+        ]
+    assert np.all(np.abs(held / 300 - 0.9) < 0.06)
+
+
+def test_the_unit_of_the_intensity_scales_the_median_alone() -> None:
+    overturned, intensity = drawn(3.0, 0.4, 80, seed=3)
+    one, other = (rr.fragility(overturned, scale * intensity) for scale in (1.0, 9.81))
+    assert other.median == pytest.approx(9.81 * one.median, rel=1e-6)
+    assert other.dispersion == pytest.approx(one.dispersion, rel=1e-6)
+
+
+def test_counts_are_as_good_as_single_trials() -> None:
+    counted = rr.fragility([1, 4, 9], [1.0, 2.0, 4.0], trials=10)
+    single = rr.fragility(
+        np.concatenate([np.arange(10) < fell for fell in (1, 4, 9)]), np.repeat([1.0, 2.0, 4.0], 10)
+    )
+    assert counted.median == pytest.approx(single.median, rel=1e-7)
+    assert counted.dispersion_interval == pytest.approx(single.dispersion_interval, rel=1e-6)
+
+
+def test_a_dataset_of_motions_is_taken_as_it_is() -> None:
+    column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
+    soft = {"duration": 8.0, "step": 0.02, "soil_period": 1.5}
+    grounds = {str(seed): rr.ground.synthetic(seed, 1.0, **soft) for seed in range(8)}  # type: ignore[arg-type]
+    shaken = rr.shake_many(
+        column,
+        rr.State.standing(),
+        rr.NoSlip(),
+        grounds,
+        scale=rr.axis("scale", [3.0, 4.0, 5.0, 6.0]),
+        flat="housner",
+    )
+    curve = rr.fragility(shaken["overturned"], shaken["scale"])
+    assert curve.overturned.sum() == shaken["overturned"].sum().item()
+    assert 3.0 < curve.median < 9.0
+
+
+def test_data_that_bound_no_parameter_have_an_open_interval() -> None:
+    curve = rr.fragility([False, True, False, True], [1.0, 2.0, 3.0, 4.0])
+    assert curve.dispersion_interval[1] == math.inf
+    assert curve.median_interval[0] == 0.0
+    assert curve.median_interval[1] == math.inf
+
+
+@pytest.mark.parametrize(
+    ("overturned", "intensity", "message"),
+    [
+        ([False, False, True, True], [1.0, 2.0, 3.0, 4.0], "separable"),
+        ([False, False, True, True], [1.0, 2.0, 2.0, 4.0], "separable"),
+        ([True, True], [1.0, 2.0], "every body overturned"),
+        ([False, False], [1.0, 2.0], "no body overturned"),
+        ([True, False], [1.0, 2.0], "does not grow"),
+        ([True, False, True, False], [1.0, 2.0, 3.0, 4.0], "does not grow"),
+        ([True, False], [0.0, 2.0], r"intensity\[0\] must be > 0"),
+        ([2, 0], [1.0, 2.0], r"overturned\[0\] must be whole"),
+        ([1, 0, 1], [1.0, 2.0], "must broadcast"),
+    ],
+)
+def test_refusals(overturned: list[int], intensity: list[float], message: str) -> None:
+    with pytest.raises(rr.RimrollError, match=message):
+        rr.fragility(overturned, intensity)
