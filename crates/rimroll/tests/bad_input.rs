@@ -187,7 +187,11 @@ fn a_start_is_tilted_between_its_two_faces_and_finite() {
     };
     let cases = [
         (
-            State { tilt: 0.0, ..start },
+            State {
+                tilt: 0.0,
+                yaw_rate: 0.1,
+                ..start
+            },
             "tilt must be inside (0, pi), got 0 rad",
         ),
         (

@@ -80,7 +80,13 @@ fn quadratic() -> FrictionLaw {
 fn a_new_law_has_a_name_bounds_and_scaling() {
     let law = quadratic();
     assert_eq!(law.name(), "quadratic");
-    let names = ["no_slip", "frictionless", "coulomb", "quadratic"];
+    let names = [
+        "no_slip",
+        "frictionless",
+        "in_place",
+        "coulomb",
+        "quadratic",
+    ];
     assert_eq!(FrictionLaw::NAMES, names);
     assert_eq!(law.static_friction(), None);
     assert_eq!(law.impact_coefficient(1.0), 0.0);
