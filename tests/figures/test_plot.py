@@ -220,7 +220,7 @@ def test_the_laws_differ_in_marker_as_well_as_in_colour():
 
 def outcomes(arguments):
     """The comparison of the command line."""
-    what = Request(CAN, arguments.get("start", setting.start()), rr.NoSlip(), Options(), "can")
+    what = Request(CAN, arguments.get("start", setting.start()), rr.NoSlip(), Options(), name="can")
     return [
         outcome(what, name, law)
         for name, law in tables(arguments.get("on", "ice,0.2"), 0.0).items()

@@ -22,7 +22,7 @@ from rimroll.errors import RimrollError
 
 RecordArgument = Annotated[
     list[Path] | None,
-    typer.Argument(help="Files of the record, as with --record.", metavar="[FILE]..."),
+    typer.Argument(help="Files of the record, as with --record.", metavar="RECORD"),
 ]
 
 
@@ -39,7 +39,7 @@ def shake(
     every: EveryOption = None,
     json: JsonOption = False,
 ) -> int:
-    """A body on a table that moves: whether it overturns, and how far it moves.
+    """A body on a table that moves, as in an earthquake.
 
     The table moves as a record of an earthquake, or as a pulse.
     The body stands unless a start is given, and rolls without slip unless another law is given.
@@ -48,11 +48,11 @@ def shake(
 
     Examples:
 
-    $ rimroll shake soda_can --pulse sine --amplitude 0.9g --period 0.3s --flat housner
+    $ rimroll shake --pulse sine --amplitude 0.9g --period 0.3s --flat housner
 
     $ rimroll shake examples/column.toml --scale 1.5 -o column.svg
 
-    $ rimroll shake examples/column.toml --record examples/synthetic_*.at2 --json
+    $ rimroll shake examples/column.toml --friction 0.3 --json
     """
     task = Output.checked(output, points, every, json)
     given, more = body.body, list(files or ())
