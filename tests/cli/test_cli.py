@@ -107,7 +107,7 @@ def test_the_list_of_bodies_says_how_those_of_any_size_are_made(stdout_of):
 def test_the_examples_in_the_help_work(stdout_of, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     Path("examples").symlink_to(Path(CAN).parent)
-    for command in ("turn", "simulate", "compare", "bodies"):
+    for command in ("turn", "simulate", "compare", "shake", "bodies"):
         lines = stdout_of(f"{command} --help").splitlines()
         examples = [line.split("$ rimroll ")[1] for line in lines if "$ rimroll" in line]
         assert examples
