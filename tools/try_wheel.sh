@@ -26,8 +26,10 @@ offline)
     environment
     $uv pip install --quiet --python "$folder/bin/python" --constraint constraints.txt \
         --requirements pyproject.toml maturin
+    # From nothing: caches of pip and cargo may hold what another file of this name was built into.
+    unset CARGO_TARGET_DIR
     PATH=$folder/bin:$PATH CARGO_NET_OFFLINE=true "$folder/bin/python" -m pip install --quiet \
-        --disable-pip-version-check --no-index --no-build-isolation "$file"
+        --disable-pip-version-check --no-cache-dir --no-index --no-build-isolation "$file"
     "$folder/bin/python" tools/smoke_test.py
     ;;
 arm64)
