@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 fn column() -> Body {
-    Body::new(1000.0, 0.5, 2.0, 1395.833_333_333_333_3, 125.0).unwrap()
+    Body::new(1000.0, 0.5, 2.0, 1_395.833_333_333_333_3, 125.0).unwrap()
 }
 
 fn options() -> Options {
@@ -166,7 +166,7 @@ fn a_footprint_that_slides_flat_is_displaced_as_its_centre_of_mass() {
         scale: 1.0,
         duration: 3.0,
     };
-    let [shaken] = on_threads(&[row.clone()], 1)[..] else {
+    let [shaken] = on_threads(std::slice::from_ref(&row), 1)[..] else {
         panic!("one row")
     };
     let end = motion(&row).track.end();
