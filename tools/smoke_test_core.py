@@ -21,8 +21,9 @@ def turn() -> float:
         tilt=math.pi / 6, tilt_rate=-0.5, yaw=0.0, yaw_rate=0.005, spin=0.0, spin_rate=0.005
     )
     law = SimpleNamespace(name="no_slip", numbers={})
-    options = (2.0, _core.STANDARD_GRAVITY, 1e-10, None, 1_000_000, None, False)
-    (angle, *_), *_ = _core.simulate(can, start, law, *options).turns()
+    options = (2.0, _core.STANDARD_GRAVITY, 1e-10, None, 1_000_000)
+    arguments = (*options, None, False, None, ("stop", 0.0, 0))
+    (angle, *_), *_ = _core.simulate(can, start, law, *arguments).turns()
     return math.degrees(angle)
 
 

@@ -4,6 +4,10 @@
 //! linear between its samples. Its acceleration is smooth except at corners: the samples of the record, and
 //! the beginnings and ends of pulses. The solver ends a step at each corner, and in between follows one
 //! stretch, so that its order is not lost. After its end a ground is at rest.
+//!
+//! Without the crate's feature `ground`, no ground can be made, and what follows moving tables is not compiled.
+
+#![cfg_attr(not(feature = "ground"), allow(dead_code, unused_imports))]
 
 mod pulse;
 mod record;
@@ -39,6 +43,7 @@ impl Ground {
     ///
     /// # Errors
     /// Names the first field of a pulse that is out of bounds.
+    #[cfg(feature = "ground")]
     pub fn pulses(pulses: Vec<Pulse>) -> Result<Ground, InvalidInput> {
         pulses.iter().try_for_each(Pulse::check)?;
         Ok(Ground {
@@ -53,6 +58,7 @@ impl Ground {
     /// # Errors
     /// Refuses fewer than two samples, a step that is not positive, and a sample that is not finite or exceeds
     /// 1e9 m/s².
+    #[cfg(feature = "ground")]
     pub fn sampled(step: f64, acceleration: Vec<[f64; 3]>) -> Result<Ground, InvalidInput> {
         Ok(Ground {
             pulses: Vec::new(),

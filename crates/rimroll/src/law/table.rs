@@ -33,22 +33,22 @@ impl Table {
 
     /// Whether the table moves.
     pub(crate) fn moves(&self) -> bool {
-        !matches!(self, Table::AtRest)
+        cfg!(feature = "ground") && !matches!(self, Table::AtRest)
     }
 
-    /// The acceleration of a table that moves.
-    #[inline(always)]
-    fn acceleration<T: Scalar>(&self, u: &Coordinates<T>) -> Option<Acceleration<T>> {
+    /// The acceleration of the table.
+    #[inline(never)]
+    fn acceleration<T: Scalar>(&self, u: &Coordinates<T>) -> Acceleration<T> {
         let [x, y, vertical] = match self {
-            Table::AtRest => return None,
+            Table::AtRest => [T::from(0.0); 3],
             Table::Along(stretch) => stretch.acceleration(u.t),
             Table::Moving(ground) => ground.stretch(u.t.value()).acceleration(u.t),
         };
         let (sin, cos) = u.yaw.sin_cos();
-        Some(Acceleration {
+        Acceleration {
             horizontal: [x * cos + y * sin, y * cos - x * sin],
             vertical,
-        })
+        }
     }
 }
 
@@ -126,6 +126,29 @@ impl<L> OnTable<L> {
         self.table.moves()
     }
 
+    /// The rates of the reduced state on a table that moves. A step has many copies of the rates, in which this would
+    /// take most of the room if it were inlined.
+    #[inline(never)]
+    fn moving_rates<T: Scalar>(&self, u: &Coordinates<T>) -> Coordinates<T>
+    where
+        L: Movable<T>,
+    {
+        let acceleration = self.table.acceleration(u);
+        let rates = self.under(&acceleration).reduced_rates(u);
+        self.shaken(u, rates, &acceleration)
+    }
+
+    /// The contact force (times sin φ) on a table that moves.
+    #[inline(never)]
+    fn moving_contact<T: Scalar>(&self, u: &Coordinates<T>) -> Contact<T>
+    where
+        L: Movable<T>,
+    {
+        let acceleration = self.table.acceleration(u);
+        let effect = self.dynamics.inertial_effect(u, acceleration.horizontal);
+        self.under(&acceleration).contact(u).plus(&effect.contact)
+    }
+
     /// The equations under the gravity g + a_z.
     #[inline(always)]
     fn under<T: Scalar>(&self, acceleration: &Acceleration<T>) -> L
@@ -173,23 +196,19 @@ impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L> {
 
     #[inline(always)]
     fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        match self.table.acceleration(u) {
-            None => self.dynamics.reduced_rates(u),
-            Some(acceleration) => {
-                let rates = self.under(&acceleration).reduced_rates(u);
-                self.shaken(u, rates, &acceleration)
-            }
+        if self.table.moves() {
+            self.moving_rates(u)
+        } else {
+            self.dynamics.reduced_rates(u)
         }
     }
 
     #[inline(always)]
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
-        match self.table.acceleration(u) {
-            None => self.dynamics.contact(u),
-            Some(acceleration) => {
-                let effect = self.dynamics.inertial_effect(u, acceleration.horizontal);
-                self.under(&acceleration).contact(u).plus(&effect.contact)
-            }
+        if self.table.moves() {
+            self.moving_contact(u)
+        } else {
+            self.dynamics.contact(u)
         }
     }
 
@@ -232,12 +251,11 @@ impl<F: Friction<f64> + Clone> OnTable<Sliding<f64, F>> {
         u: &Coordinates<f64>,
         friction_force: &FrictionForce<f64>,
     ) -> (Contact<f64>, Coordinates<f64>) {
-        match self.table.acceleration(u) {
-            None => self.dynamics.under(u, friction_force),
-            Some(acceleration) => {
-                let (contact, rates) = self.under(&acceleration).under(u, friction_force);
-                (contact, self.shaken(u, rates, &acceleration))
-            }
+        if !self.table.moves() {
+            return self.dynamics.under(u, friction_force);
         }
+        let acceleration = self.table.acceleration(u);
+        let (contact, rates) = self.under(&acceleration).under(u, friction_force);
+        (contact, self.shaken(u, rates, &acceleration))
     }
 }

@@ -136,7 +136,7 @@ impl Contacts {
 
     /// Whether the table moves.
     pub(crate) fn moves(&self) -> bool {
-        self.ground.is_some()
+        cfg!(feature = "ground") && self.ground.is_some()
     }
 
     /// The body and gravity.

@@ -422,6 +422,7 @@ impl LevelMotion<'_> {
 }
 
 impl System<f64, LEVEL> for LevelMotion<'_> {
+    #[inline(never)]
     fn rates(&self, u: &[f64; LEVEL]) -> [f64; LEVEL] {
         let factor = self.time_rate([u[3], u[4]]);
         self.rates_in_time(u).map(|rate| factor * rate)

@@ -93,14 +93,15 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
     }
 }
 
-/// All coordinates, as on a table that moves.
+/// All coordinates, as on a table that moves. A step calls these functions often, so that they would take much room if
+/// they were inlined.
 impl<T: Real, L: Dynamics<T> + ?Sized> System<T, COORDINATES> for Mechanics<'_, T, L> {
-    #[inline(always)]
+    #[inline(never)]
     fn rates(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
         self.all_rates(&Coordinates::from_array(u))
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn scale(&self, u: &[T; COORDINATES]) -> [T; COORDINATES] {
         self.scales(&Coordinates::from_array(u)).into_array()
     }

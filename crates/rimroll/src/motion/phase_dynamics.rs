@@ -3,10 +3,7 @@
 use super::instant::Phase;
 use super::mechanics::{Clock, Mechanics};
 use crate::contact_law::ContactLaw;
-use crate::law::{
-    Dynamics, Flight, Movable, OnTable, Parameters, Resisted, RollingDynamics, SlidingDynamics,
-    Table,
-};
+use crate::law::{Dynamics, Flight, OnTable, Parameters, RollingDynamics, SlidingDynamics, Table};
 use crate::real::Scalar;
 use crate::solve::System;
 use crate::state::{COORDINATES, COORDINATES_AT_REST, RIGID_COORDINATES};
@@ -75,53 +72,39 @@ impl<T: Scalar> PhaseDynamics<T> {
 }
 
 impl PhaseDynamics<f64> {
-    /// Runs a computation with the system of differential equations of a phase.
+    /// Runs a computation with the system of differential equations of a phase. It is compiled for each of the most
+    /// frequent laws on a table at rest, and once for all others.
     pub(super) fn solve<K: SystemVisitor>(
         &self,
         phase: Phase,
         clock: Clock,
         visitor: K,
     ) -> K::Output {
-        let moves = self.flying.moves();
-        match (phase, &self.sliding) {
-            (Phase::Rolling, _) | (Phase::Sliding, SlidingDynamics::Never) => match &self.rolling {
-                RollingDynamics::Freely(rolling) => solve_rolling(rolling, clock, visitor),
-                RollingDynamics::InPlace(rolling) => solve_rolling(rolling, clock, visitor),
-            },
-            (Phase::Sliding, SlidingDynamics::Frictionless(sliding))
+        if self.flying.moves() {
+            return visitor.with::<_, COORDINATES>(&self.mechanics(phase, clock));
+        }
+        match (phase, &self.sliding, &self.rolling) {
+            (Phase::Rolling, _, RollingDynamics::Freely(rolling))
+            | (Phase::Sliding, SlidingDynamics::Never, RollingDynamics::Freely(rolling))
+                if rolling.is_conservative() =>
+            {
+                let rolling = rolling.dynamics().dynamics();
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
+            }
+            (Phase::Rolling, _, RollingDynamics::InPlace(rolling)) if rolling.is_conservative() => {
+                let rolling: &dyn Dynamics<f64> = rolling.dynamics().dynamics();
+                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
+            }
+            (Phase::Sliding, SlidingDynamics::Frictionless(sliding), _)
                 if sliding.is_conservative() =>
             {
                 let sliding = sliding.dynamics();
                 visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(sliding, clock))
             }
-            (Phase::Sliding, SlidingDynamics::Coulomb(sliding)) => {
-                let mechanics = Mechanics::slipping(sliding, clock);
-                if moves {
-                    visitor.with::<_, COORDINATES>(&mechanics.on_moving_table())
-                } else {
-                    visitor.with::<_, COORDINATES_AT_REST>(&mechanics)
-                }
+            (Phase::Sliding, SlidingDynamics::Coulomb(sliding), _) => {
+                visitor.with::<_, COORDINATES_AT_REST>(&Mechanics::slipping(sliding, clock))
             }
-            _ if moves => visitor.with::<_, COORDINATES>(&self.mechanics(phase, clock)),
             _ => visitor.with::<_, COORDINATES_AT_REST>(&self.mechanics(phase, clock)),
         }
-    }
-}
-
-/// [`PhaseDynamics::solve`] for a rim that rolls.
-fn solve_rolling<L: Movable<f64>, K: SystemVisitor>(
-    rolling: &Resisted<OnTable<L>>,
-    clock: Clock,
-    visitor: K,
-) -> K::Output {
-    let on_table = rolling.dynamics();
-    if on_table.moves() {
-        visitor.with::<_, COORDINATES>(&Mechanics::new(rolling, clock).on_moving_table())
-    } else if rolling.is_conservative() {
-        let rolling = on_table.dynamics();
-        visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
-    } else {
-        let rolling: &dyn Dynamics<f64> = rolling;
-        visitor.with::<_, COORDINATES_AT_REST>(&Mechanics::new(rolling, clock))
     }
 }
