@@ -1,0 +1,78 @@
+//! How steps approach a corner of the table's acceleration.
+
+use super::Pace;
+use crate::motion::mechanics::{Clock, Mechanics};
+use crate::state::{COORDINATES, Coordinates, TIME};
+
+/// How steps approach the next corner of the table's acceleration, at which one has to end.
+///
+/// With respect to τ or σ, the size of the step that ends there is not known before. So a step that comes near the
+/// corner is made with respect to the time. In a near-collision, whose steps are far shorter than the time to the
+/// corner, steps are made with respect to τ.
+pub(super) struct Approach<'a> {
+    pub(super) mechanics: &'a Mechanics<'a>,
+    pub(super) clock: Clock,
+    /// The corner, s; infinite if there is none.
+    pub(super) corner: f64,
+}
+
+impl Approach<'_> {
+    /// dt/dτ or dt/dσ.
+    pub(super) fn time_rate(&self, u: &[f64; COORDINATES]) -> f64 {
+        let u = Coordinates::from_array(u);
+        u.sin * self.mechanics.sundman_factor(&u)
+    }
+
+    /// A step of size h in the regularized variable.
+    pub(super) fn regularized(&self, u: &[f64; COORDINATES], h: f64) -> f64 {
+        match self.clock {
+            Clock::Regularized => h,
+            Clock::Time => h / self.time_rate(u),
+        }
+    }
+
+    /// A step of h seconds.
+    pub(super) fn in_time(&self, h: f64) -> Pace {
+        let clock = Clock::Time;
+        Pace { clock, h }
+    }
+
+    /// The pace of a step from `u` if it should be made with respect to the other variable.
+    pub(super) fn other_clock(&self, u: &[f64; COORDINATES], h: f64) -> Option<Pace> {
+        // The fractions of the time to the corner beyond which the variable is changed. They differ, so that the
+        // variable does not change back at once.
+        const NEAR: f64 = 0.25;
+        const FAR: f64 = 0.02;
+        if self.corner == f64::INFINITY {
+            return (self.clock == Clock::Time).then(|| Pace {
+                clock: Clock::Regularized,
+                h: self.regularized(u, h),
+            });
+        }
+        let remaining = self.corner - u[TIME];
+        match self.clock {
+            Clock::Regularized => {
+                let h = h * self.time_rate(u);
+                (h > NEAR * remaining).then(|| self.in_time(h))
+            }
+            Clock::Time => (h < FAR * remaining).then(|| Pace {
+                clock: Clock::Regularized,
+                h: self.regularized(u, h),
+            }),
+        }
+    }
+
+    /// Limits the size of a step with respect to the time. Returns the time to the corner.
+    pub(super) fn limit(&self, u: &[f64; COORDINATES], h: &mut f64) -> f64 {
+        let remaining = self.corner - u[TIME];
+        if self.clock == Clock::Time {
+            // Two equal steps are better than a long and a very short one.
+            *h = if *h >= remaining {
+                remaining
+            } else {
+                h.min(0.5 * remaining)
+            };
+        }
+        remaining
+    }
+}

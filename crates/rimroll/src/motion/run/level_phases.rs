@@ -1,0 +1,198 @@
+//! The phases in which the base is level, and what leads to them and from them.
+
+use super::{AfterEvent, MAX_EMPTY_PHASES, PhaseEnd, PhaseStart, Run};
+use crate::ending::Status;
+use crate::motion::event::EventKind;
+use crate::motion::instant::{Instant, Phase};
+use crate::motion::landing::{landed, with_loss};
+use crate::motion::level::{Departure, Level, levelled};
+use crate::motion::step_record::StepRecord;
+use crate::state::Coordinates;
+use core::ops::ControlFlow;
+
+impl Run<'_> {
+    /// The motion after the whole base has come down flat at once.
+    pub(super) fn land_flat(&mut self, at: &Instant) -> AfterEvent {
+        self.detector.add(EventKind::FaceDown, *at);
+        let landing = self.landings;
+        self.landings += 1;
+        let Some(u) = landed(self.contacts, self.options, at, landing) else {
+            return AfterEvent::EndState(Status::FaceDown);
+        };
+        let next = self.contacts.settle(&u);
+        let after = Instant {
+            phase: next.phase(),
+            u,
+        };
+        if self.contacts.hardly_rocks(&u) {
+            return self.stand(&after);
+        }
+        self.detector.process_jump(at, after);
+        self.start_phase(next, u)
+    }
+
+    /// A body that stands flat from now on.
+    pub(super) fn stand(&mut self, at: &Instant) -> AfterEvent {
+        let u = levelled(self.contacts, at);
+        let is_standing = u.slip_speed() <= self.contacts.stopped_speed(&u);
+        let phase = if is_standing {
+            Phase::Standing
+        } else {
+            Phase::SlidingFlat
+        };
+        let u = with_loss(self.contacts, at, phase, u);
+        self.detector.forget_direction();
+        self.detector.add(EventKind::Stand, Instant { phase, u });
+        let direction = None;
+        AfterEvent::Phase(phase, PhaseStart { u, direction })
+    }
+
+    /// Follows a body whose base is level.
+    pub(super) fn follow_level(
+        &mut self,
+        phase: Phase,
+        u: Coordinates<f64>,
+        report: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> AfterEvent {
+        let level = Level::new(self.contacts, u.yaw);
+        let end = self.options.duration;
+        let followed = match phase {
+            Phase::Standing => self.follow_standing(&level, u, end, report),
+            _ => self.follow_level_motion(&level, phase, u, end, report),
+        };
+        let (departure, u) = match followed {
+            ControlFlow::Continue(departed) => departed,
+            ControlFlow::Break(status) => return AfterEvent::EndState(status),
+        };
+        self.depart(&level, phase, departure, u)
+    }
+
+    /// Follows a body that stands until it departs.
+    fn follow_standing(
+        &mut self,
+        level: &Level<'_>,
+        u: Coordinates<f64>,
+        end: f64,
+        report: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> ControlFlow<Status, (Departure, Coordinates<f64>)> {
+        let mut t = u.t;
+        let stands_until = |run: &mut Self, t: f64| {
+            let dense = Level::standing(&u, t);
+            run.track
+                .push(StepRecord::polynomial(Phase::Standing, dense));
+            Coordinates { t, ..u }
+        };
+        let mut stretches = 0_usize;
+        while let Some(ground) = self.contacts.ground() {
+            stretches += 1;
+            if stretches.is_multiple_of(4096) && report(t).is_break() {
+                stands_until(self, t);
+                return ControlFlow::Break(Status::Interrupted);
+            }
+            let corner = self.contacts.corner_after(t).min(end);
+            if let Some(departure) = level.time_of_departure(ground, t, corner) {
+                let u = stands_until(self, departure);
+                return ControlFlow::Continue((level.departure_from_standing(departure), u));
+            }
+            t = corner;
+            if t >= end {
+                break;
+            }
+        }
+        let u = stands_until(self, end);
+        ControlFlow::Continue((Departure::Done, u))
+    }
+
+    /// Follows a body that slides flat or is level off the table, until it departs.
+    fn follow_level_motion(
+        &mut self,
+        level: &Level<'_>,
+        phase: Phase,
+        mut u: Coordinates<f64>,
+        end: f64,
+        report: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> ControlFlow<Status, (Departure, Coordinates<f64>)> {
+        let tolerance = self.options.step_tolerance();
+        let k = self.contacts.parameters();
+        let mut h = 1e-3 * (k.r / k.g).sqrt();
+        while u.t < end {
+            if let Some(PhaseEnd::Motion(status)) = self.out_of_steps(report) {
+                return ControlFlow::Break(status);
+            }
+            let stretch = self.contacts.ground().map(|ground| ground.stretch(u.t));
+            let corner = stretch.as_ref().map_or(end, |stretch| stretch.end.min(end));
+            let motion = level.motion(phase, stretch);
+            let Some(part) = motion.next_part(&u, corner, &mut h, tolerance) else {
+                return ControlFlow::Break(Status::Failed);
+            };
+            self.work.steps += 1;
+            u = Coordinates::from_array(&part.dense.end);
+            self.track.push(StepRecord::polynomial(phase, part.dense));
+            if let Some(departure) = part.departure {
+                return ControlFlow::Continue((departure, u));
+            }
+        }
+        ControlFlow::Continue((Departure::Done, u))
+    }
+
+    /// What follows where the motion of a level base changes.
+    fn depart(
+        &mut self,
+        level: &Level<'_>,
+        from: Phase,
+        departure: Departure,
+        u: Coordinates<f64>,
+    ) -> AfterEvent {
+        let (kind, phase, u) = match departure {
+            Departure::Done => return AfterEvent::EndState(Status::Finished),
+            Departure::Uplift => {
+                let u = level.uplifted(&u, from);
+                let next = self.contacts.settle(&u);
+                let phase = next.phase();
+                self.detector.add(EventKind::Uplift, Instant { phase, u });
+                return self.start_phase_from(phase, next, u);
+            }
+            Departure::FallAway if !self.contacts.can_fly() => {
+                self.detector
+                    .add(EventKind::LiftOff, Instant { phase: from, u });
+                return AfterEvent::EndState(Status::LiftedOff);
+            }
+            Departure::FallAway => (EventKind::LiftOff, Phase::FlyingLevel, u),
+            Departure::Slide => {
+                let u = level.beginning_to_slide(&u);
+                (EventKind::Slip, Phase::SlidingFlat, u)
+            }
+            Departure::Stick => {
+                let stopped = Coordinates {
+                    slip_x: 0.0,
+                    slip_y: 0.0,
+                    ..u
+                };
+                (EventKind::Stick, Phase::Standing, stopped)
+            }
+            Departure::Land => {
+                let u = self.contacts.landed_level(&u);
+                let phase = if u.gap_rate > 0.0 {
+                    Phase::FlyingLevel
+                } else if u.slip_speed() > 0.0 {
+                    Phase::SlidingFlat
+                } else {
+                    Phase::Standing
+                };
+                (EventKind::Land, phase, u)
+            }
+        };
+        self.detector.add(kind, Instant { phase, u });
+        self.empty_phases = if self.last_end == (u.t, u.yaw) {
+            self.empty_phases + 1
+        } else {
+            0
+        };
+        self.last_end = (u.t, u.yaw);
+        if self.empty_phases > MAX_EMPTY_PHASES {
+            return AfterEvent::EndState(Status::Failed);
+        }
+        let direction = None;
+        AfterEvent::Phase(phase, PhaseStart { u, direction })
+    }
+}
