@@ -164,7 +164,10 @@ fn a_plane_motion_is_one_without_slip() {
         .map(|law| follow(&can(), &paper_start(0.0), law, &options));
     for t in [0.05, 0.1, 0.2] {
         let [a, b] = [&in_place, &rolling].map(|motion| motion.moment(&motion.track.at(t)));
-        assert_eq!(a, b);
+        for (a, b) in a.iter().zip(b) {
+            // Both are accurate to the tolerance; the steps differ by rounding.
+            assert!((a - b).abs() <= 1e-12, "at {t} s: {a} and {b}");
+        }
     }
 }
 

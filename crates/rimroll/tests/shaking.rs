@@ -705,3 +705,29 @@ fn a_body_that_stands_again_is_lifted_by_the_next_pulse() {
         assert!(imbalance(&motion) < 1e-9);
     }
 }
+
+#[test]
+fn the_search_of_a_tiny_period_is_limited_by_the_number_of_steps() {
+    let body = column();
+    let hum = ground(vec![sine([0.1, 0.0, 0.0], 1e-12, 1e12)]);
+    let options = Options {
+        max_steps: 300,
+        ..tight(1.0)
+    };
+    let law = FrictionLaw::NoSlip;
+    let motion = shaken(
+        Arc::clone(&hum),
+        &body,
+        &State::standing(),
+        law.clone(),
+        &options,
+    );
+    assert_eq!(motion.status, Status::Failed, "{}", motion.message());
+    assert_eq!(motion.work.steps, 300);
+    assert!(motion.track.end().t < 1e-8);
+
+    let interrupt = |_| ControlFlow::Break(());
+    let start = State::standing();
+    let motion = simulate_on(Some(hum), &body, &start, law, &tight(1.0), interrupt).unwrap();
+    assert_eq!(motion.status, Status::Interrupted, "{}", motion.message());
+}

@@ -114,19 +114,19 @@ impl Contacts {
     }
 
     fn table_from(&self, t: f64) -> Table {
-        let stretch = self.ground.as_ref().map(|ground| ground.stretch(t));
+        let stretch = self.ground().map(|ground| ground.stretch(t));
         stretch.map_or(Table::AtRest, Table::Along)
     }
 
     /// The first time after `t` at which the acceleration of the table has a corner, s; infinite if there is none.
     pub(super) fn corner_after(&self, t: f64) -> f64 {
-        let ground = self.ground.as_ref();
-        ground.map_or(f64::INFINITY, |ground| ground.stretch(t).end)
+        self.ground()
+            .map_or(f64::INFINITY, |ground| ground.stretch(t).end)
     }
 
     /// The motion of the table, if it moves.
     pub(super) fn ground(&self) -> Option<&Arc<Ground>> {
-        self.ground.as_ref()
+        self.ground.as_ref().filter(|_| cfg!(feature = "ground"))
     }
 
     /// Whether the friction is dry.
@@ -136,7 +136,7 @@ impl Contacts {
 
     /// Whether the table moves.
     pub(crate) fn moves(&self) -> bool {
-        cfg!(feature = "ground") && self.ground.is_some()
+        self.ground().is_some()
     }
 
     /// The body and gravity.

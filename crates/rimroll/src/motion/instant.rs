@@ -3,6 +3,9 @@
 use crate::state::Coordinates;
 use core::ops::Deref;
 
+/// Whether motions have phases in which the base is level. Those are compiled with moving tables only.
+pub(super) const LEVEL_PHASES: bool = cfg!(feature = "ground");
+
 /// The kind of contact between rim and table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
@@ -25,10 +28,11 @@ pub enum Phase {
 impl Phase {
     /// Whether the base is level, so that the tilt is zero.
     pub fn is_level(self) -> bool {
-        matches!(
-            self,
-            Phase::Standing | Phase::SlidingFlat | Phase::FlyingLevel
-        )
+        LEVEL_PHASES
+            && matches!(
+                self,
+                Phase::Standing | Phase::SlidingFlat | Phase::FlyingLevel
+            )
     }
 
     /// The name that users read.

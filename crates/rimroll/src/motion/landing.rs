@@ -1,7 +1,7 @@
 //! What follows where the whole base comes down flat at once, which rigid-body mechanics does not determine.
 
 use super::contacts::Contacts;
-use super::instant::{Instant, Phase};
+use super::instant::{Instant, LEVEL_PHASES, Phase};
 use super::options::Options;
 use super::run::pass_near_collision;
 use crate::ending::Status;
@@ -40,7 +40,15 @@ pub enum Side {
 }
 
 impl FlatLanding {
+    /// Refuses a factor that is out of bounds and, without the crate's feature `ground`, all but [`Self::Stop`].
     pub(super) fn check(&self) -> Result<(), InvalidInput> {
+        if !LEVEL_PHASES && *self != FlatLanding::Stop {
+            return Err(InvalidInput::UnknownName {
+                what: "flat landing",
+                name: format!("{self:?}"),
+                choices: "Stop".to_owned(),
+            });
+        }
         if let FlatLanding::Restitution(factor) = *self {
             let unit = |factor: f64| (0.0..=1.0).contains(&factor);
             bounded("flat restitution", factor, unit, "between 0 and 1", "")?;

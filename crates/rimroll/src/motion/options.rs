@@ -1,5 +1,6 @@
 //! The options of a simulation and their checks.
 
+use super::instant::LEVEL_PHASES;
 use super::landing::FlatLanding;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
@@ -120,7 +121,7 @@ impl Options {
         body: &Body,
         start: &State,
     ) -> Result<Options, InvalidInput> {
-        if !start.is_standing() {
+        if !LEVEL_PHASES || !start.is_standing() {
             return self.checked(body, start);
         }
         start.check_angles()?;

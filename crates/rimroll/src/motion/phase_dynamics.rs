@@ -91,10 +91,6 @@ impl PhaseDynamics<f64> {
                 let rolling = rolling.dynamics().dynamics();
                 visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
             }
-            (Phase::Rolling, _, RollingDynamics::InPlace(rolling)) if rolling.is_conservative() => {
-                let rolling: &dyn Dynamics<f64> = rolling.dynamics().dynamics();
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
-            }
             (Phase::Sliding, SlidingDynamics::Frictionless(sliding), _)
                 if sliding.is_conservative() =>
             {

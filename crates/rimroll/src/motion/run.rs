@@ -8,7 +8,7 @@ use self::steps::Steps;
 use super::contacts::{Contacts, Transition};
 use super::event::{Event, EventKind};
 use super::event_detector::{EventDetector, Goal, TerminalEvent};
-use super::instant::{Instant, Phase};
+use super::instant::{Instant, LEVEL_PHASES, Phase};
 use super::mechanics::{Clock, Mechanics};
 use super::onset;
 use super::options::Options;
@@ -93,7 +93,7 @@ impl<'a> Run<'a> {
         goal: Goal,
         start: Coordinates<f64>,
     ) -> Self {
-        let stands = start.sin == 0.0 && goal.needs_time();
+        let stands = LEVEL_PHASES && start.sin == 0.0 && goal.needs_time();
         let next = contacts.settle(&start);
         let phase = if stands {
             Phase::Standing
@@ -449,7 +449,8 @@ impl<'a> Run<'a> {
             TerminalEvent::StoppedRunning if self.detector.has_spent_its_energy(at) => {
                 end(self, EventKind::Rest, Status::AtRest)
             }
-            TerminalEvent::Flat => self.land_flat(at),
+            TerminalEvent::Flat if LEVEL_PHASES => self.land_flat(at),
+            TerminalEvent::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
             TerminalEvent::StoppedRunning => end(self, EventKind::FaceDown, Status::FaceDown),
             TerminalEvent::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)

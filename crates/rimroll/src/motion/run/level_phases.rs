@@ -10,6 +10,12 @@ use crate::motion::step_record::StepRecord;
 use crate::state::Coordinates;
 use core::ops::ControlFlow;
 
+/// The length of a search for the moment at which a body that stands departs, in periods of a pulse.
+const PERIODS_IN_WINDOW: f64 = 4.0;
+
+/// The number of such searches from one report to the next.
+const REPORT_INTERVAL: usize = 256;
+
 impl Run<'_> {
     /// The motion after the whole base has come down flat at once.
     pub(super) fn land_flat(&mut self, at: &Instant) -> AfterEvent {
@@ -82,19 +88,28 @@ impl Run<'_> {
                 .push(StepRecord::polynomial(Phase::Standing, dense));
             Coordinates { t, ..u }
         };
-        let mut stretches = 0_usize;
+        let mut windows = 0_usize;
         while let Some(ground) = self.contacts.ground() {
-            stretches += 1;
-            if stretches.is_multiple_of(4096) && report(t).is_break() {
+            windows += 1;
+            if windows.is_multiple_of(REPORT_INTERVAL) && report(t).is_break() {
                 stands_until(self, t);
                 return ControlFlow::Break(Status::Interrupted);
             }
             let corner = self.contacts.corner_after(t).min(end);
-            if let Some(departure) = level.time_of_departure(ground, t, corner) {
+            let window = corner.min(t + PERIODS_IN_WINDOW * ground.shortest_period(t));
+            if window < corner {
+                // A pulse whose period is tiny beside the motion would be searched for hours.
+                self.work.steps += 1;
+                if self.work.steps >= self.options.max_steps {
+                    stands_until(self, t);
+                    return ControlFlow::Break(Status::Failed);
+                }
+            }
+            if let Some(departure) = level.time_of_departure(ground, t, window) {
                 let u = stands_until(self, departure);
                 return ControlFlow::Continue((level.departure_from_standing(departure), u));
             }
-            t = corner;
+            t = window;
             if t >= end {
                 break;
             }
