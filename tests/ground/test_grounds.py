@@ -177,7 +177,7 @@ def test_peak_velocity_and_displacement_are_the_integrals():
     assert block.peak_velocity.x == pytest.approx(1.5, rel=1e-12)
     assert block.peak_displacement.x == pytest.approx(0.375, rel=1e-12)
     assert RECORD.peak_velocity.x == pytest.approx(0.05 * (0.0 + 2 * 3.0 - 1.0), rel=1e-12)
-    # Of the lines 30 t, then 3 − 40 (t − 0.1).
+    # The acceleration is 30 t until 0.1 s, and then 3 − 40 (t − 0.1).
     moved = 30 * 0.1**3 / 6 + 0.15 * 0.1 + 3.0 * 0.1**2 / 2 - 40 * 0.1**3 / 6
     assert RECORD.peak_displacement.x == pytest.approx(moved, rel=1e-12)
 

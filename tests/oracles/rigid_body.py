@@ -290,17 +290,20 @@ def dynamics(body, law, resistances, phase, y, gravity):
         for moment, per_normal in moments:
             free = free + cross(inverse @ moment, at.arm)
             W[:, 2] += cross(inverse @ per_normal, at.arm)
-        force, rim_acceleration = _contact(law, phase, u, W, free)
+        force, rim_acceleration = contact_force(law, phase, u, W, free)
         moments = [moment + force[2] * per_normal for moment, per_normal in moments]
         torque = torque + cross(at.arm, force) + sum(moments, start=NOTHING)
         powers = [force[:2] @ u[:2], 0.0, 0.0, 0.0]
         powers[1 : 1 + len(moments)] = [moment @ at.omega for moment in moments]
-    rates = (_turning(y[TURN], at.omega), rim_velocity, inverse @ torque, rim_acceleration)
+    rates = (turning(y[TURN], at.omega), rim_velocity, inverse @ torque, rim_acceleration)
     return Dynamics(force, np.concatenate((*rates, (at.yaw_rate, at.spin_rate), powers)))
 
 
-def _contact(law, phase, u, W, free):
-    """The force that leaves the rim point no vertical acceleration (sticking: none), and u_dot."""
+def contact_force(law, phase, u, W, free):
+    """The force that leaves the rim point no vertical acceleration (sticking: none), and u_dot.
+
+    `free` is its acceleration without contact, `W` its mobility, both relative to the table.
+    """
     if phase == "stick":
         return np.linalg.solve(W, -free), np.zeros(3)
     without_normal, per_normal = law.friction_force(u)
@@ -315,7 +318,7 @@ def _contact(law, phase, u, W, free):
     return force, u_dot
 
 
-def _turning(quaternion, omega):
+def turning(quaternion, omega):
     """q_dot = Omega q / 2, Omega in the inertial frame."""
     scalar, vector = quaternion[0], quaternion[1:]
     return np.concatenate(

@@ -100,7 +100,7 @@ def test_the_moment_of_inertia_has_a_factor_that_is_never_zero(sign):
 
 
 def test_the_rates_with_respect_to_tau():
-    """Of w = ψ̇ sin φ and s = −ψ̇ (1 − cos φ), as `law/in_place.rs` writes them, with (a₁, a₂)."""
+    """`law/in_place.rs` has the rates of w = ψ̇ sin φ and s = −ψ̇ (1 − cos φ) with (a₁, a₂)."""
     w, s = psi_dot * sin, -psi_dot * (1 - cos)
     rate = [sin * ne.rate(quantity).subs(MOTION) for quantity in (w, s)]
     lever = R * sin + H * (1 + cos)

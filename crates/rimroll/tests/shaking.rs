@@ -405,6 +405,27 @@ fn a_jump_of_the_acceleration_changes_the_contact_at_once() {
     assert_eq!(phase(later([0.0, 0.0, -12.0]), 0.15), "flying");
 }
 
+/// Two constant accelerations, of which one ends while the other goes on.
+#[test]
+fn a_jump_changes_the_contact_at_the_very_time_of_the_jump() {
+    const JUMP: f64 = 0.1537;
+    let jumping = |a: [f64; 3]| {
+        let balanced = constant(a, JUMP).scaled(-1.0);
+        Arc::new(constant(a, 1.0).plus(&balanced).unwrap())
+    };
+    let contact = |a, law: FrictionLaw| {
+        let motion = shaken(jumping(a), &column(), &leaning(), law, &tight(0.3));
+        let changes = motion.events.iter();
+        let times = changes.filter(|event| matches!(event.kind.name(), "slip" | "lift_off"));
+        times.map(|event| event.at.t).next()
+    };
+    let dry = FrictionLaw::coulomb(0.3);
+    assert_eq!(contact([12.0, 5.0, 0.0], dry.clone()), Some(JUMP));
+    for law in [dry, FrictionLaw::NoSlip, FrictionLaw::InPlace] {
+        assert_eq!(contact([0.0, 1.0, -12.0], law), Some(JUMP));
+    }
+}
+
 fn any_law() -> impl Strategy<Value = ContactLaw> {
     let all = laws();
     let dry = (0.0..1.5).prop_map(|friction| FrictionLaw::coulomb(friction).into());

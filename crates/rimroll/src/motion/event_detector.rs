@@ -596,7 +596,8 @@ impl<'a> EventDetector<'a> {
     }
 
     /// The step shortened to the root of `level` near x. The dense output is one order less accurate than the
-    /// steps, so x is corrected by the value of `level` at the end of a recomputed step.
+    /// steps, so x is corrected by the value of `level` at the end of a recomputed step. Where `level` changes sign
+    /// because the acceleration of the table jumps at the end of the step, it has no slope, and the step stays whole.
     fn refine(
         &self,
         part: StepPart<'_>,
@@ -604,6 +605,9 @@ impl<'a> EventDetector<'a> {
         level: impl Fn(&Coordinates<f64>) -> f64,
     ) -> StepRecord {
         const INCREMENT: f64 = 1e-3;
+        if self.is_at_corner(part, x) {
+            return part.record.clone();
+        }
         let StepPart { record, dense } = part;
         let level = |u: &[f64; COORDINATES]| level(&Coordinates::from_array(u));
         let shortened = record.cut(self.contacts, x);
@@ -619,6 +623,17 @@ impl<'a> EventDetector<'a> {
         } else {
             shortened
         }
+    }
+
+    /// Whether the fraction x of a step is its end but for rounding, and there the acceleration of the table has a
+    /// corner.
+    fn is_at_corner(&self, part: StepPart<'_>, x: f64) -> bool {
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
+        let StepPart { record, dense } = part;
+        let (start, end) = (record.start[TIME], record.end[TIME]);
+        self.contacts.moves()
+            && self.contacts.corner_after(start) == end
+            && end - dense.at(x)[TIME] <= ROUNDING * end
     }
 }
 
