@@ -171,3 +171,6 @@ fn begun(
     }
     Ok((options, Arc::new(contacts), start))
 }
+
+#[cfg(test)]
+mod tests;
