@@ -13,7 +13,7 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number, optional, thread_count
 from rimroll.grid import Grid
-from rimroll.laws import Frictionless, Law, NoSlip, contact_law
+from rimroll.laws import Frictionless, InPlace, Law, NoSlip, contact_law
 from rimroll.motion.jacobian import PARAMETERS
 from rimroll.rows import Rows
 from rimroll.state import Numbers, State
@@ -88,8 +88,8 @@ def exact_turn(
 ) -> ExactTurn:
     """The first turn of a body that rocks, from each start, without stepping through its motion.
 
-    Without slip or without friction, energy is conserved and the tilt alone determines the yaw and
-    spin rates; so turn and times are integrals over the tilt.
+    Without slip, without friction and in place, energy is conserved and the tilt alone determines
+    the yaw and spin rates; so turn and times are integrals over the tilt.
 
     Errors are below 1e-12 rad in the turn, whether the body rocks or topples, however flat it comes
     down and however near the balance point it is released. Errors of times are below 2e-11 of the
@@ -109,7 +109,8 @@ def exact_turn(
         of xarray by the names of their dimensions. Each body is prepared once for all its starts,
         which takes as long as about a hundred turns.
     law
-        ``NoSlip()`` or ``Frictionless()``.
+        ``NoSlip()``, ``Frictionless()`` or ``InPlace()``, whose spin rate is 0 or minus the yaw
+        rate.
     gravity
         m/s².
     topple_tilt
@@ -117,18 +118,22 @@ def exact_turn(
     threads
         Number of threads; by default one for each processor.
     jacobian
-        Whether to compute the derivatives of the turn.
+        Whether to compute the derivatives of the turn; not for ``InPlace()``.
 
     Raises
     ------
     RimrollError
-        Another law, a resistance, a number outside its bounds; for an array the message names the
-        element, as ``tilt[1]``.
+        Another law, a resistance, derivatives under ``InPlace()``, a number outside its bounds; for
+        an array the message names the element, as ``tilt[1]``.
     """
     if not conserves_energy(law):
         raise RimrollError(
-            "law must be NoSlip or Frictionless without resistances, under which turns are"
+            "law must be NoSlip, Frictionless or InPlace without resistances, under which turns are"
             f" integrals, got {law!r}: rimroll.ensemble follows falls under any law"
+        )
+    if jacobian and isinstance(law, InPlace):
+        raise RimrollError(
+            "jacobian must be False under InPlace, under which the spin rate of a start is not free"
         )
     expect("body", body, Body)
     expect("start", start, State)
@@ -178,7 +183,7 @@ def turns_in_parts(
 def conserves_energy(law: Law) -> bool:
     """Whether a law conserves energy, so that turns are integrals."""
     contact_law(law)
-    return type(law) in (NoSlip, Frictionless) and not law.resistances
+    return type(law) in (NoSlip, Frictionless, InPlace) and not law.resistances
 
 
 def _named(grid: Grid, names: tuple[str, ...], table: Array) -> dict[str, Numbers]:

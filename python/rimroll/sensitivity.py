@@ -62,9 +62,9 @@ def turn_map(
         dψ/dt and dθ/dt, rad/s, each a flat array in rising order.
     gravity, duration, rtol, topple_tilt, max_steps, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
-        Under ``NoSlip()`` and ``Frictionless()`` turns are computed by quadrature, see
-        :func:`rimroll.exact_turn`; there ``duration``, ``rtol`` and ``max_steps`` are checked but
-        not used.
+        Under ``NoSlip()``, ``Frictionless()`` and ``InPlace()`` turns are computed by quadrature,
+        see :func:`rimroll.exact_turn`; there ``duration``, ``rtol`` and ``max_steps`` are checked
+        but not used.
 
     Returns
     -------

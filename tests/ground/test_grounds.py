@@ -32,7 +32,15 @@ each_ground = pytest.mark.parametrize("ground", GROUNDS.values(), ids=GROUNDS)
 
 
 @pytest.mark.parametrize(
-    "module", ["ground", "ground.pulses", "ground.records", "ground.synthetic", "ground.names"]
+    "module",
+    [
+        "ground",
+        "ground.ground",
+        "ground.pulses",
+        "ground.records",
+        "ground.synthetic",
+        "ground.names",
+    ],
 )
 def test_examples_in_the_docstrings_are_true(module):
     results = doctest.testmod(import_module(f"rimroll.{module}"))
@@ -180,6 +188,43 @@ def test_peak_velocity_and_displacement_are_the_integrals():
     # The acceleration is 30 t until 0.1 s, and then 3 − 40 (t − 0.1).
     moved = 30 * 0.1**3 / 6 + 0.15 * 0.1 + 3.0 * 0.1**2 / 2 - 40 * 0.1**3 / 6
     assert RECORD.peak_displacement.x == pytest.approx(moved, rel=1e-12)
+
+
+def by_quadrature(ground, t):
+    """Velocity and displacement at t, (2, 3), by Gauss-Legendre quadrature between the corners."""
+    corners = [*np.linspace(0.0, t, 41), *(0.1 * i for i in range(3)), 0.4, 0.58, 0.8, 1.0, 1.2]
+    ends = np.unique([corner for corner in [*corners, ground.duration] if corner <= t])
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    half, middle = 0.5 * np.diff(ends)[:, None], 0.5 * (ends[1:] + ends[:-1])[:, None]
+    at, share = (middle + half * nodes).ravel(), (half * weights).ravel()[:, None]
+    values = share * ground(at)
+    return np.array([values.sum(axis=0), (values * (t - at)[:, None]).sum(axis=0)])
+
+
+@each_ground
+def test_velocity_and_displacement_are_integrals_of_the_acceleration(ground):
+    for t in (0.0, 0.03, 0.15, 0.2, 0.5, 0.93, 2.5):
+        velocity, displacement = by_quadrature(ground, t)
+        np.testing.assert_allclose(ground.velocity(t), velocity, atol=1e-12)
+        np.testing.assert_allclose(ground.displacement(t), displacement, atol=1e-12)
+    times = np.array([[-1.0, 0.0], [0.3, 2.5]])
+    for integral in (ground.velocity, ground.displacement):
+        assert integral(times).shape == (2, 2, 3) and integral([]).shape == (0, 3)
+        assert not integral(times)[0].any()
+        with pytest.raises(rr.RimrollError, match=r"^t\[1\] must be finite"):
+            integral([0.0, np.inf])
+
+
+def test_a_table_coasts_after_the_end_of_a_ground():
+    block = rr.ground.rectangular(3.0, 0.5)
+    np.testing.assert_allclose(block.velocity([0.5, 9.0])[:, 0], 1.5, rtol=1e-15)
+    assert block.displacement(2.5)[0] == pytest.approx(0.375 + 1.5 * 2.0, rel=1e-14)
+
+
+def test_a_baseline_that_is_off_makes_the_table_drift():
+    wave = rr.ground.function(lambda t: math.sin(40.0 * t) + 0.2, 4.0, 0.01)
+    assert wave.displacement(4.0)[0] > 1.5
+    assert abs(wave.detrended().displacement(4.0)[0]) < 0.1
 
 
 def test_a_detrended_record_has_no_line_in_it():

@@ -446,7 +446,10 @@ def test_ctrl_c_is_heard_while_derivatives_are_computed(threads):
         ({"body": "can"}, "body must be a rimroll.Body"),
         ({"start": 0.3}, "start must be a rimroll.State"),
         ({"law": "no_slip"}, "law must be a rimroll.Law"),
-        ({"law": rr.Coulomb(0.2)}, r"NoSlip or Frictionless .*got Coulomb\(friction=0.2\)"),
+        (
+            {"law": rr.Coulomb(0.2)},
+            r"NoSlip, Frictionless or InPlace .*got Coulomb\(friction=0.2\)",
+        ),
         ({"law": rr.NoSlip() + rr.RollingResistance(1e-3)}, "without resistances"),
         ({"law": rr.Coulomb(0.2)}, r"integrals, got Coulomb.*rimroll.ensemble follows falls"),
         ({"gravity": -1.0}, "gravity must be"),

@@ -103,11 +103,39 @@ def test_resistance_brings_it_to_rest_and_the_budget_closes():
     assert motion.resistance_loss[-1] > 0.0
 
 
-def test_there_are_no_derivatives_and_no_quadrature():
+def test_turns_by_quadrature_are_those_of_steps():
+    tilts, rates = [0.2, 0.5, 0.2, 0.5], [0.1, -0.3, 1e-7, 1e-7]
+    turns = rr.exact_turn(CAN, rr.State(tilt=tilts, yaw_rate=rates), rr.InPlace())
+    assert set(turns.outcome) == {"rocked"}
+    for row, (tilt, rate) in enumerate(zip(tilts, rates, strict=True)):
+        start = rr.State(tilt=tilt, yaw_rate=rate, spin_rate=-rate)
+        stepped = rr.simulate(CAN, start, rr.InPlace(), duration=2.0, rtol=1e-12).turns[0]
+        assert turns.turn[row] == pytest.approx(stepped.angle, abs=1e-9)
+        assert turns.end_time[row] == pytest.approx(stepped.end, rel=1e-9)
+    assert turns.turn[2:] == pytest.approx(rr.turn_limit(CAN, rr.NoSlip()), abs=1e-5)
+
+
+def test_the_first_start_with_a_spin_of_its_own_is_named_by_the_quadrature():
+    starts = rr.State(tilt=0.5, yaw_rate=0.1, spin_rate=[0.0, -0.1, 0.2, 0.3])
+    with pytest.raises(rr.RimrollError, match=r"^spin_rate\[2\] must be 0 or -yaw_rate .*got 0\.2"):
+        rr.exact_turn(CAN, starts, rr.InPlace())
+
+
+def test_a_map_is_by_quadrature():
+    start = rr.State(tilt=0.5)
+    mapped = rr.turn_map(CAN, start, rr.InPlace(), [-0.1, 0.1, 0.3], [0.0])
+    assert "steps" not in mapped
+    assert (
+        mapped.turn.values[0, 1]
+        == rr.exact_turn(CAN, rr.State(tilt=0.5, yaw_rate=0.1), rr.InPlace()).turn
+    )
+
+
+def test_there_are_no_derivatives():
     with pytest.raises(rr.RimrollError, match="only rolling without slip"):
         rr.simulate(CAN, START, rr.InPlace(), duration=0.1, jacobian=True)
-    with pytest.raises(rr.RimrollError, match="law must be NoSlip or Frictionless"):
-        rr.exact_turn(CAN, START, rr.InPlace())
+    with pytest.raises(rr.RimrollError, match="jacobian must be False under InPlace"):
+        rr.exact_turn(CAN, START, rr.InPlace(), jacobian=True)
 
 
 def test_the_law_survives_a_dataset(motion):

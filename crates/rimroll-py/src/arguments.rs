@@ -168,6 +168,15 @@ impl ContactLawArgument {
         (numbers, tables)
     }
 
+    /// One contact law for all rows, or one for each row if some parameters differ between rows.
+    pub fn of_rows(&self, varied: &VariedArgument<'_>) -> PyResult<Vec<ContactLaw>> {
+        if varied.is_empty() {
+            return Ok(vec![self.contact_law()?]);
+        }
+        let contact_laws: Result<_, _> = self.varied(varied)?.collect();
+        contact_laws.map_err(refusal)
+    }
+
     /// Contact laws that differ from this one in some parameters, given as arrays with one number per law; or
     /// the errors of invalid ones.
     pub fn varied(

@@ -5,7 +5,7 @@ use crate::watched::in_threads;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::Fall;
-use rimroll::{ContactLaw, Options, Release, State, ensemble as ensemble_in_core};
+use rimroll::{Options, Release, State, ensemble as ensemble_in_core};
 
 /// The numbers of a fall, in the order of [`numbers`].
 pub const FALL_COLUMNS: [&str; 14] = [
@@ -141,12 +141,7 @@ pub fn ensemble<'py>(
         ..Options::default()
     };
     let bodies = bodies.bodies()?;
-    let contact_laws: Vec<ContactLaw> = if varied.is_empty() {
-        vec![contact_law.contact_law()?]
-    } else {
-        let contact_laws: Result<_, _> = contact_law.varied(&varied)?.collect();
-        contact_laws.map_err(refusal)?
-    };
+    let contact_laws = contact_law.of_rows(&varied)?;
     let friction_scale = friction_scale.as_array();
     let rows = starts.starts()?.zip(friction_scale.iter()).enumerate();
     let trials: Vec<Release<'_>> = rows

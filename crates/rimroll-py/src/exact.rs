@@ -6,9 +6,9 @@ use crate::watched::in_threads;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use rimroll::State;
 use rimroll::motion::PARAMETERS;
-use rimroll::turn::exact::{ExactRows, ExactTurn};
+use rimroll::turn::exact::{ExactRows, ExactTurn, turn_in_place};
+use rimroll::{Body, FrictionLaw, State};
 
 /// The numbers of a turn, in the order of [`numbers`].
 pub const EXACT_COLUMNS: [&str; 6] = ["turn", "min_tilt", "max_tilt", "min_time", "time", "yaw"];
@@ -28,8 +28,8 @@ type Table<'py> = Bound<'py, PyArray2<f64>>;
 
 /// Two rows of indices into `OUTCOMES` (the ending of each turn, and the final outcome of the body); a table
 /// with one column per start and a row for each of [`EXACT_COLUMNS`]; and, on request, another table with the
-/// derivatives of the turn with respect to each of [`PARAMETERS`]. `threads` = 0 means one per processor.
-/// Ctrl-C stops the work.
+/// derivatives of the turn with respect to each of [`PARAMETERS`], for the two ideal laws only. `threads` = 0 means one
+/// per processor. Ctrl-C stops the work.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn exact_turns<'py>(
@@ -42,7 +42,9 @@ pub fn exact_turns<'py>(
     threads: usize,
     jacobian: bool,
 ) -> PyResult<(Bound<'py, PyArray2<u8>>, Table<'py>, Option<Table<'py>>)> {
-    let (bodies, law) = (bodies.bodies()?, ideal_law(law_name)?);
+    let bodies = bodies.bodies()?;
+    let in_place = law_name == FrictionLaw::InPlace.name();
+    let law = (!in_place).then(|| ideal_law(law_name)).transpose()?;
     let columns = starts.columns()?;
     let (results, stopped) = in_threads(py, threads, None, |watched| {
         let should_continue = || watched.count(0).is_continue();
@@ -53,10 +55,24 @@ pub fn exact_turns<'py>(
                 (of_row(&bodies, row), start)
             })
             .collect();
-        let exact = ExactRows::new(law, gravity, topple_tilt, &rows);
-        let slopes = jacobian.then(|| exact.turn_slopes_while(should_continue));
-        let slopes = slopes.transpose()?.flatten();
-        let turns = exact.turns_while(should_continue)?.unwrap_or_default();
+        let (turns, slopes) = match law {
+            Some(law) => {
+                let exact = ExactRows::new(law, gravity, topple_tilt, &rows);
+                let slopes = jacobian.then(|| exact.turn_slopes_while(should_continue));
+                let slopes = slopes.transpose()?.flatten();
+                (exact.turns_while(should_continue)?, slopes)
+            }
+            None => {
+                let turn = |&(body, ref start): &(&Body, State)| {
+                    let turn = || turn_in_place(body, start, gravity, topple_tilt);
+                    should_continue().then(turn).transpose()
+                };
+                // Row by row, so that the error is that of the first row which is refused.
+                let turns: Vec<Result<_, _>> = rows.par_iter().map(turn).collect();
+                (turns.into_iter().collect::<Result<_, _>>()?, None)
+            }
+        };
+        let turns: Vec<ExactTurn> = turns.unwrap_or_default();
         let codes = |turn: &ExactTurn| [turn.ending as u8, turn.outcome as u8];
         Ok(Results {
             codes: by_columns(&turns, codes),

@@ -49,7 +49,7 @@ impl CoreGround {
     }
 
     /// The step and the samples of the record, if there is one.
-    fn samples<'py>(&self, py: Python<'py>) -> PyResult<Option<(f64, Bound<'py, PyArray2<f64>>)>> {
+    fn samples<'py>(&self, py: Python<'py>) -> PyResult<Option<(f64, Rows<'py>)>> {
         let Some(record) = self.ground.parts().1 else {
             return Ok(None);
         };
@@ -61,10 +61,22 @@ impl CoreGround {
         &self,
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    ) -> PyResult<Rows<'py>> {
         let t = t.as_array();
         let values: Vec<_> = t.iter().map(|&t| self.ground.acceleration(t)).collect();
         in_rows(py, &values)
+    }
+
+    /// The velocity and the displacement since t = 0 at times, (n, 3) each.
+    fn course<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<(Rows<'py>, Rows<'py>)> {
+        let (course, t) = (self.ground.course(), t.as_array());
+        let velocities: Vec<_> = t.iter().map(|&t| course.velocity(t)).collect();
+        let displacements: Vec<_> = t.iter().map(|&t| course.displacement(t)).collect();
+        Ok((in_rows(py, &velocities)?, in_rows(py, &displacements)?))
     }
 
     #[getter]
@@ -86,7 +98,9 @@ impl CoreGround {
     }
 }
 
-fn in_rows<'py>(py: Python<'py>, rows: &[[f64; 3]]) -> PyResult<Bound<'py, PyArray2<f64>>> {
+type Rows<'py> = Bound<'py, PyArray2<f64>>;
+
+fn in_rows<'py>(py: Python<'py>, rows: &[[f64; 3]]) -> PyResult<Rows<'py>> {
     rows.as_flattened()
         .to_vec()
         .into_pyarray(py)

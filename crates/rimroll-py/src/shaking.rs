@@ -81,16 +81,10 @@ struct Parts {
 
 impl ShakingsArgument<'_> {
     fn parts(&self) -> PyResult<Parts> {
-        let contact_laws = if self.varied.is_empty() {
-            vec![self.contact_law.contact_law()?]
-        } else {
-            let varied: Result<_, _> = self.contact_law.varied(&self.varied)?.collect();
-            varied.map_err(refusal)?
-        };
         let grounds = self.grounds.iter();
         Ok(Parts {
             bodies: self.bodies.bodies()?,
-            contact_laws,
+            contact_laws: self.contact_law.of_rows(&self.varied)?,
             grounds: grounds.map(|ground| Arc::clone(&ground.ground)).collect(),
         })
     }

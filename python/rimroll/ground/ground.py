@@ -49,12 +49,38 @@ class Ground:
     def __call__(self, t: Values) -> Array:
         """The acceleration (..., 3), m/s², at times t (s) of any shape.
 
-        Where it jumps, this is the value after the jump.
+        Where it jumps, this is the value after the jump. Raises ``RimrollError`` for a time that is
+        not finite; so do :meth:`velocity` and :meth:`displacement`.
         """
-        moments = numbers("t", t, "s")
-        hold("t", moments, np.isfinite(moments), "finite")
-        flat = self.core.acceleration(np.ascontiguousarray(moments).ravel())
-        return flat.reshape(*moments.shape, 3)
+        moments = _moments(t)
+        return self.core.acceleration(moments.ravel()).reshape(*moments.shape, 3)
+
+    def velocity(self, t: Values) -> Array:
+        """The velocity (..., 3), m/s, at times t (s) of any shape.
+
+        The table is at rest until t = 0. The integral is exact for records and pulses, without
+        correction of the baseline. After :attr:`duration` the velocity is constant, and not zero
+        unless the acceleration has no net impulse.
+
+        >>> import rimroll as rr
+        >>> rr.ground.half_sine(3.0, 0.5).velocity([0.25, 0.5, 9.0]).round(3).tolist()
+        [[0.477, 0.0, 0.0], [0.955, 0.0, 0.0], [0.955, 0.0, 0.0]]
+        """
+        moments = _moments(t)
+        return self.core.course(moments.ravel())[0].reshape(*moments.shape, 3)
+
+    def displacement(self, t: Values) -> Array:
+        """The displacement (..., 3), m, since t = 0 at times t (s) of any shape.
+
+        It is integrated as :meth:`velocity`. In a record whose baseline was not corrected, most of
+        it is drift, which grows on after the end: see :meth:`detrended`.
+
+        >>> import rimroll as rr
+        >>> rr.ground.sine(3.0, 1.2).displacement([0.6, 1.2, 9.0]).round(3).tolist()
+        [[0.344, 0.0, 0.0], [0.688, 0.0, 0.0], [0.688, 0.0, 0.0]]
+        """
+        moments = _moments(t)
+        return self.core.course(moments.ravel())[1].reshape(*moments.shape, 3)
 
     @property
     def duration(self) -> float:
@@ -119,18 +145,16 @@ class Ground:
 
     @cached_property
     def peak_velocity(self) -> Peak:
-        """The largest velocities, m/s, integrated from rest without correction of the baseline.
+        """The largest of the :meth:`velocity`, m/s, without correction of the baseline.
 
-        The integral is exact for a record. It covers the time up to :attr:`duration`.
+        It is the largest value at the samples of a record and at a thousand points in each period
+        of a pulse, up to :attr:`duration`.
         """
         return peak_of(self._lines.velocity)
 
     @cached_property
     def peak_displacement(self) -> Peak:
-        """The largest displacements, m, integrated as :attr:`peak_velocity`.
-
-        In a record whose baseline was not corrected, most of it is drift: see :meth:`detrended`.
-        """
+        """The largest of the :meth:`displacement`, m, found as :attr:`peak_velocity`."""
         return peak_of(self._lines.displacement)
 
     def response_spectrum(self, periods: Values, damping: Number = 0.05) -> xr.Dataset:
@@ -253,6 +277,12 @@ class Ground:
         )
         table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
         return f"<div><p><b>Ground</b> of {self._kind()}, {self.duration:.6g} s</p>{table}</div>"
+
+
+def _moments(t: Values) -> Array:
+    moments = numbers("t", t, "s")
+    hold("t", moments, np.isfinite(moments), "finite")
+    return moments
 
 
 def _again(

@@ -1,9 +1,8 @@
-"""A ground as straight lines of the acceleration, and its integrals."""
+"""A ground as straight lines of the acceleration."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from rimroll.errors import RimrollError
 Array = NDArray[np.float64]
 
 PER_PERIOD = 1000
-"""Lines in each period of a pulse: the error is below 1e-5 of the amplitude."""
+"""Lines in each period of a pulse: their error is below 1e-5 of the amplitude."""
 
 MAX_POINTS = 10_000_000
 """The largest number of samples, or of points with which a ground is followed: some 1.5 GB."""
@@ -29,24 +28,12 @@ class Lines:
     At a jump between them there are two times that differ by rounding."""
     acceleration: Array
     """(n, 3), m/s²."""
+    velocity: Array
+    """(n, 3), m/s, from rest at t = 0; exact for pulses, too."""
+    displacement: Array
+    """(n, 3), m, since t = 0; exact for pulses, too."""
     scale: float
     """The time over which the acceleration changes, s."""
-
-    @cached_property
-    def velocity(self) -> Array:
-        """(n, 3), m/s, from rest at t = 0; exact for the lines."""
-        from scipy.integrate import cumulative_trapezoid
-
-        velocity: Array = cumulative_trapezoid(self.acceleration, self.t, axis=0, initial=0.0)
-        return velocity
-
-    @cached_property
-    def displacement(self) -> Array:
-        """(n, 3), m, from rest at t = 0; exact for the lines."""
-        step = np.diff(self.t)[:, np.newaxis]
-        before, after = self.acceleration[:-1], self.acceleration[1:]
-        moved = (self.velocity[:-1] + (2.0 * before + after) * step / 6.0) * step
-        return np.concatenate((np.zeros((1, 3)), np.cumsum(moved, axis=0)))
 
 
 def lines_of(core: _core.CoreGround) -> Lines:
@@ -78,4 +65,4 @@ def lines_of(core: _core.CoreGround) -> Lines:
     t = t[t < core.duration]
     acceleration = core.acceleration(t)
     t[-1] = core.duration
-    return Lines(t, acceleration, min(scales))
+    return Lines(t, acceleration, *core.course(t), min(scales))

@@ -64,7 +64,44 @@ impl Pulse {
     }
 }
 
+impl Pulse {
+    /// The first and the second integral of the shape from 0 to a time t >= 0 (s), in s and s²: the velocity and the
+    /// displacement for an amplitude of 1. After the end of the pulse the first is constant.
+    pub(super) fn integrals(&self, t: f64) -> [f64; 2] {
+        let acting = t.min(self.duration);
+        let [velocity, moved] = self.shape.integrals(acting);
+        [velocity, moved + velocity * (t - acting)]
+    }
+}
+
 impl Shape {
+    /// The first and the second integral from 0 to a time (s), in s and s².
+    fn integrals(&self, t: f64) -> [f64; 2] {
+        match *self {
+            Shape::Constant => [t, 0.5 * t * t],
+            Shape::Sine { period } => {
+                let rate = TAU / period;
+                let sin = libm::sin(rate * t);
+                [one_less_cos(rate * t) / rate, (t - sin / rate) / rate]
+            }
+            Shape::Cosine { period } => {
+                let rate = TAU / period;
+                let rise = one_less_cos(rate * t);
+                [libm::sin(rate * t) / rate, rise / (rate * rate)]
+            }
+            // The integral of (1 − 2x²) exp(−x²) is x exp(−x²), that of x exp(−x²) is −exp(−x²)/2.
+            Shape::Ricker { period, center } => {
+                let rate = PI / period;
+                let [from, x] = [-rate * center, rate * (t - center)];
+                let [before, after] = [from, x].map(|x| libm::exp(-x * x));
+                [
+                    (x * after - from * before) / rate,
+                    0.5 * (before - after) / (rate * rate) - from * before * t / rate,
+                ]
+            }
+        }
+    }
+
     /// The period, s; infinite for a constant.
     pub(super) fn period(&self) -> f64 {
         match *self {
@@ -89,4 +126,10 @@ impl Shape {
             }
         }
     }
+}
+
+/// 1 − cos α without cancellation.
+fn one_less_cos(angle: f64) -> f64 {
+    let half = libm::sin(0.5 * angle);
+    2.0 * half * half
 }

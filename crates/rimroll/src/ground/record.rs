@@ -17,8 +17,8 @@ pub struct Record {
 pub(super) struct Segment {
     begin: f64,
     pub(super) end: f64,
-    value: [f64; 3],
-    slope: [f64; 3],
+    pub(super) value: [f64; 3],
+    pub(super) slope: [f64; 3],
 }
 
 impl Record {
@@ -53,22 +53,39 @@ impl Record {
         self.time(self.samples.len() - 1)
     }
 
-    fn time(&self, index: usize) -> f64 {
+    pub(super) fn time(&self, index: usize) -> f64 {
         index as f64 * self.step
+    }
+
+    /// The index of the last sample at or before a time t >= 0 (s).
+    pub(super) fn sample_before(&self, t: f64) -> usize {
+        self.index(t).min(self.samples.len() - 1)
+    }
+
+    /// The whole part of t/step, 0 for a negative time.
+    fn index(&self, t: f64) -> usize {
+        // A negative quotient becomes 0. Rounding can put a time at a sample into the segment before it.
+        let index = (t / self.step) as usize;
+        if index > 0 && t < self.time(index) {
+            index - 1
+        } else if t >= self.time(index + 1) {
+            index + 1
+        } else {
+            index
+        }
     }
 
     /// The segment that contains a time (s) or begins there; `None` after the last sample and before t = 0.
     pub(super) fn segment(&self, t: f64) -> Option<Segment> {
-        // A negative quotient becomes 0. Rounding can put a time at a sample into the segment before it.
-        let mut index = (t / self.step) as usize;
-        if index > 0 && t < self.time(index) {
-            index -= 1;
-        } else if t >= self.time(index + 1) {
-            index += 1;
-        }
+        let segment = self.segment_after(self.index(t))?;
+        (t >= 0.0).then_some(segment)
+    }
+
+    /// The segment that begins at a sample; `None` for the last.
+    pub(super) fn segment_after(&self, index: usize) -> Option<Segment> {
         let [from, to] = [self.samples.get(index)?, self.samples.get(index + 1)?];
         let (begin, end) = (self.time(index), self.time(index + 1));
-        (t >= 0.0).then(|| Segment {
+        Some(Segment {
             begin,
             end,
             value: *from,
