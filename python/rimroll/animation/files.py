@@ -113,7 +113,7 @@ def _write_gif(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: floa
 
 
 def _write_mp4(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:
-    width, height = stage.size
+    width, height = stage.shoot(0).size
     source = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{fps:g}"]
     # Four pixels share a colour in H.264: the sides must be even.
     even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]

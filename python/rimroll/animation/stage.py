@@ -42,34 +42,54 @@ class Stage:
         self.t = clock.times(film)
         self.slowdown = clock.slowdown(film)
         self.states = motion.evaluate(self.t)
-        self.turns = _turns(motion, body)
+        # The trail has six points per picture, so that its bends have no corners.
+        fine = clock.times(np.linspace(0.0, clock.seconds, 6 * (self.count - 1) + 1))
+        self._path = scene.contact_path(motion.evaluate(fine), body)
+        self._prepare(motion)
         self.camera = _camera(view, body, self.states.center)
         (self._left, right), (low, self._high) = self._limits(size[0] / size[1])
         self._per_meter = np.array([size[0] / (right - self._left), size[1] / (self._high - low)])
-        # The trail has six points per picture, so that its bends have no corners.
-        fine = clock.times(np.linspace(0.0, clock.seconds, 6 * (self.count - 1) + 1))
-        path = scene.contact_path(motion.evaluate(fine), body)
-        self.trail = Trail(self._on_table(path), POINT * TRAIL_WIDTH, size)
+        self._set_up()
+
+    def _prepare(self, motion: Motion) -> None:
+        """What must be known before the limits of the picture."""
+        self.turns = _turns(motion, self.body)
+
+    def _set_up(self) -> None:
+        """What stands still, and the trail."""
+        self.trail = Trail(self._on_table(self._path), POINT * TRAIL_WIDTH, self.size)
         x, y = self.camera.focus[:2]
-        rings, colors = scene.table_rings(self.camera, (x, y), 0.62 * (right - self._left))
-        self.still = Image.new("RGB", size, "white")
+        reach = 0.62 * self.size[0] / self._per_meter[0]
+        rings, colors = scene.table_rings(self.camera, (x, y), reach)
+        self.still = Image.new("RGB", self.size, "white")
         Painter(self.still).facets(self._pixels(rings), colors)
 
     def _limits(self, aspect: float) -> tuple[tuple[float, float], tuple[float, float]]:
         """Limits of the picture that contain the body at all times, with room for captions."""
-        shape = scene.Profile.of(self.body).points(16)
-        poses = [scene.pose_at(self.states, k) for k in range(self.count)]
-        placed = [pose.place(shape, self.body) for pose in poses]
-        angle = np.linspace(0.0, 2.0 * np.pi, 24)
-        around = 1.8 * self.body.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], -1)
-        placed += [around + np.append(turn.center, 0.0) for turn in self.turns]
-        seen = self.camera.project(np.concatenate(placed))
+        seen = np.concatenate(self._seen())
         low, high = seen.min(axis=0), seen.max(axis=0)
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         tall = max(1.25 * half[1], 1.08 * half[0] / aspect)
         wide = aspect * tall
         x, y = float(middle[0]), float(middle[1] + 0.08 * tall)
         return (x - wide, x + wide), (y - tall, y + tall)
+
+    def _seen(self) -> list[Array]:
+        """Points (..., 2) that must be in the picture, m as the camera sees them."""
+        shape = scene.Profile.of(self.body).points(16)
+        seen = [
+            self._camera_at(k).project(scene.pose_at(self.states, k).place(shape, self.body))
+            for k in range(self.count)
+        ]
+        angle = np.linspace(0.0, 2.0 * np.pi, 24)
+        around = 1.8 * self.body.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], -1)
+        return seen + [
+            self.camera.project(around + np.append(turn.center, 0.0)) for turn in self.turns
+        ]
+
+    def _camera_at(self, k: int) -> Camera:
+        """The camera as seen from the table in the ``k``-th picture."""
+        return self.camera
 
     def _pixels(self, seen: Array) -> Array:
         """Places in pixels of points (..., 2) as the camera sees them, m."""
@@ -88,28 +108,36 @@ class Stage:
 
     def shoot(self, k: int) -> Image.Image:
         """The ``k``-th picture, RGB."""
-        painter = Painter(self.still.copy())
+        painter, camera = Painter(self.still.copy()), self._camera_at(k)
+        self._paint_table(painter, camera)
         pose = scene.pose_at(self.states, k)
         profile = scene.Profile.of(self.body)
-        shadow = scene.shadow_layers(self.body, pose, self.camera, profile)
+        shadow = scene.shadow_layers(self.body, pose, camera, profile)
         painter.layers(self._pixels(shadow), scene.SHADOW, scene.SHADE)
         wedge = self._wedge(k)
         if wedge is not None:
             painter.layers(self._pixels(wedge.sector)[None], scene.ORANGE, scene.WEDGE)
             painter.line(self._pixels(wedge.arc), POINT * scene.ARC_WIDTH, scene.ORANGE)
-        self.trail.go_to(6 * k)
-        painter.trail(self.trail, scene.VERMILLION)
-        facets, colors = scene.visible_facets(self.body, pose, self.camera, profile)
+        self._paint_trail(painter, k, camera)
+        facets, colors = scene.visible_facets(self.body, pose, camera, profile)
         painter.facets(self._pixels(facets), colors)
-        for line, seen in scene.rim_stretches(self.body, pose, self.camera):
+        for line, seen in scene.rim_stretches(self.body, pose, camera):
             opacity = scene.RIM if seen else scene.HIDDEN_RIM
             painter.line(self._pixels(line), POINT * scene.RIM_WIDTH, scene.INK, opacity)
-        painter.trail(self.trail, scene.VERMILLION, UNDER_THE_BODY)
-        self._mark_contact(painter, pose)
+        self._paint_trail(painter, k, camera, UNDER_THE_BODY)
+        self._mark_contact(painter, pose, camera)
         if wedge is not None:
             self._write_angle(painter, wedge)
         self._write_captions(painter, k)
         return painter.picture
+
+    def _paint_table(self, painter: Painter, camera: Camera) -> None:
+        """What moves of the table: nothing."""
+
+    def _paint_trail(self, painter: Painter, k: int, camera: Camera, opacity: float = 1.0) -> None:
+        """The path of the contact point up to the ``k``-th picture."""
+        self.trail.go_to(6 * k)
+        painter.trail(self.trail, scene.VERMILLION, opacity)
 
     def _wedge(self, k: int) -> scene.Wedge | None:
         """The angle turned so far, which stays until the next turn has begun."""
@@ -122,9 +150,9 @@ class Stage:
                 return scene.wedge(self.camera, turn.center, size, start, angle)
         return None
 
-    def _mark_contact(self, painter: Painter, pose: Pose) -> None:
-        seen = scene.contact_seen(self.body, pose, self.camera)
-        place = self._pixels(self.camera.project(pose.contact(self.body)))
+    def _mark_contact(self, painter: Painter, pose: Pose, camera: Camera) -> None:
+        seen = scene.contact_seen(self.body, pose, camera)
+        place = self._pixels(camera.project(pose.contact(self.body)))
         size, edge = POINT * scene.CONTACT_SIZE, POINT * scene.CONTACT_EDGE
         opacity = 1.0 if seen else scene.HIDDEN_CONTACT
         painter.spot(place, size, edge, scene.VERMILLION, opacity)

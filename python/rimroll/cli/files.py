@@ -140,9 +140,7 @@ def _json(part: Path, record: Record, bar: Bar) -> None:
 
 
 def _film(part: Path, record: Record, bar: Bar) -> None:
-    # A motion on a ground lasts long: it is shown in real time.
-    options = {} if record.motion.ground is None else {"speed": 1.0, "slow_collision": False}
-    record.motion.animate(part, progress=lambda done, total: bar(done, total, ""), **options)
+    record.motion.animate(part, progress=lambda done, total: bar(done, total, ""))
 
 
 FORMS: Forms[Record] = {
