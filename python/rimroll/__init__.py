@@ -86,7 +86,11 @@ if TYPE_CHECKING:
         watershed as watershed,
         watershed_slope as watershed_slope,
     )
-    from rimroll.shaking.lognormal import Fragility as Fragility, fragility as fragility
+    from rimroll.shaking.lognormal import (
+        Fragility as Fragility,
+        UndecidedWarning as UndecidedWarning,
+        fragility as fragility,
+    )
     from rimroll.shaking.many import shake_many as shake_many
     from rimroll.shaking.maxima import (
         Distance as Distance,
@@ -161,7 +165,7 @@ _NAMES = {
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
     "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
-    "rimroll.shaking.lognormal": ("Fragility", "fragility"),
+    "rimroll.shaking.lognormal": ("Fragility", "UndecidedWarning", "fragility"),
     "rimroll.shaking.many": ("shake_many",),
     "rimroll.shaking.maxima": ("Distance", "Maxima", "imperfect_starts", "random_maxima"),
     "rimroll.shaking.overturning": (

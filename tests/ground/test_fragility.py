@@ -118,9 +118,63 @@ def test_a_dataset_of_motions_is_taken_as_it_is() -> None:
         scale=rr.axis("scale", [3.0, 4.0, 5.0, 6.0]),
         flat="housner",
     )
-    curve = rr.fragility(shaken["overturned"], shaken["scale"])
+    curve = rr.fragility(shaken, shaken["scale"])
+    assert not curve.undecided.any()
+    assert curve.median == rr.fragility(shaken["overturned"], shaken["scale"]).median
     assert curve.overturned.sum() == shaken["overturned"].sum().item()
     assert 3.0 < curve.median < 9.0
+
+
+def test_motions_that_ended_undecided_are_left_out_and_counted() -> None:
+    fell, intensity = [1, 4, 9, 6, 0], [1.0, 2.0, 4.0, 4.0, 8.0]
+    open_ = [0, 3, 0, 2, 5]
+    with pytest.warns(rr.UndecidedWarning, match=r"10 of 45 .* overturns: 3 at 2, 2 at 4, 5 at 8$"):
+        curve = rr.fragility(fell, intensity, trials=[10, 10, 10, 10, 5], undecided=open_)
+    without = rr.fragility(fell[:4], intensity[:4], trials=[10, 7, 10, 8])
+    assert (curve.median, curve.dispersion) == (without.median, without.dispersion)
+    assert curve.undecided.tolist() == open_ and curve.trials.tolist() == [10, 10, 10, 10, 5]
+    assert curve.plot() is not None
+
+
+def test_motions_that_came_down_flat_or_were_still_falling_are_undecided() -> None:
+    column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
+    pulse = rr.ground.rectangular(3.6, 0.58)
+    falling, flat, fell = (
+        rr.shake_many(column, start, rr.NoSlip(), pulse, scale=scale, duration=duration)
+        for start, scale, duration in (
+            (rr.State(tilt=0.26), 1e-3, 1.0),
+            (rr.State.standing(), 0.9, 20.0),
+            (rr.State.standing(), 1.2, 20.0),
+        )
+    )
+    assert falling.status.item() == "finished" and falling.end_tilt > math.atan(0.25)
+    assert flat.status.item() == "face_down"
+    assert [bool(one.undecided) for one in (falling, flat, fell)] == [True, True, False]
+    assert [bool(one.overturned) for one in (falling, flat, fell)] == [False, False, True]
+    standing = rr.shake_many(column, rr.State.standing(), rr.NoSlip(), pulse, scale=0.3)
+    assert not standing.undecided.item()
+
+
+def test_a_dataset_brings_its_undecided_motions() -> None:
+    column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
+    soft = {"duration": 8.0, "step": 0.02, "soil_period": 1.5}
+    grounds = {str(seed): rr.ground.synthetic(seed, 1.0, **soft) for seed in range(8)}  # type: ignore[arg-type]
+    shaken = rr.shake_many(
+        column,
+        rr.State.standing(),
+        rr.NoSlip(),
+        grounds,
+        scale=rr.axis("scale", [2.0, 3.0, 4.0, 5.0, 6.0]),
+        flat="stop",
+    )
+    # Planar motions come down flat at their first impact: all columns that were lifted.
+    assert shaken.undecided.sum("ground").values.tolist() == [0, 8, 8, 8, 8]
+    words = "^32 of 40 motions are left out"
+    with (
+        pytest.warns(rr.UndecidedWarning, match=words),
+        pytest.raises(rr.RimrollError, match="no body overturned"),
+    ):
+        rr.fragility(shaken, shaken["scale"])
 
 
 def test_data_that_bound_no_parameter_have_an_open_interval() -> None:
@@ -147,3 +201,13 @@ def test_data_that_bound_no_parameter_have_an_open_interval() -> None:
 def test_refusals(overturned: list[int], intensity: list[float], message: str) -> None:
     with pytest.raises(rr.RimrollError, match=message):
         rr.fragility(overturned, intensity)
+
+
+def test_undecided_motions_are_some_of_those_that_did_not_overturn() -> None:
+    with pytest.raises(rr.RimrollError, match=r"undecided\[1\] must be whole"):
+        rr.fragility([0, 1], [1.0, 2.0], undecided=[0, 1])
+    with (
+        pytest.warns(rr.UndecidedWarning),
+        pytest.raises(rr.RimrollError, match="all motions are undecided"),
+    ):
+        rr.fragility([0, 0], [1.0, 2.0], undecided=[True, True])

@@ -120,9 +120,10 @@ def fragility_figure(curve: Fragility, label: str) -> Figure:
             lw=0.9,
             label=f"{100.0 * curve.level:g} % interval of θ",
         )
+        decided = curve.trials > curve.undecided
         ax.plot(
-            curve.intensity,
-            curve.overturned / curve.trials,
+            curve.intensity[decided],
+            (curve.overturned[decided] / (curve.trials - curve.undecided)[decided]),
             "o",
             color=style.MEASURED,
             markerfacecolor="none",

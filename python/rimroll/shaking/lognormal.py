@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
+
+SHOWN = 6
+"""The number of intensities that a warning lists."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +41,9 @@ class Fragility:
         The confidence level of the intervals.
     log_likelihood
         The largest logarithm of the likelihood.
-    intensity, overturned, trials
-        The data (n,): intensities, and how many of how many trials overturned.
+    intensity, overturned, trials, undecided
+        The data (n,): intensities, how many of how many trials overturned, and how many of the
+        trials were left out because they are undecided.
     """
 
     median: float
@@ -50,6 +55,7 @@ class Fragility:
     intensity: Array
     overturned: Array
     trials: Array
+    undecided: Array
 
     def __call__(self, intensity: Values) -> Array:
         """The probability of overturning at intensities of any shape, > 0."""
@@ -66,8 +72,17 @@ class Fragility:
         return fragility_figure(self, label)
 
 
+class UndecidedWarning(UserWarning):
+    """Some motions ended before it was determined whether the body overturns."""
+
+
 def fragility(
-    overturned: Any, intensity: Values, *, trials: Values = 1, level: Number = 0.95
+    overturned: Any,
+    intensity: Values,
+    *,
+    trials: Values = 1,
+    undecided: Any = 0,
+    level: Number = 0.95,
 ) -> Fragility:
     """Fit a lognormal fragility curve by maximum likelihood.
 
@@ -78,12 +93,18 @@ def fragility(
     Parameters
     ----------
     overturned
-        Whether each body overturned, or how many of the ``trials`` did: an array or a data array.
+        A dataset of :func:`rimroll.shake_many`; or whether each body overturned, or how many of the
+        ``trials`` did: an array or a data array.
     intensity
         The intensity of each, > 0, in any unit: the largest acceleration or velocity of the ground,
         or a ratio such as p PGV/(g tan α). It broadcasts with ``overturned``.
     trials
         The number of trials of each.
+    undecided
+        Which motions, or how many of the trials, ended before it was determined whether the body
+        overturns. They neither overturned nor stayed up, and are left out, with a warning that
+        counts them. A dataset has them itself. If stronger shaking leaves more motions undecided,
+        the curve is biased: follow them longer, under a law with flight, or with another ``flat``.
     level
         Confidence level of the intervals, between 0 and 1.
 
@@ -97,10 +118,21 @@ def fragility(
     RimrollError
         Where no such curve fits best: all or none overturned; the data are separable, that is, one
         intensity divides those that overturned from the others, so that β = 0 fits best; or the
-        probability does not grow with the intensity. Also for numbers outside their bounds and
-        arrays that do not broadcast.
+        probability does not grow with the intensity. Also for numbers outside their bounds, arrays
+        that do not broadcast, and where all motions are undecided.
+
+    Warns
+    -----
+    UndecidedWarning
+        Of motions that are left out, with their number at each intensity.
     """
-    count, logs, of = _data(overturned, intensity, trials)
+    count, logs, of, open_ = _data(overturned, intensity, trials, undecided)
+    _warn_of_undecided(logs, of, open_)
+    data = np.exp(logs), count, of, open_
+    decided = of > open_
+    if not decided.any():
+        raise RimrollError("all motions are undecided: they determine no fragility curve")
+    count, logs, of = count[decided], logs[decided], (of - open_)[decided]
     confidence = number("level", level)
     if not 0.0 < confidence < 1.0:
         raise RimrollError(f"level must be between 0 and 1, got {confidence:g}")
@@ -124,9 +156,10 @@ def fragility(
         ),
         level=confidence,
         log_likelihood=best,
-        intensity=np.exp(logs),
-        overturned=count,
-        trials=of,
+        intensity=data[0],
+        overturned=data[1],
+        trials=data[2],
+        undecided=data[3],
     )
 
 
@@ -134,26 +167,55 @@ def _exp(x: float) -> float:
     return math.exp(x) if x < 700.0 else math.inf
 
 
-def _data(overturned: Any, intensity: Values, trials: Values) -> tuple[Array, Array, Array]:
-    """How many overturned, the logarithms of the intensities, and the numbers of trials, (n,)."""
-    bare = overturned
-    if np.asarray(bare).dtype.kind == "b":
-        bare = np.asarray(bare).astype(np.float64)
-    count, of = numbers("overturned", bare), numbers("trials", trials)
+def _data(
+    overturned: Any, intensity: Values, trials: Values, undecided: Any
+) -> tuple[Array, Array, Array, Array]:
+    """How many overturned, the logarithms of the intensities, of how many, how many undecided."""
+    if hasattr(overturned, "data_vars"):
+        undecided = overturned["undecided"]
+        overturned = overturned["overturned"]
+    count, open_ = _counted("overturned", overturned), _counted("undecided", undecided)
+    of = numbers("trials", trials)
     strength = numbers("intensity", _without_units(intensity))
     hold("intensity", strength, (strength > 0.0) & np.isfinite(strength), "> 0 and finite")
     hold("trials", of, (of >= 1.0) & (of == np.floor(of)) & np.isfinite(of), "whole and >= 1")
     try:
-        count, strength, of = np.broadcast_arrays(count, strength, of)
+        count, strength, of, open_ = np.broadcast_arrays(count, strength, of, open_)
     except ValueError:
-        shapes = f"{count.shape}, {strength.shape} and {of.shape}"
+        shapes = f"{count.shape}, {strength.shape}, {of.shape} and {open_.shape}"
         raise RimrollError(
-            f"overturned, intensity and trials must broadcast, got shapes {shapes}"
+            f"overturned, intensity, trials and undecided must broadcast, got shapes {shapes}"
         ) from None
-    count, strength, of = count.ravel(), strength.ravel(), of.ravel()
+    count, strength, of, open_ = (part.ravel() for part in (count, strength, of, open_))
     within = (count >= 0.0) & (count <= of) & (count == np.floor(count))
     hold("overturned", count, within, "whole, >= 0 and at most the trials")
-    return count, np.log(strength), of
+    within = (open_ >= 0.0) & (open_ <= of - count) & (open_ == np.floor(open_))
+    hold("undecided", open_, within, "whole, >= 0 and at most the trials that did not overturn")
+    return count, np.log(strength), of, open_
+
+
+def _counted(field: str, given: Any) -> Array:
+    """Counts, or 0 and 1 for what is true or false."""
+    array = np.asarray(given)
+    return numbers(field, array.astype(np.float64) if array.dtype.kind == "b" else given)
+
+
+def _warn_of_undecided(logs: Array, of: Array, undecided: Array) -> None:
+    """Warn of motions that are left out, with their number at each intensity."""
+    if not undecided.any():
+        return
+    each, place = np.unique(logs[undecided > 0.0], return_inverse=True)
+    counts = np.bincount(place, weights=undecided[undecided > 0.0])
+    parts = [f"{n:.0f} at {math.exp(log):.4g}" for n, log in zip(counts, each, strict=True)]
+    if len(parts) > SHOWN:
+        parts = [*parts[:SHOWN], "..."]
+    warnings.warn(
+        f"{undecided.sum():.0f} of {of.sum():.0f} motions are left out of the fragility curve,"
+        " because they ended before it was determined whether the body overturns: "
+        + ", ".join(parts),
+        UndecidedWarning,
+        stacklevel=3,
+    )
 
 
 def _without_units(intensity: Any) -> Any:

@@ -37,12 +37,21 @@ Grounds = Ground | Sequence[Ground] | Mapping[str, Ground]
 FREE = 20.0
 """How long a motion goes on after that of the ground by default, in units of 1/p."""
 
+UNDECIDED = ("lifted_off", "face_down", "painleve", "failed")
+"""Statuses of motions after which a body that has not overturned still could."""
+
 VARIABLES = {
     "overturned": (
         "",
         "whether the body overturned",
         "whether it reached the topple tilt or, under a law without flight, lifted off beyond the"
         " balance tilt",
+    ),
+    "undecided": (
+        "",
+        "whether it is open if the body overturns",
+        "the motion ended before that was determined: it failed, came down flat, lifted off below"
+        " the balance tilt under a law without flight, or was beyond the balance tilt at the end",
     ),
     "overturning_time": ("s", "time of overturning", "NaN for a body that did not overturn"),
     "max_tilt": ("rad", "largest tilt", None),
@@ -312,6 +321,8 @@ def _columns(rows: Rows, shakings: Shakings, table: Array) -> dict[str, Column]:
     found["energy_lost"] = sum((found[loss] for loss in losses), np.zeros(done))
     found["steps"] = found["steps"].astype(np.int64)
     status = np.array(_core.STATUSES)[found["status"].astype(np.int64)]
+    is_open = np.isin(status, UNDECIDED) | (found["end_tilt"] > balance)
+    found["undecided"] = is_open & ~found["overturned"]
     return {
         "status": Column(status),
         **{name: Column(found[name], *meaning) for name, meaning in VARIABLES.items()},

@@ -32,9 +32,6 @@ Array = NDArray[np.float64]
 
 MAX_HALVINGS = 60
 
-UNDECIDED = ("lifted_off", "face_down", "painleve", "failed")
-"""Ends of motions after which a body could still overturn."""
-
 
 def overturning_scale(
     body: Body,
@@ -115,14 +112,14 @@ def overturning_scale(
     repeated = [ground for ground in each for _ in tried]
     shaken = follow(repeated, np.tile(tried, len(each)))
     found = np.asarray(shaken["overturned"], np.bool_).reshape(len(each), len(tried))
-    ended = np.isin(shaken["status"], UNDECIDED).reshape(found.shape)
+    undecided = np.asarray(shaken["undecided"], np.bool_).reshape(found.shape)
     below, scale = _halved(each, tried, found, overturns, width)
     return xr.Dataset(
         {
             "scale": ("ground", scale, {"long_name": "least factor that overturns"}),
             "below": ("ground", below, {"long_name": "factor that does not overturn"}),
             "overturned": (("ground", "tried"), found),
-            "undecided": (("ground", "tried"), ended & ~found),
+            "undecided": (("ground", "tried"), undecided),
         },
         coords={"ground": np.arange(len(each)), "tried": tried},
     )
