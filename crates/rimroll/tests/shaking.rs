@@ -252,7 +252,7 @@ fn imbalance(motion: &Motion) -> f64 {
         .iter()
         .map(|node| (node.0 - start).abs())
         .fold(0.0, f64::max)
-        / size
+        / size.max(f64::MIN_POSITIVE)
 }
 
 #[test]
@@ -454,19 +454,26 @@ fn any_pulse() -> impl Strategy<Value = Pulse> {
     })
 }
 
-/// Pulses, and records of noise with spikes of 100 g, with free fall, or with zeros throughout.
+/// Pulses, and records of two samples and more: of noise with spikes of 100 g, with free fall and faster, and with zeros.
+/// Some are zero or in free fall throughout.
 fn any_ground() -> impl Strategy<Value = Arc<Ground>> {
     let pulses = prop::collection::vec(any_pulse(), 0..4).prop_map(ground);
-    let sample = prop_oneof![
-        8 => any_vector(5.0),
-        1 => any_vector(981.0),
-        1 => Just([0.0, 0.0, -9.81]),
-        1 => Just([0.0; 3]),
+    let sample = || {
+        prop_oneof![
+            8 => any_vector(5.0),
+            1 => any_vector(981.0),
+            1 => Just([0.0, 0.0, -9.81]),
+            1 => Just([0.0, 0.0, -15.0]),
+            1 => Just([0.0; 3]),
+        ]
+    };
+    let samples = prop_oneof![
+        8 => prop::collection::vec(sample(), 2..120),
+        2 => prop::collection::vec(sample(), 2..4),
+        1 => Just(vec![[0.0; 3]; 20]),
+        1 => Just(vec![[0.0, 0.0, -9.81]; 20]),
     ];
-    let record = (
-        powers_of_ten(-3.0, 0.0),
-        prop::collection::vec(sample, 1..120),
-    )
+    let record = (powers_of_ten(-3.0, 0.0), samples)
         .prop_map(|(step, samples)| Arc::new(Ground::sampled(step, samples).unwrap()));
     prop_oneof![pulses, record]
 }
@@ -474,8 +481,8 @@ fn any_ground() -> impl Strategy<Value = Arc<Ground>> {
 proptest! {
     #![proptest_config(cases(60))]
 
-    /// No panic, no endless loop and no number that is not finite; the energy budget closes, the friction is within
-    /// the cone and the ending is that of the last moment.
+    /// No panic, no endless loop and no number that is not finite; the energy budget closes, and the ending is that of
+    /// the last moment.
     #[test]
     fn any_body_on_any_ground_ends_in_a_truthful_way(
         (body, law, ground) in (any_body(), any_law(), any_ground()),
@@ -485,19 +492,109 @@ proptest! {
         let start = State { tilt, tilt_rate: p, yaw, yaw_rate: w, spin: 0.0, spin_rate: s };
         let options = Options { duration: 2.0, gravity: 9.81, rtol: 1e-10, max_steps: 20_000, ..Options::default() };
         let motion = shaken(ground, &body, &start, law.clone(), &options);
-        let end = motion.track.end();
-        for node in motion.track.nodes() {
-            prop_assert!(motion.moment(&node)[..8].iter().all(|number| number.is_finite()));
-            prop_assert!(node.t <= options.duration && node.t >= 0.0);
+        expect_truthful_ending(&motion, &body, &law, &options);
+    }
+
+    /// The same from starts that lead to flat landings, and from bodies that stand: on what becomes of a level base.
+    #[test]
+    fn any_flat_landing_on_any_ground_ends_in_a_truthful_way(
+        (body, law, ground) in (any_body(), any_law(), any_ground()),
+        (stands, flat) in (any::<bool>(), any_flat_landing()),
+        (tilt, yaw, p) in (powers_of_ten(-3.0, 0.1), -3.0..3.0, -2.0..2.0),
+    ) {
+        let planar = State { tilt, tilt_rate: p, yaw, ..State::default() };
+        let start = if stands { State { yaw, ..State::standing() } } else { planar };
+        let options = Options { flat, duration: 2.0, gravity: 9.81, rtol: 1e-10, max_steps: 20_000, ..Options::default() };
+        let motion = shaken(ground.clone(), &body, &start, law.clone(), &options);
+        expect_truthful_ending(&motion, &body, &law, &options);
+        expect_rest_where_it_stands(&motion, &ground, &body, &law);
+    }
+}
+
+fn any_flat_landing() -> impl Strategy<Value = FlatLanding> {
+    let side = prop_oneof![
+        Just(Side::Left),
+        Just(Side::Right),
+        any::<u64>().prop_map(Side::Drawn)
+    ];
+    prop_oneof![
+        Just(FlatLanding::Stop),
+        side.prop_map(FlatLanding::Smooth),
+        Just(FlatLanding::Housner),
+        Just(FlatLanding::Restitution(0.0)),
+        Just(FlatLanding::Restitution(1.0)),
+        (0.0..1.0).prop_map(FlatLanding::Restitution),
+    ]
+}
+
+/// The numbers are finite, the rim is not under the table, the energy budget closes, and the status is that of the last
+/// moment.
+fn expect_truthful_ending(motion: &Motion, body: &Body, law: &ContactLaw, options: &Options) {
+    let message = motion.message();
+    let column = |name: &str| COLUMNS.iter().position(|column| *column == name).unwrap();
+    for node in motion.track.nodes() {
+        let moment = motion.moment(&node);
+        assert!(
+            moment[..8].iter().all(|number| number.is_finite()),
+            "{message}"
+        );
+        assert!((0.0..=options.duration).contains(&node.t), "{message}");
+        let gap = moment[column("gap")];
+        assert!(gap > -1e-8 * body.radius(), "{gap:e}: {message}");
+    }
+    let end = motion.track.end();
+    let tilt = motion.moment(&end)[column("tilt")];
+    let (flies, is_dry) = match law.friction {
+        FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => (false, false),
+        FrictionLaw::Viscous(_) => (true, false),
+        _ => (true, true),
+    };
+    match motion.status {
+        Status::Finished => assert_eq!(end.t, options.duration),
+        // By default a body topples on its side, and a disk never does.
+        Status::Toppled => assert!(
+            body.height() > 0.0 && tilt > core::f64::consts::FRAC_PI_2 - 1e-9,
+            "{tilt}: {message}"
+        ),
+        Status::FaceDown => assert!(libm::sin(tilt) < 1e-6, "{tilt}: {message}"),
+        Status::LiftedOff => assert!(!flies, "{message}"),
+        Status::Painleve => assert!(is_dry, "{message}"),
+        Status::Failed => {}
+        Status::AtRest | Status::Interrupted => panic!("{message}"),
+    }
+    if motion.status != Status::Failed {
+        let error = imbalance(motion);
+        assert!(error < 1e-6, "{error:e}: {message}");
+    }
+}
+
+/// A body that stands does not move, and neither does the table move it.
+fn expect_rest_where_it_stands(motion: &Motion, ground: &Ground, body: &Body, law: &ContactLaw) {
+    // Times of departure have errors, and accelerations change by up to 2 · 981 m/s² within 1 ms.
+    const ALLOWED: f64 = 1e-6;
+    let nodes: Vec<_> = motion.track.nodes().collect();
+    for pair in nodes.windows(2) {
+        if pair[1].phase.name() != "standing" || pair[0].t == pair[1].t {
+            continue;
         }
-        match motion.status {
-            Status::Finished => prop_assert_eq!(end.t, options.duration),
-            Status::Toppled | Status::LiftedOff | Status::FaceDown | Status::Painleve | Status::Failed => {}
-            Status::AtRest | Status::Interrupted => prop_assert!(false, "{}", motion.message()),
-        }
-        if motion.status != Status::Failed {
-            let error = imbalance(&motion);
-            prop_assert!(error < 1e-6, "{:e}", error);
+        for i in 1..40 {
+            let t = pair[0].t + (pair[1].t - pair[0].t) * f64::from(i) / 40.0;
+            let at = motion.track.at(t);
+            assert_eq!(at.phase.name(), "standing");
+            for column in ["tilt", "tilt_rate", "kinetic_energy", "slip_x", "slip_y"] {
+                assert!(
+                    value(motion, t, column) == 0.0,
+                    "{column}: {}",
+                    motion.message()
+                );
+            }
+            let [x, y, z] = ground.acceleration(t);
+            let (horizontal, gravity) = (libm::hypot(x, y), 9.81 + z);
+            assert!(gravity > -ALLOWED, "{gravity}");
+            assert!(horizontal * body.height() < gravity * body.radius() + ALLOWED);
+            if let FrictionLaw::Coulomb(dry) = &law.friction {
+                assert!(horizontal < dry.static_friction * gravity + ALLOWED);
+            }
         }
     }
 }
@@ -617,6 +714,35 @@ fn a_body_leaves_a_table_that_falls_and_lands_on_it() {
     assert!((landed[0] - expected).abs() < 1e-9, "{landed:?} {expected}");
     assert_eq!(motion.track.end().phase.name(), "standing");
     assert!(imbalance(&motion) < 1e-9);
+}
+
+/// A disk cannot be lifted by a horizontal acceleration; without slip it stands until the table falls faster than g.
+#[test]
+fn a_disk_leaves_the_table_where_that_falls_faster_than_the_disk() {
+    const STEP: f64 = 0.0443;
+    let disk = Body::new(0.5, 0.1, 0.0, 1.25e-3, 2.5e-3).unwrap();
+    let fall = vec![[0.0; 3], [-186.0, 306.0, -224.0]];
+    let ground = Arc::new(Ground::sampled(STEP, fall).unwrap());
+    let start = State::standing();
+    let motion = shaken(ground, &disk, &start, FrictionLaw::NoSlip, &tight(1.0));
+    assert_eq!(motion.status, Status::LiftedOff, "{}", motion.message());
+    assert!((motion.track.end().t - STEP * 9.81 / 224.0).abs() < 1e-12);
+}
+
+/// Where a record has −g at a sample and more before and after it, the body is free for a moment only.
+#[test]
+fn a_moment_of_free_fall_does_not_hold_a_motion_up() {
+    let free = [0.0, 0.0, -9.81];
+    let samples = vec![free, [3.0, 2.0, 0.5], free, [1.0, 0.0, 2.0], free];
+    let ground = Arc::new(Ground::sampled(0.1, samples).unwrap());
+    for friction in [0.2, 0.1] {
+        let law = FrictionLaw::coulomb(friction);
+        let start = State::standing();
+        let motion = shaken(ground.clone(), &column(), &start, law, &tight(1.0));
+        assert_eq!(motion.status, Status::Finished, "{}", motion.message());
+        assert!(value(&motion, 0.3, "slip_x") < 0.0);
+        assert!(imbalance(&motion) < 1e-9);
+    }
 }
 
 fn with_flat(flat: FlatLanding, duration: f64) -> Options {

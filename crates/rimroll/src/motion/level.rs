@@ -85,13 +85,21 @@ impl<'a> Level<'a> {
         holding.min(self.k.r / self.k.h)
     }
 
-    /// Positive while a body stands flat: the margin of the horizontal acceleration, or G where it is negative.
+    /// A gravity G that counts as none, m/s². Where a record has −g, rounding decides on the sign of G.
+    fn no_gravity(&self) -> f64 {
+        1e-12 * self.k.g
+    }
+
+    /// Positive while a body stands flat: the margin of the horizontal acceleration, or of G where that is negative or
+    /// nothing else can move the body.
     fn standing_margin(&self, acceleration: [f64; 3]) -> f64 {
         let (horizontal, gravity) = self.field(acceleration);
-        if gravity <= 0.0 {
-            return gravity;
+        let pressing = gravity + self.no_gravity();
+        let limit = self.standing_limit();
+        if pressing <= 0.0 || limit == f64::INFINITY {
+            return pressing;
         }
-        self.standing_limit() * gravity - size(horizontal)
+        limit * pressing - size(horizontal)
     }
 
     /// Whether a body stands flat at a time, s.
@@ -136,10 +144,12 @@ impl<'a> Level<'a> {
 
     /// What follows where a body cannot stand.
     pub(super) fn departure_from_standing(&self, t: f64) -> Departure {
-        let (_, gravity) = self.field_at(t);
-        if gravity <= 0.0 {
+        // Where G is zero, what it becomes decides.
+        let (_, gravity) = self.field_at(t + 1e-9 * (self.k.r / self.k.g).sqrt());
+        let limit = self.standing_limit();
+        if gravity <= 0.0 || limit == f64::INFINITY {
             Departure::FallAway
-        } else if self.standing_limit() * self.k.h < self.k.r {
+        } else if limit * self.k.h < self.k.r {
             Departure::Slide
         } else {
             Departure::Uplift
@@ -324,7 +334,7 @@ impl LevelMotion<'_> {
         let friction = self.dynamics.flat_friction([vx, vy], k.m * gravity);
         let stops = self.is_dry;
         [
-            (Departure::FallAway, gravity),
+            (Departure::FallAway, gravity + self.level.no_gravity()),
             (
                 Departure::Uplift,
                 k.m * gravity * k.r - size(friction) * k.h,

@@ -332,10 +332,22 @@ impl<'a> Run<'a> {
         } else {
             self.empty_phases += 1;
         }
-        if self.empty_phases > MAX_EMPTY_PHASES {
-            return PhaseEnd::Motion(Status::Failed);
+        if self.empty_phases <= MAX_EMPTY_PHASES {
+            PhaseEnd::Event(event)
+        } else if self.lies_flat_within_errors(&at) {
+            PhaseEnd::Event(TerminalEvent::StoppedRunning)
+        } else {
+            PhaseEnd::Motion(Status::Failed)
         }
-        PhaseEnd::Event(event)
+    }
+
+    /// Whether resistance has stopped the contact point on the rim for good, and the tilt is smaller than errors may be.
+    ///
+    /// A resistance that does not depend on the load can hold the normal force in a balance near zero: without it the
+    /// rim would rise, which needs the contact point to run, and so would the resistance. As the tilt falls, the force
+    /// becomes smaller than its error, so that the rim seems to leave the table and to land again without end.
+    fn lies_flat_within_errors(&self, at: &Instant) -> bool {
+        at.sin < self.options.rtol && self.contacts.has_stopped_running(Phase::Sliding, at)
     }
 
     /// Integrates the beginning of a phase in which dry slip is too slow for explicit steps. Returns the

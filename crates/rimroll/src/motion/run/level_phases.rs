@@ -46,7 +46,19 @@ impl Run<'_> {
         } else {
             Phase::SlidingFlat
         };
-        let u = with_loss(self.contacts, at, phase, u);
+        // A body that stands does not move at all, not even within rounding.
+        let slip = |slip: f64| if is_standing { 0.0 } else { slip };
+        let (slip_x, slip_y) = (slip(u.slip_x), slip(u.slip_y));
+        let u = with_loss(
+            self.contacts,
+            at,
+            phase,
+            Coordinates {
+                slip_x,
+                slip_y,
+                ..u
+            },
+        );
         self.detector.forget_direction();
         self.detector.add(EventKind::Stand, Instant { phase, u });
         let direction = None;
