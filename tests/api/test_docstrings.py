@@ -6,9 +6,12 @@ import pytest
 
 import rimroll as rr
 import rimroll.body
+import rimroll.motion.motion
 
 
-@pytest.mark.parametrize("module", [rr, rimroll.body], ids=lambda module: module.__name__)
+@pytest.mark.parametrize(
+    "module", [rr, rimroll.body, rimroll.motion.motion], ids=lambda module: module.__name__
+)
 def test_examples_in_the_docstrings_are_true(module):
     results = doctest.testmod(module)
     assert results.attempted > 0 and results.failed == 0

@@ -50,6 +50,7 @@ mod _core {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
         module.add("PARAMETERS", core::PARAMETERS)?;
+        module.add("SHAKEN_PARAMETERS", core::SHAKEN_PARAMETERS)?;
         module.add("EXACT_COLUMNS", crate::exact::EXACT_COLUMNS)?;
         module.add("FALL_COLUMNS", crate::ensemble::FALL_COLUMNS)?;
         module.add("SHAKEN_COLUMNS", crate::shaking::SHAKEN_COLUMNS)?;

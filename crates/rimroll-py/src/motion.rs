@@ -2,10 +2,12 @@
 
 use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument, refusal};
 use crate::ground::{CoreGround, flat_landing};
-use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::motion::{AngleUnit, Instant, PARAMETERS, Sensitivity, pose};
-use rimroll::{Options, Status, simulate_on};
+use rimroll::motion::{
+    AngleUnit, Instant, SHAKEN_PARAMETERS, Sensitivity, ShakenSensitivity, pose,
+};
+use rimroll::{InvalidInput, Options, Status, simulate_on};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -17,7 +19,28 @@ type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 pub struct CoreMotion {
     motion: rimroll::Motion,
     /// The derivatives, if requested.
-    sensitivity: Option<Sensitivity>,
+    derivatives: Option<Derivatives>,
+}
+
+/// The derivatives of a motion.
+enum Derivatives {
+    AtRest(Box<Sensitivity>),
+    Shaken(Box<ShakenSensitivity>),
+}
+
+impl Derivatives {
+    /// The derivatives of a motion; `None` if `watch` breaks.
+    fn of(
+        motion: &rimroll::Motion,
+        watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Derivatives>, InvalidInput> {
+        if motion.moves() {
+            let shaken = motion.shaken_sensitivity(watch)?;
+            return Ok(shaken.map(|shaken| Derivatives::Shaken(Box::new(shaken))));
+        }
+        let at_rest = motion.sensitivity(watch)?;
+        Ok(at_rest.map(|at_rest| Derivatives::AtRest(Box::new(at_rest))))
+    }
 }
 
 impl CoreMotion {
@@ -30,12 +53,22 @@ impl CoreMotion {
         in_columns(py, moments.map(|at| self.motion.moment(&at)))
     }
 
-    fn sensitivity(&self) -> PyResult<&Sensitivity> {
+    fn derivatives(&self) -> PyResult<&Derivatives> {
         let missing = "ask for the derivatives with simulate(..., jacobian=True)";
-        self.sensitivity
+        self.derivatives
             .as_ref()
             .ok_or_else(|| RimrollError::new_err(missing))
     }
+}
+
+/// Rows of numbers.
+fn in_rows<'py, const COLUMNS: usize>(
+    py: Python<'py>,
+    rows: &[[f64; COLUMNS]],
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    rows.concat()
+        .into_pyarray(py)
+        .reshape([rows.len(), COLUMNS])
 }
 
 /// A table with one column for each item of an iterator.
@@ -107,27 +140,54 @@ impl CoreMotion {
         )
     }
 
-    /// Derivatives of the state at times (s) with respect to each parameter, as an array (times, 6, 12).
+    /// Derivatives of the state at times (s) with respect to each parameter, with a row for each of the six quantities
+    /// at each time.
     fn jacobian<'py>(
         &self,
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        let sensitivity = self.sensitivity()?;
-        let t = t.as_array();
-        let at = |&t: &f64| sensitivity.at(&self.motion.track, t);
-        let flat: Vec<f64> = t.iter().map(at).collect::<Vec<_>>().concat().concat();
-        flat.into_pyarray(py)
-            .reshape([t.len(), 6, PARAMETERS.len()])
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (motion, t) = (&self.motion, t.as_array());
+        match self.derivatives()? {
+            Derivatives::AtRest(sensitivity) => {
+                let at = t.iter().map(|&t| sensitivity.at(&motion.track, t));
+                in_rows(py, at.collect::<Vec<_>>().as_flattened())
+            }
+            Derivatives::Shaken(sensitivity) => {
+                let at = t.iter().map(|&t| sensitivity.at(motion, t));
+                in_rows(py, at.collect::<Vec<_>>().as_flattened())
+            }
+        }
     }
 
-    /// Derivatives of the angles of turn with respect to each parameter, as an array (turns, 12).
+    /// Derivatives of the angles of turn with respect to each parameter, with a row for each turn.
     fn turn_jacobian<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let turns = self.sensitivity()?.turns();
-        turns
-            .concat()
-            .into_pyarray(py)
-            .reshape([turns.len(), PARAMETERS.len()])
+        match self.derivatives()? {
+            Derivatives::AtRest(sensitivity) => in_rows(py, sensitivity.turns()),
+            Derivatives::Shaken(sensitivity) => in_rows(py, sensitivity.turns()),
+        }
+    }
+
+    /// Derivatives of what became of a shaken body with respect to each parameter: rows for the largest tilt, the times
+    /// of uplift and of the end, the displacement of the footprint along x and y and the change of yaw + spin. The row
+    /// of an uplift that did not happen is NaN.
+    fn outcome_jacobian<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let Derivatives::Shaken(sensitivity) = self.derivatives()? else {
+            let why =
+                "a motion on a table at rest has no derivatives of what becomes of a shaken body";
+            return Err(RimrollError::new_err(why));
+        };
+        let none = [f64::NAN; SHAKEN_PARAMETERS.len()];
+        let [x, y] = sensitivity.residual_displacement();
+        let rows = [
+            sensitivity.max_tilt(&self.motion),
+            sensitivity.uplift_time().unwrap_or(none),
+            sensitivity.end_time(),
+            x,
+            y,
+            sensitivity.residual_yaw(),
+        ];
+        in_rows(py, &rows)
     }
 
     /// The kinds of the events, and their table.
@@ -230,14 +290,14 @@ pub fn simulate(
     };
     let followed = py.detach(|| {
         let motion = simulate_on(ground, &body, &start, contact_law, &options, &mut watch)?;
-        let sensitivity = match motion.status {
+        let derivatives = match motion.status {
             Status::Interrupted => None,
-            _ if jacobian => motion.sensitivity(&mut watch)?,
+            _ if jacobian => Derivatives::of(&motion, &mut watch)?,
             _ => None,
         };
         Ok(CoreMotion {
             motion,
-            sensitivity,
+            derivatives,
         })
     });
     match raised {

@@ -13,6 +13,7 @@ mod fall;
 mod instant;
 mod landing;
 mod level;
+mod level_equations;
 mod mechanics;
 mod moment;
 mod onset;
@@ -41,7 +42,9 @@ pub use moment::{COLUMNS, Moment, Pose, pose};
 pub use options::{Options, STANDARD_GRAVITY};
 pub use outcome::Outcome;
 pub(crate) use run::{pass_near_collision, stopped};
-pub use sensitivity::{PARAMETERS, Sensitivity, Slope};
+pub use sensitivity::{
+    PARAMETERS, SHAKEN_PARAMETERS, Sensitivity, ShakenSensitivity, ShakenSlope, Slope,
+};
 pub use shaken::{Shaken, shaken};
 pub(crate) use topple::Topple;
 pub use track::{LookUp, Track};
@@ -79,12 +82,19 @@ pub struct Motion {
     pub ending: Ending,
     /// The work of the solver.
     pub work: Work,
+    /// What followed where the whole base came down flat at once.
+    flat: FlatLanding,
 }
 
 impl Motion {
     /// The law that holds at an instant of the motion.
     pub fn dynamics(&self, at: &Instant) -> &dyn Dynamics<f64> {
         self.contacts.dynamics(at.phase)
+    }
+
+    /// Whether the table moves.
+    pub fn moves(&self) -> bool {
+        self.contacts.moves()
     }
 
     /// A sentence on how the motion ended, with angles in radians.
@@ -147,6 +157,7 @@ pub fn simulate_on(
         events,
         status,
         work,
+        flat: options.flat,
     })
 }
 

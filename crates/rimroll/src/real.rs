@@ -98,4 +98,8 @@ fn even_and_odd<T: Real, C: Copy + Into<T>>(rows: &[[C; 4]], x: T) -> [T; 4] {
 pub trait Scalar: Real {
     /// The value without derivatives.
     fn value(self) -> f64;
+    /// The angle of the point (`x`, this number), rad.
+    fn atan2(self, x: Self) -> Self;
+    /// √(x² + y²).
+    fn hypot(self, y: Self) -> Self;
 }

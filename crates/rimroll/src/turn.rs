@@ -19,15 +19,22 @@ pub use limit::{
 pub use near_collision::NearCollision;
 
 use crate::body::Body;
-use crate::law::IdealLaw;
+use crate::law::{IdealLaw, Parameters};
+use crate::real::Real;
 
 /// The two moments of inertia J′ and K′ whose ratio determines the turn: J and K (about the rim and about
 /// the centre of the base) without slip, A + mR² and A without friction.
 pub(crate) fn inertias(body: &Body, law: IdealLaw) -> (f64, f64) {
-    let mrr = body.mass() * body.radius() * body.radius();
-    let k = match law {
-        IdealLaw::NoSlip => body.base_inertia(),
-        IdealLaw::Frictionless => body.transverse_inertia(),
+    // They do not depend on gravity.
+    inertias_of(&Parameters::new(body, 1.0), law)
+}
+
+/// [`inertias`] for any number type.
+pub(crate) fn inertias_of<T: Real>(k: &Parameters<T>, law: IdealLaw) -> (T, T) {
+    let rim = k.m * k.r * k.r;
+    let inertia = match law {
+        IdealLaw::NoSlip => k.a + k.m * k.h * k.h,
+        IdealLaw::Frictionless => k.a,
     };
-    (k + mrr, k)
+    (inertia + rim, inertia)
 }

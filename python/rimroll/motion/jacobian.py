@@ -21,8 +21,12 @@ QUANTITIES = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
 PARAMETERS = tuple(_core.PARAMETERS)
 """The parameters: start, body and gravity, in the order of :attr:`Jacobian.values`."""
 
+SHAKEN_PARAMETERS = tuple(_core.SHAKEN_PARAMETERS)
+"""The parameters on a table that moves: also ``ground_scale``, a factor on its acceleration."""
+
+UNIT_OF_PARAMETER = {**START_UNIT_OF, **UNIT_OF, "gravity": "m/s^2", "ground_scale": "1"}
+
 _INDEX_OF_QUANTITY = {name: i for i, name in enumerate(QUANTITIES)}
-_INDEX_OF_PARAMETER = {name: i for i, name in enumerate(PARAMETERS)}
 
 
 @dataclass(frozen=True)
@@ -35,14 +39,24 @@ class Jacobian:
     """
 
     values: NDArray[np.float64]
-    """Shape (6, 12) for one time, (n, 6, 12) for n."""
+    """Shape (6, 12) for one time, (n, 6, 12) for n; 13 in place of 12 on a table that moves."""
     t: NDArray[np.float64]
     """The time, or times (n,), s."""
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """The parameters, in the order of :attr:`values`.
+
+        They are the start, the body and gravity and, on a table that moves, ``ground_scale``: the
+        factor s on the acceleration s a(t) of the table, at s = 1.
+        """
+        return SHAKEN_PARAMETERS[: self.values.shape[-1]]
 
     def __getitem__(self, names: tuple[str, str]) -> NDArray[np.float64] | np.float64:
         """The derivative of a quantity by a parameter: a number for one time, else shape (n,)."""
         row = choose("quantity", names[0], _INDEX_OF_QUANTITY)
-        column = choose("parameter", names[1], _INDEX_OF_PARAMETER)
+        index = {name: i for i, name in enumerate(self.parameters)}
+        column = choose("parameter", names[1], index)
         derivative: NDArray[np.float64] | np.float64 = self.values[..., row, column]
         return derivative
 
@@ -54,15 +68,17 @@ class Jacobian:
         import xarray as xr
 
         over = ("t",) if self.values.ndim == 3 else ()
-        units = {**START_UNIT_OF, **UNIT_OF, "gravity": "m/s^2"}
         return xr.Dataset(
             {"derivative": ((*over, "quantity", "parameter"), self.values)},
             coords={
                 "t": (over, self.t, {"units": "s"}),
                 "quantity": list(QUANTITIES),
-                "parameter": list(PARAMETERS),
-                "quantity_units": ("quantity", [units[name] for name in QUANTITIES]),
-                "parameter_units": ("parameter", [units[name] for name in PARAMETERS]),
+                "parameter": list(self.parameters),
+                "quantity_units": ("quantity", [UNIT_OF_PARAMETER[name] for name in QUANTITIES]),
+                "parameter_units": (
+                    "parameter",
+                    [UNIT_OF_PARAMETER[name] for name in self.parameters],
+                ),
             },
         )
 
@@ -70,5 +86,5 @@ class Jacobian:
         number = "one time" if self.values.ndim == 2 else f"{len(self.values)} times"
         return (
             f"<Jacobian at {number}, shape {self.values.shape}:"
-            f" d({', '.join(QUANTITIES)}) by d({', '.join(PARAMETERS)})>"
+            f" d({', '.join(QUANTITIES)}) by d({', '.join(self.parameters)})>"
         )

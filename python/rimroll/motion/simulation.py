@@ -71,8 +71,10 @@ def simulate(
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.
     jacobian
-        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. They exist for ``NoSlip``
-        and ``Frictionless`` without resistance, and take about thirty times as long.
+        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. On a table at rest they
+        exist for ``NoSlip`` and ``Frictionless`` without resistance, and take about thirty times as
+        long. On a table that moves they exist under every law as long as the contact does not
+        change between rolling, sliding and flight.
 
     Returns
     -------

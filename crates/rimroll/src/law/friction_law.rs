@@ -131,8 +131,8 @@ macro_rules! friction_laws {
             Never,
             Frictionless(Resisted<Frictionless<T>>),
             /// Without friction on a table that moves.
-            StayingBehind(Resisted<OnTable<Sliding<T, NoFriction>>>),
-            $($law(Resisted<OnTable<Sliding<T, <$law as FrictionModel>::Friction<T>>>>),)*
+            StayingBehind(Resisted<OnTable<Sliding<T, NoFriction>, T>>),
+            $($law(Resisted<OnTable<Sliding<T, <$law as FrictionModel>::Friction<T>>, T>>),)*
         }
 
         impl<T: Scalar> SlidingDynamics<T> {
@@ -140,7 +140,7 @@ macro_rules! friction_laws {
             pub(crate) fn new(
                 friction: &FrictionLaw,
                 k: Parameters<T>,
-                table: &Table,
+                table: &Table<T>,
                 resistance: Resistance,
                 tolerance: f64,
             ) -> Self {

@@ -9,9 +9,9 @@ use crate::real::Scalar;
 #[derive(Clone)]
 pub(crate) enum RollingDynamics<T: Scalar> {
     /// Wherever it rolls to.
-    Freely(Resisted<OnTable<NoSlip<T>>>),
+    Freely(Resisted<OnTable<NoSlip<T>, T>>),
     /// On the circle on which the body stood.
-    InPlace(Resisted<OnTable<InPlace<T>>>),
+    InPlace(Resisted<OnTable<InPlace<T>, T>>),
 }
 
 impl<T: Scalar> RollingDynamics<T> {
@@ -19,7 +19,7 @@ impl<T: Scalar> RollingDynamics<T> {
     pub(crate) fn new(
         friction: &FrictionLaw,
         k: Parameters<T>,
-        table: &Table,
+        table: &Table<T>,
         resistance: Resistance,
         tolerance: f64,
     ) -> Self {

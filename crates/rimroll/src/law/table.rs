@@ -14,20 +14,20 @@ use crate::state::Coordinates;
 use std::sync::Arc;
 
 /// The table under the body.
-#[derive(Debug, Clone, Default)]
-pub(crate) enum Table {
+#[derive(Debug, Clone)]
+pub(crate) enum Table<T = f64> {
     /// It is at rest.
-    #[default]
     AtRest,
     /// It moves.
     Moving(Arc<Ground>),
-    /// It moves as in this stretch, also before and after it, so that rates are smooth over a step.
-    Along(Stretch),
+    /// It moves as in this stretch, also before and after it, so that rates are smooth over a step. Its acceleration is
+    /// multiplied by a factor: 1, with a derivative where that by the factor is sought.
+    Along(Stretch, T),
 }
 
-impl Table {
+impl<T: Scalar> Table<T> {
     /// The table that moves with `ground`, or is at rest without one.
-    pub(crate) fn new(ground: Option<&Arc<Ground>>) -> Table {
+    pub(crate) fn new(ground: Option<&Arc<Ground>>) -> Self {
         ground.map_or(Table::AtRest, |ground| Table::Moving(Arc::clone(ground)))
     }
 
@@ -38,10 +38,12 @@ impl Table {
 
     /// The acceleration of the table.
     #[inline(never)]
-    fn acceleration<T: Scalar>(&self, u: &Coordinates<T>) -> Acceleration<T> {
+    fn acceleration(&self, u: &Coordinates<T>) -> Acceleration<T> {
         let [x, y, vertical] = match self {
             Table::AtRest => [T::from(0.0); 3],
-            Table::Along(stretch) => stretch.acceleration(u.t),
+            Table::Along(stretch, factor) => stretch
+                .acceleration(u.t)
+                .map(|component| *factor * component),
             Table::Moving(ground) => ground.stretch(u.t.value()).acceleration(u.t),
         };
         let (sin, cos) = u.yaw.sin_cos();
@@ -105,13 +107,13 @@ pub(crate) trait Movable<T: Real>: Dynamics<T> + Clone {
 
 /// Equations of motion relative to a table.
 #[derive(Debug, Clone)]
-pub(crate) struct OnTable<L> {
+pub(crate) struct OnTable<L, T = f64> {
     dynamics: L,
-    table: Table,
+    table: Table<T>,
 }
 
-impl<L> OnTable<L> {
-    pub(crate) fn new(dynamics: L, table: &Table) -> Self {
+impl<L, T: Scalar> OnTable<L, T> {
+    pub(crate) fn new(dynamics: L, table: &Table<T>) -> Self {
         let table = table.clone();
         OnTable { dynamics, table }
     }
@@ -129,7 +131,7 @@ impl<L> OnTable<L> {
     /// The rates of the reduced state on a table that moves. A step has many copies of the rates, in which this would
     /// take most of the room if it were inlined.
     #[inline(never)]
-    fn moving_rates<T: Scalar>(&self, u: &Coordinates<T>) -> Coordinates<T>
+    fn moving_rates(&self, u: &Coordinates<T>) -> Coordinates<T>
     where
         L: Movable<T>,
     {
@@ -140,7 +142,7 @@ impl<L> OnTable<L> {
 
     /// The contact force (times sin φ) on a table that moves.
     #[inline(never)]
-    fn moving_contact<T: Scalar>(&self, u: &Coordinates<T>) -> Contact<T>
+    fn moving_contact(&self, u: &Coordinates<T>) -> Contact<T>
     where
         L: Movable<T>,
     {
@@ -151,7 +153,7 @@ impl<L> OnTable<L> {
 
     /// The equations under the gravity g + a_z.
     #[inline(always)]
-    fn under<T: Scalar>(&self, acceleration: &Acceleration<T>) -> L
+    fn under(&self, acceleration: &Acceleration<T>) -> L
     where
         L: Movable<T>,
     {
@@ -162,7 +164,7 @@ impl<L> OnTable<L> {
 
     /// Adds the effect of the horizontal inertial force to `rates`, and the power of the inertial force.
     #[inline(always)]
-    fn shaken<T: Scalar>(
+    fn shaken(
         &self,
         u: &Coordinates<T>,
         rates: Coordinates<T>,
@@ -189,7 +191,7 @@ impl<L> OnTable<L> {
     }
 }
 
-impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L> {
+impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L, T> {
     fn parameters(&self) -> &Parameters<T> {
         self.dynamics.parameters()
     }

@@ -9,7 +9,7 @@ use crate::error_scale::ErrorScale;
 use crate::ground::Ground;
 use crate::impact;
 use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, Table};
-use crate::real::Dual;
+use crate::real::{Dual, Real, Scalar};
 use crate::slip_onset::{ROUNDING, along_and_across};
 use crate::state::Coordinates;
 use core::f64::consts::{FRAC_PI_2, TAU};
@@ -93,9 +93,7 @@ impl Contacts {
     /// the stretch of its motion that contains this time.
     pub(super) fn phases_from(&self, t: f64) -> Cow<'_, PhaseDynamics<f64>> {
         if self.moves() {
-            let (table, tolerance) = (self.table_from(t), self.tolerance);
-            let phases = PhaseDynamics::new(self.parameters, &self.contact_law, &table, tolerance);
-            Cow::Owned(phases)
+            Cow::Owned(self.varied_phases_from(self.parameters, 1.0, t))
         } else {
             Cow::Borrowed(&self.phases)
         }
@@ -105,17 +103,20 @@ impl Contacts {
     pub(super) fn dual_phases_from(&self, t: f64) -> PhaseDynamics<Dual> {
         let [m, r, h, a, c, g] = self.parameters.as_array();
         let parameters = Parameters { m, r, h, a, c, g };
-        PhaseDynamics::new(
-            parameters,
-            &self.contact_law,
-            &self.table_from(t),
-            self.tolerance,
-        )
+        self.varied_phases_from(parameters, 1.0.into(), t)
     }
 
-    fn table_from(&self, t: f64) -> Table {
+    /// [`Self::phases_from`] for other numbers: with these parameters, and with the acceleration of the table multiplied
+    /// by `factor`.
+    pub(super) fn varied_phases_from<T: Scalar>(
+        &self,
+        parameters: Parameters<T>,
+        factor: T,
+        t: f64,
+    ) -> PhaseDynamics<T> {
         let stretch = self.ground().map(|ground| ground.stretch(t));
-        stretch.map_or(Table::AtRest, Table::Along)
+        let table = stretch.map_or(Table::AtRest, |stretch| Table::Along(stretch, factor));
+        PhaseDynamics::new(parameters, &self.contact_law, &table, self.tolerance)
     }
 
     /// The first time after `t` at which the acceleration of the table has a corner, s; infinite if there is none.
@@ -127,6 +128,14 @@ impl Contacts {
     /// The motion of the table, if it moves.
     pub(super) fn ground(&self) -> Option<&Arc<Ground>> {
         self.ground.as_ref().filter(|_| cfg!(feature = "ground"))
+    }
+
+    /// The largest |T|/N of a base that stands flat and does not slip.
+    pub(super) fn holding_friction(&self) -> f64 {
+        match &self.contact_law.friction {
+            friction if friction.never_slips() => f64::INFINITY,
+            friction => friction.static_friction().unwrap_or(0.0),
+        }
     }
 
     /// Whether the friction is dry.
@@ -222,9 +231,7 @@ impl Contacts {
         if !self.is_falling(u) || u.cos < 0.0 || !Level::new(self, u.yaw).stands(u.t) {
             return 1.0;
         }
-        let (rho, z) = (k.rho(u), k.z(u));
-        let tilting = (k.a + k.m * (rho * rho + z * z)) * u.p * u.p + k.a * u.w * u.w;
-        0.5 * tilting + k.m * k.g * k.r * (u.sin - STANDING_TILT)
+        tilting_energy_over_standing(k, u)
     }
 
     /// Whether a body at the beginning of its rocking has too little energy to reach a tilt of [`STANDING_TILT`].
@@ -364,6 +371,13 @@ impl Contacts {
         };
         Some((after, next))
     }
+}
+
+/// The energy of tilting above that with which a body reaches a tilt of [`STANDING_TILT`], J.
+pub(super) fn tilting_energy_over_standing<T: Real>(k: &Parameters<T>, u: &Coordinates<T>) -> T {
+    let (rho, z) = (k.rho(u), k.z(u));
+    let tilting = (k.a + k.m * (rho * rho + z * z)) * u.p * u.p + k.a * u.w * u.w;
+    T::from(0.5) * tilting + k.m * k.g * k.r * (u.sin - T::from(STANDING_TILT))
 }
 
 /// The onset of a slip from rest in a trial direction.

@@ -3,6 +3,7 @@
 use super::contacts::{Contacts, STANDING_TILT};
 use super::event::{Event, EventKind};
 use super::instant::{Instant, Phase};
+use super::landing::FLAT_TILT;
 use super::options::Options;
 use super::step_bounds::{StepBounds, are_clear};
 use super::step_record::{Polynomial, StepRecord};
@@ -420,11 +421,8 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// The event function of [`TerminalEvent::Flat`] on a table that moves. A body that begins to rock is flatter than
-    /// that.
+    /// The event function of [`TerminalEvent::Flat`] on a table that moves.
     fn height_over_flat(&self, u: &Coordinates<f64>) -> f64 {
-        // Rounding in the components of the table's acceleration makes planar motions deviate by as much.
-        const FLAT_TILT: f64 = 1e-13;
         if self.contacts.is_falling(u) {
             u.sin - FLAT_TILT
         } else {

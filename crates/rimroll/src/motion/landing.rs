@@ -6,6 +6,8 @@ use super::options::Options;
 use super::run::pass_near_collision;
 use crate::ending::Status;
 use crate::error::{InvalidInput, bounded};
+use crate::law::Parameters;
+use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
 use std::sync::Arc;
@@ -87,6 +89,10 @@ fn random_bits(seed: u64, index: u64) -> u64 {
 /// clock of the equations stands still.
 pub(super) const UPLIFT_TILT: f64 = 1e-15;
 
+/// The tilt at which a base that falls on a table that moves is flat, rad. Rounding in the components of the table's
+/// acceleration makes planar motions deviate by as much. A body that begins to rock is flatter than that.
+pub(super) const FLAT_TILT: f64 = 1e-13;
+
 /// The coordinates after the base of a body at `at` has come down flat; `None` where the motion ends. This is the
 /// landing number `landing` of the motion.
 pub(super) fn landed(
@@ -98,59 +104,67 @@ pub(super) fn landed(
     match options.flat {
         FlatLanding::Stop => None,
         FlatLanding::Smooth(side) => smooth(contacts, options, at, side.sign(landing)),
-        FlatLanding::Housner => Some(rocked_over(
-            contacts,
-            at,
-            plastic_factor(contacts, at.phase),
-        )),
-        FlatLanding::Restitution(factor) => Some(rocked_over(contacts, at, factor)),
+        FlatLanding::Housner => Some(after_collision(contacts, at, None)),
+        FlatLanding::Restitution(factor) => Some(after_collision(contacts, at, Some(factor))),
     }
 }
 
-fn plastic_factor(contacts: &Contacts, phase: Phase) -> f64 {
+/// The coordinates after a collision on the flat base, with the lost energy, where φ̇ is multiplied by `factor` or by that
+/// of a plastic collision.
+fn after_collision(contacts: &Contacts, at: &Instant, factor: Option<f64>) -> Coordinates<f64> {
     let k = contacts.parameters();
-    let (upright, rim) = (k.a + k.m * k.h * k.h, k.m * k.r * k.r);
-    let factor = match phase {
-        Phase::Rolling => (upright - rim) / (upright + rim),
-        _ => (k.a - rim) / (k.a + rim),
-    };
-    // A body that is wide enough stays on the table.
-    factor.max(0.0)
+    let rolls = at.phase == Phase::Rolling;
+    let factor = factor.unwrap_or_else(|| plastic_factor(k, rolls));
+    let velocity = contacts.dynamics(at.phase).center_velocity(at);
+    let u = rocked_over(k, at, factor, (!rolls).then_some(velocity));
+    with_loss(contacts, at, at.phase, u)
 }
 
-/// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor.
-fn rocked_over(contacts: &Contacts, at: &Instant, factor: f64) -> Coordinates<f64> {
-    let k = contacts.parameters();
-    let half_turn = if at.w < 0.0 { -PI } else { PI };
-    let p = factor * at.p.abs();
+/// The factor of φ̇ in a plastic collision of a rim that rolls or slides.
+pub(super) fn plastic_factor<T: Real>(k: &Parameters<T>, rolls: bool) -> T {
+    let (upright, rim) = (k.a + k.m * k.h * k.h, k.m * k.r * k.r);
+    let factor = if rolls {
+        (upright - rim) / (upright + rim)
+    } else {
+        (k.a - rim) / (k.a + rim)
+    };
+    // A body that is wide enough stays on the table.
+    factor.max(T::from(0.0))
+}
+
+/// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor. A rim that slides
+/// keeps the horizontal `velocity` (m/s, along e_x1 and e_y1) of the centre of mass.
+pub(super) fn rocked_over<T: Scalar>(
+    k: &Parameters<T>,
+    at: &Coordinates<T>,
+    factor: T,
+    velocity: Option<[T; 2]>,
+) -> Coordinates<T> {
+    let zero = T::from(0.0);
+    let half_turn = T::from(if at.w.value() < 0.0 { -PI } else { PI });
     let u = Coordinates {
         yaw: at.yaw + half_turn,
         spin: at.spin - half_turn,
-        sin: UPLIFT_TILT,
-        cos: 1.0,
-        p,
-        w: 0.0,
-        s: 0.0,
+        sin: T::from(UPLIFT_TILT),
+        cos: T::from(1.0),
+        p: factor * at.p.abs(),
+        w: zero,
+        s: zero,
         x1: -at.x1,
         y1: -at.y1,
-        slip_x: 0.0,
-        slip_y: 0.0,
-        ..at.u
+        slip_x: zero,
+        slip_y: zero,
+        ..*at
     };
-    // A rim that slides keeps the horizontal velocity of the centre of mass.
-    let u = match at.phase {
-        Phase::Rolling => u,
-        _ => {
-            let [vx, vy] = contacts.dynamics(at.phase).center_velocity(at);
-            let [rolling_x, rolling_y] = k.rolling_velocity(&u);
-            Coordinates {
-                slip_x: -vx - rolling_x,
-                slip_y: -vy - rolling_y,
-                ..u
-            }
-        }
+    let Some([vx, vy]) = velocity else {
+        return u;
     };
-    with_loss(contacts, at, at.phase, u)
+    let [rolling_x, rolling_y] = k.rolling_velocity(&u);
+    Coordinates {
+        slip_x: -vx - rolling_x,
+        slip_y: -vy - rolling_y,
+        ..u
+    }
 }
 
 /// `u` with the energy that it has less than `at` added to the loss in impacts.

@@ -14,10 +14,11 @@
 
 use super::contacts::Contacts;
 use super::instant::{Instant, Phase};
-use super::landing::UPLIFT_TILT;
+use super::level_equations::{LEVEL, LevelEquations, LevelMotion, PLACES, size};
 use crate::ground::{Ground, Stretch};
-use crate::law::{Contact, Dynamics, Parameters};
-use crate::solve::{Dense, Step, Stepper, System, bracketed_root};
+use crate::law::Contact;
+use crate::real::Real;
+use crate::solve::{Dense, Step, Stepper, bracketed_root};
 use crate::state::{COORDINATES, Coordinates, TIME};
 use std::sync::Arc;
 
@@ -37,69 +38,32 @@ pub(super) enum Departure {
     Done,
 }
 
-/// The equations of a body whose base is level, at one heading of its coordinates.
+/// A body whose base is level, at one heading of its coordinates.
 pub(super) struct Level<'a> {
     contacts: &'a Contacts,
-    k: Parameters<f64>,
-    /// The cosine and the sine of the yaw, which stays the same.
-    heading: [f64; 2],
+    equations: LevelEquations<'a, f64>,
 }
 
 impl<'a> Level<'a> {
     pub(super) fn new(contacts: &'a Contacts, yaw: f64) -> Self {
-        let (sin, cos) = libm::sincos(yaw);
+        let k = *contacts.parameters();
+        let sliding = contacts.dynamics(Phase::Sliding);
         Level {
             contacts,
-            k: *contacts.parameters(),
-            heading: [cos, sin],
+            equations: LevelEquations::new(k, yaw, sliding, contacts.is_dry()),
         }
-    }
-
-    /// The horizontal acceleration of the table along e_x1 and e_y1, and G, m/s².
-    fn field(&self, [x, y, z]: [f64; 3]) -> ([f64; 2], f64) {
-        let [cos, sin] = self.heading;
-        ([x * cos + y * sin, y * cos - x * sin], self.k.g + z)
     }
 
     fn field_at(&self, t: f64) -> ([f64; 2], f64) {
         let ground = self.contacts.ground();
-        self.field(ground.map_or([0.0; 3], |ground| ground.acceleration(t)))
+        self.equations
+            .field(ground.map_or([0.0; 3], |ground| ground.acceleration(t)))
     }
 
-    /// The speed scale √(gR), m/s.
-    fn speed_scale(&self) -> f64 {
-        (self.k.g * self.k.r).sqrt()
-    }
-
-    /// A speed that counts as none, m/s.
-    fn no_speed(&self) -> f64 {
-        1e-12 * self.speed_scale()
-    }
-
-    /// The largest |a|/G at which the body stands.
-    fn standing_limit(&self) -> f64 {
-        let holding = match &self.contacts.contact_law().friction {
-            friction if friction.never_slips() => f64::INFINITY,
-            friction => friction.static_friction().unwrap_or(0.0),
-        };
-        holding.min(self.k.r / self.k.h)
-    }
-
-    /// A gravity G that counts as none, m/s². Where a record has −g, rounding decides on the sign of G.
-    fn no_gravity(&self) -> f64 {
-        1e-12 * self.k.g
-    }
-
-    /// Positive while a body stands flat: the margin of the horizontal acceleration, or of G where that is negative or
-    /// nothing else can move the body.
+    /// Positive while a body stands flat.
     fn standing_margin(&self, acceleration: [f64; 3]) -> f64 {
-        let (horizontal, gravity) = self.field(acceleration);
-        let pressing = gravity + self.no_gravity();
-        let limit = self.standing_limit();
-        if pressing <= 0.0 || limit == f64::INFINITY {
-            return pressing;
-        }
-        limit * pressing - size(horizontal)
+        let holding = self.contacts.holding_friction();
+        self.equations.standing_margin(holding, acceleration)
     }
 
     /// Whether a body stands flat at a time, s.
@@ -145,21 +109,28 @@ impl<'a> Level<'a> {
     /// What follows where a body cannot stand.
     pub(super) fn departure_from_standing(&self, t: f64) -> Departure {
         // Where G is zero, what it becomes decides.
-        let (_, gravity) = self.field_at(t + 1e-9 * (self.k.r / self.k.g).sqrt());
-        let limit = self.standing_limit();
-        if gravity <= 0.0 || limit == f64::INFINITY {
+        let k = &self.equations.k;
+        let (_, gravity) = self.field_at(t + 1e-9 * (k.r / k.g).sqrt());
+        let holding = self.contacts.holding_friction();
+        if gravity <= 0.0 || self.equations.standing_limit(holding) == f64::INFINITY {
             Departure::FallAway
-        } else if limit * self.k.h < self.k.r {
+        } else if self.slides_rather_than_rocks() {
             Departure::Slide
         } else {
             Departure::Uplift
         }
     }
 
+    /// Whether a body that stands slides before it rocks.
+    fn slides_rather_than_rocks(&self) -> bool {
+        let k = &self.equations.k;
+        self.contacts.holding_friction() < k.r / k.h
+    }
+
     /// The coordinates of a body that begins to slide flat.
     pub(super) fn beginning_to_slide(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         let ([x, y], _) = self.field_at(u.t);
-        let faint = 100.0 * self.no_speed() / size([x, y]).max(f64::MIN_POSITIVE);
+        let faint = 100.0 * self.equations.no_speed() / size([x, y]).max(f64::MIN_POSITIVE);
         Coordinates {
             slip_x: -faint * x,
             slip_y: -faint * y,
@@ -167,47 +138,29 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// The coordinates of a body that begins to rock. The force that makes it do so points along e_x1 then: it is that
-    /// which accelerates the body with the table, or the friction on a base that slides.
+    /// The coordinates of a body that begins to rock.
     pub(super) fn uplifted(&self, u: &Coordinates<f64>, phase: Phase) -> Coordinates<f64> {
         let force = match phase {
             Phase::SlidingFlat => self.friction(u),
             _ => self.field_at(u.t).0,
         };
-        let change = libm::atan2(force[1], force[0]);
-        let turned = |[x, y]: [f64; 2]| {
-            let (sin, cos) = libm::sincos(change);
-            [x * cos + y * sin, y * cos - x * sin]
-        };
-        let [x1, y1] = turned([u.x1, u.y1]);
-        let [slip_x, slip_y] = turned([u.slip_x, u.slip_y]);
-        Coordinates {
-            yaw: u.yaw + change,
-            spin: u.spin - change,
-            sin: UPLIFT_TILT,
-            cos: 1.0,
-            x1,
-            y1,
-            slip_x,
-            slip_y,
-            ..*u
-        }
+        self.equations.uplifted(u, force)
     }
 
     /// The friction on a base that slides, N.
     fn friction(&self, u: &Coordinates<f64>) -> [f64; 2] {
         let (_, gravity) = self.field_at(u.t);
-        let dynamics = self.contacts.dynamics(Phase::Sliding);
-        dynamics.flat_friction([u.slip_x, u.slip_y], self.k.m * gravity)
+        self.equations.friction([u.slip_x, u.slip_y], gravity)
     }
 
     /// The force of the table on a body whose base is level, N.
     pub(super) fn force(&self, at: &Instant) -> Contact<f64> {
         let (horizontal, gravity) = self.field_at(at.t);
+        let m = self.equations.k.m;
         let (friction, normal) = match at.phase {
             Phase::FlyingLevel => ([0.0; 2], 0.0),
-            Phase::SlidingFlat => (self.friction(at), self.k.m * gravity),
-            _ => (horizontal.map(|a| self.k.m * a), self.k.m * gravity),
+            Phase::SlidingFlat => (self.friction(at), m * gravity),
+            _ => (horizontal.map(|a| m * a), m * gravity),
         };
         Contact {
             along: friction[0],
@@ -219,11 +172,9 @@ impl<'a> Level<'a> {
     /// The equations of a base that slides or flies, along a stretch of the table's motion.
     pub(super) fn motion(&self, phase: Phase, stretch: Option<Stretch>) -> LevelMotion<'_> {
         LevelMotion {
-            level: self,
-            dynamics: self.contacts.dynamics(Phase::Sliding),
-            stretch,
+            equations: self.equations,
+            stretch: stretch.map(|stretch| (stretch, 1.0)),
             slides: phase == Phase::SlidingFlat,
-            is_dry: self.contacts.is_dry(),
         }
     }
 
@@ -232,10 +183,6 @@ impl<'a> Level<'a> {
         let later = Coordinates { t: end, ..*u };
         Dense::line(end - u.t, u.into_array(), later.into_array())
     }
-}
-
-fn size([x, y]: [f64; 2]) -> f64 {
-    libm::hypot(x, y)
 }
 
 /// A time between two others at which `function` is near its smallest value there. It must have at most one minimum
@@ -260,69 +207,16 @@ fn lowest_between(from: f64, to: f64, function: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// The equations of motion of a level base that slides or flies.
-pub(super) struct LevelMotion<'a> {
-    level: &'a Level<'a>,
-    dynamics: &'a dyn Dynamics<f64>,
-    stretch: Option<Stretch>,
-    slides: bool,
-    is_dry: bool,
-}
-
-/// The number of coordinates that change in such a motion.
-const LEVEL: usize = 9;
-
-/// The places of those coordinates among all of them: t, x1, y1, slip_x, slip_y, gap, gap_rate, friction_loss and
-/// ground_work.
-const PLACES: [usize; LEVEL] = [TIME, 8, 9, 10, 11, 12, 13, 14, 17];
-
-/// A part of such a motion: its dense output, and what ends it.
+/// A part of the motion of a level base that slides or flies: its dense output, and what ends it.
 pub(super) struct LevelPart {
     pub(super) dense: Dense<f64, COORDINATES>,
     pub(super) departure: Option<Departure>,
 }
 
 impl LevelMotion<'_> {
-    /// The rates with respect to the time.
-    fn rates_in_time(&self, u: &[f64; LEVEL]) -> [f64; LEVEL] {
-        let [t, _, _, vx, vy, _, gap_rate, ..] = *u;
-        let k = &self.level.k;
-        let acceleration = self
-            .stretch
-            .as_ref()
-            .map_or([0.0; 3], |s| s.acceleration(t));
-        let ([ax, ay], gravity) = self.level.field(acceleration);
-        let [fx, fy] = if self.slides {
-            self.dynamics.flat_friction([vx, vy], k.m * gravity)
-        } else {
-            [0.0; 2]
-        };
-        let falling = if self.slides { 0.0 } else { -gravity };
-        let work = -k.m * (ax * vx + ay * vy + acceleration[2] * gap_rate);
-        let (dvx, dvy) = (fx / k.m - ax, fy / k.m - ay);
-        let loss = -(fx * vx + fy * vy);
-        [1.0, vx, vy, dvx, dvy, gap_rate, falling, loss, work]
-    }
-
-    /// dt/dσ: the direction of dry friction on a base that is about to stop changes at a rate that grows like 1/|v|.
-    fn time_rate(&self, [vx, vy]: [f64; 2]) -> f64 {
-        if self.slides && self.is_dry {
-            let speed = size([vx, vy]);
-            speed / (speed + 0.03 * self.level.speed_scale())
-        } else {
-            1.0
-        }
-    }
-
     /// The values that are positive until a departure.
     fn margins(&self, u: &[f64; LEVEL]) -> [(Departure, f64); 4] {
         let [t, _, _, vx, vy, gap, ..] = *u;
-        let k = &self.level.k;
-        let acceleration = self
-            .stretch
-            .as_ref()
-            .map_or([0.0; 3], |s| s.acceleration(t));
-        let gravity = k.g + acceleration[2];
         if !self.slides {
             return [
                 (Departure::Land, gap),
@@ -331,22 +225,21 @@ impl LevelMotion<'_> {
                 (Departure::FallAway, 1.0),
             ];
         }
-        let friction = self.dynamics.flat_friction([vx, vy], k.m * gravity);
-        let stops = self.is_dry;
+        let equations = &self.equations;
+        let (_, gravity) = equations.field(self.acceleration(t));
+        let friction = equations.friction([vx, vy], gravity);
+        let excess_speed = if self.can_stop() {
+            size([vx, vy]) - equations.no_speed()
+        } else {
+            1.0
+        };
         [
-            (Departure::FallAway, gravity + self.level.no_gravity()),
+            (Departure::FallAway, gravity + equations.no_gravity()),
             (
                 Departure::Uplift,
-                k.m * gravity * k.r - size(friction) * k.h,
+                equations.flatness_margin(friction, gravity),
             ),
-            (
-                Departure::Stick,
-                if stops {
-                    size([vx, vy]) - self.level.no_speed()
-                } else {
-                    1.0
-                },
-            ),
+            (Departure::Stick, excess_speed),
             (Departure::Land, 1.0),
         ]
     }
@@ -431,55 +324,22 @@ impl LevelMotion<'_> {
     }
 }
 
-impl System<f64, LEVEL> for LevelMotion<'_> {
-    #[inline(never)]
-    fn rates(&self, u: &[f64; LEVEL]) -> [f64; LEVEL] {
-        let factor = self.time_rate([u[3], u[4]]);
-        self.rates_in_time(u).map(|rate| factor * rate)
-    }
-
-    fn scale(&self, u: &[f64; LEVEL]) -> [f64; LEVEL] {
-        let [_, x, y, vx, vy, gap, gap_rate, ..] = *u;
-        let Parameters { m, r, .. } = self.level.k;
-        let unit = self.level.speed_scale();
-        let speed = size([vx, vy]);
-        let slow = if self.slides && self.is_dry {
-            self.level.no_speed()
-        } else {
-            1e-3 * unit
-        };
-        let distance = r + size([x, y]);
-        let energy = m * (speed + gap_rate.abs() + unit) * (speed + gap_rate.abs() + unit);
-        [
-            r / unit,
-            distance,
-            distance,
-            speed + slow,
-            speed + slow,
-            gap + 1e-6 * r,
-            gap_rate.abs() + 1e-6 * unit,
-            energy,
-            energy,
-        ]
-    }
-}
-
-/// The coordinates of a body that comes to stand flat or to slide flat.
-pub(super) fn levelled(contacts: &Contacts, at: &Instant) -> Coordinates<f64> {
-    let slides = at.phase != Phase::Rolling;
-    let [vx, vy] = contacts.dynamics(at.phase).center_velocity(at);
-    // A disk on its other face keeps that face down.
-    let (sin, cos) = (0.0, if at.cos < 0.0 { -1.0 } else { 1.0 });
+/// The coordinates of a body that comes to stand flat or, with the velocity of a rim that slides (m/s, along e_x1 and
+/// e_y1), to slide flat.
+pub(super) fn levelled<T: Real>(u: &Coordinates<T>, velocity: Option<[T; 2]>) -> Coordinates<T> {
+    let zero = T::from(0.0);
+    let [slip_x, slip_y] = velocity.unwrap_or([zero; 2]);
     Coordinates {
-        sin,
-        cos,
-        p: 0.0,
-        w: 0.0,
-        s: 0.0,
-        slip_x: if slides { vx } else { 0.0 },
-        slip_y: if slides { vy } else { 0.0 },
-        gap: 0.0,
-        gap_rate: 0.0,
-        ..at.u
+        sin: zero,
+        // A disk on its other face keeps that face down.
+        cos: u.cos.where_negative(T::from(-1.0), T::from(1.0)),
+        p: zero,
+        w: zero,
+        s: zero,
+        slip_x,
+        slip_y,
+        gap: zero,
+        gap_rate: zero,
+        ..*u
     }
 }

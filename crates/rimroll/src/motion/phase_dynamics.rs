@@ -22,7 +22,7 @@ pub(super) trait SystemVisitor {
 pub(super) struct PhaseDynamics<T: Scalar> {
     pub(super) rolling: RollingDynamics<T>,
     pub(super) sliding: SlidingDynamics<T>,
-    pub(super) flying: OnTable<Flight<T>>,
+    pub(super) flying: OnTable<Flight<T>, T>,
 }
 
 impl<T: Scalar> PhaseDynamics<T> {
@@ -30,7 +30,7 @@ impl<T: Scalar> PhaseDynamics<T> {
     pub(super) fn new(
         k: Parameters<T>,
         contact_law: &ContactLaw,
-        table: &Table,
+        table: &Table<T>,
         tolerance: f64,
     ) -> Self {
         let (friction, resistance) = (&contact_law.friction, contact_law.resistance);

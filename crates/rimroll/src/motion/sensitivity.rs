@@ -9,6 +9,15 @@
 //! ```
 //!
 //! The step sizes are held constant, so the derivative is that of a solution of order 8.
+//!
+//! On a table at rest these are motions under one smooth law: [`Sensitivity`]. Motions on a table that moves may
+//! consist of several phases: [`ShakenSensitivity`].
+
+mod junction;
+mod on_moving_table;
+mod variation;
+
+pub use on_moving_table::{SHAKEN_PARAMETERS, ShakenSensitivity, ShakenSlope};
 
 use super::Motion;
 use super::event::EventKind;
@@ -20,7 +29,7 @@ use crate::error::InvalidInput;
 use crate::law::{Dynamics, FrictionLaw, Frictionless, NoSlip, Parameters};
 use crate::real::{Dual, Slopes};
 use crate::solve::Step;
-use crate::state::{Coordinates, RIGID_COORDINATES, TIME};
+use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES, TIME};
 use core::ops::ControlFlow;
 
 /// The number of steps between two calls of `watch`: they take a few milliseconds on any machine.
@@ -104,10 +113,10 @@ impl Motion {
     }
 }
 
-/// The coordinates at a moment and their rates with respect to τ.
-struct CoordinatesAndRates {
-    u: Coordinates<Number>,
-    rates: Coordinates<Number>,
+/// The coordinates at a moment, and their rates with respect to τ or to the time.
+struct CoordinatesAndRates<const K: usize> {
+    u: Coordinates<Dual<Slopes<K>>>,
+    rates: Coordinates<f64>,
 }
 
 impl Sensitivity {
@@ -140,7 +149,8 @@ impl Sensitivity {
         for turns in motion.turns.chunks(TURNS_BETWEEN_REPORTS) {
             watch(motion.track.end().t)?;
             for turn in turns {
-                self.turns.push(self.turn_slope(motion, turn));
+                self.turns
+                    .push(turn_slope(motion, turn, |t| self.locate(&motion.track, t)));
             }
         }
         ControlFlow::Continue(())
@@ -148,19 +158,7 @@ impl Sensitivity {
 
     /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion.
     pub fn at(&self, track: &Track, t: f64) -> [Slope; 6] {
-        let at = self.locate(track, t);
-        let u = at.fixed(&(at.u.t, at.rates.t));
-        let tilt = u.sin.slope * u.cos.value - u.cos.slope * u.sin.value;
-        let [yaw_rate, spin_rate] = [u.yaw_rate(), u.spin_rate()].map(|rate| rate.slope);
-        [
-            tilt,
-            u.p.slope,
-            u.yaw.slope,
-            yaw_rate,
-            u.spin.slope,
-            spin_rate,
-        ]
-        .map(|slopes| slopes.0)
+        state_slopes(&self.locate(track, t).at_fixed_time())
     }
 
     /// Derivatives of the angles of turn.
@@ -168,52 +166,98 @@ impl Sensitivity {
         &self.turns
     }
 
-    fn locate(&self, track: &Track, t: f64) -> CoordinatesAndRates {
+    fn locate(&self, track: &Track, t: f64) -> CoordinatesAndRates<{ PARAMETERS.len() }> {
         let (index, x) = track.locate(t);
         let at = match track.records().get(index) {
             Some(record) => self.dynamics.step(&self.starts[index], x * record.h),
             None => self.starts[0],
         };
         let u = Coordinates::from_first(&at);
-        let rates = self.dynamics.rates(&u);
+        let rates = values(&self.dynamics.rates(&u));
         CoordinatesAndRates { u, rates }
-    }
-
-    /// The derivatives of the change of yaw from one tilt extremum (or the release) to the next.
-    fn turn_slope(&self, motion: &Motion, turn: &Turn) -> Slope {
-        let yaw = |t: f64| {
-            let at = self.locate(&motion.track, t);
-            let earlier = motion.events.partition_point(|event| event.at.t < t);
-            let here = motion.events[earlier..]
-                .iter()
-                .take_while(|event| event.at.t == t);
-            let is_here = |kind| here.clone().any(|event| event.kind == kind);
-            if is_here(EventKind::OnEdge) {
-                at.fixed(&(at.u.cos, at.rates.cos)).yaw.slope
-            } else if is_here(EventKind::TiltMax) || is_here(EventKind::TiltMin) {
-                at.fixed(&(at.u.p, at.rates.p)).yaw.slope
-            } else {
-                at.u.yaw.slope
-            }
-        };
-        (yaw(turn.end) - yaw(turn.start)).0
     }
 }
 
-impl CoordinatesAndRates {
+/// The derivatives of the change of yaw from one tilt extremum (or the release) to the next, given the coordinates at a
+/// time (s).
+fn turn_slope<const K: usize>(
+    motion: &Motion,
+    turn: &Turn,
+    locate: impl Fn(f64) -> CoordinatesAndRates<K>,
+) -> [f64; K] {
+    let yaw = |t: f64| {
+        let at = locate(t);
+        let earlier = motion.events.partition_point(|event| event.at.t < t);
+        let here = motion.events[earlier..]
+            .iter()
+            .take_while(|event| event.at.t == t);
+        let is_here = |kind| here.clone().any(|event| event.kind == kind);
+        if is_here(EventKind::OnEdge) {
+            at.fixed(&(at.u.cos, at.rates.cos)).yaw.slope
+        } else if is_here(EventKind::TiltMax) || is_here(EventKind::TiltMin) {
+            at.fixed(&(at.u.p, at.rates.p)).yaw.slope
+        } else {
+            at.u.yaw.slope
+        }
+    };
+    (yaw(turn.end) - yaw(turn.start)).0
+}
+
+impl<const K: usize> CoordinatesAndRates<K> {
     /// The coordinates with their derivatives at a fixed value of a function g, given as (g, g′).
-    fn fixed(&self, (g, g_rate): &(Number, Number)) -> Coordinates<Number> {
-        let delay = g.slope * (-1.0 / g_rate.value);
+    fn fixed(&self, (g, g_rate): &(Dual<Slopes<K>>, f64)) -> Coordinates<Dual<Slopes<K>>> {
+        let delay = g.slope * (-1.0 / g_rate);
         let (u, rates) = (self.u.into_array(), self.rates.into_array());
         Coordinates::from_array(&core::array::from_fn(|i| Dual {
             value: u[i].value,
-            slope: u[i].slope + delay * rates[i].value,
+            slope: u[i].slope + delay * rates[i],
         }))
+    }
+
+    fn at_fixed_time(&self) -> Coordinates<Dual<Slopes<K>>> {
+        self.fixed(&(self.u.t, self.rates.t))
     }
 }
 
+/// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate.
+fn state_slopes<const K: usize>(u: &Coordinates<Dual<Slopes<K>>>) -> [[f64; K]; 6] {
+    let tilt = u.sin.slope * u.cos.value - u.cos.slope * u.sin.value;
+    let [yaw_rate, spin_rate] = if u.sin.value == 0.0 {
+        // The base is level and does not turn. An undefined derivative stays one.
+        [u.w.slope, u.s.slope]
+    } else {
+        [u.yaw_rate(), u.spin_rate()].map(|rate| rate.slope)
+    };
+    [
+        tilt,
+        u.p.slope,
+        u.yaw.slope,
+        yaw_rate,
+        u.spin.slope,
+        spin_rate,
+    ]
+    .map(|slopes| slopes.0)
+}
+
+/// The coordinates without their derivatives.
+fn values<const K: usize>(u: &Coordinates<Dual<Slopes<K>>>) -> Coordinates<f64> {
+    Coordinates::from_array(&u.into_array().map(|dual| dual.value))
+}
+
+/// The coordinates with the same derivatives and other values.
+fn with_values<const K: usize>(
+    u: &Coordinates<Dual<Slopes<K>>>,
+    values: &[f64; COORDINATES],
+) -> Coordinates<Dual<Slopes<K>>> {
+    let duals = u.into_array();
+    Coordinates::from_array(&core::array::from_fn(|i| Dual {
+        value: values[i],
+        slope: duals[i].slope,
+    }))
+}
+
 /// A parameter: a dual number whose derivative with respect to itself is 1.
-fn parameter(value: f64, index: usize) -> Number {
+fn parameter<const K: usize>(value: f64, index: usize) -> Dual<Slopes<K>> {
     Dual {
         value,
         slope: Slopes(core::array::from_fn(|i| f64::from(i == index))),
@@ -221,14 +265,17 @@ fn parameter(value: f64, index: usize) -> Number {
 }
 
 /// The coordinates at the start with their derivatives; the values keep their bits.
-fn start(at: &Coordinates<f64>) -> Coordinates<Number> {
+fn start<const K: usize>(at: &Coordinates<f64>) -> Coordinates<Dual<Slopes<K>>> {
     let state = at.state().numbers();
     let duals = Coordinates::starting(core::array::from_fn(|i| parameter(state[i], i)));
-    let (values, duals) = (at.into_array(), duals.into_array());
-    Coordinates::from_array(&core::array::from_fn(|i| Dual {
-        value: values[i],
-        slope: duals[i].slope,
-    }))
+    with_values(&duals, &at.into_array())
+}
+
+/// The body and gravity with their derivatives.
+fn varied_parameters<const K: usize>(k: &Parameters<f64>) -> Parameters<Dual<Slopes<K>>> {
+    let [m, r, h, a, c, g] = [(k.m, 6), (k.r, 7), (k.h, 8), (k.a, 9), (k.c, 10), (k.g, 11)]
+        .map(|(value, index)| parameter(value, index));
+    Parameters { m, r, h, a, c, g }
 }
 
 /// The law in dual numbers, if one smooth law holds for the whole motion.
@@ -236,6 +283,9 @@ fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
     let refused = |why: &str| InvalidInput::NoSensitivity {
         why: why.to_owned(),
     };
+    if motion.contacts.moves() {
+        return Err(refused("its table moves, which takes another computation"));
+    }
     let phase = motion.track.start().phase;
     if motion.track.phases().any(|at| at.phase != phase) {
         return Err(refused(
@@ -248,10 +298,7 @@ fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
             "only rolling without slip and frictionless sliding are, without resistance",
         ));
     }
-    let k = motion.contacts.parameters();
-    let [m, r, h, a, c, g] = [(k.m, 6), (k.r, 7), (k.h, 8), (k.a, 9), (k.c, 10), (k.g, 11)]
-        .map(|(value, index)| parameter(value, index));
-    let k = Parameters { m, r, h, a, c, g };
+    let k = varied_parameters(motion.contacts.parameters());
     Ok(match phase {
         Phase::Rolling => Smooth::Rolling(NoSlip::new(k)),
         _ => Smooth::Frictionless(Frictionless::new(k)),

@@ -1,7 +1,7 @@
 //! The outcome of a motion on a table that moves: a motion of which only the end and the extremes are kept.
 
 use super::begun;
-use super::event::EventKind;
+use super::event::{Event, EventKind};
 use super::event_detector::Goal;
 use super::options::Options;
 use super::run::Run;
@@ -11,6 +11,7 @@ use crate::ending::Status;
 use crate::error::InvalidInput;
 use crate::ground::Ground;
 use crate::law::Parameters;
+use crate::real::Real;
 use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;
 use std::sync::Arc;
@@ -70,17 +71,7 @@ pub fn shaken(
     let first = |kind| events.iter().find(|event| event.kind == kind);
     let topple = first(EventKind::Topple);
     let end = topple.map_or_else(|| track.end().u, |event| event.at.u);
-    // The tilt has its largest value at a maximum or at an end of the motion.
-    let maxima = events
-        .iter()
-        .filter(|event| event.kind == EventKind::TiltMax);
-    let candidates = maxima.map(|event| (event.at.tilt(), event.at.t));
-    let (max_tilt, max_tilt_time) =
-        candidates
-            .chain([(end.tilt(), end.t)])
-            .fold((start.tilt(), start.t), |largest, next| {
-                if next.0 > largest.0 { next } else { largest }
-            });
+    let (max_tilt, max_tilt_time) = largest_tilt(&start, &events, &end);
     let k = contacts.parameters();
     let has_overturned =
         topple.is_some() || status == Status::LiftedOff && k.is_past_balance(end.tilt());
@@ -103,10 +94,27 @@ pub fn shaken(
     })
 }
 
+/// The largest tilt (rad) and its time (s), which is that of a maximum or of an end of the motion.
+pub(super) fn largest_tilt(
+    start: &Coordinates<f64>,
+    events: &[Event],
+    end: &Coordinates<f64>,
+) -> (f64, f64) {
+    let maxima = events
+        .iter()
+        .filter(|event| event.kind == EventKind::TiltMax);
+    let candidates = maxima.map(|event| (event.at.tilt(), event.at.t));
+    candidates
+        .chain([(end.tilt(), end.t)])
+        .fold((start.tilt(), start.t), |largest, next| {
+            if next.0 > largest.0 { next } else { largest }
+        })
+}
+
 /// The centre of the footprint relative to the place of the centre of mass at the start, m.
-fn footprint(k: &Parameters<f64>, u: &Coordinates<f64>) -> [f64; 2] {
+pub(super) fn footprint<T: Real>(k: &Parameters<T>, u: &Coordinates<T>) -> [T; 2] {
     let [x, y] = u.center();
-    let (sin_yaw, cos_yaw) = libm::sincos(u.yaw);
+    let (sin_yaw, cos_yaw) = u.yaw.sin_cos();
     let toward_axis = k.r - k.rho(u);
     [x + toward_axis * cos_yaw, y + toward_axis * sin_yaw]
 }

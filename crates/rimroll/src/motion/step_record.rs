@@ -15,7 +15,7 @@ pub(super) type Polynomial = Dense<f64, COORDINATES>;
 pub(super) struct StepRecord {
     pub phase: Phase,
     /// The independent variable of the step.
-    clock: Clock,
+    pub(super) clock: Clock,
     /// The step size in the independent variable.
     pub h: f64,
     pub start: [f64; COORDINATES],

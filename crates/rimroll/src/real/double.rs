@@ -7,6 +7,16 @@ impl Scalar for f64 {
     fn value(self) -> f64 {
         self
     }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+
+    #[inline]
+    fn hypot(self, y: Self) -> Self {
+        libm::hypot(self, y)
+    }
 }
 
 impl Real for f64 {

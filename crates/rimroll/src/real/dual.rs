@@ -201,6 +201,22 @@ impl<S: Slope> Scalar for Dual<S> {
     fn value(self) -> f64 {
         self.value
     }
+
+    fn atan2(self, x: Self) -> Self {
+        let per_square = 1.0 / (self.value * self.value + x.value * x.value);
+        Dual {
+            value: libm::atan2(self.value, x.value),
+            slope: (self.slope * x.value - x.slope * self.value) * per_square,
+        }
+    }
+
+    fn hypot(self, y: Self) -> Self {
+        let value = libm::hypot(self.value, y.value);
+        Dual {
+            value,
+            slope: (self.slope * self.value + y.slope * y.value) * (1.0 / value),
+        }
+    }
 }
 
 impl<S: Slope> Dual<S> {

@@ -39,7 +39,9 @@ impl Run<'_> {
 
     /// A body that stands flat from now on.
     pub(super) fn stand(&mut self, at: &Instant) -> AfterEvent {
-        let u = levelled(self.contacts, at);
+        let dynamics = self.contacts.dynamics(at.phase);
+        let slides = at.phase != Phase::Rolling;
+        let u = levelled(at, slides.then(|| dynamics.center_velocity(at)));
         let is_standing = u.slip_speed() <= self.contacts.stopped_speed(&u);
         let phase = if is_standing {
             Phase::Standing

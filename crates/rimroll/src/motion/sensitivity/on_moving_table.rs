@@ -1,0 +1,286 @@
+//! The derivatives of a motion on a table that moves.
+
+use super::junction::{Junction, refused, tilt_from};
+use super::variation::{Variation, ends_at_corner, rates};
+use super::{
+    CoordinatesAndRates, PARAMETERS, STEPS_BETWEEN_REPORTS, parameter, start, state_slopes,
+    turn_slope, values, varied_parameters, with_values,
+};
+use crate::ending::Status;
+use crate::error::InvalidInput;
+use crate::law::FrictionLaw;
+use crate::motion::Motion;
+use crate::motion::instant::Phase;
+use crate::motion::shaken::{footprint, largest_tilt};
+use crate::motion::step_record::StepRecord;
+use crate::real::{Dual, Slopes};
+use crate::state::{Coordinates, TIME};
+use core::ops::ControlFlow;
+
+/// The parameters of a motion on a table that moves, in the order of [`ShakenSlope`]: [`PARAMETERS`], and the factor s on
+/// the acceleration s a(t) of the table, at s = 1.
+pub const SHAKEN_PARAMETERS: [&str; PARAMETERS.len() + 1] = {
+    let mut names = ["ground_scale"; PARAMETERS.len() + 1];
+    let mut i = 0;
+    while i < PARAMETERS.len() {
+        names[i] = PARAMETERS[i];
+        i += 1;
+    }
+    names
+};
+
+/// The derivatives with respect to each of [`SHAKEN_PARAMETERS`]; NaN where there is none.
+pub type ShakenSlope = [f64; SHAKEN_PARAMETERS.len()];
+
+pub(super) type Number = Dual<Slopes<{ SHAKEN_PARAMETERS.len() }>>;
+
+/// The derivatives of a motion on a table that moves.
+///
+/// There is no derivative by tilt, tilt rate, yaw rate and spin rate of a start that stands; by the spin rate of a body that
+/// wobbles in place, which is not free; and, after the whole base has come down flat at once, by parameters that would
+/// take the motion out of its plane.
+pub struct ShakenSensitivity {
+    variation: Variation,
+    start: Coordinates<Number>,
+    /// The coordinates at the start of each step.
+    starts: Vec<Coordinates<Number>>,
+    end: Coordinates<Number>,
+    uplift_time: Option<ShakenSlope>,
+    turns: Vec<ShakenSlope>,
+}
+
+impl Motion {
+    /// The derivatives of a motion on a table that moves, as [`Motion::sensitivity`] gives those on a table at rest.
+    ///
+    /// # Errors
+    /// Refuses a motion in which the contact changes between rolling, sliding and flight, and a table at rest.
+    pub fn shaken_sensitivity(
+        &self,
+        mut watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<ShakenSensitivity>, InvalidInput> {
+        ShakenSensitivity::new(self, &mut watch)
+    }
+}
+
+impl ShakenSensitivity {
+    /// The sensitivity of a motion; `None` if `watch` breaks.
+    fn new(
+        motion: &Motion,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<ShakenSensitivity>, InvalidInput> {
+        if !motion.contacts.moves() {
+            return Err(refused("its table is at rest"));
+        }
+        let variation = Variation {
+            k: varied_parameters(motion.contacts.parameters()),
+            factor: parameter(1.0, PARAMETERS.len()),
+        };
+        let start = shaken_start(motion, &variation);
+        let mut sensitivity = ShakenSensitivity {
+            variation,
+            start,
+            starts: Vec::with_capacity(motion.track.records().len()),
+            end: start,
+            uplift_time: None,
+            turns: Vec::new(),
+        };
+        let completed = sensitivity.differentiate(motion, watch)?;
+        Ok(completed.is_continue().then_some(sensitivity))
+    }
+
+    fn differentiate(
+        &mut self,
+        motion: &Motion,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<ControlFlow<()>, InvalidInput> {
+        let mut before: Option<&StepRecord> = None;
+        for (i, record) in motion.track.records().iter().enumerate() {
+            if i % STEPS_BETWEEN_REPORTS == 0 && watch(record.start[TIME]).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+            if let Some(before) = before {
+                self.end = Junction {
+                    motion,
+                    variation: &self.variation,
+                    before,
+                    after: record,
+                }
+                .crossed(&self.end)?;
+                let is_lifted = before.phase == Phase::Standing && !record.phase.is_level();
+                if is_lifted && self.uplift_time.is_none() {
+                    self.uplift_time = Some(self.end.t.slope.0);
+                }
+            }
+            self.push(motion, record)?;
+            before = Some(record);
+        }
+        if let Some(last) = before {
+            self.end = self.ended(motion, last);
+        }
+        if watch(motion.track.end().t).is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        let turns = motion.turns.iter();
+        self.turns = turns
+            .map(|turn| turn_slope(motion, turn, |t| self.locate(motion, t)))
+            .collect();
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Goes on to the end of the next step.
+    fn push(&mut self, motion: &Motion, record: &StepRecord) -> Result<(), InvalidInput> {
+        let contacts = &motion.contacts;
+        if record.is_polynomial() && !record.phase.is_level() && record.phase != Phase::Lying {
+            return Err(refused(
+                "some of its steps are implicit, as where a slip begins",
+            ));
+        }
+        let start = with_values(&all_or_none(&self.end), &record.start);
+        self.starts.push(start);
+        let end = self.variation.followed(contacts, record, &start, 1.0);
+        let end = with_values(&end, &record.end);
+        self.end = if ends_at_corner(contacts, record) {
+            self.with_rates(motion, record, end).at_fixed_time()
+        } else {
+            end
+        };
+        Ok(())
+    }
+
+    fn with_rates(
+        &self,
+        motion: &Motion,
+        record: &StepRecord,
+        u: Coordinates<Number>,
+    ) -> CoordinatesAndRates<{ SHAKEN_PARAMETERS.len() }> {
+        let rates = rates(&motion.contacts, record, &values(&u));
+        CoordinatesAndRates { u, rates }
+    }
+
+    /// The coordinates at the end of the motion.
+    fn ended(&self, motion: &Motion, last: &StepRecord) -> Coordinates<Number> {
+        let at_event = |function: &dyn Fn(&Variation, &Coordinates<Number>) -> Number| {
+            self.variation
+                .at_event(&motion.contacts, last, &self.end, function)
+        };
+        let end = Coordinates::from_array(&last.end);
+        match motion.status {
+            Status::Finished => self.with_rates(motion, last, self.end).at_fixed_time(),
+            Status::Toppled if last.phase == Phase::Lying => self.end,
+            Status::Toppled => at_event(&|_, u| tilt_from(&end, u)),
+            Status::FaceDown => at_event(&|_, u| u.sin),
+            Status::LiftedOff if !last.phase.is_level() => at_event(&|variation, u| {
+                let phases = variation.phases(&motion.contacts, last.start[TIME]);
+                phases.in_phase(last.phase).contact(u).normal
+            }),
+            _ => without(&self.end, [true; SHAKEN_PARAMETERS.len()]),
+        }
+    }
+
+    fn locate(&self, motion: &Motion, t: f64) -> CoordinatesAndRates<{ SHAKEN_PARAMETERS.len() }> {
+        let (index, x) = motion.track.locate(t);
+        let Some(record) = motion.track.records().get(index) else {
+            let rates = Coordinates {
+                t: 1.0,
+                ..Coordinates::zero()
+            };
+            return CoordinatesAndRates {
+                u: self.start,
+                rates,
+            };
+        };
+        let start = &self.starts[index];
+        let u = self.variation.followed(&motion.contacts, record, start, x);
+        self.with_rates(motion, record, u)
+    }
+
+    /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion.
+    pub fn at(&self, motion: &Motion, t: f64) -> [ShakenSlope; 6] {
+        state_slopes(&self.locate(motion, t).at_fixed_time())
+    }
+
+    /// Derivatives of the angles of turn.
+    pub fn turns(&self) -> &[ShakenSlope] {
+        &self.turns
+    }
+
+    /// Derivatives of the time of the first uplift, s; `None` for a body that was never lifted.
+    pub fn uplift_time(&self) -> Option<ShakenSlope> {
+        self.uplift_time
+    }
+
+    /// Derivatives of the largest tilt, rad.
+    pub fn max_tilt(&self, motion: &Motion) -> ShakenSlope {
+        let (start, end) = (motion.track.start(), motion.track.end());
+        let (_, t) = largest_tilt(&start, &motion.events, &end);
+        // At a maximum, the derivative at a fixed time is that at the time of the maximum.
+        let [tilt, ..] = if t == start.t {
+            state_slopes(&self.start)
+        } else if t == end.t {
+            state_slopes(&self.end)
+        } else {
+            self.at(motion, t)
+        };
+        tilt
+    }
+
+    /// Derivatives of the time of the end, s.
+    pub fn end_time(&self) -> ShakenSlope {
+        self.end.t.slope.0
+    }
+
+    /// Derivatives of the displacement of the footprint along x and y from the start to the end, m.
+    pub fn residual_displacement(&self) -> [ShakenSlope; 2] {
+        let k = &self.variation.k;
+        let [from, to] = [&self.start, &self.end].map(|u| footprint(k, u));
+        [(to[0] - from[0]).slope.0, (to[1] - from[1]).slope.0]
+    }
+
+    /// Derivatives of the change of ψ + θ from the start to the end, rad.
+    pub fn residual_yaw(&self) -> ShakenSlope {
+        let [from, to] = [&self.start, &self.end].map(|u| u.yaw + u.spin);
+        (to - from).slope.0
+    }
+}
+
+/// The coordinates without derivatives (NaN) by those parameters by which some coordinate has none.
+fn all_or_none(u: &Coordinates<Number>) -> Coordinates<Number> {
+    let all = u.into_array();
+    let is_undefined = |i: usize| all.iter().any(|dual| dual.slope.0[i].is_nan());
+    without(u, core::array::from_fn(is_undefined))
+}
+
+/// The coordinates without derivatives (NaN) by some parameters.
+pub(super) fn without(
+    u: &Coordinates<Number>,
+    undefined: [bool; SHAKEN_PARAMETERS.len()],
+) -> Coordinates<Number> {
+    Coordinates::from_array(&u.into_array().map(|mut dual| {
+        for (slope, undefined) in dual.slope.0.iter_mut().zip(undefined) {
+            *slope = if undefined { f64::NAN } else { *slope };
+        }
+        dual
+    }))
+}
+
+/// The coordinates at the start.
+fn shaken_start(motion: &Motion, variation: &Variation) -> Coordinates<Number> {
+    let at = motion.track.start();
+    let mut u: Coordinates<Number> = start(&at);
+    let friction = &motion.contacts.contact_law().friction;
+    if *friction == FrictionLaw::InPlace {
+        u.s = -(u.w * u.sin / (Number::from(1.0) + u.cos));
+    }
+    if *friction == FrictionLaw::Frictionless {
+        let [along, across] = variation.k.rolling_velocity(&u);
+        (u.slip_x, u.slip_y) = (-along, -across);
+    }
+    let stands = at.phase.is_level();
+    let is_not_free = |name: &str| match name {
+        "tilt" | "tilt_rate" | "yaw_rate" => stands,
+        "spin_rate" => stands || *friction == FrictionLaw::InPlace,
+        _ => false,
+    };
+    let u = without(&u, SHAKEN_PARAMETERS.map(is_not_free));
+    with_values(&u, &at.into_array())
+}

@@ -1,0 +1,133 @@
+"""Derivatives of motions on a table that moves, against neighbouring motions and by hand."""
+
+import math
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import rimroll as rr
+from rimroll.motion.jacobian import PARAMETERS, QUANTITIES, SHAKEN_PARAMETERS
+
+COLUMN = rr.Body(
+    mass=1000.0,
+    radius=0.5,
+    height=2.0,
+    transverse_inertia=1395.8333333333333,
+    axial_inertia=125.0,
+)
+"""A solid cylinder of stone, 4 m high."""
+
+GROUND = rr.ground.sine(amplitude=(3.0, 1.5, 2.0), period=(1.2, 0.8, 0.5), cycles=(1, 1, 2))
+LEANING = rr.State(tilt=0.05, yaw=0.3)
+
+
+def shaken(start=LEANING, *, body=COLUMN, scale=1.0, law=None, duration=1.5, **options):
+    ground = GROUND.scaled(scale)
+    options = {"rtol": 1e-12, "gravity": 9.81, "jacobian": True} | options
+    return rr.simulate(body, start, law or rr.NoSlip(), duration, ground=ground, **options)
+
+
+def slope(function, width):
+    """A difference quotient of the fourth order."""
+    near, far = ((function(h) - function(-h)) / (2.0 * h) for h in (width, 2.0 * width))
+    return (4.0 * near - far) / 3.0
+
+
+CHANGES = {
+    "tilt": lambda by: {"start": replace(LEANING, tilt=LEANING.tilt + by)},
+    "height": lambda by: {"body": replace(COLUMN, height=COLUMN.height + by)},
+    "gravity": lambda by: {"gravity": 9.81 + by},
+    "ground_scale": lambda by: {"scale": 1.0 + by},
+}
+
+
+@pytest.mark.parametrize("parameter", CHANGES)
+def test_a_jacobian_is_the_difference_of_neighbouring_motions(parameter):
+    """Differences over 2e-4 of motions that are right to 1e-12 have some eight digits."""
+    t = np.array([0.3, 0.7, 1.4])
+    jacobian = shaken().jacobian(t)
+    assert jacobian.values.shape == (3, len(QUANTITIES), len(SHAKEN_PARAMETERS))
+    assert jacobian.parameters == SHAKEN_PARAMETERS == (*PARAMETERS, "ground_scale")
+    for quantity in QUANTITIES:
+
+        def state(by, quantity=quantity):
+            return getattr(shaken(**CHANGES[parameter](by), jacobian=False)(t), quantity)
+
+        expected = slope(state, 1e-4)
+        np.testing.assert_allclose(jacobian[quantity, parameter], expected, rtol=1e-6, atol=1e-6)
+
+
+def test_a_jacobian_on_a_moving_table_names_the_scale():
+    motion = shaken()
+    dataset = motion.jacobian([0.1, 0.2]).to_xarray()
+    assert dataset.parameter.values.tolist() == list(SHAKEN_PARAMETERS)
+    assert dataset.sel(parameter="ground_scale").parameter_units == "1"
+    assert "ground_scale" in repr(motion.jacobian(0.1))
+    at_rest = rr.simulate(COLUMN, LEANING, rr.NoSlip(), 1.0, jacobian=True).jacobian(0.1)
+    assert at_rest.parameters == PARAMETERS
+    with pytest.raises(rr.RimrollError, match="unknown parameter 'ground_scale'"):
+        at_rest["tilt", "ground_scale"]
+
+
+def test_what_becomes_of_a_body_has_derivatives():
+    start = rr.State.standing()
+    motion = shaken(start)
+    found = motion.outcome_jacobian
+    names = ("max_tilt", "uplift_time", "residual_x", "residual_yaw")
+
+    def outcome(by):
+        other = shaken(start, scale=1.0 + by, jacobian=False)
+        x, _ = other.residual_displacement
+        return np.array([other.max_tilt, other.uplift_time, x, other.residual_yaw])
+
+    # After an uplift derivatives are right to about 1e-5.
+    expected = slope(outcome, 1e-4)
+    for name, value in zip(names, expected, strict=True):
+        assert found[name]["ground_scale"] == pytest.approx(value, rel=3e-5, abs=1e-6)
+        assert tuple(found[name]) == SHAKEN_PARAMETERS
+        assert math.isnan(found[name]["tilt"])
+    assert found["end_time"]["ground_scale"] == 0.0
+
+
+def test_a_sine_lifts_a_column_earlier_if_it_is_stronger():
+    """A sin(2πt/T) = gR/H: s dt/ds = -tan(2πt/T) T/2π."""
+    ground = rr.ground.sine(amplitude=4.0, period=1.2)
+    options = {"gravity": 9.81, "ground": ground, "jacobian": True}
+    motion = rr.simulate(COLUMN, rr.State.standing(), rr.NoSlip(), 0.6, **options)
+    rate = 2.0 * math.pi / 1.2
+    expected = -math.tan(rate * motion.uplift_time) / rate
+    found = motion.outcome_jacobian["uplift_time"]
+    assert found["ground_scale"] == pytest.approx(expected, abs=1e-13)
+    assert found["radius"] * COLUMN.radius == pytest.approx(-expected, abs=1e-13)
+
+
+def test_a_motion_that_topples_has_a_derivative_of_its_end():
+    def ending(by):
+        motion = shaken(scale=2.5 + by, duration=6.0, jacobian=False)
+        assert motion.status == "toppled"
+        return motion.overturning_time
+
+    motion = shaken(scale=2.5, duration=6.0)
+    found = motion.outcome_jacobian
+    # The factor is that on the ground that was given, which is 2.5 times the other.
+    expected = 2.5 * slope(ending, 1e-4)
+    assert found["end_time"]["ground_scale"] == pytest.approx(expected, rel=1e-6)
+    assert found["max_tilt"]["ground_scale"] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_pickles_keep_derivatives():
+    motion = shaken()
+    copy = pickle.loads(pickle.dumps(motion))
+    assert np.array_equal(copy.jacobian(1.0).values, motion.jacobian(1.0).values)
+
+
+def test_derivatives_that_there_are_not_are_refused():
+    with pytest.raises(rr.RimrollError, match="no derivative of this motion is offered"):
+        shaken(law=rr.Coulomb(0.1))
+    at_rest = rr.simulate(COLUMN, LEANING, rr.NoSlip(), 1.0, jacobian=True)
+    with pytest.raises(rr.RimrollError, match="on a table at rest"):
+        _ = at_rest.outcome_jacobian
+    with pytest.raises(rr.RimrollError, match="jacobian=True"):
+        _ = shaken(jacobian=False).outcome_jacobian
