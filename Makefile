@@ -83,7 +83,7 @@ msrv: ## compile with the oldest Rust that Cargo.toml names
 
 clean: ## remove everything that was installed or built
 	rm -rf .venv web/node_modules target out dist
-	rm -rf python/rimroll/page python/rimroll/_core.*so web/src/core/rimroll.wasm
+	rm -rf python/rimroll/page python/rimroll/_core.*so web/src/core/*.wasm
 
 $(REPORT): $(PACKAGE) .venv/.extension
 	.venv/bin/rimroll reproduce --output $(@D)
@@ -92,6 +92,7 @@ $(PAGE): $(WEB) web/src/core/rimroll.wasm web/node_modules/.installed
 	tools/node.sh vite build --logLevel warn
 	tools/node.sh vite build --logLevel warn --mode alone  # for rimroll.lab
 
+# The script also builds rimroll-ground.wasm.
 web/src/core/rimroll.wasm: $(WASM) tools/build_wasm.sh tools/debian_rust.sh | toolchain
 	tools/build_wasm.sh
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Compiles the Rust core to WebAssembly for the page. The standard library for that target comes from
+# Compiles the Rust core to WebAssembly for the page: without tables that move, and with them for a visitor who
+# shakes the floor. The standard library for that target comes from
 # rustup, or from Debian if rustup has none; RIMROLL_WASM=rustup or =debian chooses one. Results of the
 # core are the same to the last bit with either.
 set -eu
@@ -11,8 +12,15 @@ target=wasm32-unknown-unknown
 # for the others makes the file an eighth smaller, and dry friction a twentieth slower.
 export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-C target-feature=+simd128 -C llvm-args=-inline-threshold=20"
 build() {
-    cargo "$@" build --quiet --package rimroll-wasm --profile page --target "$target"
-    cp "${CARGO_TARGET_DIR:-target}/$target/page/rimroll_wasm.wasm" web/src/core/rimroll.wasm
+    compile rimroll-ground.wasm "$@" --features ground
+    # The last, for it is the one that make compares with the sources.
+    compile rimroll.wasm "$@"
+}
+compile() {
+    file=$1
+    shift
+    cargo build "$@" --quiet --package rimroll-wasm --profile page --target "$target"
+    cp "${CARGO_TARGET_DIR:-target}/$target/page/rimroll_wasm.wasm" "web/src/core/$file"
 }
 
 # A Rust that is not from rustup may also have the target.

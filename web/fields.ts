@@ -2,11 +2,14 @@
 // set-up with the same table as the page.
 
 import type { Plugin } from "vite";
-import { FIELDS, type NumberField, type ChoiceField } from "./src/setup/fields";
+import { FIELDS, type ChoiceField, type NumberField, type RecordField } from "./src/setup/fields";
 import { SPEEDS } from "./src/setup/playback";
 
-/** The accepted values of a quantity: choices, or numbers within bounds. */
-type Allowed = { choices: string[] } | Pick<NumberField, "unit" | "min" | "max" | "open" | "whole">;
+/** The accepted values of a quantity: choices, texts of a pattern, or numbers within bounds. */
+type Allowed =
+  | { choices: string[] }
+  | { pattern: string }
+  | Pick<NumberField, "unit" | "min" | "max" | "open" | "whole">;
 
 export function fields(file: string): Plugin {
   return {
@@ -20,9 +23,10 @@ export function fields(file: string): Plugin {
 
 /** The accepted values of each quantity by name. */
 export function allowed(): Record<string, Allowed> {
-  const quantities = Object.entries<NumberField | ChoiceField>(FIELDS).map(
+  const quantities = Object.entries<NumberField | ChoiceField | RecordField>(FIELDS).map(
     ([name, field]): [string, Allowed] => {
       if (field.kind === "choice") return [name, { choices: Object.keys(field.choices) }];
+      if (field.kind === "record") return [name, { pattern: field.pattern }];
       const { unit, min, max, open = false, whole = false } = field;
       return [name, { unit, min, max, open, whole }];
     },

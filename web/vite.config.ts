@@ -2,6 +2,7 @@ import { defineConfig } from "vitest/config";
 import { ALONE, aloneBuild, onlyScript } from "./alone";
 import { fields } from "./fields";
 import { licences } from "./licences";
+import { smallShaders } from "./shaders";
 
 export default defineConfig(({ mode }) => ({
   // Relative addresses let the page work from any folder of any server.
@@ -12,10 +13,14 @@ export default defineConfig(({ mode }) => ({
     emptyOutDir: true,
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    cssCodeSplit: false, // one file, which rimroll.lab puts into its page
     chunkSizeWarningLimit: 800, // kB, most of it three.js
     ...(mode === ALONE && aloneBuild),
   },
-  plugins: mode === ALONE ? [onlyScript()] : [licences("licences.txt"), fields("setup.json")],
+  plugins: [
+    smallShaders(),
+    ...(mode === ALONE ? [onlyScript()] : [licences("licences.txt"), fields("setup.json")]),
+  ],
   test: {
     // Run one browser at a time, because drawing in software uses all processors.
     fileParallelism: false,

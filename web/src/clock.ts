@@ -23,7 +23,9 @@ class Schedule {
     const shown = new Float64Array(t.length);
     for (let k = 1; k < t.length; k++) {
       const [dt, turned] = [at(t, k) - at(t, k - 1), Math.abs(at(yaw, k) - at(yaw, k - 1))];
-      shown[k] = at(shown, k - 1) + (stretched ? Math.max(dt, turned / MAX_CONTACT_RATE) : dt);
+      // At an instant the contact point may jump, where the base comes down flat or lifts off.
+      const slow = stretched && dt > 0;
+      shown[k] = at(shown, k - 1) + (slow ? Math.max(dt, turned / MAX_CONTACT_RATE) : dt);
     }
     return new Schedule(t, shown);
   }

@@ -13,6 +13,7 @@ import { Clock } from "./clock";
 import type { Core, Theory } from "./core/core";
 import { type Moment, type Motion, type Turn, headingOf } from "./core/motion";
 import { reasonOrRethrow } from "./core/reason";
+import type { Displacement, Shaker, Shaking } from "./floor/shaking";
 import { type Flick, simulateFlicks } from "./falls/flicks";
 import { type Preview, previewOf } from "./falls/preview";
 import { type SimulationInput, simulationInput } from "./setup/simulation_input";
@@ -68,6 +69,14 @@ export class Lab {
   /** Results of all flicks, including those not shown yet. */
   readonly flicks: ReadonlySignal<readonly Flick[]>;
   readonly outcome: ReadonlySignal<Outcome>;
+  /** What shakes the floor; undefined until a set-up needs it and it is loaded. */
+  readonly shaker: Signal<Shaker | undefined> = signal(undefined);
+  /** Why there is no shaker, as the end of a sentence. */
+  readonly shakerMissing: Signal<string> = signal("is being loaded");
+  /** Where a hand holds the table, m; undefined if none does. */
+  readonly tableHeld: Signal<Displacement | undefined> = signal(undefined);
+  /** Azimuth of the camera, rad. */
+  azimuth = -Math.PI / 2;
   /** Whether the complete motion is wanted, however long that takes. */
   private readonly completeWanted: Signal<boolean> = signal(false);
   readonly motion: ReadonlySignal<Motion | undefined>;
@@ -76,18 +85,27 @@ export class Lab {
   /** The state of the motion at the time shown. */
   readonly moment: ReadonlySignal<Moment | undefined>;
   readonly turnProgress: ReadonlySignal<TurnProgress | undefined>;
+  /** How the floor moves, if it moves. */
+  readonly shaking: ReadonlySignal<Shaking | undefined>;
 
   constructor(readonly core: Core) {
     const release = computed(() => withoutFlicks(this.setup.value));
     this.outcome = computed(() => {
       const maxSteps = this.completeWanted.value ? Infinity : FIRST_STEPS;
-      return outcomeOf(core, JSON.parse(release.value) as Setup, maxSteps);
+      const setup = JSON.parse(release.value) as Setup;
+      if (setup.floor === "rest") return outcomeOf(core, undefined, setup, maxSteps);
+      const shaker = this.shaker.value;
+      if (shaker) return outcomeOf(core, shaker, setup, maxSteps);
+      return { refused: `the part of this page that shakes the floor ${this.shakerMissing.value}` };
     });
     this.motion = computed(() =>
       "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
     );
     this.theory = computed(() =>
       "theory" in this.outcome.value ? this.outcome.value.theory : undefined,
+    );
+    this.shaking = computed(() =>
+      "motion" in this.outcome.value ? this.outcome.value.input.shaking : undefined,
     );
     this.preview = computed(() => {
       const held = this.held.value;
@@ -157,12 +175,21 @@ function withoutFlicks(setup: Readonly<Setup>): string {
 const isPartial = (outcome: Outcome) => "motion" in outcome && outcome.partial;
 
 /** Computes the motion with a limited number of steps. */
-function outcomeOf(core: Core, setup: Readonly<Setup>, limit: number): Outcome {
+function outcomeOf(
+  core: Core,
+  shaker: Shaker | undefined,
+  setup: Readonly<Setup>,
+  limit: number,
+): Outcome {
   try {
-    const input = simulationInput(core, setup);
-    const { body, start, contactLaw, options } = input;
+    const atRest = simulationInput(core, setup);
+    const input = shaker ? shaker.inputOf(setup, atRest) : atRest;
+    const { body, start, contactLaw, options, shaking } = input;
     const maxSteps = Math.min(limit, options.maxSteps);
-    const motion = core.simulate(body, start, contactLaw, { ...options, maxSteps });
+    const limited = { ...options, maxSteps };
+    const motion = shaking
+      ? shaking.simulate({ ...input, options: limited })
+      : core.simulate(body, start, contactLaw, limited);
     try {
       const theory = core.theory(body, start, contactLaw, options.gravity);
       const partial = maxSteps < options.maxSteps && motion.ranOutOfSteps;

@@ -4,9 +4,9 @@ import { followAnchors } from "./anchors";
 import { mountControls } from "./controls/controls";
 import { Core } from "./core/core";
 import { element } from "./elements";
+import { shakeOnDemand } from "./floor/loading";
 import { mountFlicks } from "./flicks/flicks";
 import { Lab } from "./lab";
-import { mountPlots } from "./plots/plots";
 import { mountScene } from "./scene/scene";
 import { keepInAddress } from "./setup/address";
 import { mountShare } from "./share/share";
@@ -18,10 +18,14 @@ import { mountVerdict } from "./verdict/verdict";
 
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 
+// The plots are below the first view, so that the other parts need not wait for them.
+const loadingPlots = import("./plots/plots");
+
 async function start(): Promise<void> {
   const core = await Core.load(await coreOfPage());
   const lab = new Lab(core);
   keepInAddress(lab);
+  shakeOnDemand(lab);
   startTicker(lab.clock);
   mountScene(lab, section("scene"));
   mountTransport(lab, section("transport"));
@@ -29,7 +33,7 @@ async function start(): Promise<void> {
   mountStory(lab, section("story"));
   mountControls(lab, section("controls"));
   mountFlicks(lab, section("flicks"));
-  mountPlots(lab, section("plots"));
+  loadingPlots.then(({ mountPlots }) => mountPlots(lab, section("plots"))).catch(console.error);
   mountShare(lab, section("share"));
 }
 

@@ -29,7 +29,8 @@ impl Arguments {
         Some(self.number()).filter(|number| !number.is_nan())
     }
 
-    fn array<const N: usize>(&mut self) -> [f64; N] {
+    /// The next numbers.
+    pub fn array<const N: usize>(&mut self) -> [f64; N] {
         core::array::from_fn(|_| self.number())
     }
 

@@ -13,4 +13,6 @@ mod bodies;
 mod exchange;
 mod falls;
 mod motion;
+#[cfg(feature = "ground")]
+mod shaken;
 mod theory;

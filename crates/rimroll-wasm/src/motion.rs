@@ -10,7 +10,12 @@ use rimroll::{FrictionLaw, InvalidInput, Motion};
 /// null if the core refuses it. Arguments: body, start, contact law, options.
 #[unsafe(no_mangle)]
 pub extern "C" fn simulate() -> *mut Motion {
-    unless_refused(computed(Arguments::new())).map_or(core::ptr::null_mut(), |motion| {
+    kept(computed(Arguments::new()))
+}
+
+/// The address of a motion that is kept until [`forget`] is called; null if the core refused it.
+pub fn kept(motion: Result<Motion, InvalidInput>) -> *mut Motion {
+    unless_refused(motion).map_or(core::ptr::null_mut(), |motion| {
         Box::into_raw(Box::new(motion))
     })
 }

@@ -7,6 +7,7 @@ import { SetupForm } from "../inputs/setup_form";
 import { type NumberName, numberRow } from "../inputs/number";
 import type { Lab } from "../lab";
 import { BODY_FIELDS } from "../setup/fields";
+import { floorGroup } from "./floor";
 import { frictionRow, idleUnderIdealLaws } from "./friction";
 import { hintFor } from "./hint";
 
@@ -15,15 +16,17 @@ const MORE: NumberName[] = ["twist", "yaw", "rolling", "restitution", "gravity",
 
 export function mountControls(lab: Lab, place: HTMLElement): void {
   const form = new SetupForm(lab);
-  const rows = (names: readonly NumberName[]) => names.map((name) => numberRow(form, name).row);
+  const idle = () => (isStanding(form) ? "The body stands flat, at rest." : undefined);
+  const release = RELEASE.map((name) => numberRow(form, name, idle).row);
   place.append(
     element("h2", { class: "unseen" }, "Set-up"),
     choiceList(form, "body"),
     ...bodyRows(form),
-    ...rows(RELEASE),
+    ...release,
     choiceButtons(form, "law"),
     frictionRow(form),
     more(form),
+    floorGroup(form),
     otherRefusals(lab),
     element(
       "div",
@@ -33,6 +36,12 @@ export function mountControls(lab: Lab, place: HTMLElement): void {
       button("Reset", () => form.reset(), { id: "reset" }),
     ),
   );
+}
+
+/** Whether the body starts flat on its base, on a floor that moves. */
+function isStanding({ lab }: SetupForm): boolean {
+  const { floor, start } = lab.setup.value;
+  return floor !== "rest" && start === "standing";
 }
 
 /** The numbers that only some bodies have, shown only with these bodies. */

@@ -94,7 +94,7 @@ export class Core {
   /** Names in the order of the core, which refers to them by index. */
   private readonly names: Readonly<Record<"laws" | "outcomes" | "presets" | "shapes", string[]>>;
 
-  private constructor(private readonly exchange: Exchange) {
+  protected constructor(protected readonly exchange: Exchange) {
     const { core } = exchange;
     const names = (list: () => void) => {
       list();
@@ -135,13 +135,22 @@ export class Core {
 
   /** Computes a motion. Throws {@link Refused} for invalid input. */
   simulate(body: Body, start: State, contactLaw: ContactLaw, options: Options): Motion {
-    this.exchange.put([
+    this.exchange.put(this.simulationNumbers(body, start, contactLaw, options));
+    return new Motion(this.exchange, this.exchange.checked(this.exchange.core.simulate()));
+  }
+
+  protected simulationNumbers(
+    body: Body,
+    start: State,
+    contactLaw: ContactLaw,
+    options: Options,
+  ): number[] {
+    return [
       ...bodyNumbers(body),
       ...startNumbers(start),
       ...this.contactLawNumbers(contactLaw),
       ...optionNumbers(options),
-    ]);
-    return new Motion(this.exchange, this.exchange.checked(this.exchange.core.simulate()));
+    ];
   }
 
   /** Computes the first turn from each start; `frictionScale` multiplies the friction. */

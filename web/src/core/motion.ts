@@ -66,7 +66,8 @@ export interface Event {
   moment: Moment;
 }
 
-/** A phase of a motion between two times (s): `rolling`, `sliding`, `flying` or `lying`. */
+/** A phase of a motion between two times (s): `rolling`, `sliding`, `flying`, `lying` or, on a floor that moves,
+ * `standing`, `sliding_flat` or `flying_level`. */
 export interface Phase {
   kind: string;
   start: number;

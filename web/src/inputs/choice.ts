@@ -1,11 +1,14 @@
 // One choice of the set-up, as a list or as radio buttons side by side.
 
 import { effect } from "@preact/signals-core";
-import { type ChoiceField, FIELDS } from "../setup/fields";
+import { type ChoiceField, FIELDS, type FieldName } from "../setup/fields";
 import { element } from "../elements";
 import type { SetupForm } from "./setup_form";
 
-type ChoiceName = "body" | "law";
+/** Names of the choices. */
+type ChoiceName = {
+  [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "choice" ? Name : never;
+}[FieldName];
 
 export function choiceList(form: SetupForm, name: ChoiceName): HTMLElement {
   const field: ChoiceField = FIELDS[name];

@@ -1,7 +1,8 @@
-// The five figures and their lines.
+// The figures and their lines.
 
 import type { LawName, Theory } from "../core/core";
 import type { Column, Moment, Moments, Motion } from "../core/motion";
+import type { Shaking, TableMotion } from "../floor/shaking";
 import type { Colour } from "./palette";
 import { countBelow } from "./sampled";
 import type { Values } from "./thinned";
@@ -12,6 +13,8 @@ export interface Subject {
   theory: Theory | undefined;
   law: LawName;
   friction: number;
+  /** How the floor moves, if it moves. */
+  shaking: Shaking | undefined;
   /** Smallest potential energy of the motion, J, from which energies are counted. */
   ground: number;
 }
@@ -45,7 +48,21 @@ export interface Figure {
 
 const DEGREES = 180 / Math.PI;
 
+/** The figure of a floor that moves. */
+export const FLOOR = "floor";
+
 export const FIGURES: readonly Figure[] = [
+  {
+    name: FLOOR,
+    title: "Floor, acceleration",
+    unit: "m/s²",
+    include: 0,
+    lines: [
+      ofFloor("along x", "ground_acceleration_x", "plot-first"),
+      { ...ofFloor("along y", "ground_acceleration_y", "plot-second"), dash: [7, 3] },
+      { ...ofFloor("upward", "ground_acceleration_z", "plot-third"), dash: [2, 3] },
+    ],
+  },
   {
     name: "tilt",
     title: "Tilt",
@@ -126,6 +143,19 @@ function plain(label: string, column: Column, colour: Colour, factor = 1): Line 
     colour,
     values: (moments) => finite(moments.column(column), factor),
     now: (moment) => factor * moment[column],
+  };
+}
+
+/** A component of the motion of the table; nothing is drawn if it is zero throughout. */
+function ofFloor(label: string, column: keyof TableMotion, colour: Colour): Line {
+  return {
+    label,
+    colour,
+    values: (moments, { shaking }) => {
+      const values = shaking?.at(moments.column("t"))[column];
+      return values?.some((value) => value !== 0) ? values : constant(moments, NaN);
+    },
+    now: ({ t }, { shaking }) => shaking?.at([t])[column][0] ?? NaN,
   };
 }
 

@@ -10,6 +10,9 @@ const PHASES: Record<string, Colour> = {
   rolling: "rolling",
   sliding: "sliding",
   flying: "flying",
+  standing: "plot-fourth",
+  sliding_flat: "sliding",
+  flying_level: "flying",
   lying: "muted",
 };
 
@@ -20,6 +23,8 @@ const EVENTS: Record<string, Colour> = {
   stick: "rolling",
   lift_off: "flying",
   land: "flying",
+  uplift: "rolling",
+  stand: "plot-fourth",
   face_down: "warn",
   topple: "warn",
 };

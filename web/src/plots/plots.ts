@@ -1,11 +1,11 @@
-// Five plots over a common time axis, linked to the time shown.
+// Plots over a common time axis, linked to the time shown.
 
 import { computed, effect, signal } from "@preact/signals-core";
 import "uplot/dist/uPlot.min.css";
 import { element } from "../elements";
 import type { Lab } from "../lab";
 import { Chart } from "./chart";
-import { FIGURES, type Subject } from "./figures";
+import { FIGURES, FLOOR, type Subject } from "./figures";
 import { attachGestures } from "./gestures";
 import { paletteOf } from "./palette";
 import "./plots.css";
@@ -24,7 +24,7 @@ const HEIGHT = 210;
 export function mountPlots(lab: Lab, section: HTMLElement): void {
   const view = new View(lab.motion);
   const palette = paletteOf(section);
-  const chosen = signal(FIGURES[0]?.name);
+  const chosen = signal("tilt");
   const narrow = signal(matchMedia(NARROW).matches);
   matchMedia(NARROW).addEventListener("change", (query) => (narrow.value = query.matches));
   const width = signal(0);
@@ -41,13 +41,7 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   );
   const notes = element("div", { class: "notes" }, phaseKey(lab), hint);
   const grid = element("div", { class: "grid" }, ...charts.map((chart) => chart.root), notes);
-  const present = element(
-    "div",
-    {},
-    toolbar(lab, view),
-    chooser(FIGURES, FIGURES[0]?.name ?? "", (name) => (chosen.value = name)),
-    grid,
-  );
+  const present = element("div", {}, toolbar(lab, view), chooser(lab, FIGURES, chosen), grid);
   section.append(absent, present);
 
   const samples = computed(() => lab.motion.value?.curve());
@@ -56,11 +50,15 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     const all = samples.value;
     if (!motion || !all) return undefined;
     const { law, friction } = lab.setup.value;
+    const shaking = lab.shaking.value;
     const ground = all.column("potential_energy").reduce((a, b) => Math.min(a, b), Infinity);
-    return { motion, theory: lab.theory.value, law, friction, ground };
+    return { motion, theory: lab.theory.value, law, friction, shaking, ground };
   });
   const chosenCharts = computed(() =>
-    charts.filter((chart) => !narrow.value || chart.figure.name === chosen.value),
+    charts.filter(
+      ({ figure: { name } }) =>
+        (lab.shaking.value || name !== FLOOR) && (!narrow.value || name === chosen.value),
+    ),
   );
   // Plots out of sight are drawn later, when nothing has changed for a while, so that a slider redraws
   // only what is visible and screen readers still find current texts.

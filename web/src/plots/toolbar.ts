@@ -1,14 +1,24 @@
 // The bar above the plots: the stretch shown, zoom buttons, and a choice of plot on a narrow page.
 
-import { effect } from "@preact/signals-core";
+import { type Signal, effect } from "@preact/signals-core";
 import { element } from "../elements";
 import type { Lab } from "../lab";
-import type { Figure } from "./figures";
+import { FLOOR, type Figure } from "./figures";
 import { stretchText } from "./ticks";
 import type { View } from "./view";
 
 /** The phases and their colours. */
-const PHASES = { rolling: "rolling", sliding: "sliding", flying: "flying", lying: "muted" };
+const PHASES = {
+  standing: "plot-fourth",
+  rolling: "rolling",
+  sliding: "sliding",
+  sliding_flat: "sliding",
+  flying: "flying",
+  flying_level: "flying",
+  lying: "muted",
+};
+
+const inWords = (phase: string) => phase.replace("_", " ");
 
 export function toolbar(lab: Lab, view: View): HTMLElement {
   const about = () => {
@@ -49,11 +59,11 @@ export function phaseKey(lab: Lab): HTMLElement {
   effect(() => {
     const time = lab.clock.time.value;
     const phase = lab.motion.value?.phases.findLast((phase) => phase.start <= time);
-    now.textContent = phase ? `At the time shown it is ${phase.kind}.` : "";
+    now.textContent = phase ? `At the time shown it is ${inWords(phase.kind)}.` : "";
   });
   const entries = Object.entries(PHASES).map(([phase, colour]) => {
     const swatch = element("i", { class: "area", style: `--swatch: var(--${colour})` });
-    const entry = element("span", { class: "entry" }, swatch, phase);
+    const entry = element("span", { class: "entry" }, swatch, inWords(phase));
     effect(() => {
       entry.hidden = !lab.motion.value?.phases.some(({ kind }) => kind === phase);
     });
@@ -63,20 +73,25 @@ export function phaseKey(lab: Lab): HTMLElement {
 }
 
 /** The choice of one figure on a narrow page. */
-export function chooser(
-  figures: readonly Figure[],
-  chosen: string,
-  choose: (name: string) => void,
-): HTMLElement {
+export function chooser(lab: Lab, figures: readonly Figure[], chosen: Signal<string>): HTMLElement {
   const choices = figures.map(({ name, title }) => {
     const radio = element("input", {
       type: "radio",
       name: "plot-chosen",
       value: name,
-      checked: name === chosen,
     });
-    radio.addEventListener("change", () => choose(name));
-    return element("label", {}, radio, element("span", {}, title.split(" ")[0] as string));
+    radio.addEventListener("change", () => (chosen.value = name));
+    effect(() => {
+      radio.checked = name === chosen.value;
+    });
+    const [first] = title.split(/[ ,]/);
+    const label = element("label", {}, radio, element("span", {}, first as string));
+    if (name === FLOOR)
+      effect(() => {
+        label.hidden = !lab.shaking.value;
+        if (label.hidden && chosen.peek() === FLOOR) chosen.value = "tilt";
+      });
+    return label;
   });
   return element("div", { class: "chooser", role: "radiogroup", "aria-label": "Plot" }, ...choices);
 }

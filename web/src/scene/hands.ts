@@ -68,7 +68,7 @@ export class Hands {
   }
 
   private letGo(part: Partial<Setup>): void {
-    this.lab.change(part);
+    this.lab.change({ ...part, start: "tilted" });
     this.lab.held.value = undefined;
     // Compute the rest now, not while the motion is playing.
     this.lab.complete();

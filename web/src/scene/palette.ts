@@ -5,8 +5,9 @@ export interface Palette {
   ink: string;
   muted: string;
   raised: string;
-  /** Colour of the three-dimensional table. */
+  /** Colours of the three-dimensional table, and of the room's floor under a table that is shaken. */
   table: string;
+  room: string;
   rolling: string;
   sliding: string;
   flying: string;
@@ -25,6 +26,7 @@ export function readPalette(): Palette {
     muted: color("--muted", "#535e67", "#a4b0b9"),
     raised: color("--raised", "#ffffff", "#1a2127"),
     table: dark ? "#33404a" : "#d8c4a2",
+    room: dark ? "#242c32" : "#c3c9c6",
     rolling: color("--rolling", "#0072b2", "#56b4e9"),
     sliding: color("--sliding", "#d55e00", "#f0883e"),
     flying: color("--flying", "#7a5bd0", "#b9a4ff"),

@@ -2,9 +2,17 @@
 // has changed.
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
-import { type Lab, type Outcome, type TurnProgress, bodyAngleAlongContact } from "../lab";
+import {
+  type Lab,
+  type Outcome,
+  type Simulated,
+  type TurnProgress,
+  bodyAngleAlongContact,
+} from "../lab";
 import type { Moment, Motion } from "../core/motion";
+import type { InPicture } from "../floor/shaking";
 import { formatDegrees } from "../format/numbers";
+import { prefersReducedMotion } from "../reduced_motion";
 import { BODY_FIELDS, BODY_NOUNS } from "../setup/fields";
 import type { Held } from "../setup/release";
 import type { Setup } from "../setup/setup";
@@ -34,6 +42,7 @@ import { Protractor } from "./protractor";
 import { PIXEL } from "./ribbon";
 import { Ruler } from "./ruler";
 import { Shade } from "./shade";
+import type { ShakenTable } from "./shaken";
 import { Slip } from "./slip";
 import { Stage } from "./stage";
 import { Table } from "./table";
@@ -41,6 +50,9 @@ import { Trail } from "./trail";
 import { View } from "./view";
 import { type Limit, Wedge } from "./wedge";
 import { Labels } from "./labels";
+
+/** How far a shaken table may be from the middle of the picture, in radii of the circle of degrees. */
+const LEASH = 0.6;
 
 const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 
@@ -56,6 +68,8 @@ export class Picture {
   readonly view: View;
   private readonly stage: Stage;
   private readonly table = new Table();
+  /** Loaded when the floor is first shaken. */
+  private shaken: ShakenTable | undefined;
   private readonly protractor = new Protractor();
   private readonly ruler = new Ruler();
   private readonly trail = new Trail();
@@ -75,6 +89,8 @@ export class Picture {
   private rim: Rim = { radius: 1, height: 0 };
   /** Radius of the circle of degrees, m. */
   private reach = 1;
+  /** Side of a square of the grid, in radii of the circle of degrees. */
+  private cell = 1;
   private readonly frameRate = new FrameRate();
   /** Speed scale √(gR) of the body, m/s. */
   private speed = 1;
@@ -102,7 +118,7 @@ export class Picture {
     private readonly frame: Frame,
   ) {
     this.stage = new Stage(frame.canvas);
-    this.table.setEnvironment(this.stage.scene.environment);
+    this.setEnvironment();
     this.view = new View(this.stage.camera);
     this.labels = new Labels(frame.words);
     this.labelIds = {
@@ -144,15 +160,21 @@ export class Picture {
   /** Restores the graphics context after a loss. */
   readonly restore = (): void => {
     this.stage.buildEnvironment();
-    this.table.setEnvironment(this.stage.scene.environment);
+    this.setEnvironment();
     this.repaint();
   };
+
+  private setEnvironment(): void {
+    const { environment } = this.stage.scene;
+    for (const one of [this.table, this.shaken]) one?.setEnvironment(environment);
+  }
 
   /** Applies changed colours. */
   readonly repaint = (): void => {
     this.palette = readPalette();
     this.stage.paint(this.palette);
     this.table.paint(this.palette);
+    this.shaken?.paint(this.palette);
     this.wedge.repaint(this.palette);
     this.slip.paint(this.palette);
     this.shade.paint(this.palette);
@@ -195,6 +217,7 @@ export class Picture {
     const placement = this.place(lab.held.peek(), setup);
     this.followBody(placement);
     const gliding = this.view.update(now);
+    this.moveTable();
     camera.updateMatrixWorld();
     this.mark(placement);
     this.showTurn(lab.held.peek() ? undefined : lab.turnProgress.peek());
@@ -204,6 +227,36 @@ export class Picture {
     if (gliding) this.changed();
     if (lab.clock.playing.peek() && this.frameRate.isSlow(now) && this.stage.coarsen())
       this.resize();
+  }
+
+  /** Moves the table in the picture if the floor is shaken. */
+  private moveTable(): void {
+    const { lab, reach, stage, view } = this;
+    lab.azimuth = view.azimuth;
+    const place = this.tablePlace();
+    this.shaken?.place(place, view.focus, stage.camera, 1 / reach);
+  }
+
+  /** Shows the edges of a table that is shaken. */
+  private holdTable(simulated: Simulated | undefined): void {
+    if (!simulated?.input.shaking) return this.shaken?.hide();
+    if (this.shaken) return this.shaken.hold(simulated.motion, 1 / this.reach);
+    import("./shaken").then(({ ShakenTable }) => {
+      this.shaken ??= new ShakenTable(this.table, this.stage.scene);
+      this.shaken.setCell(this.cell);
+      this.setEnvironment();
+      this.repaint();
+    }, console.error);
+  }
+
+  private tablePlace(): InPicture {
+    const { lab, reach } = this;
+    const still = { x: 0, y: 0, z: 0 };
+    const held = lab.tableHeld.peek();
+    if (held) return { table: held, camera: still };
+    const shaking = lab.held.peek() ? undefined : lab.shaking.peek();
+    if (!shaking || prefersReducedMotion()) return { table: still, camera: still };
+    return shaking.inPicture(lab.clock.time.peek(), LEASH * reach);
   }
 
   /** Builds the picture of the body again if the body has changed. */
@@ -221,7 +274,8 @@ export class Picture {
     this.reach = reachOf(this.size);
     this.view.frame(this.size.length / this.reach);
     const cell = powerOfTen(this.reach / 2.5);
-    this.table.setCell(cell / this.reach);
+    this.cell = cell / this.reach;
+    for (const one of [this.table, this.shaken]) one?.setCell(this.cell);
     this.frame.scale.textContent = `1 square = ${formatLength(cell)}`;
     this.followed = undefined;
   }
@@ -233,6 +287,7 @@ export class Picture {
     this.followed = simulated?.motion;
     this.trail.mesh.visible = simulated !== undefined;
     this.centre.of = NaN;
+    this.holdTable(simulated);
     if (!simulated) {
       // Without a motion the body is drawn tipped about its rim, for which its height does not matter.
       this.rim = { radius: this.size.rim, height: 0 };
@@ -338,6 +393,8 @@ export class Picture {
     const toward = (contact.x - pose.x) * ex + (contact.y - pose.y) * ey;
     const near = toward > -0.3 * this.rim.radius * flat && position.z < 3 * flat;
     this.contact.group.quaternion.copy(quaternion);
+    const isLevel = kind === "standing" || kind === "sliding_flat" || kind === "flying_level";
+    this.contact.group.visible = !isLevel;
     this.contact.show(this.spot.x, this.spot.y, color, position.distanceTo(this.spot), near);
   }
 

@@ -49,7 +49,7 @@ function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Pict
   effect(() => {
     // A change of any of these signals redraws the scene.
     void [lab.setup.value, lab.outcome.value, lab.clock.time.value];
-    void [lab.held.value, lab.flicks.value, lab.flicksShown.value];
+    void [lab.held.value, lab.tableHeld.value, lab.flicks.value, lab.flicksShown.value];
     changed();
   });
   onTheme(picture.repaint);

@@ -1,10 +1,12 @@
 // The table: a round patch that fades into the page, with a grid of known length.
 
-import { CircleGeometry, Color, Mesh, MeshStandardMaterial, type Texture } from "three";
+import { CircleGeometry, Color, Mesh, MeshStandardMaterial, type Texture, Vector2 } from "three";
 import type { Palette } from "./palette";
 
 /** Radius of the table, in radii of the circle of degrees. */
 const EDGE = 7;
+/** Half the side of a table without visible edges. */
+const ENDLESS = 1e3;
 
 export class Table {
   readonly mesh: Mesh;
@@ -17,6 +19,8 @@ export class Table {
     ink: { value: new Color() },
     depth: { value: 0 },
     grain: { value: 0 },
+    edge: { value: ENDLESS },
+    shift: { value: new Vector2() },
   };
 
   constructor() {
@@ -26,10 +30,13 @@ export class Table {
     this.material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.grid);
       shader.vertexShader = shader.vertexShader
-        .replace("#include <common>", "#include <common>\nvarying vec2 spot, off;")
+        .replace(
+          "#include <common>",
+          "#include <common>\nvarying vec2 spot, off;\nuniform vec2 shift;",
+        )
         .replace(
           "#include <begin_vertex>",
-          "#include <begin_vertex>\noff = position.xy;\nspot = (modelMatrix * vec4(position, 1.0)).xy;",
+          "#include <begin_vertex>\noff = position.xy;\nspot = (modelMatrix * vec4(position, 1.0)).xy + shift;",
         );
       shader.fragmentShader = shader.fragmentShader
         .replace("#include <common>", `#include <common>\n${FUNCTIONS}`)
@@ -49,12 +56,22 @@ export class Table {
   }
 
   /** Moves the patch with the camera, while the grid stays. */
-  follow(x: number, y: number): void {
-    this.mesh.position.set(x, y, 0);
+  follow(x: number, y: number, z = 0): void {
+    this.mesh.position.set(x, y, z);
   }
 
-  paint({ table, ink, dark }: Palette): void {
-    this.material.color.set(table);
+  /** Moves the grid. */
+  slide(x: number, y: number): void {
+    this.grid.shift.value.set(-x, -y);
+  }
+
+  /** Cuts a square out of the patch, with half a side; without it the patch has no edges. */
+  cut(half = ENDLESS): void {
+    this.grid.edge.value = half;
+  }
+
+  paint({ table, ink, dark }: Palette, color = table): void {
+    this.material.color.set(color);
     this.grid.ink.value.set(ink);
     this.grid.depth.value = dark ? 0.085 : 0.17;
     this.grid.grain.value = dark ? 0.035 : 0.075;
@@ -64,7 +81,7 @@ export class Table {
 // Lines are one pixel wide at any distance and fade where they would overlap.
 const FUNCTIONS = `
 varying vec2 spot, off;
-uniform float cell, depth, grain;
+uniform float cell, depth, grain, edge;
 uniform vec3 ink;
 float lines(vec2 p) {
   vec2 w = fwidth(p);
@@ -95,5 +112,6 @@ diffuseColor.rgb *= 1.0 + grain * 2.0 * wood(spot);
 vec2 squares = spot / cell;
 float drawn = max(0.45 * lines(squares), lines(squares / 10.0));
 diffuseColor.rgb = mix(diffuseColor.rgb, ink, depth * drawn);
+if (max(abs(spot.x), abs(spot.y)) > edge) discard;
 float away = length(off);
 diffuseColor.a *= 1.0 - smoothstep(1.9, ${EDGE.toFixed(1)}, away);`;

@@ -32,6 +32,15 @@ export interface ChoiceField {
   help: string;
 }
 
+/** Accelerations that a visitor recorded, as a text; see floor/record.ts. */
+export interface RecordField {
+  kind: "record";
+  label: string;
+  initial: string;
+  /** A regular expression that all of the text matches. */
+  pattern: string;
+}
+
 /** The bodies that a visitor describes by numbers: by its parts, or by its mass and inertia. */
 export type Described = "own" | "inertia";
 
@@ -274,6 +283,96 @@ export const FIELDS = {
     slider: [0.5, 20, 0.5],
     help: "The time for which the motion is computed.",
   },
+  floor: {
+    kind: "choice",
+    label: "Floor",
+    initial: "rest",
+    choices: { rest: "At rest", pulse: "A pulse", hand: "By hand" },
+    help: "Whether the floor moves. The table moves with it, and does not turn.",
+  },
+  start: {
+    kind: "choice",
+    label: "Start",
+    initial: "tilted",
+    choices: { tilted: "Leaning", standing: "Standing flat" },
+    help: "Whether the body leans at first or stands flat on its base.",
+  },
+  pulse: {
+    kind: "choice",
+    label: "Shape",
+    initial: "sine",
+    choices: {
+      sine: "Sine",
+      cosine: "Cosine",
+      half_sine: "Half sine",
+      ricker: "Ricker wavelet",
+      rectangular: "Rectangle",
+    },
+    help: "The floor's acceleration over time.",
+  },
+  shake: {
+    kind: "number",
+    label: "Amplitude",
+    unit: "m/s²",
+    initial: 8,
+    min: 0,
+    max: 1000,
+    slider: [0, 20, 0.1],
+    help: "Largest horizontal acceleration. 9.81 is the gravity on Earth, 1 g.",
+  },
+  vertical: {
+    kind: "number",
+    label: "Vertical",
+    unit: "m/s²",
+    initial: 0,
+    min: -1000,
+    max: 1000,
+    slider: [-10, 10, 0.1],
+    help: "Largest vertical acceleration; positive is upward at first.",
+  },
+  period: {
+    kind: "number",
+    label: "Period",
+    unit: "s",
+    initial: 0.5,
+    min: 0.001,
+    max: 100,
+    slider: [0.05, 3, 0.05],
+    help: "Time of one oscillation; for a half sine and a rectangle, the time until it ends.",
+  },
+  cycles: {
+    kind: "number",
+    label: "Cycles",
+    unit: "",
+    initial: 1,
+    min: 0.01,
+    max: 1000,
+    slider: [0.5, 10, 0.5],
+    help: "Number of oscillations of a sine or a cosine.",
+  },
+  direction: {
+    kind: "number",
+    label: "Direction",
+    unit: "°",
+    initial: 0,
+    min: -360,
+    max: 360,
+    slider: [-180, 180, 1],
+    help: "The direction of the horizontal acceleration, as in “Leans toward”.",
+  },
+  flat: {
+    kind: "choice",
+    label: "Flat landing",
+    initial: "smooth_left",
+    choices: {
+      stop: "The motion ends",
+      smooth_left: "Runs round to the left",
+      smooth_right: "Runs round to the right",
+      housner: "Housner’s impact",
+    },
+    help: "What follows where the whole base comes down at once, which rigid-body mechanics does not determine.",
+  },
+  record: { kind: "record", label: "Record", initial: "", pattern: "([A-Za-z0-9_-]{4}){0,600}" },
   flicks: {
     kind: "number",
     label: "Flicks",
@@ -306,7 +405,7 @@ export const FIELDS = {
     slider: [1, 100, 1],
     help: "Seed of the random numbers. The same seed gives the same scatter.",
   },
-} as const satisfies Record<string, NumberField | ChoiceField>;
+} as const satisfies Record<string, NumberField | ChoiceField | RecordField>;
 
 export type FieldName = keyof typeof FIELDS;
 export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
@@ -319,6 +418,20 @@ export const FLICK_FIELDS = [
   "flicks",
   "unsteadiness",
   "seed",
+] as const satisfies readonly FieldName[];
+
+/** Fields of the floor. */
+export const FLOOR_FIELDS = [
+  "floor",
+  "start",
+  "pulse",
+  "shake",
+  "vertical",
+  "period",
+  "cycles",
+  "direction",
+  "flat",
+  "record",
 ] as const satisfies readonly FieldName[];
 
 /** Fields that only some bodies have. */

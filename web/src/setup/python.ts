@@ -4,15 +4,15 @@ import type { Body, State, ContactLaw } from "../core/core";
 import { digits } from "./digits";
 import type { SimulationInput } from "./simulation_input";
 
-export function toPython({ body, start, contactLaw, options }: SimulationInput): string {
+export function toPython({ body, start, contactLaw, options, shaking }: SimulationInput): string {
   return `import math
 import rimroll as rr
 
 body = ${bodyCode(body)}
-start = ${startCode(start)}
-law = ${lawCode(contactLaw)}
+start = ${shaking?.python.start ?? startCode(start)}
+law = ${lawCode(contactLaw)}${shaking ? `\nground = ${shaking.python.ground}` : ""}
 motion = rr.simulate(body, start, law, duration=${options.duration}, gravity=${options.gravity},
-                     rtol=${options.rtol}, max_steps=${options.maxSteps})
+                     rtol=${options.rtol}, max_steps=${options.maxSteps}${shaking ? `, ground=ground,\n                     flat="${shaking.python.flat}"` : ""})
 
 print(motion.message)
 for turn in motion.turns:

@@ -12,6 +12,10 @@ type Values = {
 export interface Setup extends Values {
   body: Preset | Described;
   law: LawName;
+  floor: keyof (typeof FIELDS)["floor"]["choices"];
+  start: keyof (typeof FIELDS)["start"]["choices"];
+  pulse: keyof (typeof FIELDS)["pulse"]["choices"];
+  flat: keyof (typeof FIELDS)["flat"]["choices"];
 }
 
 export const INITIAL = Object.freeze(
@@ -25,6 +29,10 @@ export function read(name: FieldName, text: string): { value: string | number } 
     if (Object.hasOwn(field.choices, text)) return { value: text };
     const message = noSuchChoice(field.label, Object.values(field.choices), text);
     return { field: name, text, message };
+  }
+  if (field.kind === "record") {
+    if (new RegExp(`^(${field.pattern})$`).test(text)) return { value: text };
+    return { field: name, text, message: `${field.label}: this is not a record of the page.` };
   }
   const bare = withoutUnit(text.trim(), field);
   // Accept a decimal comma, and a minus sign as well as a hyphen.

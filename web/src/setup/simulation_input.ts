@@ -1,6 +1,7 @@
 // Converts the set-up from the visitor's units to the input of the core.
 
 import type { Body, Core, Options, Solid, State, ContactLaw } from "../core/core";
+import type { Shaking } from "../floor/shaking";
 import type { Setup } from "./setup";
 
 export const RING_RADIUS = 0.05;
@@ -13,6 +14,8 @@ export interface SimulationInput {
   start: State;
   contactLaw: ContactLaw;
   options: Options;
+  /** How the floor moves; without it the floor is at rest. */
+  shaking?: Shaking;
 }
 
 /** Throws `Refused` for an impossible body. */

@@ -26,7 +26,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     const motion = lab.motion.value;
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}.csv`;
-    download(name, toCsv(motion), "text/csv");
+    download(name, toCsv(motion, lab.shaking.value), "text/csv");
     say(message, `${name} downloaded, in SI units and radians.`);
   });
   place.append(

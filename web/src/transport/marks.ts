@@ -8,7 +8,7 @@ import type { Lab } from "../lab";
 const KINDS: Record<string, readonly string[]> = {
   collision: ["tilt_min", "face_down", "topple"],
   grip: ["slip", "stick"],
-  landing: ["lift_off", "land"],
+  landing: ["lift_off", "land", "uplift", "stand"],
 };
 
 /** Smallest distance between two marks, as a fraction of the scrubber. */

@@ -9,10 +9,18 @@ import type { Setup } from "../setup/setup";
 import type { Content } from "./content";
 import { beside, comparison } from "./words";
 
-export function contentInHand({ lean, fall, theory }: Preview, setup: Readonly<Setup>): Content {
+export function contentInHand(preview: Preview, setup: Readonly<Setup>): Content {
+  const { lean, theory } = preview;
+  // The preview is that of a fall on a floor at rest.
+  const moves = setup.floor !== "rest";
+  const fall = moves ? undefined : preview.fall;
   const turn = fall && !Number.isNaN(fall.turn) ? Math.abs(fall.turn) : undefined;
   const [tilt, way] = [`${formatExact(lean.tilt)}°`, `${formatExact(lean.yaw)}°`];
-  const result = fall ? resultOf(fall) : "there would be no motion";
+  const result = fall
+    ? resultOf(fall)
+    : moves
+      ? "the floor begins to move"
+      : "there would be no motion";
   return {
     turned: {
       name: "Angle of turn",

@@ -16,6 +16,18 @@ const ABNORMAL: readonly string[] = ["face_down", "painleve", "failed", "lifted_
 const NONE = { motion: undefined, theory: undefined, partial: false };
 
 export function contentInMotion(lab: Lab, passage: Passage | undefined): Content {
+  const content = contentAtRest(lab, passage);
+  const { motion, shaking, theory, setup } = lab;
+  if (!shaking.value || !motion.value) return content;
+  const { turned } = content;
+  return {
+    ...content,
+    turned: passage ? turned : { ...turned, note: "" },
+    ...shaking.value.verdict(motion.value, theory.value?.balanceTilt ?? NaN, setup.value),
+  };
+}
+
+function contentAtRest(lab: Lab, passage: Passage | undefined): Content {
   const [setup, outcome] = [lab.setup.value, lab.outcome.value];
   const { motion, theory, partial } = "motion" in outcome ? outcome : NONE;
   const radius = "motion" in outcome ? outcome.input.body.radius : undefined;

@@ -1,7 +1,9 @@
 import { readFile } from "node:fs/promises";
 import { Core } from "../../src/core/core";
 import type { Motion } from "../../src/core/motion";
-import { simulationInput } from "../../src/setup/simulation_input";
+import { ShakenCore } from "../../src/floor/shaken_core";
+import { shakerWith } from "../../src/floor/shaker";
+import { type SimulationInput, simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 
 /** Loads the core as the page does, but from its file. */
@@ -12,4 +14,13 @@ export const loadCore = async (): Promise<Core> =>
 export function motionOf(core: Core, changes: Partial<Setup> = {}): Motion {
   const { body, start, contactLaw, options } = simulationInput(core, { ...INITIAL, ...changes });
   return core.simulate(body, start, contactLaw, options);
+}
+
+/** Loads the core with tables that move. */
+export const loadShakenCore = async (): Promise<ShakenCore> =>
+  ShakenCore.load(await readFile(new URL("../../src/core/rimroll-ground.wasm", import.meta.url)));
+
+/** What is simulated for a set-up whose floor moves. */
+export function shakenInput(core: ShakenCore, setup: Readonly<Setup>): SimulationInput {
+  return shakerWith(core).inputOf(setup, simulationInput(core, setup));
 }

@@ -66,6 +66,14 @@ test("what `rimroll lab` checks a set-up by is what the page takes", () => {
       for (const choice of entry.choices) expect(message(name, choice)).toBe(undefined);
       continue;
     }
+    if ("pattern" in entry) {
+      for (const text of ["", "AAAA_-9z"]) {
+        expect(message(name, text)).toBe(undefined);
+        expect(text).toMatch(new RegExp(`^(${entry.pattern})$`));
+      }
+      expect(message(name, "AAA")).toBe("Record: this is not a record of the page.");
+      continue;
+    }
     for (const end of [entry.min, entry.max])
       expect(message(name, String(end)) === undefined).toBe(!entry.open);
     expect(message(name, String(entry.max + 1))).toContain("is outside");

@@ -1,0 +1,25 @@
+// A plugin that makes the shaders of three.js smaller: without comments, indentation and spaces round operators.
+
+import type { Plugin } from "vite";
+
+/** A text of several lines, as three.js writes its shaders. */
+const LINES = /"(?:[^"\\\n]|\\.)*\\n(?:[^"\\\n]|\\.)*"/g;
+
+export function smallShaders(): Plugin {
+  return {
+    name: "small-shaders",
+    apply: "build",
+    transform: (code, id) =>
+      id.includes("/three/build/") ? { code: code.replace(LINES, (text) => `"${small(text.slice(1, -1))}"`), map: null } : null,
+  };
+}
+
+/** A text whose lines are separated by the two characters \n and indented by \t. */
+export function small(text: string): string {
+  const lines = text.split("\\n").map((line) => line.replace(/\/\/.*/, "").replace(/\\t/g, " "));
+  // Directives are kept as they are; “- -” and “+ +” must not become other operators.
+  const packed = lines.map((line) =>
+    line.includes("#") ? line : line.replace(/\s*([*/=<>,;{}()?:&|])\s*/g, "$1").trimStart(),
+  );
+  return packed.join("\\n");
+}

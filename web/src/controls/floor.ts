@@ -1,0 +1,34 @@
+// The group of controls of the floor. It is closed at first, and what is in it is loaded when it opens.
+
+import { effect } from "@preact/signals-core";
+import { element } from "../elements";
+import { loadFloor } from "../floor/loading";
+import type { SetupForm } from "../inputs/setup_form";
+import { FIELDS, FLOOR_FIELDS } from "../setup/fields";
+
+export function floorGroup(form: SetupForm): HTMLElement {
+  const summary = element("summary");
+  const status = element("p", { class: "help", role: "status" });
+  const details = element("details", { class: "more floor" }, summary, status);
+  let mounted = false;
+  details.addEventListener("toggle", () => {
+    if (mounted || !details.open) return;
+    mounted = true;
+    status.textContent = "Loading…";
+    loadFloor().then(
+      ({ mountFloorControls }) => {
+        status.remove();
+        mountFloorControls(form, details);
+      },
+      () => (status.textContent = "These controls could not be loaded. Reload the page."),
+    );
+  });
+  effect(() => {
+    const { floor } = form.lab.setup.value;
+    summary.textContent = `The floor: ${FIELDS.floor.choices[floor].toLowerCase()}`;
+    const inside: readonly string[] = FLOOR_FIELDS;
+    if (floor !== "rest" || form.lab.refusals.value.some(({ field }) => inside.includes(field)))
+      details.open = true;
+  });
+  return details;
+}

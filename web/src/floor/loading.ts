@@ -1,0 +1,25 @@
+// Loads the part of the page that shakes the floor when the visitor first needs it.
+
+import { effect } from "@preact/signals-core";
+import type { Lab } from "../lab";
+
+let loading: Promise<typeof import("./floor")> | undefined;
+
+/** The part of the page that shakes the floor. */
+export const loadFloor = (): Promise<typeof import("./floor")> => (loading ??= import("./floor"));
+
+/** Loads it when a set-up has a floor that moves. */
+export function shakeOnDemand(lab: Lab): void {
+  effect(() => {
+    if (lab.setup.value.floor === "rest" || lab.shaker.peek()) return;
+    loadFloor()
+      .then(({ loadShaker }) => loadShaker())
+      .then(
+        (shaker) => (lab.shaker.value = shaker),
+        (error: unknown) => {
+          console.error(error);
+          lab.shakerMissing.value = "could not be loaded; reload the page";
+        },
+      );
+  });
+}
