@@ -10,7 +10,9 @@ export function smallShaders(): Plugin {
     name: "small-shaders",
     apply: "build",
     transform: (code, id) =>
-      id.includes("/three/build/") ? { code: code.replace(LINES, (text) => `"${small(text.slice(1, -1))}"`), map: null } : null,
+      id.includes("/three/build/")
+        ? { code: code.replace(LINES, (text) => `"${small(text.slice(1, -1))}"`), map: null }
+        : null,
   };
 }
 

@@ -21,6 +21,7 @@ FILES = {
     "setup.json": (
         b'{"body": {"choices": ["can_2007", "coin"]},'
         b' "tilt": {"unit": "\xc2\xb0", "min": 0, "max": 90, "open": true, "whole": false},'
+        b' "record": {"pattern": "([a-z]{2})*"},'
         b' "flicks": {"unit": "", "min": 1, "max": 1000, "open": false, "whole": true}}',
         "application/json",
     ),
@@ -144,6 +145,7 @@ def test_the_browser_is_opened_with_the_set_up(package, monkeypatch):
         ("tilt=Infinity", "tilt must be between 0 and 90 (°), got 'Infinity'"),
         ("flicks=1,000", "flicks must be a number, got '1,000'"),
         ("body=coin&tilt=90", "tilt must be between 0 and 90 (°), got '90'"),
+        ("record=abc", "record is not one that the page has written"),
         ("flicks=1001", "flicks must be from 1 to 1000, got '1001'"),
         ("flicks=2.5", "flicks must be a whole number, got '2.5'"),
     ],
@@ -159,7 +161,9 @@ def test_a_page_too_old_to_check_a_set_up_by_is_to_be_built_again(package, capsy
     assert "make web" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("setup", ["tilt=12,5", "tilt=20°", "flicks=3", "body=coin&tilt=60"])
+@pytest.mark.parametrize(
+    "setup", ["tilt=12,5", "tilt=20°", "flicks=3", "body=coin&tilt=60", "record=abcd", "record="]
+)
 def test_a_set_up_that_the_page_takes_is_opened(package, monkeypatch, setup):
     assert unquote(opened(monkeypatch, "--setup", setup)).endswith(f"/#{setup}")
 

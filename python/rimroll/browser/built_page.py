@@ -26,17 +26,19 @@ def built_page() -> Iterator[Path]:
 def page_alone(folder: Path, setup: str) -> str:
     """The built page as one HTML text that loads nothing, with a set-up to begin with.
 
-    Its script and its core are compressed; the page unpacks them when it opens. Raises
-    ``RimrollError`` for a page that has been built by an older version.
+    Its script and its core are compressed; the page unpacks them when it opens. The core is the one
+    with tables that move, which computes all that the other does. Raises ``RimrollError`` for a
+    page that has been built by an older version.
     """
     page = (folder / "index.html").read_text(encoding="utf-8")
     style = _one(r'<link rel="stylesheet"[^>]* href="\./([^"]+)"[^>]*>', page)
     core = _one(r'<link rel="preload"[^>]* href="\./([^"]+\.wasm)"[^>]*>', page)
+    cores = list(folder.glob("assets/rimroll-ground-*.wasm"))
     script = folder / "alone.js"
-    if not (style and core and script.is_file()):
+    if not (style and core and len(cores) == 1 and script.is_file()):
         raise RimrollError("the page is older than this rimroll; in its source tree, run: make web")
     parts = {
-        "core": _packed(folder / core[1]),
+        "core": _packed(cores[0]),
         "script": _packed(script),
         "licences": _packed(folder / "licences.txt"),
     }

@@ -40,6 +40,10 @@ def _check_value(name: str, value: str, allowed: dict[str, Any]) -> None:
         if value not in allowed["choices"]:
             raise RimrollError(f"{name} cannot be {value!r}{nearest(value, allowed['choices'])}")
         return
+    if "pattern" in allowed:
+        if not re.fullmatch(allowed["pattern"], value):
+            raise RimrollError(f"{name} is not one that the page has written")
+        return
     low, high, unit = allowed["min"], allowed["max"], allowed["unit"]
     number = _number(value, unit)
     if number is None:

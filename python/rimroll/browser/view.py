@@ -29,8 +29,8 @@ PATIENCE = 30.0
 class Lab:
     """The lab with a set-up to begin with; :func:`rimroll.lab` makes it.
 
-    A notebook shows it in its cell. The page is a part of the cell's output, of half a megabyte:
-    it computes in the browser, and needs no server, no network and no Python.
+    A notebook shows it in its cell. The page is a part of the cell's output, of two thirds of a
+    megabyte: it computes in the browser, and needs no server, no network and no Python.
     """
 
     setup: str

@@ -38,6 +38,7 @@ const SPECIAL: Partial<Setup>[] = [
   { start: "standing", law: "frictionless" },
   { start: "standing", law: "no_slip", direction: 37, yaw: 20 },
   { vertical: -25, start: "standing", friction: 0.3 }, // leaves the table
+  { vertical: -25 }, // leaves the table, leaning
   { direction: 90 },
 ];
 
