@@ -59,6 +59,7 @@ census: .venv/.extension ## compare both engines from 100 000 wild starts (ten m
 lint: .venv/.packages web/node_modules/.installed ## check format, lints, types, spelling, workflows and the links of the Rust documentation
 	cargo fmt --all --check
 	PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo clippy --workspace --all-targets -- -D warnings
+	cargo clippy --package rimroll-wasm --features ground -- -D warnings
 	RUSTDOCFLAGS="-D warnings" PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo doc --workspace --no-deps
 	RUSTDOCFLAGS="-D warnings" PYO3_PYTHON="$(CURDIR)/.venv/bin/python" cargo doc --workspace --no-deps --document-private-items
 	.venv/bin/ruff check
