@@ -14,6 +14,7 @@ mod instant;
 mod landing;
 mod level;
 mod level_equations;
+mod level_motion;
 mod mechanics;
 mod moment;
 mod onset;

@@ -878,3 +878,77 @@ fn the_search_of_a_tiny_period_is_limited_by_the_number_of_steps() {
     let motion = simulate_on(Some(hum), &body, &start, law, &tight(1.0), interrupt).unwrap();
     assert_eq!(motion.status, Status::Interrupted, "{}", motion.message());
 }
+
+/// Just after the uplift, resistance stops the contact point in far less time than the body takes to rise.
+#[test]
+fn a_column_with_resistance_lifts_lands_and_stands_again() {
+    let pulses = vec![
+        sine([3.0, 0.0, 0.0], 1.2, 2.0),
+        sine([0.0, 1.5, 0.0], 0.8, 3.0),
+        sine([0.0, 0.0, 0.5], 0.3, 2.0),
+    ];
+    let resistances = [
+        Resistance {
+            rolling: RollingResistance {
+                dry: 2e-3,
+                viscous: 0.0,
+            },
+            ..Resistance::default()
+        },
+        Resistance {
+            rolling: RollingResistance {
+                dry: 0.0,
+                viscous: 10.0,
+            },
+            ..Resistance::default()
+        },
+        Resistance {
+            pivoting: PivotingFriction { length: 1e-3 },
+            ..Resistance::default()
+        },
+        Resistance {
+            air: AirDrag {
+                coefficient: 0.1,
+                exponent: 2.5,
+            },
+            ..Resistance::default()
+        },
+    ];
+    for resistance in resistances {
+        for flat in [FlatLanding::Smooth(Side::Left), FlatLanding::Housner] {
+            let law = ContactLaw {
+                resistance,
+                ..FrictionLaw::NoSlip.into()
+            };
+            let options = with_flat(flat, 6.0);
+            let start = State::standing();
+            for pulses in [pulses.clone(), pulses[..1].to_vec()] {
+                let motion = shaken(ground(pulses), &column(), &start, law.clone(), &options);
+                assert_eq!(motion.status, Status::Finished, "{}", motion.message());
+                assert!(motion.work.steps < 8_000, "{:?}", motion.work);
+                assert!(!event_times(&motion, "uplift").is_empty());
+                assert!(imbalance(&motion) < 1e-9, "{:e}", imbalance(&motion));
+            }
+        }
+    }
+}
+
+/// The direction of a slip that begins from rest relaxes at a rate that is infinite at first.
+#[test]
+fn a_slip_of_the_base_takes_few_steps() {
+    let pulses = vec![
+        sine([2.5, 0.0, 0.0], 1.2, 3.0),
+        sine([0.0, 1.5, 0.0], 0.8, 3.0),
+    ];
+    let law = FrictionLaw::coulomb(0.2);
+    let options = tight(4.0);
+    let motion = shaken(ground(pulses), &column(), &State::standing(), law, &options);
+    assert_eq!(motion.status, Status::Finished, "{}", motion.message());
+    let slips = event_times(&motion, "slip").len();
+    assert!(
+        slips >= 3 && motion.work.steps < 1_000 * slips,
+        "{slips} slips, {:?}",
+        motion.work
+    );
+    assert!(imbalance(&motion) < 1e-9, "{:e}", imbalance(&motion));
+}

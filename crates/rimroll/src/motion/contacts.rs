@@ -8,7 +8,7 @@ use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::ground::Ground;
 use crate::impact;
-use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, Table};
+use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, Resistance, Table};
 use crate::real::{Dual, Real, Scalar};
 use crate::slip_onset::{ROUNDING, along_and_across};
 use crate::state::Coordinates;
@@ -74,14 +74,33 @@ impl Contacts {
         tolerance: f64,
     ) -> Self {
         let parameters = Parameters::new(body, gravity);
+        Contacts::from_parts(parameters, contact_law.clone(), ground, tolerance)
+    }
+
+    fn from_parts(
+        parameters: Parameters<f64>,
+        contact_law: ContactLaw,
+        ground: Option<Arc<Ground>>,
+        tolerance: f64,
+    ) -> Self {
         let table = Table::new(ground.as_ref());
         Contacts {
+            phases: PhaseDynamics::new(parameters, &contact_law, &table, tolerance),
             parameters,
-            contact_law: contact_law.clone(),
+            contact_law,
             tolerance,
-            phases: PhaseDynamics::new(parameters, contact_law, &table, tolerance),
             ground,
         }
+    }
+
+    /// The same friction without resistance.
+    pub(super) fn without_resistance(&self) -> Contacts {
+        let contact_law = ContactLaw {
+            resistance: Resistance::default(),
+            ..self.contact_law.clone()
+        };
+        let ground = self.ground().cloned();
+        Contacts::from_parts(self.parameters, contact_law, ground, self.tolerance)
     }
 
     /// The equations of motion in a phase.

@@ -19,7 +19,7 @@ pub enum FlatLanding {
     #[default]
     Stop,
     /// The limit of a near-collision: the contact point runs round the rim by the limiting turn, and no energy is
-    /// lost. The side to which it runs is not determined by the motion.
+    /// lost to the side or to resistances. The side to which it runs is not determined by the motion.
     Smooth(Side),
     /// A plastic collision with the opposite point of the rim (G. W. Housner, Bull. Seismol. Soc. Am. 53, 1963). The
     /// body goes on to rock about that point. A rim that rolls does not slip in the collision either, so that
@@ -198,7 +198,8 @@ fn smooth(
         w: side * sideways,
         ..at.u
     };
-    let (track, status) = pass_near_collision(contacts, start, sideways, options);
+    let contacts = Arc::new(contacts.without_resistance());
+    let (track, status) = pass_near_collision(&contacts, start, sideways, options);
     let end = track.end();
     let is_same = |a: f64, b: f64| (a - b).abs() < 1e3 * sideways;
     let s = if is_same(end.s, at.s) { at.s } else { end.s };

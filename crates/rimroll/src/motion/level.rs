@@ -14,12 +14,12 @@
 
 use super::contacts::Contacts;
 use super::instant::{Instant, Phase};
-use super::level_equations::{LEVEL, LevelEquations, LevelMotion, PLACES, size};
+use super::level_equations::{LevelEquations, LevelMotion, size};
 use crate::ground::{Ground, Stretch};
 use crate::law::Contact;
 use crate::real::Real;
-use crate::solve::{Dense, Step, Stepper, bracketed_root};
-use crate::state::{COORDINATES, Coordinates, TIME};
+use crate::solve::{Dense, bracketed_root};
+use crate::state::{COORDINATES, Coordinates};
 use std::sync::Arc;
 
 /// What a body whose base is level does next, and when.
@@ -204,123 +204,6 @@ fn lowest_between(from: f64, to: f64, function: impl Fn(f64) -> f64) -> f64 {
         inside
     } else {
         to
-    }
-}
-
-/// A part of the motion of a level base that slides or flies: its dense output, and what ends it.
-pub(super) struct LevelPart {
-    pub(super) dense: Dense<f64, COORDINATES>,
-    pub(super) departure: Option<Departure>,
-}
-
-impl LevelMotion<'_> {
-    /// The values that are positive until a departure.
-    fn margins(&self, u: &[f64; LEVEL]) -> [(Departure, f64); 4] {
-        let [t, _, _, vx, vy, gap, ..] = *u;
-        if !self.slides {
-            return [
-                (Departure::Land, gap),
-                (Departure::Stick, 1.0),
-                (Departure::Uplift, 1.0),
-                (Departure::FallAway, 1.0),
-            ];
-        }
-        let equations = &self.equations;
-        let (_, gravity) = equations.field(self.acceleration(t));
-        let friction = equations.friction([vx, vy], gravity);
-        let excess_speed = if self.can_stop() {
-            size([vx, vy]) - equations.no_speed()
-        } else {
-            1.0
-        };
-        [
-            (Departure::FallAway, gravity + equations.no_gravity()),
-            (
-                Departure::Uplift,
-                equations.flatness_margin(friction, gravity),
-            ),
-            (Departure::Stick, excess_speed),
-            (Departure::Land, 1.0),
-        ]
-    }
-
-    /// The next part of the motion from `u` until `end` (s) at most. `h` is the size of the next step of σ.
-    pub(super) fn next_part(
-        &self,
-        u: &Coordinates<f64>,
-        end: f64,
-        h: &mut f64,
-        tolerance: f64,
-    ) -> Option<LevelPart> {
-        let all = u.into_array();
-        let start = PLACES.map(|place| all[place]);
-        if let Some((_, departure)) = self.departed(&start, None) {
-            let dense = Dense::empty(all);
-            let departure = Some(departure);
-            return Some(LevelPart { dense, departure });
-        }
-        // A step far beyond the end of the stretch would be accurate at its own end only.
-        const OVERSHOOT: f64 = 1.1;
-        let remaining = end - u.t;
-        let limited = |h: f64| h.min(remaining / self.time_rate([u.slip_x, u.slip_y]));
-        let mut tried = limited(*h);
-        let dense = loop {
-            let mut stepper = Stepper::new(self, start, tried, tolerance);
-            let step: &mut Step<f64, LEVEL> = stepper.advance().ok()?;
-            let elapsed = step.end[0] - u.t;
-            if elapsed <= OVERSHOOT * remaining {
-                let dense = step.dense(self);
-                *h = stepper.h;
-                break dense;
-            }
-            tried = step.h * (remaining / elapsed).max(0.1);
-        };
-        let placed = |dense: &Dense<f64, LEVEL>| dense.placed(&all, &PLACES);
-        let mut before = 0.0;
-        for x in [0.25, 0.5, 0.75, 1.0] {
-            let (from, to) = (dense.at(before), dense.at(x));
-            let over = to[0] >= end;
-            if let Some((index, departure)) = self.departed(&to, Some(&from)) {
-                let margin = |x: f64| self.margins(&dense.at(x))[index].1;
-                let root = bracketed_root(before, x, margin);
-                if !over || dense.at(root)[0] < end {
-                    let dense = placed(&dense.cut(root));
-                    let departure = Some(departure);
-                    return Some(LevelPart { dense, departure });
-                }
-            }
-            if over {
-                let mut dense = placed(&dense.cut(dense.fraction_where(0, end)));
-                dense.end[TIME] = end;
-                let departure = None;
-                return Some(LevelPart { dense, departure });
-            }
-            before = x;
-        }
-        let departure = None;
-        Some(LevelPart {
-            dense: placed(&dense),
-            departure,
-        })
-    }
-
-    /// The first margin that has become negative at `to`, by its index. A slip that has just begun is slow, but it does
-    /// not end, and a body that has just left the table is near it.
-    fn departed(
-        &self,
-        to: &[f64; LEVEL],
-        from: Option<&[f64; LEVEL]>,
-    ) -> Option<(usize, Departure)> {
-        let before = from.map(|from| self.margins(from));
-        let mut after = self.margins(to).into_iter().enumerate();
-        after.find_map(|(i, (departure, margin))| {
-            let falls = match (&before, &departure) {
-                (Some(before), _) => margin < before[i].1,
-                (None, Departure::Stick | Departure::Land) => false,
-                (None, _) => true,
-            };
-            (margin < 0.0 && falls).then_some((i, departure))
-        })
     }
 }
 

@@ -2,16 +2,20 @@
 //!
 //! See [`level`](super::level).
 
+use super::instant::Phase;
+use super::landing::UPLIFT_TILT;
+use super::phase_dynamics::PhaseDynamics;
 use crate::ground::Stretch;
 use crate::law::{Dynamics, Parameters};
 use crate::real::Scalar;
 use crate::solve::System;
 use crate::state::{Coordinates, TIME};
 
-use super::landing::UPLIFT_TILT;
-
 /// The number of coordinates that change while a level base slides or flies.
 pub(super) const LEVEL: usize = 9;
+
+/// The place of the time among them.
+pub(super) const LEVEL_TIME: usize = 0;
 
 /// The places of those coordinates among all of them: t, x1, y1, slip_x, slip_y, gap, gap_rate, friction_loss and
 /// ground_work.
@@ -125,7 +129,24 @@ pub(super) struct LevelMotion<'a, T: Scalar = f64> {
     pub(super) slides: bool,
 }
 
-impl<T: Scalar> LevelMotion<'_, T> {
+impl<'a, T: Scalar> LevelMotion<'a, T> {
+    /// Under these laws at a yaw (rad), along a stretch of the table's motion whose acceleration is multiplied by `factor`.
+    pub(super) fn new(
+        phases: &'a PhaseDynamics<T>,
+        phase: Phase,
+        yaw: T,
+        stretch: Option<Stretch>,
+        factor: T,
+    ) -> Self {
+        let sliding = phases.in_phase(Phase::Sliding);
+        let is_dry = phases.sliding.is_dry();
+        LevelMotion {
+            equations: LevelEquations::new(*sliding.parameters(), yaw, sliding, is_dry),
+            stretch: stretch.map(|stretch| (stretch, factor)),
+            slides: phase == Phase::SlidingFlat,
+        }
+    }
+
     /// The acceleration of the table at a time (s), m/s².
     pub(super) fn acceleration(&self, t: T) -> [T; 3] {
         let Some((stretch, factor)) = &self.stretch else {
@@ -191,11 +212,8 @@ impl<T: Scalar> System<T, LEVEL> for LevelMotion<'_, T> {
         let Parameters { m, r, .. } = self.equations.k;
         let unit = self.equations.speed_scale();
         let speed = size([vx, vy]);
-        let slow = if self.can_stop() {
-            self.equations.no_speed()
-        } else {
-            T::from(1e-3) * unit
-        };
+        // A slip that begins or ends keeps some digits of its direction.
+        let slow = T::from(if self.can_stop() { 1e-8 } else { 1e-3 }) * unit;
         let distance = r + size([x, y]);
         let fastest = speed + gap_rate.abs() + unit;
         let energy = m * fastest * fastest;

@@ -24,6 +24,8 @@ pub(super) struct Mechanics<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
     clock: Clock,
     /// Added to the error scales of the rates of rotation, rad/s.
     rate_floor: T,
+    /// Added to the error scales of the work and the losses, J.
+    energy_floor: T,
 }
 
 impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
@@ -34,6 +36,7 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
             dry: false,
             clock,
             rate_floor: T::from(0.0),
+            energy_floor: T::from(0.0),
         }
     }
 
@@ -48,12 +51,16 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
 
     /// The system on a table that moves, whose acceleration has rounding errors. They change the rates of rotation by
     /// more than a tolerance relative to the rates themselves, where these are tiny: as a body begins to rock, and in
-    /// planar motions.
+    /// planar motions. The rounding errors of the work so far are large beside the energy of a body that begins to
+    /// rock again.
     pub(super) fn on_moving_table(self) -> Self {
         const FLOOR: f64 = 1e-3;
         let k = self.dynamics.parameters();
-        let rate_floor = T::from(FLOOR) * (k.g / k.r).sqrt();
-        Mechanics { rate_floor, ..self }
+        Mechanics {
+            rate_floor: T::from(FLOOR) * (k.g / k.r).sqrt(),
+            energy_floor: T::from(FLOOR) * k.m * k.g * k.r,
+            ..self
+        }
     }
 
     /// dτ/dσ, where σ is the independent variable.
@@ -88,6 +95,10 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
             p: scales.p + self.rate_floor,
             w: scales.w + self.rate_floor,
             s: scales.s + self.rate_floor,
+            friction_loss: scales.friction_loss + self.energy_floor,
+            resistance_loss: scales.resistance_loss + self.energy_floor,
+            impact_loss: scales.impact_loss + self.energy_floor,
+            ground_work: scales.ground_work + self.energy_floor,
             ..scales
         }
     }

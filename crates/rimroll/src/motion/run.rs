@@ -289,13 +289,14 @@ impl<'a> Run<'a> {
                 return ControlFlow::Break(over);
             }
             let found = implicit.attempt(h);
-            let error = found.as_ref().map_or(f64::INFINITY, |found| found.error);
+            let factor = found.as_ref().map_or(0.25, Found::next_factor);
             let accepted = found.filter(|found| found.error <= 1.0);
             match &accepted {
                 Some(found) => implicit.accept(&found.dense),
                 None => implicit.work.rejected += 1,
             }
             self.work = before + implicit.work;
+            let is_accepted = accepted.is_some();
             if let Some(Found { dense, .. }) = accepted {
                 let record = StepRecord::polynomial(phase, dense.clone());
                 if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
@@ -304,13 +305,13 @@ impl<'a> Run<'a> {
                 stepped = true;
             }
             // After a rejected step the step size grows only slowly for a while.
-            let max_factor = if error > 1.0 { 1.0 } else { max_growth };
-            max_growth = if error > 1.0 {
-                1.2
-            } else {
+            let max_factor = if is_accepted { max_growth } else { 1.0 };
+            max_growth = if is_accepted {
                 (1.5 * max_growth).min(4.0)
+            } else {
+                1.2
             };
-            h *= (0.8 / libm::pow(error.max(1e-9), 1.0 / 7.0)).clamp(0.25, max_factor);
+            h *= factor.min(max_factor);
             let stable = STIFF / implicit.relaxation();
             // Written so that a NaN ends it.
             let is_worthwhile = h > SHORTEST * stable;

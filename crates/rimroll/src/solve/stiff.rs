@@ -36,6 +36,13 @@ pub struct Found<const N: usize> {
     pub error: f64,
 }
 
+impl<const N: usize> Found<N> {
+    /// The factor by which the step size may change after this step, at least 1/4.
+    pub fn next_factor(&self) -> f64 {
+        (0.8 / libm::pow(self.error.max(1e-9), 1.0 / 7.0)).max(0.25)
+    }
+}
+
 /// `[i][j]` is the derivative of the rate of component i with respect to component j.
 type Jacobian<const N: usize> = [[f64; N]; N];
 
@@ -191,7 +198,14 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
                 .map(|j| self.method.last_of_rises[j] * (states[j][i] - start[i]))
                 .sum();
             let size = at_start[i].max(at_end[i]);
-            let part = (0.05 * highest / size).abs();
+            // A component that changes by less than its rounding errors tells nothing.
+            let weights = self.method.last_of_rises.iter().map(|weight| weight.abs());
+            let rounding = f64::EPSILON * start[i].abs() * weights.sum::<f64>();
+            let part = if highest.abs() <= rounding {
+                0.0
+            } else {
+                (0.05 * highest / size).abs()
+            };
             error = error.max(if part.is_nan() { f64::INFINITY } else { part });
         }
         Found {

@@ -130,7 +130,13 @@ impl ShakenSensitivity {
     /// Goes on to the end of the next step.
     fn push(&mut self, motion: &Motion, record: &StepRecord) -> Result<(), InvalidInput> {
         let contacts = &motion.contacts;
-        if record.is_polynomial() && !record.phase.is_level() && record.phase != Phase::Lying {
+        let is_implicit = record.is_polynomial()
+            && match record.phase {
+                Phase::Standing | Phase::FlyingLevel | Phase::Lying => false,
+                Phase::SlidingFlat => contacts.is_dry(),
+                Phase::Rolling | Phase::Sliding | Phase::Flying => true,
+            };
+        if is_implicit {
             return Err(refused(
                 "some of its steps are implicit, as where a slip begins",
             ));

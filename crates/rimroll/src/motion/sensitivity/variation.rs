@@ -43,13 +43,8 @@ impl Variation {
         computation: impl FnOnce(&LevelMotion<'_, Number>) -> R,
     ) -> R {
         let phases = self.phases(contacts, t);
-        let sliding = phases.in_phase(Phase::Sliding);
         let stretch = contacts.ground().map(|ground| ground.stretch(t));
-        computation(&LevelMotion {
-            equations: LevelEquations::new(self.k, yaw, sliding, contacts.is_dry()),
-            stretch: stretch.map(|stretch| (stretch, self.factor)),
-            slides: phase == Phase::SlidingFlat,
-        })
+        computation(&LevelMotion::new(&phases, phase, yaw, stretch, self.factor))
     }
 
     /// The coordinates at the fraction x of a step that begins at `start`.
