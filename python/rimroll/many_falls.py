@@ -13,15 +13,15 @@ from rimroll import _core
 from rimroll.body import Body
 from rimroll.endings import FELL, OUTCOMES
 from rimroll.errors import RimrollError, callback, expect, hold
-from rimroll.falls import Column, Falls, Interrupted
+from rimroll.falls import Column, Falls
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, thread_count, values
 from rimroll.laws import Law, contact_law, only_fixed, varied_numbers
+from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
 from rimroll.options import Options
 from rimroll.recorded import parameters
 from rimroll.rows import Rows
 from rimroll.state import State
-from rimroll.units import START_UNIT_OF, UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -53,13 +53,7 @@ VARIABLES = {
         "axial spin at the end",
         "angular velocity about the symmetry axis at the end",
     ),
-    "energy_lost": ("J", "energy lost", "energy lost to friction, resistances and impacts"),
-    "friction_loss": ("J", "energy lost to friction", None),
-    "resistance_loss": (
-        "J",
-        "energy lost to resistances",
-        "energy lost to rolling resistance, pivoting friction and air",
-    ),
+    **LOSSES,
     "impact_loss": ("J", "energy lost in landings", None),
     "slid": ("", "whether the rim slid", None),
     "flew": ("", "whether the rim left the table", None),
@@ -190,11 +184,7 @@ def follow(
     )
     if len(table) == count and rows.grid.dims is not None:
         falls = falls.laid_out(rows.grid)
-    if isinstance(stopped, KeyboardInterrupt):
-        raise Interrupted(falls) from None
-    if stopped is not None:
-        raise stopped
-    return falls
+    return unless_stopped(falls, stopped)
 
 
 def _friction_scale(friction_scale: Values) -> Any:
@@ -222,8 +212,7 @@ def _columns(
     found = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
     gone_round = np.mod(found.pop("end_yaw") - rows.starts.yaw[:done], 2.0 * np.pi)
     found["direction"] = np.where(np.isnan(found["turn"]), np.nan, gone_round)
-    losses = ("friction_loss", "resistance_loss", "impact_loss")
-    found["energy_lost"] = sum((found[loss] for loss in losses), np.zeros(done))
+    found["energy_lost"] = energy_lost(found)
     for flag in ("slid", "flew"):
         found[flag] = found[flag] != 0.0
     found["steps"] = found["steps"].astype(np.int64)
@@ -231,16 +220,7 @@ def _columns(
     return {
         "outcome": Column(outcome),
         **described(found),
-        **{
-            f"start_{name}": Column(column[:done], START_UNIT_OF[name])
-            for name, column in rows.starts._asdict().items()
-        },
-        **{
-            f"body_{name}": Column(column[:done], UNIT_OF[name])
-            for name, column in rows.bodies._asdict().items()
-            if np.ndim(rows.given[name])
-        },
-        **{f"law_{name}": Column(column[:done]) for name, column in varied.items()},
+        **inputs(rows, varied, done),
         "friction_scale": Column(scales[:done], ""),
     }
 

@@ -223,7 +223,12 @@ def test_a_bad_at2_file_is_refused_with_file_and_line(name, written):
     ("contents", "how", "says"),
     [
         ([at2(SAMPLES), at2(SAMPLES, "0.01", direction="090")], {}, "has a step of 0.01 s, but"),
-        ([at2(SAMPLES), at2(SAMPLES[:-1], direction="090")], {}, "has 5 samples, but"),
+        (
+            [at2(SAMPLES), at2(SAMPLES[:-1], direction="090")],
+            {},
+            "0.at2 by 1 of 6 samples (0.02 s): if all begin at the same time, pad=True",
+        ),
+        ([at2(SAMPLES[:-2]), at2(SAMPLES, direction="090")], {}, "1.at2 by 2 of 6 samples"),
         ([at2(SAMPLES), at2(SAMPLES, direction="045")], {}, "must be perpendicular"),
         ([at2(SAMPLES), at2(SAMPLES, direction="180")], {}, "points to 0 degrees and"),
         ([at2(SAMPLES), at2(SAMPLES, direction="H2")], {}, "line 2 does not end with a direction"),
@@ -248,6 +253,19 @@ def test_files_that_do_not_go_together_are_refused(contents, how, says, written)
     files = [written(content, f"{i}.at2") for i, content in enumerate(contents)]
     message = refusal(*files, **how)
     assert says in message
+
+
+def test_shorter_components_get_zeros_at_their_end_when_asked(written):
+    texts = [at2(SAMPLES[:-2]), at2(SAMPLES, direction="090"), at2(SAMPLES[:-1], direction="UP")]
+    files = [written(text, f"{i}.at2") for i, text in enumerate(texts)]
+    padded, whole = rr.ground.read(*files, pad=True), rr.ground.read(files[1], component="y")
+    samples = padded.core.samples()[1]
+    assert samples.shape == (6, 3) and not samples[4:, 0].any() and samples[5, 2] == 0.0
+    assert samples[1:4, 0].all() and samples[4, 2] != 0.0
+    assert np.abs(samples[:, 1]).tolist() == np.abs(whole.core.samples()[1][:, 1]).tolist()
+    refused = refusal(*files)
+    assert "0.at2 is shorter than" in refused and "2.at2 is shorter than" in refused
+    assert rr.ground.read(*files[1:2], pad=True) == rr.ground.read(files[1])
 
 
 def test_a_file_that_is_not_there_is_refused(tmp_path):

@@ -46,7 +46,8 @@ def page_alone(folder: Path, setup: str) -> str:
     css = (folder / style[1]).read_text(encoding="utf-8")
     page = page.replace(style[0], f"<style>{css}</style>").replace(core[0], "")
     page = re.sub(r"<!--.*?-->", "", page, flags=re.S)
-    # Of the two scripts one reports why the other does not load, and the other is in the parts.
+    # The page has two scripts. One is among the parts; the other only reports why that one does not
+    # load.
     page = re.sub(r"<script\b.*?</script>", "", page, flags=re.S)
     page = page.replace("<html", f'<html data-setup="{setup.replace("&", "&amp;")}"', 1)
     return page.replace("</body>", unpack.replace("PARTS", json.dumps(parts)) + "</body>")

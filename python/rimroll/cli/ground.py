@@ -42,6 +42,15 @@ class GroundOptions:
     units: Annotated[
         str | None, _given("Unit of the record where its files name none.", "UNIT")
     ] = None
+    pad: Annotated[
+        bool,
+        typer.Option(
+            "--pad",
+            help="Add zeros at the end of AT2 files that are shorter than others.",
+            rich_help_panel="Ground",
+            show_default=False,
+        ),
+    ] = False
     pulse: Annotated[str | None, _given(f"{', '.join(_PULSES)}.", "NAME", _PULSES)] = None
     amplitude: Annotated[
         str | None, _given("Of the pulse: along x, or x,y,z as in 0.3g,1m/s2,0.", "ACCELERATION")
@@ -99,6 +108,7 @@ def requested_shaking(options: GroundOptions, more: Sequence[Path]) -> Shaking:
         scale=_number(options.scale, "1", "--scale"),
         rotation=_number(options.rotate, "rad", "--rotate"),
         units=options.units,
+        pad=options.pad,
     )
     try:
         ground = description.made(_called)

@@ -220,29 +220,21 @@ def _phases(motion: Motion) -> list[str]:
 
 
 def _show_losses(motion: Motion) -> None:
-    """The energy at the start and what took of it; nothing if nothing did."""
+    """The energy at the start, what the ground gave, and what took of it; nothing if nothing did.
+
+    In J where a ground moves, as for columns, else in mJ, as for cans.
+    """
+    is_shaken = motion.ground is not None
+    factor, unit = (1.0, "J") if is_shaken else (1e3, "mJ")
     losses = {
         "friction": motion.friction_loss[-1],
         "resistance": motion.resistance_loss[-1],
-        "landing": motion.impact_loss[-1],
+        "impacts" if is_shaken else "landing": motion.impact_loss[-1],
     }
-    lost = [f"{1e3 * loss:.4g} mJ to {to}" for to, loss in losses.items() if loss > 0.0]
-    if motion.ground is not None:
-        prose(_energy_of_shaken(motion))
-    elif lost:
-        prose(f"energy: {1e3 * motion.energy[0]:.4g} mJ at the start; lost " + ", ".join(lost))
-
-
-def _energy_of_shaken(motion: Motion) -> str:
-    """What the ground gave a body, what took of it, and what is left, in J."""
-    losses = {
-        "friction": motion.friction_loss[-1],
-        "resistance": motion.resistance_loss[-1],
-        "impacts": motion.impact_loss[-1],
-    }
-    lost = [f"{loss:.4g} J to {to}" for to, loss in losses.items() if loss > 0.0]
-    return (
-        f"energy: {motion.energy[0]:.4g} J at the start, {motion.ground_work[-1]:.4g} J from the"
-        f" ground, {motion.energy[-1]:.4g} J at the end"
-        + ("; lost " + ", ".join(lost) if lost else "")
-    )
+    lost = [f"{factor * loss:.4g} {unit} to {to}" for to, loss in losses.items() if loss > 0.0]
+    ends = [f"energy: {factor * motion.energy[0]:.4g} {unit} at the start"]
+    if is_shaken:
+        ends.append(f"{motion.ground_work[-1]:.4g} J from the ground")
+        ends.append(f"{motion.energy[-1]:.4g} J at the end")
+    if lost or is_shaken:
+        prose(", ".join(ends) + ("; lost " + ", ".join(lost) if lost else ""))

@@ -46,6 +46,7 @@ class Description:
     rotation: float | None = None
     units: str | None = None
     component: str | None = None
+    pad: bool = False
 
     def made(self, called: Callable[[str], str] = str) -> Ground | None:
         """The ground; None if there is neither a record nor a pulse.
@@ -66,10 +67,10 @@ class Description:
 
     def _recorded(self, called: Callable[[str], str]) -> Ground | None:
         if self.record:
-            return read(*self.record, units=self.units, component=self.component)
-        if self.units is not None or self.component is not None:
-            name = called("component" if self.units is None else "units")
-            raise RimrollError(f"{name} needs {called('record')}")
+            return read(*self.record, units=self.units, component=self.component, pad=self.pad)
+        for name in ("units", "component", "pad"):
+            if getattr(self, name) not in (None, False):
+                raise RimrollError(f"{called(name)} needs {called('record')}")
         return None
 
     def _pulsed(self, called: Callable[[str], str]) -> Ground | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,7 @@ def read(
     headings: Sequence[Number] | None = None,
     units: str | None = None,
     component: str | None = None,
+    pad: bool = False,
 ) -> Ground:
     """A record from files, whose format is known by their content.
 
@@ -58,6 +60,9 @@ def read(
     component
         ``"x"``, ``"y"`` or ``"z"``: the axis of a single component. By default it is z for a
         vertical one and x for any other.
+    pad
+        Whether AT2 files that are shorter than the longest get zeros at their end. This is right
+        where all components begin at the same time, which the files do not say.
 
     Raises ``RimrollError``, with file and line, for files that are cut, hold text among their
     numbers or another number of samples than they say, for other quantities and unknown units; and
@@ -72,7 +77,8 @@ def read(
         if not text.strip():
             raise RimrollError(f"{name} is empty")
     if all(is_at2(text) for _, text in texts):
-        return _of_components([component_of(*one, units) for one in texts], headings, component)
+        components = [component_of(*one, units) for one in texts]
+        return _of_components(_of_one_length(components, pad), headings, component)
     if len(texts) > 1:
         table = next(name for name, text in texts if not is_at2(text))
         raise RimrollError(
@@ -84,20 +90,36 @@ def read(
     return sampled(read.step, read.samples)
 
 
-def _of_components(
-    components: list[Component], headings: Sequence[Number] | None, axis: str | None
-) -> Ground:
-    first = components[0]
+def _of_one_length(components: list[Component], pad: bool) -> list[Component]:
+    """Components with the same step and number of samples; if ``pad``, with zeros at their end."""
+    first, longest = components[0], max(components, key=lambda one: len(one.samples))
     for other in components[1:]:
         if other.step != first.step:
             raise RimrollError(
                 f"{other.name} has a step of {other.step:g} s, but {first.name} of {first.step:g} s"
             )
-        if len(other.samples) != len(first.samples):
-            raise RimrollError(
-                f"{other.name} has {len(other.samples)} samples, but {first.name}"
-                f" {len(first.samples)}"
-            )
+    missing = [len(longest.samples) - len(one.samples) for one in components]
+    if any(missing) and not pad:
+        shorter = " and ".join(
+            f"{one.name} is shorter than {longest.name} by {count} of {len(longest.samples)}"
+            f" samples ({count * one.step:g} s)"
+            for one, count in zip(components, missing, strict=True)
+            if count
+        )
+        raise RimrollError(
+            f"{shorter}: if all begin at the same time, pad=True (on the command line --pad) adds"
+            " zeros at the end"
+        )
+    return [
+        replace(one, samples=np.pad(one.samples, (0, count)))
+        for one, count in zip(components, missing, strict=True)
+    ]
+
+
+def _of_components(
+    components: list[Component], headings: Sequence[Number] | None, axis: str | None
+) -> Ground:
+    first = components[0]
     directions = _directions(components, headings)
     if len(components) == 1:
         return _alone(first, directions[0], axis)

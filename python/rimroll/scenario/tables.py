@@ -180,6 +180,7 @@ class _Ground(_Table):
     record: str | list[str] = []
     units: str | None = None
     component: str | None = None
+    pad: bool = False
     pulse: str | None = None
     amplitude: Annotated[Any, _in_three("m/s^2")] = None
     period: Annotated[Any, _in_three("s")] = None
@@ -288,7 +289,10 @@ def _ground(given: dict[str, Any], folder: Path) -> Ground:
         record=[folder / name for name in names],
         pulse=table.pulse,
         numbers=numbers,
-        **{name: getattr(table, name) for name in ("scale", "rotation", "units", "component")},
+        **{
+            name: getattr(table, name)
+            for name in ("scale", "rotation", "units", "component", "pad")
+        },
     )
     ground = _made("[ground]", description.made)
     if ground is None:

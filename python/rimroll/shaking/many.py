@@ -12,19 +12,19 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Bodies, Body
 from rimroll.errors import RimrollError, callback, expect, hold
-from rimroll.falls import Column, Falls, Interrupted
+from rimroll.falls import Column, Falls
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, thread_count, values
 from rimroll.grid import is_labelled
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.laws import Law, OneLaw, contact_law, only_fixed, varied_numbers
+from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
 from rimroll.motion.flat import FlatLanding, flat_given, flat_in_core
 from rimroll.options import Options
 from rimroll.recorded import parameters
 from rimroll.rows import Rows, Starts
 from rimroll.shaking.scales import rocking_frequency_of, tilt_of_balance
 from rimroll.state import State
-from rimroll.units import START_UNIT_OF, UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -64,13 +64,7 @@ VARIABLES = {
     "residual_y": ("m", "residual displacement along y", "of the centre of the footprint"),
     "residual_displacement": ("m", "residual displacement", "of the centre of the footprint"),
     "residual_yaw": ("rad", "residual yaw", "change of yaw + spin from the start to the end"),
-    "energy_lost": ("J", "energy lost", "energy lost to friction, resistances and impacts"),
-    "friction_loss": ("J", "energy lost to friction", None),
-    "resistance_loss": (
-        "J",
-        "energy lost to resistances",
-        "energy lost to rolling resistance, pivoting friction and air",
-    ),
+    **LOSSES,
     "impact_loss": ("J", "energy lost in impacts", None),
     "ground_work": ("J", "work of the ground", "in the frame of the table"),
     "steps": ("", "steps of the solver", None),
@@ -226,11 +220,7 @@ def follow_shaken(
     if len(table) == count and rows.grid.dims is not None:
         kept = {name: one for name, one in shaken.columns.items() if name not in rows.grid.dims}
         shaken = Falls(kept, shaken.axes, shaken.attrs).laid_out(rows.grid)
-    if isinstance(stopped, KeyboardInterrupt):
-        raise Interrupted(shaken) from None
-    if stopped is not None:
-        raise stopped
-    return shaken
+    return unless_stopped(shaken, stopped)
 
 
 def _positive(field: str, value: Values, unit: str = "1") -> Any:
@@ -317,8 +307,7 @@ def _columns(rows: Rows, shakings: Shakings, table: Array) -> dict[str, Column]:
     balance = np.broadcast_to(tilt_of_balance(rows.bodies), rows.grid.size)[:done]
     found["max_tilt_ratio"] = found["max_tilt"] / balance
     found["residual_displacement"] = np.hypot(found["residual_x"], found["residual_y"])
-    losses = ("friction_loss", "resistance_loss", "impact_loss")
-    found["energy_lost"] = sum((found[loss] for loss in losses), np.zeros(done))
+    found["energy_lost"] = energy_lost(found)
     found["steps"] = found["steps"].astype(np.int64)
     status = np.array(_core.STATUSES)[found["status"].astype(np.int64)]
     is_open = np.isin(status, UNDECIDED) | (found["end_tilt"] > balance)
@@ -328,14 +317,5 @@ def _columns(rows: Rows, shakings: Shakings, table: Array) -> dict[str, Column]:
         **{name: Column(found[name], *meaning) for name, meaning in VARIABLES.items()},
         "ground": Column(shakings.ground[:done], None, "index of the ground"),
         "scale": Column(shakings.scale[:done], "", "factor on the acceleration of the ground"),
-        **{
-            f"start_{name}": Column(column[:done], START_UNIT_OF[name])
-            for name, column in rows.starts._asdict().items()
-        },
-        **{
-            f"body_{name}": Column(np.broadcast_to(column, rows.grid.size)[:done], UNIT_OF[name])
-            for name, column in rows.bodies._asdict().items()
-            if np.ndim(rows.given[name])
-        },
-        **{f"law_{name}": Column(column[:done]) for name, column in shakings.varied.items()},
+        **inputs(rows, shakings.varied, done),
     }
