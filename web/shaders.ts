@@ -18,10 +18,25 @@ export function smallShaders(): Plugin {
 
 /** A text whose lines are separated by the two characters \n and indented by \t. */
 export function small(text: string): string {
-  const lines = text.split("\\n").map((line) => line.replace(/\/\/.*/, "").replace(/\\t/g, " "));
-  // Directives are kept as they are; “- -” and “+ +” must not become other operators.
-  const packed = lines.map((line) =>
-    line.includes("#") ? line : line.replace(/\s*([*/=<>,;{}()?:&|])\s*/g, "$1").trimStart(),
+  const lines = text.split("\\n").map((line) =>
+    line
+      .replace(/\/\/.*/, "")
+      .replace(/\\t/g, " ")
+      .trim(),
   );
-  return packed.join("\\n");
+  const shorter = lines
+    .filter((line) => line !== "")
+    // A directive is a line of its own.
+    .map((line) => (line.startsWith("#") ? `\\n${line}\\n` : `${packed(line)} `));
+  // The text before or after this one may be a directive.
+  const [begin, end] = [lines[0] === "" ? "\\n" : "", lines.at(-1) === "" ? "\\n" : ""];
+  return `${begin}${shorter.join("")}${end}`
+    .replace(/ *(\\n)+ */g, "\\n")
+    .replace(/([;{},]) +/g, "$1");
 }
+
+/** “- -” and “+ +” must not become other operators. */
+const packed = (line: string) =>
+  line
+    .replace(/\s*([*/=<>,;{}()?:&|])\s*/g, "$1")
+    .replace(/([^+\-\s])\s*([+-])\s*(?=[^+\-\s])/g, "$1$2");

@@ -47,8 +47,6 @@ function shakenSetup(chance: Chance): Partial<Setup> {
   return {
     ...likelySetup(chance),
     floor,
-    // With it, an uplift can take very many steps.
-    rolling: 0,
     record: RECORD,
     pulse: chance.one(PULSES),
     // The first slip of a base on a floor that turns its direction takes very many steps.
