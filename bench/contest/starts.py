@@ -30,6 +30,8 @@ class Starts:
     def truth(self, task: str, law: str) -> np.ndarray:
         if task == "turn":
             return self.columns[f"turn_{law}"]
+        if task == "shaken":
+            return self.columns["end_tilt"]
         return np.array([self.columns[f"{angle}_{law}"][0] for angle in ("yaw", "tilt")])
 
     def part(self, name: str, chosen: np.ndarray) -> Starts:

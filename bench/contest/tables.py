@@ -33,17 +33,17 @@ def put_between(path: Path, name: str, text: str) -> None:
 def summary(results: Results) -> str:
     """The cost of a turn for every contestant under both laws, in one table."""
     head = ["µs a turn, one core", "coordinates"]
-    head += [f"{words}, {_power(error)}" for words in LAWS.values() for error in COMPARED_AT]
+    head += [f"{words}, {power(error)}" for words in LAWS.values() for error in COMPARED_AT]
     table = [
         _who(one)
-        + [_cost(cheapest(results.turns, one, law, error)) for law in LAWS for error in COMPARED_AT]
+        + [cost(cheapest(results.turns, one, law, error)) for law in LAWS for error in COMPARED_AT]
         for one in contestants(results.turns)
     ]
     table = [row for row in table if any(cell != "—" for cell in row[2:])]
     return "\n\n".join(
         [
             _machine(results),
-            _markdown(head, table),
+            markdown(head, table),
             "Who is not in the table had no setting with all turns within 10⁻⁹ rad: "
             + "; ".join(_left_out(results))
             + ".",
@@ -100,7 +100,7 @@ def _machine(results: Results) -> str:
     )
 
 
-def _markdown(head: list[str], rows: Iterable[list[str]]) -> str:
+def markdown(head: list[str], rows: Iterable[list[str]]) -> str:
     lines = [head, ["---"] * 2 + ["--:"] * (len(head) - 2), *rows]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
 
@@ -114,7 +114,7 @@ def _where(one: Contestant) -> str:
     return "integrals" if "quadrature" in one.method else COORDINATES[one.coordinates]
 
 
-def _cost(row: Row | None) -> str:
+def cost(row: Row | None) -> str:
     return "—" if row is None else _three_digits(1e6 * row.seconds)
 
 
@@ -125,31 +125,31 @@ def _three_digits(value: float) -> str:
 
 
 def turns_table(rows: list[Row], law: str) -> str:
-    head = ["", "coordinates", *(f"at {_power(e)} rad" for e in ERRORS), "best error"]
-    head += [f"best peer / this at {_power(error)}" for error in COMPARED_AT]
+    head = ["", "coordinates", *(f"at {power(e)} rad" for e in ERRORS), "best error"]
+    head += [f"best peer / this at {power(error)}" for error in COMPARED_AT]
     table = []
     everyone = contestants(rows)
     for one in everyone:
         mine = [row for row in rows if row.key == one.key and row.law == law]
         best = min((row.worst for row in mine), default=math.inf)
-        cells = [_cost(cheapest(rows, one, law, error)) for error in ERRORS]
+        cells = [cost(cheapest(rows, one, law, error)) for error in ERRORS]
         cells.append(f"{best:.0e}" if math.isfinite(best) else "—")
         for error in COMPARED_AT:
             row, peer = cheapest(rows, one, law, error), best_peer(rows, law, error, everyone)
             cells.append(f"{peer.times_of(row):.3g}" if row and peer else "—")
         table.append(_who(one) + cells)
-    return _markdown(head, table)
+    return markdown(head, table)
 
 
 def motions_table(rows: list[Row], title: str = "") -> str:
     table = []
     for one in contestants(rows, OF_A_MOTION):
-        costs = [_cost(cheapest(rows, one, law, MOTION_ERROR)) for law in LAWS]
+        costs = [cost(cheapest(rows, one, law, MOTION_ERROR)) for law in LAWS]
         table.append([*_who(one), *costs])
-    return _markdown([title, "coordinates", *LAWS.values()], table)
+    return markdown([title, "coordinates", *LAWS.values()], table)
 
 
-def _power(error: float) -> str:
+def power(error: float) -> str:
     high = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
     return "10" + str(round(math.log10(error))).translate(high)
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "can.hpp"
+#include "column.hpp"
 
 namespace odeint = boost::numeric::odeint;
 
@@ -24,6 +25,7 @@ struct Question {
     double tolerance;
     int repeats;
     std::vector<Start> starts;
+    std::string path;
 };
 
 // The best, or within a tenth of it, of 1, 1e-2, ... 1e-8.
@@ -89,6 +91,40 @@ std::vector<double> motion(const Question& question, MakeStepper make_stepper) {
     return {u[Regular::YAW], std::atan2(u[Regular::SIN], u[Regular::COS])};
 }
 
+// The tilt of the column at the end of the record. A step ends at each sample; the method goes on there, because the
+// rates are continuous.
+template <class Stepper>
+double shaken(Column& equations, const Record& record, double tilt, Stepper stepper) {
+    Column::State u{0.0, std::sin(tilt), std::cos(tilt), 0.0, 0.0, 0.0};
+    const auto by_time = [&](const auto& at, auto& rates, double t) { equations.rates(at, rates, t); };
+    double t = 0.0, h = Record::STEP;
+    for (std::size_t i = 0; i + 1 < record.samples.size(); ++i) {
+        equations.between(i);
+        const double end = Record::STEP * (i + 1);
+        while (t < end) {
+            const double wanted = h;
+            const bool last = t + h >= end * (1.0 - 1e-14);
+            if (last) h = end - t;
+            if (stepper.try_step(by_time, u, t, h) == odeint::success && last) {
+                t = end;
+                h = std::max(h, wanted);
+            }
+            if (!(h > 1e-14)) return std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    return std::atan2(u[Column::SIN], u[Column::COS]);
+}
+
+template <class MakeStepper>
+std::vector<double> all_shaken(const Question& question, MakeStepper make_stepper) {
+    static const Record record(question.path.substr(0, question.path.rfind('/') + 1) + "record.csv");
+    Column equations(record);
+    std::vector<double> found;
+    for (const Start& start : question.starts)
+        found.push_back(shaken(equations, record, start.tilt, make_stepper()));
+    return found;
+}
+
 template <class Equations, class MakeStepper>
 std::vector<double> turns(const Question& question, MakeStepper make_stepper) {
     const Equations equations(question.law);
@@ -135,6 +171,19 @@ std::vector<double> answer(const Question& question) {
             return odeint::make_controlled(atol, rtol, Stepper());
         });
     }
+    if (question.task == "shaken") {
+        using State = Column::State;
+        const double rtol = question.tolerance, atol = ATOL_OVER_RTOL * rtol;
+        if (question.method == "boost_dopri5")
+            return all_shaken(question, [=] {
+                return odeint::make_controlled(atol, rtol, odeint::runge_kutta_dopri5<State>());
+            });
+        if (question.method == "boost_rkf78")
+            return all_shaken(question, [=] {
+                return odeint::make_controlled(atol, rtol, odeint::runge_kutta_fehlberg78<State>());
+            });
+        throw std::runtime_error("knows no method " + question.method);
+    }
     if (question.coordinates == "regular") return by_method<Regular>(question);
     if (question.coordinates == "printed") return by_method<Printed>(question);
     throw std::runtime_error("knows no coordinates " + question.coordinates);
@@ -165,6 +214,7 @@ Question read(const std::string& line) {
     words >> question.task >> question.method >> question.coordinates >> question.law >> question.tolerance >>
         question.repeats >> path;
     if (!words) throw std::runtime_error("cannot read '" + line + "'");
+    question.path = path;
     question.starts = read_starts(path);
     return question;
 }

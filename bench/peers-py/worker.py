@@ -8,6 +8,7 @@ import sys
 import time
 
 import numpy as np
+from column import record_beside
 
 
 def read_starts(path):
@@ -20,6 +21,9 @@ def read_starts(path):
 def answer(peer, line):
     task, method, coordinates, law, tolerance, repeats, path = line.split()
     starts, times = read_starts(path), int(repeats)
+    if task == "shaken":
+        compute = peer.prepare_shaken(method, float(tolerance), starts[:, 0], record_beside(path))
+        return timed(compute, times, len(starts))
     many, again = starts, times
     if task == "turn" and getattr(peer, "ALL_AT_ONCE", False):
         many, again = np.tile(starts, (times, 1)), 1
@@ -31,6 +35,15 @@ def answer(peer, line):
     seconds = (time.process_time() - begun) / (times * len(starts))
     if task == "turn":
         found = found[: len(starts)]
+    return " ".join(f"{number!r}" for number in [seconds, *map(float, found)])
+
+
+def timed(compute, times, count):
+    """The answer of a computation that is repeated."""
+    begun = time.process_time()
+    for _ in range(times):
+        found = compute()
+    seconds = (time.process_time() - begun) / (times * count)
     return " ".join(f"{number!r}" for number in [seconds, *map(float, found)])
 
 

@@ -1,5 +1,6 @@
 //! The turn of the can and one motion, computed by rimroll's core as a Rust user calls it.
 
+mod column;
 #[path = "../../peers-rs/src/protocol.rs"]
 mod protocol;
 
@@ -11,6 +12,9 @@ use rimroll::{Body, ContactLaw, IdealLaw, Options, State, ensemble, presets, sim
 const GRAVITY: f64 = 9.8;
 
 fn answer(question: &Question) -> Result<Vec<f64>, String> {
+    if question.task == "shaken" {
+        return column::end_tilts(question);
+    }
     let can = presets::can_2007().map_err(|error| error.to_string())?;
     let starts: Vec<_> = question.starts.iter().map(state).collect();
     let law = match question.law {

@@ -30,6 +30,9 @@ pub struct Question {
     /// How often all starts are gone through.
     pub repeats: usize,
     pub starts: Vec<Start>,
+    /// The table of the starts.
+    #[allow(dead_code, reason = "not each program needs it")]
+    pub path: String,
 }
 
 /// How repeated starts reach a solver.
@@ -100,6 +103,7 @@ fn read(line: &str) -> Result<Question, String> {
         tolerance: tolerance.parse().map_err(|_| "bad tolerance")?,
         repeats: repeats.parse().map_err(|_| "bad repeats")?,
         starts: read_starts(starts)?,
+        path: starts.into(),
     })
 }
 

@@ -121,6 +121,12 @@ impl Ground {
         (&self.pulses, self.record.as_ref())
     }
 
+    /// The record of a ground without pulses.
+    #[cfg(feature = "ground")]
+    pub(crate) fn record_alone(&self) -> Option<&Record> {
+        self.record.as_ref().filter(|_| self.pulses.is_empty())
+    }
+
     fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3] + Copy) -> Ground {
         let pulse = |pulse: &Pulse| Pulse {
             amplitude: map(pulse.amplitude),

@@ -46,6 +46,8 @@ pub(crate) use rolling::RollingDynamics;
 pub use sliding::Sliding;
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
 pub use stribeck::Stribeck;
+#[cfg(feature = "ground")]
+pub(crate) use table::Acceleration;
 pub(crate) use table::{InertialEffect, Movable, OnTable, Table};
 pub use tabulated::Tabulated;
 pub use viscous::Viscous;

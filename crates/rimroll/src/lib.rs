@@ -66,6 +66,7 @@ pub mod law;
 pub mod motion;
 pub mod presets;
 pub mod real;
+#[cfg(feature = "ground")]
 pub mod shaking;
 mod slip_onset;
 pub mod small_angle;
@@ -82,6 +83,7 @@ pub use error::InvalidInput;
 pub use ground::Ground;
 pub use law::{FrictionLaw, IdealLaw};
 pub use motion::{Motion, Options, Status, simulate, simulate_on};
+#[cfg(feature = "ground")]
 pub use shaking::{Shaking, shake_many};
 pub use solids::Solid;
 pub use state::State;

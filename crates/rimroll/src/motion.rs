@@ -22,6 +22,8 @@ mod options;
 mod outcome;
 mod phase_dynamics;
 mod run;
+#[cfg(feature = "ground")]
+mod samples;
 mod sensitivity;
 mod shaken;
 mod step_bounds;
@@ -46,6 +48,8 @@ pub(crate) use run::{pass_near_collision, stopped};
 pub use sensitivity::{
     PARAMETERS, SHAKEN_PARAMETERS, Sensitivity, ShakenSensitivity, ShakenSlope, Slope,
 };
+#[cfg(feature = "ground")]
+pub(crate) use shaken::{Begun, many_shaken};
 pub use shaken::{Shaken, shaken};
 pub(crate) use topple::Topple;
 pub use track::{LookUp, Track};

@@ -17,6 +17,8 @@ mod widest;
 mod x86;
 
 pub(crate) use elementary::{FloatBits, approx_acosh, approx_asinh, asinh, sin_cos_below_eighth};
+#[cfg(feature = "ground")]
+pub(crate) use elementary::{sin_cos_of_small, sin_cos_without_branches};
 
 pub(crate) use fieldwise::fieldwise;
 

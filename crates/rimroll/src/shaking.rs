@@ -1,14 +1,15 @@
 //! Many motions on tables that move, at once on all processors.
 //!
-//! Each motion is computed by itself, so that its result does not depend, to the last bit, on the others, on their
-//! order or on the number of threads.
+//! A motion goes through the same operations alone and in the lanes of a batch. So its result does not depend, to the
+//! last bit, on the others, on their order or on the number of threads.
 
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
 use crate::ground::Ground;
-use crate::in_order::done_in_order;
-use crate::motion::{Options, Shaken, shaken};
+use crate::in_order::{done_in_order, threads};
+use crate::motion::{Begun, Options, Shaken, many_shaken};
+use crate::real::LANES;
 use crate::state::State;
 use core::ops::ControlFlow;
 use std::sync::Arc;
@@ -45,32 +46,13 @@ impl Shaking<'_> {
         self.contact_law.friction.start(&self.start).map(drop)
     }
 
-    /// The outcome; `None` if the watch stopped the computation.
-    fn outcome(
-        &self,
-        options: &Options,
-        should_continue: &dyn Fn() -> bool,
-    ) -> Result<Option<Shaken>, InvalidInput> {
-        let mut stopped = false;
-        let watch = |_| {
-            stopped = !should_continue();
-            if stopped {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
+    fn begun(&self, options: &Options) -> Begun {
         let ground = self.ground.map(|ground| scaled(ground, self.scale));
         let options = self.options(options);
-        let outcome = shaken(
-            ground,
-            self.body,
-            &self.start,
-            &self.contact_law,
-            &options,
-            watch,
-        )?;
-        Ok((!stopped).then_some(outcome))
+        match Begun::new(ground, self.body, &self.start, &self.contact_law, &options) {
+            Ok(begun) => begun,
+            Err(_) => unreachable!("the motions have been checked"),
+        }
     }
 }
 
@@ -89,7 +71,7 @@ pub fn first_refused(shakings: &[Shaking<'_>], options: &Options) -> Option<usiz
 
 /// The outcomes of many motions in order. The work is done on the threads of the current thread pool.
 ///
-/// `watch` is called on these threads after each motion with 1, and with 0 every few thousand steps. As soon as it
+/// `watch` is called on these threads after each chunk of motions with their number, and with 0 every few thousand steps. As soon as it
 /// breaks, the computation stops. The result then consists of the outcomes from the first motion up to the first one
 /// that was not computed.
 ///
@@ -106,12 +88,18 @@ pub fn shake_many(
         .iter()
         .try_for_each(|shaking| shaking.check(options))?;
     let work = |chunk: &[Shaking<'_>], should_continue: &dyn Fn() -> bool| {
-        let outcomes = chunk
-            .iter()
-            .map(|shaking| shaking.outcome(options, should_continue));
-        outcomes.map_while(|outcome| outcome.transpose()).collect()
+        let begun: Vec<_> = chunk.iter().map(|shaking| shaking.begun(options)).collect();
+        many_shaken(&begun, should_continue)
     };
-    // A motion takes so long that a thread can ask for each one.
-    let chunks: Vec<_> = shakings.chunks(1).collect();
-    done_in_order(&chunks, work, watch).into_iter().collect()
+    let chunks: Vec<_> = shakings
+        .chunks(chunk_size(shakings.len(), threads()))
+        .collect();
+    Ok(done_in_order(&chunks, work, watch))
+}
+
+/// The number of motions in a chunk of work: enough to fill the lanes, but few enough for all threads.
+fn chunk_size(count: usize, threads: usize) -> usize {
+    const MAX: usize = 4 * LANES;
+    let fair = count.div_ceil(threads).max(1);
+    fair.min(LANES.max(count / (4 * threads))).min(MAX)
 }

@@ -53,8 +53,25 @@ impl Record {
         self.time(self.samples.len() - 1)
     }
 
-    pub(super) fn time(&self, index: usize) -> f64 {
+    /// The time of a sample, s.
+    pub(crate) fn time(&self, index: usize) -> f64 {
         index as f64 * self.step
+    }
+
+    /// The index of the sample at exactly this time (s).
+    pub(crate) fn index_of(&self, t: f64) -> Option<usize> {
+        let index = (t / self.step + 0.5) as usize;
+        (self.time(index) == t).then_some(index)
+    }
+
+    /// The number of samples after the first whose times are less than `t` (s).
+    pub(crate) fn steps_until(&self, t: f64) -> usize {
+        let about = (t / self.step) as usize;
+        if self.time(about) < t {
+            about
+        } else {
+            about.saturating_sub(1)
+        }
     }
 
     /// The index of the last sample at or before a time t >= 0 (s).

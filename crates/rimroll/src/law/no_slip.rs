@@ -142,20 +142,22 @@ impl<T: Real> Dynamics<T> for NoSlip<T> {
 impl<T: Real> Movable<T> for NoSlip<T> {
     #[inline(always)]
     fn set_gravity(&mut self, gravity: T) {
-        let ratio = gravity / self.k.g;
+        let ratio = gravity * (T::from(1.0) / self.k.g);
         self.weight_of_cos = ratio * self.weight_of_cos;
         self.weight_of_sin = ratio * self.weight_of_sin;
         self.k.g = gravity;
     }
 
+    // Reciprocals of constants are computed once for all stages of a step.
     #[inline(always)]
     fn inertial_effect(&self, u: &Coordinates<T>, [along, across]: [T; 2]) -> InertialEffect<T> {
         let k = &self.k;
-        let per_radius = u.sin / k.r;
+        let per_radius = T::from(1.0) / k.r;
         // m/J = (mgR/J)/(gR), mHC/D = (mHRC/D)/R and mRA/D = (mR²A/D)/R.
-        let p = self.weight_of_cos * k.z(u) * per_radius * along / k.g;
-        let w = self.s_of_s * per_radius * across;
-        let s = -(self.s_of_w * per_radius * across);
+        let p_of_along = self.weight_of_cos * per_radius * (T::from(1.0) / k.g);
+        let p = p_of_along * (u.sin * k.z(u)) * along;
+        let w = (self.s_of_s * per_radius) * u.sin * across;
+        let s = -((self.s_of_w * per_radius) * u.sin * across);
         InertialEffect {
             p,
             w,

@@ -56,9 +56,57 @@ impl<T: Scalar> Table<T> {
 
 /// The acceleration of the table along e_x1, e_y1 and e_z, m/s².
 #[derive(Clone, Copy)]
-struct Acceleration<T> {
-    horizontal: [T; 2],
-    vertical: T,
+pub(crate) struct Acceleration<T> {
+    pub horizontal: [T; 2],
+    pub vertical: T,
+}
+
+impl<T: Real> Acceleration<T> {
+    /// The rates of the reduced state under a law that holds relative to the table.
+    #[inline(always)]
+    pub(crate) fn rates<L: Movable<T>>(&self, dynamics: &L, u: &Coordinates<T>) -> Coordinates<T> {
+        let rates = self.gravity(dynamics).reduced_rates(u);
+        self.add_to(rates, dynamics, u)
+    }
+
+    /// The contact force (times sin φ).
+    #[inline(always)]
+    pub(crate) fn contact<L: Movable<T>>(&self, dynamics: &L, u: &Coordinates<T>) -> Contact<T> {
+        let effect = dynamics.inertial_effect(u, self.horizontal);
+        self.gravity(dynamics).contact(u).plus(&effect.contact)
+    }
+
+    /// The equations under the gravity g + a_z.
+    #[inline(always)]
+    fn gravity<L: Movable<T>>(&self, dynamics: &L) -> L {
+        let mut under = dynamics.clone();
+        under.set_gravity(dynamics.parameters().g + self.vertical);
+        under
+    }
+
+    /// Adds the effect of the horizontal inertial force to `rates`, and the power of the inertial force.
+    #[inline(always)]
+    fn add_to<L: Movable<T>>(
+        &self,
+        rates: Coordinates<T>,
+        dynamics: &L,
+        u: &Coordinates<T>,
+    ) -> Coordinates<T> {
+        let k = dynamics.parameters();
+        let [along, across] = self.horizontal;
+        let InertialEffect { p, w, s, slip, .. } = dynamics.inertial_effect(u, [along, across]);
+        let [vx, vy] = dynamics.center_velocity(u);
+        let vz = k.rho(u) * u.p + u.gap_rate;
+        Coordinates {
+            p: rates.p + p,
+            w: rates.w + w,
+            s: rates.s + s,
+            slip_x: rates.slip_x + slip[0],
+            slip_y: rates.slip_y + slip[1],
+            ground_work: -(u.sin * k.m) * (along * vx + across * vy + self.vertical * vz),
+            ..rates
+        }
+    }
 }
 
 /// What the horizontal inertial force adds to the rates of the velocities and to the contact force, all times
@@ -135,9 +183,7 @@ impl<L, T: Scalar> OnTable<L, T> {
     where
         L: Movable<T>,
     {
-        let acceleration = self.table.acceleration(u);
-        let rates = self.under(&acceleration).reduced_rates(u);
-        self.shaken(u, rates, &acceleration)
+        self.table.acceleration(u).rates(&self.dynamics, u)
     }
 
     /// The contact force (times sin φ) on a table that moves.
@@ -146,48 +192,7 @@ impl<L, T: Scalar> OnTable<L, T> {
     where
         L: Movable<T>,
     {
-        let acceleration = self.table.acceleration(u);
-        let effect = self.dynamics.inertial_effect(u, acceleration.horizontal);
-        self.under(&acceleration).contact(u).plus(&effect.contact)
-    }
-
-    /// The equations under the gravity g + a_z.
-    #[inline(always)]
-    fn under(&self, acceleration: &Acceleration<T>) -> L
-    where
-        L: Movable<T>,
-    {
-        let mut dynamics = self.dynamics.clone();
-        dynamics.set_gravity(self.dynamics.parameters().g + acceleration.vertical);
-        dynamics
-    }
-
-    /// Adds the effect of the horizontal inertial force to `rates`, and the power of the inertial force.
-    #[inline(always)]
-    fn shaken(
-        &self,
-        u: &Coordinates<T>,
-        rates: Coordinates<T>,
-        acceleration: &Acceleration<T>,
-    ) -> Coordinates<T>
-    where
-        L: Movable<T>,
-    {
-        let k = self.dynamics.parameters();
-        let [along, across] = acceleration.horizontal;
-        let InertialEffect { p, w, s, slip, .. } =
-            self.dynamics.inertial_effect(u, [along, across]);
-        let [vx, vy] = self.dynamics.center_velocity(u);
-        let vz = k.rho(u) * u.p + u.gap_rate;
-        Coordinates {
-            p: rates.p + p,
-            w: rates.w + w,
-            s: rates.s + s,
-            slip_x: rates.slip_x + slip[0],
-            slip_y: rates.slip_y + slip[1],
-            ground_work: -(u.sin * k.m) * (along * vx + across * vy + acceleration.vertical * vz),
-            ..rates
-        }
+        self.table.acceleration(u).contact(&self.dynamics, u)
     }
 }
 
@@ -257,7 +262,8 @@ impl<F: Friction<f64> + Clone> OnTable<Sliding<f64, F>> {
             return self.dynamics.under(u, friction_force);
         }
         let acceleration = self.table.acceleration(u);
-        let (contact, rates) = self.under(&acceleration).under(u, friction_force);
-        (contact, self.shaken(u, rates, &acceleration))
+        let under = acceleration.gravity(&self.dynamics);
+        let (contact, rates) = under.under(u, friction_force);
+        (contact, acceleration.add_to(rates, &self.dynamics, u))
     }
 }

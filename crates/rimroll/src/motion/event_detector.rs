@@ -216,6 +216,18 @@ impl<'a> EventDetector<'a> {
         self.corner = corner;
     }
 
+    /// The last significant sign of the tilt rate, or 0.
+    #[cfg(feature = "ground")]
+    pub(super) fn direction(&self) -> f64 {
+        self.direction
+    }
+
+    /// The goal of the simulation.
+    #[cfg(feature = "ground")]
+    pub(super) fn goal(&self) -> Goal {
+        self.goal
+    }
+
     /// The events in order of time.
     pub(super) fn into_events(self) -> Vec<Event> {
         self.events

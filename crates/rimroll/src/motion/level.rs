@@ -88,8 +88,12 @@ impl<'a> Level<'a> {
         if margin(begin) < 0.0 {
             return Some(begin);
         }
-        // On a record, which is linear here, the margin is concave: its minimum is at an end.
-        let width = (ground.shortest_period(begin) / SAMPLES).min(end - begin);
+        let period = ground.shortest_period(begin);
+        if period == f64::INFINITY {
+            // On a record, which is linear here, the margin is concave: its minimum is at an end.
+            return (margin(end) < 0.0).then(|| bracketed_root(begin, end, margin));
+        }
+        let width = (period / SAMPLES).min(end - begin);
         let count = ((end - begin) / width).ceil().max(1.0);
         let time = |i: f64| if i < count { begin + i * width } else { end };
         let mut before = begin;

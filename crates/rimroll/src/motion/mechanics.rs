@@ -1,7 +1,7 @@
 //! The system of differential equations of one phase, with its error scales and time transformation.
 
 use crate::error_scale::ErrorScale;
-use crate::law::Dynamics;
+use crate::law::{Dynamics, Parameters};
 use crate::real::Real;
 use crate::solve::System;
 use crate::state::{COORDINATES, COORDINATES_AT_REST, Coordinates, IGNORABLE, RIGID_COORDINATES};
@@ -54,10 +54,9 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
     /// planar motions. The rounding errors of the work so far are large beside the energy of a body that begins to
     /// rock again.
     pub(super) fn on_moving_table(self) -> Self {
-        const FLOOR: f64 = 1e-3;
         let k = self.dynamics.parameters();
         Mechanics {
-            rate_floor: T::from(FLOOR) * (k.g / k.r).sqrt(),
+            rate_floor: rate_floor(k),
             energy_floor: T::from(FLOOR) * k.m * k.g * k.r,
             ..self
         }
@@ -152,6 +151,14 @@ impl<T: Real, L: Dynamics<T> + ?Sized> System<T, RIGID_COORDINATES> for Mechanic
     fn scale(&self, u: &[T; RIGID_COORDINATES]) -> [T; RIGID_COORDINATES] {
         leading(&self.scales(&Coordinates::from_first(u)).into_array())
     }
+}
+
+/// The floors of error scales on a table that moves, relative to natural units.
+const FLOOR: f64 = 1e-3;
+
+/// What is added to the error scales of the rates of rotation on a table that moves, rad/s.
+pub(super) fn rate_floor<T: Real>(k: &Parameters<T>) -> T {
+    T::from(FLOOR) * (k.g / k.r).sqrt()
 }
 
 /// The first N coordinates.

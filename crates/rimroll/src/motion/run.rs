@@ -2,8 +2,14 @@
 
 mod approach;
 mod level_phases;
+#[cfg(feature = "ground")]
+mod samples;
 mod steps;
 
+#[cfg(feature = "ground")]
+pub(super) use self::samples::OnSamples;
+#[cfg(feature = "ground")]
+use self::samples::SampleSteps;
 use self::steps::Steps;
 use super::contacts::{Contacts, Transition};
 use super::event::{Event, EventKind};
@@ -36,7 +42,19 @@ const STIFFNESS_TEST_INTERVAL: usize = 64;
 /// What follows a phase.
 enum AfterEvent {
     Phase(Phase, PhaseStart),
+    /// The phase goes on with steps of this pace.
+    #[cfg(feature = "ground")]
+    Steps(Phase, PhaseStart, Pace),
     EndState(Status),
+}
+
+/// How far a motion has been followed.
+pub(super) enum Followed {
+    /// To its end.
+    Ended(Status),
+    /// To a sample of the table's record, from which a rolling rim may go on in steps from sample to sample.
+    #[cfg(feature = "ground")]
+    ToSample(Box<OnSamples>),
 }
 
 /// The start of a phase: the coordinates, and the direction of a slip that begins from rest.
@@ -65,6 +83,9 @@ enum StepsEnd {
 enum PhaseEnd {
     Event(TerminalEvent),
     Motion(Status),
+    /// The phase may go on in steps from sample to sample.
+    #[cfg(feature = "ground")]
+    Sample(Box<OnSamples>),
 }
 
 /// A simulation in progress.
@@ -84,6 +105,9 @@ pub(super) struct Run<'a> {
     last_event: Option<TerminalEvent>,
     /// The number of times that the whole base has come down flat.
     landings: u64,
+    /// `None` where steps from sample to sample cannot follow the motion.
+    #[cfg(feature = "ground")]
+    sample_steps: Option<SampleSteps>,
 }
 
 impl<'a> Run<'a> {
@@ -118,6 +142,8 @@ impl<'a> Run<'a> {
             last_end: (f64::NAN, f64::NAN),
             last_event: None,
             landings: 0,
+            #[cfg(feature = "ground")]
+            sample_steps: SampleSteps::new(contacts, options.topple_tilt, options.step_tolerance()),
         };
         if stands {
             let direction = None;
@@ -143,22 +169,38 @@ impl<'a> Run<'a> {
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Status {
         loop {
+            match self.follow(report) {
+                Followed::Ended(status) => return status,
+                #[cfg(feature = "ground")]
+                Followed::ToSample(sample) => self.step_alone(*sample),
+            }
+        }
+    }
+
+    /// Runs the simulation until it ends or until steps from sample to sample may follow.
+    pub(super) fn follow(&mut self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Followed {
+        loop {
             if let Some(PhaseEnd::Motion(status)) = self.out_of_steps(report)
                 && !matches!(self.next, AfterEvent::EndState(_))
             {
-                return status;
+                return Followed::Ended(status);
             }
-            match core::mem::replace(&mut self.next, AfterEvent::EndState(Status::Failed)) {
-                AfterEvent::EndState(status) => return status,
-                AfterEvent::Phase(phase, PhaseStart { u, .. }) if phase.is_level() => {
-                    self.next = self.follow_level(phase, u, report);
-                }
-                AfterEvent::Phase(phase, phase_start) => {
-                    self.next = match self.follow_phase(phase, &phase_start, report) {
-                        PhaseEnd::Event(event) => self.after(event, &self.track.end()),
-                        PhaseEnd::Motion(status) => AfterEvent::EndState(status),
+            let (phase, start, pace) =
+                match core::mem::replace(&mut self.next, AfterEvent::EndState(Status::Failed)) {
+                    AfterEvent::EndState(status) => return Followed::Ended(status),
+                    AfterEvent::Phase(phase, PhaseStart { u, .. }) if phase.is_level() => {
+                        self.next = self.follow_level(phase, u, report);
+                        continue;
                     }
-                }
+                    AfterEvent::Phase(phase, start) => (phase, start, None),
+                    #[cfg(feature = "ground")]
+                    AfterEvent::Steps(phase, start, pace) => (phase, start, Some(pace)),
+                };
+            self.next = match self.follow_phase(phase, &start, pace, report) {
+                PhaseEnd::Event(event) => self.after(event, &self.track.end()),
+                PhaseEnd::Motion(status) => AfterEvent::EndState(status),
+                #[cfg(feature = "ground")]
+                PhaseEnd::Sample(sample) => return Followed::ToSample(sample),
             }
         }
     }
@@ -172,18 +214,19 @@ impl<'a> Run<'a> {
         (self.track, self.detector.into_events(), self.work)
     }
 
-    /// Integrates one phase to its end.
+    /// Integrates one phase to its end, or to a sample from which steps to further samples can be tried.
     fn follow_phase(
         &mut self,
         phase: Phase,
         phase_start: &PhaseStart,
+        mut pace: Option<Pace>,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> PhaseEnd {
         if let Some(over) = self.out_of_steps(report) {
             return over;
         }
         let contacts = self.contacts;
-        let (mut start, mut pace) = (*phase_start, None);
+        let mut start = *phase_start;
         loop {
             let phases = contacts.phases_from(start.u.t);
             let mechanics = phases.mechanics(phase, Clock::Regularized);
@@ -209,6 +252,12 @@ impl<'a> Run<'a> {
             match phases.solve(phase, clock, steps) {
                 StepsEnd::Phase(over) => return over,
                 StepsEnd::Continue(u, next) => {
+                    #[cfg(feature = "ground")]
+                    if u.t == corner
+                        && let Some(sample) = self.on_samples(phase, &u)
+                    {
+                        return PhaseEnd::Sample(Box::new(sample));
+                    }
                     let direction = None;
                     start = PhaseStart { u, direction };
                     pace = next;
@@ -250,10 +299,14 @@ impl<'a> Run<'a> {
         if self.work.steps >= self.options.max_steps {
             return Some(PhaseEnd::Motion(Status::Failed));
         }
-        if self.work.steps % 4096 == 4095 && report(self.track.end().t).is_break() {
+        if self.steps_until_report() == 0 && report(self.track.end().t).is_break() {
             return Some(PhaseEnd::Motion(Status::Interrupted));
         }
         None
+    }
+
+    fn steps_until_report(&self) -> usize {
+        4095 - self.work.steps % 4096
     }
 
     /// Continues from `u` with implicit steps while the system is stiff for explicit steps of size `h`. Returns

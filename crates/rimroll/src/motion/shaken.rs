@@ -1,6 +1,13 @@
 //! The outcome of a motion on a table that moves: a motion of which only the end and the extremes are kept.
 
+#[cfg(feature = "ground")]
+mod many;
+
+#[cfg(feature = "ground")]
+pub(crate) use many::many_shaken;
+
 use super::begun;
+use super::contacts::Contacts;
 use super::event::{Event, EventKind};
 use super::event_detector::Goal;
 use super::options::Options;
@@ -64,34 +71,71 @@ pub fn shaken(
     options: &Options,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Shaken, InvalidInput> {
-    let (options, contacts, start) = begun(ground, body, start, contact_law, options)?;
-    let mut run = Run::new(&contacts, &options, Goal::End(options.duration), start);
+    let begun = Begun::new(ground, body, start, contact_law, options)?;
+    let mut run = begun.run();
     let status = run.follow_to_the_end(&mut watch);
-    let (track, events, work) = run.into_parts();
-    let first = |kind| events.iter().find(|event| event.kind == kind);
-    let topple = first(EventKind::Topple);
-    let end = topple.map_or_else(|| track.end().u, |event| event.at.u);
-    let (max_tilt, max_tilt_time) = largest_tilt(&start, &events, &end);
-    let k = contacts.parameters();
-    let has_overturned =
-        topple.is_some() || status == Status::LiftedOff && k.is_past_balance(end.tilt());
-    let (from, to) = (footprint(k, &start), footprint(k, &end));
-    Ok(Shaken {
-        status,
-        overturning_time: has_overturned.then_some(end.t),
-        max_tilt,
-        max_tilt_time,
-        uplift_time: first(EventKind::Uplift).map(|event| event.at.t),
-        end_time: end.t,
-        end_tilt: end.tilt(),
-        residual_displacement: [to[0] - from[0], to[1] - from[1]],
-        residual_yaw: (end.yaw + end.spin) - (start.yaw + start.spin),
-        friction_loss: end.friction_loss,
-        resistance_loss: end.resistance_loss,
-        impact_loss: end.impact_loss,
-        ground_work: end.ground_work,
-        steps: work.steps,
-    })
+    Ok(begun.outcome(run, status))
+}
+
+/// What a motion begins with.
+pub(crate) struct Begun {
+    options: Options,
+    contacts: Arc<Contacts>,
+    start: Coordinates<f64>,
+}
+
+impl Begun {
+    /// # Errors
+    /// As [`simulate`](super::simulate).
+    pub(crate) fn new(
+        ground: Option<Arc<Ground>>,
+        body: &Body,
+        start: &State,
+        contact_law: &ContactLaw,
+        options: &Options,
+    ) -> Result<Self, InvalidInput> {
+        let (options, contacts, start) = begun(ground, body, start, contact_law, options)?;
+        Ok(Begun {
+            options,
+            contacts,
+            start,
+        })
+    }
+
+    fn run(&self) -> Run<'_> {
+        let goal = Goal::End(self.options.duration);
+        Run::new(&self.contacts, &self.options, goal, self.start)
+    }
+
+    /// The outcome of a run that has ended.
+    fn outcome(&self, run: Run<'_>, status: Status) -> Shaken {
+        let start = &self.start;
+        let (track, events, work) = run.into_parts();
+        let first = |kind| events.iter().find(|event| event.kind == kind);
+        let topple = first(EventKind::Topple);
+        let end = topple.map_or_else(|| track.end().u, |event| event.at.u);
+        let (max_tilt, max_tilt_time) = largest_tilt(start, &events, &end);
+        let k = self.contacts.parameters();
+        let has_overturned =
+            topple.is_some() || status == Status::LiftedOff && k.is_past_balance(end.tilt());
+        let (from, to) = (footprint(k, start), footprint(k, &end));
+        Shaken {
+            status,
+            overturning_time: has_overturned.then_some(end.t),
+            max_tilt,
+            max_tilt_time,
+            uplift_time: first(EventKind::Uplift).map(|event| event.at.t),
+            end_time: end.t,
+            end_tilt: end.tilt(),
+            residual_displacement: [to[0] - from[0], to[1] - from[1]],
+            residual_yaw: (end.yaw + end.spin) - (start.yaw + start.spin),
+            friction_loss: end.friction_loss,
+            resistance_loss: end.resistance_loss,
+            impact_loss: end.impact_loss,
+            ground_work: end.ground_work,
+            steps: work.steps,
+        }
+    }
 }
 
 /// The largest tilt (rad) and its time (s), which is that of a maximum or of an end of the motion.

@@ -6,6 +6,8 @@ use super::instant::Phase;
 use super::mechanics::{Clock, leading};
 use super::phase_dynamics::SystemVisitor;
 use crate::solve::{Dense, Step, System};
+#[cfg(feature = "ground")]
+use crate::state::Coordinates;
 use crate::state::{COORDINATES, TIME};
 
 pub(super) type Polynomial = Dense<f64, COORDINATES>;
@@ -43,6 +45,25 @@ impl StepRecord {
             h: step.h,
             start: widened(&step.start),
             end: widened(&step.end),
+            polynomial: None,
+        }
+    }
+
+    /// A step of h seconds that another method has made. Its dense output is that of the explicit method, whose end
+    /// differs from this one within the tolerance.
+    #[cfg(feature = "ground")]
+    pub fn in_time(
+        phase: Phase,
+        h: f64,
+        start: &Coordinates<f64>,
+        end: &Coordinates<f64>,
+    ) -> StepRecord {
+        StepRecord {
+            phase,
+            clock: Clock::Time,
+            h,
+            start: start.into_array(),
+            end: end.into_array(),
             polynomial: None,
         }
     }

@@ -3,6 +3,8 @@
 
 use super::Real;
 use super::register::{ROUNDER, Register};
+#[cfg(feature = "ground")]
+use core::f64::consts::FRAC_2_PI;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, SQRT_2};
 
 /// ln 2 as a sum. The first term has so few bits that its product with an exponent is exact.
@@ -137,6 +139,56 @@ pub(crate) fn sin_cos_below_eighth<T: Real>(x: T) -> (T, T) {
     (x * sin, cos)
 }
 
+/// (sin x, cos x) for |x| ≤ 1e6, to a few units in the last place of 1.
+#[cfg(feature = "ground")]
+#[inline(always)]
+pub(crate) fn sin_cos_without_branches<T: Real>(x: T) -> (T, T) {
+    // x = k π/2 + r. The first two terms of π/2 have so few bits that their products with k are exact.
+    const HIGH: f64 = 1.570_796_326_734_125_6;
+    const MIDDLE: f64 = 6.077_100_506_303_966e-11;
+    const LOW: f64 = 2.022_266_248_795_950_6e-21;
+    let k = nearest(x * T::from(FRAC_2_PI));
+    let r = ((x - k * T::from(HIGH)) - k * T::from(MIDDLE)) - k * T::from(LOW);
+    let (sin, cos) = sin_cos_below_eighth(r);
+    // k modulo 4, from −2 to 2.
+    let quarter = k - T::from(4.0) * nearest(k * T::from(0.25));
+    let odd = (quarter.abs() - T::from(1.0)).abs() - T::from(0.5);
+    let half = T::from(1.5) - quarter.abs();
+    let (from_sin, from_cos) = (odd.where_negative(cos, sin), odd.where_negative(sin, cos));
+    // Both change sign after half a turn; for odd quarters the sine has the sign of k and the cosine the opposite one.
+    let sign_of_odd = quarter.where_negative(-T::from(1.0), T::from(1.0));
+    let sign_of_even = half.where_negative(-T::from(1.0), T::from(1.0));
+    (
+        odd.where_negative(sign_of_odd, sign_of_even) * from_sin,
+        odd.where_negative(-sign_of_odd, sign_of_even) * from_cos,
+    )
+}
+
+/// The nearest whole number, for |x| < 2⁵¹.
+#[cfg(feature = "ground")]
+#[inline(always)]
+fn nearest<T: Real>(x: T) -> T {
+    (x + T::from(ROUNDER)) - T::from(ROUNDER)
+}
+
+/// (sin x, cos x) for |x| ≤ 0.1, to a few units in the last place of 1.
+#[cfg(feature = "ground")]
+#[inline(always)]
+pub(crate) fn sin_cos_of_small<T: Real>(x: T) -> (T, T) {
+    let (one, square) = (T::from(1.0), x * x);
+    // The series of sin x to x⁹ and of cos x to x⁸. The remainders are less than 3e-17.
+    let (mut sin, mut cos) = (T::from(1.0 / 362_880.0), T::from(1.0 / 40_320.0));
+    for (sin_coefficient, cos_coefficient) in [
+        (-1.0 / 5_040.0, -1.0 / 720.0),
+        (1.0 / 120.0, 1.0 / 24.0),
+        (-1.0 / 6.0, -0.5),
+    ] {
+        sin = sin * square + T::from(sin_coefficient);
+        cos = cos * square + T::from(cos_coefficient);
+    }
+    (x * (one + square * sin), one + square * cos)
+}
+
 /// arsinh x for |x| < 1e150. The absolute error is of the order of rounding errors.
 #[inline(always)]
 pub(crate) fn asinh<T: Real>(x: T) -> T {
@@ -159,7 +211,10 @@ pub(crate) fn approx_acosh<T: Real>(x: T) -> T {
 
 #[cfg(test)]
 mod tests {
-    use super::{approx_ln, atan, exp_m1, ln, sin_cos_below_eighth};
+    use super::{
+        approx_ln, atan, exp_m1, ln, sin_cos_below_eighth, sin_cos_of_small,
+        sin_cos_without_branches,
+    };
     use core::f64::consts::FRAC_PI_4;
     use proptest::prelude::*;
 
@@ -182,6 +237,17 @@ mod tests {
             let (sin, cos) = sin_cos_below_eighth(angle);
             prop_assert!((sin - libm::sin(angle)).abs() <= 2.0 * f64::EPSILON * angle.abs());
             prop_assert!((cos - libm::cos(angle)).abs() <= 2.0 * f64::EPSILON);
+        }
+
+        #[test]
+        fn sine_and_cosine_without_branches_agree_with_libm(x in -1e6..1e6_f64, scale in -20.0..0.0_f64) {
+            let close = |(sin, cos): (f64, f64), x: f64| {
+                (sin - libm::sin(x)).abs().max((cos - libm::cos(x)).abs()) <= 3.0 * f64::EPSILON
+            };
+            let x = x * libm::exp(scale);
+            prop_assert!(close(sin_cos_without_branches(x), x));
+            let small = libm::fmod(x, 0.1);
+            prop_assert!(close(sin_cos_of_small(small), small));
         }
     }
 }

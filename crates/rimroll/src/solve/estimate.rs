@@ -36,6 +36,12 @@ impl Estimate<f64> {
         self.error_squared < f64::INFINITY
     }
 
+    /// The square of the error relative to the tolerance.
+    #[inline]
+    pub fn relative_squared(&self) -> f64 {
+        self.error_squared / self.allowed
+    }
+
     /// Whether the step is accepted.
     #[inline]
     pub fn is_accepted(&self) -> bool {

@@ -1,0 +1,270 @@
+//! The steps of a run from one sample of the table's record to the next.
+
+use super::{AfterEvent, Pace, PhaseStart, Run};
+use crate::ground::Record;
+use crate::law::FrictionLaw;
+use crate::motion::contacts::Contacts;
+use crate::motion::event_detector::Goal;
+use crate::motion::instant::{Instant, Phase};
+use crate::motion::mechanics::Clock;
+use crate::motion::samples::{At, Between, Order, Rolling, advanced, reduce};
+use crate::motion::step_record::StepRecord;
+use crate::motion::topple::Topple;
+use crate::state::Coordinates;
+
+/// What the steps from sample to sample of a run need.
+pub(super) struct SampleSteps {
+    rolling: Rolling<f64>,
+    record: Record,
+    /// The number of samples to pass before such steps are tried again.
+    pause: usize,
+    /// How often in succession no such step has succeeded.
+    failures: u32,
+    /// The level of the last steps.
+    level: u32,
+}
+
+/// A rolling rim that steps from sample to sample of a record: by one step of order 5 or, where that is not accurate enough,
+/// by 1, 2, 4 or 8 equal steps of order 8.
+pub(in crate::motion) struct OnSamples {
+    pub rolling: Rolling<f64>,
+    pub at: At<f64>,
+    /// The sign of the tilt rate.
+    pub direction: f64,
+    record: Record,
+    /// The index of the last sample, and that of the last one to which steps go.
+    index: usize,
+    last: usize,
+    /// 0 for a step of order 5; above that the number of steps of order 8 between two samples is 2^(level − 1).
+    level: u32,
+    /// The number of those made.
+    part: u32,
+    /// The number of samples passed at level 1 in succession.
+    passed: u32,
+    /// The number of steps made, and that after which the usual stepper takes over in any case.
+    steps: usize,
+    max_steps: usize,
+    /// The number of evaluations of the rates.
+    evaluations: usize,
+    /// The coordinates before the first step.
+    before: Coordinates<f64>,
+}
+
+/// The largest level.
+const MAX_LEVEL: u32 = 4;
+
+impl OnSamples {
+    /// The next step.
+    #[inline]
+    pub(in crate::motion) fn between(&self) -> Between<f64> {
+        let samples = self.record.samples();
+        let (from, to) = (samples[self.index], samples[self.index + 1]);
+        let h = self.record.time(self.index + 1) - self.record.time(self.index);
+        let parts = self.parts();
+        if parts == 1 {
+            return Between { from, to, h };
+        }
+        let width = 1.0 / f64::from(parts);
+        let at = |part: u32| {
+            let x = width * f64::from(part);
+            core::array::from_fn(|i| from[i] + x * (to[i] - from[i]))
+        };
+        Between {
+            from: at(self.part),
+            to: at(self.part + 1),
+            h: width * h,
+        }
+    }
+
+    /// The method of the next step.
+    #[inline]
+    pub(in crate::motion) fn order(&self) -> Order {
+        if self.level == 0 {
+            Order::Five
+        } else {
+            Order::Eight
+        }
+    }
+
+    /// The number of steps between two samples.
+    #[inline]
+    fn parts(&self) -> u32 {
+        1 << self.level.saturating_sub(1)
+    }
+
+    /// Accepts a step with this square of its error, relative to the tolerance. Whether another step may follow.
+    #[inline]
+    pub(in crate::motion) fn accept(&mut self, error_squared: f64) -> bool {
+        // Of the error of a step of twice the size, squared.
+        const EXCESS: f64 = 1e6;
+        // The number of samples after which order 5 is tried again.
+        const PATIENCE: u32 = 8;
+        self.steps += 1;
+        self.evaluations += if self.level == 0 { 6 } else { 12 };
+        self.part += 1;
+        if self.part == self.parts() {
+            self.part = 0;
+            self.index += 1;
+            self.passed += u32::from(self.level == 1);
+            let coarser = match self.level {
+                0 => false,
+                1 => self.passed >= PATIENCE,
+                _ => EXCESS * error_squared < 1.0,
+            };
+            if coarser {
+                self.level -= 1;
+                self.passed = 0;
+            }
+        }
+        self.index < self.last && self.steps < self.max_steps
+    }
+
+    /// Refines the step, whose error is too large. Whether it is worth another attempt.
+    pub(in crate::motion) fn refine(&mut self) -> bool {
+        if self.level > 0 {
+            self.part *= 2;
+        }
+        self.level += 1;
+        self.passed = 0;
+        self.level <= MAX_LEVEL
+    }
+
+    /// The time, s.
+    fn time(&self) -> f64 {
+        let from = self.record.time(self.index);
+        if self.part == 0 {
+            return from;
+        }
+        let part = f64::from(self.part) / f64::from(self.parts());
+        from + part * (self.record.time(self.index + 1) - from)
+    }
+
+    /// All coordinates.
+    fn coordinates(&self) -> Coordinates<f64> {
+        advanced(&self.before, &self.at.u, self.time())
+    }
+}
+
+impl SampleSteps {
+    /// `None` where such steps cannot follow the motion.
+    pub(super) fn new(contacts: &Contacts, topple: Option<f64>, tolerance: f64) -> Option<Self> {
+        let law = contacts.contact_law();
+        let rolls = law.friction == FrictionLaw::NoSlip || contacts.is_dry();
+        let record = contacts.ground()?.record_alone()?;
+        let fits = rolls && !law.resists();
+        fits.then(|| SampleSteps {
+            rolling: Rolling::new(contacts, topple.map(Topple::at), tolerance),
+            record: record.clone(),
+            pause: 0,
+            failures: 0,
+            level: 0,
+        })
+    }
+}
+
+impl Run<'_> {
+    /// The motion at a sample from which steps to further samples can be tried.
+    pub(super) fn on_samples(&mut self, phase: Phase, u: &Coordinates<f64>) -> Option<OnSamples> {
+        // The range of angles in which sine and cosine are accurate.
+        const MAX_YAW: f64 = 9e5;
+        let direction = self.detector.direction();
+        let max_steps = self.options.max_steps.saturating_sub(self.work.steps);
+        let max_steps = max_steps.min(self.steps_until_report());
+        let steps = self.sample_steps.as_mut()?;
+        if phase != Phase::Rolling || direction == 0.0 {
+            return None;
+        }
+        if steps.pause > 0 {
+            steps.pause -= 1;
+            return None;
+        }
+        let index = steps.record.index_of(u.t)?;
+        let goal = match self.detector.goal() {
+            Goal::Time(end) | Goal::End(end) | Goal::Turn(end) => end,
+            Goal::Passed(_) => return None,
+        };
+        // The motion and the record end in later steps.
+        let samples = steps.record.samples();
+        let last = steps.record.steps_until(goal).min(samples.len() - 1);
+        let fits = index < last && max_steps > 0 && u.yaw.abs() < MAX_YAW;
+        fits.then(|| OnSamples {
+            at: steps.rolling.at(&reduce(u), samples[index]),
+            rolling: steps.rolling,
+            direction,
+            record: steps.record.clone(),
+            index,
+            last,
+            level: steps.level,
+            part: 0,
+            passed: 0,
+            steps: 0,
+            evaluations: 1,
+            max_steps,
+            before: *u,
+        })
+    }
+
+    /// Steps from sample to sample as long as possible.
+    pub(in crate::motion) fn step_alone(&mut self, mut sample: OnSamples) {
+        let mut u = sample.before;
+        loop {
+            let between = sample.between();
+            let attempt = sample.rolling.attempt_alone(
+                sample.order(),
+                &sample.at,
+                &between,
+                sample.direction,
+            );
+            if !attempt.estimate.is_accepted() {
+                if sample.refine() {
+                    continue;
+                }
+                break;
+            }
+            if attempt.margin < 0.0 {
+                break;
+            }
+            sample.at = attempt.end;
+            let goes_on = sample.accept(attempt.estimate.relative_squared());
+            if self.detector.goal().needs_track() {
+                let end = sample.coordinates();
+                self.track
+                    .push(StepRecord::in_time(Phase::Rolling, between.h, &u, &end));
+                u = end;
+            }
+            if !goes_on {
+                break;
+            }
+        }
+        self.leave_samples(&sample);
+    }
+
+    /// Continues with the usual steps from where the steps from sample to sample have ended.
+    pub(in crate::motion) fn leave_samples(&mut self, sample: &OnSamples) {
+        let u = sample.coordinates();
+        let (phase, made) = (Phase::Rolling, sample.steps);
+        if made > 0 && !self.detector.goal().needs_track() {
+            self.track.push_jump(Instant { phase, u });
+        }
+        self.work.steps += made;
+        self.work.evaluations += sample.evaluations;
+        self.steps_at_stiffness_test += made;
+        if let Some(steps) = &mut self.sample_steps {
+            steps.level = sample.level.min(MAX_LEVEL);
+            if made > 0 {
+                (steps.pause, steps.failures) = (0, 0);
+            } else {
+                const MAX_DOUBLINGS: u32 = 5;
+                steps.pause = (1 << steps.failures) - 1;
+                steps.failures = (steps.failures + 1).min(MAX_DOUBLINGS);
+            }
+        }
+        if made > 0 {
+            self.empty_phases = 0;
+        }
+        let h = sample.record.step();
+        let clock = Clock::Time;
+        let start = PhaseStart { u, direction: None };
+        self.next = AfterEvent::Steps(phase, start, Pace { clock, h });
+    }
+}

@@ -1,0 +1,378 @@
+//! Steps of a rim that rolls, from one sample of a record of the table's motion to the next.
+//!
+//! The acceleration of the table has a corner at each sample, where a step has to end. Between two samples of an
+//! earthquake, 5 ms to 20 ms apart, a body moves so little that a method of order 5 with six evaluations is often
+//! accurate enough, and nearly always one of order 8 with twelve. So these steps are tried first, with time as the independent variable. A step counts only if its
+//! estimated error is within the tolerance and if exclusion tests show that it contains no event. Any other step is
+//! left to the usual stepper.
+//!
+//! All numbers go through the same operations for one motion and in lanes, so that their bits are the same.
+
+pub(super) mod lanes;
+mod method;
+
+use super::contacts::Contacts;
+use super::mechanics::rate_floor;
+use super::topple::Topple;
+use crate::error_scale::ErrorScale;
+use crate::law::{Acceleration, Contact, Dynamics, NoSlip};
+use crate::real::{
+    Real, Task, call_vectorized, fieldwise, sin_cos_of_small, sin_cos_without_branches,
+};
+use crate::solve::Estimate;
+use crate::state::Coordinates;
+use method::{ERRORS_OF_5, ERRORS_OF_8, MAX_STAGES, ORDER_5, ORDER_8, Stages};
+
+/// The number of coordinates.
+pub(super) const N: usize = 10;
+
+/// The number of leading coordinates on which the rates depend.
+const ESSENTIAL: usize = 6;
+
+/// Below this sin φ the usual stepper decides whether the body stands.
+const FLAT: f64 = 1e-5;
+
+/// The largest change of the yaw in a step, rad.
+const MAX_TURN: f64 = 0.1;
+
+/// (sin φ, cos φ, φ̇, w, s, ψ, θ, x, y, work of the ground), where x and y are the horizontal displacement of the
+/// centre of mass in axes fixed to the table.
+pub(super) type Reduced<T> = [T; N];
+
+/// The equations of a rolling rim, with the bounds of a step without events.
+#[derive(Clone, Copy)]
+pub(super) struct Rolling<T> {
+    dynamics: NoSlip<T>,
+    error_scale: ErrorScale<T>,
+    topple: Topple<T>,
+    /// Added to the error scales of the rates of rotation, rad/s.
+    rate_floor: T,
+    /// μ_s².
+    static_friction_squared: T,
+    tolerance: T,
+}
+
+fieldwise!(Rolling {
+    rate_floor, static_friction_squared, tolerance; dynamics, error_scale, topple
+});
+
+/// The beginning of a step.
+#[derive(Clone, Copy)]
+pub(super) struct At<T> {
+    pub u: Reduced<T>,
+    /// The rates with respect to the time.
+    rates: Reduced<T>,
+    /// The margin of the rim to the friction cone.
+    margin: T,
+}
+
+/// The acceleration of the table between two samples, m/s².
+#[derive(Clone, Copy)]
+pub(super) struct Between<T> {
+    pub from: [T; 3],
+    pub to: [T; 3],
+    /// The time between them, s.
+    pub h: T,
+}
+
+/// The method of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Order {
+    Five,
+    Eight,
+}
+
+/// An attempted step.
+pub(super) struct Attempt<T> {
+    pub end: At<T>,
+    /// Negative if the step may contain an event.
+    pub margin: T,
+    pub estimate: Estimate<T>,
+}
+
+impl Rolling<f64> {
+    /// The equations under a contact law whose rolling rim these steps can follow.
+    pub(super) fn new(contacts: &Contacts, topple: Option<Topple<f64>>, tolerance: f64) -> Self {
+        // Without slip the margin to the friction cone has the sign of the normal force.
+        const UNLIMITED: f64 = 1e50;
+        // A record has thousands of samples, and the errors of all steps add up.
+        const STRICTER: f64 = 0.05;
+        let k = contacts.parameters();
+        let static_friction = contacts.contact_law().friction.static_friction();
+        let static_friction = static_friction.unwrap_or(UNLIMITED);
+        Rolling {
+            dynamics: NoSlip::new(*k),
+            error_scale: ErrorScale::new(k),
+            topple: topple.unwrap_or(Topple::never()),
+            rate_floor: rate_floor(k),
+            static_friction_squared: static_friction * static_friction,
+            tolerance: STRICTER * tolerance,
+        }
+    }
+
+    /// [`Rolling::attempt`], in the instructions of the processor.
+    pub(super) fn attempt_alone(
+        &self,
+        order: Order,
+        at: &At<f64>,
+        between: &Between<f64>,
+        direction: f64,
+    ) -> Attempt<f64> {
+        struct Alone<'a>(&'a Rolling<f64>, Order, &'a At<f64>, &'a Between<f64>, f64);
+        impl Task for Alone<'_> {
+            type Done = Attempt<f64>;
+
+            #[inline(always)]
+            fn call(self) -> Attempt<f64> {
+                let Alone(rolling, order, at, between, direction) = self;
+                rolling.attempt(order, at, between, direction)
+            }
+        }
+        call_vectorized(Alone(self, order, at, between, direction))
+    }
+}
+
+impl<T: Real> Rolling<T> {
+    /// The beginning of a first step from `u`.
+    #[inline(always)]
+    pub(super) fn at(&self, u: &Reduced<T>, acceleration: [T; 3]) -> At<T> {
+        let frame = Frame::new(u[5], acceleration, acceleration);
+        let (rates, margin) = self.rates(u, &frame, 0.0);
+        At {
+            u: *u,
+            rates,
+            margin,
+        }
+    }
+
+    /// A step from one sample to the next, or from part to part between them, while the tilt rate has the sign
+    /// `direction`.
+    #[inline(always)]
+    pub(super) fn attempt(
+        &self,
+        order: Order,
+        at: &At<T>,
+        between: &Between<T>,
+        direction: T,
+    ) -> Attempt<T> {
+        let (u, h) = (&at.u, between.h);
+        let frame = Frame::new(u[5], between.from, between.to);
+        let mut stages: Stages<T, N> = [at.rates; MAX_STAGES];
+        macro_rules! stages {
+            ($rows:ident: $($i:literal)*; $last:literal, $inner:literal) => {{
+                // The margin to the friction cone inside the step.
+                let mut inner_margin = at.margin;
+                $(
+                    let argument = method::argument($rows[$i], u, h, &stages, ESSENTIAL);
+                    let (rates, margin) = self.rates(&argument, &frame, const { method::node($rows[$i]) });
+                    stages[$i + 1] = rates;
+                    if $i == $inner {
+                        inner_margin = margin;
+                    }
+                )*
+                let end = method::argument($rows[$last], u, h, &stages, N);
+                let (rates, margin) = self.rates(&end, &frame, 1.0);
+                stages[$last + 1] = rates;
+                (At { u: end, rates, margin }, inner_margin)
+            }};
+        }
+        let (end, inner_margin) = match order {
+            Order::Five => stages!(ORDER_5: 0 1 2 3 4; 5, 1),
+            Order::Eight => stages!(ORDER_8: 0 1 2 3 4 5 6 7 8 9 10; 11, 4),
+        };
+        let errors = match order {
+            Order::Five => ERRORS_OF_5,
+            Order::Eight => ERRORS_OF_8,
+        };
+        let margins = clearance([at.margin, inner_margin, end.margin]);
+        Attempt {
+            margin: self.margin(at, &end, h, direction).min(margins),
+            estimate: method::estimate(errors, h, &stages, &self.per_allowed(u)),
+            end,
+        }
+    }
+
+    /// The rates with respect to the time, and the margin to the friction cone, at a fraction of the step.
+    #[inline(always)]
+    fn rates(&self, u: &Reduced<T>, frame: &Frame<T>, fraction: f64) -> (Reduced<T>, T) {
+        let at = expand(u);
+        let (acceleration, [sin_yaw, cos_yaw]) = frame.at(u[5], fraction);
+        let rates = acceleration.rates(&self.dynamics, &at);
+        let contact = acceleration.contact(&self.dynamics, &at);
+        let [along, across] = self.dynamics.center_velocity(&at);
+        let per_sin = T::from(1.0) / at.sin;
+        let rates = [
+            per_sin * rates.sin,
+            per_sin * rates.cos,
+            per_sin * rates.p,
+            per_sin * rates.w,
+            per_sin * rates.s,
+            per_sin * rates.yaw,
+            at.s - per_sin * at.w * at.cos,
+            along * cos_yaw - across * sin_yaw,
+            along * sin_yaw + across * cos_yaw,
+            per_sin * rates.ground_work,
+        ];
+        (rates, self.cone_margin(&contact))
+    }
+
+    /// (μ_s² N |N| − T²) sin² φ, positive where friction holds the rim on the table.
+    #[inline(always)]
+    fn cone_margin(&self, contact: &Contact<T>) -> T {
+        let available = self.static_friction_squared * contact.normal * contact.normal.abs();
+        available - (contact.along * contact.along + contact.across * contact.across)
+    }
+
+    /// The reciprocals of the allowed errors of the essential coordinates.
+    #[inline(always)]
+    fn per_allowed(&self, u: &Reduced<T>) -> [T; ESSENTIAL] {
+        let scales = self.error_scale.scales(&expand(u));
+        let floor = self.rate_floor;
+        let scales = [
+            scales.sin,
+            scales.cos,
+            scales.p + floor,
+            scales.w + floor,
+            scales.s + floor,
+            scales.yaw,
+        ];
+        let mut allowed = scales;
+        for i in 0..ESSENTIAL {
+            allowed[i] = T::from(1.0) / (self.tolerance * scales[i]);
+        }
+        allowed
+    }
+
+    /// Negative if the tilt may have an extremum in the step, or if the step ends near a tilt at which the motion changes.
+    /// In between the tilt changes in one direction.
+    #[inline(always)]
+    fn margin(&self, from: &At<T>, to: &At<T>, h: T, direction: T) -> T {
+        let (a, b) = (expand(&from.u), expand(&to.u));
+        let third = h * T::from(1.0 / 3.0);
+        let tilting = [
+            direction * a.p,
+            direction * (a.p + third * from.rates[2]),
+            direction * (b.p - third * to.rates[2]),
+            direction * b.p,
+        ];
+        clearance(tilting)
+            .min(b.sin - T::from(FLAT))
+            .min(b.cos)
+            .min(self.topple.below(&b))
+            .min(T::from(MAX_TURN) - (b.yaw - a.yaw).abs())
+    }
+}
+
+/// Negative if the smallest value is less than a quarter of the spread, or negative. Otherwise the polynomial through the
+/// values, or with them as its Bernstein coefficients, is positive.
+#[inline(always)]
+fn clearance<T: Real, const M: usize>(values: [T; M]) -> T {
+    let (mut min, mut max) = (values[0], values[0]);
+    for value in values {
+        min = min.min(value);
+        max = max.max(value);
+    }
+    min.min(min - T::from(0.25) * (max - min))
+}
+
+/// The frame in which the components of the acceleration are linear functions of the time: that of e_x1 and e_y1 at the
+/// start of the step.
+struct Frame<T> {
+    yaw: T,
+    sin_yaw: T,
+    cos_yaw: T,
+    from: [T; 3],
+    change: [T; 3],
+}
+
+impl<T: Real> Frame<T> {
+    #[inline(always)]
+    fn new(yaw: T, from: [T; 3], to: [T; 3]) -> Self {
+        let (sin_yaw, cos_yaw) = sin_cos_without_branches(yaw);
+        let change = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+        Frame {
+            yaw,
+            sin_yaw,
+            cos_yaw,
+            from: turned(from, sin_yaw, cos_yaw),
+            change: turned(change, sin_yaw, cos_yaw),
+        }
+    }
+
+    /// The acceleration at a yaw and a fraction of the step, and the sine and cosine of the yaw.
+    #[inline(always)]
+    fn at(&self, yaw: T, fraction: f64) -> (Acceleration<T>, [T; 2]) {
+        let (sin, cos) = sin_cos_of_small(yaw - self.yaw);
+        let fraction = T::from(fraction);
+        let x = self.from[0] + fraction * self.change[0];
+        let y = self.from[1] + fraction * self.change[1];
+        let acceleration = Acceleration {
+            horizontal: [x * cos + y * sin, y * cos - x * sin],
+            vertical: self.from[2] + fraction * self.change[2],
+        };
+        let yaw = [
+            self.sin_yaw * cos + self.cos_yaw * sin,
+            self.cos_yaw * cos - self.sin_yaw * sin,
+        ];
+        (acceleration, yaw)
+    }
+}
+
+/// A vector in axes that are turned about the vertical by a yaw. (A closure would not be inlined, and so not use the
+/// registers.)
+#[inline(always)]
+fn turned<T: Real>([x, y, z]: [T; 3], sin_yaw: T, cos_yaw: T) -> [T; 3] {
+    [x * cos_yaw + y * sin_yaw, y * cos_yaw - x * sin_yaw, z]
+}
+
+/// All coordinates on which rates, contact forces and error scales depend.
+#[inline(always)]
+fn expand<T: Real>(u: &Reduced<T>) -> Coordinates<T> {
+    let [sin, cos, p, w, s, yaw, ..] = *u;
+    Coordinates {
+        sin,
+        cos,
+        p,
+        w,
+        s,
+        yaw,
+        ..Coordinates::zero()
+    }
+}
+
+/// The reduced coordinates.
+pub(super) fn reduce(u: &Coordinates<f64>) -> Reduced<f64> {
+    let [x, y] = u.center();
+    [
+        u.sin,
+        u.cos,
+        u.p,
+        u.w,
+        u.s,
+        u.yaw,
+        u.spin,
+        x,
+        y,
+        u.ground_work,
+    ]
+}
+
+/// `before` with the reduced coordinates `u` at another time (s).
+pub(super) fn advanced(before: &Coordinates<f64>, u: &Reduced<f64>, t: f64) -> Coordinates<f64> {
+    let [sin, cos, p, w, s, yaw, spin, x, y, ground_work] = *u;
+    let (sin_yaw, cos_yaw) = libm::sincos(yaw);
+    Coordinates {
+        sin,
+        cos,
+        p,
+        w,
+        s,
+        yaw,
+        spin,
+        t,
+        x1: x * cos_yaw + y * sin_yaw,
+        y1: y * cos_yaw - x * sin_yaw,
+        ground_work,
+        ..*before
+    }
+}
