@@ -920,7 +920,7 @@ fn a_column_with_resistance_lifts_lands_and_stands_again() {
                 resistance,
                 ..FrictionLaw::NoSlip.into()
             };
-            let options = with_flat(flat, 6.0);
+            let options = with_flat(flat, 4.0);
             let start = State::standing();
             for pulses in [pulses.clone(), pulses[..1].to_vec()] {
                 let motion = shaken(ground(pulses), &column(), &start, law.clone(), &options);
