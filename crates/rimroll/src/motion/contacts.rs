@@ -238,16 +238,17 @@ impl Contacts {
 
     /// Whether the tilt falls at a rate beyond rounding.
     pub(super) fn is_falling(&self, u: &Coordinates<f64>) -> bool {
-        const SIGNIFICANT: f64 = 1e-6;
+        const SIGNIFICANT: f64 = 1e-11;
         let k = &self.parameters;
         u.p < -SIGNIFICANT * (k.g / k.r).sqrt()
     }
 
     /// An event function on a table that moves. It is negative where the tilt falls and the energy of tilting does not
-    /// suffice for a tilt of more than about [`STANDING_TILT`], so that the body stands flat from now on.
+    /// suffice for a tilt of more than about [`STANDING_TILT`], so that the body stands flat from now on. Where the
+    /// table shakes it too much for that, it begins to rock anew, in the direction in which it is shaken then.
     pub(super) fn excess_over_standing(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        if !self.is_falling(u) || u.cos < 0.0 || !Level::new(self, u.yaw).stands(u.t) {
+        if !self.is_falling(u) || u.cos < 0.0 || !Level::new(self, u.yaw).is_pressed(u.t) {
             return 1.0;
         }
         tilting_energy_over_standing(k, u)

@@ -66,11 +66,9 @@ impl<'a> Level<'a> {
         self.equations.standing_margin(holding, acceleration)
     }
 
-    /// Whether a body stands flat at a time, s.
-    pub(super) fn stands(&self, t: f64) -> bool {
-        let ground = self.contacts.ground();
-        let acceleration = ground.map_or([0.0; 3], |ground| ground.acceleration(t));
-        self.standing_margin(acceleration) >= 0.0
+    /// Whether the table presses against the base at a time, s.
+    pub(super) fn is_pressed(&self, t: f64) -> bool {
+        self.field_at(t).1 > self.equations.no_gravity()
     }
 
     /// The time at which a body that stands departs, between `begin` and the end of a stretch or `end`; `None` if it

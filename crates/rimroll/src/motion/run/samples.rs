@@ -241,8 +241,13 @@ impl Run<'_> {
 
     /// Continues with the usual steps from where the steps from sample to sample have ended.
     pub(in crate::motion) fn leave_samples(&mut self, sample: &OnSamples) {
-        let u = sample.coordinates();
         let (phase, made) = (Phase::Rolling, sample.steps);
+        // Without a step not even rounding changes the coordinates.
+        let u = if made > 0 {
+            sample.coordinates()
+        } else {
+            sample.before
+        };
         if made > 0 && !self.detector.goal().needs_track() {
             self.track.push_jump(Instant { phase, u });
         }
