@@ -127,7 +127,7 @@ def test_events_of_uplift_and_standing_are_in_order():
 
 @pytest.mark.parametrize("law", [rr.NoSlip(), rr.InPlace()])
 def test_a_body_that_hardly_lifts_stands_again(law):
-    """A record exceeds the limit by little; then the body rocks by less than 1e-11 rad, very fast."""
+    """A record hardly exceeds the limit; then the body rocks by less than 1e-11 rad, very fast."""
     record = rr.ground.synthetic(18, (1, 1, 0), duration=10, step=0.02, soil_period=0.8)
     motion = shaken(record.scaled(3.0), law=law, flat="housner", duration=10.0)
     assert motion.status == "finished"
