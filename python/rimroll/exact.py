@@ -91,9 +91,10 @@ def exact_turn(
     Without slip, without friction and in place, energy is conserved and the tilt alone determines
     the yaw and spin rates; so turn and times are integrals over the tilt.
 
-    Errors are below 1e-12 rad in the turn, whether the body rocks or topples, however flat it comes
-    down and however near the balance point it is released. Errors of times are below 2e-11 of the
-    whole time, or 1e-9 for a body that lingers at the balance point. Two kinds of start have larger
+    Without slip and without friction, errors are below 1e-12 rad in the turn, whether the body
+    rocks or topples, however flat it comes down and however near the balance point it is released.
+    Errors of times are below 2e-11 of the whole time, or 1e-9 for a body that lingers at the
+    balance point. In place, turns agree with steps to 1e-9 rad. Two kinds of start have larger
     errors. If a change in the last digit of the start changes the turn by more than this (see
     ``jacobian``), as for a coin almost on its edge, the error is about ten times that change. For
     oscillations smaller than 1 % of the tilt, one digit is lost per further factor of ten. A few

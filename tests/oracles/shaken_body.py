@@ -98,7 +98,7 @@ class Shaken:
         return self._attitude(y).arm
 
     def rim_velocity(self, y):
-        """Of the lowest point of the rim as a point of the body, relative to the table (m/s)."""
+        """The velocity of the lowest point of the body's rim relative to the table (m/s)."""
         return y[VELOCITY] + cross(y[OMEGA], self.arm(y)) - y[TABLE_VELOCITY]
 
     def gap(self, y):

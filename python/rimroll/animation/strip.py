@@ -95,7 +95,7 @@ class Strip:
 def extremes(x: Array, y: Array) -> Array:
     """A curve (m, 2) that looks like that through the points (n,), with at most four a pixel.
 
-    Of each column of pixels it has the first and the last point, the lowest and the highest.
+    It has the first, the last, the lowest and the highest point of each column of pixels.
     """
     column = np.floor(x).astype(int)
     starts = np.flatnonzero(np.diff(column, prepend=column[0] - 1))

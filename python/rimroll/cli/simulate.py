@@ -220,7 +220,7 @@ def _phases(motion: Motion) -> list[str]:
 
 
 def _show_losses(motion: Motion) -> None:
-    """The energy at the start, what the ground gave, and what took of it; nothing if nothing did.
+    """The energy at the start, the work of the ground and the losses; nothing without any.
 
     In J where a ground moves, as for columns, else in mJ, as for cans.
     """

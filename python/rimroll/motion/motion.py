@@ -247,8 +247,8 @@ class Motion(Moments):
         They are exact derivatives by the start, the body and gravity, for a motion from
         ``simulate(..., jacobian=True)``, and about as accurate as the motion. On a table that
         moves there is also ``ground_scale``, the factor s on the acceleration s a(t) of the table,
-        at s = 1; after an uplift they are right to about 1e-5 of their size. NaN stands where there
-        is no derivative: by tilt and rates of a start that stands, by the spin rate under
+        at s = 1; after an uplift they are right to about 3e-5 of the largest one. NaN stands where
+        there is no derivative: by tilt and rates of a start that stands, by the spin rate under
         ``InPlace``, which is not free, and, after the whole base has come down flat at once, by
         parameters that would take the motion out of its plane.
 

@@ -124,7 +124,7 @@ def fragility(
     Warns
     -----
     UndecidedWarning
-        Of motions that are left out, with their number at each intensity.
+        If motions are left out, with their number at each intensity.
     """
     count, logs, of, open_ = _data(overturned, intensity, trials, undecided)
     _warn_of_undecided(logs, of, open_)

@@ -49,7 +49,7 @@ VARIABLES = {
     ),
     "undecided": (
         "",
-        "whether it is open if the body overturns",
+        "whether it is undecided if the body overturns",
         "the motion ended before that was determined: it failed, came down flat, lifted off below"
         " the balance tilt under a law without flight, or was beyond the balance tilt at the end",
     ),

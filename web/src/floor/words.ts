@@ -41,17 +41,26 @@ export function shakenVerdict(
         : "the body leans at the start",
     },
     said: `${floorInWords(motion, shaking)} ${begins(uplift, motion, noun, stood)}${rocks}`,
-    ...ended(motion, noun),
+    ...ended(motion, noun, balanceTilt),
   };
 }
 
 /** Sentences on the way in which the motion ends; nothing where the words for a table at rest hold. */
-function ended(motion: Motion, noun: string): Partial<Content> {
+function ended(motion: Motion, noun: string, balanceTilt: number): Partial<Content> {
   const after = formatDuration(motion.end);
+  const isBeyond = (motion.at([motion.end]).column("tilt")[0] ?? 0) > balanceTilt;
   switch (motion.status) {
     case "toppled":
       return { ended: `The ${noun} overturns at ${after}.` };
+    case "lifted_off":
+      return isBeyond
+        ? { ended: `The ${noun} overturns: its rim leaves the floor at ${after}.` }
+        : {};
     case "finished":
+      if (isBeyond)
+        return {
+          ended: `It is beyond its balance tilt after ${after}, when the computation ends: whether it overturns is undecided.`,
+        };
       return {
         ended: `It does not overturn. ${STILL[motion.phases.at(-1)?.kind ?? ""] ?? "It still moves"} after ${after}, when the computation ends.`,
       };

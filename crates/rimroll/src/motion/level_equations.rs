@@ -33,7 +33,7 @@ pub(super) struct LevelEquations<'a, T: Scalar> {
 }
 
 impl<'a, T: Scalar> LevelEquations<'a, T> {
-    /// For a body with this yaw (rad). `sliding` has the friction, which `is_dry` or not.
+    /// The equations at a yaw (rad). `sliding` has the friction, and `is_dry` tells whether it is dry.
     pub(super) fn new(
         k: Parameters<T>,
         yaw: T,

@@ -2,9 +2,10 @@
 //!
 //! The acceleration of the table has a corner at each sample, where a step has to end. Between two samples of an
 //! earthquake, 5 ms to 20 ms apart, a body moves so little that a method of order 5 with six evaluations is often
-//! accurate enough, and nearly always one of order 8 with twelve. So these steps are tried first, with time as the independent variable. A step counts only if its
-//! estimated error is within the tolerance and if exclusion tests show that it contains no event. Any other step is
-//! left to the usual stepper.
+//! accurate enough, and nearly always one of order 8 with twelve. So these steps are tried first, with time as the
+//! independent variable. A step counts only if its estimated error in the coordinates on which the rates depend is
+//! within the tolerance, and if exclusion tests show that it contains no event. Any other step is left to the usual
+//! stepper.
 //!
 //! All numbers go through the same operations for one motion and in lanes, so that their bits are the same.
 
@@ -184,7 +185,7 @@ impl<T: Real> Rolling<T> {
             Order::Five => ERRORS_OF_5,
             Order::Eight => ERRORS_OF_8,
         };
-        let margins = clearance([at.margin, inner_margin, end.margin]);
+        let margins = clearance([at.margin, inner_margin, end.margin], UNDERSHOOT);
         Attempt {
             margin: self.margin(at, &end, h, direction).min(margins),
             estimate: method::estimate(errors, h, &stages, &self.per_allowed(u)),
@@ -255,7 +256,7 @@ impl<T: Real> Rolling<T> {
             direction * (b.p - third * to.rates[2]),
             direction * b.p,
         ];
-        clearance(tilting)
+        clearance(tilting, 0.25)
             .min(b.sin - T::from(FLAT))
             .min(b.cos)
             .min(self.topple.below(&b))
@@ -263,16 +264,20 @@ impl<T: Real> Rolling<T> {
     }
 }
 
-/// Negative if the smallest value is less than a quarter of the spread, or negative. Otherwise the polynomial through the
-/// values, or with them as its Bernstein coefficients, is positive.
+/// How far a parabola through three values can fall below the smallest of them, as a fraction of their spread. It is
+/// (1 − c)²/4c if the second value is that at the fraction c of the step, which is 0.3 or 1/3.
+const UNDERSHOOT: f64 = 0.41;
+
+/// Negative if the smallest value is less than a fraction of the spread, or negative. Otherwise the polynomial is positive
+/// that has the values as its Bernstein coefficients or, with [`UNDERSHOOT`], passes through them.
 #[inline(always)]
-fn clearance<T: Real, const M: usize>(values: [T; M]) -> T {
+fn clearance<T: Real, const M: usize>(values: [T; M], undershoot: f64) -> T {
     let (mut min, mut max) = (values[0], values[0]);
     for value in values {
         min = min.min(value);
         max = max.max(value);
     }
-    min.min(min - T::from(0.25) * (max - min))
+    min.min(min - T::from(undershoot) * (max - min))
 }
 
 /// The frame in which the components of the acceleration are linear functions of the time: that of e_x1 and e_y1 at the
@@ -374,5 +379,20 @@ pub(super) fn advanced(before: &Coordinates<f64>, u: &Reduced<f64>, t: f64) -> C
         y1: y * cos_yaw - x * sin_yaw,
         ground_work,
         ..*before
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{UNDERSHOOT, clearance};
+
+    #[test]
+    fn a_parabola_that_falls_below_zero_between_its_values_is_not_clear() {
+        for c in [0.3, 1.0 / 3.0] {
+            let lowest = -(1.0 - c) * (1.0 - c) / (4.0 * c);
+            let raised = |by: f64| clearance([1.0 + by, by, by], UNDERSHOOT);
+            assert!(raised(0.999 * -lowest) < 0.0);
+            assert!(raised(UNDERSHOOT + 1e-9) > 0.0);
+        }
     }
 }

@@ -72,13 +72,9 @@ fn velocity_and_displacement_are_integrals_of_the_acceleration() {
         let course = ground.course();
         for t in [0.0, 0.03, 0.1, 0.25, 0.3, 0.31, 0.95, 1.2, 1.6, 4.0] {
             let expected = by_quadrature(&ground, t);
-            for i in 0..3 {
-                let [v, x] = [course.velocity(t)[i], course.displacement(t)[i]];
-                assert!((v - expected[0][i]).abs() < 1e-12, "velocity at {t} s: {v}");
-                assert!(
-                    (x - expected[1][i]).abs() < 1e-12,
-                    "displacement at {t} s: {x}"
-                );
+            let found = [course.velocity(t), course.displacement(t)];
+            for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+                assert!((found - expected).abs() < 1e-12, "at {t} s: {found}");
             }
         }
     }
@@ -93,10 +89,10 @@ fn a_table_rests_before_it_begins_and_coasts_after_its_end() {
         let end = ground.duration();
         let last = course.velocity(end);
         assert!(last[0] != 0.0);
-        for i in 0..3 {
-            let moved = course.displacement(end + 2.0)[i] - course.displacement(end)[i];
-            assert!((moved - 2.0 * last[i]).abs() < 1e-14);
-            assert!((course.velocity(end + 2.0)[i] - last[i]).abs() < 1e-15);
+        assert_eq!(course.velocity(end + 2.0), last);
+        let [before, after] = [end, end + 2.0].map(|t| course.displacement(t));
+        for ((before, after), speed) in before.iter().zip(after).zip(last) {
+            assert!((after - before - 2.0 * speed).abs() < 1e-14);
         }
     }
 }

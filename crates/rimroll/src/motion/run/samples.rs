@@ -46,6 +46,8 @@ pub(in crate::motion) struct OnSamples {
     max_steps: usize,
     /// The number of evaluations of the rates.
     evaluations: usize,
+    /// The number of steps that were not accepted.
+    rejected: usize,
     /// The coordinates before the first step.
     before: Coordinates<f64>,
 }
@@ -95,12 +97,12 @@ impl OnSamples {
     /// Accepts a step with this square of its error, relative to the tolerance. Whether another step may follow.
     #[inline]
     pub(in crate::motion) fn accept(&mut self, error_squared: f64) -> bool {
-        // Of the error of a step of twice the size, squared.
+        // The square of the error of a step twice as long is at most this many times larger.
         const EXCESS: f64 = 1e6;
         // The number of samples after which order 5 is tried again.
         const PATIENCE: u32 = 8;
         self.steps += 1;
-        self.evaluations += if self.level == 0 { 6 } else { 12 };
+        self.evaluations += self.cost();
         self.part += 1;
         if self.part == self.parts() {
             self.part = 0;
@@ -117,6 +119,17 @@ impl OnSamples {
             }
         }
         self.index < self.last && self.steps < self.max_steps
+    }
+
+    /// The number of evaluations of a step.
+    fn cost(&self) -> usize {
+        if self.level == 0 { 6 } else { 12 }
+    }
+
+    /// Counts a step that is not accepted.
+    pub(in crate::motion) fn reject(&mut self) {
+        self.rejected += 1;
+        self.evaluations += self.cost();
     }
 
     /// Refines the step, whose error is too large. Whether it is worth another attempt.
@@ -199,6 +212,7 @@ impl Run<'_> {
             passed: 0,
             steps: 0,
             evaluations: 1,
+            rejected: 0,
             max_steps,
             before: *u,
         })
@@ -215,13 +229,12 @@ impl Run<'_> {
                 &between,
                 sample.direction,
             );
-            if !attempt.estimate.is_accepted() {
-                if sample.refine() {
+            let is_accurate = attempt.estimate.is_accepted();
+            if !is_accurate || attempt.margin < 0.0 {
+                sample.reject();
+                if !is_accurate && sample.refine() {
                     continue;
                 }
-                break;
-            }
-            if attempt.margin < 0.0 {
                 break;
             }
             sample.at = attempt.end;
@@ -253,6 +266,7 @@ impl Run<'_> {
         }
         self.work.steps += made;
         self.work.evaluations += sample.evaluations;
+        self.work.rejected += sample.rejected;
         self.steps_at_stiffness_test += made;
         if let Some(steps) = &mut self.sample_steps {
             steps.level = sample.level.min(MAX_LEVEL);

@@ -180,8 +180,12 @@ impl Junction<'_> {
 
     /// A body that rocked stands, or slides flat.
     fn stood(&self, u: &Coordinates<Number>) -> Result<Coordinates<Number>, InvalidInput> {
-        let u = if self.is_flat() {
+        let has_turned = self.before.end[0] != self.after.start[0];
+        let u = if self.is_flat() && has_turned {
             self.landed_flat(u)?
+        } else if self.is_flat() {
+            // It hardly rocked, and did not go on to the opposite point of the rim.
+            self.at_event(u, |_, u| u.sin)
         } else {
             self.at_event(u, |variation, u| {
                 tilting_energy_over_standing(&variation.k, u)

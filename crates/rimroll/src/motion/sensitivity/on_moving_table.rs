@@ -106,7 +106,8 @@ impl ShakenSensitivity {
                     after: record,
                 }
                 .crossed(&self.end)?;
-                let is_lifted = before.phase == Phase::Standing && !record.phase.is_level();
+                let stood = matches!(before.phase, Phase::Standing | Phase::SlidingFlat);
+                let is_lifted = stood && !record.phase.is_level();
                 if is_lifted && self.uplift_time.is_none() {
                     self.uplift_time = Some(self.end.t.slope.0);
                 }

@@ -100,6 +100,7 @@ impl<'a> Many<'a, '_> {
             let goes_on = if moved >> lane & 1 == 1 {
                 motion.sample.accept(estimate.relative_squared())
             } else {
+                motion.sample.reject();
                 !estimate.is_accepted() && motion.sample.refine()
             };
             if goes_on {
