@@ -10,7 +10,7 @@ target=wasm32-unknown-unknown
 # SIMD with two numbers, which browsers support since 2021 and Safari since 2023: the operations are
 # the same, and so are the bits. Functions that must be fast are inlined by attribute; a lower threshold
 # for the others makes the file an eighth smaller, and dry friction a twentieth slower.
-export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-C target-feature=+simd128 -C llvm-args=-inline-threshold=20"
+export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-C target-feature=+simd128 -C llvm-args=-inline-threshold=5"
 build() {
     compile rimroll-ground.wasm "$@" --features ground
     # The last, for it is the one that make compares with the sources.

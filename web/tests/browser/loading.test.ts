@@ -50,11 +50,11 @@ test("the files that the first view needs are at most 250 kB, gzipped", () => {
 
 // Another core, which is a third larger than the first, and little more. A visitor waits for it once, at 1.6 Mbit/s for
 // 1.4 s.
-test("what shakes the floor is at most 270 kB, gzipped", () => {
+test("what shakes the floor is at most 280 kB, gzipped", () => {
   const later = built().filter((name) => LATER.test(basename(name)));
   expect(later.length).toBe(3);
   const { all, each } = gzipped(later);
-  expect(all, each).toBeLessThanOrEqual(270_000);
+  expect(all, each).toBeLessThanOrEqual(280_000);
 });
 
 test("what shakes the floor is loaded when the floor is first shaken", async () => {
