@@ -167,6 +167,8 @@ class Comparison:
     def check_ends(self):
         """Each phase ends for the reason that the next one, or the status, gives."""
         motion, phases = self.motion, self.phases
+        if not phases:  # The rim leaves the table at the start.
+            return
         for (name, _, last), after in zip(phases, [*phases[1:], None], strict=True):
             if name not in KIND:
                 continue

@@ -2,7 +2,8 @@
 //! sixteen motions at once.
 //!
 //! Each lane holds a run, which does everything else: other steps, events, standing, sliding, flights. A lane goes
-//! through the same operations as a run alone, so that all outcomes have the same bits as those of [`shaken`].
+//! through the same operations as a run alone, so that all outcomes have the same bits as those of
+//! [`shaken`](super::shaken).
 
 use super::{Begun, Shaken};
 use crate::motion::run::{Followed, OnSamples, Run};
