@@ -15,7 +15,7 @@ from oracles.shaken_body import Pulse, Table
 
 @dataclass(frozen=True)
 class Shaking:
-    """The same motion of the table in rimroll and in the oracle."""
+    """A motion of the table, as rimroll has it and as the oracle has it."""
 
     ground: rr.Ground
     table: Table

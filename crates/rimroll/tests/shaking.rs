@@ -495,7 +495,7 @@ proptest! {
         expect_truthful_ending(&motion, &body, &law, &options);
     }
 
-    /// The same from starts that lead to flat landings, and from bodies that stand: on what becomes of a level base.
+    /// Bodies that come down flat or stand at the start also end in a truthful way.
     #[test]
     fn any_flat_landing_on_any_ground_ends_in_a_truthful_way(
         (body, law, ground) in (any_body(), any_law(), any_ground()),

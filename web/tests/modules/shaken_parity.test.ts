@@ -16,7 +16,7 @@ import { likelySetup } from "../given/setups";
 const PULSES = Object.keys(FIELDS.pulse.choices) as Setup["pulse"][];
 const LANDINGS = Object.keys(FIELDS.flat.choices) as Setup["flat"][];
 
-/** A record of a hand that swings to and fro. */
+/** A record of a hand that swings back and forth. */
 const RECORD = recordOf(
   Array.from({ length: 60 }, (_, k) => ({
     x: 0.06 * Math.sin(0.3 * k),

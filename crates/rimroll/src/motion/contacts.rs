@@ -93,7 +93,7 @@ impl Contacts {
         }
     }
 
-    /// The same friction without resistance.
+    /// These equations with the same friction, but without resistance.
     pub(super) fn without_resistance(&self) -> Contacts {
         let contact_law = ContactLaw {
             resistance: Resistance::default(),

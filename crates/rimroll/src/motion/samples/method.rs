@@ -56,7 +56,7 @@ pub(super) const ERRORS_OF_5: [Row; 2] = [
     ],
 ];
 
-/// The same for the method of order 8.
+/// The rows of the method of order 8, in the form of [`ORDER_5`].
 pub(super) const ORDER_8: [Row; 12] = {
     let mut rows = [tableau::SOLUTION; 12];
     let mut i = 0;

@@ -20,7 +20,7 @@ pub(super) struct Variation {
 }
 
 impl Variation {
-    /// The same values without derivatives.
+    /// These values without derivatives.
     fn constant(&self) -> Variation {
         let [m, r, h, a, c, g] = self.k.as_array().map(|dual: Number| dual.value.into());
         Variation {
