@@ -7,7 +7,8 @@ from given.motions import LAWS, paper_motion
 
 # The time of an example depends on other work on the machine.
 anywhere = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
-# `make test` draws the same examples in each run, so what passes keeps passing; `make soak` draws new ones.
+# `make test` draws the same examples in each run, so what passes keeps passing. `make soak` draws
+# new ones.
 settings.register_profile("test", anywhere, max_examples=25, derandomize=True)
 settings.register_profile("soak", anywhere, max_examples=100)
 settings.load_profile("test")
