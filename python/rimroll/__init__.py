@@ -110,6 +110,7 @@ if TYPE_CHECKING:
     from rimroll.shaking.scales import rocking_frequency as rocking_frequency
     from rimroll.solids import Solid as Solid
     from rimroll.state import State as State
+    from rimroll.study.study import Study as Study
     from rimroll.theory import (
         Arrival as Arrival,
         Passage as Passage,
@@ -177,6 +178,7 @@ _NAMES = {
     "rimroll.shaking.scales": ("rocking_frequency",),
     "rimroll.solids": ("Solid",),
     "rimroll.state": ("State",),
+    "rimroll.study.study": ("Study",),
     "rimroll.theory": (
         "Arrival",
         "Passage",

@@ -110,8 +110,19 @@ class Release:
         count = whole_number("n", n)
         if count > MOST_TRIALS:
             raise RimrollError(f"n must be at most {MOST_TRIALS}, got {count}")
-        chances = np.random.default_rng(random_seed(seed)).random((count, len(fields(self))))
-        return self.at(np.maximum(chances, LEAST_CHANCE))
+        return self.at(self.chances(0, count, random_seed(seed)))
+
+    @classmethod
+    def chances(cls, first: int, last: int, seed: int) -> Array:
+        """The random numbers (n, 5) of the trials from ``first`` to before ``last``.
+
+        Each trial has its own five, uniform in (0, 1).
+        """
+        count = len(fields(cls))
+        bits = np.random.PCG64(seed)
+        bits.advance(count * first)
+        numbers = np.random.Generator(bits).random((last - first, count))
+        return np.maximum(numbers, LEAST_CHANCE)
 
     def at(self, chances: Array) -> tuple[State, Array]:
         """Starts and friction scales from numbers (n, 5) that are uniform in (0, 1), by inversion.

@@ -72,7 +72,7 @@ class _Shown:
         return as_toml(self.value)
 
 
-def _readable(value: object) -> object:
+def readable(value: object) -> object:
     """A number or text unchanged; another value in a form that messages show as TOML."""
     known = isinstance(value, str | int | float) and not isinstance(value, bool)
     return value if known else _Shown(value)
@@ -94,49 +94,49 @@ def as_toml(value: object) -> str:
             return str(value)
 
 
-def _in(unit: str) -> BeforeValidator:
+def in_unit(unit: str) -> BeforeValidator:
     """Reads a field of a table as a quantity in an SI unit."""
 
     def read(value: object, info: ValidationInfo) -> float:
-        return quantity(_readable(value), unit, info.field_name or "the value")
+        return quantity(readable(value), unit, info.field_name or "the value")
 
     return BeforeValidator(read)
 
 
 def _number_of(resistance: type[Resistance], name: str) -> BeforeValidator:
     """Reads a number of a resistance as a quantity in its SI unit."""
-    return _in(parameters_of(resistance)[name].unit)
+    return in_unit(parameters_of(resistance)[name].unit)
 
 
 def _tilt(value: object, info: ValidationInfo) -> float:
-    return tilt_angle(_readable(value), info.field_name or "the tilt")
+    return tilt_angle(readable(value), info.field_name or "the tilt")
 
 
 def _size(unit: str) -> BeforeValidator:
     """Reads a number of a body or a solid in an SI unit."""
 
     def read(value: object, info: ValidationInfo) -> float:
-        return size_of_body(_readable(value), unit, info.field_name or "the value")
+        return size_of_body(readable(value), unit, info.field_name or "the value")
 
     return BeforeValidator(read)
 
 
-Angle = Annotated[float, _in("rad")]
+Angle = Annotated[float, in_unit("rad")]
 Tilt = Annotated[float, BeforeValidator(_tilt)]
-AngularRate = Annotated[float, _in("rad/s")]
+AngularRate = Annotated[float, in_unit("rad/s")]
 
 
-class _Table(BaseModel):
+class Table(BaseModel):
     """A table of the file, without unknown keys and without silent conversions."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
 T = TypeVar("T")
-TableT = TypeVar("TableT", bound=_Table)
+TableT = TypeVar("TableT", bound=Table)
 
 
-class _File(_Table):
+class _File(Table):
     body: dict[str, Any]
     start: dict[str, Any] | None = None
     law: Any = NoSlip.name
@@ -144,7 +144,7 @@ class _File(_Table):
     simulation: dict[str, Any] = {}
 
 
-class _Start(_Table):
+class StartTable(Table):
     tilt: Tilt
     tilt_rate: AngularRate = 0.0
     yaw: Angle = 0.0
@@ -153,45 +153,45 @@ class _Start(_Table):
     spin_rate: AngularRate = 0.0
 
 
-class _Simulation(_Table):
-    duration: Annotated[float, _in("s")] = Options.duration
-    gravity: Annotated[float, _in("m/s^2")] = Options.gravity
-    rtol: Annotated[float, _in("1")] = Options.rtol
+class SimulationTable(Table):
+    duration: Annotated[float, in_unit("s")] = Options.duration
+    gravity: Annotated[float, in_unit("m/s^2")] = Options.gravity
+    rtol: Annotated[float, in_unit("1")] = Options.rtol
     topple_tilt: Tilt | None = None
     max_steps: Annotated[int, Field(gt=0, le=MOST_STEPS)] = Options.max_steps
     flat: Any = "stop"
 
 
-def _in_three(unit: str) -> BeforeValidator:
+def in_three(unit: str) -> BeforeValidator:
     """Reads a quantity in an SI unit, or a list of three (x, y, z)."""
 
     def read(value: object, info: ValidationInfo) -> float | list[float]:
         name = info.field_name or "the value"
         if not isinstance(value, list):
-            return quantity(_readable(value), unit, name)
+            return quantity(readable(value), unit, name)
         if len(value) != 3:
             raise RimrollError(f"{name} must be one or three, x, y and z, got {as_toml(value)}")
-        return [quantity(_readable(one), unit, name) for one in value]
+        return [quantity(readable(one), unit, name) for one in value]
 
     return BeforeValidator(read)
 
 
-class _Ground(_Table):
+class _Ground(Table):
     record: str | list[str] = []
     units: str | None = None
     component: str | None = None
     pad: bool = False
     pulse: str | None = None
-    amplitude: Annotated[Any, _in_three("m/s^2")] = None
-    period: Annotated[Any, _in_three("s")] = None
-    cycles: Annotated[Any, _in_three("1")] = None
-    duration: Annotated[Any, _in_three("s")] = None
-    center: Annotated[Any, _in_three("s")] = None
-    scale: Annotated[float | None, _in("1")] = None
-    rotation: Annotated[float | None, _in("rad")] = None
+    amplitude: Annotated[Any, in_three("m/s^2")] = None
+    period: Annotated[Any, in_three("s")] = None
+    cycles: Annotated[Any, in_three("1")] = None
+    duration: Annotated[Any, in_three("s")] = None
+    center: Annotated[Any, in_three("s")] = None
+    scale: Annotated[float | None, in_unit("1")] = None
+    rotation: Annotated[float | None, in_unit("rad")] = None
 
 
-class _Numbers(_Table):
+class _Numbers(Table):
     mass: Annotated[float, _size("kg")]
     radius: Annotated[float, _size("m")]
     height: Annotated[float, _size("m")]
@@ -199,27 +199,27 @@ class _Numbers(_Table):
     axial_inertia: Annotated[float, _size("kg m^2")]
 
 
-class _Rolling(_Table):
+class _Rolling(Table):
     dry: Annotated[float, _number_of(RollingResistance, "dry")] = 0.0
     viscous: Annotated[float, _number_of(RollingResistance, "viscous")] = 0.0
 
 
-class _Pivoting(_Table):
+class _Pivoting(Table):
     length: Annotated[float, _number_of(PivotingFriction, "length")]
 
 
-class _AirDrag(_Table):
+class _AirDrag(Table):
     coefficient: Any
     exponent: Annotated[float, _number_of(AirDrag, "exponent")] = AirDrag.exponent
 
 
-class _Composed(_Table):
+class _Composed(Table):
     radius: Annotated[float, _size("m")]
     solids: list[dict[str, Any]]
 
 
 @cache
-def _arguments_of(function: Callable[..., object]) -> type[_Table]:
+def arguments_of(function: Callable[..., object]) -> type[Table]:
     """A table with a field for each argument of a function that describes a body or a solid."""
     fields: dict[str, Any] = {
         name: (
@@ -228,7 +228,7 @@ def _arguments_of(function: Callable[..., object]) -> type[_Table]:
         )
         for name, parameter in inspect.signature(function).parameters.items()
     }
-    return create_model(function.__name__, __base__=_Table, **fields)
+    return create_model(function.__name__, __base__=Table, **fields)
 
 
 def read(file: Path) -> dict[str, Any]:
@@ -252,37 +252,37 @@ def scenario(content: dict[str, Any], folder: Path = Path()) -> Scenario:
     if "body" not in content and content.keys() <= _File.model_fields.keys():
         what = "has no table [body]" if content else "is empty"
         raise RimrollError(f'{what}: write what rolls, such as [body] and preset = "can_2007"')
-    file = _checked(_File, content, "")
+    file = checked(_File, content, "")
     start = None
     if file.start is not None:
-        table = _checked(_Start, file.start, "[start]")
-        start = _made("[start]", lambda: State(**table.model_dump()))
-    simulation = _checked(_Simulation, file.simulation, "[simulation]")
-    body = _body(file.body)
+        table = checked(StartTable, file.start, "[start]")
+        start = made("[start]", lambda: State(**table.model_dump()))
+    simulation = checked(SimulationTable, file.simulation, "[simulation]")
+    body = read_body(file.body)
     options = Options(**simulation.model_dump(exclude={"flat"}))
-    ground = None if file.ground is None else _ground(file.ground, folder)
+    ground = None if file.ground is None else read_ground(file.ground, folder)
     has_duration = "duration" in simulation.model_fields_set
     if ground is not None and not has_duration:
         options = replace(options, duration=ground.duration + AFTER)
     return Scenario(
         body=body,
         start=start,
-        law=_law(file.law, body, simulation.gravity),
+        law=read_law(file.law, body, simulation.gravity),
         options=options,
         ground=ground,
-        flat=_made("[simulation]", lambda: _flat(simulation.flat)),
+        flat=made("[simulation]", lambda: read_flat(simulation.flat)),
         has_duration=has_duration,
     )
 
 
-def _flat(given: object) -> FlatLanding:
+def read_flat(given: object) -> FlatLanding:
     """What follows a flat landing: a text, a number, or a list of "smooth" and a seed."""
     return flat_given(tuple(given) if isinstance(given, list) else given)
 
 
-def _ground(given: dict[str, Any], folder: Path) -> Ground:
+def read_ground(given: dict[str, Any], folder: Path) -> Ground:
     """The ground of a table; paths of records are relative to the folder of the file."""
-    table = _checked(_Ground, given, "[ground]")
+    table = checked(_Ground, given, "[ground]")
     names = [table.record] if isinstance(table.record, str) else table.record
     numbers = {name: value for name in NUMBERS if (value := getattr(table, name)) is not None}
     description = Description(
@@ -294,13 +294,13 @@ def _ground(given: dict[str, Any], folder: Path) -> Ground:
             for name in ("scale", "rotation", "units", "component", "pad")
         },
     )
-    ground = _made("[ground]", description.made)
+    ground = made("[ground]", description.made)
     if ground is None:
         raise RimrollError("[ground] lacks 'record' or 'pulse'")
     return ground
 
 
-def _law(given: object, body: Body, gravity: float) -> Law:
+def read_law(given: object, body: Body, gravity: float) -> Law:
     """The law of a name or of a table, with its resistances."""
     if isinstance(given, str):
         kind = laws.kind(given)
@@ -315,7 +315,7 @@ def _law(given: object, body: Body, gravity: float) -> Law:
     for name in RESISTANCES:
         if name in given:
             resistance = _resistance(name, given[name], body, gravity)
-            law = _made("[law]", partial(law.__add__, resistance))
+            law = made("[law]", partial(law.__add__, resistance))
     return law
 
 
@@ -333,28 +333,28 @@ def _contact(table: dict[str, Any]) -> Law:
     rest = {other: value for other, value in table.items() if other != key}
     where = f'[law] of {key} "{name}"'
     if key == "surface":
-        surface = _made("[law]", lambda: choose("surface", name, surfaces.SURFACES))
-        sticking = _checked(_numbers_of(Coulomb, "friction"), rest, where, *RESISTANCES)
-        return _made("[law]", lambda: surface(**sticking.model_dump(exclude_unset=True)))
-    kind = _made("[law]", lambda: laws.kind(name))
-    numbers = _checked(_numbers_of(kind), rest, where, *RESISTANCES)
+        surface = made("[law]", lambda: choose("surface", name, surfaces.SURFACES))
+        sticking = checked(_numbers_of(Coulomb, "friction"), rest, where, *RESISTANCES)
+        return made("[law]", lambda: surface(**sticking.model_dump(exclude_unset=True)))
+    kind = made("[law]", lambda: laws.kind(name))
+    numbers = checked(_numbers_of(kind), rest, where, *RESISTANCES)
     given = numbers.model_dump(exclude_unset=True)
-    return _made("[law]", lambda: laws.by_name(name, given))
+    return made("[law]", lambda: laws.by_name(name, given))
 
 
-def _numbers_of(kind: type[Law], *but: str) -> type[_Table]:
+def _numbers_of(kind: type[Law], *but: str) -> type[Table]:
     """A table with the numbers of a law, without some."""
     fields: dict[str, Any] = {
         name: (
-            list[Annotated[float, _in(parameter.unit)]] | None
+            list[Annotated[float, in_unit(parameter.unit)]] | None
             if parameter.is_list
-            else Annotated[float | None, _in(parameter.unit)],
+            else Annotated[float | None, in_unit(parameter.unit)],
             None,
         )
         for name, parameter in parameters_of(kind).items()
         if name not in but
     }
-    return create_model("law", __base__=_Table, **fields)
+    return create_model("law", __base__=Table, **fields)
 
 
 def _resistance(name: str, given: object, body: Body, gravity: float) -> Resistance:
@@ -362,52 +362,52 @@ def _resistance(name: str, given: object, body: Body, gravity: float) -> Resista
     if not isinstance(given, dict):
         raise RimrollError(f"[law] {name} must be a table, got {as_toml(given)}")
     if name == "pivoting_friction":
-        return _made(where, lambda: PivotingFriction(_checked(_Pivoting, given, where).length))
+        return made(where, lambda: PivotingFriction(checked(_Pivoting, given, where).length))
     if name == "rolling_resistance":
-        rolling = _checked(_Rolling, given, where)
+        rolling = checked(_Rolling, given, where)
         if not rolling.model_fields_set:
             raise RimrollError(f"{where} lacks 'dry' or 'viscous'")
-        return _made(where, lambda: RollingResistance(**rolling.model_dump()))
-    drag = _checked(_AirDrag, given, where)
+        return made(where, lambda: RollingResistance(**rolling.model_dump()))
+    drag = checked(_AirDrag, given, where)
     if drag.coefficient == FILM:
         if "exponent" in drag.model_fields_set:
             raise RimrollError(f"{where} a film has its own exponent, 4: leave it out")
         return AirDrag.film(body.radius, gravity=gravity)
     unit = air_unit(drag.exponent)
-    coefficient = _made(where, lambda: quantity(_readable(drag.coefficient), unit, "coefficient"))
+    coefficient = made(where, lambda: quantity(readable(drag.coefficient), unit, "coefficient"))
     return AirDrag(coefficient, drag.exponent)
 
 
-def _body(table: dict[str, Any]) -> Body:
+def read_body(table: dict[str, Any]) -> Body:
     if "preset" in table:
         name = table["preset"]
         if not isinstance(name, str):
             raise RimrollError(f"[body] preset must be a text, got {as_toml(name)}")
-        function = _made("[body]", lambda: choose("preset", name, presets()))
+        function = made("[body]", lambda: choose("preset", name, presets()))
         rest = {key: value for key, value in table.items() if key != "preset"}
-        arguments = _checked(_arguments_of(function), rest, f'[body] with preset "{name}"')
-        return _made("[body]", lambda: function(**arguments.model_dump()))
+        arguments = checked(arguments_of(function), rest, f'[body] with preset "{name}"')
+        return made("[body]", lambda: function(**arguments.model_dump()))
     if "solids" in table:
-        composed = _checked(_Composed, table, "[body] with solids")
+        composed = checked(_Composed, table, "[body] with solids")
         parts = [_solid(part, f"[[body.solids]] {i}") for i, part in enumerate(composed.solids, 1)]
-        return _made("[body]", lambda: Body.from_solids(composed.radius, parts))
+        return made("[body]", lambda: Body.from_solids(composed.radius, parts))
     if not table:
         raise RimrollError("[body] is empty: give preset, solids or the five numbers of a body")
-    numbers = _checked(_Numbers, table, "[body]", "preset", "solids")
-    return _made("[body]", lambda: Body(**numbers.model_dump()))
+    numbers = checked(_Numbers, table, "[body]", "preset", "solids")
+    return made("[body]", lambda: Body(**numbers.model_dump()))
 
 
 def _solid(table: dict[str, Any], where: str) -> solids.Solid:
     kind = table.get("kind")
     if not isinstance(kind, str):
         raise RimrollError(f"{where} needs a kind: one of {', '.join(SOLIDS)}")
-    function = _made(where, lambda: choose("kind", kind, SOLIDS))
+    function = made(where, lambda: choose("kind", kind, SOLIDS))
     rest = {key: value for key, value in table.items() if key != "kind"}
-    arguments = _checked(_arguments_of(function), rest, f'{where} of kind "{kind}"')
-    return _made(where, lambda: function(**arguments.model_dump()))
+    arguments = checked(arguments_of(function), rest, f'{where} of kind "{kind}"')
+    return made(where, lambda: function(**arguments.model_dump()))
 
 
-def _made(where: str, make: Callable[[], T]) -> T:
+def made(where: str, make: Callable[[], T]) -> T:
     """The result of ``make``; its error names the place in the file."""
     try:
         return make()
@@ -415,7 +415,7 @@ def _made(where: str, make: Callable[[], T]) -> T:
         raise RimrollError(f"{where} {error}") from None
 
 
-def _checked(model: type[TableT], table: dict[str, Any], where: str, *other_keys: str) -> TableT:
+def checked(model: type[TableT], table: dict[str, Any], where: str, *other_keys: str) -> TableT:
     """The table as a model; its first error is a ``RimrollError``."""
     try:
         return model.model_validate(table)

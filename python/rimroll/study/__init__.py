@@ -1,0 +1,9 @@
+"""Studies: computations over many bodies, frictions, starts and records.
+
+A :class:`rimroll.Study` says what varies, and ``study.plan()`` what that amounts to: rows, labelled
+dimensions, and the columns of any chunk of rows, which are a pure function of the study and the
+numbers of the rows. So chunks can be computed in any order, by any process, on any machine.
+
+``study`` reads the description, ``axes`` and ``draws`` what varies, ``cases`` makes bodies, starts,
+laws and grounds of a chunk of rows, ``kinds`` computes their columns, ``statistics`` reduces them.
+"""

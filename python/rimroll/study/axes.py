@@ -1,0 +1,159 @@
+"""The axes of a study: the values that a quantity takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError
+from rimroll.scenario.tables import as_toml, readable
+from rimroll.study.targets import unit_of
+from rimroll.units import quantity
+
+MOST_VALUES = 1_000_000
+"""The largest number of values of an axis."""
+
+
+@dataclass(frozen=True, eq=False)
+class Axis:
+    """A quantity and the values that it takes, along a dimension of the result."""
+
+    name: str
+    of: str
+    """The key of the tables that varies, such as ``law.friction``."""
+    along: str
+    """The dimension; axes along the same one are zipped."""
+    values: tuple[Any, ...] | NDArray[np.float64]
+    """Numbers in SI units; or words, lists and tables."""
+    labels: NDArray[Any]
+    """What the coordinate shows: numbers or words."""
+    unit: str
+    long_name: str | None = None
+
+    @property
+    def size(self) -> int:
+        """The number of values."""
+        return len(self.values)
+
+
+@dataclass(frozen=True)
+class Described:
+    """An axis as a file or a program describes it, already checked for unknown keys."""
+
+    of: str
+    values: list[Any] | None = None
+    range: list[Any] | None = None
+    log_range: list[Any] | None = None
+    number: int | None = None
+    along: str | None = None
+    labels: list[Any] | None = None
+    unit: str | None = None
+    long_name: str | None = None
+
+    def axis(self, name: str) -> Axis:
+        """The axis of that name.
+
+        Raises ``RimrollError`` for no values, no numbers where the quantity is one, a range that
+        does not have two ends, labels that are not as many as the values.
+        """
+        unit = unit_of(self.of)
+        values = self._values(unit)
+        labels = self._labels(name, values)
+        return Axis(
+            name,
+            self.of,
+            self.along or name,
+            values,
+            labels,
+            (self.unit or "") if self.labels is not None else _shown(unit),
+            self.long_name,
+        )
+
+    def _values(self, unit: str | None) -> tuple[Any, ...] | NDArray[np.float64]:
+        given = [one for one in ("values", "range", "log_range") if getattr(self, one) is not None]
+        if len(given) != 1:
+            got = " and ".join(given) or "none"
+            raise RimrollError(f"needs one of values, range and log_range, got {got}")
+        if self.values is not None:
+            return self._listed(unit, self.values)
+        if unit is None:
+            raise RimrollError(f"{given[0]}: {self.of} is no number: list its values")
+        return self._between(given[0], unit)
+
+    def _listed(self, unit: str | None, values: list[Any]) -> tuple[Any, ...] | NDArray[np.float64]:
+        if self.number is not None:
+            raise RimrollError("number goes with range or log_range, not with values")
+        if not values:
+            raise RimrollError("values must be one or more, got none")
+        if len(values) > MOST_VALUES:
+            raise RimrollError(f"values must be at most {MOST_VALUES}, got {len(values)}")
+        if unit is None:
+            return tuple(values)
+        return np.array(
+            [quantity(readable(one), unit, f"values[{k}]") for k, one in enumerate(values)]
+        )
+
+    def _between(self, key: str, unit: str) -> NDArray[np.float64]:
+        ends = getattr(self, key)
+        if len(ends) != 2:
+            raise RimrollError(f"{key} must be two numbers, got {as_toml(ends)}")
+        low, high = (quantity(readable(end), unit, key) for end in ends)
+        count = self.number
+        if count is None:
+            raise RimrollError(f"{key} lacks 'number': how many values")
+        if not 1 <= count <= MOST_VALUES:
+            raise RimrollError(f"number must be between 1 and {MOST_VALUES}, got {count}")
+        if key == "range":
+            return np.linspace(low, high, count)
+        if not (low > 0.0 and high > 0.0):
+            raise RimrollError(f"log_range must be > 0, got {low:g} to {high:g} {_shown(unit)}")
+        # Not geomspace, whose powers depend on the version of NumPy.
+        logs = np.linspace(math.log(low), math.log(high), count)
+        values = np.array([math.exp(one) for one in logs])
+        values[0], values[-1] = low, high if count > 1 else low
+        return values
+
+    def _labels(self, name: str, values: tuple[Any, ...] | NDArray[np.float64]) -> NDArray[Any]:
+        if self.labels is not None:
+            if len(self.labels) != len(values):
+                raise RimrollError(
+                    f"labels must be as many as the values, {len(values)}, got {len(self.labels)}"
+                )
+            return _as_labels(self.labels)
+        if isinstance(values, np.ndarray):
+            return values
+        return _as_labels([_word(one, k) for k, one in enumerate(values)])
+
+
+def _as_labels(labels: list[Any]) -> NDArray[Any]:
+    array = np.array(labels)
+    if array.dtype.kind not in "iufU" or array.ndim != 1:
+        raise RimrollError(f"labels must be all numbers or all texts, got {as_toml(labels)}")
+    return array if array.dtype.kind == "U" else array.astype(np.float64)
+
+
+def _word(value: Any, number: int) -> str:
+    """A word for a value that is no number."""
+    if isinstance(value, Mapping):
+        for key in ("name", "preset", "kind", "surface", "pulse"):
+            if isinstance(value.get(key), str):
+                rest = [f"{k}={v}" for k, v in value.items() if k != key and _is_plain(v)]
+                return " ".join([value[key], *rest])
+        return str(number)
+    if isinstance(value, list):
+        return " ".join(map(str, value))
+    return str(value)
+
+
+def _is_plain(value: object) -> bool:
+    return isinstance(value, str | int | float)
+
+
+def _shown(unit: str | None) -> str:
+    """A unit as variables have it: "" for pure numbers and words."""
+    return "" if unit in (None, "1") else str(unit)

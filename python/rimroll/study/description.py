@@ -1,0 +1,336 @@
+"""The description of a study: its tables, checked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from rimroll.errors import RimrollError
+from rimroll.given import random_seed
+from rimroll.names import nearest
+from rimroll.scenario.tables import Table, as_toml, checked, made, readable
+from rimroll.study.axes import Axis, Described
+from rimroll.study.draws import OWN, Random, Sampling
+from rimroll.study.given import Block, Given
+from rimroll.study.kinds import KINDS, Kind
+from rimroll.study.targets import unit_of
+from rimroll.units import quantity
+
+TRIAL = "trial"
+"""The dimension of the trials."""
+
+CASE = "case"
+"""The dimension of axes that are zipped."""
+
+COMBINATIONS = ("product", "zip")
+
+MOST_ROWS = 10_000_000_000
+"""The largest number of rows, unless the study says otherwise."""
+
+
+class _Study(Table):
+    kind: str = "ensemble"
+    title: str | None = None
+    seed: int = 0
+    trials: Annotated[int, Field(gt=0, le=10**12)] = 1
+    combine: str = "product"
+    sampling: str = "independent"
+    keep: Any = "all"
+    chunk: Annotated[int | None, Field(gt=0)] = None
+    most_rows: Annotated[int, Field(gt=0)] = MOST_ROWS
+    store: str | None = None
+    body: dict[str, Any]
+    law: Any = None
+    start: Any = None
+    release: Any = None
+    ground: Any = None
+    simulation: dict[str, Any] = Field(default_factory=dict)
+    axes: dict[str, Any] = Field(default_factory=dict)
+    random: dict[str, Any] = Field(default_factory=dict)
+    statistics: dict[str, Any] | None = None
+
+
+class _Axis(Table):
+    of: str
+    values: list[Any] | None = None
+    range: list[Any] | None = None
+    log_range: list[Any] | None = None
+    number: int | None = None
+    along: str | None = None
+    labels: list[Any] | None = None
+    unit: str | None = None
+    long_name: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Description:
+    """What a study consists of."""
+
+    kind: Kind
+    tables: Mapping[str, Any]
+    """The tables body, law, start, release, ground and simulation; None for those not used."""
+    axes: tuple[Axis, ...]
+    randoms: tuple[Random, ...]
+    sampling: Sampling
+    dims: Mapping[str, int]
+    """The sizes of the dimensions, in order."""
+    keep: Any
+    statistics: Mapping[str, Any] | None
+    chunk: int
+    title: str | None
+    store: str | None
+    folder: Path
+
+    @property
+    def rows(self) -> int:
+        """The number of rows."""
+        rows = 1
+        for size in self.dims.values():
+            rows *= size
+        return rows
+
+    def block(self, first: int, last: int) -> Block:
+        """What varies in the rows from ``first`` to before ``last``."""
+        rows = np.arange(first, last)
+        index: dict[str, NDArray[np.int64]] = {}
+        stride = self.rows
+        for dim, size in self.dims.items():
+            stride //= size
+            index[dim] = rows // stride % size
+        chances, hand = self.sampling.chances(first, last)
+        own = np.arange(last - first)
+        return Block(
+            last - first,
+            (
+                *(Given(axis.of, axis.values, index[axis.along]) for axis in self.axes),
+                *(Given(one.of, one.values(chances[one.name]), own) for one in self.randoms),
+            ),
+            hand,
+        )
+
+    def along(self, axis: Axis) -> Block:
+        """A row for each value of an axis; everything else that varies has its first value."""
+        own, first = np.arange(axis.size), np.zeros(axis.size, np.int64)
+        given = [Given(one.of, one.values, own if one is axis else first) for one in self.axes]
+        # The middle of each distribution, which is more certainly possible than its tails.
+        half = np.full(1, 0.5)
+        given += [Given(one.of, one.values(half), first) for one in self.randoms]
+        return Block(axis.size, tuple(given), np.full((axis.size, 5), 0.5))
+
+
+def described(content: dict[str, Any], folder: Path) -> Description:
+    """The description that the content of a file in that folder gives.
+
+    Raises ``RimrollError`` for unknown and missing keys, and for values outside their bounds.
+    """
+    if "body" not in content and content.keys() <= _Study.model_fields.keys():
+        what = "has no table [body]" if content else "is empty"
+        raise RimrollError(f'{what}: write what rolls, such as [body] and preset = "can_2007"')
+    read = checked(_Study, content, "")
+    if read.kind not in KINDS:
+        raise RimrollError(f"unknown kind {read.kind!r}{nearest(read.kind, KINDS)}")
+    kind = KINDS[read.kind]
+    axes = tuple(
+        made(f"[axes.{name}]", lambda n=name, t=table: _axis(n, t))  # type: ignore[misc]
+        for name, table in read.axes.items()
+    )
+    axes = _combined(axes, read.combine)
+    randoms = tuple(
+        made(f"[random.{name}]", lambda n=name, t=table: _random(n, t))  # type: ignore[misc]
+        for name, table in read.random.items()
+    )
+    varied = [*(axis.of for axis in axes), *(one.of for one in randoms)]
+    tables = _tables(read, kind, varied)
+    _expect_different(axes, randoms, kind)
+    names = tuple(one.name for one in randoms)
+    sampling = Sampling(
+        read.sampling, random_seed(read.seed), read.trials, names, tables["release"] is not None
+    )
+    if read.trials > 1 and not names and tables["release"] is None:
+        raise RimrollError(
+            f"trials must be 1 where nothing is random, got {read.trials}: give [random] or"
+            " [release]"
+        )
+    dims = _dims(axes, read.trials, read.most_rows)
+    return Description(
+        kind,
+        tables,
+        axes,
+        randoms,
+        sampling,
+        dims,
+        read.keep,
+        read.statistics,
+        read.chunk or kind.chunk,
+        read.title,
+        read.store,
+        folder,
+    )
+
+
+def _axis(name: str, table: object) -> Axis:
+    if isinstance(table, list):
+        table = {"values": table}
+    if not isinstance(table, dict):
+        raise RimrollError(f"must be a table or a list, got {as_toml(table)}")
+    _, _, last = name.rpartition(".")
+    if "." in name:
+        table = {"of": name} | table
+    return Described(**checked(_Axis, table, "").model_dump()).axis(last)
+
+
+def _random(name: str, table: object) -> Random:
+    if not isinstance(table, dict):
+        raise RimrollError(f"must be a table, got {as_toml(table)}")
+    _, _, last = name.rpartition(".")
+    rest = ({"of": name} if "." in name else {}) | table
+    for key in ("of", "distribution"):
+        if not isinstance(rest.get(key), str):
+            raise RimrollError(f"lacks {key!r}, a text")
+    of, distribution = rest.pop("of"), rest.pop("distribution")
+    unit = unit_of(of)
+    if unit is None:
+        raise RimrollError(f"{of} is no number, so it has no distribution")
+    numbers = _numbers(distribution, rest, unit)
+    random = Random(last, of, unit, distribution, numbers)
+    ends = random.values(np.array([2.0**-54, 0.5, 1.0 - 2.0**-53]))
+    if not np.isfinite(ends[1]) or np.isnan(ends).any():
+        raise RimrollError(f"{distribution} has no quantiles for {as_toml(rest)}")
+    return random
+
+
+def _numbers(distribution: str, given: Mapping[str, Any], unit: str) -> dict[str, float]:
+    """The numbers of a distribution; those with the unit of the quantity in SI units."""
+    if distribution in OWN:
+        names = OWN[distribution]
+        for name in given:
+            if name not in names:
+                raise RimrollError(f"has an unknown key {name!r}{nearest(name, names)}")
+        for name in names:
+            if name not in given:
+                raise RimrollError(f"lacks {name!r}: {distribution} has {' and '.join(names)}")
+        numbers = {
+            name: quantity(readable(value), "1" if name == "dispersion" else unit, name)
+            for name, value in given.items()
+        }
+        _expect_possible(distribution, numbers)
+        return numbers
+    import scipy.stats
+
+    known = sorted(
+        name
+        for name, one in vars(scipy.stats).items()
+        if isinstance(one, scipy.stats.rv_continuous)
+    )
+    if distribution not in known:
+        raise RimrollError(
+            f"unknown distribution {distribution!r}{nearest(distribution, OWN)}; or a continuous"
+            " one of scipy.stats"
+        )
+    shapes = getattr(scipy.stats, distribution).shapes
+    names = [*(shapes.split(", ") if shapes else []), "loc", "scale"]
+    for name in given:
+        if name not in names:
+            raise RimrollError(f"has an unknown key {name!r}{nearest(name, names)}")
+    for name in names[:-2]:
+        if name not in given:
+            raise RimrollError(f"lacks {name!r}: {distribution} has {', '.join(names)}")
+    return {
+        name: quantity(readable(value), unit if name in ("loc", "scale") else "1", name)
+        for name, value in given.items()
+    }
+
+
+def _expect_possible(distribution: str, numbers: Mapping[str, float]) -> None:
+    for name in ("spread", "dispersion"):
+        if numbers.get(name, 0.0) < 0.0:
+            raise RimrollError(f"{name} must be >= 0, got {numbers[name]:g}")
+    if distribution == "lognormal" and not numbers["median"] > 0.0:
+        raise RimrollError(f"median must be > 0, got {numbers['median']:g}")
+    if distribution == "uniform" and not numbers["low"] < numbers["high"]:
+        raise RimrollError(f"high must be above low, {numbers['low']:g}, got {numbers['high']:g}")
+
+
+def _combined(axes: tuple[Axis, ...], combine: str) -> tuple[Axis, ...]:
+    """The axes along their dimensions."""
+    if combine not in COMBINATIONS:
+        raise RimrollError(f"unknown combine {combine!r}{nearest(combine, COMBINATIONS)}")
+    if combine == "product":
+        return axes
+    return tuple(replace(axis, along=CASE) for axis in axes)
+
+
+def _dims(axes: tuple[Axis, ...], trials: int, most: int) -> dict[str, int]:
+    dims: dict[str, int] = {}
+    named: dict[str, str] = {}
+    for axis in axes:
+        other = named.setdefault(axis.along, axis.name)
+        if dims.setdefault(axis.along, axis.size) != axis.size:
+            raise RimrollError(
+                f"axes along {axis.along!r} must be of one length: {other} has {dims[axis.along]}"
+                f" values, {axis.name} has {axis.size}"
+            )
+    if trials > 1 or not dims:
+        dims[TRIAL] = trials
+    rows = 1
+    for size in dims.values():
+        rows *= size
+    if rows > most:
+        sizes = " x ".join(f"{size} {dim}" for dim, size in dims.items())
+        raise RimrollError(
+            f"{sizes} are {rows} rows, more than most_rows = {most}: take fewer, or raise most_rows"
+        )
+    return dims
+
+
+def _expect_different(axes: tuple[Axis, ...], randoms: tuple[Random, ...], kind: Kind) -> None:
+    names: dict[str, str] = {TRIAL: "the trials", **dict.fromkeys(kind.results, "a result")}
+    varied: dict[str, str] = {}
+    given = [(axis.name, axis.of, "an axis") for axis in axes]
+    given += [(one.name, one.of, "a random quantity") for one in randoms]
+    for name, of, what in given:
+        if name in names:
+            raise RimrollError(f"{name!r} is the name of {names[name]}: take another")
+        if of in varied:
+            raise RimrollError(f"{of} is varied twice, by {varied[of]} and {name}")
+        names[name], varied[of] = what, name
+    for axis in axes:
+        if axis.along != axis.name and axis.along in names and names[axis.along] != "an axis":
+            raise RimrollError(f"{axis.along!r} is the name of {names[axis.along]}: take another")
+
+
+def _tables(read: _Study, kind: Kind, varied: list[str]) -> dict[str, Any]:
+    """The tables that the kind uses, with what it takes for those that are not given."""
+    sections = {one.partition(".")[0] for one in varied}
+    found: dict[str, Any] = {"body": read.body, "simulation": read.simulation}
+    for name in ("law", "start", "release", "ground"):
+        given = getattr(read, name)
+        if name not in kind.tables:
+            if given is not None or name in sections:
+                takes = ", ".join(kind.tables)
+                raise RimrollError(f"[{name}] does not go with kind {kind.name!r}: it has {takes}")
+            found[name] = None
+        else:
+            found[name] = given
+    if found["start"] is not None and found["release"] is not None:
+        raise RimrollError("has both [start] and [release]: give one")
+    for name in kind.tables:
+        if found[name] is None and name in sections:
+            found[name] = {}
+    taken = found["start"] is not None or found["release"] is not None
+    for name, default in kind.tables.items():
+        if found[name] is None and not (taken and name in ("start", "release")):
+            found[name] = default
+    if found["law"] == {}:
+        found["law"] = {"kind": kind.tables["law"]} if "law.kind" not in varied else {}
+    if found["start"] is None and found["release"] is None:
+        raise RimrollError("has no [start] and no [release]: say how the body is released")
+    if "ground" in kind.tables and found["ground"] is None:
+        raise RimrollError("has no table [ground]: say how the table moves")
+    return found

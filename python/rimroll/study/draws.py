@@ -1,0 +1,157 @@
+"""Random numbers of a study: those of a row depend on the seed and the number of the row only."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError
+from rimroll.experiment.release import LEAST_CHANCE, Release
+from rimroll.names import nearest
+
+Array = NDArray[np.float64]
+
+SAMPLINGS = ("independent", "common", "sobol", "latin_hypercube")
+"""How trials are drawn.
+
+independent: each row has its own random numbers.
+common: trial k has the same random numbers at every place of the axes, so that differences between
+places are those of the places.
+sobol, latin_hypercube: trials fill the space of the random quantities evenly (``scipy.stats.qmc``);
+trial k is the same at every place.
+"""
+
+MOST_POINTS = 1 << 20
+"""The largest number of trials of a Latin hypercube, which must be made as a whole."""
+
+WORDS = 4
+"""Random numbers that Philox makes at each count."""
+
+
+def stream(seed: int, name: str, first: int, last: int) -> Array:
+    """Numbers ``first`` to before ``last`` of a sequence that is uniform in (0, 1).
+
+    Each name has its own sequence. Philox computes any part of it (Salmon et al. 2011).
+    """
+    digest = hashlib.sha256(f"{seed} {name}".encode()).digest()
+    key = np.frombuffer(digest[:16], "<u8").astype(np.uint64)
+    philox = np.random.Philox(key=key)
+    philox.advance(first // WORDS)
+    skipped = first % WORDS
+    raw = philox.random_raw(last - first + skipped)[skipped:]
+    return np.asarray(np.maximum((raw >> np.uint64(11)) * 2.0**-53, LEAST_CHANCE))
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """The random numbers, uniform in (0, 1), of the rows of a study."""
+
+    method: str
+    seed: int
+    trials: int
+    names: tuple[str, ...]
+    """The random quantities, in the order of the dimensions of a Sobol sequence."""
+    release: bool
+    """Whether a hand releases the body: five further numbers for each row."""
+
+    def __post_init__(self) -> None:
+        if self.method not in SAMPLINGS:
+            raise RimrollError(f"unknown sampling {self.method!r}{nearest(self.method, SAMPLINGS)}")
+        if self.method == "latin_hypercube" and self.trials > MOST_POINTS:
+            raise RimrollError(
+                f"trials must be at most {MOST_POINTS} for a Latin hypercube, got {self.trials}"
+            )
+
+    def chances(self, first: int, last: int) -> tuple[dict[str, Array], Array | None]:
+        """Numbers by random quantity, each (n,), and those of the release (n, 5), of some rows.
+
+        Those of the release are the numbers of ``Release.draw(rows, seed)``, or at each place of
+        the axes those of ``Release.draw(trials, seed)`` if the sampling is common.
+        """
+        if self.method == "independent":
+            return self._part(first, last)
+        trial = np.arange(first, last) % self.trials
+        low, high = int(trial.min()), int(trial.max()) + 1
+        given, hand = self._part(low, high) if self.method == "common" else self._even(low, high)
+        place = trial - low
+        return {name: one[place] for name, one in given.items()}, (
+            None if hand is None else hand[place]
+        )
+
+    def _part(self, first: int, last: int) -> tuple[dict[str, Array], Array | None]:
+        given = {name: stream(self.seed, name, first, last) for name in self.names}
+        return given, Release.chances(first, last, self.seed) if self.release else None
+
+    def _even(self, first: int, last: int) -> tuple[dict[str, Array], Array | None]:
+        """Points of a design that fills space evenly, from trial ``first`` to before ``last``."""
+        from scipy.stats import qmc
+
+        count = len(self.names) + (5 if self.release else 0)
+        if not count:
+            return {}, None
+        random = np.random.default_rng(self.seed)
+        if self.method == "sobol":
+            engine: Any = qmc.Sobol(count, seed=random)
+            if first:
+                engine.fast_forward(first)
+            # Not a power of two at a time: the design is whole when all its parts are.
+            points = engine.random(1) if last - first == 1 else _quietly(engine, last - first)
+        else:
+            points = qmc.LatinHypercube(count, seed=random).random(self.trials)[first:last]
+        points = np.clip(points, LEAST_CHANCE, 1.0 - 2.0**-53)
+        given = {name: points[:, k] for k, name in enumerate(self.names)}
+        return given, points[:, len(self.names) :] if self.release else None
+
+
+def _quietly(engine: Any, count: int) -> Array:
+    import warnings
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        return np.asarray(engine.random(count))
+
+
+@dataclass(frozen=True)
+class Random:
+    """A random quantity: a distribution of ``scipy.stats``, by the chances that lie below."""
+
+    name: str
+    of: str
+    unit: str
+    distribution: str
+    numbers: Mapping[str, float]
+
+    def values(self, chances: Array) -> Array:
+        """The quantiles, in the SI unit of the quantity, of chances (n,)."""
+        return np.asarray(_quantiles(self.distribution, self.numbers, chances))
+
+
+def _quantiles(distribution: str, numbers: Mapping[str, float], chances: Array) -> Array:
+    from rimroll.experiment.normal import quantiles
+
+    match distribution:
+        case "uniform":
+            low, high = numbers["low"], numbers["high"]
+            return low + (high - low) * chances
+        case "normal":
+            return numbers["mean"] + numbers["spread"] * quantiles(chances)
+        case "lognormal":
+            # exp of NumPy: the same on a machine whatever the length of the array.
+            return numbers["median"] * np.exp(numbers["dispersion"] * quantiles(chances))
+        case _:
+            import scipy.stats
+
+            return np.asarray(getattr(scipy.stats, distribution).ppf(chances, **numbers))
+
+
+OWN: Mapping[str, Sequence[str]] = {
+    "uniform": ("low", "high"),
+    "normal": ("mean", "spread"),
+    "lognormal": ("median", "dispersion"),
+}
+"""The distributions with numbers of our own, and these: others take the arguments of SciPy."""

@@ -1,0 +1,112 @@
+"""Studies of falls: the first turn of a body, from starts or from the hand that releases it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.exact import NUMBERS
+from rimroll.exact_falls import exact_falls
+from rimroll.experiment.toppling import FALLING
+from rimroll.falls import Falls
+from rimroll.many_falls import OPTIONS, VARIABLES, follow
+from rimroll.options import Options
+from rimroll.study.cases import Call
+from rimroll.study.kinds.kind import Result
+from rimroll.study.plan import Progress
+
+OUTCOME = Result("int8", long_name="outcome", flags=tuple(_core.OUTCOMES))
+
+DTYPES = {"slid": "bool", "flew": "bool", "steps": "int64"}
+"""The types of columns that are not float64."""
+
+
+def described(names: tuple[str, ...]) -> dict[str, Result]:
+    """The columns of falls of these names."""
+    return {name: Result(DTYPES.get(name, "float64"), *VARIABLES[name]) for name in names}
+
+
+@dataclass(frozen=True)
+class Followed:
+    """First turns, as :func:`rimroll.ensemble` computes them."""
+
+    name: str
+    options: Options
+    tables: Mapping[str, Any]
+    chunk: int = 200_000
+    results: Mapping[str, Result] = field(
+        default_factory=lambda: {"outcome": OUTCOME, **described(tuple(VARIABLES))}
+    )
+
+    def computed(
+        self, call: Call, threads: int | None, progress: Progress
+    ) -> dict[str, NDArray[Any]]:
+        """The falls of a call."""
+        falls = follow(
+            call.body,
+            call.starts,
+            call.law,
+            call.options,
+            friction_scale=call.friction_scale,
+            threads=threads,
+            progress=progress,
+        )
+        return _columns(falls, self.results)
+
+
+@dataclass(frozen=True)
+class ByQuadrature:
+    """First turns under laws that conserve energy, as :func:`rimroll.exact_turn` computes them."""
+
+    name: str = "exact_turn"
+    options: Options = OPTIONS
+    tables: Mapping[str, Any] = field(
+        default_factory=lambda: {"law": "no_slip", "start": None, "release": None}
+    )
+    chunk: int = 500_000
+    results: Mapping[str, Result] = field(
+        default_factory=lambda: {
+            "outcome": OUTCOME,
+            **described((*(name for name in NUMBERS if name in VARIABLES), "direction")),
+        }
+    )
+
+    def computed(
+        self, call: Call, threads: int | None, progress: Progress
+    ) -> dict[str, NDArray[Any]]:
+        """The turns of a call."""
+        falls = exact_falls(
+            call.body,
+            call.starts,
+            call.law,
+            gravity=call.options.gravity,
+            topple_tilt=call.options.topple_tilt,
+            threads=threads,
+            progress=progress,
+        )
+        return _columns(falls, self.results)
+
+
+def _columns(falls: Falls, results: Mapping[str, Result]) -> dict[str, NDArray[Any]]:
+    return {
+        name: as_flags(falls[name], result.flags) if result.flags else falls[name]
+        for name, result in results.items()
+    }
+
+
+def as_flags(words: NDArray[Any], known: tuple[str, ...]) -> NDArray[np.int8]:
+    """Words (n,) as their places among the known ones."""
+    found = np.full(len(words), -1, np.int8)
+    for place, word in enumerate(known):
+        found[words == word] = place
+    return found
+
+
+ENSEMBLE = Followed("ensemble", OPTIONS, {"law": "no_slip", "start": None, "release": None})
+TOPPLE = Followed("topple", FALLING, {"law": "no_slip", "release": "flick"})
+EXACT_TURN = ByQuadrature()

@@ -1,0 +1,56 @@
+"""What a kind of study computes in a row."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from numpy.typing import NDArray
+
+from rimroll.options import Options
+from rimroll.study.cases import Call
+from rimroll.study.plan import Progress
+
+
+@dataclass(frozen=True)
+class Result:
+    """A number or word that a kind computes for each row."""
+
+    dtype: str
+    unit: str = ""
+    long_name: str | None = None
+    comment: str | None = None
+    flags: tuple[str, ...] = ()
+
+
+class Kind(Protocol):
+    """A kind of study: the results of a row, and how the rows of a call are computed."""
+
+    @property
+    def name(self) -> str:
+        """The word for it in files."""
+
+    @property
+    def results(self) -> Mapping[str, Result]:
+        """The results of a row, by name."""
+
+    @property
+    def options(self) -> Options:
+        """How motions are followed unless the study says otherwise."""
+
+    @property
+    def chunk(self) -> int:
+        """Rows of a chunk unless the study says otherwise: some seconds of work."""
+
+    @property
+    def tables(self) -> Mapping[str, Any]:
+        """The tables that it reads besides [body], and what they are unless the study has them."""
+
+    def computed(
+        self, call: Call, threads: int | None, progress: Progress
+    ) -> dict[str, NDArray[Any]]:
+        """The results of the rows of a call, each (n,).
+
+        ``progress`` is called with the numbers of rows that are done and that there are.
+        """

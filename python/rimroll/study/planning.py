@@ -1,0 +1,183 @@
+"""From the description of a study to its plan, and from rows to their columns."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rimroll import _core
+from rimroll.errors import RimrollError
+from rimroll.names import nearest
+from rimroll.scenario.tables import as_toml, made
+from rimroll.study.axes import Axis
+from rimroll.study.cases import STATE, Cases
+from rimroll.study.description import Description
+from rimroll.study.grounds import records_of
+from rimroll.study.plan import Columns, Coordinate, Plan, Progress, Variable
+from rimroll.units import START_UNIT_OF
+
+if TYPE_CHECKING:
+    from rimroll.study.study import Study
+
+WITHOUT_EFFECT = ("store", "chunk", "most_rows", "title")
+"""What of a study does not change its numbers."""
+
+
+def planned(study: Study) -> Plan:
+    """The plan of a study; raises ``RimrollError`` for what it may not say."""
+    description = study.description
+    _try(description)
+    columns = _kept(description)
+    coords = _coordinates(description)
+    statistics = None
+    if description.statistics is not None:
+        from rimroll.study.statistics import statistics_of
+
+        statistics = statistics_of(description.statistics, description.dims, coords, columns)
+    return Plan(
+        study,
+        description.dims,
+        coords,
+        columns,
+        min(description.chunk, description.rows),
+        _attributes(study),
+        statistics,
+    )
+
+
+def computed(
+    description: Description,
+    first: int,
+    last: int,
+    threads: int | None,
+    progress: Progress | None,
+) -> Columns:
+    """The columns that are kept of the rows from ``first`` to before ``last``."""
+    block = description.block(first, last)
+    cases = Cases.of(description, block, description.kind.options)
+    columns = _kept(description)
+    found = {
+        name: np.empty(block.count, one.dtype)
+        for name, one in columns.items()
+        if name in description.kind.results
+    }
+    done = 0
+
+    def report(of_call: int, _: int) -> None:
+        if progress is not None:
+            progress(done + of_call, block.count)
+
+    for call in cases.calls():
+        results = description.kind.computed(call, threads, report)
+        for name in found:
+            found[name][call.rows] = results[name]
+        done += len(call.rows)
+    found |= _inputs(description, cases, columns)
+    return {name: found[name] for name in columns}
+
+
+def _inputs(description: Description, cases: Cases, columns: Mapping[str, Variable]) -> Columns:
+    """What was drawn for the rows."""
+    count = cases.block.count
+    drawn = {one.of: one for one in cases.block.given}
+    found: Columns = {
+        one.name: drawn[one.of].array for one in description.randoms if one.name in columns
+    }
+    if description.tables["release"] is not None:
+        for name in STATE:
+            if f"start_{name}" in columns:
+                found[f"start_{name}"] = np.broadcast_to(cases.starts.numbers[name], count).copy()
+        if "friction_scale" in columns:
+            assert cases.starts.friction_scale is not None
+            found["friction_scale"] = cases.starts.friction_scale
+    return found
+
+
+def _try(description: Description) -> None:
+    """Make bodies, starts, laws and grounds of every value of each axis, and of the first row."""
+    for axis in description.axes:
+        made(f"[axes.{axis.name}]", lambda axis=axis: _made(description, axis))  # type: ignore[misc]
+    Cases.of(description, description.block(0, 1), description.kind.options)
+
+
+def _made(description: Description, axis: Axis) -> None:
+    block = description.along(axis)
+    cases = Cases.of(description, block, description.kind.options)
+    for _ in cases.calls():
+        pass
+
+
+def _columns(description: Description) -> dict[str, Variable]:
+    dims = tuple(description.dims)
+    found = {
+        name: Variable(one.dtype, dims, one.unit, one.long_name, one.comment, one.flags)
+        for name, one in description.kind.results.items()
+    }
+    for random in description.randoms:
+        unit = "" if random.unit == "1" else random.unit
+        found[random.name] = Variable("float64", dims, unit, comment=f"drawn for {random.of}")
+    if description.tables["release"] is not None:
+        for name in STATE:
+            found[f"start_{name}"] = Variable("float64", dims, START_UNIT_OF[name])
+        found["friction_scale"] = Variable(
+            "float64", dims, "", None, "a factor on the law's friction"
+        )
+    return found
+
+
+def _kept(description: Description) -> dict[str, Variable]:
+    """The columns that are kept; ``RimrollError`` for unknown ones."""
+    known = _columns(description)
+    keep = description.keep
+    if keep == "all":
+        return known
+    if not isinstance(keep, list) or not keep or not all(isinstance(one, str) for one in keep):
+        raise RimrollError(f'keep must be "all" or a list of columns, got {as_toml(keep)}')
+    for name in keep:
+        if name not in known:
+            raise RimrollError(f"keep: unknown column {name!r}{nearest(name, known)}")
+    return {name: one for name, one in known.items() if name in keep}
+
+
+def _coordinates(description: Description) -> dict[str, Coordinate]:
+    found = {
+        axis.name: Coordinate(axis.labels, (axis.along,), axis.unit, axis.long_name)
+        for axis in description.axes
+    }
+    for dim, size in description.dims.items():
+        if dim not in found:
+            found[dim] = Coordinate(np.arange(size), (dim,))
+    return found
+
+
+def _attributes(study: Study) -> dict[str, Any]:
+    """Everything that determines the numbers."""
+    import scipy
+
+    description = study.description
+    content = study.to_dict()["study"]
+    return {
+        "title": description.title or "",
+        "kind": description.kind.name,
+        "rimroll_version": _core.__version__,
+        "numpy_version": np.__version__,
+        "scipy_version": scipy.__version__,
+        "seed": description.sampling.seed,
+        "study": json.dumps(
+            {name: one for name, one in content.items() if name not in WITHOUT_EFFECT},
+            sort_keys=True,
+        ),
+        "records": json.dumps(records_of(_grounds(description), description.folder)),
+    }
+
+
+def _grounds(description: Description) -> Iterator[Any]:
+    """The tables of all grounds."""
+    if description.tables["ground"] is not None:
+        yield description.tables["ground"]
+    for axis in description.axes:
+        if axis.of in ("ground", "ground.record"):
+            yield from axis.values
