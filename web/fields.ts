@@ -3,7 +3,7 @@
 
 import type { Plugin } from "vite";
 import { FIELDS, type ChoiceField, type NumberField, type RecordField } from "./src/setup/fields";
-import { SPEEDS } from "./src/setup/playback";
+import { SPEEDS, VIEWS } from "./src/setup/playback";
 
 /** The accepted values of a quantity: choices, texts of a pattern, or numbers within bounds. */
 type Allowed =
@@ -31,6 +31,10 @@ export function allowed(): Record<string, Allowed> {
       return [name, { unit, min, max, open, whole }];
     },
   );
-  const playback = { speed: { choices: SPEEDS.map(String) }, slow: { choices: ["0", "1"] } };
+  const playback = {
+    speed: { choices: SPEEDS.map(String) },
+    slow: { choices: ["0", "1"] },
+    view: { choices: [...VIEWS] },
+  };
   return { ...Object.fromEntries(quantities), ...playback };
 }

@@ -4,7 +4,7 @@
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
 import type { Moments, Motion } from "./core/motion";
-import { INITIAL_PLAYBACK, type Playback } from "./setup/playback";
+import { INITIAL_PLAYBACK } from "./setup/playback";
 
 /** Largest speed of the contact point in stretched time, rad per second of the visitor. */
 export const MAX_CONTACT_RATE = 2.5;
@@ -95,15 +95,6 @@ export class Clock {
 
   constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
     this.schedule = computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
-  }
-
-  get playback(): Playback {
-    return { speed: this.speed.value, stretched: this.stretched.value };
-  }
-
-  setPlayback({ speed, stretched }: Readonly<Playback>): void {
-    this.speed.value = speed;
-    this.stretched.value = stretched;
   }
 
   /** End of the motion, s. */

@@ -19,6 +19,7 @@ import { type Preview, previewOf } from "./falls/preview";
 import { type SimulationInput, simulationInput } from "./setup/simulation_input";
 import { FLICK_FIELDS } from "./setup/fields";
 import type { Held } from "./setup/release";
+import { INITIAL_PLAYBACK, type Playback, type ViewName } from "./setup/playback";
 import type { Refusal } from "./setup/refusal";
 import { INITIAL, type Setup } from "./setup/setup";
 
@@ -75,6 +76,8 @@ export class Lab {
   readonly shakerMissing: Signal<string> = signal("is being loaded");
   /** Where a hand holds the table, m; undefined if none does. */
   readonly tableHeld: Signal<Displacement | undefined> = signal(undefined);
+  /** From where the body is seen. */
+  readonly view: Signal<ViewName> = signal(INITIAL_PLAYBACK.view);
   /** Azimuth of the camera, rad. */
   azimuth = -Math.PI / 2;
   /** Whether the complete motion is wanted, however long that takes. */
@@ -143,6 +146,19 @@ export class Lab {
       // No more flicks can be shown than there are.
       if ((this.flicksShown.value ?? 0) > setup.flicks) this.flicksShown.value = setup.flicks;
       this.setup.value = setup;
+    });
+  }
+
+  get playback(): Playback {
+    const { speed, stretched } = this.clock;
+    return { speed: speed.value, stretched: stretched.value, view: this.view.value };
+  }
+
+  setPlayback({ speed, stretched, view }: Readonly<Playback>): void {
+    batch(() => {
+      this.clock.speed.value = speed;
+      this.clock.stretched.value = stretched;
+      this.view.value = view;
     });
   }
 

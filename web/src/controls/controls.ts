@@ -75,6 +75,9 @@ function more(form: SetupForm): HTMLElement {
   return details;
 }
 
+/** Settings of the playback, which a link may hold. */
+const PLAYBACK: readonly string[] = ["speed", "slow", "view"];
+
 /** Refusals from a link that have no visible field: of another body, or of the playback. */
 function otherRefusals(lab: Lab): HTMLElement {
   const list = element("p", { class: "refusal", role: "alert" });
@@ -84,7 +87,7 @@ function otherRefusals(lab: Lab): HTMLElement {
       .flat()
       .filter((name) => !BODY_FIELDS[body]?.includes(name));
     const messages = lab.refusals.value
-      .filter(({ field }) => field === "speed" || field === "slow" || hidden.includes(field))
+      .filter(({ field }) => PLAYBACK.includes(field) || hidden.includes(field))
       .map(({ message }) => message);
     list.textContent = messages.join(" ");
   });

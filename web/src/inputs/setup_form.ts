@@ -36,7 +36,7 @@ export class SetupForm {
     this.pending = { ...INITIAL };
     batch(() => {
       this.lab.refusals.value = [];
-      this.lab.clock.setPlayback(INITIAL_PLAYBACK);
+      this.lab.setPlayback(INITIAL_PLAYBACK);
       this.flush();
     });
   }

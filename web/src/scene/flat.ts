@@ -1,6 +1,13 @@
 // Canvas drawings that lie flat on the table.
 
-import { CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace } from "three";
+import {
+  CanvasTexture,
+  DoubleSide,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  SRGBColorSpace,
+} from "three";
 
 /** A drawing on a plane, redrawn when its content changes. */
 export class FlatDrawing {
@@ -19,6 +26,7 @@ export class FlatDrawing {
       transparent: true,
       depthWrite: false,
       toneMapped: false,
+      side: DoubleSide,
     });
     this.mesh = new Mesh(new PlaneGeometry(width, height), material);
   }

@@ -1,7 +1,15 @@
 // The elements of the scene: the picture, its buttons, the key to its colours, and the notice that is
 // shown if there is no picture.
 
+import type { ViewName } from "../setup/playback";
 import { KEYS } from "./keys";
+
+/** Names of the places of the camera on their buttons. */
+const PLACES: readonly (readonly [ViewName, string])[] = [
+  ["above", "From above"],
+  ["contact", "Contact"],
+  ["below", "From below"],
+];
 
 export interface Frame {
   stage: HTMLElement;
@@ -11,7 +19,8 @@ export interface Frame {
   scale: HTMLElement;
   notice: HTMLElement;
   reset: HTMLButtonElement;
-  above: HTMLButtonElement;
+  /** Buttons that take the camera to a place. */
+  places: ReadonlyMap<ViewName, HTMLButtonElement>;
 }
 
 function element<Name extends keyof HTMLElementTagNameMap>(
@@ -36,13 +45,13 @@ export function frameIn(place: HTMLElement): Frame {
   const notice = element("p", "table-notice");
   notice.setAttribute("role", "status");
   const reset = button("Reset view");
-  const above = button("From above");
+  const places = new Map(PLACES.map(([name, text]) => [name, button(text)]));
   const tools = element("div", "table-tools");
-  tools.append(reset, above, help());
+  tools.append(reset, ...places.values(), help());
   const [legend, scale] = key();
   stage.append(canvas, words, legend, tools, notice);
   place.replaceChildren(stage);
-  return { stage, canvas, words, scale, notice, reset, above };
+  return { stage, canvas, words, scale, notice, reset, places };
 }
 
 function button(text: string): HTMLButtonElement {

@@ -7,7 +7,7 @@ const DEGREE = Math.PI / 180;
 
 /** The list of keys for the help box. */
 export const KEYS: readonly (readonly [key: string, does: string])[] = [
-  ["← → ↑ ↓", "look from another side"],
+  ["← → ↑ ↓", "look from another side, also from below"],
   ["Page Up, Page Down", "zoom in, zoom out"],
   ["Home", "reset the view"],
   ["+ and −", "take the body and tip it by 1°"],
@@ -20,6 +20,7 @@ export const KEYS: readonly (readonly [key: string, does: string])[] = [
 export function listenToKeys(
   canvas: HTMLCanvasElement,
   view: View,
+  reset: () => void,
   hands: Hands,
   changed: () => void,
 ): void {
@@ -36,7 +37,7 @@ export function listenToKeys(
     ArrowDown: () => view.turn(0, -0.06),
     PageUp: () => view.zoom(0.9),
     PageDown: () => view.zoom(1 / 0.9),
-    Home: () => view.reset(),
+    Home: reset,
     "+": () => hold(() => hands.tip(DEGREE)),
     "=": () => hold(() => hands.tip(DEGREE)),
     "-": () => hold(() => hands.tip(-DEGREE)),

@@ -69,8 +69,9 @@ export class Labels {
     this.labels[index]?.element.classList.toggle("hidden-spot", hidden);
   }
 
-  /** Places all labels, earlier ones first, beside the body and without overlaps. */
-  arrange(camera: Camera, width: number, height: number, body: Outline): void {
+  /** Places all labels, earlier ones first, without overlaps and beside a body that
+   * would be hidden. */
+  arrange(camera: Camera, width: number, height: number, body: Outline | undefined): void {
     for (const label of this.labels) {
       if (!label.shown) continue;
       if (label.width === 0) {
@@ -83,7 +84,7 @@ export class Labels {
       label.y = ((1 - y) / 2) * height - label.height / 2;
       label.x = Math.min(Math.max(label.x, MARGIN), width - label.width - MARGIN);
       label.y = Math.min(Math.max(label.y, MARGIN), height - label.height - MARGIN);
-      keepBeside(label, body, width);
+      if (body) keepBeside(label, body, width);
       this.makeRoom(label);
       label.element.style.visibility = away ? "hidden" : "visible";
       label.element.style.transform = `translate(${label.x.toFixed(1)}px, ${label.y.toFixed(1)}px)`;

@@ -9,16 +9,17 @@ import {
   type TurnProgress,
   bodyAngleAlongContact,
 } from "../lab";
-import type { Moment, Motion } from "../core/motion";
+import type { Event, Moment, Motion } from "../core/motion";
 import type { InPicture } from "../floor/shaking";
 import { formatDegrees } from "../format/numbers";
 import { prefersReducedMotion } from "../reduced_motion";
 import { BODY_FIELDS, BODY_NOUNS } from "../setup/fields";
 import type { Held } from "../setup/release";
 import type { Setup } from "../setup/setup";
-import { dispose, pictureOf } from "./bodies/bodies";
+import { dispose, pictureOf, setSeeThrough } from "./bodies/bodies";
 import { MARK_FACES, markPlace } from "./bodies/mark";
 import { type Size, reachOf, sizeOf } from "./bodies/shapes";
+import type { Closeup } from "./closeup";
 import { Contact } from "./contact";
 import { Dots } from "./dots";
 import type { Frame } from "./frame";
@@ -70,6 +71,9 @@ export class Picture {
   private readonly table = new Table();
   /** Loaded when the floor is first shaken. */
   private shaken: ShakenTable | undefined;
+  /** Loaded when it is first looked at. */
+  private closeup: Closeup | undefined;
+  private closeupWanted = false;
   private readonly protractor = new Protractor();
   private readonly ruler = new Ruler();
   private readonly trail = new Trail();
@@ -80,7 +84,7 @@ export class Picture {
   private readonly shade = new Shade();
   private readonly labels: Labels;
   private readonly outline = new Outline();
-  private readonly labelIds: { turned: number; theory: number; other: number; itself: number };
+  private readonly labelIds: Record<"turned" | "theory" | "other" | "itself" | "gap", number>;
   private palette = readPalette();
   private body = new Group();
   /** A cylinder round the body, for hits of the pointer. */
@@ -126,6 +130,7 @@ export class Picture {
       theory: this.labels.add("theory"),
       other: this.labels.add("theory"),
       itself: this.labels.add("itself"),
+      gap: this.labels.add("gap"),
     };
     this.body.matrixAutoUpdate = this.hull.matrixAutoUpdate = false;
     const { scene } = this.stage;
@@ -175,6 +180,7 @@ export class Picture {
     this.stage.paint(this.palette);
     this.table.paint(this.palette);
     this.shaken?.paint(this.palette);
+    this.closeup?.paint(this.palette);
     this.wedge.repaint(this.palette);
     this.slip.paint(this.palette);
     this.shade.paint(this.palette);
@@ -197,7 +203,8 @@ export class Picture {
   /** Converts a movement to the right and up on the screen into a vector on the table. */
   private leanBy(right: number, up: number): Spot {
     const { azimuth, elevation } = this.view;
-    const away = up / Math.max(Math.sin(elevation), 0.45);
+    const steep = Math.sin(elevation);
+    const away = (up * (Math.sign(steep) || 1)) / Math.max(Math.abs(steep), 0.45);
     const [c, s] = [Math.cos(azimuth), Math.sin(azimuth)];
     return { x: -s * right - c * away, y: c * right - s * away };
   }
@@ -220,10 +227,13 @@ export class Picture {
     this.moveTable();
     camera.updateMatrixWorld();
     this.mark(placement);
-    this.showTurn(lab.held.peek() ? undefined : lab.turnProgress.peek());
+    const progress = lab.held.peek() ? undefined : lab.turnProgress.peek();
+    this.showTurn(progress);
+    this.showCloseup(placement, progress);
     this.stage.render();
     this.outline.project(this.hull.matrixWorld, camera, this.width, this.height);
-    this.labels.arrange(camera, this.width, this.height, this.outline);
+    const hides = this.isSeeThrough ? undefined : this.outline;
+    this.labels.arrange(camera, this.width, this.height, hides);
     if (gliding) this.changed();
     if (lab.clock.playing.peek() && this.frameRate.isSlow(now) && this.stage.coarsen())
       this.resize();
@@ -262,7 +272,11 @@ export class Picture {
   /** Builds the picture of the body again if the body has changed. */
   private updateBody(setup: Readonly<Setup>): void {
     const { body } = setup;
-    const key = [body, ...(BODY_FIELDS[body] ?? []).map((name) => setup[name])].join(" ");
+    const key = [
+      this.isSeeThrough,
+      body,
+      ...(BODY_FIELDS[body] ?? []).map((name) => setup[name]),
+    ].join(" ");
     if (key === this.bodyKey) return;
     this.bodyKey = key;
     dispose(this.body);
@@ -270,9 +284,10 @@ export class Picture {
     this.body = pictureOf(setup);
     this.body.matrixAutoUpdate = false;
     this.stage.scene.add(this.body);
+    setSeeThrough(this.body, this.isSeeThrough);
     this.size = sizeOf(setup);
     this.reach = reachOf(this.size);
-    this.view.frame(this.size.length / this.reach);
+    this.view.frame(this.size.length / this.reach, this.size.rim / this.reach);
     const cell = powerOfTen(this.reach / 2.5);
     this.cell = cell / this.reach;
     for (const one of [this.table, this.shaken]) one?.setCell(this.cell);
@@ -391,7 +406,8 @@ export class Picture {
     const [ex, ey] = [position.x - this.spot.x, position.y - this.spot.y];
     const flat = Math.hypot(ex, ey);
     const toward = (contact.x - pose.x) * ex + (contact.y - pose.y) * ey;
-    const near = toward > -0.3 * this.rim.radius * flat && position.z < 3 * flat;
+    const before = toward > -0.3 * this.rim.radius * flat && position.z < 3 * flat;
+    const near = before || position.z < 0 || this.isSeeThrough;
     this.contact.group.quaternion.copy(quaternion);
     const isLevel = kind === "standing" || kind === "sliding_flat" || kind === "flying_level";
     this.contact.group.visible = !isLevel;
@@ -478,13 +494,63 @@ export class Picture {
     return this.caster.intersectObject(this.hull, false).length > 0;
   }
 
+  /** Whether the body is transparent, so that its base and its rim are visible. */
+  private get isSeeThrough(): boolean {
+    const view = this.lab.view.peek();
+    return view === "contact" || view === "below";
+  }
+
+  /** Shows the marks on the rim and the magnified gap, if the camera is at the contact point or below. */
+  private showCloseup({ pose }: Placement, progress: TurnProgress | undefined): void {
+    const { closeup, labels, labelIds, reach, rim, stage } = this;
+    const below = stage.camera.position.z < 0;
+    this.table.setGlass(below);
+    this.ruler.group.visible = !below && !this.isSeeThrough;
+    this.shade.mesh.visible = !this.isSeeThrough;
+    labels.set(labelIds.gap, "", 0, 0);
+    if (!this.isSeeThrough) return closeup?.hide();
+    if (!closeup) return this.loadCloseup();
+    const near = {
+      pose,
+      radius: rim.radius,
+      minTilt: progress && this.lowestOf(progress)?.tilt,
+      placed: this.body.matrix,
+      scale: 1 / reach,
+    };
+    const { text, spot } = closeup.show(near, progress);
+    labels.set(labelIds.gap, text, spot.x, spot.y, spot.z);
+  }
+
+  private loadCloseup(): void {
+    if (this.closeupWanted) return;
+    this.closeupWanted = true;
+    import("./closeup").then(
+      ({ Closeup }) => {
+        this.closeup = new Closeup(this.lab, this.frame.stage);
+        this.closeup.paint(this.palette);
+        this.stage.scene.add(this.closeup.group);
+        this.changed();
+      },
+      (error: unknown) => {
+        this.closeupWanted = false;
+        console.error(error);
+      },
+    );
+  }
+
+  /** The smallest tilt of a turn, complete or not, and its time. */
+  private lowestOf({ start, turn }: TurnProgress): { t: number; tilt: number } | undefined {
+    if (turn) return { t: turn.t, tilt: turn.minTilt };
+    const isLowest = ({ kind, moment }: Event) => kind === "tilt_min" && moment.t >= start;
+    return this.lab.motion.peek()?.events.find(isLowest)?.moment;
+  }
+
   /** The centre of the base at the smallest tilt of this turn, about which the contact point runs. */
-  private centreOf(motion: Motion, { start, turn }: TurnProgress): Spot {
+  private centreOf(motion: Motion, progress: TurnProgress): Spot {
     const { centre, rim, reach, footing } = this;
+    const { start } = progress;
     if (centre.of === start) return centre;
-    const lowest =
-      turn?.t ??
-      motion.events.find(({ kind, moment }) => kind === "tilt_min" && moment.t >= start)?.moment.t;
+    const lowest = this.lowestOf(progress)?.t;
     const moment = motion.at([lowest ?? start]).moment(0);
     const flat =
       lowest === undefined

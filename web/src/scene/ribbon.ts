@@ -4,6 +4,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DoubleSide,
   DynamicDrawUsage,
   Mesh,
   ShaderMaterial,
@@ -75,6 +76,7 @@ export class Ribbon {
       fragmentShader: FRAGMENT,
       transparent: true,
       depthWrite: false,
+      side: DoubleSide, // also from below a table of glass
       uniforms: {
         pixel: PIXEL,
         width: { value: width },

@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
+import type { ViewName } from "../setup/playback";
 import { type Frame, frameIn } from "./frame";
 import { listen } from "./gestures";
 import { Hands } from "./hands";
@@ -33,17 +34,24 @@ export function mountScene(lab: Lab, place: HTMLElement): void {
     .catch(without("This browser cannot show the picture, because WebGL is off or missing."));
 }
 
-function connect(lab: Lab, { canvas, stage, reset, above }: Frame, picture: Picture): void {
+function connect(lab: Lab, { canvas, stage, reset, places }: Frame, picture: Picture): void {
   const { view, changed } = picture;
   const hands = new Hands(lab);
   listen(canvas, view, hands, picture.bodyAt, changed);
-  listenToKeys(canvas, view, hands, changed);
-  reset.addEventListener("click", () => {
-    view.reset();
+  const look = (name: ViewName) => {
+    // Also if the visitor has turned away from there.
+    view.show(name);
+    lab.view.value = name;
     changed();
-  });
-  above.addEventListener("click", () => {
-    view.fromAbove();
+  };
+  listenToKeys(canvas, view, () => look("whole"), hands, changed);
+  reset.addEventListener("click", () => look("whole"));
+  for (const [name, button] of places)
+    button.addEventListener("click", () => look(lab.view.peek() === name ? "whole" : name));
+  effect(() => {
+    if (lab.view.value !== view.chosen) view.show(lab.view.value);
+    for (const [name, button] of places)
+      button.setAttribute("aria-pressed", String(name === lab.view.value));
     changed();
   });
   effect(() => {

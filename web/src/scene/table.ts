@@ -1,12 +1,23 @@
 // The table: a round patch that fades into the page, with a grid of known length.
 
-import { CircleGeometry, Color, Mesh, MeshStandardMaterial, type Texture, Vector2 } from "three";
+import {
+  CircleGeometry,
+  Color,
+  DoubleSide,
+  FrontSide,
+  Mesh,
+  MeshStandardMaterial,
+  type Texture,
+  Vector2,
+} from "three";
 import type { Palette } from "./palette";
 
 /** Radius of the table, in radii of the circle of degrees. */
 const EDGE = 7;
 /** Half the side of a table without visible edges. */
 const ENDLESS = 1e3;
+/** Opacity of a table of glass. */
+const GLASS = 0.3;
 
 export class Table {
   readonly mesh: Mesh;
@@ -53,6 +64,15 @@ export class Table {
   /** Sets the side of a square, in radii of the circle of degrees. */
   setCell(cell: number): void {
     this.grid.cell.value = cell;
+  }
+
+  /** Makes the table of glass, which is visible from both sides and hides nothing. */
+  setGlass(glass: boolean): void {
+    const side = glass ? DoubleSide : FrontSide;
+    if (this.material.side === side) return;
+    Object.assign(this.material, { side, depthWrite: !glass, opacity: glass ? GLASS : 1 });
+    this.mesh.receiveShadow = !glass;
+    this.material.needsUpdate = true;
   }
 
   /** Moves the patch with the camera, while the grid stays. */

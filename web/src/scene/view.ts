@@ -2,9 +2,12 @@
 
 import type { PerspectiveCamera } from "three";
 import { prefersReducedMotion } from "../reduced_motion";
+import type { ViewName } from "../setup/playback";
 
-/** Bounds of the elevation, rad: above the table and not quite vertical. */
-const [LOWEST, HIGHEST] = [0.06, Math.PI / 2 - 0.001];
+/** Bound of the elevation above and below the table, rad: not quite vertical. */
+const HIGHEST = Math.PI / 2 - 0.001;
+/** The camera is never nearer to the plane of the table than this, rad, where nothing on it could be seen. */
+const LOWEST = 0.06;
 /** The initial view, nearly from the side, rad. */
 const USUAL = { azimuth: -1.36, elevation: 0.5 };
 /** Duration of a camera movement, s. */
@@ -24,14 +27,24 @@ interface Eye {
   elevation: number;
   /** Distance over the one from which everything is visible. */
   distance: number;
+  /** 0 looks at the middle of the body, 1 at the height of the table. */
+  low: number;
+  /** 0 looks at the middle of the picture, 1 at the contact point. */
+  follow: number;
 }
 
+const WHOLE: Readonly<Eye> = { ...USUAL, distance: 1, low: 0, follow: 0 };
+
 export class View {
-  private eye: Eye = { ...USUAL, distance: 1 };
+  private eye: Eye = WHOLE;
   private movement: { from: Eye; to: Eye; started: number } | undefined;
   /** Height of the point at which the camera looks, and radius of the region that must be visible. */
   private height = 0.3;
   private radius = 1.4;
+  /** Radius of the rim. */
+  private rim = 0.5;
+  /** The place that was chosen last. */
+  chosen: ViewName = "whole";
 
   /** The spot of the table in the middle of the picture. */
   readonly focus = { x: 0, y: 0 };
@@ -49,10 +62,12 @@ export class View {
     return this.eye.elevation;
   }
 
-  /** Frames a body with a height in radii of the circle of degrees. */
-  frame(height: number): void {
+  /** Frames a body with a height and a rim, in radii of the circle of degrees. */
+  frame(height: number, rim: number): void {
     this.height = 0.29 * height;
     this.radius = Math.max(1.2, 0.62 * height + 0.53);
+    this.rim = rim;
+    if (this.chosen === "contact" || this.chosen === "below") this.go(this.eyeAt(this.chosen));
   }
 
   /** Follows a body that has moved far from the middle, unless the visitor prefers reduced motion. */
@@ -70,10 +85,13 @@ export class View {
   }
 
   turn(azimuth: number, elevation: number): void {
+    const wanted = this.eye.elevation + elevation;
+    // The camera passes through the plane of the table at once.
+    const side = Math.abs(wanted) >= LOWEST ? wanted : elevation || this.eye.elevation;
     this.go({
       ...this.eye,
       azimuth: this.eye.azimuth + azimuth,
-      elevation: this.eye.elevation + elevation,
+      elevation: Math.sign(side) * Math.max(Math.abs(wanted), LOWEST),
     });
   }
 
@@ -82,12 +100,26 @@ export class View {
     this.go({ ...this.eye, distance: this.eye.distance * factor });
   }
 
-  reset(): void {
-    this.glide({ ...USUAL, distance: 1 });
+  /** Moves to a place. */
+  show(name: ViewName): void {
+    this.chosen = name;
+    this.aimed = this.contact;
+    this.glide(this.eyeAt(name));
   }
 
-  fromAbove(): void {
-    this.glide({ azimuth: -Math.PI / 2, elevation: HIGHEST, distance: 1 });
+  private eyeAt(name: ViewName): Eye {
+    // From here the rim fills the picture.
+    const near = this.rim / this.radius;
+    switch (name) {
+      case "whole":
+        return WHOLE;
+      case "above":
+        return { ...WHOLE, azimuth: -Math.PI / 2, elevation: HIGHEST };
+      case "contact":
+        return { ...USUAL, elevation: 0.32, distance: 1.15 * near, low: 1, follow: 1 };
+      case "below":
+        return { ...USUAL, elevation: -0.6, distance: 1.7 * near, low: 1, follow: 0 };
+    }
   }
 
   /** Moves the camera; returns whether the movement is still under way. */
@@ -101,6 +133,8 @@ export class View {
         azimuth: between("azimuth"),
         elevation: between("elevation"),
         distance: between("distance"),
+        low: between("low"),
+        follow: between("follow"),
       };
       if (part === 1) this.movement = undefined;
     }
@@ -116,9 +150,10 @@ export class View {
     const flat = distance * Math.cos(eye.elevation);
     // From afar the camera looks at the middle of the body, from nearby at the contact point.
     const part = smooth(Math.min(Math.max((1 - eye.distance) / (1 - NEAR), 0), 1));
-    const x = this.focus.x + part * (this.aimed.x - this.focus.x);
-    const y = this.focus.y + part * (this.aimed.y - this.focus.y);
-    const z = (1 - part) * height * Math.cos(eye.elevation);
+    const follow = Math.max(part, eye.follow);
+    const x = this.focus.x + follow * (this.aimed.x - this.focus.x);
+    const y = this.focus.y + follow * (this.aimed.y - this.focus.y);
+    const z = (1 - Math.max(part, eye.low)) * height * Math.cos(eye.elevation);
     camera.position.set(
       x + flat * Math.cos(eye.azimuth),
       y + flat * Math.sin(eye.azimuth),
@@ -130,8 +165,8 @@ export class View {
   private go(eye: Eye): void {
     this.movement = undefined;
     this.eye = {
-      azimuth: eye.azimuth,
-      elevation: Math.min(Math.max(eye.elevation, LOWEST), HIGHEST),
+      ...eye,
+      elevation: Math.min(Math.max(eye.elevation, -HIGHEST), HIGHEST),
       distance: Math.min(Math.max(eye.distance, 0.12), 3),
     };
   }

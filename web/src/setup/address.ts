@@ -13,7 +13,7 @@ export function keepInAddress(lab: Lab): void {
     batch(() => {
       lab.refusals.value = refusals;
       lab.change(setup);
-      lab.clock.setPlayback(playback);
+      lab.setPlayback(playback);
     });
   };
   read(location.hash || `#${document.documentElement.dataset["setup"] ?? ""}`);
@@ -21,7 +21,7 @@ export function keepInAddress(lab: Lab): void {
   addEventListener("hashchange", ({ newURL }) => read(new URL(newURL).hash));
   let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    const hash = toHash(lab.setup.value, lab.clock.playback);
+    const hash = toHash(lab.setup.value, lab.playback);
     clearTimeout(timer);
     timer = setTimeout(() => write(hash), WRITE_DELAY);
   });

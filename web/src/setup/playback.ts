@@ -1,4 +1,4 @@
-// How fast a motion is played. The motion does not depend on it, but a link holds it.
+// How fast a motion is played and from where it is seen. The motion does not depend on it, but a link holds it.
 
 import type { PlaybackName } from "./fields";
 import { type Refusal, noSuchChoice } from "./refusal";
@@ -9,20 +9,31 @@ export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
 export const speedName = (speed: number) =>
   speed === 1 ? "real time" : `1/${Math.round(1 / speed)}`;
 
+/** Places of the camera; from the last two the body is transparent. */
+export const VIEWS = ["whole", "above", "contact", "below"] as const;
+export type ViewName = (typeof VIEWS)[number];
+
 export interface Playback {
   /** Seconds of the motion per second of the visitor. */
   speed: number;
   /** Whether time stretches automatically at the collision. */
   stretched: boolean;
+  view: ViewName;
 }
 
-export const INITIAL_PLAYBACK: Readonly<Playback> = Object.freeze({ speed: 1, stretched: true });
+export const INITIAL_PLAYBACK: Readonly<Playback> = Object.freeze({
+  speed: 1,
+  stretched: true,
+  view: "whole",
+});
 
 /** The settings that differ from the initial ones, as pairs of name and value. */
-export function playbackInLink({ speed, stretched }: Readonly<Playback>): [PlaybackName, string][] {
+export function playbackInLink(playback: Readonly<Playback>): [PlaybackName, string][] {
+  const { speed, stretched, view } = playback;
   const pairs: [PlaybackName, string][] = [];
   if (speed !== INITIAL_PLAYBACK.speed) pairs.push(["speed", String(speed)]);
   if (stretched !== INITIAL_PLAYBACK.stretched) pairs.push(["slow", stretched ? "1" : "0"]);
+  if (view !== INITIAL_PLAYBACK.view) pairs.push(["view", view]);
   return pairs;
 }
 
@@ -33,7 +44,7 @@ export function playbackFrom(link: ReadonlyMap<string, string>): {
 } {
   const playback = { ...INITIAL_PLAYBACK };
   const refusals: Refusal[] = [];
-  const [speed, slow] = [link.get("speed"), link.get("slow")];
+  const [speed, slow, view] = [link.get("speed"), link.get("slow"), link.get("view")];
   const known = SPEEDS.find((each) => String(each) === speed);
   if (known !== undefined) playback.speed = known;
   else if (speed !== undefined)
@@ -41,6 +52,9 @@ export function playbackFrom(link: ReadonlyMap<string, string>): {
   if (slow === "0" || slow === "1") playback.stretched = slow === "1";
   else if (slow !== undefined)
     refusals.push(refused("slow", "Slow at the collision", ["on", "off"], slow));
+  const place = VIEWS.find((each) => each === view);
+  if (place !== undefined) playback.view = place;
+  else if (view !== undefined) refusals.push(refused("view", "View", VIEWS, view));
   return { playback, refusals };
 }
 

@@ -66,7 +66,7 @@ const WORDS = {
   },
 } as const;
 
-const linkFor = (lab: Lab) => shareLink(toHash(lab.setup.value, lab.clock.playback), location.href);
+const linkFor = (lab: Lab) => shareLink(toHash(lab.setup.value, lab.playback), location.href);
 
 const pythonOf = (outcome: Outcome) =>
   "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.input);

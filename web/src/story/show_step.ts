@@ -13,8 +13,7 @@ export function showStep(lab: Lab, step: Step, moving: boolean): void {
   batch(() => {
     clearFlicks(lab);
     lab.change({ ...INITIAL, ...step.setup });
-    clock.speed.value = step.speed;
-    clock.stretched.value = step.stretched;
+    lab.setPlayback(step);
     // Restart even if the set-up is unchanged.
     clock.pause();
     clock.rewind();

@@ -1,15 +1,13 @@
 // The paper in six steps, each with a text and a set-up of the lab.
 
+import type { Playback } from "../setup/playback";
 import type { Setup } from "../setup/setup";
 
-export interface Step {
+export interface Step extends Playback {
   title: string;
   text: string;
   /** Fields that differ from the initial set-up. */
   setup: Partial<Setup>;
-  /** Playback speed, and whether time stretches automatically at the collision. */
-  speed: number;
-  stretched: boolean;
   /** Whether the step shows one release or many flicks. */
   shows: "release" | "flicks";
 }
@@ -23,6 +21,7 @@ export const STEPS: readonly Step[] = [
     setup: {},
     speed: 1,
     stretched: false,
+    view: "whole",
     shows: "release",
   },
   {
@@ -31,14 +30,16 @@ export const STEPS: readonly Step[] = [
     setup: { tilt: 5, sideways: 0.02 },
     speed: 0.02,
     stretched: false,
+    view: "whole",
     shows: "release",
   },
   {
     title: "It is rolling",
-    text: "Time now stretches automatically while the contact point races round the rim. The can rolls along its rim: the contact point runs more than half way round in less than a ten-thousandth of a second, while the can itself does not turn. Watch its red mark.",
+    text: "Now from nearby, and time stretches while the contact point races round the rim. The posts show the gap under the rim, drawn a few thousand times higher. The contact point runs more than half way round in less than a ten-thousandth of a second, but the marks on the rim stay where they are: the can itself does not turn. It rolls along its rim.",
     setup: {},
     speed: 1,
     stretched: true,
+    view: "contact",
     shows: "release",
   },
   {
@@ -47,6 +48,7 @@ export const STEPS: readonly Step[] = [
     setup: { law: "no_slip", unsteadiness: 10 },
     speed: 1,
     stretched: true,
+    view: "whole",
     shows: "flicks",
   },
   {
@@ -55,6 +57,7 @@ export const STEPS: readonly Step[] = [
     setup: { ...FLICK, law: "coulomb", friction: 0.12 },
     speed: 1,
     stretched: true,
+    view: "whole",
     shows: "flicks",
   },
   {
@@ -63,6 +66,7 @@ export const STEPS: readonly Step[] = [
     setup: {},
     speed: 1,
     stretched: true,
+    view: "whole",
     shows: "release",
   },
 ];

@@ -10,7 +10,9 @@ import { browserForAll, elsewhere, visit } from "./visit";
 browserForAll();
 
 /** Files that the page loads when a visitor first shakes the floor. */
-const LATER = /^(floor|shaken|rimroll-ground)-/;
+const FLOOR = /^(floor|shaken|rimroll-ground)-/;
+/** Files that the page loads when they are first needed. */
+const LATER = /^(closeup|floor|shaken|rimroll-ground)-/;
 
 const built = () =>
   readdirSync(PAGE, { recursive: true })
@@ -29,9 +31,9 @@ function gzipped(names: readonly string[]): { all: number; each: string } {
   return { all: sizes.reduce((sum, [, size]) => sum + size, 0), each: JSON.stringify(sizes) };
 }
 
-test("the page loads at most 400 kB, gzipped", () => {
+test("the page loads at most 410 kB, gzipped", () => {
   const { all, each } = gzipped(files());
-  expect(all, each).toBeLessThanOrEqual(400_000);
+  expect(all, each).toBeLessThanOrEqual(410_000);
 });
 
 // At 1.6 Mbit/s, a mobile connection, these files take 1.25 s. index.html names the files without which
@@ -51,7 +53,7 @@ test("the files that the first view needs are at most 250 kB, gzipped", () => {
 // Another core, which is a third larger than the first, and little more. A visitor waits for it once, at 1.6 Mbit/s for
 // 1.4 s.
 test("what shakes the floor is at most 280 kB, gzipped", () => {
-  const later = built().filter((name) => LATER.test(basename(name)));
+  const later = built().filter((name) => FLOOR.test(basename(name)));
   expect(later.length).toBe(3);
   const { all, each } = gzipped(later);
   expect(all, each).toBeLessThanOrEqual(280_000);

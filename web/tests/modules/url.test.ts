@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { INITIAL_PLAYBACK, SPEEDS } from "../../src/setup/playback";
+import { INITIAL_PLAYBACK, SPEEDS, VIEWS } from "../../src/setup/playback";
 import { INITIAL } from "../../src/setup/setup";
 import { fromHash, holdsSetup, toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";
@@ -58,22 +58,29 @@ test.each(["", "#", "#tilt=12", "#slow=0"])("“%s” is about the set-up", (has
 describe("the playback", () => {
   test.each(SPEEDS)("%d is in the link unless it is real time", (speed) => {
     for (const stretched of [true, false]) {
-      const playback = { speed, stretched };
+      const playback = { ...INITIAL_PLAYBACK, speed, stretched };
       expect(fromHash(toHash(INITIAL, playback))).toEqual({ ...NOTHING, playback });
     }
   });
 
+  test.each(VIEWS)("the view %s is in the link unless it is the usual one", (view) => {
+    const playback = { ...INITIAL_PLAYBACK, view };
+    expect(toHash(INITIAL, playback)).toBe(view === "whole" ? "" : `view=${view}`);
+    expect(fromHash(toHash(INITIAL, playback))).toEqual({ ...NOTHING, playback });
+  });
+
   test("is written after the set-up", () => {
-    const hash = toHash({ ...INITIAL, tilt: 5 }, { speed: 0.02, stretched: false });
-    expect(hash).toBe("tilt=5&speed=0.02&slow=0");
+    const hash = toHash({ ...INITIAL, tilt: 5 }, { speed: 0.02, stretched: false, view: "below" });
+    expect(hash).toBe("tilt=5&speed=0.02&slow=0&view=below");
   });
 
   test("is refused in words", () => {
-    const { playback, refusals } = fromHash("#speed=0&slow=maybe");
+    const { playback, refusals } = fromHash("#speed=0&slow=maybe&view=inside");
     expect(playback).toEqual(INITIAL_PLAYBACK);
     expect(refusals.map(({ message }) => message)).toEqual([
       "Speed: there is no “0”; choose real time, 1/2, 1/5, 1/10, 1/50, 1/100, 1/1000 or 1/10000.",
       "Slow at the collision: there is no “maybe”; choose on or off.",
+      "View: there is no “inside”; choose whole, above, contact or below.",
     ]);
   });
 });

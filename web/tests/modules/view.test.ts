@@ -11,7 +11,7 @@ function viewOf(aspect: number, still = false) {
   vi.stubGlobal("matchMedia", () => ({ matches: still }));
   const camera = new PerspectiveCamera(30, aspect, 0.1, 60);
   const view = new View(camera);
-  view.frame(1.33);
+  view.frame(1.33, 0.5);
   const contactAt = (angle: number) => {
     const spot = new Vector3(0.5 * Math.cos(angle), 0.5 * Math.sin(angle), 0);
     view.aim(spot.x, spot.y);

@@ -34,6 +34,26 @@ function modelOf(setup: Readonly<Setup>, size: Size): Group {
   return setup.body === "inertia" ? plainBody(size) : PICTURES[setup.body](setup);
 }
 
+/** Makes a body transparent, so that what is under it is visible, or opaque again. */
+export function setSeeThrough(body: Group, through: boolean): void {
+  body.traverse((part) => {
+    part.castShadow = !through;
+    if (!(part instanceof Mesh)) return;
+    const look = part.material as Material;
+    const was = (look.userData["was"] ??= {
+      transparent: look.transparent,
+      opacity: look.opacity,
+      depthWrite: look.depthWrite,
+    }) as Partial<Material>;
+    Object.assign(look, was);
+    if (through) Object.assign(look, { transparent: true, opacity: GHOST, depthWrite: false });
+    look.needsUpdate = true;
+  });
+}
+
+/** Opacity of a transparent body. */
+const GHOST = 0.13;
+
 /** Frees the graphics memory of a body. */
 export function dispose(body: Group): void {
   body.traverse((part) => {

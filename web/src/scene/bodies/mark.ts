@@ -5,7 +5,7 @@ import type { Size } from "./shapes";
 import { revolved } from "./revolved";
 
 /** Azimuth on the body, rad: visible in the initial view if the body leans to the left. */
-const PLACE = -1.2;
+export const MARK_PLACE = -1.2;
 /** Half the width of the mark, rad. */
 const HALF_WIDTH = 0.075;
 
@@ -18,7 +18,7 @@ export function markOn(size: Size, inner = 0): Group {
   // Outside the print.
   const out = 1.006 * widest;
   const look = new MeshStandardMaterial({ color: MARK_COLOUR, roughness: 0.5 });
-  const [from, sweep] = [PLACE - HALF_WIDTH, 2 * HALF_WIDTH];
+  const [from, sweep] = [MARK_PLACE - HALF_WIDTH, 2 * HALF_WIDTH];
   const outline = [
     [out, low],
     [out, high],
@@ -34,11 +34,15 @@ export function markOn(size: Size, inner = 0): Group {
 export function markPlace(size: Size): Vector3 {
   const [low, high] = heights(size);
   const { widest } = size;
-  return new Vector3(widest * Math.cos(PLACE), widest * Math.sin(PLACE), (low + high) / 2);
+  return new Vector3(
+    widest * Math.cos(MARK_PLACE),
+    widest * Math.sin(MARK_PLACE),
+    (low + high) / 2,
+  );
 }
 
 /** Direction in which the mark faces, on the body. */
-export const MARK_FACES = new Vector3(Math.cos(PLACE), Math.sin(PLACE), 0);
+export const MARK_FACES = new Vector3(Math.cos(MARK_PLACE), Math.sin(MARK_PLACE), 0);
 
 /** Heights of the mark on the side of the body, m: at the bottom, above a narrower base. */
 function heights(size: Size): [low: number, high: number] {
