@@ -25,11 +25,16 @@ class CommandHelp(SphinxDirective):
         from rimroll.cli.commands import COMMANDS
 
         found = [nodes.literal_block("", help_of(), language="text")]
-        for name, line in COMMANDS.items():
-            title = nodes.title("", "", nodes.literal("", f"rimroll {name}"))
-            section = nodes.section("", title, ids=[f"rimroll-{name}"], names=[f"rimroll-{name}"])
+        from rimroll.cli.study import COMMANDS as OF_STUDIES
+
+        lines = {(name,): line for name, line in COMMANDS.items()}
+        lines |= {("study", name): line for name, line in OF_STUDIES.items()}
+        for words, line in lines.items():
+            name = f"rimroll-{'-'.join(words)}"
+            title = nodes.title("", "", nodes.literal("", f"rimroll {' '.join(words)}"))
+            section = nodes.section("", title, ids=[name], names=[name])
             section += nodes.paragraph("", line)
-            section += nodes.literal_block("", help_of(name), language="text")
+            section += nodes.literal_block("", help_of(*words), language="text")
             self.state.document.note_explicit_target(section)
             found.append(section)
         return found

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from importlib import import_module
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 from typer.main import get_command
 
 from rimroll._core import __version__
-from rimroll.cli.command import SETTINGS, Sparing, made
+from rimroll.cli.group import group
 from rimroll.errors import RimrollError
 
 COMMANDS = {
@@ -25,6 +23,7 @@ COMMANDS = {
     "measure": "Your own can from a ruler, scales and a stopwatch.",
     "protractor": "A sheet to print and to read directions of fall on.",
     "fit": "The friction of a table from directions of fall.",
+    "study": "Many bodies, frictions, starts and records, planned in a file.",
     "lab": "Tip the can in a browser, on a page that computes itself.",
     "reproduce": "The paper's numbers, figures and film redone as one page.",
 }
@@ -35,24 +34,7 @@ shown before any of them is loaded.
 """
 
 
-class Commands(Sparing, TyperGroup):
-    """A group that loads only the command that is called; of the others it needs the names."""
-
-    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        name, command, rest = super().resolve_command(ctx, args)
-        return name, command and loaded(command.name), rest
-
-
-def loaded(name: str | None) -> Any:
-    """The command of that name with its options, its module loaded."""
-    return made(getattr(import_module(f"rimroll.cli.{name}"), str(name)))
-
-
-app = typer.Typer(
-    cls=Commands,
-    rich_markup_mode=None,
-    context_settings=SETTINGS,
-)
+app = group("rimroll.cli", COMMANDS)
 
 
 @app.callback(invoke_without_command=True)
@@ -79,13 +61,6 @@ def rimroll(
     elif context.invoked_subcommand is None:
         print(context.get_help())
 
-
-def _named_only() -> None:
-    """Stands for a command that has not been called."""
-
-
-for _name, _first_line in COMMANDS.items():
-    app.command(_name, help=_first_line)(_named_only)
 
 # typer keeps the base class of the errors in what was typed to itself.
 _UsageError: Any = typer.BadParameter.__bases__[0]

@@ -1,0 +1,28 @@
+"""``rimroll study``: computations that outgrow one process, described in a file."""
+
+from __future__ import annotations
+
+import typer
+
+from rimroll.cli.group import group
+
+COMMANDS = {
+    "plan": "What a study varies, how much that is, and how long it takes.",
+}
+"""Each command, a function in the module of that name, and its first line of help."""
+
+app = group("rimroll.cli.study", COMMANDS)
+
+
+@app.callback(invoke_without_command=True)
+def study(context: typer.Context) -> None:
+    """Many bodies, frictions, starts and records, planned in a file.
+
+    A study file says what varies, how often each combination is tried, and what is kept.
+
+    A first try:
+
+    $ rimroll study plan examples/studies/turn_of_presets.toml
+    """
+    if context.invoked_subcommand is None:
+        print(context.get_help())
