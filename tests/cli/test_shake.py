@@ -136,6 +136,8 @@ def test_files_hold_the_motion_and_the_ground(tmp_path, stdout_of, column):
     with xr.open_dataset(paths[1]) as stored:
         motion = rr.Motion.from_xarray(stored)
         np.testing.assert_array_equal(stored["ground_x"], ground(stored["t"].values)[:, 0])
+        feet = np.stack([stored["footprint_x"], stored["footprint_y"]], axis=-1)
+        np.testing.assert_allclose(feet[-1] - feet[0], motion.residual_displacement, atol=1e-12)
     direct = rr.simulate(
         column, rr.State.standing(), rr.Coulomb(0.6), 8.0, ground=ground, flat="housner",
         gravity=9.81,
@@ -175,7 +177,7 @@ def test_pictures_and_films_are_written(tmp_path, stdout_of):
         (f"{PULSE} --tilt-rate 1", "a start needs --tilt"),
         ("shake --record nosuch.at2", "nosuch.at2"),
         (f"shake {RECORD[0]} {RECORD[0]}", "are all horizontal|must be perpendicular"),
-        (f"turn {COLUMN}", "[ground] and flat are for rimroll simulate and rimroll shake"),
+        (f"turn {COLUMN}", "[ground] and flat are for rimroll simulate, shake and fragility"),
     ],
 )
 def test_errors_are_one_line_that_names_the_option(error_of, arguments, message):

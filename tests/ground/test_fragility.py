@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray as xr
 from scipy.optimize import minimize
 from scipy.special import log_ndtr, ndtr
 from scipy.stats import chi2
@@ -211,3 +212,42 @@ def test_undecided_motions_are_some_of_those_that_did_not_overturn() -> None:
         pytest.raises(rr.RimrollError, match="all motions are undecided"),
     ):
         rr.fragility([0, 0], [1.0, 2.0], undecided=[True, True])
+
+
+def test_a_limit_counts_large_tilts_in_place_of_overturning() -> None:
+    column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
+    grounds = [rr.ground.synthetic(seed, (1.0, 1.0, 0.0), step=0.02) for seed in range(8)]
+    scale = rr.axis("scale", [3.0, 4.0, 5.0, 6.0])
+    shaken = rr.shake_many(
+        column, rr.State.standing(), rr.InPlace(), grounds, scale=scale, flat="housner"
+    )
+    curve = rr.fragility(shaken, scale, limit=0.5)
+    far = shaken["max_tilt_ratio"] >= 0.5
+    assert curve.overturned.sum() == far.sum().item() > shaken["overturned"].sum().item()
+    assert curve.limit == 0.5 and curve.median < rr.fragility(shaken, scale).median
+    label = curve.plot("PGA (m/s²)").axes[0].get_ylabel()
+    assert label == "probability of a tilt ≥ 0.5 of the balance tilt"
+    with pytest.raises(rr.RimrollError, match="limit must be above 0 and at most 1, got 2"):
+        rr.fragility(shaken, scale, limit=2)
+    with pytest.raises(rr.RimrollError, match="limit is for a dataset"):
+        rr.fragility([1, 2], [1.0, 2.0], trials=3, limit=0.5)
+    with pytest.raises(rr.RimrollError, match="no body reached the limit"):
+        rr.fragility(shaken.sel(scale=[3.0]).isel(ground=[0]), [1.0], limit=1)
+
+
+def test_intensities_with_names_go_along_the_dimensions_of_the_motions() -> None:
+    column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
+    grounds = [rr.ground.synthetic(seed, (1.0, 1.0, 0.0), step=0.02) for seed in range(4)]
+    scale = rr.axis("scale", [3.0, 4.0, 5.0, 6.0])  # as many as grounds
+    shaken = rr.shake_many(
+        column, rr.State.standing(), rr.InPlace(), grounds, scale=scale, flat="housner"
+    )
+    peaks = xr.DataArray([ground.peak.horizontal for ground in grounds], dims="ground")
+    one, other = (rr.fragility(shaken, product) for product in (peaks * scale, scale * peaks))
+    expected = np.outer(peaks.values, scale.values).ravel()
+    np.testing.assert_allclose(one.intensity, expected)
+    assert one.median == other.median
+    with pytest.raises(rr.RimrollError, match="the dimension seed, which the motions have not"):
+        rr.fragility(shaken, rr.axis("seed", [1.0, 2.0]))
+    with pytest.raises(rr.RimrollError, match="other labels along scale than the motions"):
+        rr.fragility(shaken, rr.axis("scale", [3.0, 4.0, 5.0, 7.0]))

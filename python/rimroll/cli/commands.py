@@ -16,6 +16,7 @@ COMMANDS = {
     "turn": "The angle by which a body turns in a near-collision.",
     "simulate": "A whole motion from a start: its turns, events and ending.",
     "shake": "A body on a table that moves, as in an earthquake.",
+    "fragility": "How likely a shaking is to overturn a body: a fragility curve.",
     "compare": "How the same flick turns out on ice, on wood and on rubber.",
     "bodies": "The bodies that have a name, their numbers and sources.",
     "topple": "Where a body falls, flicked many times by an unsteady hand.",

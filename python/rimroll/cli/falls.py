@@ -1,4 +1,4 @@
-"""The numbers of many falls as files, in rows or laid out in a plane."""
+"""The numbers of many falls, or of many shaken bodies, as files: in rows or laid out in a plane."""
 
 from __future__ import annotations
 
@@ -23,7 +23,11 @@ SMALL_INTEGERS = 2**31  # netCDF's; a larger seed is written down as text
 def _csv(part: Path, falls: Falls, bar: Bar) -> None:
     """A row for each fall, numbers in full."""
     columns = _columns(falls)
-    write_csv(part, columns, _rows(falls, columns, bar), {**falls.attrs, "direction": DIRECTION})
+    write_csv(part, columns, _rows(falls, columns, bar), {**falls.attrs, **_comments(falls)})
+
+
+def _comments(falls: Falls) -> dict[str, str]:
+    return {"direction": DIRECTION} if "direction" in falls.columns else {}
 
 
 def _rows(falls: Falls, columns: dict[str, NDArray[Any]], bar: Bar) -> Iterator[tuple[str, ...]]:
@@ -36,9 +40,12 @@ def _rows(falls: Falls, columns: dict[str, NDArray[Any]], bar: Bar) -> Iterator[
 def _columns(falls: Falls) -> dict[str, NDArray[Any]]:
     """The columns of a table of falls by ``name[unit]``, those for people first."""
     others = [(name, column) for name, column in falls.columns.items() if name != "outcome"]
+    first: dict[str, NDArray[Any]] = {}
+    if "direction" in falls.columns:  # not of shaken bodies
+        first["direction[deg]"] = np.degrees(falls["direction"]).ravel()
+        first["outcome"] = falls["outcome"].ravel()
     return {
-        "direction[deg]": np.degrees(falls["direction"]).ravel(),
-        "outcome": falls["outcome"].ravel(),
+        **first,
         **_plane(falls),
         **{_name(name, column): column.values.ravel() for name, column in others},
     }
@@ -60,9 +67,9 @@ def _name(name: str, column: Column) -> str:
 
 
 def _texts(column: NDArray[Any]) -> list[str]:
-    """Numbers in full; flags as 0 and 1."""
+    """Numbers in full; flags as 0 and 1; a text with a comma in quotes."""
     if column.dtype.kind == "U":
-        return list(column.tolist())
+        return [f'"{text}"' if "," in text else text for text in column.tolist()]
     return [*map(repr, (column.astype(int) if column.dtype == bool else column).tolist())]
 
 
@@ -77,7 +84,7 @@ def _json(part: Path, falls: Falls, bar: Bar) -> None:
     content = {
         "parameters": falls.attrs,
         "units": {name: column.units for name, column in columns if column.units is not None},
-        "comments": {"direction": DIRECTION},
+        "comments": _comments(falls),
         "coordinates": {name: axis.values for name, axis in falls.axes.items()},
         "falls": {name: column.values for name, column in columns},
     }

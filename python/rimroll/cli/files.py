@@ -14,6 +14,7 @@ from rimroll.cli.request import Request
 from rimroll.cli.screen import Bar
 from rimroll.ground.dataset import SAMPLES, TIMES
 from rimroll.motion import UNITS, Array, Moments, Motion
+from rimroll.motion.shaken import footprint_of
 
 TWICE = "times may repeat where the contact changes: once as before, once as after"
 """A comment on the times in the files."""
@@ -76,6 +77,9 @@ def shaken(motion: Motion) -> dict[str, Any]:
     }
 
 
+FOOTPRINT_COLUMNS = ("footprint_x", "footprint_y")
+"""Columns for the centre of the footprint, m, in files of a shaken motion."""
+
 GROUND_COLUMNS = ("ground_x", "ground_y", "ground_z")
 """Columns for the acceleration of the ground, m/s², in files of a shaken motion."""
 
@@ -84,11 +88,11 @@ def _columns(record: Record) -> dict[str, tuple[str, Array]]:
     """The columns of a file, each with its unit."""
     columns = {name: (unit, record.moments[name]) for name, unit in UNITS.items()}
     if (ground := record.motion.ground) is not None:
-        accelerations = ground(record.moments.t).T
-        columns |= {
-            name: ("m/s^2", values)
-            for name, values in zip(GROUND_COLUMNS, accelerations, strict=True)
-        }
+        for names, unit, values in (
+            (FOOTPRINT_COLUMNS, "m", footprint_of(record.moments, record.motion.body).T),
+            (GROUND_COLUMNS, "m/s^2", ground(record.moments.t).T),
+        ):
+            columns |= {name: (unit, one) for name, one in zip(names, values, strict=True)}
     return columns
 
 

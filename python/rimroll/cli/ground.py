@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from rimroll.cli.contact import option
-from rimroll.cli.options import StartOptions, completing
-from rimroll.cli.request import Shaking
+from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, completing
+from rimroll.cli.request import Shaking, is_file
 from rimroll.errors import RimrollError
 from rimroll.ground.described import NUMBERS, PULSES, Description
-from rimroll.motion.flat import KINDS, flat_given
+from rimroll.motion.flat import KINDS, FlatLanding, flat_given
 from rimroll.names import typed
 from rimroll.units import quantity
 
@@ -32,8 +32,8 @@ def _given(help: str, metavar: str, choices: Sequence[str] = (), panel: str = "G
 
 
 @dataclass(frozen=True)
-class GroundOptions:
-    """How the table moves."""
+class RecordOptions:
+    """Files of records."""
 
     record: Annotated[
         list[Path] | None,
@@ -51,6 +51,12 @@ class GroundOptions:
             show_default=False,
         ),
     ] = False
+
+
+@dataclass(frozen=True)
+class GroundOptions(RecordOptions):
+    """How the table moves."""
+
     pulse: Annotated[str | None, _given(f"{', '.join(_PULSES)}.", "NAME", _PULSES)] = None
     amplitude: Annotated[
         str | None, _given("Of the pulse: along x, or x,y,z as in 0.3g,1m/s2,0.", "ACCELERATION")
@@ -69,16 +75,15 @@ class GroundOptions:
     rotate: Annotated[
         str | None, _given("Turn the ground about the vertical, from x toward y.", "ANGLE")
     ] = None
-    flat: Annotated[
-        str | None,
-        _given(
-            "What follows where the base comes down flat: "
-            f"{', '.join(_KINDS)}, smooth:SEED, or a restitution. [stop]",
-            "HOW",
-            _KINDS,
-            "Table",
-        ),
-    ] = None
+
+
+FLAT = (
+    f"What follows where the base comes down flat: {', '.join(_KINDS)}, smooth:SEED, or a"
+    " restitution."
+)
+
+FlatOption = Annotated[str | None, _given(f"{FLAT} [stop]", "HOW", _KINDS, "Table")]
+FlatOfMany = Annotated[str | None, _given(f"{FLAT} [housner]", "HOW", _KINDS, "Table")]
 
 
 @dataclass(frozen=True)
@@ -91,7 +96,25 @@ class LeanOptions(StartOptions):
     ] = None
 
 
-def requested_shaking(options: GroundOptions, more: Sequence[Path]) -> Shaking:
+@dataclass(frozen=True)
+class ShakenOptions(MotionOptions):
+    """Duration and accuracy of a motion on a table that moves."""
+
+    duration: Annotated[
+        str | None,
+        _given("Duration of the motion. [10 s longer than the ground]", "TIME", (), "Motion"),
+    ] = None
+
+
+def body_and_records(body: BodyOptions, files: Sequence[Path]) -> tuple[BodyOptions, list[Path]]:
+    """What rolls, and the files of records; the first word may be a record, too."""
+    given = body.body
+    if given is not None and is_file(given) and not given.endswith(".toml"):
+        return replace(body, body=None), [Path(given), *files]
+    return body, list(files)
+
+
+def requested_shaking(options: GroundOptions, more: Sequence[Path], flat: str | None) -> Shaking:
     """The ground that options describe; ``more`` are further files of the record.
 
     Raises ``RimrollError`` naming the option that is at fault.
@@ -117,8 +140,12 @@ def requested_shaking(options: GroundOptions, more: Sequence[Path]) -> Shaking:
         if field not in OPTION_OF:
             raise
         raise RimrollError(OPTION_OF[field] + str(error).removeprefix(field)) from None
-    flat = None if options.flat is None else flat_given(options.flat)
-    return Shaking(ground, flat, description.changed)
+    return Shaking(ground, given_flat(flat), description.changed)
+
+
+def given_flat(text: str | None) -> FlatLanding | None:
+    """What ``--flat`` says; None where it says nothing."""
+    return None if text is None else flat_given(text)
 
 
 def _called(name: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Container
 from dataclasses import asdict
 
 from rimroll.body import Body
@@ -55,10 +56,26 @@ def _below(balance: float) -> str:
 
 
 def _lifted_off(motion: Motion, friction_option: str) -> str:
-    if motion.status != "lifted_off" or not isinstance(motion.law, NoSlip | InPlace | Frictionless):
+    return _no_flight(motion.law, friction_option) if motion.status == "lifted_off" else ""
+
+
+def _no_flight(law: Law, friction_option: str) -> str:
+    """What to do about a law under which a motion ends where the rim leaves the table."""
+    if not isinstance(law, NoSlip | InPlace | Frictionless):
         return ""
-    friction = 0 if isinstance(motion.law, Frictionless) else 0.3
+    friction = 0 if isinstance(law, Frictionless) else 0.3
     return (
-        f"{typed(motion.law.name)} ends where the rim leaves the table; with dry friction the body"
+        f"{typed(law.name)} ends where the rim leaves the table; with dry friction the body"
         f" slides or flies on: try {friction_option} {friction:g}"
     )
+
+
+def undecided_hints(statuses: Container[str], law: Law, friction_option: str) -> list[str]:
+    """How to decide shaken motions that ended in these statuses."""
+    found = {
+        "lifted_off": _no_flight(law, friction_option),
+        "face_down": "motions go on where the base comes down flat with --flat housner",
+        "finished": "bodies beyond the balance tilt at the end fall or come back with a longer"
+        " --duration",
+    }
+    return [hint for status, hint in found.items() if status in statuses and hint]

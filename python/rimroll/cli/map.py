@@ -24,6 +24,7 @@ from rimroll.cli.options import (
     ThreadsOption,
     whole,
 )
+from rimroll.cli.ranges import ends
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import body_line
@@ -36,7 +37,6 @@ from rimroll.many_falls import fell, outcomes
 from rimroll.sensitivity import map_falls, watershed_slope
 from rimroll.state import State
 from rimroll.theory import turn_limit
-from rimroll.units import quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -159,17 +159,7 @@ def map(
 
 def rates(text: str, points: int, option: str) -> np.ndarray[Any, np.dtype[np.float64]]:
     """The rates of a range such as ``-30..30deg/s``, rad/s, evenly from one end to the other."""
-    first, dots, last = text.partition("..")
-    if not dots:
-        raise RimrollError(f"{option} must be a range such as -1..1 or -30..30deg/s, got {text!r}")
-    if first.strip()[-1:].isdigit():  # the unit behind the second goes for both
-        first += last.strip().lstrip("+-−0123456789.eE")
-    elif last.strip()[-1:].isdigit():
-        raise RimrollError(f"{option} must have its unit behind the second rate, got {text!r}")
-    low, high = quantity(first, "rad/s", option), quantity(last, "rad/s", option)
-    if not low < high:
-        raise RimrollError(f"{option} must rise, got {text!r}")
-    return np.linspace(low, high, points)
+    return np.linspace(*ends(text, "rad/s", option, "-1..1 or -30..30deg/s"), points)
 
 
 def _flick(what: Request) -> State:

@@ -81,7 +81,8 @@ def requested(
     what = _body(preset, sizes, scenario)
     options = _options(motion, scenario.options if scenario else Options())
     ground, flat = _shaken(shaking, scenario, file)
-    if ground is not None and motion.duration is None and not (scenario and scenario.has_duration):
+    has_duration = motion.duration is not None or bool(scenario and scenario.has_duration)
+    if ground is not None and not has_duration:
         options = replace(options, duration=ground.duration + AFTER)
     positive("gravity", options.gravity, "m/s^2")  # commands compute with it before the core does
     of_file = scenario.law if scenario else None
@@ -102,6 +103,7 @@ def requested(
         options=options,
         ground=ground,
         flat=flat,
+        has_duration=has_duration,
         has_file=scenario is not None,
         name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
         nudged=is_nudged and not given,
@@ -116,7 +118,7 @@ def _shaken(
     if shaking is None:
         if ground is not None or flat != "stop":
             raise RimrollError(
-                f"{file}: [ground] and flat are for rimroll simulate and rimroll shake"
+                f"{file}: [ground] and flat are for rimroll simulate, shake and fragility"
             )
         return None, "stop"
     if shaking.ground is not None:

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from rimroll.cli.ground import GroundOptions, LeanOptions, requested_shaking
+from rimroll.cli.ground import (
+    FlatOption,
+    GroundOptions,
+    LeanOptions,
+    ShakenOptions,
+    body_and_records,
+    requested_shaking,
+)
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
     LawOptions,
-    MotionOptions,
     ResistanceOptions,
 )
-from rimroll.cli.request import is_file, requested
+from rimroll.cli.request import requested
 from rimroll.cli.simulate import EveryOption, Output, OutputOption, PointsOption
 from rimroll.errors import RimrollError
 
@@ -30,9 +35,10 @@ def shake(
     body: BodyOptions,
     ground: GroundOptions,
     start: LeanOptions,
-    motion: MotionOptions,
+    motion: ShakenOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
+    flat: FlatOption = None,
     files: RecordArgument = None,
     output: OutputOption = None,
     points: PointsOption = None,
@@ -55,10 +61,8 @@ def shake(
     $ rimroll shake examples/column.toml --friction 0.3 --json
     """
     task = Output.checked(output, points, every, json)
-    given, more = body.body, list(files or ())
-    if given is not None and is_file(given) and not given.endswith(".toml"):
-        more, body = [Path(given), *more], replace(body, body=None)
-    shaking = requested_shaking(ground, more)
+    body, more = body_and_records(body, files or ())
+    shaking = requested_shaking(ground, more, flat)
     what = requested(body, start, motion, law, resistances, shaking=shaking)
     if what.ground is None:
         raise RimrollError("nothing says how the ground moves: give --record, --pulse or a file")

@@ -202,16 +202,20 @@ def body_line(name: str, body: Body) -> str:
 
 def start_line(motion: Motion, nudged: bool = False) -> str:
     """A start and the gravity in a line of prose; ``nudged`` if it is the default start."""
-    start = motion.start
-    gravity = unbroken(f"gravity {motion.gravity:g} m/s²")
+    return start_in_words(motion.start, motion.gravity, nudged)
+
+
+def start_in_words(start: State, gravity: float, nudged: bool = False) -> str:
+    """The same without a motion."""
+    gravity_in_words = unbroken(f"gravity {gravity:g} m/s²")
     if start.tilt == 0.0:
-        return f"standing flat; {gravity}"
+        return f"standing flat; {gravity_in_words}"
     rates = ", ".join(
         f"{name} {getattr(start, f'{name}_rate'):.4g}" for name in ("tilt", "yaw", "spin")
     )
     tilt = angle(float(start.tilt))
     tilt += " (half its balance tilt)" if nudged else ""
-    return f"from tilt {tilt}, rates of {rates} rad/s; {gravity}"
+    return f"from tilt {tilt}, rates of {rates} rad/s; {gravity_in_words}"
 
 
 def _show_limits(what: Request, limits: list[Limit]) -> None:

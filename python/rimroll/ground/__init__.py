@@ -12,6 +12,7 @@ gravity.
 [[2.942, 1.061, 0.0], [0.0, -1.5, 0.0]]
 """
 
+from rimroll.ground.collection import read_all
 from rimroll.ground.files import read
 from rimroll.ground.peaks import Peak
 from rimroll.ground.pulses import cosine, half_sine, rectangular, ricker, sine
@@ -26,6 +27,7 @@ __all__ = [
     "function",
     "half_sine",
     "read",
+    "read_all",
     "rectangular",
     "ricker",
     "sampled",

@@ -122,6 +122,21 @@ def _direction(line: str) -> Direction | None:
     return found
 
 
+def station_of(text: str) -> str:
+    """The earthquake and the station in line 2: all that is before the direction.
+
+    >>> station_of("PEER\\nImperial Valley-02, 5/19/1940, El Centro Array #9, 180\\n")
+    'Imperial Valley-02, 5/19/1940, El Centro Array #9'
+    """
+    line = _IN_BRACKETS.sub("", [*text.splitlines(), "", ""][1].strip()).strip(" ,")
+    before, comma, last = line.rpartition(",")
+    if comma and direction_of(last) is not None:
+        line = before
+    elif _direction(line) is not None:
+        line = line.rpartition(" ")[0]
+    return " ".join(line.split()).rstrip(" ,")
+
+
 def _samples(name: str, lines: list[str], count: int) -> Array:
     try:
         samples = np.array(" ".join(lines).split(), np.float64)

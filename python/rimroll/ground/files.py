@@ -68,14 +68,30 @@ def read(
     numbers or another number of samples than they say, for other quantities and unknown units; and
     for components that differ in step or length, or whose directions do not go together.
     """
-    if not files:
-        raise RimrollError("files must be one or more, got none")
     if component not in (None, "x", "y", "z"):
         raise RimrollError(f'component must be "x", "y" or "z", got {component!r}')
+    return record_of(texts_of(files), headings, units, component, pad)
+
+
+def texts_of(files: Sequence[Source]) -> list[tuple[str, str]]:
+    """The name and the text of each file; ``RimrollError`` for one that is empty."""
+    if not files:
+        raise RimrollError("files must be one or more, got none")
     texts = [(name := source_name(file), text_of(name, file)) for file in files]
     for name, text in texts:
         if not text.strip():
             raise RimrollError(f"{name} is empty")
+    return texts
+
+
+def record_of(
+    texts: Sequence[tuple[str, str]],
+    headings: Sequence[Number] | None = None,
+    units: str | None = None,
+    component: str | None = None,
+    pad: bool = False,
+) -> Ground:
+    """The record in files with these names and texts; arguments and errors as for :func:`read`."""
     if all(is_at2(text) for _, text in texts):
         components = [component_of(*one, units) for one in texts]
         return _of_components(_of_one_length(components, pad), headings, component)

@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 from rimroll import style
 
 if TYPE_CHECKING:
-    from rimroll.shaking.lognormal import Fragility
+    from rimroll.shaking.lognormal import Counts, Fragility
     from rimroll.shaking.maxima import Maxima
     from rimroll.shaking.overturning import OverturningSpectrum
     from rimroll.shaking.rocking import RockingSpectrum
@@ -103,38 +103,58 @@ def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
     return figure
 
 
-def fragility_figure(curve: Fragility, label: str) -> Figure:
-    """A fragility curve, the fractions that overturned, and the interval of the median."""
-    low, high = curve.intensity.min(), curve.intensity.max()
+def fragility_figure(
+    counts: Counts, curve: Fragility | None, label: str, limit: float | None = None
+) -> Figure:
+    """The fractions that overturned or reached a limit, and the curve with its median's interval.
+
+    Trials of the same intensity are one point. Without a curve there are only the points.
+    """
+    low, high = counts.intensity.min(), counts.intensity.max()
     margin = 0.08 * np.log(max(high / low, 1.01))
     x = np.exp(np.linspace(np.log(low) - margin, np.log(high) + margin, 300))
+    event = "overturning" if limit is None else f"a tilt ≥ {limit:g} of the balance tilt"
     with style.figure_style():
         figure, ax = _panel()
-        ax.plot(x, curve(x), color=style.SERIES[0], label=_parameters(curve))
-        ends = np.clip(curve.median_interval, x[0], x[-1])
+        if curve is not None:
+            _draw_curve(ax, curve, x)
+        intensity, fraction = _fractions(counts)
         ax.plot(
-            ends,
-            [0.5, 0.5],
-            "|-",
-            color=style.THEORY,
-            lw=0.9,
-            label=f"{100.0 * curve.level:g} % interval of θ",
-        )
-        decided = curve.trials > curve.undecided
-        ax.plot(
-            curve.intensity[decided],
-            (curve.overturned[decided] / (curve.trials - curve.undecided)[decided]),
+            intensity,
+            fraction,
             "o",
             color=style.MEASURED,
             markerfacecolor="none",
-            label="overturned",
+            label=_motions(counts),
             alpha=0.7,
         )
         ax.set_xlim(x[0], x[-1])
         ax.set_ylim(-0.03, 1.03)
-        style.label(ax, "", "fragility", label, "probability of overturning")
-        ax.legend(loc="center right")
+        style.label(ax, "", "fragility", label, f"probability of {event}")
+        ax.legend(loc="best")
     return figure
+
+
+def _draw_curve(ax: Axes, curve: Fragility, x: np.ndarray) -> None:
+    ax.plot(x, curve(x), color=style.SERIES[0], label=_parameters(curve))
+    ends = np.clip(curve.median_interval, x[0], x[-1])
+    words = f"{100.0 * curve.level:g} % interval of θ"
+    ax.plot(ends, [0.5, 0.5], "|-", color=style.THEORY, lw=0.9, label=words)
+
+
+def _fractions(counts: Counts) -> tuple[np.ndarray, np.ndarray]:
+    """The intensities, and the fraction of the motions at each that is decided and overturned."""
+    each, place = np.unique(counts.intensity, return_inverse=True)
+    decided = np.bincount(place, counts.trials - counts.undecided)
+    fell = np.bincount(place, counts.overturned)
+    known = decided > 0.0
+    return each[known], fell[known] / decided[known]
+
+
+def _motions(counts: Counts) -> str:
+    left_out = counts.undecided.sum()
+    words = f"fraction of {counts.trials.sum() - left_out:.0f} motions"
+    return f"{words}; {left_out:.0f} others undecided" if left_out else words
 
 
 def _parameters(curve: Fragility) -> str:

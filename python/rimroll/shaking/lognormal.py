@@ -1,4 +1,4 @@
-"""Fragility: the probability of overturning as a function of the intensity of the ground motion."""
+"""Fragility: the probability of overturning, or of a large tilt, against the intensity."""
 
 from __future__ import annotations
 
@@ -6,16 +6,20 @@ import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers
+from rimroll.grid import is_labelled
 
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.figure import Figure
+
+    from rimroll.falls import Falls
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
@@ -44,6 +48,8 @@ class Fragility:
     intensity, overturned, trials, undecided
         The data (n,): intensities, how many of how many trials overturned, and how many of the
         trials were left out because they are undecided.
+    limit
+        The largest tilt over the balance tilt that counts in place of overturning, or None.
     """
 
     median: float
@@ -56,6 +62,7 @@ class Fragility:
     overturned: Array
     trials: Array
     undecided: Array
+    limit: float | None = None
 
     def __call__(self, intensity: Values) -> Array:
         """The probability of overturning at intensities of any shape, > 0."""
@@ -69,11 +76,39 @@ class Fragility:
         """The curve with its data; ``label`` names the intensity with its unit."""
         from rimroll.shaking.figures import fragility_figure
 
-        return fragility_figure(self, label)
+        counts = Counts(self.intensity, self.overturned, self.trials, self.undecided)
+        return fragility_figure(counts, self, label, self.limit)
+
+
+class Counts(NamedTuple):
+    """Data of a fragility curve (n,), as in :class:`Fragility`."""
+
+    intensity: Array
+    overturned: Array
+    trials: Array
+    undecided: Array
 
 
 class UndecidedWarning(UserWarning):
     """Some motions ended before it was determined whether the body overturns."""
+
+
+def reached(
+    shaken: Falls | xr.Dataset, limit: Number | None
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which motions of :func:`rimroll.shake_many` overturned or reached a limit; which could yet.
+
+    ``limit`` is a largest tilt over the balance tilt. Raises ``RimrollError`` unless it is None or
+    above 0 and at most 1.
+    """
+    overturned, undecided = (np.asarray(shaken[name], bool) for name in ("overturned", "undecided"))
+    if limit is None:
+        return overturned, undecided
+    ratio = number("limit", limit)
+    if not 0.0 < ratio <= 1.0:
+        raise RimrollError(f"limit must be above 0 and at most 1, got {ratio:g}")
+    far = overturned | (np.asarray(shaken["max_tilt_ratio"]) >= ratio)
+    return far, undecided & ~far
 
 
 def fragility(
@@ -82,6 +117,7 @@ def fragility(
     *,
     trials: Values = 1,
     undecided: Any = 0,
+    limit: Number | None = None,
     level: Number = 0.95,
 ) -> Fragility:
     """Fit a lognormal fragility curve by maximum likelihood.
@@ -97,7 +133,8 @@ def fragility(
         ``trials`` did: an array or a data array.
     intensity
         The intensity of each, > 0, in any unit: the largest acceleration or velocity of the ground,
-        or a ratio such as p PGV/(g tan α). It broadcasts with ``overturned``.
+        or a ratio such as p PGV/(g tan α). It broadcasts with ``overturned``; of a dataset, a data
+        array does so by the names of its dimensions.
     trials
         The number of trials of each.
     undecided
@@ -105,6 +142,9 @@ def fragility(
         overturns. They neither overturned nor stayed up, and are left out, with a warning that
         counts them. A dataset has them itself. If stronger shaking leaves more motions undecided,
         the curve is biased: follow them longer, under a law with flight, or with another ``flat``.
+    limit
+        Of a dataset: the largest tilt over the balance tilt, up to 1, that counts in place of
+        overturning, such as 0.5. Bodies that overturned have reached it.
     level
         Confidence level of the intervals, between 0 and 1.
 
@@ -126,6 +166,11 @@ def fragility(
     UndecidedWarning
         If motions are left out, with their number at each intensity.
     """
+    if hasattr(overturned, "data_vars"):
+        intensity = _along(overturned, intensity)
+        overturned, undecided = reached(overturned, limit)
+    elif limit is not None:
+        raise RimrollError("limit is for a dataset of rimroll.shake_many, which has the tilts")
     count, logs, of, open_ = _data(overturned, intensity, trials, undecided)
     _warn_of_undecided(logs, of, open_)
     data = np.exp(logs), count, of, open_
@@ -136,7 +181,7 @@ def fragility(
     confidence = number("level", level)
     if not 0.0 < confidence < 1.0:
         raise RimrollError(f"level must be between 0 and 1, got {confidence:g}")
-    _expect_overlap(count, logs, of)
+    _expect_overlap(count, logs, of, "overturned" if limit is None else "reached the limit")
     likelihood = Likelihood(count, logs - logs.mean(), of)
     intercept, slope = likelihood.largest()
     if not slope > 0.0:
@@ -160,6 +205,7 @@ def fragility(
         overturned=data[1],
         trials=data[2],
         undecided=data[3],
+        limit=None if limit is None else number("limit", limit),
     )
 
 
@@ -171,9 +217,6 @@ def _data(
     overturned: Any, intensity: Values, trials: Values, undecided: Any
 ) -> tuple[Array, Array, Array, Array]:
     """How many overturned, the logarithms of the intensities, of how many, how many undecided."""
-    if hasattr(overturned, "data_vars"):
-        undecided = overturned["undecided"]
-        overturned = overturned["overturned"]
     count, open_ = _counted("overturned", overturned), _counted("undecided", undecided)
     of = numbers("trials", trials)
     strength = numbers("intensity", _without_units(intensity))
@@ -192,6 +235,23 @@ def _data(
     within = (open_ >= 0.0) & (open_ <= of - count) & (open_ == np.floor(open_))
     hold("undecided", open_, within, "whole, >= 0 and at most the trials that did not overturn")
     return count, np.log(strength), of, open_
+
+
+def _along(shaken: xr.Dataset, intensity: Any) -> Any:
+    """The intensities laid out as the motions; a data array by the names of its dimensions."""
+    if not is_labelled(intensity):
+        return intensity
+    motions = shaken["overturned"]
+    others = set(intensity.dims) - set(motions.dims)
+    if others:
+        raise RimrollError(
+            f"intensity has the dimension {min(map(str, others))}, which the motions have not:"
+            f" they have {', '.join(map(str, motions.dims))}"
+        )
+    for name in intensity.coords.keys() & set(intensity.dims):
+        if not np.array_equal(intensity[name], motions[name]):
+            raise RimrollError(f"intensity has other labels along {name} than the motions")
+    return intensity.broadcast_like(motions).transpose(*motions.dims)
 
 
 def _counted(field: str, given: Any) -> Array:
@@ -223,14 +283,14 @@ def _without_units(intensity: Any) -> Any:
     return intensity.values if hasattr(intensity, "values") else intensity
 
 
-def _expect_overlap(count: Array, logs: Array, of: Array) -> None:
+def _expect_overlap(count: Array, logs: Array, of: Array, did: str) -> None:
     fell, stood = logs[count > 0.0], logs[count < of]
     if not fell.size or not stood.size:
         which = "no body" if not fell.size else "every body"
-        raise RimrollError(f"{which} overturned: the data do not determine a fragility curve")
+        raise RimrollError(f"{which} {did}: the data do not determine a fragility curve")
     if fell.min() >= stood.max():
         raise RimrollError(
-            "the data are separable: every body that overturned did so at an intensity of at least"
+            f"the data are separable: every body that {did} did so at an intensity of at least"
             f" {math.exp(fell.min()):g}, and no other reached more than {math.exp(stood.max()):g},"
             " so that the dispersion with the largest likelihood is 0"
         )

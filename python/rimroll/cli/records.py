@@ -1,0 +1,196 @@
+"""Several records, and the intensities to which they are scaled, from options."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from rimroll.cli.ground import RecordOptions
+from rimroll.cli.options import completing, whole
+from rimroll.cli.ranges import ends
+from rimroll.errors import RimrollError
+from rimroll.ground.collection import read_all
+from rimroll.ground.ground import MAX_FACTOR, Ground
+from rimroll.ground.synthetic import synthetic
+from rimroll.names import choose
+from rimroll.shaking.incremental import MEASURES, Measure
+from rimroll.units import quantity
+
+MOST_RECORDS, MOST_LEVELS = 1000, 1000
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+@dataclass(frozen=True)
+class RecordsOptions(RecordOptions):
+    """Several records."""
+
+    record: Annotated[
+        list[Path] | None,
+        typer.Option(
+            help="AT2 or CSV files; more may follow. AT2 files of one earthquake and station (line"
+            " 2) are one record; or join the files of a record by commas.",
+            metavar="FILE",
+            rich_help_panel="Ground",
+        ),
+    ] = None
+    synthetic: Annotated[
+        int | None,
+        typer.Option(
+            parser=whole(1, MOST_RECORDS),
+            help="So many synthetic records in place of files, which resemble earthquakes: x and y,"
+            " 20 s.",
+            metavar="NUMBER",
+            rich_help_panel="Ground",
+        ),
+    ] = None
+    soil_period: Annotated[
+        str | None,
+        typer.Option(
+            help="Of the soil under synthetic records. [0.4 s]",
+            metavar="TIME",
+            rich_help_panel="Ground",
+        ),
+    ] = None
+
+
+@dataclass(frozen=True)
+class IntensityOptions:
+    """How strong the shaking is, and what counts as failure."""
+
+    measure: Annotated[
+        str,
+        typer.Option(
+            help="Measure of the intensity: pga or pgv, peaks of the horizontal vector.",
+            metavar="NAME",
+            rich_help_panel="Intensity",
+            autocompletion=completing(MEASURES),
+        ),
+    ] = "pga"
+    intensities: Annotated[
+        str | None,
+        typer.Option(
+            help="Levels to which each record is scaled: 0.2g..1g, or 0.2g,0.4g,0.8g. [from where a"
+            " body may be lifted to where most overturn]",
+            metavar="RANGE",
+            rich_help_panel="Intensity",
+        ),
+    ] = None
+    scales: Annotated[
+        str | None,
+        typer.Option(
+            help="Factors on the records as they are, in place of levels: 0.5..3, or 1,2,4.",
+            metavar="RANGE",
+            rich_help_panel="Intensity",
+        ),
+    ] = None
+    points: Annotated[
+        int | None,
+        typer.Option(
+            parser=whole(2, MOST_LEVELS),
+            help="Number of levels or factors of a range, evenly apart. [10]",
+            metavar="NUMBER",
+            rich_help_panel="Intensity",
+        ),
+    ] = None
+    limit: Annotated[
+        str | None,
+        typer.Option(
+            help="Largest tilt over the balance tilt that counts as failure, such as 0.5."
+            " [overturning]",
+            metavar="RATIO",
+            rich_help_panel="Intensity",
+        ),
+    ] = None
+
+
+def requested_records(options: RecordsOptions, more: Sequence[Path]) -> dict[str, Ground]:
+    """The records that options name; none where they name none.
+
+    Raises ``RimrollError`` naming the file or the option that is at fault.
+    """
+    files = [*(options.record or ()), *more]
+    if options.synthetic is None:
+        if options.soil_period is not None:
+            raise RimrollError("--soil-period needs --synthetic")
+        if not files:
+            for name in ("units", "pad"):
+                if getattr(options, name):
+                    raise RimrollError(f"--{name} needs --record")
+            return {}
+        return read_all(*map(_files_of, files), units=options.units, pad=options.pad)
+    if files:
+        raise RimrollError(f"--synthetic and the record {files[0]} are both given: give one")
+    period = quantity(options.soil_period or "0.4 s", "s", "--soil-period")
+    return {
+        f"synthetic {seed}": synthetic(seed, (1.0, 1.0, 0.0), soil_period=period)
+        for seed in range(options.synthetic)
+    }
+
+
+def _files_of(word: Path) -> Path | list[Path]:
+    """A file, or the files of one record with commas between them."""
+    if word.exists() or "," not in str(word):
+        return word
+    return [Path(part.strip()) for part in str(word).split(",")]
+
+
+def requested_limit(options: IntensityOptions) -> float | None:
+    """The tilt that counts as failure, over the balance tilt; None for overturning."""
+    if options.limit is None:
+        return None
+    ratio = quantity(options.limit, "1", "--limit")
+    if not 0.0 < ratio <= 1.0:
+        raise RimrollError(f"--limit must be above 0 and at most 1, got {ratio:g}")
+    return ratio
+
+
+@dataclass(frozen=True)
+class Levels:
+    """The levels of a measure, or factors on the records: ``values`` is None for the usual."""
+
+    measure: Measure
+    are_factors: bool
+    values: Array | None
+    points: int
+
+
+def requested_levels(options: IntensityOptions) -> Levels:
+    """The levels that options describe; ``RimrollError`` naming the option that is at fault."""
+    measure = choose("measure", options.measure, MEASURES)
+    if options.intensities is not None and options.scales is not None:
+        raise RimrollError("--intensities and --scales both say how strong: give one")
+    points = options.points or 10
+    if options.scales is not None:
+        factors = _values(options.scales, "1", "--scales", "0.5..3 or 1,2,4", options.points)
+        outside = factors[(factors < 1.0 / MAX_FACTOR) | (factors > MAX_FACTOR)]
+        if outside.size:
+            raise RimrollError(f"--scales must be between 1e-6 and 1e6, got {outside[0]:g}")
+        return Levels(measure, True, factors, len(factors))
+    if options.intensities is None:
+        return Levels(measure, False, None, points)
+    examples = "0.2g..1g or 0.2g,0.4g" if measure.name == "pga" else "0.2..1m/s or 20cm/s,40cm/s"
+    option, unit = "--intensities", measure.unit
+    levels = _values(options.intensities, unit, option, examples, options.points)
+    if not (levels > 0.0).all():
+        raise RimrollError(f"{option} must be > 0, got {levels.min():g} {unit}")
+    return Levels(measure, False, levels, len(levels))
+
+
+def _values(text: str, unit: str, option: str, examples: str, points: int | None) -> Array:
+    """The numbers of a list or of a range, ascending."""
+    if ".." in text:
+        return np.linspace(*ends(text, unit, option, examples), points or 10)
+    if points is not None:
+        raise RimrollError(f"--points is for a range such as {examples.split(' or ')[0]}")
+    values = np.array([quantity(part, unit, option) for part in text.split(",")])
+    if not np.isfinite(values).all():
+        raise RimrollError(f"{option} must be finite, got {text!r}")
+    if len(set(values.tolist())) < len(values):
+        raise RimrollError(f"{option} has a number twice: {text!r}")
+    return np.sort(values)

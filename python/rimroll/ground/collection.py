@@ -1,0 +1,89 @@
+"""Several records from files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from itertools import takewhile
+from pathlib import Path
+
+from rimroll.errors import RimrollError
+from rimroll.ground.at2 import is_at2, station_of
+from rimroll.ground.files import record_of, texts_of
+from rimroll.ground.ground import Ground
+
+PathLike = str | os.PathLike[str]
+
+Named = tuple[str, str]
+"""The name and the text of a file."""
+
+LOOSE_ENDS = " _-.,#"
+"""What the name of a record does not end with."""
+
+
+def read_all(
+    *files: PathLike | Sequence[PathLike], units: str | None = None, pad: bool = False
+) -> dict[str, Ground]:
+    """Several records from files, by name: a folder of AT2 files becomes its records.
+
+    AT2 files of the same earthquake and station are the components of one record: those with the
+    same line 2, up to the direction at its end. Each CSV file is a record. Names are what the names
+    of the files begin with. :func:`rimroll.shake_many` takes the result as it is.
+
+    Parameters
+    ----------
+    files
+        Paths. A list of paths holds the files of one record, whatever their second lines say.
+    units, pad
+        As for :func:`read`.
+
+    Raises ``RimrollError`` as :func:`read`, and for a file that is given twice.
+    """
+    single, lists = [], []
+    for file in files:
+        if isinstance(file, str | os.PathLike):
+            single.append(Path(file))
+        else:
+            lists.append([Path(one) for one in file])
+    _expect_once([*single, *(path for group in lists for path in group)])
+    groups = [*_by_station(texts_of(single) if single else []), *map(texts_of, lists)]
+    if not groups:
+        raise RimrollError("files must be one or more, got none")
+    grounds = [record_of(texts, units=units, pad=pad) for texts in groups]
+    return dict(zip(_names(groups), grounds, strict=True))
+
+
+def _expect_once(paths: list[Path]) -> None:
+    for place, path in enumerate(paths):
+        if path in paths[:place]:
+            raise RimrollError(f"{path} is given twice")
+
+
+def _by_station(texts: list[Named]) -> list[list[Named]]:
+    """The files of each record, in the order in which they are given."""
+    groups: dict[str, list[Named]] = {}
+    for name, text in texts:
+        station = station_of(text).casefold() if is_at2(text) else ""
+        groups.setdefault(station or f"file {name}", []).append((name, text))
+    return list(groups.values())
+
+
+def _names(groups: list[list[Named]]) -> list[str]:
+    """A name for each record: how the names of its files begin, or else that of the first."""
+    stems = [[Path(name).stem for name, _ in group] for group in groups]
+    short = [_beginning(some) for some in stems]
+    names = short if all(short) and len(set(short)) == len(short) else [some[0] for some in stems]
+    if len(set(names)) < len(names):  # files of one name in several folders
+        names = [group[0][0] for group in groups]
+    return names
+
+
+def _beginning(words: list[str]) -> str:
+    """What all words begin with, without a part of a number."""
+    if len(words) == 1:
+        return words[0]
+    same = takewhile(lambda letters: len(set(letters)) == 1, zip(*words, strict=False))
+    start = "".join(letters[0] for letters in same)
+    if any(word[len(start) :][:1].isdigit() for word in words):
+        start = start.rstrip("0123456789")
+    return start.rstrip(LOOSE_ENDS)

@@ -1,0 +1,163 @@
+"""Incremental dynamic analysis: one body under several records, each scaled to several intensities.
+
+Each record is multiplied by factors, its vertical component too. The statistics of fragility are in
+`lognormal`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+from rimroll.falls import Column, Falls
+from rimroll.ground.ground import Ground
+from rimroll.laws import Law
+from rimroll.motion.flat import FlatLanding
+from rimroll.options import Options
+from rimroll.shaking.lognormal import Counts, reached
+from rimroll.shaking.many import follow_shaken
+from rimroll.shaking.scales import tangent
+from rimroll.state import State
+
+Array = NDArray[np.float64]
+Progress = Callable[[int, int], object]
+
+
+class Measure(NamedTuple):
+    """A measure of the intensity of the horizontal motion."""
+
+    name: str
+    unit: str
+    long_name: str
+    of: Callable[[Ground], float]
+
+
+MEASURES = {
+    "pga": Measure(
+        "pga", "m/s^2", "largest horizontal acceleration", lambda one: one.peak.horizontal
+    ),
+    "pgv": Measure(
+        "pgv", "m/s", "largest horizontal velocity", lambda one: one.peak_velocity.horizontal
+    ),
+}
+"""The measures by name. The peaks are those of the vector, which no turning of a record changes."""
+
+DOUBLINGS = 5
+"""How often the search for strong shaking doubles the shaking that may lift the body."""
+
+ENOUGH = 0.75
+"""The part of the bodies that overturns at the upper end of the usual range."""
+
+
+@dataclass(frozen=True)
+class Rocking:
+    """A body, how it starts, how it meets the table, and how its motions are followed.
+
+    ``duration`` is None for the default of :func:`rimroll.shake_many`.
+    """
+
+    body: Body
+    start: State
+    law: Law
+    options: Options
+    flat: FlatLanding
+    duration: float | None = None
+    limit: float | None = None
+    """The largest tilt over the balance tilt that counts in place of overturning."""
+    threads: int | None = None
+
+    def follow(
+        self, grounds: Mapping[str, Ground], factors: Array, progress: Progress | None = None
+    ) -> Falls:
+        """The motions under each ground with each of its factors (grounds, k), in rows.
+
+        The columns are those of :func:`rimroll.shake_many`. On Ctrl-C, ``Interrupted`` carries
+        those that are done.
+        """
+        import xarray as xr
+
+        return follow_shaken(
+            self.body,
+            self.start,
+            self.law,
+            grounds,
+            scale=xr.DataArray(factors, dims=("ground", "level")),
+            duration=self.duration,
+            options=self.options,
+            flat=self.flat,
+            threads=self.threads,
+            progress=progress,
+        )
+
+    def usual_levels(self, grounds: Mapping[str, Ground], measure: Measure, points: int) -> Array:
+        """Usual levels of the measure (points,).
+
+        They run from the weakest shaking that can lift the body, g R/H of horizontal acceleration,
+        evenly to one that overturns three quarters of the bodies, which is found by doubling; if
+        none does, to that which overturns the most.
+        """
+        if math.isinf(tangent(self.body)):
+            raise RimrollError("a disk stands on no base: give --intensities or --scales")
+        strength = measured(grounds, measure)
+        lifting = self.options.gravity * tangent(self.body) / measured(grounds, MEASURES["pga"])
+        least = float((lifting * strength).min())
+        doubled = least * 2.0 ** np.arange(DOUBLINGS + 1)
+        parts = []
+        for level in doubled:
+            found = self.follow(grounds, level / strength[:, np.newaxis])
+            far, undecided = reached(found, self.limit)
+            parts.append(float(far.sum() / max(1, (~undecided).sum())))
+            if parts[-1] >= ENOUGH:
+                break
+        highest = doubled[int(np.argmax(parts))] if max(parts) > 0.0 else doubled[2]
+        lowest = least if highest > least else least / 8.0
+        return np.linspace(lowest, highest, points)
+
+
+def measured(grounds: Mapping[str, Ground], measure: Measure) -> Array:
+    """The measure of each ground; ``RimrollError`` for one without horizontal motion."""
+    values = np.array([measure.of(ground) for ground in grounds.values()])
+    for name, value in zip(grounds, values, strict=True):
+        if not value > 0.0:
+            raise RimrollError(f"{name} has no horizontal acceleration: it cannot be scaled")
+    return values
+
+
+def laid_out(motions: Falls, grounds: Mapping[str, Ground], level: Column, axis: str) -> Falls:
+    """Motions in rows over ``ground`` and the axis of the levels, of the grounds that are done.
+
+    The columns also have the measures of the scaled ground.
+    """
+    points = len(level.values)
+    done = motions.size // points
+    shape = (done, points)
+    axes = {"ground": Column(np.array(list(grounds)[:done])), axis: level}
+    columns = {
+        name: replace(one, values=one.values.ravel()[: done * points].reshape(shape))
+        for name, one in motions.columns.items()
+        if name not in ("ground", "level")
+    }
+    for measure in MEASURES.values():
+        peaks = np.array([measure.of(ground) for ground in grounds.values()])[:done, np.newaxis]
+        strength = Column(peaks * columns["scale"].values, measure.unit, measure.long_name)
+        columns[measure.name] = strength
+    kept = {name: one for name, one in columns.items() if name not in axes}
+    return Falls(kept, axes, motions.attrs)
+
+
+def counts(motions: Falls, measure: Measure, limit: float | None) -> Counts:
+    """The data of a fragility curve, one trial for each motion."""
+    far, undecided = reached(motions, limit)
+    if measure.name in motions.columns:
+        intensity = motions[measure.name]
+    else:
+        intensity = np.broadcast_to(motions[measure.name], far.shape)
+    fell, open_ = far.ravel().astype(np.float64), undecided.ravel().astype(np.float64)
+    return Counts(intensity.ravel(), fell, np.ones(far.size), open_)
