@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 from rimroll.errors import RimrollError
 
@@ -72,3 +73,21 @@ def writing(path: str | os.PathLike[str]) -> Iterator[Path]:
         os.replace(part, final)
     finally:
         part.unlink(missing_ok=True)
+
+
+@contextmanager
+def durably(path: Path) -> Iterator[BinaryIO]:
+    """Yield a binary file that takes the place of ``path`` when it is complete and on the disk.
+
+    If the block raises, nothing is left of it. If the process is killed, ``*.partial`` is.
+    """
+    part = path.with_name(f"{path.name}.{secrets.token_hex(4)}.partial")
+    try:
+        with part.open("wb") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(part, path)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise

@@ -194,8 +194,14 @@ def test_every_package_that_is_imported_is_declared():
         "pydantic_core": "pydantic",  # pydantic asks for exactly one version of it
     }
     needed = {distributions.get(package, package) for package in packages}
-    declared = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
-    assert needed == {re.split("[<>=]", requirement)[0] for requirement in declared}
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extra = project["optional-dependencies"]["cluster"]
+    declared, optional = (
+        {re.split("[<>=]", requirement)[0] for requirement in requirements}
+        for requirements in (project["dependencies"], extra)
+    )
+    assert needed - optional == declared
+    assert optional - needed <= {"dask"}  # distributed runs its tasks, xarray reads by it
     table = re.search(r"\n\| Python \|.*\n\| page \|", (ROOT / "CONTRIBUTING.md").read_text(), re.S)
     assert table and all(f"`{name}`" in table[0] for name in needed)
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
+from rimroll.study.blocks import Blocks
 
 if TYPE_CHECKING:
     from rimroll.study.statistics import Statistics
@@ -87,7 +88,7 @@ class Plan:
     columns: Mapping[str, Variable]
     """The columns of the rows: float64, int64, int8 or bool, each over all :attr:`dims`."""
     chunk: int
-    """Rows in a chunk; the last one may have fewer."""
+    """Rows in a chunk, at most."""
     attrs: Mapping[str, Any]
     """Everything that determines the numbers, as JSON knows it."""
     statistics: Statistics | None = None
@@ -100,13 +101,18 @@ class Plan:
         return math.prod(self.dims.values())
 
     @property
+    def blocks(self) -> Blocks:
+        """How the rows are divided into chunks, each of which is a block of the dimensions."""
+        return Blocks.of(tuple(self.dims.values()), self.chunk)
+
+    @property
     def chunks(self) -> int:
         """The number of chunks."""
-        return -(-self.rows // self.chunk)
+        return self.blocks.number
 
     def bounds(self, number: int) -> tuple[int, int]:
         """The first row of a chunk, and the row after its last."""
-        return number * self.chunk, min((number + 1) * self.chunk, self.rows)
+        return self.blocks.rows(number)
 
     def __iter__(self) -> Iterator[tuple[int, int]]:
         return map(self.bounds, range(self.chunks))

@@ -13,13 +13,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rimroll.body import Body, one_body
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, callback
 from rimroll.experiment.release import Release
 from rimroll.laws import Law, one_law
 from rimroll.scenario import RESISTANCES
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from rimroll.study.description import Description
     from rimroll.study.plan import Columns, Plan, Progress
 
@@ -202,6 +204,54 @@ class Study:
         from rimroll.study.planning import planned
 
         return planned(self)
+
+    def run(
+        self,
+        store: str | os.PathLike[str] | None = None,
+        *,
+        client: Any = None,
+        workers: int | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> xr.Dataset:
+        """Compute what is not done of the study, and return its results, read when they are used.
+
+        Results are kept in a store, chunk by chunk, so a run that was stopped is continued by the
+        next. This needs zarr: ``pip install 'rimroll[cluster]'``.
+
+        Parameters
+        ----------
+        store
+            The folder of the results; by default the ``store`` of the study.
+        client
+            A client of a Dask cluster (``distributed.Client``) that computes. Its workers need the
+            same version of rimroll, and must see the store at the same path.
+        workers
+            Compute on so many processes of this machine. A script that asks for them begins with
+            ``if __name__ == "__main__":``, because each process loads it.
+        threads
+            Threads in this process, by default one for each processor.
+        progress
+            Called with the number of rows done and the number of all rows.
+
+        Raises
+        ------
+        RimrollError
+            No store, the store of another study, a full disk, chunks that fail on every worker.
+        Interrupted
+            On Ctrl-C. What is done is kept.
+        """
+        from rimroll.study.runner import run
+
+        callback("progress", progress)
+        path = store or self.store
+        if path is None:
+            raise RimrollError("store must be given: the folder of the results")
+        report = progress or (lambda done, total: None)
+        filled = run(
+            self.plan(), path, client=client, workers=workers, threads=threads, progress=report
+        )
+        return filled.open()
 
     def computed(
         self, first: int, last: int, threads: int | None, progress: Progress | None

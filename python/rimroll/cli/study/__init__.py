@@ -8,6 +8,9 @@ from rimroll.cli.group import group
 
 COMMANDS = {
     "plan": "What a study varies, how much that is, and how long it takes.",
+    "run": "Compute what is not done of a study, into its store.",
+    "status": "How much of a study is done, and who is at work.",
+    "verify": "Read all numbers of a store again, and print one hash of them.",
 }
 """Each command, a function in the module of that name, and its first line of help."""
 
@@ -23,6 +26,8 @@ def study(context: typer.Context) -> None:
     A first try:
 
     $ rimroll study plan examples/studies/turn_of_presets.toml
+
+    $ rimroll study run examples/studies/turn_of_presets.toml --store turns.zarr
     """
     if context.invoked_subcommand is None:
         print(context.get_help())

@@ -8,9 +8,16 @@ from typing import Annotated
 import typer
 
 from rimroll.errors import RimrollError
+from rimroll.study.plan import Plan
+from rimroll.study.store import Store
 from rimroll.study.study import Study
 
 StudyArgument = Annotated[Path, typer.Argument(help="The study, a TOML file.", metavar="STUDY")]
+
+StoredArgument = Annotated[
+    Path,
+    typer.Argument(help="The study, a TOML file, or the folder of its results.", metavar="STUDY"),
+]
 
 StoreOption = Annotated[
     Path | None,
@@ -36,3 +43,18 @@ def requested(path: Path) -> Study:
 def place(study: Study, path: Path, store: Path | None) -> Path:
     """The folder of the results: as typed, as in the file, or named like the file."""
     return store or study.store or path.with_suffix(".zarr")
+
+
+def planned(study: Study, path: Path) -> Plan:
+    """The plan of the study of a file; raises ``RimrollError``, which names the file."""
+    try:
+        return study.plan()
+    except RimrollError as error:
+        raise RimrollError(f"{path}: {error}") from None
+
+
+def stored(path: Path, store: Path | None) -> Store:
+    """The store of the study of a file, or in a folder."""
+    if store is None and path.is_dir():
+        return Store(path)
+    return Store(place(requested(path), path, store))

@@ -10,8 +10,14 @@ import numpy as np
 
 from rimroll.cli.options import JsonOption
 from rimroll.cli.screen import prose, say, show_json, table
-from rimroll.cli.study.options import LargerOption, StoreOption, StudyArgument, place, requested
-from rimroll.errors import RimrollError
+from rimroll.cli.study.options import (
+    LargerOption,
+    StoreOption,
+    StudyArgument,
+    place,
+    planned,
+    requested,
+)
 from rimroll.study.axes import Axis
 from rimroll.study.plan import Plan
 from rimroll.study.size import Probe, expect_room, free, in_bytes, in_time, probe
@@ -33,18 +39,15 @@ def plan(
     $ rimroll study plan examples/studies/turn_of_presets.toml
     """
     what = requested(study)
-    try:
-        planned = what.plan()
-    except RimrollError as error:
-        raise RimrollError(f"{study}: {error}") from None
+    whole = planned(what, study)
     folder = place(what, study, store)
     if not larger:
-        expect_room(planned, folder)
-    measured = probe(planned)
+        expect_room(whole, folder)
+    measured = probe(whole)
     if json:
-        show_json(_answer(planned, folder, measured))
+        show_json(_answer(whole, folder, measured))
     else:
-        _show(planned, folder, measured)
+        _show(whole, folder, measured)
     return 0
 
 

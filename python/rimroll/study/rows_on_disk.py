@@ -1,0 +1,64 @@
+"""The columns of the rows of a study, in Zarr arrays over its dimensions."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.study.storage import StoreError, digest, told
+
+if TYPE_CHECKING:
+    from rimroll.study.plan import Columns
+    from rimroll.study.store import Store
+
+
+class RowsOnDisk:
+    """Columns of chunks, each flat in its rows."""
+
+    def __init__(self, path: Path, store: Store) -> None:
+        self._path = path
+        self._store = store
+
+    def write(self, chunk: int, columns: Mapping[str, NDArray[Any]]) -> str:
+        """Write the columns of a chunk to the disk; return their hash."""
+        place = self._store.blocks.place(chunk)
+        shape = tuple(part.stop - part.start for part in place)
+        arrays = self._store.arrays
+        written = {name: np.asarray(columns[name], one.dtype) for name, one in arrays.items()}
+        with told(self._path):
+            for name, array in arrays.items():
+                array[place or ...] = written[name].reshape(shape)
+            for file in self.files(chunk):
+                _flush(file)
+        return digest(written)
+
+    def read(self, chunk: int) -> Columns:
+        """The columns of a chunk, with fill values where files are missing.
+
+        Raises ``StoreError`` for files that cannot be read.
+        """
+        place = self._store.blocks.place(chunk) or ...
+        try:
+            return {name: np.ravel(one[place]) for name, one in self._store.arrays.items()}
+        except Exception as error:  # codecs raise errors of many classes
+            raise StoreError(f"chunk {chunk} of {self._path} cannot be read: {error}") from None
+
+    def files(self, chunk: int) -> Iterator[Path]:
+        """The files of a chunk, one for each column."""
+        index = map(str, self._store.blocks.index(chunk))
+        key = os.path.join("c", *index)
+        return (self._path / name / key for name in self._store.arrays)
+
+
+def _flush(file: Path) -> None:
+    """Wait until a file is on the disk."""
+    descriptor = os.open(file, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,267 @@
+"""The numbers of a study on the disk: a Zarr store that is planned first and filled chunk by chunk.
+
+The store is created empty, with all sizes, coordinates and units; its attributes hold everything
+that decides the numbers. xarray opens it without rimroll:
+``xarray.open_zarr(path, consolidated=False)``. Consolidated metadata are no part of Zarr's
+specification and go stale, so there are none.
+
+Columns are on the dimensions of the study, and a chunk of the study is one chunk of each array
+(:mod:`rimroll.study.blocks`), so writers never share a file. Statistics are merged from the parts
+of all chunks when these are done. In the store lies the folder ``done`` with the marks of the
+chunks that are complete (:mod:`rimroll.study.marks`). To Zarr it is an empty group.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import secrets
+import shutil
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.study.blocks import Blocks
+from rimroll.study.changes import changes
+from rimroll.study.marks import Marks
+from rimroll.study.parts import Parts
+from rimroll.study.rows_on_disk import RowsOnDisk
+from rimroll.study.storage import StoreError, told, zarr
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from rimroll.study.plan import Columns, Plan
+
+FORMAT = "rimroll_store"
+"""The attribute that only stores of rimroll have: their form and how they are divided."""
+
+VERSION = 1
+"""The form of stores that this version of rimroll writes and reads."""
+
+WITHOUT_EFFECT = ("title",)
+"""Attributes that may change."""
+
+
+class Numbers(Protocol):
+    """The numbers of the chunks of a store."""
+
+    def write(self, chunk: int, columns: Mapping[str, NDArray[Any]]) -> str:
+        """Write the numbers of a chunk to the disk; return their hash."""
+
+    def read(self, chunk: int) -> Columns:
+        """The numbers of a chunk; raises ``StoreError`` if they cannot be read."""
+
+    def files(self, chunk: int) -> Iterable[Path]:
+        """The files of a chunk."""
+
+
+class Store:
+    """A store that is there.
+
+    Attributes
+    ----------
+    path
+        Its folder.
+    attrs
+        Everything that decides its numbers, by name.
+    blocks
+        How the rows of the study are divided into chunks.
+    numbers
+        The numbers of each chunk: columns of its rows, or its part of the statistics.
+    merged
+        Whether its variables are merged from the parts of all chunks.
+    marks
+        Which chunks are done.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        """Open a store; ``StoreError`` if there is none, or one of another program."""
+        self.path = Path(path)
+        with told(self.path):
+            self.attrs = _attributes(self.path)
+        form = self.attrs.pop(FORMAT)
+        if form["version"] != VERSION:
+            raise StoreError(
+                f"{path} is a store in form {form['version']}, this rimroll knows form {VERSION}:"
+                " use the rimroll that made it"
+            )
+        self._labels = str(self.attrs.pop("coordinates", "")).split()
+        self.blocks = Blocks(tuple(form["shape"]), tuple(form["block"]))
+        self.marks = Marks(self.path / "done")
+        self.merged = bool(form["parts"])
+        self.numbers: Numbers = (
+            Parts(self.path / "done") if self.merged else RowsOnDisk(self.path, self)
+        )
+
+    @classmethod
+    def create(cls, path: str | os.PathLike[str], plan: Plan) -> Store:
+        """Make an empty store for a plan, or open the one that is there.
+
+        Several processes may do so at once. Raises ``StoreError`` if the folder holds something
+        else, or cannot be made.
+        """
+        place = Path(path)
+        if _is_store(place):
+            return cls(place)
+        with told(place):
+            place.parent.mkdir(parents=True, exist_ok=True)
+            part = place.with_name(f".{place.name}.{secrets.token_hex(4)}.partial")
+            try:
+                _write_empty(part, plan)
+                os.replace(part, place)
+            except OSError:
+                if not _is_store(place):  # made by another process in the meantime
+                    raise
+            finally:
+                shutil.rmtree(part, ignore_errors=True)
+        return cls(place)
+
+    @property
+    def finished(self) -> bool:
+        """Whether all chunks are done."""
+        return not self.pending(range(self.blocks.number))
+
+    @cached_property
+    def arrays(self) -> dict[str, Any]:
+        """The Zarr arrays of the variables."""
+        group = zarr().open_group(self.path, mode="r+", use_consolidated=False)
+        return {
+            name: array.with_config({"write_empty_chunks": True})
+            for name, array in sorted(group.arrays())
+            if name not in self._labels
+        }
+
+    @cached_property
+    def coordinates(self) -> dict[str, NDArray[Any]]:
+        """What labels the dimensions, by name."""
+        group = zarr().open_group(self.path, mode="r", use_consolidated=False)
+        return {name: group[name][...] for name in sorted(self._labels)}
+
+    @property
+    def identity(self) -> str:
+        """A hash of what the store is for and how it is divided, as 16 hexadecimal digits."""
+        whole = json.dumps([self.attrs, self.blocks.shape, self.blocks.block], sort_keys=True)
+        return hashlib.sha256(whole.encode()).hexdigest()[:16]
+
+    def expect(self, plan: Plan) -> None:
+        """Raise ``StoreError``, which says what differs, unless the store is of this plan."""
+        mine, wanted = (
+            {name: one for name, one in attrs.items() if name not in WITHOUT_EFFECT}
+            for attrs in (self.attrs, json.loads(json.dumps(dict(plan.attrs))))
+        )
+        found = list(changes(mine, wanted))
+        if found:
+            more = f", and {len(found) - 5} more" if len(found) > 5 else ""
+            raise StoreError(
+                f"{self.path} is the store of another study: {'; '.join(found[:5])}{more};"
+                " give another --store, or the study that it was made with"
+            )
+
+    def pending(self, chunks: Iterable[int]) -> list[int]:
+        """Those of the chunks that are not done."""
+        with told(self.path):
+            done = self.marks.done()
+        return [chunk for chunk in chunks if chunk not in done]
+
+    def sweep(self, chunks: Iterable[int]) -> int:
+        """Remove what killed writers of these chunks left; return how many files."""
+        begun: dict[Path, set[str]] = {}
+        for chunk in chunks:
+            for file in (*self.numbers.files(chunk), self.marks.file(chunk)):
+                begun.setdefault(file.parent, set()).add(file.stem)
+        return sum(_sweep(folder, names) for folder, names in begun.items())
+
+    def merge(self, plan: Plan) -> None:
+        """Write the statistics of all chunks, which must be done; do nothing for columns."""
+        if plan.statistics is None:
+            return
+        merged = plan.statistics.merged(map(self.numbers.read, range(self.blocks.number)))
+        with told(self.path):
+            for name, array in self.arrays.items():
+                array[...] = merged[name]
+
+    def open(self) -> xr.Dataset:
+        """The store as a dataset whose numbers are read when they are used."""
+        import xarray as xr
+
+        dataset: xr.Dataset = xr.open_zarr(self.path, consolidated=False)
+        return dataset
+
+
+def _is_store(place: Path) -> bool:
+    """Whether something is there; ``StoreError`` unless that is a store of rimroll."""
+    with told(place):
+        if not place.exists() or (place.is_dir() and not any(place.iterdir())):
+            return False
+        _attributes(place)
+    return True
+
+
+def _attributes(place: Path) -> dict[str, Any]:
+    if not place.exists():
+        raise StoreError(f"there is no store {place}: rimroll study run makes it")
+    with suppress(FileNotFoundError, NotADirectoryError, ValueError, KeyError, TypeError):
+        attrs = json.loads((place / "zarr.json").read_bytes())["attributes"]
+        if FORMAT in attrs:
+            return dict(attrs)
+    raise StoreError(f"{place} is no store of a study: give another --store")
+
+
+def _write_empty(path: Path, plan: Plan) -> None:
+    form = {
+        "version": VERSION,
+        "shape": list(plan.blocks.shape),
+        "block": list(plan.blocks.block),
+        "parts": plan.statistics is not None,
+    }
+    coords = plan.coords if plan.statistics is None else plan.statistics.coords
+    group = zarr().open_group(
+        path,
+        mode="w",
+        zarr_format=3,
+        # xarray reads from "coordinates" which arrays are labels.
+        attributes={FORMAT: form, "coordinates": " ".join(coords), **plan.attrs},
+    )
+    group.create_group("done")
+    for name, coordinate in coords.items():
+        values = np.asarray(coordinate.values)
+        words = values.dtype.kind == "U"
+        array = group.create_array(
+            name,
+            shape=values.shape,
+            chunks=tuple(max(1, size) for size in values.shape),
+            dtype=str if words else values.dtype,
+            dimension_names=coordinate.dims,
+            attributes=coordinate.attrs,
+        )
+        array[...] = values.astype(object) if words else values
+    for name, variable in plan.variables.items():
+        dtype = np.dtype(variable.dtype)
+        group.create_array(
+            name,
+            shape=tuple(plan.sizes[dim] for dim in variable.dims),
+            chunks="auto" if plan.statistics else plan.blocks.block,
+            dtype=dtype,
+            fill_value={"f": np.nan, "i": -1, "b": False}[dtype.kind],
+            dimension_names=variable.dims,
+            attributes=variable.attrs,
+            # Flags and equal numbers shrink to little; doubles are as fast as uncompressed.
+            compressors=zarr().codecs.BloscCodec(cname="lz4", clevel=5, shuffle="shuffle"),
+        )
+
+
+def _sweep(folder: Path, names: set[str]) -> int:
+    """Remove files ``NAME.*.partial`` with one of these names."""
+    if not folder.is_dir():
+        return 0
+    litter = [file for file in folder.glob("*.partial") if file.name.split(".")[0] in names]
+    for file in litter:
+        file.unlink(missing_ok=True)
+    return len(litter)

@@ -1,0 +1,40 @@
+"""One chunk of a study: computed, written, marked. Every way to run a study calls this."""
+
+from __future__ import annotations
+
+import platform
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from rimroll._core import __version__
+from rimroll.study.marks import Mark
+from rimroll.study.storage import told
+
+if TYPE_CHECKING:
+    from rimroll.study.plan import Plan
+    from rimroll.study.store import Store
+
+
+def work(
+    store: Store,
+    plan: Plan,
+    chunk: int,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Mark:
+    """Compute a chunk, write its numbers, and mark it as done when they are on the disk.
+
+    Raises what ``plan.compute`` raises, and ``StoreError`` when the disk takes no more.
+    """
+    begin = time.perf_counter()
+    first, last = store.blocks.rows(chunk)
+    columns = plan.compute(first, last, threads=threads, progress=progress)
+    if plan.statistics is not None:
+        columns = plan.statistics.of(first, last, columns)
+    seconds = round(time.perf_counter() - begin, 3)
+    sha256 = store.numbers.write(chunk, columns)
+    mark = Mark(sha256, seconds, platform.node(), __version__)
+    with told(store.path):
+        store.marks.add(chunk, mark)
+    return mark
