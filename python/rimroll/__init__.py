@@ -110,6 +110,15 @@ if TYPE_CHECKING:
     from rimroll.shaking.scales import rocking_frequency as rocking_frequency
     from rimroll.solids import Solid as Solid
     from rimroll.state import State as State
+    from rimroll.steady import (
+        SteadyMotion as SteadyMotion,
+        critical_rolling_spin as critical_rolling_spin,
+        critical_spinning_rate as critical_spinning_rate,
+        nutation_ratio as nutation_ratio,
+        spinning_rate as spinning_rate,
+        steady_motions as steady_motions,
+        steady_wobble_rate as steady_wobble_rate,
+    )
     from rimroll.study.study import Study as Study
     from rimroll.theory import (
         Arrival as Arrival,
@@ -124,7 +133,6 @@ if TYPE_CHECKING:
         passage as passage,
         point_mass_turn_limit as point_mass_turn_limit,
         slip_rate as slip_rate,
-        steady_wobble_rate as steady_wobble_rate,
         tall_turn_limit as tall_turn_limit,
         turn_limit as turn_limit,
         turn_limit_with_spin as turn_limit_with_spin,
@@ -178,6 +186,15 @@ _NAMES = {
     "rimroll.shaking.scales": ("rocking_frequency",),
     "rimroll.solids": ("Solid",),
     "rimroll.state": ("State",),
+    "rimroll.steady": (
+        "SteadyMotion",
+        "critical_rolling_spin",
+        "critical_spinning_rate",
+        "nutation_ratio",
+        "spinning_rate",
+        "steady_motions",
+        "steady_wobble_rate",
+    ),
     "rimroll.study.study": ("Study",),
     "rimroll.theory": (
         "Arrival",
@@ -192,7 +209,6 @@ _NAMES = {
         "passage",
         "point_mass_turn_limit",
         "slip_rate",
-        "steady_wobble_rate",
         "tall_turn_limit",
         "turn_limit",
         "turn_limit_with_spin",

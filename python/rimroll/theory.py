@@ -205,17 +205,6 @@ def error_law_coefficient(
     )
 
 
-def steady_wobble_rate(body: Body, tilt: Values, gravity: Values = _core.STANDARD_GRAVITY) -> Any:
-    """Yaw rate of the steady wobble at a tilt with the centre of mass at rest, rad/s.
-
-    ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate is
-    ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
-    """
-    expect("body", body, Body)
-    tilt, gravity = values("tilt", tilt, "rad"), values("gravity", gravity, "m/s^2")
-    return elementwise(_core.steady_wobble_rate, body, tilt, gravity)
-
-
 def balance_tilt(body: Body) -> Any:
     """Tilt at which the centre of mass is over the rim, rad: arctan(R/H); π/2 for a disk."""
     expect("body", body, Body)

@@ -8,6 +8,7 @@ mod ground;
 mod imperfection;
 mod motion;
 mod shaking;
+mod steady;
 mod theory;
 mod watched;
 
@@ -38,11 +39,16 @@ mod _core {
     #[pymodule_export]
     use crate::shaking::{first_refused_shaking, shake_many};
     #[pymodule_export]
+    use crate::steady::{
+        critical_rolling_spin, critical_spinning_rate, nutation_ratio, spinning_rate,
+        steady_motions, steady_wobble_rate,
+    };
+    #[pymodule_export]
     use crate::theory::{
         CoreComposite, CoreNearCollision, arrival, balance_tilt, check_contact_law,
         disk_turn_limit, error_law_coefficient, first_bad_contact_law, friction_at, lift_off_rate,
         needed_friction, painleve_friction, passage, point_mass_turn_limit, slip_rate,
-        steady_wobble_rate, tall_turn_limit, turn_limit, turn_limit_with_spin, watershed_slope,
+        tall_turn_limit, turn_limit, turn_limit_with_spin, watershed_slope,
     };
 
     #[pymodule_init]

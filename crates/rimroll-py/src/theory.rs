@@ -153,11 +153,6 @@ pub fn error_law_coefficient(
 }
 
 #[pyfunction]
-pub fn steady_wobble_rate(body: BodyArgument, tilt: f64, gravity: f64) -> PyResult<f64> {
-    turn::steady_wobble_rate(&body.body()?, tilt, gravity).map_err(refusal)
-}
-
-#[pyfunction]
 pub fn balance_tilt(body: BodyArgument) -> PyResult<f64> {
     Ok(body.body()?.balance_tilt())
 }

@@ -42,6 +42,7 @@
 //!   of a motion with respect to its parameters; [`motion::fall`], one turn without a recorded motion.
 //! * [`ensemble`](mod@ensemble): many falls at once.
 //! * [`shaking`]: many motions on tables that move, of which only the ends and the extremes are kept.
+//! * [`steady`]: motions at a constant tilt, and their stability.
 //! * [`turn`]: closed forms, and the near-collision as a problem of its own under any friction.
 //! * [`composite`] and [`small_angle`]: the paper's two approximations.
 //! * [`imperfection`]: the theory that the paper rejects.
@@ -73,6 +74,7 @@ pub mod small_angle;
 pub mod solids;
 pub mod solve;
 pub mod state;
+pub mod steady;
 mod text;
 pub mod turn;
 

@@ -8,9 +8,7 @@ mod inner;
 mod limit;
 mod near_collision;
 
-pub use contact::{
-    lift_off_rate, needed_friction, painleve_friction, slip_rate, steady_wobble_rate,
-};
+pub use contact::{lift_off_rate, needed_friction, painleve_friction, slip_rate};
 pub use convergence::{error_law, error_law_coefficient};
 pub use inner::{Arrival, Passage, passage, turn_limit_of};
 pub use limit::{

@@ -2,9 +2,10 @@
 
 use core::f64::consts::FRAC_PI_2;
 use core::ops::ControlFlow;
+use rimroll::steady::steady_wobble_rate;
 use rimroll::turn::{
     NearCollision, disk_turn_limit, error_law, error_law_coefficient, lift_off_rate,
-    point_mass_turn_limit, slip_rate, steady_wobble_rate, turn_limit_with_spin,
+    point_mass_turn_limit, slip_rate, turn_limit_with_spin,
 };
 use rimroll::{Body, IdealLaw, InvalidInput, Options, Solid, State, presets, simulate};
 

@@ -19,10 +19,10 @@ use rimroll::motion::Turn;
 use rimroll::small_angle::lean_vector;
 use rimroll::solve::{Stepper, System};
 use rimroll::state::{COORDINATES, Coordinates};
+use rimroll::steady::steady_wobble_rate;
 use rimroll::turn::{
     NearCollision, disk_turn_limit, error_law_coefficient, lift_off_rate, needed_friction,
-    point_mass_turn_limit, slip_rate, steady_wobble_rate, tall_turn_limit, turn_limit,
-    turn_limit_with_spin,
+    point_mass_turn_limit, slip_rate, tall_turn_limit, turn_limit, turn_limit_with_spin,
 };
 use rimroll::{Body, IdealLaw, State, Status, presets};
 

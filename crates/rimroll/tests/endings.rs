@@ -7,7 +7,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use rimroll::motion::{AngleUnit, EndingKind, EventKind};
-use rimroll::turn::{lift_off_rate, steady_wobble_rate, turn_limit};
+use rimroll::steady::steady_wobble_rate;
+use rimroll::turn::{lift_off_rate, turn_limit};
 use rimroll::{Body, IdealLaw, Motion, Options, State, Status, presets, simulate};
 
 fn can() -> Body {

@@ -1,8 +1,8 @@
-//! The friction and normal force that the motion requires, and the steady wobble.
+//! The friction and normal force that the motion requires.
 
 use super::inertias;
 use crate::body::Body;
-use crate::error::{InvalidInput, bounded, positive};
+use crate::error::{InvalidInput, positive};
 use crate::law::IdealLaw;
 
 /// The coefficient of friction needed to roll through the near-collision: μ* = mHR/(A + mH²).
@@ -35,39 +35,6 @@ pub fn slip_rate(body: &Body, gravity: f64) -> Result<f64, InvalidInput> {
     let (j, k) = inertias(body, IdealLaw::NoSlip);
     let (m, h) = (body.mass(), body.height());
     Ok((2.0 * m * g * h * k / (j * (k + m * h * h))).sqrt())
-}
-
-/// The yaw rate, rad/s, at which a body wobbles steadily at a tilt φ with its centre of mass at rest:
-/// ψ̇² = m g R ρ / [sin φ (A R cos φ − C H sin φ)] with ρ = R cos φ − H sin φ. No friction acts, so
-/// this motion exists under every law. Its spin rate is s = Hψ̇ sin φ/R, that is
-/// θ̇ = ψ̇ (H sin φ/R − cos φ).
-///
-/// # Errors
-/// Refuses gravity ≤ 0, a tilt outside (0, balance tilt), and a tilt at which no steady wobble exists
-/// (ψ̇² < 0).
-pub fn steady_wobble_rate(body: &Body, tilt: f64, gravity: f64) -> Result<f64, InvalidInput> {
-    let g = positive("gravity", gravity, "m/s2")?;
-    let balance = body.balance_tilt();
-    bounded(
-        "tilt",
-        tilt,
-        |tilt| tilt > 0.0 && tilt < balance,
-        &format!("inside (0, balance_tilt = {balance} rad)"),
-        "rad",
-    )?;
-    let (sin, cos) = libm::sincos(tilt);
-    let (m, r, h) = (body.mass(), body.radius(), body.height());
-    let rho = r * cos - h * sin;
-    let stiffness = body.transverse_inertia() * r * cos - body.axial_inertia() * h * sin;
-    let square = m * g * r * rho / (sin * stiffness);
-    bounded(
-        "tilt",
-        tilt,
-        |_| square > 0.0 && square.is_finite(),
-        "one at which a steady wobble exists (A R cos(tilt) > C H sin(tilt))",
-        "rad",
-    )?;
-    Ok(square.sqrt())
 }
 
 /// The smallest coefficient of friction at which a sliding body can meet the Painlevé paradox:
