@@ -31,7 +31,7 @@ class Parts:
     def read(self, chunk: int) -> Columns:
         """The part of a chunk; raises ``StoreError`` if it cannot be read."""
         try:
-            with np.load(self._file(chunk)) as part:
+            with self._file(chunk).open("rb") as file, np.load(file) as part:
                 return dict(part)
         except Exception as error:  # also of zip and of headers
             raise StoreError(f"{self._file(chunk)} cannot be read: {error}") from None

@@ -1,0 +1,161 @@
+"""A study on a Dask cluster: real schedulers and workers, which are killed."""
+
+import json
+import signal
+import subprocess
+import sys
+from contextlib import contextmanager
+
+import pytest
+
+from given.ctrl_c import needs_signals, running
+from given.small_study import CHUNKS, done, in_process, rimroll, until, with_tests, written
+from rimroll.study.verify import verify
+
+pytestmark = [needs_signals, pytest.mark.slow]
+
+BY_ITSELF = "import sys; from {} import main; sys.exit(main())"
+
+
+@contextmanager
+def dask(program, *arguments, environment=None):
+    """A scheduler or a worker, until the block ends."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", BY_ITSELF.format(f"distributed.cli.dask_{program}"), *arguments],
+        env=with_tests(**(environment or {})),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+@contextmanager
+def scheduler(folder, **environment):
+    """The address of a scheduler, and its process."""
+    file = folder / "scheduler.json"
+    where = ["--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(file)]
+    with dask("scheduler", *where, environment=environment) as process:
+        until(lambda: file.exists() and file.read_text().endswith("}"), process)
+        yield json.loads(file.read_text())["address"], process
+
+
+@contextmanager
+def worker(address, *arguments, **environment):
+    """A worker of one thread."""
+    more = ["--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0"]
+    with dask("worker", address, *more, *arguments, environment=environment) as process:
+        yield process
+
+
+@contextmanager
+def pausing(address, file, place, what="wait"):
+    """A worker that stops at a place of a study; its process, and the sign that it is there."""
+    pause = f"{what} {place} {file.parent}"
+    with worker(address, "--preload", "given.paused", RIMROLL_PAUSE=pause) as process:
+        yield process, file.parent / "reached"
+
+
+@pytest.fixture
+def file(tmp_path):
+    return written(tmp_path / "flicks.toml")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """The hash of the study, computed in one process."""
+    return verify(in_process(written(tmp_path_factory.mktemp("whole") / "flicks.toml"))).sha256
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory):
+    """The address of a cluster with one worker that works."""
+    folder = tmp_path_factory.mktemp("cluster")
+    with scheduler(folder) as (address, _), worker(address):
+        yield address
+
+
+def client(file, address):
+    """A run on a cluster, in a process of its own."""
+    command = ("-m", "rimroll.cli", "study", "run", str(file), "--scheduler", address)
+    return running("-W", "error", *command)
+
+
+@pytest.mark.parametrize("place", ["compute", pytest.param("mark", marks=pytest.mark.soak)])
+def test_a_worker_is_killed(file, cluster, whole, place):
+    with pausing(cluster, file, place) as (process, reached), client(file, cluster) as run:
+        until(reached.exists, process, run)
+        process.send_signal(signal.SIGKILL)
+        out, err = run.communicate()
+    assert run.returncode == 0, err
+    assert "150 of 150 motions are done" in out
+    assert "dashboard: " in err
+    assert verify(in_process(file)).sha256 == whole
+
+
+def test_a_client_is_killed_while_its_worker_goes_on(file, cluster, whole):
+    with pausing(cluster, file, "mark") as (process, reached):
+        with client(file, cluster) as run:
+            until(reached.exists, process, run)
+            run.send_signal(signal.SIGKILL)
+            run.wait()
+        store = in_process(file)
+        assert verify(store).sha256 == whole
+        before = {path: path.stat().st_mtime_ns for path in store.marks.folder.glob("*.json")}
+        reached.unlink()  # the worker writes the mark of a chunk that is done by now
+
+        def written_again():
+            return any(path.stat().st_mtime_ns != before[path] for path in before)
+
+        until(written_again, process)
+        assert verify(store).sha256 == whole
+
+
+def test_a_scheduler_is_killed(file, whole):
+    with (
+        scheduler(file.parent) as (address, process),
+        pausing(address, file, "mark") as (working, reached),
+        client(file, address) as run,
+    ):
+        until(reached.exists, working, run)
+        process.send_signal(signal.SIGKILL)
+        _, err = run.communicate()
+    assert run.returncode == 2
+    lost = "rimroll: the scheduler was lost; what is done is kept: run again to continue"
+    assert err.splitlines()[-1] == lost
+    assert verify(in_process(file)).sha256 == whole
+
+
+def test_a_chunk_that_kills_its_workers_is_named(file, whole):
+    environment = {"DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "0"}
+    with (
+        scheduler(file.parent, **environment) as (address, _),
+        pausing(address, file, "compute", "die") as (process, _),
+        client(file, address) as run,
+    ):
+        process.wait()
+        with worker(address):
+            _, err = run.communicate()
+    assert run.returncode == 2
+    assert "every worker that tried it died, perhaps for want of memory" in err
+    assert err.splitlines()[-1].startswith("rimroll: chunks ")
+    assert 0 < len(done(file)) < CHUNKS
+    assert verify(in_process(file)).sha256 == whole
+
+
+def test_a_worker_with_another_version_is_refused_by_name(file):
+    code = "import rimroll._core; rimroll._core.__version__ = '9.9.9'\n"
+    with scheduler(file.parent) as (address, _), worker(address, "--preload", code):
+        status, _, err = rimroll("study", "run", file, "--scheduler", address)
+    assert status == 2
+    assert "rimroll: the worker tcp://" in err and "has rimroll 9.9.9, this is rimroll" in err
+
+
+def test_a_scheduler_that_does_not_answer_is_named(file):
+    status, _, err = rimroll("study", "run", file, "--scheduler", "tcp://127.0.0.1:1")
+    assert status == 2
+    assert err.startswith("rimroll: no scheduler answers at tcp://127.0.0.1:1: ")
+    assert err.count("\n") == 1
