@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rimroll import (
         bodies as bodies,
         ground as ground,
+        gyro as gyro,
         solids as solids,
         surfaces as surfaces,
     )
@@ -138,7 +139,7 @@ if TYPE_CHECKING:
         turn_limit_with_spin as turn_limit_with_spin,
     )
 
-_MODULES = ("bodies", "ground", "solids", "surfaces")
+_MODULES = ("bodies", "ground", "gyro", "solids", "surfaces")
 _NAMES = {
     "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
     "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),

@@ -24,6 +24,7 @@ COMMANDS = {
     "measure": "Your own can from a ruler, scales and a stopwatch.",
     "protractor": "A sheet to print and to read directions of fall on.",
     "fit": "The friction of a table from directions of fall.",
+    "gyro": "Turns and friction from the record of a gyroscope in the body.",
     "study": "Many bodies, frictions, starts and records, planned in a file.",
     "lab": "Tip the can in a browser, on a page that computes itself.",
     "reproduce": "The paper's numbers, figures and film redone as one page.",

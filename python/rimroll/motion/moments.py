@@ -98,6 +98,19 @@ class Moments:
         return self["axial_spin"]
 
     @property
+    def body_angular_velocity(self) -> Array:
+        """The angular velocity along axes fixed in the body (x, y, z), rad/s, shape (n, 3).
+
+        It is what an ideal gyroscope in the body shows. The z axis is the symmetry axis; x and y
+        are those that the spin θ turns: ω_x + i ω_y = (dψ/dt sin φ − i dφ/dt) exp(−iθ), and ω_z is
+        :attr:`axial_spin`. These stay bounded through a near-collision, where the rates of yaw and
+        spin do not.
+        """
+        along = self.yaw_rate * np.sin(self.tilt)
+        across = (along - 1j * self.tilt_rate) * np.exp(-1j * self.spin)
+        return np.stack([across.real, across.imag, self.axial_spin], axis=-1)
+
+    @property
     def center(self) -> Array:
         """Centre of mass (x, y, z), m, shape (n, 3); it starts above the origin."""
         return self._vector("x", "y", "z")

@@ -1,0 +1,209 @@
+"""``rimroll gyro``: turns and friction from the record of a gyroscope in the body."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from rimroll.cli.fit import BodyByOption, ConfidenceOption, GravityOption, OutputOption
+from rimroll.cli.formats import Forms, check, pictures, write, write_json
+from rimroll.cli.options import (
+    JsonOption,
+    LawOptions,
+    MotionOptions,
+    ResistanceOptions,
+    StartOptions,
+)
+from rimroll.cli.request import requested
+from rimroll.cli.screen import Bar, prose, say, show_json, table
+from rimroll.cli.turn import body_line
+from rimroll.errors import RimrollError
+from rimroll.gyro.analysis import Analysis, analyze
+from rimroll.gyro.collision import Collision
+from rimroll.gyro.files import read
+from rimroll.gyro.friction import Friction
+from rimroll.units import quantity
+
+RecordArgument = Annotated[
+    Path,
+    typer.Argument(
+        help="The record: a CSV file of phyphox or its zip, of PocketLab or Vernier, or any table"
+        " with titles. - reads standard input.",
+        metavar="FILE",
+    ),
+]
+AxisOption = Annotated[
+    str,
+    typer.Option(
+        help="The sensor's axis that points along the body: x, y, z or auto.", metavar="AXIS"
+    ),
+]
+UnitsOption = Annotated[
+    str | None,
+    typer.Option(
+        help="The unit of the rates where titles have none: rad/s or deg/s.", metavar="UNIT"
+    ),
+]
+ColumnsOption = Annotated[
+    str | None,
+    typer.Option(
+        help="The columns, by title or number from 1, as in t=1,x=gx,y=gy,z=gz. [found by title]",
+        metavar="COLUMNS",
+    ),
+]
+
+
+def gyro(
+    record: RecordArgument,
+    body: BodyByOption,
+    axis: AxisOption = "auto",
+    units: UnitsOption = None,
+    columns: ColumnsOption = None,
+    gravity: GravityOption = None,
+    confidence: ConfidenceOption = "95%",
+    output: OutputOption = None,
+    json: JsonOption = False,
+) -> int:
+    """Turns and friction from the record of a gyroscope in the body.
+
+    A phone or a classroom sensor in the can records its angular velocity.
+    At each near-collision the direction of this jumps by the turn less 180 degrees: the veer.
+    Give the body with the sensor inside.
+
+    Examples:
+
+    $ rimroll gyro rock.csv --body my_can.toml
+
+    $ rimroll gyro examples/phone_in_a_can.csv --body examples/can_with_phone.toml -o star.svg
+    """
+    files = output or []
+    check(files, FORMS)
+    motion = MotionOptions(gravity=gravity)
+    what = requested(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
+    taken = read(
+        sys.stdin.buffer if str(record) == "-" else record,
+        units=units,
+        columns=None if columns is None else _columns(columns),
+    )
+    found = analyze(
+        taken,
+        what.body,
+        axis=axis,
+        gravity=what.options.gravity,
+        confidence=quantity(confidence, "1", "--confidence"),
+    )
+    answer = {"body": what.name, **found.to_dict()}
+    for file in files:
+        write(file, (found, answer), FORMS)
+    if json:
+        show_json(answer)
+        return 0
+    prose(body_line(what.name, what.body))
+    say()
+    prose(f"read {taken.source}")
+    _show(found)
+    for file in files:
+        say(f"wrote {file}")
+    return 0
+
+
+def _columns(text: str) -> dict[str, str]:
+    pairs = [part.partition("=") for part in text.split(",")]
+    if not all(equals for _, equals, _ in pairs):
+        raise RimrollError(f"--columns must be as in t=1,x=gx,y=gy,z=gz, got {text}")
+    return {name.strip(): title.strip() for name, _, title in pairs}
+
+
+def _numbers(part: Path, found: tuple[Analysis, dict[str, Any]], bar: Bar) -> None:
+    write_json(part, found[1])
+
+
+FORMS: Forms[tuple[Analysis, dict[str, Any]]] = {
+    **pictures(lambda found: found[0].plot()),
+    ".json": _numbers,
+}
+
+MOST_SHOWN = 12
+"""Near-collisions in the table."""
+
+
+def _show(found: Analysis) -> None:
+    if found.record.simulated:
+        prose("This record was simulated, not measured.")
+    prose(_sensor_line(found))
+    say()
+    rows = table("near-collision", "tilt", "rate", "spin", "energy", "veer", "friction")
+    for i, (one, friction) in enumerate(zip(found.collisions, found.frictions, strict=True), 1):
+        if i > MOST_SHOWN:
+            continue
+        rows.add_row(
+            f"{i}  at {one.time:.3f} s{', released' if one.released else ''}",
+            f"{math.degrees(one.tilt_before):.1f}° to {math.degrees(one.tilt_after):.1f}°",
+            f"{one.rate_before:.2f} to {one.rate_after:.2f}",
+            f"{one.spin_before:.2f} to {one.spin_after:.2f}",
+            f"{100.0 * one.energy_kept:.0f} %",
+            _veer(one),
+            _interval(friction),
+        )
+    say(rows)
+    if more := len(found.collisions) - MOST_SHOWN:
+        say(f"and {more} more" if more > 0 else "")
+    else:
+        say()
+    prose(
+        "tilt: the largest before and after; rate across the axis and spin, rad/s: just before and"
+        " after; energy: what is left of it; veer: the turn beyond 180°"
+    )
+    say()
+    limits = [f"{math.degrees(limit) - 180.0:.2f}°" for limit in found.limits]
+    prose(f"limits of the veer: {limits[0]} rolling without slip, {limits[1]} without friction")
+    for sentence in verdicts(found.friction, found.confidence):
+        prose(sentence)
+    for note in found.notes:
+        prose(f"Note: {note}")
+
+
+def _sensor_line(found: Analysis) -> str:
+    import numpy as np
+
+    rests = found.rests
+    resting = sum(end - start for start, end in rests.spans)
+    bias = np.degrees(rests.bias.mean(axis=0)) if rests.spans else np.zeros(3)
+    name = "xyz"[int(np.argmax(np.abs(found.axis.direction)))]
+    askew = math.degrees(math.acos(min(1.0, float(np.abs(found.axis.direction).max()))))
+    return (
+        f"rests for {resting:.1f} s: bias {bias[0]:.2f}, {bias[1]:.2f}, {bias[2]:.2f} degrees/s,"
+        f" noise {math.degrees(rests.noise):.3f} degrees/s; the body's axis is the sensor's {name},"
+        f" {askew:.1f}° ± {math.degrees(found.axis.error):.1f}° askew"
+    )
+
+
+def _veer(one: Collision) -> str:
+    return f"{math.degrees(one.veer):.2f}° ± {math.degrees(one.veer_error):.2f}°"
+
+
+def _interval(one: Friction | None) -> str:
+    if one is None:
+        return "rim may slide"
+    if one.best is None or one.interval is None:
+        return "none suits"
+    low, high = one.interval
+    return f"{low:.3f} or more" if high is None else f"{low:.3f} to {high:.3f}"
+
+
+def verdicts(one: Friction, confidence: float) -> list[str]:
+    """What the record says of friction, in sentences."""
+    level = f"{100.0 * confidence:g} %"
+    if one.best is None:
+        return [
+            "No dry friction gives such a veer from such a start: check the body, and whether the"
+            " sensor is fixed in it."
+        ]
+    said = [f"friction {one.best:.3f}, {level}: {_interval(one)}"]
+    said.append(f"rolling without slip: {'excluded' if one.excludes_rolling else 'possible'}")
+    said.append(f"sliding without friction: {'excluded' if one.excludes_sliding else 'possible'}")
+    return said

@@ -1,0 +1,339 @@
+"""A record of a gyroscope read: rests, axis, near-collisions, veers, friction."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.body import Body, one_body
+from rimroll.errors import RimrollError, expect
+from rimroll.given import Number, number, positive
+from rimroll.gyro.axis import Axis, fitted_axis
+from rimroll.gyro.collision import MOST_MISSED, Collision, collision_of
+from rimroll.gyro.doubts import refuse_unlikely
+from rimroll.gyro.falls import Falls, Passage, falls_of
+from rimroll.gyro.friction import Friction, Predicted, friction_from, predicted
+from rimroll.gyro.passages import Sensed
+from rimroll.gyro.record import Record
+from rimroll.gyro.rests import Rests, rests_of
+from rimroll.gyro.times import GAP, cut_off
+from rimroll.theory import balance_tilt
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+AXES = ("x", "y", "z")
+CLEARER = 2.0
+"""How many times worse every other axis of the sensor must suit than the one that is taken."""
+LEAST_TILT = math.radians(4.0)
+"""The smallest tilt from which a fall is read."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Analysis:
+    """What a record says of the near-collisions in it: see :func:`analyze`.
+
+    Attributes
+    ----------
+    record, body, gravity, confidence
+        What it was read from.
+    rests
+        Where the sensor was at rest, with its bias and noise.
+    axis
+        The body's symmetry axis in the sensor.
+    collisions
+        The near-collisions that could be read, in order of time.
+    predictions
+        The turn that each fall has at each friction.
+    frictions
+        The friction that each veer implies. While a hand holds the body, its rim rests on the
+        table; later falls may begin with a rim that slides, so they imply no friction: None stands
+        for them, unless the record has no release at all.
+    friction
+        The friction that these veers imply together.
+    limits
+        The limiting angles of turn, rolling without slip and sliding without friction, rad.
+    notes
+        What to know about it, a sentence each.
+    """
+
+    record: Record
+    body: Body
+    gravity: float
+    confidence: float
+    rests: Rests
+    axis: Axis
+    collisions: list[Collision]
+    predictions: list[Predicted]
+    frictions: list[Friction | None]
+    friction: Friction
+    limits: tuple[float, float]
+    notes: list[str]
+
+    def __repr__(self) -> str:
+        veers = ", ".join(f"{math.degrees(one.veer):.1f}°" for one in self.collisions[:6])
+        return f"<Gyroscope analysis: {len(self.collisions)} near-collisions, veers {veers}>"
+
+    def rates(self) -> Array:
+        """The rates less their bias, (n, 3), rad/s: two axes across the body, and along it."""
+        from rimroll.gyro.attitude import across
+
+        frame = np.stack([*across(self.axis.direction), self.axis.direction])
+        turned: Array = (self.record.rates - self.rests.bias_at(self.record.t)) @ frame.T
+        return turned
+
+    def plot(self) -> Figure:
+        """The record, the star of the rate across the axis, and the veers with their friction."""
+        from rimroll.gyro.figure import analysis_figure
+
+        return analysis_figure(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything that was read, as plain numbers: angles in degrees, rates in rad/s."""
+        from rimroll.gyro.summary import summary_of
+
+        return summary_of(self)
+
+
+def analyze(
+    record: Record,
+    body: Body,
+    *,
+    axis: str = "auto",
+    gravity: Number = _core.STANDARD_GRAVITY,
+    confidence: Number = 0.95,
+) -> Analysis:
+    """Read the near-collisions of a body from the record of a gyroscope inside it.
+
+    No law of contact is assumed for the veers: they follow from Newton's and Euler's laws for a
+    body of revolution on its rim. The frictions are those of dry friction (``Coulomb``).
+
+    Parameters
+    ----------
+    record
+        From :func:`rimroll.gyro.read` or :meth:`rimroll.gyro.Sensor.record`.
+    body
+        The body with the sensor inside.
+    axis
+        The axis of the sensor that points along the body, up or down: ``"x"``, ``"y"`` or
+        ``"z"``; with ``"auto"`` it is found from the motion. The exact direction, up to 20 degrees
+        beside it, is always found from the motion.
+    gravity
+        m/s².
+    confidence
+        The confidence level of the intervals of friction.
+
+    Returns
+    -------
+    Analysis
+
+    Raises
+    ------
+    RimrollError
+        A record without a fall, or one that does not look like that of a gyroscope in such a body:
+        the message says what it looks like.
+
+    >>> import rimroll as rr
+    >>> can = rr.bodies.can_2007()
+    >>> start = rr.State(tilt=0.5, yaw_rate=0.1)
+    >>> motion = rr.simulate(can, start, rr.Coulomb(0.2), duration=0.4)
+    >>> record = rr.gyro.phone().record(motion)
+    >>> found = rr.gyro.analyze(record, can)
+    >>> len(found.collisions), abs(found.friction.best - 0.2) < 0.05
+    (1, True)
+    """
+    expect("record", record, Record)
+    one_body(body)
+    if axis not in ("auto", *AXES):
+        raise RimrollError(f'axis must be "auto", "x", "y" or "z", got {axis!r}')
+    pull = positive("gravity", gravity, "m/s^2")
+    level = number("confidence", confidence)
+    if not 0.5 <= level < 1.0:
+        raise RimrollError(f"confidence must be at least 0.5 and below 1, got {level:g}")
+    rests = rests_of(record)
+    rates = record.rates - rests.bias_at(record.t)
+    refuse_unlikely(record, rates, rests, body, pull)
+    candidates = AXES if axis == "auto" else (axis,)
+    tried = [_along(record, rates, rests, body, pull, AXES.index(name)) for name in candidates]
+    found, falls, sensed = _best(record, tried, [*candidates])
+    limits = _limits(body)
+    middle = 0.5 * (limits[0] + limits[1])
+    every = [collision_of(one, found, rests.bias_error, body, pull, middle) for one in sensed]
+    collisions = [one for one in every if _is_near(one)]
+    notes = _notes(record, rests, found, falls, every, collisions, body)
+    if not collisions:
+        raise RimrollError(
+            f"{record.name}: the body falls, but never upright through a near-collision that can"
+            " be read: " + (notes[-1] if notes else "its tilts are too small")
+        )
+    predictions = [predicted(one, body, pull) for one in collisions]
+    chi_square = _chi_square(level)
+    used = [i for i, one in enumerate(collisions) if one.released] or [*range(len(collisions))]
+    frictions = [
+        friction_from([one], [there], chi_square) if i in used else None
+        for i, (one, there) in enumerate(zip(collisions, predictions, strict=True))
+    ]
+    together = friction_from(
+        [collisions[i] for i in used], [predictions[i] for i in used], chi_square
+    )
+    if not collisions[used[0]].released:
+        notes.append(
+            "No fall begins with a release, so the friction assumes that the rim rests where the"
+            " tilt is largest."
+        )
+    return Analysis(
+        record, body, pull, level, rests, found, collisions, predictions, frictions, together,
+        limits, notes,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Tried:
+    """An axis of the sensor as the body's, and what the record then says."""
+
+    axis: Axis | None
+    falls: Falls
+    sensed: list[Sensed]
+
+
+def _along(
+    record: Record, rates: Array, rests: Rests, body: Body, gravity: float, column: int
+) -> _Tried:
+    """The passages if the body's axis is near one of the sensor's, with the axis that fits best."""
+    guess = np.eye(3)[column]
+    largest = np.abs(record.rates).max()
+    valid = (np.abs(record.rates) < (1.0 - 1e-6) * largest).all(axis=1) | (
+        cut_off(record.rates) == 0
+    )
+    axis, falls, sensed = None, Falls([], 0), []
+    for _ in range(2):  # a better axis shows the peaks better
+        across = rates - np.outer(rates @ guess, guess)
+        size = np.linalg.norm(across, axis=1)
+        falls = falls_of(record.t, size, rests.noise, body, gravity, valid)
+        if not falls.passages:
+            return _Tried(None, falls, [])
+        sensed = [
+            Sensed(
+                one,
+                record.t[one.start : one.end + 1],
+                rates[one.start : one.end + 1],
+                rests.noise,
+                body,
+            )
+            for one in falls.passages
+            if not _has_gap(record, one)
+        ]
+        if not sensed:
+            return _Tried(None, falls, [])
+        axis = fitted_axis(sensed, np.eye(3)[column])
+        guess = axis.direction
+    return _Tried(axis, falls, sensed)
+
+
+def _has_gap(record: Record, one: Passage) -> bool:
+    """Whether samples are missing in a passage."""
+    return bool((np.diff(record.t[one.start : one.end + 1]) > GAP * record.step).any())
+
+
+def _best(
+    record: Record, tried: list[_Tried], names: list[str]
+) -> tuple[Axis, Falls, list[Sensed]]:
+    """The axis that suits clearly best; ``RimrollError`` where none does."""
+    possible = [
+        (one.axis.misfit / len(one.sensed), name, one)
+        for name, one in zip(names, tried, strict=True)
+        if one.axis is not None
+    ]
+    if not possible:
+        unread = max(one.falls.unread for one in tried)
+        more = (
+            f"; {unread} peaks of the rate are too quick, not as steep as gravity makes"
+            " them, or cut off by the end of the record"
+            if unread
+            else ""
+        )
+        raise RimrollError(
+            f"{record.name}: no fall through a near-collision was found{more}. Give the body that"
+            " was recorded, and an axis if you know which one points along it"
+        )
+    possible.sort(key=lambda one: one[0])
+    if len(possible) > 1 and possible[1][0] < CLEARER * possible[0][0]:
+        raise RimrollError(
+            f"{record.name}: the motion fits the axes {possible[0][1]} and {possible[1][1]} of the"
+            ' sensor about as well: say which one points along the body, as in axis="z" (on the'
+            " command line --axis z)"
+        )
+    best = possible[0][2]
+    assert best.axis is not None
+    return best.axis, best.falls, best.sensed
+
+
+def _is_near(one: Collision) -> bool:
+    least = min(one.tilt_before, one.tilt_after)
+    return least > LEAST_TILT and one.miss < MOST_MISSED * least
+
+
+def _limits(body: Body) -> tuple[float, float]:
+    from rimroll.laws import Frictionless, NoSlip
+    from rimroll.theory import turn_limit
+
+    return float(turn_limit(body, NoSlip())), float(turn_limit(body, Frictionless()))
+
+
+def _chi_square(confidence: float) -> float:
+    """The chi square of one degree of freedom that is exceeded with the rest of the probability."""
+    return NormalDist().inv_cdf(0.5 + 0.5 * confidence) ** 2
+
+
+def _notes(
+    record: Record,
+    rests: Rests,
+    axis: Axis,
+    falls: Falls,
+    every: list[Collision],
+    collisions: list[Collision],
+    body: Body,
+) -> list[str]:
+    notes = list(record.notes)
+    if not rests.spans:
+        notes.append(
+            "Nothing rests for 0.3 s, so the bias is unknown: it is taken as 0 ± 1 degree/s."
+        )
+    elif rests.drift > 5.0 * rests.bias_error and rests.drift > 0.005:
+        notes.append(
+            f"The bias drifts by {math.degrees(rests.drift):.2f} degrees/s between the rests; it is"
+            " taken as linear in time."
+        )
+    if axis.misfit > 5.0:
+        notes.append(
+            f"The motion leaves {axis.misfit:.0f} times the sensor's noise unexplained: the sensor"
+            " may be loose, the body not the one given or not round."
+        )
+    if falls.unread:
+        notes.append(
+            f"{falls.unread} other peaks of the rate are too quick for {record.sampling_rate:.0f}"
+            " samples a second, not as steep as gravity makes them, or cut off by the end of the"
+            " record, and were not read."
+        )
+    if far := len(every) - len(collisions):
+        notes.append(
+            f"{far} passages were not read: the tilt beside them was below"
+            f" {math.degrees(LEAST_TILT):.0f} degrees, or they were no near-collisions, because the"
+            " axis passed the vertical too far away."
+        )
+    if any(one.tilt_after > 0.97 * float(balance_tilt(body)) for one in collisions):
+        notes.append("The body rose as far as its balance point, and may have toppled.")
+    unsure = sum(not one.side_is_sure for one in collisions)
+    if unsure:
+        notes.append(
+            f"{unsure} veers are so near to 0 that the body may have turned to the other side."
+        )
+    return notes

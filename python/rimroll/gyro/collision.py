@@ -1,0 +1,223 @@
+"""A near-collision as it was read, and the uncertainty of what was read."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.body import Body
+from rimroll.gyro.axis import Axis
+from rimroll.gyro.legs import TIME_ERROR, Leg
+from rimroll.gyro.passages import Sensed
+
+Array = NDArray[np.float64]
+
+SCALE_ERROR = 0.01
+"""Standard deviation of the sensitivity: ±1 % is typical in data sheets."""
+MISSED = 0.3
+"""Error of the turn over the squared ratio of the miss distance to the tilt, rad."""
+MOST_MISSED = 0.25
+"""The largest such ratio at which a passage is read as a near-collision."""
+BESIDE = math.radians(12.0)
+"""Tilt up to which the direction of the rate is extrapolated to the collision, rad."""
+
+
+@dataclass(frozen=True)
+class Collision:
+    """A near-collision: angles in rad, rates in rad/s, times in s; errors are standard deviations.
+
+    Attributes
+    ----------
+    time
+        When the body was nearest to upright, in the time of the record.
+    turn
+        The angle of turn, as :class:`rimroll.Turn` counts it: the change of yaw from the release or
+        the largest tilt before the collision to the largest tilt after it; positive if
+        anticlockwise about the sensor's axis that points along the body.
+    veer, veer_error
+        The size of the turn less π.
+    turn_alone, turn_alone_error
+        The turn of the near-collision alone, from the directions of the rate across the axis just
+        before and just after it.
+    released
+        Whether the body was released before it, and not rocking already.
+    start, end
+        Times of the release or largest tilt before, and of the largest tilt after.
+    tilt_before, tilt_after
+        Tilts at these times.
+    rate_before, rate_after
+        Rate across the axis just before and just after.
+    spin_before, spin_after
+        Spin about the axis just before and just after: ``spin_after`` is what is left behind.
+    energy_kept
+        Energy at ``end`` over that at ``start``: of height, and of rotation about the centre.
+    miss
+        How far from upright the axis would have passed on a straight path, rad.
+    yaw_rate, spin_rate, tilt_rate
+        Rates of the Euler angles at ``start``.
+    side_is_sure
+        Whether the direction of the turn is known; else it may have been a turn to the other side.
+    """
+
+    time: float
+    turn: float
+    veer: float
+    veer_error: float
+    turn_alone: float
+    turn_alone_error: float
+    released: bool
+    start: float
+    end: float
+    tilt_before: float
+    tilt_after: float
+    rate_before: float
+    rate_after: float
+    spin_before: float
+    spin_after: float
+    energy_kept: float
+    miss: float
+    yaw_rate: float
+    spin_rate: float
+    tilt_rate: float
+    momentum_error: float
+    spin_error: float
+    side_is_sure: bool
+
+
+def collision_of(
+    one: Sensed, axis: Axis, bias_error: float, body: Body, gravity: float, expected: float
+) -> Collision:
+    """What a passage says; ``expected``: the middle of the turns that theory allows, rad."""
+    direction = axis.direction
+    fall, rise = one.legs(direction)
+    turn = _nearest(one.turn(direction), expected)
+    error, momentum_error = _errors(one, axis, bias_error, fall, rise)
+    alone, alone_error = _alone(one, fall, rise, expected)
+    inward, outward = _speed(fall, one.passage.t), _speed(rise, one.passage.t)
+    miss = 0.5 * (abs(fall.momentum[-1]) / inward + abs(rise.momentum[0]) / outward)
+    ratio = miss / min(fall.tilt[0], rise.tilt[-1])
+    error = math.hypot(error, MISSED * ratio**2)
+    tilt, momentum = float(fall.tilt[0]), float(fall.momentum[0])
+    yaw_rate = momentum / math.sin(tilt) ** 2
+    few = slice(0, min(5, len(fall.t)))
+    spin = float(fall.spin[few].mean())
+    other = (2.0 * math.pi - abs(turn)) - math.pi
+    return Collision(
+        time=one.passage.t,
+        turn=turn,
+        veer=abs(turn) - math.pi,
+        veer_error=error,
+        turn_alone=alone,
+        turn_alone_error=alone_error,
+        released=one.passage.released,
+        start=float(fall.t[0]),
+        end=float(rise.t[-1]),
+        tilt_before=tilt,
+        tilt_after=float(rise.tilt[-1]),
+        rate_before=inward,
+        rate_after=outward,
+        spin_before=_spin_at(fall, one.passage.t),
+        spin_after=_spin_at(rise, one.passage.t),
+        energy_kept=_energy(rise, -1, body, gravity) / _energy(fall, 0, body, gravity),
+        miss=miss,
+        yaw_rate=yaw_rate,
+        spin_rate=spin - yaw_rate * math.cos(tilt),
+        tilt_rate=float(fall.tilt_rate[0]) if one.passage.released else 0.0,
+        momentum_error=momentum_error,
+        spin_error=math.hypot(bias_error, one.noise / math.sqrt(len(fall.t[few]))),
+        side_is_sure=abs((abs(turn) - math.pi) - other) > 6.0 * error,
+    )
+
+
+def _nearest(turn: float, expected: float) -> float:
+    """Of the turns that differ by whole ones, that whose size is nearest to what is expected."""
+    whole = 2.0 * math.pi * np.arange(-2, 3)
+    return float(min(turn + whole, key=lambda angle: abs(abs(angle) - expected)))
+
+
+def _errors(
+    one: Sensed, axis: Axis, bias_error: float, fall: Leg, rise: Leg
+) -> tuple[float, float]:
+    """Standard deviations of the turn, rad, and of the momentum at its start, rad/s.
+
+    The errors of the collision's time, the axis, the bias and the sensitivity are carried through
+    by differences; that of the noise follows from the least squares of each leg.
+    """
+    direction = axis.direction
+    turn, momentum = one.turn(direction), float(fall.momentum[0])
+
+    def change(other: Sensed, axis: Array, later: float = 0.0) -> tuple[float, float]:
+        apart = math.remainder(other.turn(axis, later) - turn, 2.0 * math.pi)
+        return apart, float(other.legs(axis, later)[0].momentum[0]) - momentum
+
+    step = float(np.median(np.diff(one.t)))
+    values, vectors = np.linalg.eigh(axis.covariance)
+    changes = [change(one, direction, TIME_ERROR * step)]
+    changes += [
+        change(one, axis.moved(*(math.sqrt(value) * vector)))
+        for value, vector in zip(values, vectors.T, strict=True)
+    ]
+    changes += [
+        change(replace(one, rates=one.rates + bias_error * unit), direction) for unit in np.eye(3)
+    ]
+    changes += [
+        change(replace(one, rates=one.rates * (1.0 + SCALE_ERROR * unit)), direction)
+        for unit in np.eye(3)
+    ]
+    excess = [max(1.0, float(np.sqrt(np.mean(leg.residual**2)))) for leg in (fall, rise)]
+    of_turn = [
+        excess[0] * fall.offset_error / math.sin(fall.tilt[0]),
+        excess[1] * rise.offset_error / math.sin(rise.tilt[-1]),
+    ]
+    # The spin jumps at a time that is known to a part of a step.
+    jump = (rise.spin[0] - fall.spin[-1]) * step * TIME_ERROR / 2.0
+    errors, of_momentum = zip(*changes, strict=True)
+    return (
+        math.hypot(*errors, *of_turn, jump),
+        math.hypot(*of_momentum, excess[0] * fall.momentum_error),
+    )
+
+
+def _alone(one: Sensed, fall: Leg, rise: Leg, expected: float) -> tuple[float, float]:
+    """The turn of the near-collision alone and its error, from directions of the rate."""
+    before, error_before = _direction_at(one, fall)
+    after, error_after = _direction_at(one, rise)
+    turn = _nearest(after - before + math.pi, expected)
+    return turn, math.hypot(error_before, error_after)
+
+
+def _direction_at(one: Sensed, leg: Leg) -> tuple[float, float]:
+    """Direction of the rate across the axis at the collision, by a straight line over the time."""
+    near = (leg.tilt < BESIDE) | (np.argsort(np.argsort(np.abs(leg.t - one.passage.t))) < 5)
+    t, angle, size = leg.t[near] - one.passage.t, leg.direction[near], leg.rate[near]
+    fitted = np.polynomial.polynomial.polyfit(t, angle, 1, w=size)
+    design = np.stack([np.ones(len(t)), t], axis=-1) * size[:, np.newaxis]
+    covariance = one.noise**2 * np.linalg.inv(design.T @ design)
+    return float(fitted[0]), float(np.sqrt(covariance[0, 0]))
+
+
+def _near(leg: Leg, time: float) -> NDArray[np.intp]:
+    """The samples of a leg nearest to a time."""
+    return np.argsort(np.abs(leg.t - time))[: max(5, len(leg.t) // 8)]
+
+
+def _speed(leg: Leg, time: float) -> float:
+    """The rate across the axis at the collision, extrapolated."""
+    near = _near(leg, time)
+    return float(np.polyfit(leg.t[near] - time, leg.rate[near], 1)[1])
+
+
+def _spin_at(leg: Leg, time: float) -> float:
+    near = _near(leg, time)
+    return float(np.polyfit(leg.t[near] - time, leg.spin[near], 1)[1])
+
+
+def _energy(leg: Leg, at: int, body: Body, gravity: float) -> float:
+    """Energy over that of standing: of height, and of rotation about the centre of mass, J."""
+    tilt = float(leg.tilt[at])
+    raised = body.radius * math.sin(tilt) + body.height * (math.cos(tilt) - 1.0)
+    turning = body.transverse_inertia * leg.rate[at] ** 2 + body.axial_inertia * leg.spin[at] ** 2
+    return float(body.mass * gravity * raised + 0.5 * turning)

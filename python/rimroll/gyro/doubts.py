@@ -1,0 +1,62 @@
+"""Records that are none of a gyroscope in a rocking body: refused with what they look like."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+from rimroll.gyro.record import Record
+from rimroll.gyro.rests import Rests
+
+Array = NDArray[np.float64]
+
+SLOWEST = 0.5
+"""The largest rate of a record in which nothing falls, rad/s."""
+FASTEST = 60.0
+"""A rate in rad/s that no rocking body reaches, and that degrees/s easily do."""
+
+
+def refuse_unlikely(record: Record, rates: Array, rests: Rests, body: Body, gravity: float) -> None:
+    """Raise ``RimrollError`` for records in which no body can rock and fall."""
+    sizes = np.linalg.norm(rates, axis=1)
+    largest = float(sizes.max())
+    still = np.median(np.linalg.norm(record.rates, axis=1))
+    if abs(still - 9.8) < 1.0 and not rests.spans:
+        raise RimrollError(
+            f"{record.name}: the size of what it holds is mostly about 9.8, as that of an"
+            " accelerometer at rest in m/s²: record the gyroscope (in phyphox: Gyroscope)"
+        )
+    if largest < SLOWEST:
+        raise RimrollError(
+            f"{record.name}: no rate is above {largest:.2g} rad/s, so nothing falls in it"
+        )
+    # A body that falls from its balance point reaches this rate, and a flick some of it more.
+    fall = math.sqrt(
+        2.0
+        * gravity
+        * (math.hypot(body.radius, body.height) - body.height)
+        * body.mass
+        / body.transverse_inertia
+    )
+    usual = float(np.percentile(sizes[sizes > 0.2 * largest], 50.0))
+    if usual > max(6.0 * fall, FASTEST):
+        raise RimrollError(
+            f"{record.name}: rates of {usual:.0f} rad/s are far above those of a body that rocks"
+            f" (some {fall:.0f} rad/s): they may be in degrees/s; give the unit, as in"
+            ' units="deg/s" (on the command line --units deg/s)'
+        )
+    turned = np.trapezoid(rates, record.t, axis=0)
+    longest = float(np.abs(turned).max())
+    fraction = np.abs(rates).max(axis=0).max() / max(largest, 1e-9)
+    if longest > 3.0 * math.tau and fraction > 0.98:
+        column = int(np.abs(turned).argmax())
+        other = float(np.sqrt((np.delete(rates, column, axis=1) ** 2).sum(axis=1)).max())
+        if other < 0.3 * largest:
+            raise RimrollError(
+                f"{record.name}: the body turns {longest / math.tau:.0f} times about one axis and"
+                " hardly about the others: it rolls on its side, or spins, and does not rock"
+            )

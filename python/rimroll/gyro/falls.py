@@ -1,0 +1,192 @@
+"""Where in a record the body falls, collides and rises: the peaks of the rate across the axis."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.body import Body
+
+Array = NDArray[np.float64]
+
+LEAST_RATE = 0.6
+"""The smallest rate across the axis at a collision that is read, rad/s."""
+OF_LARGEST = 0.15
+"""And its part of the largest one."""
+SLOPES = (0.4, 1.8)
+"""The slopes beside a peak, over the smallest and the largest that a body falling freely has."""
+FEWEST = 5
+"""Samples that each side of a collision must have."""
+NEAR = 0.03
+"""The time on each side of a collision in which the rate is taken as a straight line, s."""
+LOSS = 0.04
+"""The part of the rate by which it must fall in a collision before this is taken for a loss."""
+GUARD = 2
+"""Samples beside a collision that the filter of a sensor may smear."""
+
+
+@dataclass(frozen=True)
+class Passage:
+    """The samples of a fall, a near-collision and the rise after it, by their indices.
+
+    ``start``: the release or the largest tilt before; ``before`` and ``after``: the last sample
+    before the collision, and the first after it, that belong to smooth motion; ``end``: the largest
+    tilt after; ``t``: the time of the collision, s; ``released``: whether no collision comes before
+    it.
+    """
+
+    start: int
+    before: int
+    after: int
+    end: int
+    t: float
+    released: bool
+
+
+@dataclass(frozen=True)
+class Falls:
+    """The passages of a record, and how many collisions were too quick or too rough to read."""
+
+    passages: list[Passage]
+    unread: int
+
+
+def accelerations(body: Body, gravity: float) -> tuple[float, float]:
+    """How fast the rate of a nearly upright body grows as it falls, rad/s²: rolling, sliding."""
+    m, R, H, A = body.mass, body.radius, body.height, body.transverse_inertia
+    pull = m * gravity * R
+    return pull / (A + m * (R**2 + H**2)), pull / (A + m * R**2)
+
+
+def falls_of(
+    t: Array, rate: Array, noise: float, body: Body, gravity: float, valid: NDArray[np.bool_]
+) -> Falls:
+    """The falls in the rate across the axis, (n,), rad/s.
+
+    At a near-collision this rate has a peak with straight sides, as steep as gravity makes them; a
+    hand makes smooth ones. ``valid``: the samples that are not cut off at the sensor's range.
+    """
+    slow, fast = sorted(accelerations(body, gravity))
+    near = max(int(NEAR / float(np.median(np.diff(t)))), FEWEST)
+    least = max(LEAST_RATE, OF_LARGEST * float(rate.max()), 20.0 * noise)
+    peaks = _peaks(rate, least)
+    passages: list[Passage] = []
+    unread = 0
+    lows = _lows(rate, peaks)
+    for k, peak in enumerate(peaks):
+        start, end = lows[k], lows[k + 1]
+        before, after = _sides(valid, peak)
+        is_whole = end < len(rate) - GUARD  # else the record ends before the largest tilt
+        if before - start < FEWEST or end - after < FEWEST or not is_whole:
+            unread += 1
+            continue
+        rise = _line(t, rate, max(start + 1, before - near), before)
+        fall = _line(t, rate, after, min(end - 1, after + near))
+        low, high = SLOPES[0] * slow, SLOPES[1] * fast
+        if not (low < rise[0] < high and low < -fall[0] < high):
+            unread += 1
+            continue
+        moment = _collision(t, rate, (before, peak, after), rise, fall)
+        follows = bool(passages) and passages[-1].end == start
+        if not follows:
+            start = _release(t, rate, start, before, high, noise)
+            if before - start < FEWEST:
+                unread += 1
+                continue
+        passages.append(Passage(start, before, after, end, moment, not follows))
+    return Falls(passages, unread)
+
+
+def _peaks(rate: Array, least: float) -> list[int]:
+    """The largest sample between two times at which the rate is below half of its neighbours'."""
+    peaks: list[int] = []
+    low, high, at = np.inf, 0.0, 0
+    rising = True
+    for i, value in enumerate(rate):
+        if rising:
+            if value > high:
+                high, at = value, i
+            elif value < 0.6 * high and high > least:
+                peaks.append(at)
+                rising, low = False, value
+        elif value < low:
+            low = value
+        elif value > low + max(0.25 * high, 0.5 * least):
+            rising, high, at = True, value, i
+    return peaks
+
+
+def _lows(rate: Array, peaks: list[int]) -> list[int]:
+    """The smallest sample before the first peak, between peaks, and after the last."""
+    lows = []
+    for first, last in pairwise([0, *peaks, len(rate) - 1]):
+        if first == 0:  # the last time at which it was as slow as ever before
+            part = rate[: last + 1][::-1]
+            lows.append(last - int(np.argmin(part)))
+        else:
+            lows.append(first + int(np.argmin(rate[first : last + 1])))
+    return lows
+
+
+def _sides(valid: NDArray[np.bool_], peak: int) -> tuple[int, int]:
+    """The samples beside a peak beyond what a filter smears, and a range cuts off."""
+    near = 3 * GUARD
+    before, after = peak, peak
+    while before > 0 and not valid[max(before - near, 0) : before + 1].all():
+        before -= 1
+    while after < len(valid) - 1 and not valid[after : after + near + 1].all():
+        after += 1
+    return max(before - GUARD, 0), min(after + GUARD, len(valid) - 1)
+
+
+def _line(t: Array, rate: Array, first: int, last: int) -> tuple[float, float]:
+    """Slope and value at t = 0 of the straight line through samples, both included."""
+    part = slice(first, last + 1)
+    slope, value = np.polyfit(t[part] - t[first], rate[part], 1)
+    return float(slope), float(value - slope * t[first])
+
+
+def _collision(
+    t: Array,
+    rate: Array,
+    samples: tuple[int, int, int],
+    rise: tuple[float, float],
+    fall: tuple[float, float],
+) -> float:
+    """The time of a collision between two samples, from straight lines before and after it.
+
+    The lines meet there, unless energy is lost. Then the rate jumps from one line to the other,
+    and its integral, which a filter keeps, says when.
+    """
+    before, peak, after = samples
+    half = 0.5 * (t[after] - t[before]) / max(after - before, 1)
+    earliest, latest = t[peak] - half, t[peak] + half
+    met = (fall[1] - rise[1]) / (rise[0] - fall[0])
+    jump = rise[1] - fall[1] + (rise[0] - fall[0]) * t[peak]
+    if jump < LOSS * rate[peak]:
+        return float(np.clip(met, earliest - half, latest + half))
+    part = slice(before, after + 1)
+    total = float(np.trapezoid(rate[part], t[part]))
+    trial = np.linspace(earliest, latest, 41)
+
+    def area(line: tuple[float, float], start: Array, end: Array) -> Array:
+        return np.asarray((end - start) * (line[1] + 0.5 * line[0] * (start + end)))
+
+    found = area(rise, t[[before]], trial) + area(fall, trial, t[[after]])
+    return float(trial[np.argmin(np.abs(found - total))])
+
+
+def _release(t: Array, rate: Array, low: int, before: int, steepest: float, noise: float) -> int:
+    """Where a first fall begins: back from the collision to the hand's push, or to rest."""
+    width = max(int(0.015 / float(np.median(np.diff(t)))), 2)
+    i = before
+    while i - width >= low:
+        span = float(t[i] - t[i - width])
+        slope, error = (rate[i] - rate[i - width]) / span, 3.0 * noise / span
+        if slope > steepest + error or (slope < error and rate[i] < 6.0 * noise):
+            break
+        i -= 1
+    return min(i + GUARD + 1, before)  # the samples there may hold a part of the push
