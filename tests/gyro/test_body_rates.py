@@ -1,7 +1,7 @@
 """What an ideal gyroscope sees, against differences of the rotation and against Newton and Euler.
 
-The rotation is composed here from three turns (yaw about z, −tilt about y, spin about z); the oracle
-``rigid_body.py`` follows a quaternion and the angular velocity in space.
+The rotation is composed here from three turns (yaw about z, −tilt about y, spin about z); the
+oracle ``rigid_body.py`` follows a quaternion and the angular velocity in space.
 """
 
 import numpy as np

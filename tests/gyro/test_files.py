@@ -16,7 +16,8 @@ PHYPHOX = ["Time (s)", *(f"Gyroscope {axis} (rad/s)" for axis in "xyz"), "Absolu
 
 def table(titles, columns, separator=",", decimal=".", quoted=True):
     """The text of a table."""
-    cells = [[f"{value:.9g}".replace(".", decimal) for value in row] for row in zip(*columns)]
+    rows = zip(*columns, strict=True)
+    cells = [[f"{value:.9g}".replace(".", decimal) for value in row] for row in rows]
     head = [f'"{title}"' if quoted else title for title in titles]
     return "\n".join(separator.join(row) for row in [head, *cells]) + "\n"
 

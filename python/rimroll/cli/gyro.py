@@ -78,7 +78,7 @@ def gyro(
 
     $ rimroll gyro rock.csv --body my_can.toml
 
-    $ rimroll gyro examples/phone_in_a_can.csv --body examples/can_with_phone.toml -o star.svg
+    $ rimroll gyro rock.zip --body my_can.toml --axis y -o star.svg
     """
     files = output or []
     check(files, FORMS)

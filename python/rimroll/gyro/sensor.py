@@ -88,8 +88,8 @@ class Sensor:
 
         The body stands for ``rest`` seconds, is tipped by a smooth motion of the hand that takes
         0.6 s, is held at the tilt of the start for ``held`` seconds, and is released: then the
-        motion runs to its end, and so does the record. The same seed draws the same errors. The mean delay of the
-        filter is taken off the times, as sensor hubs do.
+        motion runs to its end, and so does the record. The same seed draws the same errors. The
+        mean delay of the filter is taken off the times.
         """
         from rimroll.motion import Motion
 
