@@ -1,0 +1,165 @@
+"""One nutation of a rolling body, and the path of its contact point, which repeats it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.body import Body, one_body
+from rimroll.errors import RimrollError, expect
+from rimroll.given import Number, number
+from rimroll.laws import NoSlip
+from rimroll.motion import Moments, Motion, simulate
+from rimroll.state import State, single
+
+LONGEST = 2.0**14
+"""How long a nutation is looked for, in units of the time √(R/g)."""
+
+SAME = 1e-9
+"""Times closer than this fraction of a nutation are the same, and angles closer than this, rad."""
+
+
+@dataclass(frozen=True)
+class Nutation:
+    """A nutation, from one tilt maximum to the next, of a body that rolls without slip.
+
+    The next nutation is the same, turned by the yaw advance about a centre. So the path of the
+    contact point stays between two circles about that centre and fills the ring between them,
+    unless the yaw advance is a fraction of 2π; then it closes. If the yaw advance is a multiple of
+    2π, there is no centre: the path goes on in one direction without bound.
+    """
+
+    period: float
+    """Time between two tilt maxima, s."""
+    min_tilt: float
+    """Smallest tilt, rad."""
+    max_tilt: float
+    """Largest tilt, rad; for a disk that passes the vertical it is above π/2."""
+    yaw_advance: float
+    """Change of yaw in a nutation, rad, with its sign."""
+    drift: float
+    """Distance between the contact points at the beginning and at the end of a nutation, m."""
+    center: tuple[float, float]
+    """Centre of the path, m, from the point under the centre of mass at the start; infinite if
+    the path is unbounded."""
+    inner_radius: float
+    """Smallest distance of the contact point from the centre, m."""
+    outer_radius: float
+    """Largest distance of the contact point from the centre, m."""
+    cusps: int
+    """Cusps of the path in a nutation. There the spin rate dθ/dt changes its sign."""
+    inflections: int
+    """Inflections of the path in a nutation. There the yaw rate changes its sign."""
+
+    @property
+    def is_bounded(self) -> bool:
+        """Whether the path stays in a ring."""
+        return math.isfinite(self.outer_radius)
+
+
+def nutation(body: Body, start: State, *, gravity: Number = _core.STANDARD_GRAVITY) -> Nutation:
+    """The nutation of a body that rolls without slip, and what follows for its contact point.
+
+    Parameters
+    ----------
+    body, start
+        What rolls, and a state of its motion.
+    gravity
+        m/s².
+
+    Raises
+    ------
+    RimrollError
+        A number outside its bounds; a motion that topples, lifts off or is steady, so that the tilt
+        has no two maxima.
+
+    Notes
+    -----
+    The motion is symmetric in time about each tilt extremum. The velocity of the contact point is R
+    dθ/dt along the tangent of the rim, which turns with the yaw rate. So the path has a cusp where
+    dθ/dt passes through zero, and an inflection where the yaw rate does. See A. V. Borisov, I. S.
+    Mamaev and A. A. Kilin, *Dynamics of rolling disk*, Regular and Chaotic Dynamics 8 (2003) 201,
+    for the paths of a disk and the resonance at which they are unbounded.
+    """
+    one_body(body)
+    expect("start", start, State)
+    g = number("gravity", gravity, "m/s^2")
+    motion, first, second = _between_maxima(body, single(start), g)
+    lowest = _extrema(motion, rising=True)
+    middle = float(lowest[(lowest > first) & (lowest < second)][0])
+    at = motion.evaluate(np.array([first, middle, second]))
+    advance = float(at.yaw[2] - at.yaw[0])
+    center = _fixed_point(at.contact_path[0], at.contact_path[2], advance)
+
+    def along(at: Moments) -> NDArray[np.float64]:
+        """The distance of the contact point from the centre, measured along the rim's tangent."""
+        x, y = (at.contact_path - center).T
+        return np.asarray(y * np.cos(at.yaw) - x * np.sin(at.yaw))
+
+    cusps = _half(motion, first, middle, lambda at: at.spin_rate)
+    turned = _half(motion, first, middle, along) if np.isfinite(center[0]) else np.empty(0)
+    extremes = motion.evaluate(np.array([first, middle, *cusps, *turned])).contact_path
+    distances = np.linalg.norm(extremes - center, axis=1)
+    return Nutation(
+        period=second - first,
+        min_tilt=float(at.tilt[1]),
+        max_tilt=float(at.tilt[0]),
+        yaw_advance=advance,
+        drift=float(np.linalg.norm(at.contact_path[2] - at.contact_path[0])),
+        center=(float(center[0]), float(center[1])),
+        inner_radius=float(distances.min()),
+        outer_radius=float(distances.max()),
+        cusps=2 * len(cusps),
+        inflections=2 * len(_half(motion, first, middle, lambda at: at.yaw_rate)),
+    )
+
+
+def _between_maxima(body: Body, start: State[float], gravity: float) -> tuple[Motion, float, float]:
+    """A motion with two tilt maxima, and their times."""
+    scale = math.sqrt(body.radius / gravity)
+    duration = 16.0 * scale
+    while duration <= LONGEST * scale:
+        motion = simulate(body, start, NoSlip(), duration, gravity=gravity, rtol=1e-12)
+        maxima = _extrema(motion, rising=False)
+        if len(maxima) > 1:
+            return motion, float(maxima[0]), float(maxima[1])
+        if motion.status != "finished":
+            raise RimrollError(f"there is no nutation: {motion.message}")
+        duration *= 4.0
+    raise RimrollError(
+        f"there is no nutation: the tilt has no two maxima in {duration / 4.0:.3g} s"
+    )
+
+
+def _extrema(motion: Motion, *, rising: bool) -> NDArray[np.float64]:
+    """Times of the tilt minima, where the tilt rate rises through zero, or of the maxima."""
+    found = motion.crossings(lambda at: at.tilt_rate, rising=rising)
+    return np.array([event.t for event in found])
+
+
+def _half(
+    motion: Motion, first: float, middle: float, function: Callable[[Moments], NDArray[np.float64]]
+) -> NDArray[np.float64]:
+    """Times at which a function changes its sign between a tilt maximum and the minimum after it.
+
+    Functions that are even in time about an extremum do not change their sign there.
+    """
+    times = np.array([event.t for event in motion.crossings(function)])
+    margin = SAME * (middle - first)
+    return times[(times > first + margin) & (times < middle - margin)]
+
+
+def _fixed_point(
+    before: NDArray[np.float64], after: NDArray[np.float64], angle: float
+) -> NDArray[np.float64]:
+    """The point about which a rotation takes one point to another; infinite for a translation."""
+    half = math.remainder(angle, 2.0 * math.pi) / 2.0
+    if abs(half) < SAME:
+        return np.full(2, np.inf)
+    across = np.array([before[1] - after[1], after[0] - before[0]])
+    return 0.5 * (before + after) + across / (2.0 * math.tan(half))
