@@ -70,7 +70,7 @@ class Described:
             self.along or name,
             values,
             labels,
-            (self.unit or "") if self.labels is not None else _shown(unit),
+            self.unit or ("" if self.labels is not None else _shown(unit)),
             self.long_name,
         )
 

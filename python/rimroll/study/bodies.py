@@ -18,6 +18,7 @@ from rimroll.names import choose, nearest
 from rimroll.scenario import presets
 from rimroll.scenario.tables import as_toml, made, read_body, readable
 from rimroll.study.given import Block, Codes, Given, distinct, key_in, with_value
+from rimroll.study.targets import unit_of
 from rimroll.units import quantity
 
 NUMBERS = tuple(field.name for field in fields(Body))
@@ -90,7 +91,7 @@ def _made(table: Mapping[str, Any], anew: list[Given], later: list[Given], row: 
     """The body of a row, without its factors and before numbers are replaced."""
     whole = {key: value for key, value in table.items() if key != FACTORS}
     for one in anew:
-        key, value = key_in(one), one.at(row)
+        key, value = key_in(one), _with_unit(one, row)
         if key:
             whole = with_value(whole, key, value)
         else:
@@ -98,8 +99,14 @@ def _made(table: Mapping[str, Any], anew: list[Given], later: list[Given], row: 
     if not whole.keys() & {"preset", "solids"}:
         for one in later:
             if not key_in(one).startswith(FACTORS):
-                whole.setdefault(key_in(one), one.at(row))
+                whole.setdefault(key_in(one), _with_unit(one, row))
     return read_once(json.dumps(whole, sort_keys=True))
+
+
+def _with_unit(one: Given, row: int) -> Any:
+    """A value as it may stand in a file, where large numbers need a unit."""
+    value, unit = one.at(row), unit_of(one.of)
+    return value if unit in (None, "1") else f"{value!r} {unit}"
 
 
 @lru_cache(maxsize=4096)

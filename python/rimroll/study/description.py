@@ -19,7 +19,7 @@ from rimroll.study.axes import Axis, Described
 from rimroll.study.draws import OWN, Random, Sampling
 from rimroll.study.given import Block, Given
 from rimroll.study.kinds import KINDS, Kind
-from rimroll.study.targets import unit_of
+from rimroll.study.targets import targets, unit_of
 from rimroll.units import quantity
 
 TRIAL = "trial"
@@ -180,16 +180,21 @@ def _axis(name: str, table: object) -> Axis:
     if not isinstance(table, dict):
         raise RimrollError(f"must be a table or a list, got {as_toml(table)}")
     _, _, last = name.rpartition(".")
-    if "." in name:
+    if _is_key(name):
         table = {"of": name} | table
     return Described(**checked(_Axis, table, "").model_dump()).axis(last)
+
+
+def _is_key(name: str) -> bool:
+    """Whether the name of an axis says by itself what varies."""
+    return "." in name or name in targets()
 
 
 def _random(name: str, table: object) -> Random:
     if not isinstance(table, dict):
         raise RimrollError(f"must be a table, got {as_toml(table)}")
     _, _, last = name.rpartition(".")
-    rest = ({"of": name} if "." in name else {}) | table
+    rest = ({"of": name} if _is_key(name) else {}) | table
     for key in ("of", "distribution"):
         if not isinstance(rest.get(key), str):
             raise RimrollError(f"lacks {key!r}, a text")

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, hold
 from rimroll.ground import synthetic
-from rimroll.ground.ground import Ground
+from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.scenario.tables import Table, as_toml, checked, in_three, in_unit, made, read_ground
 from rimroll.study.given import Block, Codes, distinct, key_in, with_value
 
@@ -64,6 +64,7 @@ def grounds_of(table: Any, block: Block, folder: Path) -> GroundRows:
     scale = np.array(factors)[codes]
     for one in scales:
         scale = scale * one.array
+    made("[ground]", lambda: _expect_scale(scale))
     return GroundRows(grounds, codes, scale)
 
 
@@ -89,6 +90,11 @@ def _as_table(ground: Any) -> dict[str, Any]:
     if not isinstance(ground, Mapping):
         raise RimrollError(f"ground must be a table or a record, got {as_toml(ground)}")
     return dict(ground)
+
+
+def _expect_scale(scale: NDArray[np.float64]) -> None:
+    within = (scale >= 1.0 / MAX_FACTOR) & (scale <= MAX_FACTOR)
+    hold("scale", scale, within, "between 1e-6 and 1e6")
 
 
 def _scale(value: Any) -> float:

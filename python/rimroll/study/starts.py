@@ -71,9 +71,10 @@ def starts_of(start: Any, block: Block) -> StartRows:
             raise RimrollError(f"[start] a body that stands has no {moving[0]}: leave it out")
         numbers = checked(StartTable, {"tilt": 1.0, **table}, "[start]").model_dump()
         numbers["tilt"] = 0.0
-    rows = StartRows(numbers | {name: one.array for name, one in given.items()})
-    made("[start]", lambda: rows.state(np.arange(block.count)))
-    return rows
+    rows = numbers | {name: one.array for name, one in given.items()}
+    if not stands:
+        made("[start]", lambda: State(**rows))
+    return StartRows(rows)
 
 
 def releases_of(release: Any, block: Block, bodies: BodyRows, gravity: Array) -> StartRows:

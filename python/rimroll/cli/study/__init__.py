@@ -10,6 +10,7 @@ COMMANDS = {
     "plan": "What a study varies, how much that is, and how long it takes.",
     "run": "Compute what is not done of a study, into its store.",
     "status": "How much of a study is done, and who is at work.",
+    "show": "Maps, curves and histograms of a finished or partial study.",
     "verify": "Read all numbers of a store again, and print one hash of them.",
 }
 """Each command, a function in the module of that name, and its first line of help."""
