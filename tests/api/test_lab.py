@@ -22,8 +22,8 @@ CAN = rr.bodies.can_2007()
 START = rr.State(tilt="30 deg", tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
 
 
-def setup(body=None, start=None, law=None, duration=None, gravity=None):
-    text = setup_of(body, start, law, duration, gravity)
+def setup(body=None, start=None, law=None, duration=None, gravity=None, **shaking):
+    text = setup_of(body, start, law, duration, gravity, **shaking)
     return {name: value for name, (value,) in parse_qs(text, keep_blank_values=True).items()}
 
 
@@ -92,6 +92,74 @@ def test_laws_with_their_numbers():
 def test_a_law_that_the_lab_does_not_have_is_refused(law, reason):
     with pytest.raises(rr.RimrollError, match=f"law cannot be shown in the lab, .*{reason}"):
         setup(law=law)
+
+
+def read_as_the_page(given):
+    """The ground of a set-up, as web/src/floor/pulse.ts reads it."""
+    number = {name: float(given[name]) for name in ("shake", "direction", "vertical", "period")}
+    angle = np.radians(number["direction"])
+    x, y = number["shake"] * np.cos(angle), number["shake"] * np.sin(angle)
+    amplitude, period = (x, y, number["vertical"]), number["period"]
+    if given["pulse"] in ("sine", "cosine"):
+        return getattr(rr.ground, given["pulse"])(amplitude, period, float(given["cycles"]))
+    return getattr(rr.ground, given["pulse"])(amplitude, period)
+
+
+@pytest.mark.parametrize(
+    "ground",
+    [
+        rr.ground.sine((3.0, -1.5, 2.0), 1.2, 2.5),
+        rr.ground.cosine(3.0, 0.7, 3),
+        rr.ground.half_sine((0.0, 3.0, 0.0), 0.3),
+        rr.ground.rectangular(-3.67875, 0.58).rotated(0.4),
+        rr.ground.ricker((1.0, 2.0, 0.0), 0.9).scaled(1.3),
+    ],
+)
+def test_a_pulse_is_the_lab_s_floor(ground):
+    given = setup(start=rr.State.standing(yaw=0.5), ground=ground, flat="housner")
+    assert given["floor"] == "pulse" and given["flat"] == "housner"
+    assert given["start"] == "standing" and "tilt" not in given
+    read = read_as_the_page(given)
+    times = np.linspace(0.0, 1.1 * ground.duration, 200)
+    assert read.duration == ground.duration
+    np.testing.assert_allclose(read(times), ground(times), atol=1e-12)
+
+
+def test_a_lean_on_a_floor_that_moves_is_kept():
+    given = setup(start=START, ground=rr.ground.sine(3.0, 1.0))
+    assert given["tilt"] == "30" and "start" not in given and given["flat"] == "stop"
+
+
+@pytest.mark.parametrize(
+    ("ground", "flat", "message"),
+    [
+        (rr.ground.sampled(0.1, [0.0, 1.0, 0.0]), "stop", "one pulse .* and no records, got <Gro"),
+        (rr.ground.sine(3.0, (1.0, 2.0, 1.0)) + rr.ground.sine(1.0, 2.0), "stop", "one pulse"),
+        (rr.ground.ricker(3.0, 1.0, center=1.0), "stop", "one pulse"),
+        (
+            rr.ground.sine(3.0, 1.0),
+            0.5,
+            "flat cannot be shown in the lab, which has stop, smooth_l",
+        ),
+        (None, "stop", "start stands flat, which the lab shows on a ground that moves only"),
+        ("quake.at2", "stop", "ground must be a rimroll.Ground"),
+    ],
+)
+def test_a_ground_that_the_lab_does_not_have_is_refused(ground, flat, message):
+    with pytest.raises(rr.RimrollError, match=message):
+        setup(start=rr.State.standing(), ground=ground, flat=flat)
+
+
+@built
+def test_a_shaken_motion_keeps_its_ground_in_the_lab():
+    pulse = rr.ground.sine("0.9 g", 0.3)
+    shaken = rr.simulate(
+        CAN, rr.State.standing(), rr.NoSlip(), 2.0, ground=pulse, flat="smooth_left"
+    )
+    assert "floor=pulse" in shaken.lab(browser=False).setup
+    record = rr.ground.synthetic(1, 2.0)
+    with pytest.raises(rr.RimrollError, match="and no records"):
+        rr.simulate(CAN, rr.State.standing(), rr.NoSlip(), 2.0, ground=record).lab(browser=False)
 
 
 def test_what_is_not_one_motion_is_refused():

@@ -16,11 +16,13 @@ from rimroll.browser.setup_check import check
 from rimroll.errors import RimrollError
 from rimroll.given import Number, whole_number
 from rimroll.laws import Law
+from rimroll.motion.flat import FlatLanding
 from rimroll.output import writing
 from rimroll.state import State
 
 if TYPE_CHECKING:
     from rimroll.browser.server import BackgroundServer
+    from rimroll.ground.ground import Ground
 
 PATIENCE = 30.0
 """How long the browser may take to fetch the page, s."""
@@ -89,6 +91,8 @@ def lab(
     *,
     duration: Number | None = None,
     gravity: Number | None = None,
+    ground: Ground | None = None,
+    flat: FlatLanding = "stop",
     height: int = 760,
     browser: bool | None = None,
 ) -> Lab:
@@ -99,7 +103,7 @@ def lab(
 
     Parameters
     ----------
-    body, start, law, duration, gravity
+    body, start, law, duration, gravity, ground, flat
         What the lab begins with, as in :func:`rimroll.simulate`. What is left out has the lab's own
         value: the paper's can, leaning by 20° and released at rest on a table with friction 0.5.
         Bodies other than presets are drawn as plain cylinders. ``start.spin``, on which no motion
@@ -113,12 +117,14 @@ def lab(
     ------
     RimrollError
         A law that the lab does not have: it has ``NoSlip``, ``Frictionless`` and ``Coulomb`` with
-        one coefficient, each with dry rolling resistance. Many bodies, starts or laws; a number
-        outside the lab's bounds, such as a tilt of 90°; a page that is not built; a browser that
-        does not open.
+        one coefficient, each with dry rolling resistance. A ground that is not one pulse, the same
+        in all components but for its amplitude: the lab has no records. A ``flat`` with a seed or a
+        restitution. A start that stands flat without a ground. Many bodies, starts or laws; a
+        number outside the lab's bounds, such as a tilt of 90°; a page that is not built; a browser
+        that does not open.
     """
     pixels = whole_number("height", height)
-    setup = setup_of(body, start, law, duration, gravity)
+    setup = setup_of(body, start, law, duration, gravity, ground, flat)
     with built_page() as folder:
         check(setup, folder)
         shown = Lab(setup, page_alone(folder, setup), pixels)

@@ -407,7 +407,7 @@ class Motion(Moments):
         """The lab with this motion: in the notebook's cell, or in the browser.
 
         The options ``height`` and ``browser`` are those of :func:`rimroll.lab`, and so are the laws
-        that the lab has.
+        and the grounds that the lab has: one pulse, and no records.
         """
         from rimroll.browser.view import lab
 
@@ -417,6 +417,8 @@ class Motion(Moments):
             self.law,
             duration=self.duration,
             gravity=self.gravity,
+            ground=self.ground,
+            flat=self.flat,
             **options,
         )
 
