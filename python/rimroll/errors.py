@@ -43,7 +43,7 @@ def hold(
         import numpy as np  # not before: whoever only reports errors needs none
 
         index = tuple(np.argwhere(~holds)[0])
-        got = f"{values[index]} {unit}".rstrip()
+        got = f"{values[index]} {unit}".removesuffix(" 1").rstrip()
         advice = hint(float(values[index])) if hint else ""
         raise RimrollError(f"{element(field, index)} must be {bound}, got {got}{advice}")
 

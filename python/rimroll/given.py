@@ -72,7 +72,8 @@ def positive(field: str, value: object, unit: str = "1") -> float:
     """A number as :func:`number` reads it; ``RimrollError`` unless it is > 0 and finite."""
     read = number(field, value, unit)
     if not 0.0 < read < math.inf:
-        raise RimrollError(f"{field} must be > 0 and finite, got {read} {unit}")
+        got = f"{read} {unit}".removesuffix(" 1")
+        raise RimrollError(f"{field} must be > 0 and finite, got {got}")
     return read
 
 

@@ -92,7 +92,16 @@ def _draw_tilt(ax: Axes, motion: Motion, moments: Moments) -> None:
             tilts = [min(math.degrees(event.state.tilt), 0.97 * top) for event in found]
             times = [event.t for event in found]
             face = "none" if kind == "uplift" else "white"
-            ax.plot(times, tilts, marker, color=style.THEORY, mfc=face, label=words, zorder=3)
+            ax.plot(
+                times,
+                tilts,
+                marker,
+                color=style.THEORY,
+                mfc=face,
+                label=words,
+                zorder=3,
+                clip_on=False,
+            )
     shade_phases(ax, motion)
     slides = any(phase.kind.startswith("sliding") for phase in motion.phases)
     style.label(ax, "b", "tilt" + (", sliding shaded" if slides else ""), "", "$φ$ (°)")
@@ -122,7 +131,8 @@ def _draw_footprint(ax: Axes, motion: Motion, path: Array) -> None:
     around = np.linspace(0.0, 2.0 * np.pi, 181)
     rim = motion.body.radius * np.stack([np.cos(around), np.sin(around)], axis=-1)
     color = motion.law.color
-    for place, dashes, words in ((path[0], "-", "at the start"), (path[-1], "--", "at the end")):
+    last = "when it overturned" if motion.overturned else "at the end"
+    for place, dashes, words in ((path[0], "-", "at the start"), (path[-1], "--", last)):
         ax.plot(*(place + rim).T, dashes, color=style.CONTRAST, lw=0.8, label=words)
     ax.plot(*path.T, color=color, lw=0.9, label="path of its centre")
     ax.plot(*path[0], "o", color=color)

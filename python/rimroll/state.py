@@ -201,6 +201,8 @@ def times(t: Values) -> NDArray[np.float64]:
 
 
 def _hint(tilt: float) -> str:
+    if tilt == 0.0:
+        return "; for a body that stands flat on a table that moves give State.standing()"
     return in_degrees_hint(tilt) if tilt > math.pi else ""
 
 

@@ -1,19 +1,24 @@
 """Examples in docstrings are true, and everything public has a docstring."""
 
 import doctest
+import importlib
+from pathlib import Path
 
 import pytest
 
 import rimroll as rr
-import rimroll.body
-import rimroll.motion.motion
 
-
-@pytest.mark.parametrize(
-    "module", [rr, rimroll.body, rimroll.motion.motion], ids=lambda module: module.__name__
+PACKAGE = Path(rr.__file__).parent
+WITH_EXAMPLES = sorted(
+    ".".join(file.relative_to(PACKAGE.parent).with_suffix("").parts).removesuffix(".__init__")
+    for file in PACKAGE.rglob("*.py")
+    if "\n>>> " in (text := file.read_text("utf-8")) or "    >>> " in text
 )
-def test_examples_in_the_docstrings_are_true(module):
-    results = doctest.testmod(module)
+
+
+@pytest.mark.parametrize("name", WITH_EXAMPLES)
+def test_examples_in_the_docstrings_are_true(name):
+    results = doctest.testmod(importlib.import_module(name))
     assert results.attempted > 0 and results.failed == 0
 
 

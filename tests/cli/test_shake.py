@@ -82,6 +82,25 @@ def test_files_of_a_record_may_be_given_in_any_of_these_ways(stdout_of, files):
     assert bodiless["shaken"]["ground_peak"] == answer["shaken"]["ground_peak"]
 
 
+def test_headings_take_the_place_of_second_lines(tmp_path, stdout_of, error_of):
+    files = [tmp_path / f"{name}.at2" for name in "xyz"]
+    for file, record in zip(files, RECORD, strict=True):
+        lines = record.read_text("utf-8").splitlines()
+        lines[1] = "no direction here"
+        file.write_text("\n".join(lines), "utf-8")
+    given = f"shake {COLUMN} --record {' '.join(map(str, files))} --duration 3s --json"
+    assert "on the command line --headings 0,90,up" in error_of(given.removesuffix(" --json"))
+    answer = json.loads(stdout_of(f"{given} --headings 0,90,up"))
+    peak = rr.ground.read(*RECORD).peak
+    assert answer["shaken"]["ground_peak"] == peak._asdict()
+    scenario = tmp_path / "c.toml"
+    names = ", ".join(f'"{file.name}"' for file in files)
+    scenario.write_text(
+        f'[body]\npreset = "coin"\n[ground]\nrecord = [{names}]\nheadings = ["0", "90", "up"]\n'
+    )
+    assert load(scenario).ground.peak == peak
+
+
 @pytest.mark.parametrize(
     ("options", "ground"),
     [
@@ -172,6 +191,10 @@ def test_pictures_and_films_are_written(tmp_path, stdout_of):
         ("shake --pulse ricker --amplitude 3 --period 1 --cycles 2", "--cycles does not go with"),
         ("shake --pulse sine --amplitude 3,1 --period 1", "--amplitude must be one or three"),
         ("shake --pulse sine --amplitude 3kg --period 1", "--amplitude"),
+        (f"{PULSE} --scale 0", "--scale must be between 1e-6 and 1e6, got 0"),
+        (f"shake {COLUMN} --scale 0", "--scale must be between 1e-6 and 1e6, got 0"),
+        (f"{PULSE} --headings 0", "--headings needs --record"),
+        (f"shake {RECORD[0]} --headings 0,90", "headings must be one for each file, 1, got 2"),
         (f"{PULSE} --flat 2", "restitution must be between 0 and 1, got 2"),
         (f"{PULSE} --flat plastic", "must be one of stop, smooth"),
         (f"{PULSE} --tilt-rate 1", "a start needs --tilt"),
@@ -194,6 +217,7 @@ def test_errors_are_one_line_that_names_the_option(error_of, arguments, message)
         ('{ pulse = "sine", amplitude = [1, 2], period = 1 }', "amplitude must be one or three"),
         ('{ pulse = "sine", amplitude = 1, period = 1, color = 2 }', "unknown key 'color'"),
         ('{ record = "nosuch.csv" }', "nosuch.csv"),
+        ('{ pulse = "sine", amplitude = 3, period = 1, scale = 0 }', "scale must be between 1e-6"),
     ],
 )
 def test_errors_in_a_files_ground_name_the_table(tmp_path, ground, message):

@@ -42,6 +42,12 @@ def test_files_of_one_station_are_a_record_named_by_what_they_begin_with(tmp_pat
     assert found["RSN1_QUAKE_A"] == rr.ground.read(*a)
 
 
+def test_the_name_of_a_record_keeps_the_number_of_its_station(tmp_path):
+    files = [written(tmp_path, f"RSN3_LOMAP_G03{name}.AT2", name) for name in ("000", "090")]
+    up = written(tmp_path, "RSN3_LOMAP_G03-UP.AT2", "UP")
+    assert list(rr.ground.read_all(*files, up)) == ["RSN3_LOMAP_G03"]
+
+
 def test_a_list_is_one_record_and_a_csv_file_is_one(tmp_path):
     x = written(tmp_path, "x.AT2", "000")
     y = written(tmp_path, "other.AT2", "090", "Quake-01, 1/1/2001, Station B, {}")

@@ -98,6 +98,12 @@ def test_the_unit_of_the_intensity_scales_the_median_alone() -> None:
     assert other.dispersion == pytest.approx(one.dispersion, rel=1e-6)
 
 
+def test_its_text_is_a_line() -> None:
+    curve = rr.fragility([0, 3, 7, 10], [2.0, 3.0, 4.0, 6.0], trials=10)
+    assert repr(curve).startswith("<Fragility: median 3.464 (")
+    assert repr(curve).endswith("dispersion 0.221 (0.125 to 0.416), 40 trials>")
+
+
 def test_counts_are_as_good_as_single_trials() -> None:
     counted = rr.fragility([1, 4, 9], [1.0, 2.0, 4.0], trials=10)
     single = rr.fragility(

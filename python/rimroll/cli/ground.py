@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -57,6 +58,12 @@ class RecordOptions:
 class GroundOptions(RecordOptions):
     """How the table moves."""
 
+    headings: Annotated[
+        str | None,
+        _given(
+            "Directions of AT2 files in place of their second lines: 0,90,up or N40E,N50W.", "LIST"
+        ),
+    ] = None
     pulse: Annotated[str | None, _given(f"{', '.join(_PULSES)}.", "NAME", _PULSES)] = None
     amplitude: Annotated[
         str | None, _given("Of the pulse: along x, or x,y,z as in 0.3g,1m/s2,0.", "ACCELERATION")
@@ -132,6 +139,7 @@ def requested_shaking(options: GroundOptions, more: Sequence[Path], flat: str | 
         rotation=_number(options.rotate, "rad", "--rotate"),
         units=options.units,
         pad=options.pad,
+        headings=None if options.headings is None else options.headings.split(","),
     )
     try:
         ground = description.made(_called)
@@ -140,7 +148,7 @@ def requested_shaking(options: GroundOptions, more: Sequence[Path], flat: str | 
         if field not in OPTION_OF:
             raise
         raise RimrollError(OPTION_OF[field] + str(error).removeprefix(field)) from None
-    return Shaking(ground, given_flat(flat), description.changed)
+    return Shaking(ground, given_flat(flat), partial(description.changed, called=_called))
 
 
 def given_flat(text: str | None) -> FlatLanding | None:

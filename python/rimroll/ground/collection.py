@@ -11,6 +11,7 @@ from rimroll.errors import RimrollError
 from rimroll.ground.at2 import is_at2, station_of
 from rimroll.ground.files import record_of, texts_of
 from rimroll.ground.ground import Ground
+from rimroll.ground.names import direction_of
 
 PathLike = str | os.PathLike[str]
 
@@ -79,11 +80,20 @@ def _names(groups: list[list[Named]]) -> list[str]:
 
 
 def _beginning(words: list[str]) -> str:
-    """What all words begin with, without a part of a number."""
+    """What all words begin with; if they can be taken for it, before their directions."""
     if len(words) == 1:
         return words[0]
     same = takewhile(lambda letters: len(set(letters)) == 1, zip(*words, strict=False))
     start = "".join(letters[0] for letters in same)
-    if any(word[len(start) :][:1].isdigit() for word in words):
-        start = start.rstrip("0123456789")
+    for length in range(len(start), 0, -1):
+        rest = [word[length:].strip(LOOSE_ENDS) for word in words]
+        if all(map(_is_direction, rest)):
+            return start[:length].rstrip(LOOSE_ENDS)
     return start.rstrip(LOOSE_ENDS)
+
+
+def _is_direction(word: str) -> bool:
+    """Whether a word is the direction in the name of a file: three digits, or UP and the like."""
+    if word.isdigit():
+        return len(word) == 3
+    return direction_of(word) is not None

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rimroll.errors import RimrollError
 from rimroll.ground.files import read
-from rimroll.ground.ground import Ground
+from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.ground.pulses import cosine, half_sine, rectangular, ricker, sine
 from rimroll.names import choose, typed
 
@@ -47,6 +47,7 @@ class Description:
     units: str | None = None
     component: str | None = None
     pad: bool = False
+    headings: Sequence[str] | None = None
 
     def made(self, called: Callable[[str], str] = str) -> Ground | None:
         """The ground; None if there is neither a record nor a pulse.
@@ -57,18 +58,28 @@ class Description:
         parts = [part for part in (self._recorded(called), self._pulsed(called)) if part]
         if not parts:
             return None
-        return self.changed(parts[0] if len(parts) == 1 else parts[0] + parts[1])
+        return self.changed(parts[0] if len(parts) == 1 else parts[0] + parts[1], called)
 
-    def changed(self, ground: Ground) -> Ground:
-        """A ground scaled and turned as this describes it."""
+    def changed(self, ground: Ground, called: Callable[[str], str] = str) -> Ground:
+        """A ground scaled and turned as this describes it; ``called`` as for :meth:`made`."""
         if self.scale is not None:
+            if not 1.0 / MAX_FACTOR <= self.scale <= MAX_FACTOR:
+                raise RimrollError(
+                    f"{called('scale')} must be between 1e-6 and 1e6, got {self.scale:g}"
+                )
             ground = ground.scaled(self.scale)
         return ground if self.rotation is None else ground.rotated(self.rotation)
 
     def _recorded(self, called: Callable[[str], str]) -> Ground | None:
         if self.record:
-            return read(*self.record, units=self.units, component=self.component, pad=self.pad)
-        for name in ("units", "component", "pad"):
+            return read(
+                *self.record,
+                headings=self.headings,
+                units=self.units,
+                component=self.component,
+                pad=self.pad,
+            )
+        for name in ("headings", "units", "component", "pad"):
             if getattr(self, name) not in (None, False):
                 raise RimrollError(f"{called(name)} needs {called('record')}")
         return None

@@ -148,7 +148,7 @@ def _of_components(
         if direction is None:
             raise RimrollError(
                 f"{one.name}: line 2 does not end with a direction: give headings, as in"
-                ' headings=("0 deg", "90 deg", "up")'
+                ' headings=("0 deg", "90 deg", "up") (on the command line --headings 0,90,up)'
             )
         if isinstance(direction, str):
             vertical.append(one)

@@ -178,6 +178,7 @@ def in_three(unit: str) -> BeforeValidator:
 
 class _Ground(Table):
     record: str | list[str] = []
+    headings: list[str] | None = None
     units: str | None = None
     component: str | None = None
     pad: bool = False
@@ -291,7 +292,7 @@ def read_ground(given: dict[str, Any], folder: Path) -> Ground:
         numbers=numbers,
         **{
             name: getattr(table, name)
-            for name in ("scale", "rotation", "units", "component", "pad")
+            for name in ("scale", "rotation", "headings", "units", "component", "pad")
         },
     )
     ground = made("[ground]", description.made)

@@ -52,7 +52,7 @@ MEASURES = {
 DOUBLINGS = 5
 """How often the search for strong shaking doubles the shaking that may lift the body."""
 
-ENOUGH = 0.75
+ENOUGH = 0.9
 """The part of the bodies that overturns at the upper end of the usual range."""
 
 
@@ -100,7 +100,7 @@ class Rocking:
         """Usual levels of the measure (points,).
 
         They run from the weakest shaking that can lift the body, g R/H of horizontal acceleration,
-        evenly to one that overturns three quarters of the bodies, which is found by doubling; if
+        evenly to one that overturns nine tenths of the bodies, which is found by doubling; if
         none does, to that which overturns the most.
         """
         if math.isinf(tangent(self.body)):

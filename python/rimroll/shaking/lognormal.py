@@ -28,7 +28,7 @@ SHOWN = 6
 """The number of intensities that a warning lists."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Fragility:
     """A lognormal fragility curve P(im) = Φ(ln(im/θ)/β) with intervals of its parameters.
 
@@ -63,6 +63,14 @@ class Fragility:
     trials: Array
     undecided: Array
     limit: float | None = None
+
+    def __repr__(self) -> str:
+        low, high = self.median_interval
+        least, most = self.dispersion_interval
+        return (
+            f"<Fragility: median {self.median:.4g} ({low:.4g} to {high:.4g}), dispersion"
+            f" {self.dispersion:.3g} ({least:.3g} to {most:.3g}), {self.trials.sum():.0f} trials>"
+        )
 
     def __call__(self, intensity: Values) -> Array:
         """The probability of overturning at intensities of any shape, > 0."""
@@ -151,7 +159,7 @@ def fragility(
     >>> import rimroll as rr
     >>> curve = rr.fragility([0, 3, 7, 10], [2.0, 3.0, 4.0, 6.0], trials=10)
     >>> round(curve.median, 2), round(curve.dispersion, 2)
-    (3.47, 0.26)
+    (3.46, 0.22)
 
     Raises
     ------
@@ -291,8 +299,9 @@ def _expect_overlap(count: Array, logs: Array, of: Array, did: str) -> None:
     if fell.min() >= stood.max():
         raise RimrollError(
             f"the data are separable: every body that {did} did so at an intensity of at least"
-            f" {math.exp(fell.min()):g}, and no other reached more than {math.exp(stood.max()):g},"
-            " so that the dispersion with the largest likelihood is 0"
+            f" {math.exp(fell.min()):.6g}, and no other was shaken by more than"
+            f" {math.exp(stood.max()):.6g}, so that the dispersion with the largest likelihood is"
+            " 0; more intensities between these, or more records, determine a curve"
         )
     if fell.max() <= stood.min():
         raise RimrollError("the probability of overturning does not grow with the intensity")
