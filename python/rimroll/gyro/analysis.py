@@ -144,11 +144,11 @@ def analyze(
     >>> import rimroll as rr
     >>> can = rr.bodies.can_2007()
     >>> start = rr.State(tilt=0.5, yaw_rate=0.1)
-    >>> motion = rr.simulate(can, start, rr.Coulomb(0.2), duration=0.4)
+    >>> motion = rr.simulate(can, start, rr.Coulomb(0.2), duration=0.8)
     >>> record = rr.gyro.phone().record(motion)
     >>> found = rr.gyro.analyze(record, can)
     >>> len(found.collisions), abs(found.friction.best - 0.2) < 0.05
-    (1, True)
+    (2, True)
     """
     expect("record", record, Record)
     one_body(body)
