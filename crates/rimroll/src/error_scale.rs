@@ -16,7 +16,7 @@ const SLOW: f64 = 1e-2;
 #[derive(Clone, Copy)]
 pub(crate) struct ErrorScale<T> {
     mass: T,
-    radius: T,
+    pub(crate) radius: T,
     /// √(g/R), the natural unit of rates.
     falling_rate: T,
     per_falling_rate: T,

@@ -51,8 +51,9 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
 
     /// The system on a table that moves, whose acceleration has rounding errors. They change the rates of rotation by
     /// more than a tolerance relative to the rates themselves, where these are tiny: as a body begins to rock, and in
-    /// planar motions. The rounding errors of the work so far are large beside the energy of a body that begins to
-    /// rock again.
+    /// planar motions. They do the same to a slip across the plane of such a motion. (A dry slip has no such floor: it
+    /// would not stop with errors as large as itself, and friction holds its direction.) The rounding errors of the work
+    /// so far are large beside the energy of a body that begins to rock again.
     pub(super) fn on_moving_table(self) -> Self {
         let k = self.dynamics.parameters();
         Mechanics {
@@ -87,6 +88,14 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> Mechanics<'a, T, L> {
     fn scales(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let scales = if self.dry {
             self.error_scale.scales_in_dry_slip(u)
+        } else if cfg!(feature = "ground") {
+            let scales = self.error_scale.scales(u);
+            let slip_floor = self.error_scale.radius * self.rate_floor;
+            Coordinates {
+                slip_x: scales.slip_x + slip_floor,
+                slip_y: scales.slip_y + slip_floor,
+                ..scales
+            }
         } else {
             self.error_scale.scales(u)
         };
