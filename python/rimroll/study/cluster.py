@@ -13,6 +13,7 @@ import logging
 import os
 import queue
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
@@ -32,6 +33,9 @@ PATIENCE = 5.0
 
 AHEAD = 3
 """Tasks given to the scheduler for each thread of the cluster: all at once would choke it."""
+
+RECOUNT = 2.0
+"""Time (s) between two looks at how many threads the cluster has."""
 
 TRIES = 3
 """How often a chunk that raises an unexpected error is tried."""
@@ -143,6 +147,7 @@ class _Tasks:
 
     def __init__(self, client: Any, store: Store, plan: Plan) -> None:
         self.given: dict[int, Any] = {}
+        self._threads, self._counted = 1, -RECOUNT
         self._client = client
         self._ended: queue.SimpleQueue[int] = queue.SimpleQueue()
         content = json.dumps(plan.study.to_dict())
@@ -150,9 +155,12 @@ class _Tasks:
         self._name = f"rimroll-{store.identity}-{os.urandom(4).hex()}"
 
     def room(self) -> int:
-        """How many more tasks to give to the scheduler."""
-        threads = sum(self._client.nthreads().values())
-        return int(AHEAD * max(1, threads) - len(self.given))
+        """How many more tasks to give to the scheduler; workers come and go."""
+        now = time.monotonic()
+        if now >= self._counted + RECOUNT:
+            self._counted = now
+            self._threads = max(1, sum(self._client.nthreads().values()))
+        return AHEAD * self._threads - len(self.given)
 
     def give(self, chunk: int) -> None:
         future = self._client.submit(

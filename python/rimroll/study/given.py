@@ -52,7 +52,10 @@ class Block:
 def distinct(count: int, codes: Iterable[Codes]) -> tuple[Codes, Codes]:
     """A row for each combination of codes that occurs, and the index of each row's combination."""
     combined = np.zeros(count, np.int64)
-    for each in codes:
+    varying = [each for each in codes if (each != each[0]).any()]
+    if not varying:  # as in most chunks of large studies
+        return np.zeros(1, np.int64), combined
+    for each in varying:
         size = int(each.max(initial=0)) + 1
         _, combined = np.unique(combined * size + each, return_inverse=True)
     _, rows, place = np.unique(combined, return_index=True, return_inverse=True)

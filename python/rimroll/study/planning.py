@@ -73,7 +73,10 @@ def computed(
     for call in cases.calls():
         results = description.kind.computed(call, threads, report)
         for name in found:
-            found[name][call.rows] = results[name]
+            if len(call.rows) == block.count:
+                found[name] = results[name].astype(found[name].dtype, copy=False)
+            else:
+                found[name][call.rows] = results[name]
         done += len(call.rows)
     found |= _inputs(description, cases, columns)
     return {name: found[name] for name in columns}

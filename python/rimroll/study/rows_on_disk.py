@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -33,8 +34,9 @@ class RowsOnDisk:
         with told(self._path):
             for name, array in arrays.items():
                 array[place or ...] = written[name].reshape(shape)
-            for file in self.files(chunk):
-                _flush(file)
+            # At the same time, since a disk writes many files at once nearly as fast as one.
+            with ThreadPoolExecutor(len(arrays)) as pool:
+                list(pool.map(_flush, self.files(chunk)))
         return digest(written)
 
     def read(self, chunk: int) -> Columns:
