@@ -1,7 +1,10 @@
 """``rimroll lab`` serves the page that comes with the package, to this machine alone."""
 
+import gzip
 import math
 import re
+import socket
+import struct
 from http.client import HTTPConnection
 from threading import Thread
 from urllib.parse import unquote
@@ -51,10 +54,10 @@ def server(package):
         thread.join()
 
 
-def get(server, path):
+def get(server, path, **headers):
     """Requests a path unchanged; a client that normalises paths would hide errors."""
     connection = HTTPConnection("127.0.0.1", server.server_port)
-    connection.request("GET", path)
+    connection.request("GET", path, headers=headers)
     response = connection.getresponse()
     content = response.read()
     connection.close()
@@ -81,6 +84,56 @@ def test_nothing_beside_the_page_is_served(server, path):
     response, content = get(server, path)
     assert response.status == 404
     assert content != b"secret"
+
+
+@pytest.mark.parametrize("path", ["/%00", "/index.html%00", "/" + "a" * 5000, "/?q=%ff", "/%ff"])
+def test_odd_paths_are_not_found_and_print_nothing(server, capfd, path):
+    assert get(server, path)[0].status == (200 if path.startswith("/?") else 404)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_browser_that_ends_a_request_early_prints_nothing(server, capfd):
+    for request in (
+        b"GET / HTTP/1.1\r\nHost: 127.0.0.1",
+        b"GET / HTTP/1.1\r\n\r\n",
+        b"\x00\xff\r\n\r\n",
+    ):
+        with socket.create_connection(server.server_address) as connection:
+            # A reset in the middle of the answer.
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            connection.sendall(request)
+    assert get(server, "/")[0].status == 200
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("host", ["rebound.example", "rebound.example:{port}", "127.0.0.1.example"])
+def test_another_host_name_is_not_answered(server, host):
+    response, content = get(server, "/", Host=host.format(port=server.server_port))
+    assert response.status == 421
+    assert FILES["index.html"][0] not in content
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1:{port}", "localhost:{port}", "localhost"])
+def test_its_own_host_name_is_answered(server, host):
+    assert get(server, "/", Host=host.format(port=server.server_port))[0].status == 200
+
+
+def test_what_is_served_keeps_to_itself(server):
+    for path in ("/", "/assets/page.js", "/missing"):
+        headers = get(server, path)[0].headers
+        assert headers["X-Content-Type-Options"] == "nosniff"
+        policy = headers["Content-Security-Policy"]
+        assert policy.startswith("default-src 'none'; script-src 'self'")
+        assert "'wasm-unsafe-eval'" in policy
+        assert not re.search(r"https?:|\*", policy)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files_are_compressed_for_those_who_ask(server, name):
+    response, content = get(server, "/" + name, **{"Accept-Encoding": "gzip, br"})
+    assert response.headers["Content-Encoding"] == "gzip"
+    assert gzip.decompress(content) == FILES[name][0]
+    assert "Content-Encoding" not in get(server, "/" + name)[0].headers
 
 
 def test_folders_are_not_listed(server):

@@ -1,26 +1,19 @@
-"""Serves the page on this machine, to this machine alone: its folder, or one text."""
+"""Serves the page on this machine, to this machine alone: its folder, or one text.
+
+Only requests to this machine by its own name are answered, so that a web page from elsewhere whose
+host name leads to this machine cannot read what is served.
+"""
 
 from __future__ import annotations
 
-import os
+import gzip
 from functools import partial
-from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http import HTTPStatus
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from io import BytesIO
 from pathlib import Path
 from threading import Event, Thread
-from typing import Any
-
-
-class PageServer(ThreadingHTTPServer):
-    """Serves the files of a folder at ``address``; port 0 is any that is free."""
-
-    def __init__(self, folder: Path, port: int = 0) -> None:
-        super().__init__(("127.0.0.1", port), partial(_Handler, directory=str(folder)))
-
-    @property
-    def address(self) -> str:
-        """Where a browser finds the page."""
-        return f"http://127.0.0.1:{self.server_port}/"
-
+from typing import Any, BinaryIO
 
 # All that a page consists of; machines differ in which of these they know by themselves.
 _TYPES = {
@@ -29,25 +22,95 @@ _TYPES = {
     ".css": "text/css",
     ".wasm": "application/wasm",
     ".json": "application/json",
+    ".webmanifest": "application/manifest+json",
     ".txt": "text/plain; charset=utf-8",
+    ".svg": "image/svg+xml",
+    ".png": "image/png",
 }
+_PACKED = {".png"}
+
+_POLICY = "; ".join(
+    (
+        "default-src 'none'",
+        # The page has scripts and styles in itself, and compiles WebAssembly.
+        "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval' blob:",
+        "style-src 'self' 'unsafe-inline'",
+        "img-src 'self' data: blob:",
+        "connect-src 'self'",
+        "manifest-src 'self'",
+        "base-uri 'none'",
+        "form-action 'none'",
+    )
+)
+
+
+class _Server(ThreadingHTTPServer):
+    @property
+    def address(self) -> str:
+        """Where a browser finds the page."""
+        return f"http://127.0.0.1:{self.server_port}/"
+
+    def handle_error(self, request: object, client_address: object) -> None:
+        """A browser that ends a request early is no error."""
+
+
+class PageServer(_Server):
+    """Serves the files of a folder at ``address``; port 0 is any that is free."""
+
+    def __init__(self, folder: Path, port: int = 0) -> None:
+        super().__init__(("127.0.0.1", port), partial(_Folder, directory=str(folder)))
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    def guess_type(self, path: str | os.PathLike[str]) -> str:
-        return _TYPES.get(Path(path).suffix, "application/octet-stream")
+    """Answers requests by this machine's own name; its headers keep the page to itself."""
+
+    def parse_request(self) -> bool:
+        if not super().parse_request():
+            return False
+        host = self.headers.get("Host", "").rpartition(":")[0] or self.headers.get("Host", "")
+        if host in ("127.0.0.1", "localhost", ""):
+            return True
+        self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
+        return False
 
     def end_headers(self) -> None:
         # Another version of the page may have been at this port before.
         self.send_header("Cache-Control", "no-cache")
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.send_header("Content-Security-Policy", _POLICY)
+        self.send_header("Referrer-Policy", "no-referrer")
         super().end_headers()
 
-    def list_directory(self, path: object) -> None:
-        """A folder without a page is not shown."""
-        self.send_error(404)
+    def answer(self, content: bytes, suffix: str) -> BytesIO:
+        """Send the headers of a content, and return it as it is to be sent: compressed if asked."""
+        accepted = self.headers.get("Accept-Encoding", "")
+        packed = "gzip" in accepted and suffix not in _PACKED
+        if packed:
+            content = gzip.compress(content, 6, mtime=0)
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", _TYPES.get(suffix, "application/octet-stream"))
+        self.send_header("Content-Length", str(len(content)))
+        self.send_header("Vary", "Accept-Encoding")
+        if packed:
+            self.send_header("Content-Encoding", "gzip")
+        self.end_headers()
+        return BytesIO(content)
 
     def log_message(self, format: str, *arguments: object) -> None:
         """Logs nothing."""
+
+
+class _Folder(_Handler):
+    def send_head(self) -> BytesIO | BinaryIO | None:
+        try:
+            file = Path(self.translate_path(self.path))
+            if self.path.partition("?")[0] == "/":
+                file = file / "index.html"
+            content = file.read_bytes()
+        except (OSError, ValueError):  # no such file, a folder, or a name that no file can have
+            self.send_error(HTTPStatus.NOT_FOUND)
+            return None
+        return self.answer(content, file.suffix)
 
 
 class BackgroundServer:
@@ -57,28 +120,24 @@ class BackgroundServer:
         self.fetched = Event()
         """Set when a browser has fetched the page."""
         handler = partial(_OnePage, page=page.encode(), fetched=self.fetched)
-        server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
-        self.address = f"http://127.0.0.1:{server.server_port}/"
+        server = _Server(("127.0.0.1", 0), handler)
+        self.address = server.address
         Thread(target=server.serve_forever, daemon=True).start()
 
 
-class _OnePage(BaseHTTPRequestHandler):
+class _OnePage(_Handler):
     def __init__(self, *request: Any, page: bytes, fetched: Event) -> None:
         self._page = page
         self._fetched = fetched
         super().__init__(*request)
 
-    def do_GET(self) -> None:
+    def send_head(self) -> BytesIO | None:
         if self.path != "/":
-            self.send_error(404)
-            return
-        self.send_response(200)
-        self.send_header("Content-Type", _TYPES[".html"])
-        self.send_header("Content-Length", str(len(self._page)))
-        self.send_header("Cache-Control", "no-cache")
-        self.end_headers()
-        self.wfile.write(self._page)
-        self._fetched.set()
+            self.send_error(HTTPStatus.NOT_FOUND)
+            return None
+        return self.answer(self._page, ".html")
 
-    def log_message(self, format: str, *arguments: object) -> None:
-        """Logs nothing."""
+    def do_GET(self) -> None:
+        super().do_GET()
+        if self.path == "/":
+            self._fetched.set()

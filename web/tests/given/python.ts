@@ -4,7 +4,7 @@ import { spawn } from "node:child_process";
 import { text } from "node:stream/consumers";
 import { fileURLToPath } from "node:url";
 
-const PYTHON = fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
+export const PYTHON = fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 const RUN_CODE = fileURLToPath(new URL("run_code.py", import.meta.url));
 
 /** The motion that a piece of code computed. */
