@@ -4,6 +4,7 @@
 import type { Plugin } from "vite";
 import { FIELDS, type ChoiceField, type NumberField, type RecordField } from "./src/setup/fields";
 import { SPEEDS, VIEWS } from "./src/setup/playback";
+import { STEPS } from "./src/story/steps";
 
 /** The accepted values of a quantity: choices, texts of a pattern, or numbers within bounds. */
 type Allowed =
@@ -35,6 +36,7 @@ export function allowed(): Record<string, Allowed> {
     speed: { choices: SPEEDS.map(String) },
     slow: { choices: ["0", "1"] },
     view: { choices: [...VIEWS] },
+    step: { choices: STEPS.map((_, k) => String(k + 1)) },
   };
   return { ...Object.fromEntries(quantities), ...playback };
 }

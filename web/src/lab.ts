@@ -39,6 +39,11 @@ const FIRST_STEPS = 2000;
 /** The remaining steps are computed after this time without a change, ms. */
 const COMPLETION_DELAY = 250;
 
+/** Changes of the set-up with shorter pauses between them are undone together, ms. */
+const UNDO_PAUSE = 700;
+/** Largest number of changes that can be undone. */
+const MAX_UNDO = 100;
+
 /** The turn at the time shown: its angle so far, in rad, from the time (s) at which it starts. */
 export interface TurnProgress {
   angle: number;
@@ -78,6 +83,12 @@ export class Lab {
   readonly tableHeld: Signal<Displacement | undefined> = signal(undefined);
   /** From where the body is seen. */
   readonly view: Signal<ViewName> = signal(INITIAL_PLAYBACK.view);
+  /** Step of the story, counted from 0. */
+  readonly step: Signal<number> = signal(0);
+  /** Set-ups before the latest changes. */
+  private readonly before: Signal<readonly Readonly<Setup>[]> = signal([]);
+  private changed = -Infinity;
+  readonly canUndo: ReadonlySignal<boolean> = computed(() => this.before.value.length > 0);
   /** Azimuth of the camera, rad. */
   azimuth = -Math.PI / 2;
   /** Whether the complete motion is wanted, however long that takes. */
@@ -136,7 +147,36 @@ export class Lab {
 
   /** Changes a part of the set-up and shows the new motion from the release. */
   change(part: Partial<Setup>): void {
-    const setup = { ...this.setup.value, ...part };
+    this.remember(part);
+    this.set({ ...this.setup.value, ...part });
+  }
+
+  /** Goes back to the set-up before the latest change. */
+  undo(): void {
+    const setup = this.before.value.at(-1);
+    if (!setup) return;
+    this.before.value = this.before.value.slice(0, -1);
+    this.changed = -Infinity;
+    this.set(setup);
+  }
+
+  /** Forgets all earlier set-ups, so that nothing before this one can be restored. */
+  beginHere(): void {
+    this.before.value = [];
+  }
+
+  /** Keeps the set-up for {@link undo}, but only one for changes that follow each other quickly, as a slider's do. */
+  private remember(part: Partial<Setup>): void {
+    const old = this.setup.value;
+    const differs = (name: string) => part[name as keyof Setup] !== old[name as keyof Setup];
+    if (!Object.keys(part).some(differs)) return;
+    const now = performance.now();
+    if (now - this.changed > UNDO_PAUSE)
+      this.before.value = [...this.before.value.slice(1 - MAX_UNDO), old];
+    this.changed = now;
+  }
+
+  private set(setup: Readonly<Setup>): void {
     batch(() => {
       if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
         this.clock.pause();

@@ -4,11 +4,13 @@ import { followAnchors } from "./anchors";
 import { mountControls } from "./controls/controls";
 import { Core } from "./core/core";
 import { element } from "./elements";
+import { embed } from "./embed";
 import { shakeOnDemand } from "./floor/loading";
 import { mountFlicks } from "./flicks/flicks";
 import { Lab } from "./lab";
+import { mountLimits } from "./limits/section";
 import { mountScene } from "./scene/scene";
-import { keepInAddress } from "./setup/address";
+import { EMBED, keepInAddress } from "./setup/address";
 import { mountShare } from "./share/share";
 import { mountStory } from "./story/story";
 import "./style/page.css";
@@ -34,7 +36,9 @@ async function start(): Promise<void> {
   mountControls(lab, section("controls"));
   mountFlicks(lab, section("flicks"));
   loadingPlots.then(({ mountPlots }) => mountPlots(lab, section("plots"))).catch(console.error);
+  if (EMBED) embed(lab, section("transport"));
   mountShare(lab, section("share"));
+  mountLimits(lab, section("limits"));
 }
 
 /** The page that rimroll.lab makes carries the core, since it may load nothing. */

@@ -3,6 +3,7 @@
 
 import { effect } from "@preact/signals-core";
 import type { Clock } from "./clock";
+import { advanceFrame } from "./frames";
 
 /** Longest time that one frame advances, s: time lost while the page was paused is not made up. */
 const MAX_FRAME = 0.1;
@@ -15,7 +16,8 @@ export function startTicker(clock: Clock): void {
       return;
     }
     try {
-      if (before !== undefined) clock.advance(Math.min((now - before) / 1000, MAX_FRAME));
+      const passed = before === undefined ? 0 : Math.min((now - before) / 1000, MAX_FRAME);
+      advanceFrame(now, () => clock.advance(passed));
     } catch (error) {
       // Pressing play again must start it again.
       before = undefined;

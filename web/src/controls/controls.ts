@@ -20,22 +20,36 @@ export function mountControls(lab: Lab, place: HTMLElement): void {
   const release = RELEASE.map((name) => numberRow(form, name, idle).row);
   place.append(
     element("h2", { class: "unseen" }, "Set-up"),
-    choiceList(form, "body"),
-    ...bodyRows(form),
-    ...release,
-    choiceButtons(form, "law"),
-    frictionRow(form),
-    more(form),
-    floorGroup(form),
-    otherRefusals(lab),
+    element(
+      "div",
+      { class: "quantities" },
+      choiceList(form, "body"),
+      ...bodyRows(form),
+      ...release,
+      choiceButtons(form, "law"),
+      frictionRow(form),
+      more(form),
+      floorGroup(form),
+      otherRefusals(lab),
+    ),
     element(
       "div",
       { class: "foot" },
       hintFor(place),
       button("Let go", () => form.letGo(), { class: "primary", id: "let-go" }),
+      undoButton(form),
       button("Reset", () => form.reset(), { id: "reset" }),
     ),
   );
+}
+
+function undoButton(form: SetupForm): HTMLElement {
+  const undo = button("Undo", () => form.undo(), { id: "undo" });
+  effect(() => {
+    // A disabled button would lose the focus after it is pressed.
+    undo.setAttribute("aria-disabled", String(!form.lab.canUndo.value));
+  });
+  return undo;
 }
 
 /** Whether the body starts flat on its base, on a floor that moves. */
@@ -76,7 +90,7 @@ function more(form: SetupForm): HTMLElement {
 }
 
 /** Settings of the playback, which a link may hold. */
-const PLAYBACK: readonly string[] = ["speed", "slow", "view"];
+const PLAYBACK: readonly string[] = ["speed", "slow", "view", "step"];
 
 /** Refusals from a link that have no visible field: of another body, or of the playback. */
 function otherRefusals(lab: Lab): HTMLElement {

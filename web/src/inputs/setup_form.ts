@@ -41,6 +41,12 @@ export class SetupForm {
     });
   }
 
+  /** Takes the latest change back. */
+  undo(): void {
+    this.flush();
+    this.lab.undo();
+  }
+
   /** Plays the motion from the release, with everything that has been set. */
   letGo(): void {
     this.flush();

@@ -95,6 +95,7 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     () => draw(visible.value),
   );
   onceIdle(drawn, () => draw(chosenCharts.value));
+  addEventListener("beforeprint", () => draw(chosenCharts.value));
   oncePerFrame(
     () => lab.clock.time.value,
     () => showMoment(visible.value),

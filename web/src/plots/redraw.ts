@@ -1,6 +1,7 @@
 // Schedules drawing: at most once per frame, and later for what is out of sight.
 
 import { type ReadonlySignal, effect, signal } from "@preact/signals-core";
+import { inFrame } from "../frames";
 
 /** Runs an action in the next frame after signals have changed. */
 export function oncePerFrame(read: () => unknown, act: () => void): void {
@@ -9,7 +10,7 @@ export function oncePerFrame(read: () => unknown, act: () => void): void {
     read();
     if (waiting) return;
     waiting = true;
-    requestAnimationFrame(() => {
+    inFrame(() => {
       waiting = false;
       act();
     });

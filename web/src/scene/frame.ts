@@ -18,6 +18,8 @@ export interface Frame {
   /** The length of a square of the grid. */
   scale: HTMLElement;
   notice: HTMLElement;
+  /** Says how a finger takes the body. */
+  tip: HTMLElement;
   reset: HTMLButtonElement;
   /** Buttons that take the camera to a place. */
   places: ReadonlyMap<ViewName, HTMLButtonElement>;
@@ -44,14 +46,16 @@ export function frameIn(place: HTMLElement): Frame {
   const words = element("div", "table-words");
   const notice = element("p", "table-notice");
   notice.setAttribute("role", "status");
+  const tip = element("p", "table-tip", "Hold the body for a moment, then tip it.");
+  tip.hidden = true;
   const reset = button("Reset view");
   const places = new Map(PLACES.map(([name, text]) => [name, button(text)]));
   const tools = element("div", "table-tools");
   tools.append(reset, ...places.values(), help());
   const [legend, scale] = key();
-  stage.append(canvas, words, legend, tools, notice);
+  stage.append(canvas, words, legend, tools, tip, notice);
   place.replaceChildren(stage);
-  return { stage, canvas, words, scale, notice, reset, places };
+  return { stage, canvas, words, scale, notice, tip, reset, places };
 }
 
 function button(text: string): HTMLButtonElement {
@@ -74,7 +78,7 @@ function help(): HTMLElement {
     element(
       "p",
       "",
-      "Drag the body to tip it. Let go to release it, or let go while moving to flick it. " +
+      "Drag the body to tip it; with a finger, first hold it for a moment. Let go to release it, or let go while moving to flick it. " +
         "Drag the table to look from another side. To zoom, pinch, or turn the mouse wheel " +
         "after a click on the picture or with Ctrl.",
     ),

@@ -1,11 +1,15 @@
-// Gestures with mouse, pen and fingers: on the body they grasp it, elsewhere they turn the view. On a
-// phone a finger that moves up or down beside the body scrolls the page as usual.
+// Gestures with mouse, pen and fingers: on the body they grasp it, elsewhere they turn the view. A finger
+// grasps the body after it has rested on it; one that moves up or down at once scrolls the page as usual.
 
 import type { Hands } from "./hands";
 import type { View } from "./view";
 
 /** rad per pixel */
 const TURN = 0.006;
+/** A finger holds the body after resting on it for this time, ms, and moving less than this, px. */
+const [REST, STILL] = [220, 8];
+/** A delay by more than this is that of a busy machine, ms. */
+const LATE = 50;
 
 export interface Grasped {
   /** Converts a movement on the screen, px, into a change of the lean, rad. */
@@ -19,27 +23,59 @@ export function listen(
   /** The body, if it is at a place of the canvas. */
   bodyAt: (x: number, y: number) => Grasped | undefined,
   changed: () => void,
+  /** Says how a finger takes the body, after one that did not. */
+  hint: () => void,
 ): void {
   const fingers = new Map<number, { x: number; y: number }>();
   let grasped: Grasped | undefined;
   let holder: number | undefined;
+  /** A finger that rests on the body and will hold it. */
+  let resting: { finger: number; on: Grasped; timer: number; x: number; y: number } | undefined;
 
   const spread = () => {
     const [a, b] = [...fingers.values()];
     return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
   };
+  const grasp = (pointer: number, body: Grasped) => {
+    grasped = body;
+    holder = pointer;
+    hands.take();
+    canvas.classList.add("holding");
+  };
+  /** The finger has moved or lifted too early. */
+  const slipOff = () => {
+    if (!resting) return;
+    clearTimeout(resting.timer);
+    resting = undefined;
+    hint();
+  };
+  const rest = (finger: number, on: Grasped, x: number, y: number) => {
+    const due = performance.now() + REST;
+    const hold = () => {
+      // On a busy machine, moves that came in time may still be waiting.
+      if (resting && performance.now() > due + LATE && !late) {
+        late = true;
+        resting.timer = window.setTimeout(hold, LATE);
+        return;
+      }
+      resting = undefined;
+      navigator.vibrate?.(10);
+      grasp(finger, on);
+      changed();
+    };
+    let late = false;
+    resting = { finger, on, timer: window.setTimeout(hold, REST), x, y };
+  };
 
   canvas.addEventListener("pointerdown", (event) => {
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     canvas.setPointerCapture(event.pointerId);
-    if (fingers.size === 1 && event.button === 0) {
-      grasped = bodyAt(event.offsetX, event.offsetY);
-      if (grasped) {
-        holder = event.pointerId;
-        hands.take();
-      }
-    }
-    canvas.classList.toggle("holding", grasped !== undefined);
+    if (fingers.size > 1) return slipOff();
+    if (event.button !== 0) return;
+    const body = bodyAt(event.offsetX, event.offsetY);
+    if (!body) return;
+    if (event.pointerType === "touch") rest(event.pointerId, body, event.clientX, event.clientY);
+    else grasp(event.pointerId, body);
   });
 
   canvas.addEventListener("pointermove", (event) => {
@@ -49,12 +85,14 @@ export function listen(
       return;
     }
     const [dx, dy] = [event.clientX - finger.x, event.clientY - finger.y];
+    if (resting && Math.hypot(event.clientX - resting.x, event.clientY - resting.y) > STILL)
+      slipOff();
     const before = spread();
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     if (grasped && event.pointerId === holder) {
       const { x, y } = grasped.lean(dx, dy);
       hands.push(x, y);
-    } else if (!grasped) {
+    } else if (!grasped && !resting) {
       const many = fingers.size > 1;
       view.turn((many ? -0.5 : -1) * dx * TURN, (many ? 0.5 : 1) * dy * TURN);
       if (many && before > 0) view.zoom(before / Math.max(spread(), 1));
@@ -64,6 +102,7 @@ export function listen(
 
   const lift = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
+    slipOff();
     if (grasped && event.pointerId === holder) {
       grasped = holder = undefined;
       if (event.type === "pointerup") hands.release();
@@ -77,11 +116,7 @@ export function listen(
 
   // The page must not scroll under a finger that holds the body or under two fingers.
   const stay = (event: TouchEvent) => {
-    const rect = canvas.getBoundingClientRect();
-    const first = event.touches[0];
-    const on = first && bodyAt(first.clientX - rect.left, first.clientY - rect.top);
-    if ((on || hands.holding || event.touches.length > 1) && event.cancelable)
-      event.preventDefault();
+    if ((hands.holding || event.touches.length > 1) && event.cancelable) event.preventDefault();
   };
   canvas.addEventListener("touchstart", stay, { passive: false });
   canvas.addEventListener("touchmove", stay, { passive: false });

@@ -1,6 +1,7 @@
 // Lengths as the picture writes them.
 
 import { significant } from "../format/numbers";
+import { formatLengthShort } from "../format/sizes";
 
 /** The largest of 1, 2 and 5 times a power of ten that does not exceed a length, m. */
 export function roundLength(max: number): number {
@@ -19,19 +20,13 @@ export function unitOf(length: number): { name: string; size: number } {
   return { name: "m", size: 1 };
 }
 
-const SMALL = [
-  { name: "m", size: 1 },
-  { name: "cm", size: 1e-2 },
-  { name: "mm", size: 1e-3 },
-  { name: "µm", size: 1e-6 },
-  { name: "nm", size: 1e-9 },
-] as const;
-
 /** A length (m) of any size, with two or three digits. */
 export function formatSmall(length: number): string {
   if (length === 0) return "0\u00a0cm";
-  const unit = SMALL.find(({ size }) => length >= 0.9995 * size) ?? SMALL[4];
-  return `${significant(length / unit.size, length >= 0.1 ? 3 : 2)}\u00a0${unit.name}`;
+  // Tens of centimetres have a decimal, like millimetres.
+  return length >= 0.1 && length < 1
+    ? `${significant(100 * length, 3)}\u00a0cm`
+    : formatLengthShort(length);
 }
 
 export function formatLength(length: number): string {

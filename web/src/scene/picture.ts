@@ -12,6 +12,7 @@ import {
 import type { Event, Moment, Motion } from "../core/motion";
 import type { InPicture } from "../floor/shaking";
 import { formatDegrees } from "../format/numbers";
+import { inFrame } from "../frames";
 import { prefersReducedMotion } from "../reduced_motion";
 import { BODY_FIELDS, BODY_NOUNS } from "../setup/fields";
 import type { Held } from "../setup/release";
@@ -150,10 +151,17 @@ export class Picture {
   readonly changed = (): void => {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame((now) => {
+    inFrame((now) => {
       this.waiting = false;
       this.draw(now);
     });
+  };
+
+  /** Puts the present picture behind the canvas, which is blank on paper. */
+  readonly print = (): void => {
+    const { canvas, stage } = this.frame;
+    this.draw(performance.now());
+    stage.style.backgroundImage = `url(${canvas.toDataURL()})`;
   };
 
   readonly resize = (): void => {

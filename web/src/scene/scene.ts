@@ -22,6 +22,7 @@ export function mountScene(lab: Lab, place: HTMLElement): void {
   };
   const without = (why: string) => (error: unknown) => {
     console.warn(error);
+    frame.stage.classList.add("never");
     say(`${why} The rest of this page works: the motion, the angles and the plots.`);
   };
   const draw = ({ Picture }: Awaited<typeof loading>) => {
@@ -34,10 +35,13 @@ export function mountScene(lab: Lab, place: HTMLElement): void {
     .catch(without("This browser cannot show the picture, because WebGL is off or missing."));
 }
 
-function connect(lab: Lab, { canvas, stage, reset, places }: Frame, picture: Picture): void {
+/** A tip is shown for this time, ms, and so many times. */
+const [TIP, MAX_TIPS] = [3000, 3];
+
+function connect(lab: Lab, { canvas, stage, reset, places, tip }: Frame, picture: Picture): void {
   const { view, changed } = picture;
   const hands = new Hands(lab);
-  listen(canvas, view, hands, picture.bodyAt, changed);
+  listen(canvas, view, hands, picture.bodyAt, changed, tipFor(tip));
   const look = (name: ViewName) => {
     // Also if the visitor has turned away from there.
     view.show(name);
@@ -61,7 +65,22 @@ function connect(lab: Lab, { canvas, stage, reset, places }: Frame, picture: Pic
     changed();
   });
   onTheme(picture.repaint);
+  addEventListener("beforeprint", picture.print);
+  addEventListener("afterprint", () => stage.style.removeProperty("background-image"));
   new ResizeObserver(picture.resize).observe(stage);
+}
+
+/** Shows a tip for a while. */
+function tipFor(tip: HTMLElement): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let times = 0;
+  return () => {
+    // Those who only scroll past need not be told again and again.
+    if (++times > MAX_TIPS) return;
+    tip.hidden = false;
+    clearTimeout(timer);
+    timer = setTimeout(() => (tip.hidden = true), TIP);
+  };
 }
 
 /** Handles the loss of the graphics context, for example when a laptop sleeps, and its return. */

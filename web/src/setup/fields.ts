@@ -411,7 +411,7 @@ export type FieldName = keyof typeof FIELDS;
 export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
 
 /** Names of the playback settings in the URL; see playback.ts. */
-export type PlaybackName = "speed" | "slow" | "view";
+export type PlaybackName = "speed" | "slow" | "view" | "step";
 
 /** Fields of the repeated release; a single motion does not depend on them. */
 export const FLICK_FIELDS = [

@@ -23,7 +23,8 @@ export function toHash(
 }
 
 /** Whether the # part of an address holds a set-up and not the name of a part of the page. */
-export const holdsSetup = (hash: string): boolean => hash.length <= 1 || hash.includes("=");
+export const holdsSetup = (hash: string): boolean =>
+  hash.length <= 1 || hash.includes("=") || hash === "#embed";
 
 /** Reads a link. A wrong value gives the initial one and a refusal; if a name appears twice, the last
  * value counts. */

@@ -5,7 +5,7 @@ import { button, element } from "../elements";
 import type { Lab, Outcome } from "../lab";
 import { toCsv } from "../setup/csv";
 import { toPython } from "../setup/python";
-import { toHash } from "../setup/url";
+import { hashOf } from "../setup/address";
 import { copyText } from "./copy";
 import { download } from "./download";
 import { shareLink } from "./share_link";
@@ -66,7 +66,7 @@ const WORDS = {
   },
 } as const;
 
-const linkFor = (lab: Lab) => shareLink(toHash(lab.setup.value, lab.playback), location.href);
+const linkFor = (lab: Lab) => shareLink(hashOf(lab), location.href);
 
 const pythonOf = (outcome: Outcome) =>
   "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.input);

@@ -1,8 +1,9 @@
 // The story: a card with one of six steps, which sets the lab up and plays the motion.
 
-import { effect, signal } from "@preact/signals-core";
+import { effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { prefersReducedMotion } from "../reduced_motion";
+import { goToStep } from "../setup/address";
 import { fallsOf } from "./falls";
 import { showStep } from "./show_step";
 import { STEPS, type Step } from "./steps";
@@ -18,14 +19,10 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
       <button type="button" class="next" aria-label="Next step">Next ›</button>
     </div>`;
   const part = <E extends HTMLElement>(selector: string) => place.querySelector(selector) as E;
-  const at = signal(0);
+  const at = lab.step;
   const step = () => STEPS[at.value] as Step;
-  const go = (by: 1 | -1) => {
-    if (STEPS[at.value + by] === undefined) return;
-    at.value += by;
-    // With reduced motion nothing plays until the visitor presses the button.
-    showStep(lab, step(), !prefersReducedMotion());
-  };
+  // With reduced motion nothing plays until the visitor presses the button.
+  const go = (by: 1 | -1) => goToStep(lab, at.value + by, !prefersReducedMotion());
   part(".row").before(fallsOf(lab, () => step().shows === "flicks"));
   part(".back").addEventListener("click", () => go(-1));
   part(".show").addEventListener("click", () => showStep(lab, step(), true));

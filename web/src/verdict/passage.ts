@@ -1,6 +1,8 @@
 // The passage of a body through a near-collision: it comes down, its contact point races, it rises again.
 
+import { type ReadonlySignal, computed } from "@preact/signals-core";
 import { type Motion, headingOf } from "../core/motion";
+import type { Lab } from "../lab";
 
 export interface Passage {
   /** Angle of turn, rad; up to the end of the motion if that comes first. */
@@ -19,6 +21,15 @@ export interface Passage {
   fastTime: number;
   /** Whether the rim only rolls, slips at times, or leaves the table at times. */
   rim: "rolled" | "slipped" | "jumped";
+}
+
+/** The passage of the turn that is shown. */
+export function shownPassage(lab: Lab): ReadonlySignal<Passage | undefined> {
+  const start = computed(() => lab.turnProgress.value?.start);
+  return computed(() => {
+    const motion = lab.motion.value;
+    return motion && start.value !== undefined ? passageFrom(motion, start.value) : undefined;
+  });
 }
 
 /** The passage that starts at a time (s); undefined if the body does not come down after it. */

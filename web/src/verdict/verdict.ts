@@ -6,7 +6,7 @@ import { formatDegrees } from "../format/numbers";
 import { type Lab, bodyAngleAlongContact } from "../lab";
 import { contentInHand } from "./in_hand";
 import { contentInMotion } from "./in_motion";
-import { passageFrom } from "./passage";
+import { shownPassage } from "./passage";
 
 /** The words are read out after this time without a change, s, and not while the motion plays. */
 const READ_DELAY = 0.8;
@@ -15,12 +15,7 @@ const READ_DELAY = 0.8;
 const LIVE = ["turned", "itself"] as const;
 
 export function mountVerdict(lab: Lab, place: HTMLElement): void {
-  const start = computed(() => lab.turnProgress.value?.start);
-  const passage = computed(() => {
-    const motion = lab.motion.value;
-    return motion && start.value !== undefined ? passageFrom(motion, start.value) : undefined;
-  });
-
+  const passage = shownPassage(lab);
   const content = computed(() => {
     const preview = lab.preview.value;
     return preview ? contentInHand(preview, lab.setup.value) : contentInMotion(lab, passage.value);

@@ -306,6 +306,8 @@ describe("without WebGL", () => {
     const visited = await visit({ webgl: false });
     const { page, complaints } = visited;
     expect(await page.getByRole("region", { name: "The table" }).innerText()).toMatch(/WebGL/);
+    // No large empty box is left.
+    expect((await page.locator("#scene").boundingBox())!.height).toBeLessThan(120);
     expect(await page.locator("#plots canvas").count()).toBeGreaterThan(0);
     expect(await page.locator(".theory .big").innerText()).toBe("202.29°");
     expect(complaints).toEqual([]);

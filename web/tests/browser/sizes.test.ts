@@ -36,3 +36,32 @@ test.each([
   expect(complaints).toEqual([]);
   expect(elsewhere(requests)).toEqual([]);
 });
+
+test("on paper the picture and all plots are there, and no buttons", async () => {
+  const { page } = await visit({
+    viewport: { width: 500, height: 700 },
+    webgl: true,
+    colorScheme: "dark",
+  });
+  await page.emulateMedia({ media: "print", colorScheme: "dark" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  const picture = await page
+    .locator(".table-stage")
+    .evaluate((stage) => getComputedStyle(stage).backgroundImage);
+  expect(picture).toMatch(/^url\("data:image\/png;base64,.{5000}/);
+  // A blank plot has no opaque pixels.
+  const blank = await page.$$eval("#plots canvas", (all) =>
+    (all as HTMLCanvasElement[])
+      .filter((canvas) => canvas.checkVisibility() && canvas.width > 0)
+      .map((canvas) => {
+        const pen = canvas.getContext("2d")!;
+        return pen.getImageData(0, 0, canvas.width, canvas.height).data.every((byte) => byte === 0);
+      }),
+  );
+  expect(blank.length).toBeGreaterThan(0);
+  expect(blank).not.toContain(true);
+  for (const name of ["Let go", "Play", "Next step", "Contact"])
+    expect(await page.getByRole("button", { name, exact: true }).isVisible(), name).toBe(false);
+  // Ink is dark on paper.
+  expect(await page.evaluate(() => getComputedStyle(document.body).color)).toBe("rgb(26, 33, 39)");
+});

@@ -241,3 +241,60 @@ test("the story goes through its six steps, each another set-up", async () => {
     expect(await story.locator(".next:focus").count()).toBe(1);
   });
 });
+
+describe("a step of the story", () => {
+  const stepOf = (page: Page) => page.locator("#story .where").innerText();
+
+  test("has an address, and Back leads to the one before", async () => {
+    await visited("", async ({ page }) => {
+      const next = page.getByRole("button", { name: "Next step" });
+      await next.click();
+      await page.waitForURL(/#step=2$/);
+      await next.click();
+      await page.waitForURL(/#step=3$/);
+      await page.locator("#tilt-field").fill("15");
+      await page.locator("#tilt-field").press("Enter");
+      await page.waitForURL(/#step=3&tilt=15&view=contact$/);
+      await page.goBack();
+      await page.waitForURL(/#step=2$/);
+      await expectValues(page, { "#tilt-field": "5", "#transport select": "0.02" });
+      expect(await stepOf(page)).toContain("step 2 of 6");
+      await page.goBack();
+      await page.waitForFunction(() => location.hash === "");
+      expect(await stepOf(page)).toContain("step 1 of 6");
+      await page.goForward();
+      await page.goForward();
+      await expectValues(page, { "#tilt-field": "15" });
+      expect(await stepOf(page)).toContain("step 3 of 6");
+    });
+  });
+
+  test("is opened by a link, with what it shows", async () => {
+    await visited("step=5", async ({ page }) => {
+      expect(await stepOf(page)).toContain("step 5 of 6");
+      await expectValues(page, { "#friction-field": "0.12" });
+      expect(await page.getByLabel("Command that opens this set-up").inputValue()).toBe(
+        'rimroll lab --setup "step=5"',
+      );
+      await page.getByText(/^Of 42 flicks/).waitFor();
+    });
+  });
+
+  test("that there is not is refused in words", async () => {
+    await visited("step=9", async ({ page }) => {
+      await page.getByText("Step: there is no “9”; choose 1, 2, 3, 4, 5 or 6.").waitFor();
+    });
+  });
+});
+
+test("what the model leaves out is compared with the motion shown", async () => {
+  await visited("", async ({ page }) => {
+    const limits = page.getByRole("region", { name: "What this model leaves out" });
+    expect(await limits.locator(".exceeded").count()).toBe(5);
+    expect(await limits.innerText()).toMatch(/3\.5\sµm\s+No larger than the roughness/);
+    await page.locator("#sideways-field").fill("0.1");
+    await page.locator("#sideways-field").press("Enter");
+    await limits.getByText("Larger than the roughness of rim and table").waitFor();
+    expect(await limits.locator(".exceeded").count()).toBe(1);
+  });
+});
