@@ -26,8 +26,11 @@ from contest.contestants import ROOT
 from contest.tables import put_between
 
 import rimroll as rr
+from rimroll.study.size import in_bytes
 
-ROUNDS = 5
+PAGE = ROOT / "docs/studies-on-many-machines.md"
+
+ROUNDS = 3
 ROWS = 1_000_000
 CHUNK = 200_000
 FEW = ["turn", "outcome", "direction"]
@@ -63,9 +66,33 @@ def main() -> None:
             more = [100.0 * (whole / bare - 1.0) for bare, whole in found]
             lines.append(f"| a study of 10⁶ turns in one process, {name} kept | {spread(more)} |")
         lines += by_processes(folder)
+    put_between(PAGE, "prices", "\n".join(prices(seconds)))
     lines.append(f"| a task of the scheduler (of {TINY} that do nothing) | {scheduler()} |")
     print("\n".join(lines))
-    put_between(ROOT / "docs/studies-on-many-machines.md", "studies", "\n".join(lines))
+    put_between(PAGE, "studies", "\n".join(lines))
+
+
+def prices(turn: float) -> list[str]:
+    """What many motions cost, from the processor time of a turn (s) and of a shaken column."""
+    column = rr.Study.from_file(ROOT / "examples/studies/fragility_of_a_column.toml").plan()
+    some = np.linspace(0, column.rows - 100, 40).astype(int)
+    begin = time.process_time()
+    for first in some:
+        column.compute(int(first), int(first) + 100)
+    shaken = (time.process_time() - begin) / (100 * len(some))
+    columns = study(ROWS).plan()
+    kinds = {
+        "turns without slip, 17 columns": (turn, columns.bytes / columns.rows, 0.0),
+        "columns in records of 15 s, their statistics": (shaken, 0.0, float(column.bytes)),
+    }
+    lines = ["| core-hours and size of the store | 10⁶ | 10⁹ | 10¹² |", "| --- | --: | --: | --: |"]
+    for name, (seconds, each, all_) in kinds.items():
+        cells = [
+            f"{seconds * rows / 3600.0:.2g} h, {in_bytes(each * rows + all_)}"
+            for rows in (1e6, 1e9, 1e12)
+        ]
+        lines.append(f"| {name} | {' | '.join(cells)} |")
+    return lines
 
 
 def overheads(keep: str | list[str], stores: Any) -> list[tuple[float, float]]:
@@ -99,9 +126,7 @@ def spread(percent: list[float]) -> str:
 def by_processes(folder: str) -> list[str]:
     """What processes of this machine cost, from runs of two sizes."""
     sizes = (ROWS, 4 * ROWS)
-    costs = {
-        workers: [measured(folder, workers, rows) for rows in sizes] for workers in (0, 1, 2)
-    }
+    costs = {workers: [measured(folder, workers, rows) for rows in sizes] for workers in (0, 1, 2)}
     slope = {
         workers: (large["seconds"] - small["seconds"]) / (sizes[1] - sizes[0])
         for workers, (small, large) in costs.items()

@@ -198,6 +198,18 @@ def test_damaged_chunks_are_found_and_computed_again(file, capsys, more):
     assert hash_in(capsys.readouterr().out) == whole
 
 
+def test_damaged_statistics_are_found_and_merged_again(file, capsys):
+    written(file, STUDY + STATISTICS)
+    store = in_process(file)
+    whole = verify(store).sha256
+    store.arrays["outcome_count"][0, 0] += 1
+    found = verify(store)
+    assert found.unmerged and found.sha256 is None and found.damaged == []
+    assert main(["study", "verify", str(file), "--repair"]) == 1
+    assert "damaged statistics; run computes them again" in capsys.readouterr().out
+    assert verify(in_process(file)).sha256 == whole
+
+
 def test_a_damaged_mark_is_damage(file):
     store = in_process(file)
     store.marks.file(4).write_text("{")

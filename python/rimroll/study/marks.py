@@ -13,6 +13,9 @@ from pathlib import Path
 
 from rimroll.output import durably
 
+MERGED = "merged.json"
+"""The mark of statistics that were merged from all chunks."""
+
 
 @dataclass(frozen=True)
 class Mark:
@@ -52,8 +55,25 @@ class Marks:
             return None
 
     def remove(self, chunk: int) -> None:
-        """Forget that a chunk is done."""
+        """Forget that a chunk is done, and what was merged of it."""
         self.file(chunk).unlink(missing_ok=True)
+        self.remove_merged()
+
+    def add_merged(self, sha256: str) -> None:
+        """Mark the statistics of all chunks as merged, with their hash."""
+        with durably(self.folder / MERGED) as part:
+            part.write(json.dumps({"sha256": sha256}).encode())
+
+    def merged(self) -> str | None:
+        """The hash of the merged statistics; None if they are not merged."""
+        try:
+            return str(json.loads((self.folder / MERGED).read_bytes())["sha256"])
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+    def remove_merged(self) -> None:
+        """Forget that the statistics are merged."""
+        (self.folder / MERGED).unlink(missing_ok=True)
 
     def file(self, chunk: int) -> Path:
         """The mark of a chunk."""

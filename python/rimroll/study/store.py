@@ -32,7 +32,7 @@ from rimroll.study.changes import changes
 from rimroll.study.marks import Marks
 from rimroll.study.parts import Parts
 from rimroll.study.rows_on_disk import RowsOnDisk
-from rimroll.study.storage import StoreError, told, zarr
+from rimroll.study.storage import StoreError, digest, told, zarr
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -179,13 +179,17 @@ class Store:
         return sum(_sweep(folder, names) for folder, names in begun.items())
 
     def merge(self, plan: Plan) -> None:
-        """Write the statistics of all chunks, which must be done; do nothing for columns."""
-        if plan.statistics is None:
+        """Write the statistics of all chunks, which must be done, unless they are written.
+
+        Raises ``StoreError`` for a part that cannot be read.
+        """
+        if plan.statistics is None or self.marks.merged() is not None:
             return
         merged = plan.statistics.merged(map(self.numbers.read, range(self.blocks.number)))
         with told(self.path):
             for name, array in self.arrays.items():
                 array[...] = merged[name]
+            self.marks.add_merged(digest({name: merged[name] for name in self.arrays}))
 
     def open(self) -> xr.Dataset:
         """The store as a dataset whose numbers are read when they are used."""

@@ -24,6 +24,8 @@ class Verified:
     """Chunks with other numbers than were written."""
     missing: list[int]
     """Chunks that are not done."""
+    unmerged: bool
+    """Whether the statistics are not those that were merged from the chunks."""
     sha256: str | None
     """The hash of all coordinates and numbers; None unless they are complete and sound.
 
@@ -51,11 +53,15 @@ def verify(store: Store, progress: Callable[[int, int], object] = lambda *_: Non
             for name, values in columns.items():  # rows in order, whatever the chunks
                 whole[name].update(as_bytes(values))
     if damaged or missing:
-        return Verified(damaged, missing, None)
+        return Verified(damaged, missing, False, None)
     if store.merged:
-        for name, array in store.arrays.items():
-            whole[name].update(as_bytes(np.asarray(array[...])))
-    return Verified([], [], _hash(store, {name: one.hexdigest() for name, one in whole.items()}))
+        merged = {name: np.asarray(array[...]) for name, array in store.arrays.items()}
+        if digest(merged) != store.marks.merged():
+            return Verified([], [], True, None)
+        for name, values in merged.items():
+            whole[name].update(as_bytes(values))
+    numbers = {name: one.hexdigest() for name, one in whole.items()}
+    return Verified([], [], False, _hash(store, numbers))
 
 
 def _hash(store: Store, numbers: dict[str, str]) -> str:

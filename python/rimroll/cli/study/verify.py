@@ -37,16 +37,19 @@ def verify(
     opened = stored(study, store)
     with working("reading") as bar:
         found = look(opened, lambda done, total: bar(done, total, ""))
-    if repair and found.damaged:
+    if repair and (found.damaged or found.unmerged):
         with claimed(opened.marks.folder, 0, opened.blocks.number):
+            opened.marks.remove_merged()
             for chunk in found.damaged:
                 opened.marks.remove(chunk)
     if json:
         show_json({"store": str(opened.path), **vars(found), "repaired": repair})
     else:
+        then = "run computes them again" if repair else "--repair has run compute them again"
         if found.damaged:
-            then = "run computes them again" if repair else "--repair has run compute them again"
             say(f"damaged chunks: {_ranges(found.damaged)}; {then}")
+        if found.unmerged:
+            say(f"damaged statistics; {then}")
         if found.missing:
             say(f"missing chunks: {_ranges(found.missing)}; run computes them")
         if found.sha256:
