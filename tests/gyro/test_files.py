@@ -111,8 +111,8 @@ def test_gaps_repeated_uneven_and_drifting_times_are_told():
     rates = np.concatenate([RATES[:20], RATES[19:30], RATES[30:]])
     record = read(table(PHYPHOX[:4], [t, *rates.T]))
     assert len(record) == len(T)
-    assert "1 samples repeat" in record.notes[0]
-    assert "310 ms at 0.29 s" in record.notes[1]
+    assert "repeat the time of the one before were left out: 1" in record.notes[0]
+    assert "Gaps in the times: 1, the longest 310 ms at 0.29 s" in record.notes[1]
     drifting = np.cumsum(0.01 * np.linspace(1.0, 1.1, 40))
     notes = read(table(PHYPHOX[:4], [drifting, *RATES.T])).notes
     assert any("drifts by -6" in note for note in notes)

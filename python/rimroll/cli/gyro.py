@@ -23,7 +23,6 @@ from rimroll.cli.screen import Bar, prose, say, show_json, table
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.gyro.analysis import Analysis, analyze
-from rimroll.gyro.collision import Collision
 from rimroll.gyro.files import read
 from rimroll.gyro.friction import Friction
 from rimroll.units import quantity
@@ -136,27 +135,24 @@ def _show(found: Analysis) -> None:
         prose("This record was simulated, not measured.")
     prose(_sensor_line(found))
     say()
-    rows = table("near-collision", "tilt", "rate", "spin", "energy", "veer", "friction")
-    for i, (one, friction) in enumerate(zip(found.collisions, found.frictions, strict=True), 1):
-        if i > MOST_SHOWN:
-            continue
+    rows = table("near-collision", "tilts", "spin", "energy", "veer", "friction")
+    shown = zip(found.collisions[:MOST_SHOWN], found.frictions, strict=False)
+    for i, (one, friction) in enumerate(shown, 1):
         rows.add_row(
-            f"{i}  at {one.time:.3f} s{', released' if one.released else ''}",
-            f"{math.degrees(one.tilt_before):.1f}° to {math.degrees(one.tilt_after):.1f}°",
-            f"{one.rate_before:.2f} to {one.rate_after:.2f}",
-            f"{one.spin_before:.2f} to {one.spin_after:.2f}",
+            f"{i} at {one.time:.3f} s",
+            f"{math.degrees(one.tilt_before):.1f}°, {math.degrees(one.tilt_after):.1f}°",
+            f"{one.spin_after:.2f}",
             f"{100.0 * one.energy_kept:.0f} %",
-            _veer(one),
+            f"{math.degrees(one.veer):.1f} ± {math.degrees(one.veer_error):.1f}°",
             _interval(friction),
         )
     say(rows)
-    if more := len(found.collisions) - MOST_SHOWN:
-        say(f"and {more} more" if more > 0 else "")
-    else:
-        say()
+    if (more := len(found.collisions) - MOST_SHOWN) > 0:
+        say(f"and {more} more")
+    say()
     prose(
-        "tilt: the largest before and after; rate across the axis and spin, rad/s: just before and"
-        " after; energy: what is left of it; veer: the turn beyond 180°"
+        "tilts: the largest before and after; spin: what is left just after, rad/s;"
+        " energy: the part of it that is left; veer: the turn beyond 180°"
     )
     say()
     limits = [f"{math.degrees(limit) - 180.0:.2f}°" for limit in found.limits]
@@ -180,10 +176,6 @@ def _sensor_line(found: Analysis) -> str:
         f" noise {math.degrees(rests.noise):.3f} degrees/s; the body's axis is the sensor's {name},"
         f" {askew:.1f}° ± {math.degrees(found.axis.error):.1f}° askew"
     )
-
-
-def _veer(one: Collision) -> str:
-    return f"{math.degrees(one.veer):.2f}° ± {math.degrees(one.veer_error):.2f}°"
 
 
 def _interval(one: Friction | None) -> str:

@@ -319,21 +319,26 @@ def _notes(
         )
     if falls.unread:
         notes.append(
-            f"{falls.unread} other peaks of the rate are too quick for {record.sampling_rate:.0f}"
-            " samples a second, not as steep as gravity makes them, or cut off by the end of the"
-            " record, and were not read."
+            f"Not read: {_counted(falls.unread, 'other peak')} of the rate, too quick for"
+            f" {record.sampling_rate:.0f} samples a second, not as steep as gravity makes them, or"
+            " cut off by the end of the record."
         )
     if far := len(every) - len(collisions):
         notes.append(
-            f"{far} passages were not read: the tilt beside them was below"
-            f" {math.degrees(LEAST_TILT):.0f} degrees, or they were no near-collisions, because the"
-            " axis passed the vertical too far away."
+            f"Not read: {_counted(far, 'passage')} with a tilt below"
+            f" {math.degrees(LEAST_TILT):.0f} degrees before or after, or too far from upright for"
+            " a near-collision."
         )
     if any(one.tilt_after > 0.97 * float(balance_tilt(body)) for one in collisions):
         notes.append("The body rose as far as its balance point, and may have toppled.")
     unsure = sum(not one.side_is_sure for one in collisions)
     if unsure:
         notes.append(
-            f"{unsure} veers are so near to 0 that the body may have turned to the other side."
+            f"{_counted(unsure, 'veer')} so near to 0 that the turn may have been to the other"
+            " side."
         )
     return notes
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

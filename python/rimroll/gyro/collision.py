@@ -19,6 +19,8 @@ SCALE_ERROR = 0.01
 """Standard deviation of the sensitivity: ±1 % is typical in data sheets."""
 MISSED = 0.3
 """Error of the turn over the squared ratio of the miss distance to the tilt, rad."""
+FEW_SAMPLES = 10
+"""Samples of a leg at which the error is √2 as large as its parts say, as simulations show."""
 MOST_MISSED = 0.25
 """The largest such ratio at which a passage is read as a near-collision."""
 BESIDE = math.radians(12.0)
@@ -99,7 +101,8 @@ def collision_of(
     inward, outward = _speed(fall, one.passage.t), _speed(rise, one.passage.t)
     miss = 0.5 * (abs(fall.momentum[-1]) / inward + abs(rise.momentum[0]) / outward)
     ratio = miss / min(fall.tilt[0], rise.tilt[-1])
-    error = math.hypot(error, MISSED * ratio**2)
+    scarce = FEW_SAMPLES / min(len(fall.t), len(rise.t))
+    error = math.hypot(error * math.hypot(1.0, scarce), MISSED * ratio**2)
     tilt, momentum = float(fall.tilt[0]), float(fall.momentum[0])
     yaw_rate = momentum / math.sin(tilt) ** 2
     few = slice(0, min(5, len(fall.t)))

@@ -40,7 +40,7 @@ def with_even_notes(
     again = np.concatenate(([False], steps == 0.0))
     if again.any():
         count = int(again.sum())
-        notes.append(f"{count} samples repeat the time of the one before and were left out.")
+        notes.append(f"Samples that repeat the time of the one before were left out: {count}.")
         t, rates = t[~again], rates[~again]
     if len(t) < FEWEST:
         raise RimrollError(f"{name} must have at least {FEWEST} samples, it has {len(t)}")
@@ -50,8 +50,8 @@ def with_even_notes(
     if len(gaps):
         longest = gaps[np.argmax(steps[gaps])]
         notes.append(
-            f"{len(gaps)} gaps in the times, the longest {1e3 * steps[longest]:.0f} ms at"
-            f" {t[longest]:.2f} s: falls across a gap are not read."
+            f"Gaps in the times: {len(gaps)}, the longest {1e3 * steps[longest]:.0f} ms at"
+            f" {t[longest]:.2f} s; falls across a gap are not read."
         )
     usual = steps[steps <= GAP * record.step]
     if float(np.std(usual)) > UNEVEN * record.step:
@@ -64,8 +64,8 @@ def with_even_notes(
     if cut := cut_off(rates):
         largest = float(np.abs(rates).max())
         notes.append(
-            f"{cut} samples are cut off at the sensor's range, {largest:.3g} rad/s"
-            f" ({math.degrees(largest):.0f} degrees/s), and are not used."
+            f"Rates are cut off at the sensor's range, {largest:.3g} rad/s"
+            f" ({math.degrees(largest):.0f} degrees/s); these samples are not used: {cut}."
         )
     return record, notes
 
