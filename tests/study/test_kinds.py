@@ -166,3 +166,39 @@ def test_objects_of_rimroll_describe_a_study_exactly(given):
         law,
     )
     same(plan, plan.compute(0, 1), falls)
+
+
+@pytest.fixture(scope="module")
+def fits():
+    axes = {"fit.falls": [12, 30], "law.friction": [0.05, 0.2]}
+    return rr.Study(kind="fit", body={"preset": "can_2007"}, axes=axes, trials=2, seed=1).plan()
+
+
+@pytest.mark.slow
+def test_fits_depend_on_no_chunk_and_find_the_friction(fits):
+    found = fits.compute(0, 8)
+    for name, one in fits.compute(3, 6).items():
+        assert np.array_equal(one, found[name][3:6], equal_nan=True), name
+    assert found["fitted_falls"].tolist() == [12] * 4 + [30] * 4
+    true = np.tile([0.05, 0.05, 0.2, 0.2], 2)
+    assert np.abs(found["fitted_friction"] - true).max() < 0.08
+    for name in ("fitted_friction_chance", "fitted_bias_chance"):
+        assert ((found[name] > 0.0) & (found[name] <= 1.0)).all()
+
+
+@pytest.mark.slow
+def test_an_experiment_is_fitted_as_by_fit(fits, monkeypatch):
+    from rimroll.study.kinds import fit
+
+    given = []
+
+    class Spied(fit.Likelihood):
+        def __init__(self, predicted, directions):
+            given.append((predicted, directions))
+            super().__init__(predicted, directions)
+
+    monkeypatch.setattr(fit, "Likelihood", Spied)
+    found = fits.compute(6, 7)
+    ((predicted, directions),) = given
+    fitted = rr.fit(predicted.body, directions, predicted=predicted)
+    assert fitted.friction.friction == pytest.approx(found["fitted_friction"][0], abs=1e-4)

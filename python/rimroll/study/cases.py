@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.body import Body
+from rimroll.experiment.release import Release
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law
 from rimroll.motion.flat import FlatLanding
@@ -17,6 +18,7 @@ from rimroll.options import Options
 from rimroll.scenario.tables import SimulationTable, checked, made, read_flat
 from rimroll.state import State
 from rimroll.study.bodies import BodyRows, bodies_of
+from rimroll.study.experiments import experiments_of
 from rimroll.study.given import Block, Codes, distinct, key_in
 from rimroll.study.grounds import GroundRows, grounds_of
 from rimroll.study.laws import LawRows, laws_of
@@ -45,6 +47,13 @@ class Call:
     grounds: list[Ground] | None = None
     """The ground of each row."""
     scale: Array | None = None
+    numbers: Codes = field(default_factory=lambda: np.empty(0, np.int64))
+    """The numbers of these rows in the study."""
+    seed: int = 0
+    hands: list[Release] | None = None
+    """The hand of each row."""
+    fit: Mapping[str, Array] | None = None
+    """The experiment of each row of a study of fits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +67,7 @@ class Cases:
     grounds: GroundRows | None
     options: list[tuple[Options, float | None, FlatLanding]]
     option_codes: Codes
+    fit: Mapping[str, Array] | None = None
 
     @classmethod
     def of(cls, description: Description, block: Block, defaults: Options) -> Cases:
@@ -74,7 +84,8 @@ class Cases:
         else:
             starts = starts_of(tables["start"], block)
         laws = laws_of(tables["law"], block, bodies, float(gravity[0]))
-        return cls(block, bodies, laws, starts, grounds, options, codes)
+        fit = None if tables["fit"] is None else experiments_of(tables["fit"], block)
+        return cls(block, bodies, laws, starts, grounds, options, codes, fit)
 
     def calls(self) -> Iterator[Call]:
         """The calls whose rows together are the block."""
@@ -92,7 +103,14 @@ class Cases:
                 duration,
                 flat,
                 1.0 if scales is None else scales[here],
+                numbers=self.block.first + here,
+                seed=self.block.seed,
             )
+            if self.fit is not None:
+                assert self.starts.codes is not None
+                hands = [self.starts.hands[k] for k in self.starts.codes[here].tolist()]
+                own_fit = {name: one[here] for name, one in self.fit.items()}
+                call = replace(call, hands=hands, fit=own_fit)
             if self.grounds is not None:
                 own = [self.grounds.grounds[k] for k in self.grounds.codes[here].tolist()]
                 call = replace(call, grounds=own, scale=self.grounds.scale[here])
@@ -114,5 +132,5 @@ def _options_of(
     return found, codes
 
 
-STATE = tuple(field.name for field in fields(State))
+STATE = tuple(one.name for one in fields(State))
 """The names of the numbers of a start."""

@@ -50,6 +50,7 @@ class _Study(Table):
     start: Any = None
     release: Any = None
     ground: Any = None
+    fit: dict[str, Any] | None = None
     simulation: dict[str, Any] = Field(default_factory=dict)
     axes: dict[str, Any] = Field(default_factory=dict)
     random: dict[str, Any] = Field(default_factory=dict)
@@ -111,6 +112,8 @@ class Description:
                 *(Given(axis.of, axis.values, index[axis.along]) for axis in self.axes),
                 *(Given(one.of, one.values(chances[one.name]), own) for one in self.randoms),
             ),
+            first,
+            self.sampling.seed,
             hand,
         )
 
@@ -121,7 +124,7 @@ class Description:
         # The middle of each distribution, which is more certainly possible than its tails.
         half = np.full(1, 0.5)
         given += [Given(one.of, one.values(half), first) for one in self.randoms]
-        return Block(axis.size, tuple(given), np.full((axis.size, 5), 0.5))
+        return Block(axis.size, tuple(given), release=np.full((axis.size, 5), 0.5))
 
 
 def described(content: dict[str, Any], folder: Path) -> Description:
@@ -314,7 +317,7 @@ def _tables(read: _Study, kind: Kind, varied: list[str]) -> dict[str, Any]:
     """The tables that the kind uses, with what it takes for those that are not given."""
     sections = {one.partition(".")[0] for one in varied}
     found: dict[str, Any] = {"body": read.body, "simulation": read.simulation}
-    for name in ("law", "start", "release", "ground"):
+    for name in ("law", "start", "release", "ground", "fit"):
         given = getattr(read, name)
         if name not in kind.tables:
             if given is not None or name in sections:

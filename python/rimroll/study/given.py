@@ -40,6 +40,9 @@ class Block:
 
     count: int
     given: tuple[Given, ...]
+    first: int = 0
+    """The number of the first row."""
+    seed: int = 0
     release: NDArray[np.float64] | None = None
     """The random numbers (n, 5) of the hand that releases the body."""
 

@@ -89,7 +89,7 @@ def _inputs(description: Description, cases: Cases, columns: Mapping[str, Variab
     found: Columns = {
         one.name: drawn[one.of].array for one in description.randoms if one.name in columns
     }
-    if description.tables["release"] is not None:
+    if _has_starts(description):
         for name in STATE:
             if f"start_{name}" in columns:
                 found[f"start_{name}"] = np.broadcast_to(cases.starts.numbers[name], count).copy()
@@ -113,6 +113,11 @@ def _made(description: Description, axis: Axis) -> None:
         pass
 
 
+def _has_starts(description: Description) -> bool:
+    """Whether a hand gives each row a start, which is kept."""
+    return description.tables["release"] is not None and description.kind.one_start
+
+
 def _columns(description: Description) -> dict[str, Variable]:
     dims = tuple(description.dims)
     found = {
@@ -122,7 +127,7 @@ def _columns(description: Description) -> dict[str, Variable]:
     for random in description.randoms:
         unit = "" if random.unit == "1" else random.unit
         found[random.name] = Variable("float64", dims, unit, comment=f"drawn for {random.of}")
-    if description.tables["release"] is not None:
+    if _has_starts(description):
         for name in STATE:
             found[f"start_{name}"] = Variable("float64", dims, START_UNIT_OF[name])
         found["friction_scale"] = Variable(

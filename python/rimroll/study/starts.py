@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from typing import Annotated, Any
@@ -34,6 +34,10 @@ class StartRows:
     """The fields of the state: one number for all rows, or (n,)."""
     friction_scale: Array | None = None
     """The factor on the law's friction (n,), if a hand releases the body."""
+    hands: Sequence[Release] = ()
+    """The hands, if any."""
+    codes: Codes | None = None
+    """The place of each row's hand (n,) in :attr:`hands`."""
 
     @property
     def stands(self) -> bool:
@@ -87,8 +91,9 @@ def releases_of(release: Any, block: Block, bodies: BodyRows, gravity: Array) ->
     given = block.of("release")
     _, places = np.unique(gravity, return_inverse=True)
     rows, codes = distinct(block.count, [bodies.codes, places, *(one.codes for one in given)])
-    tilt = np.empty((6, block.count))
+    numbers = np.empty((6, block.count))
     scale = np.empty(block.count)
+    hands = []
     for code, row in enumerate(rows.tolist()):
         whole = {"preset": release} if isinstance(release, str) else dict(release)
         for one in given:
@@ -97,15 +102,15 @@ def releases_of(release: Any, block: Block, bodies: BodyRows, gravity: Array) ->
                 whole = {"preset": value} if isinstance(value, str) else dict(value)
             else:
                 whole = with_value(whole, key, value)
-        numbers = tuple(bodies.one(row).__dict__.values())
-        hand = _read_once(json.dumps(whole, sort_keys=True), numbers, float(gravity[row]))
+        body = tuple(vars(bodies.one(row)).values())
+        hand = _read_once(json.dumps(whole, sort_keys=True), body, float(gravity[row]))
+        hands.append(hand)
         here = codes == code if len(rows) > 1 else slice(None)
         state, scale[here] = hand.at(block.release[here])
         for k, field in enumerate(fields(State)):
-            tilt[k, here] = getattr(state, field.name)
-    return StartRows(
-        {field.name: tilt[k] for k, field in enumerate(fields(State))}, friction_scale=scale
-    )
+            numbers[k, here] = getattr(state, field.name)
+    named = {field.name: numbers[k] for k, field in enumerate(fields(State))}
+    return StartRows(named, scale, hands, codes)
 
 
 def _release_table() -> type[Table]:

@@ -41,10 +41,14 @@ class Study:
     kind
         What is computed for each row: ``ensemble``, ``topple``, ``exact_turn`` or ``shake``, with
         the columns of :func:`rimroll.ensemble`, :func:`rimroll.topple`, :func:`rimroll.exact_turn`
-        and :func:`rimroll.shake_many`.
+        and :func:`rimroll.shake_many`; or ``fit``, which simulates an experiment with a known
+        friction and fits it, as :func:`rimroll.fit` does.
     body, law, start, release, ground, simulation
         What rolls, how its rim meets the table, how it starts, how the table moves, and how motions
         are followed: tables as in scenario files, or a ``Body``, ``Law``, ``State`` or ``Release``.
+    fit
+        The experiments of a study of fits: a table with the number of ``falls``, the
+        ``reading_error`` and the standard deviation of the ``bias``.
     axes
         What is varied systematically: the values, or a table with ``values``, ``range`` or
         ``log_range``, by a key such as ``"law.friction"``; or, by another name, a table with
@@ -100,6 +104,7 @@ class Study:
         start: State | Varied | str | None = None,
         release: Release | Varied | str | None = None,
         ground: Varied | str | None = None,
+        fit: Varied | None = None,
         simulation: Varied | None = None,
         axes: Mapping[str, Any] | None = None,
         random: Mapping[str, Varied] | None = None,
@@ -130,6 +135,7 @@ class Study:
             "start": start,
             "release": release,
             "ground": ground,
+            "fit": fit,
             "simulation": simulation,
             "axes": axes,
             "random": random,

@@ -39,6 +39,7 @@ class Followed:
     options: Options
     tables: Mapping[str, Any]
     chunk: int = 200_000
+    one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {"outcome": OUTCOME, **described(tuple(VARIABLES))}
     )
@@ -69,6 +70,7 @@ class ByQuadrature:
         default_factory=lambda: {"law": "no_slip", "start": None, "release": None}
     )
     chunk: int = 500_000
+    one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {
             "outcome": OUTCOME,

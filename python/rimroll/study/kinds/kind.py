@@ -47,6 +47,10 @@ class Kind(Protocol):
     def tables(self) -> Mapping[str, Any]:
         """The tables that it reads besides [body], and what they are unless the study has them."""
 
+    @property
+    def one_start(self) -> bool:
+        """Whether a row has one start, which is kept if a hand releases the body."""
+
     def computed(
         self, call: Call, threads: int | None, progress: Progress
     ) -> dict[str, NDArray[Any]]:

@@ -41,6 +41,7 @@ class Shaken:
         }
     )
     chunk: int = 10_000
+    one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {
             "status": STATUS,
