@@ -184,10 +184,29 @@ def test_a_motion_is_the_same_with_its_derivatives():
 def test_derivatives_that_there_are_not_are_refused():
     with pytest.raises(rr.RimrollError, match="jacobian=True"):
         simulated(rr.NoSlip()).jacobian(0.3)
-    with pytest.raises(rr.RimrollError, match="the contact changes on the way"):
-        simulated(rr.Coulomb(0.2), jacobian=True)
-    with pytest.raises(rr.RimrollError, match="only rolling without slip and frictionless"):
-        simulated(rr.NoSlip() + rr.RollingResistance(dry=1e-3), jacobian=True)
+    planar = dict.fromkeys(("yaw_rate", "spin_rate"), 0.0)
+    with pytest.raises(rr.RimrollError, match="comes down flat and smoothly under friction"):
+        simulated(rr.Coulomb(0.2), NUMBERS | planar, flat="smooth", jacobian=True)
+
+
+@pytest.mark.parametrize(
+    "law", [rr.Coulomb(0.2), rr.NoSlip() + rr.RollingResistance(dry=1e-3)], ids=["dry", "resisted"]
+)
+def test_a_motion_with_losses_has_derivatives_too(law):
+    """The can slips before its near-collision, and rolls and slips again after it."""
+    motion = simulated(law, duration=0.6, jacobian=True)
+    width = 1e-5
+    for name in ("tilt_rate", "height"):
+        ends = [
+            simulated(law, NUMBERS | {name: NUMBERS[name] + by}, duration=0.6)(0.6)
+            for by in (-width, width)
+        ]
+        for quantity in QUANTITIES:
+            before, after = (getattr(end, quantity) for end in ends)
+            expected = (after - before) / (2.0 * width)
+            # Differences err by about the square of the width over the height, and by rounding.
+            found = motion.jacobian(0.6)[quantity, name]
+            assert found == pytest.approx(expected, rel=1e-5, abs=1e-4)
 
 
 def test_a_rim_that_never_slips_has_the_derivatives_of_rolling():

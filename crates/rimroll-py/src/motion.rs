@@ -150,7 +150,7 @@ impl CoreMotion {
         let (motion, t) = (&self.motion, t.as_array());
         match self.derivatives()? {
             Derivatives::AtRest(sensitivity) => {
-                let at = t.iter().map(|&t| sensitivity.at(&motion.track, t));
+                let at = t.iter().map(|&t| sensitivity.at(motion, t));
                 in_rows(py, at.collect::<Vec<_>>().as_flattened())
             }
             Derivatives::Shaken(sensitivity) => {

@@ -26,62 +26,136 @@
 //! than u_y.
 
 use crate::law::Parameters;
-use crate::solve::{Stepper, System};
+use crate::real::{Dual, Scalar, Slopes};
+use crate::solve::{Step, Stepper, System};
 use crate::state::Coordinates;
 use core::ops::ControlFlow;
 
 /// The velocity changes of the rim's lowest point per unit of impulse at it.
 #[derive(Debug, Clone, Copy)]
-struct Mobility {
+struct Mobility<T> {
     /// a, 1/kg.
-    along: f64,
+    along: T,
     /// b, 1/kg.
-    across: f64,
+    across: T,
     /// d, for v at constant u_x, 1/kg.
-    normal: f64,
+    normal: T,
     /// κ. A normal impulse of 1 with an impulse of −κ along e_x1 leaves u_x unchanged.
-    coupling: f64,
+    coupling: T,
 }
 
 /// The state of an impact in progress.
 #[derive(Debug, Clone, Copy)]
-struct ImpactState {
-    slip: [f64; 2],
+struct ImpactState<T> {
+    slip: [T; 2],
     /// P, N s.
-    normal_impulse: f64,
+    normal_impulse: T,
     /// The work done by the normal impulse, J.
-    work: f64,
+    work: T,
 }
 
 /// The condition that ends a phase of an impact.
 #[derive(Debug, Clone, Copy)]
-enum PhaseEnd {
+pub(crate) enum PhaseEnd<T> {
     /// Compression ends: v = 0.
     Compressed,
     /// Restitution ends: the work has risen to this value, J.
-    Restored(f64),
+    Restored(T),
+}
+
+impl<T: Scalar> PhaseEnd<T> {
+    /// Without derivatives.
+    fn value(self) -> PhaseEnd<f64> {
+        match self {
+            PhaseEnd::Compressed => PhaseEnd::Compressed,
+            PhaseEnd::Restored(work) => PhaseEnd::Restored(work.value()),
+        }
+    }
 }
 
 /// An impact: its initial velocities and its parameters.
-struct Impact {
-    mobility: Mobility,
-    friction: f64,
+pub(crate) struct Impact<T> {
+    mobility: Mobility<T>,
+    friction: T,
     /// The initial slip, m/s.
-    slip: [f64; 2],
+    slip: [T; 2],
     /// The initial v, negative.
-    approach: f64,
+    approach: T,
+}
+
+/// A number type in which the steps of a slip can be repeated.
+pub(crate) trait Repeated: Scalar {
+    /// The end of a step that was made from values, where `start` has those at its start.
+    fn end_of_step(flow: &SlipFlow<'_, Self>, start: [Self; 4], step: &Step<f64, 4>) -> [Self; 4];
+
+    /// The state in that step where a phase ends, given its values there and the fraction of the step.
+    fn end_of_phase(
+        flow: &SlipFlow<'_, Self>,
+        start: [Self; 4],
+        step: (f64, [f64; 4]),
+        phase_end: PhaseEnd<Self>,
+    ) -> [Self; 4];
+}
+
+impl Repeated for f64 {
+    fn end_of_step(_: &SlipFlow<'_, f64>, _: [f64; 4], step: &Step<f64, 4>) -> [f64; 4] {
+        step.end
+    }
+
+    fn end_of_phase(
+        _: &SlipFlow<'_, f64>,
+        _: [f64; 4],
+        (_, end): (f64, [f64; 4]),
+        _: PhaseEnd<f64>,
+    ) -> [f64; 4] {
+        end
+    }
+}
+
+/// The step sizes are held constant, and the end of a phase is where its event function is zero.
+impl<const K: usize> Repeated for Dual<Slopes<K>> {
+    fn end_of_step(flow: &SlipFlow<'_, Self>, start: [Self; 4], step: &Step<f64, 4>) -> [Self; 4] {
+        Step::take(flow, &start, step.h.into()).end
+    }
+
+    fn end_of_phase(
+        flow: &SlipFlow<'_, Self>,
+        start: [Self; 4],
+        (h, _): (f64, [f64; 4]),
+        phase_end: PhaseEnd<Self>,
+    ) -> [Self; 4] {
+        let end = Step::take(flow, &start, h.into()).end;
+        let rates = flow.rates(&end);
+        let level = |a: &[Self; 4]| flow.impact.event(phase_end, &ImpactState::from_array(a));
+        // The rate of the event function, from values that move along the rates alone.
+        let pressing = rates[2].value;
+        let event_rate = match phase_end {
+            PhaseEnd::Compressed => {
+                let Mobility {
+                    normal, coupling, ..
+                } = flow.impact.mobility;
+                normal.value * pressing + coupling.value * rates[0].value
+            }
+            PhaseEnd::Restored(_) => rates[3].value,
+        };
+        let delay = level(&end).slope * (-1.0 / event_rate);
+        core::array::from_fn(|i| Dual {
+            value: end[i].value,
+            slope: end[i].slope + delay * rates[i].value,
+        })
+    }
 }
 
 /// The coordinates after a body at `u` has struck a table with the given coefficients of friction and
 /// restitution. A rebound slower than `rest` (m/s) counts as none. The energy loss is added to
 /// `impact_loss`. Returns `None` where the slip cannot be followed to its end.
-pub(crate) fn resolve(
-    k: &Parameters<f64>,
-    u: &Coordinates<f64>,
-    friction: f64,
+pub(crate) fn resolve<T: Repeated>(
+    k: &Parameters<T>,
+    u: &Coordinates<T>,
+    friction: T,
     restitution: f64,
     rest: f64,
-) -> Option<Coordinates<f64>> {
+) -> Option<Coordinates<T>> {
     let impact = Impact {
         mobility: Mobility::new(k, u),
         friction,
@@ -90,40 +164,60 @@ pub(crate) fn resolve(
     };
     let compressed = impact.follow_phase(impact.initial_state(), PhaseEnd::Compressed)?;
     if restitution > 0.0 {
-        let back = compressed.work * (1.0 - restitution * restitution);
+        let back = compressed.work * T::from(1.0 - restitution * restitution);
         let restored = impact.follow_phase(compressed, PhaseEnd::Restored(back))?;
         let rebound = impact.velocity(&restored);
-        if rebound > rest {
+        if rebound.value() > rest {
             return Some(impact.after(k, u, &restored, rebound));
         }
     }
-    Some(impact.after(k, u, &compressed, 0.0))
+    Some(impact.after(k, u, &compressed, T::from(0.0)))
 }
 
-impl Mobility {
-    fn new(k: &Parameters<f64>, u: &Coordinates<f64>) -> Self {
+impl<T: Scalar> Mobility<T> {
+    fn new(k: &Parameters<T>, u: &Coordinates<T>) -> Self {
         let (rho, z) = (k.rho(u), k.z(u));
         let inertia = k.a + k.m * z * z;
         Mobility {
             along: inertia / (k.m * k.a),
             across: k.sideways_mobility(),
-            normal: 1.0 / k.m + rho * rho / inertia,
+            normal: T::from(1.0) / k.m + rho * rho / inertia,
             coupling: -k.m * rho * z / inertia,
+        }
+    }
+
+    /// Without derivatives.
+    fn value(&self) -> Mobility<f64> {
+        Mobility {
+            along: self.along.value(),
+            across: self.across.value(),
+            normal: self.normal.value(),
+            coupling: self.coupling.value(),
         }
     }
 }
 
-impl Impact {
-    fn initial_state(&self) -> ImpactState {
+impl<T: Repeated> Impact<T> {
+    /// Without derivatives.
+    fn value(&self) -> Impact<f64> {
+        Impact {
+            mobility: self.mobility.value(),
+            friction: self.friction.value(),
+            slip: self.slip.map(Scalar::value),
+            approach: self.approach.value(),
+        }
+    }
+
+    fn initial_state(&self) -> ImpactState<T> {
         ImpactState {
             slip: self.slip,
-            normal_impulse: 0.0,
-            work: 0.0,
+            normal_impulse: T::from(0.0),
+            work: T::from(0.0),
         }
     }
 
     /// v.
-    fn velocity(&self, state: &ImpactState) -> f64 {
+    fn velocity(&self, state: &ImpactState<T>) -> T {
         let Mobility {
             normal, coupling, ..
         } = self.mobility;
@@ -131,7 +225,7 @@ impl Impact {
     }
 
     /// The event function of a phase: negative during the phase, zero at its end.
-    fn event(&self, phase_end: PhaseEnd, state: &ImpactState) -> f64 {
+    fn event(&self, phase_end: PhaseEnd<T>, state: &ImpactState<T>) -> T {
         match phase_end {
             PhaseEnd::Compressed => self.velocity(state),
             PhaseEnd::Restored(work) => state.work - work,
@@ -139,31 +233,37 @@ impl Impact {
     }
 
     /// The state at the end of one phase; `None` where the slip cannot be followed.
-    fn follow_phase(&self, mut state: ImpactState, phase_end: PhaseEnd) -> Option<ImpactState> {
-        if self.event(phase_end, &state) >= 0.0 {
+    fn follow_phase(
+        &self,
+        mut state: ImpactState<T>,
+        phase_end: PhaseEnd<T>,
+    ) -> Option<ImpactState<T>> {
+        let zero = T::from(0.0);
+        if self.event(phase_end, &state).value() >= 0.0 {
             return Some(state);
         }
-        if self.friction == 0.0 {
-            let (_, to_end) = self.impulses_of_straight_slip(&state, 0.0, phase_end);
-            return Some(self.advanced(&state, 0.0, to_end));
+        if self.friction.value() == 0.0 {
+            let (_, to_end) = self.impulses_of_straight_slip(&state, zero, phase_end);
+            return Some(self.advanced(&state, zero, to_end));
         }
-        if state.slip[1] != 0.0 {
+        if state.slip[1].value() != 0.0 {
             match self.follow_slip(state, phase_end)? {
                 ControlFlow::Break(end) => return Some(end),
                 ControlFlow::Continue(straight) => state = straight,
             }
         }
-        if state.slip[0] != 0.0 {
-            let friction_ratio = -self.friction * state.slip[0].signum();
+        if state.slip[0].value() != 0.0 {
+            let friction_ratio = state.slip[0].where_negative(self.friction, -self.friction);
             let (to_stop, to_end) =
                 self.impulses_of_straight_slip(&state, friction_ratio, phase_end);
-            if to_end <= to_stop {
+            if to_end.value() <= to_stop.value() {
                 return Some(self.advanced(&state, friction_ratio, to_end));
             }
             state = self.advanced(&state, friction_ratio, to_stop);
-            state.slip[0] = 0.0;
+            state.slip[0] = zero;
         }
-        let friction_ratio = (-self.mobility.coupling).clamp(-self.friction, self.friction);
+        let holding = -self.mobility.coupling;
+        let friction_ratio = holding.max(-self.friction).min(self.friction);
         let (_, to_end) = self.impulses_of_straight_slip(&state, friction_ratio, phase_end);
         Some(self.advanced(&state, friction_ratio, to_end))
     }
@@ -172,43 +272,55 @@ impl Impact {
     /// stopped or is directed along e_x1.
     fn follow_slip(
         &self,
-        mut state: ImpactState,
-        phase_end: PhaseEnd,
-    ) -> Option<ControlFlow<ImpactState, ImpactState>> {
+        mut state: ImpactState<T>,
+        phase_end: PhaseEnd<T>,
+    ) -> Option<ControlFlow<ImpactState<T>, ImpactState<T>>> {
         const MAX_STEPS: usize = 10_000;
+        let (impact, phase_end_value) = (self.value(), phase_end.value());
         let Mobility {
             along,
             across,
             normal,
             coupling,
-        } = self.mobility;
-        let speed = libm::hypot(state.slip[0], state.slip[1]);
-        let turning = self.friction * (along + across) + coupling.abs() * along;
-        let pressing = normal * speed / self.approach.abs();
+        } = impact.mobility;
+        let speed = libm::hypot(state.slip[0].value(), state.slip[1].value());
+        let turning = impact.friction * (along + across) + coupling.abs() * along;
+        let pressing = normal * speed / impact.approach.abs();
+        let rate = turning + pressing;
         let sliding = SlipFlow {
-            impact: self,
-            rate: turning + pressing,
+            impact: &impact,
+            rate,
         };
-        let stopped = f64::EPSILON * (speed + self.approach.abs());
-        let mut stepper = Stepper::new(&sliding, state.as_array(), 0.01 / sliding.rate, 1e-14);
-        let event = |a: &[f64; 4]| self.event(phase_end, &ImpactState::from_array(a));
+        let repeated = SlipFlow {
+            impact: self,
+            rate: T::from(rate),
+        };
+        let stopped = f64::EPSILON * (speed + impact.approach.abs());
+        let start = state.as_array().map(Scalar::value);
+        let mut stepper = Stepper::new(&sliding, start, 0.01 / sliding.rate, 1e-14);
+        let event = |a: &[f64; 4]| impact.event(phase_end_value, &ImpactState::from_array(a));
+        let mut values = ImpactState::from_array(&start);
         for _ in 0..MAX_STEPS {
-            let [ux, uy] = state.slip;
+            let [ux, uy] = values.slip;
             if libm::hypot(ux, uy) <= stopped {
-                state.slip = [0.0; 2];
+                state.slip = [T::from(0.0); 2];
                 return Some(ControlFlow::Continue(state));
             }
             if uy.abs() <= 0.5 * f64::EPSILON * ux.abs() {
-                state.slip[1] = 0.0;
+                state.slip[1] = T::from(0.0);
                 return Some(ControlFlow::Continue(state));
             }
             let step = stepper.advance().ok()?;
             if event(&step.end) >= 0.0 {
                 let dense = step.dense(&sliding);
-                let end = dense.at(dense.root(0.0, 1.0, event));
+                let x = dense.root(0.0, 1.0, event);
+                let end = (x * dense.h, dense.at(x));
+                let end = T::end_of_phase(&repeated, state.as_array(), end, phase_end);
                 return Some(ControlFlow::Break(ImpactState::from_array(&end)));
             }
-            state = ImpactState::from_array(&step.end);
+            values = ImpactState::from_array(&step.end);
+            let end = T::end_of_step(&repeated, state.as_array(), step);
+            state = ImpactState::from_array(&end);
         }
         None
     }
@@ -217,33 +329,34 @@ impl Impact {
     /// (infinite where they never do). Requires u_y = 0 or no friction, so that everything is linear in P.
     fn impulses_of_straight_slip(
         &self,
-        state: &ImpactState,
-        friction_ratio: f64,
-        phase_end: PhaseEnd,
-    ) -> (f64, f64) {
+        state: &ImpactState<T>,
+        friction_ratio: T,
+        phase_end: PhaseEnd<T>,
+    ) -> (T, T) {
+        let (never, two) = (T::from(f64::INFINITY), T::from(2.0));
         let (slipping, rising) = self.per_impulse(friction_ratio);
         let v = self.velocity(state);
         let to_stop = -state.slip[0] / slipping;
         let to_end = match phase_end {
-            PhaseEnd::Compressed if rising > 0.0 => -v / rising,
-            PhaseEnd::Compressed => f64::INFINITY,
+            PhaseEnd::Compressed if rising.value() > 0.0 => -v / rising,
+            PhaseEnd::Compressed => never,
             PhaseEnd::Restored(work) => {
                 // v² grows by 2 · rising · work.
                 let missing = work - state.work;
-                let end = (v * v + 2.0 * rising * missing).sqrt();
-                if v >= 0.0 {
-                    2.0 * missing / (v + end)
+                let end = (v * v + two * rising * missing).sqrt();
+                if v.value() >= 0.0 {
+                    two * missing / (v + end)
                 } else {
                     (end - v) / rising
                 }
             }
         };
-        let positive = |p: f64| if p >= 0.0 { p } else { f64::INFINITY };
+        let positive = |p: T| if p.value() >= 0.0 { p } else { never };
         (positive(to_stop), positive(to_end))
     }
 
     /// du_x/dP and dv/dP while dP_x = `friction_ratio` dP.
-    fn per_impulse(&self, friction_ratio: f64) -> (f64, f64) {
+    fn per_impulse(&self, friction_ratio: T) -> (T, T) {
         let Mobility {
             along,
             normal,
@@ -254,24 +367,24 @@ impl Impact {
         (slipping, normal + coupling * slipping)
     }
 
-    fn advanced(&self, state: &ImpactState, friction_ratio: f64, by: f64) -> ImpactState {
+    fn advanced(&self, state: &ImpactState<T>, friction_ratio: T, by: T) -> ImpactState<T> {
         let (slipping, rising) = self.per_impulse(friction_ratio);
         let [ux, uy] = state.slip;
         ImpactState {
             slip: [ux + slipping * by, uy],
             normal_impulse: state.normal_impulse + by,
-            work: state.work + (self.velocity(state) + 0.5 * rising * by) * by,
+            work: state.work + (self.velocity(state) + T::from(0.5) * rising * by) * by,
         }
     }
 
     /// The body after the impact, rebounding at `v`.
     fn after(
         &self,
-        k: &Parameters<f64>,
-        u: &Coordinates<f64>,
-        end: &ImpactState,
-        v: f64,
-    ) -> Coordinates<f64> {
+        k: &Parameters<T>,
+        u: &Coordinates<T>,
+        end: &ImpactState<T>,
+        v: T,
+    ) -> Coordinates<T> {
         let (rho, z) = (k.rho(u), k.z(u));
         let Mobility {
             along,
@@ -279,7 +392,7 @@ impl Impact {
             coupling,
             ..
         } = self.mobility;
-        let change: [f64; 2] = core::array::from_fn(|i| end.slip[i] - self.slip[i]);
+        let change: [T; 2] = core::array::from_fn(|i| end.slip[i] - self.slip[i]);
         let impulse = [
             change[0] / along - coupling * end.normal_impulse,
             change[1] / across,
@@ -291,14 +404,16 @@ impl Impact {
             self.slip[1] + end.slip[1],
             self.approach + v,
         ];
-        let work: f64 = (0..3).map(|i| 0.5 * twice_mean[i] * impulse[i]).sum();
+        let half = T::from(0.5);
+        let [x, y, z_work] = core::array::from_fn(|i: usize| half * twice_mean[i] * impulse[i]);
+        let work = x + y + z_work;
         Coordinates {
             p: u.p + (k.m * z * change[0] - rho * end.normal_impulse) / (k.a + k.m * z * z),
             w: u.w + k.h * impulse[1] / k.a,
             s: u.s - k.r * impulse[1] / k.c,
             slip_x: end.slip[0],
             slip_y: end.slip[1],
-            gap: 0.0,
+            gap: T::from(0.0),
             gap_rate: v,
             impact_loss: u.impact_loss - work,
             ..*u
@@ -306,12 +421,12 @@ impl Impact {
     }
 }
 
-impl ImpactState {
-    fn as_array(&self) -> [f64; 4] {
+impl<T: Scalar> ImpactState<T> {
+    fn as_array(&self) -> [T; 4] {
         [self.slip[0], self.slip[1], self.normal_impulse, self.work]
     }
 
-    fn from_array(&[ux, uy, normal_impulse, work]: &[f64; 4]) -> Self {
+    fn from_array(&[ux, uy, normal_impulse, work]: &[T; 4]) -> Self {
         ImpactState {
             slip: [ux, uy],
             normal_impulse,
@@ -321,14 +436,14 @@ impl ImpactState {
 }
 
 /// The differential equations of the slip, the normal impulse and its work, with respect to ζ.
-struct SlipFlow<'a> {
-    impact: &'a Impact,
+pub(crate) struct SlipFlow<'a, T> {
+    impact: &'a Impact<T>,
     /// The sum of all rates with respect to ζ, for the error scales.
-    rate: f64,
+    rate: T,
 }
 
-impl System<f64, 4> for SlipFlow<'_> {
-    fn rates(&self, a: &[f64; 4]) -> [f64; 4] {
+impl<T: Repeated> System<T, 4> for SlipFlow<'_, T> {
+    fn rates(&self, a: &[T; 4]) -> [T; 4] {
         let friction = self.impact.friction;
         let Mobility {
             along,
@@ -341,13 +456,13 @@ impl System<f64, 4> for SlipFlow<'_> {
         let pressing = (ux * ux + uy * uy).sqrt();
         [
             along * (coupling * pressing - friction * ux),
-            -across * friction * uy,
+            -(across * friction * uy),
             pressing,
             self.impact.velocity(&state) * pressing,
         ]
     }
 
-    fn scale(&self, a: &[f64; 4]) -> [f64; 4] {
+    fn scale(&self, a: &[T; 4]) -> [T; 4] {
         let [ux, uy, normal_impulse, work] = *a;
         let slip = (ux * ux + uy * uy).sqrt();
         let impulse = normal_impulse + slip / self.rate;

@@ -192,15 +192,13 @@ impl<T: Copy> Coordinates<T> {
     }
 }
 
-impl Coordinates<f64> {
+impl<T: Real> Coordinates<T> {
     /// self + `factor` · `other`, coordinate by coordinate.
-    pub(crate) fn plus(&self, factor: f64, other: &Self) -> Self {
+    pub(crate) fn plus(&self, factor: T, other: &Self) -> Self {
         let (a, b) = (self.into_array(), other.into_array());
         Coordinates::from_array(&core::array::from_fn(|i| a[i] + factor * b[i]))
     }
-}
 
-impl<T: Real> Coordinates<T> {
     /// All coordinates, or all rates, zero.
     #[inline(always)]
     pub fn zero() -> Self {

@@ -281,13 +281,22 @@ fn the_motion_ends_at_a_lift_off() {
 }
 
 #[test]
-fn derivatives_are_refused() {
-    let start = State {
-        spin_rate: 0.0,
-        ..paper_start(0.01)
+fn the_motion_has_derivatives() {
+    let moved = |tilt_rate: f64| {
+        let start = State {
+            spin_rate: 0.0,
+            tilt_rate,
+            ..paper_start(0.01)
+        };
+        follow(&can(), &start, FrictionLaw::InPlace, &tight(0.5))
     };
-    let motion = follow(&can(), &start, FrictionLaw::InPlace, &tight(0.5));
-    let refusal = motion.sensitivity(|_| ControlFlow::Continue(())).err();
-    let refusal = refusal.expect("not offered").to_string();
-    assert!(refusal.contains("only rolling without slip"), "{refusal}");
+    let (motion, width) = (moved(-0.5), 1e-4);
+    let sensitivity = motion.sensitivity(|_| ControlFlow::Continue(()));
+    let sensitivity = sensitivity.expect("offered").expect("not stopped");
+    let [before, after] = [-0.5 - width, -0.5 + width].map(|rate| moved(rate).track.at(0.5).tilt());
+    let expected = (after - before) / (2.0 * width);
+    let [tilt, ..] = sensitivity.at(&motion, 0.5);
+    assert!((tilt[1] - expected).abs() < 1e-6, "{} {expected}", tilt[1]);
+    // The spin rate of a start is not free.
+    assert!(tilt[5].is_nan());
 }

@@ -6,9 +6,8 @@ mod motions;
 
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
-use rimroll::law::Coulomb;
 use rimroll::motion::{PARAMETERS, Sensitivity, Slope};
-use rimroll::{Body, ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets};
+use rimroll::{Body, FrictionLaw, IdealLaw, Motion, Options, State, presets};
 
 /// The parameters of a motion, in the order of [`PARAMETERS`].
 type Numbers = [f64; PARAMETERS.len()];
@@ -96,7 +95,7 @@ fn the_state_changes_with_each_parameter_as_neighbouring_motions_say() {
         let motion = moved(&parameters, law, 1.0);
         let sensitivity = derivatives(&motion);
         for t in TIMES {
-            let slopes = sensitivity.at(&motion.track, t);
+            let slopes = sensitivity.at(&motion, t);
             for (quantity, slope) in slopes.iter().enumerate() {
                 let allowed = 1e-6 * size(slope, &parameters);
                 for (i, name) in PARAMETERS.iter().enumerate() {
@@ -175,7 +174,7 @@ fn derivatives_know_the_units_of_the_parameters() {
     for law in IdealLaw::ALL {
         let motion = moved(&parameters, law, 1.0);
         let sensitivity = derivatives(&motion);
-        let slopes = TIMES.map(|t| sensitivity.at(&motion.track, t));
+        let slopes = TIMES.map(|t| sensitivity.at(&motion, t));
         let turns = sensitivity.turns().iter();
         for slope in slopes.iter().flatten().chain(turns) {
             let terms: [f64; 12] = core::array::from_fn(|i| slope[i] * parameters[i]);
@@ -194,21 +193,33 @@ fn derivatives_know_the_units_of_the_parameters() {
 }
 
 #[test]
-fn a_motion_joined_from_phases_has_no_derivative() {
-    let dry = ContactLaw::from(FrictionLaw::Coulomb(Coulomb {
-        friction: 0.2,
-        static_friction: 0.2,
-    }));
-    let motion = follow(&can(), &paper_start(0.005), dry, &tight(1.0));
-    let refusal = motion
-        .sensitivity(|_| CONTINUE)
-        .err()
-        .expect("it slips")
-        .to_string();
+fn turns_of_a_motion_that_slips_have_derivatives() {
+    let moved = |tilt_rate: f64| {
+        let start = State {
+            tilt_rate,
+            ..paper_start(0.05)
+        };
+        follow(&can(), &start, FrictionLaw::coulomb(0.2), &tight(1.0))
+    };
+    let (motion, width) = (moved(-0.5), 1e-4);
     assert!(
-        refusal.contains("the contact changes on the way"),
-        "{refusal}"
+        motion
+            .events
+            .iter()
+            .any(|event| event.kind.name() == "slip")
     );
+    let sensitivity = derivatives(&motion);
+    assert!(motion.turns.len() > 1);
+    for (k, slope) in sensitivity.turns().iter().enumerate() {
+        let [before, after] = [-0.5 - width, -0.5 + width].map(|rate| moved(rate).turns[k].angle);
+        let expected = (after - before) / (2.0 * width);
+        // The error of the difference is of the order of the square of the width.
+        assert!(
+            (slope[1] - expected).abs() < 1e-5,
+            "turn {k}: {} {expected}",
+            slope[1]
+        );
+    }
 }
 
 /// A step with its derivatives takes about 15 µs, so this takes a few milliseconds.

@@ -71,10 +71,8 @@ def simulate(
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.
     jacobian
-        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. On a table at rest they
-        exist for ``NoSlip`` and ``Frictionless`` without resistance, and take about thirty times as
-        long. On a table that moves they exist under every law as long as the contact does not
-        change between rolling, sliding and flight.
+        Whether to compute derivatives, too: see :meth:`Motion.jacobian`. They take about thirty
+        times as long under ``NoSlip`` and ``Frictionless``, and longer under other laws.
 
     Returns
     -------
@@ -96,8 +94,9 @@ def simulate(
     Raises
     ------
     RimrollError
-        A number outside its bounds, or a start of arrays; derivatives of a motion whose contact
-        changes on the way, or under a law without derivatives.
+        A number outside its bounds, or a start of arrays; derivatives of a motion whose base comes
+        down flat with ``smooth`` under friction or resistance, or that passes through upright in
+        flight.
     """
     one_body(body)
     expect("start", start, State)

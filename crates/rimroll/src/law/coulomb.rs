@@ -82,8 +82,8 @@ impl FrictionModel for Coulomb {
         }
     }
 
-    fn impact_coefficient(&self, _slip_speed: f64) -> f64 {
-        self.friction
+    fn impact_coefficient<T: Scalar>(&self, _slip_speed: T) -> T {
+        self.friction.into()
     }
 
     fn friction<T: Scalar>(&self) -> Coulomb<T> {

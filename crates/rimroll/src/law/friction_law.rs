@@ -101,9 +101,9 @@ macro_rules! friction_laws {
             }
 
             /// [`FrictionModel::impact_coefficient`].
-            pub(crate) fn impact_coefficient(&self, slip_speed: f64) -> f64 {
+            pub(crate) fn impact_coefficient<T: Scalar>(&self, slip_speed: T) -> T {
                 match self {
-                    FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => 0.0,
+                    FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => 0.0.into(),
                     $(FrictionLaw::$law(law) => law.impact_coefficient(slip_speed),)*
                 }
             }

@@ -30,7 +30,7 @@ pub trait FrictionModel: Clone + PartialEq + core::fmt::Debug {
 
     /// The coefficient of Coulomb friction in an impact that begins with this slip speed (m/s); 0 if the
     /// friction does not grow with the normal force.
-    fn impact_coefficient(&self, slip_speed: f64) -> f64;
+    fn impact_coefficient<T: Scalar>(&self, slip_speed: T) -> T;
 
     /// The friction for numbers of type `T`.
     fn friction<T: Scalar>(&self) -> Self::Friction<T>;

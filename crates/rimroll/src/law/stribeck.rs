@@ -67,8 +67,8 @@ impl FrictionModel for Stribeck {
         }
     }
 
-    fn impact_coefficient(&self, _slip_speed: f64) -> f64 {
-        self.friction
+    fn impact_coefficient<T: Scalar>(&self, _slip_speed: T) -> T {
+        self.friction.into()
     }
 
     fn friction<T: Scalar>(&self) -> Stribeck<T> {

@@ -111,7 +111,7 @@ impl FrictionModel for Tabulated {
         }
     }
 
-    fn impact_coefficient(&self, slip_speed: f64) -> f64 {
+    fn impact_coefficient<T: Scalar>(&self, slip_speed: T) -> T {
         self.coefficient(slip_speed)
     }
 

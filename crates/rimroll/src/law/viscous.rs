@@ -49,8 +49,8 @@ impl FrictionModel for Viscous {
 
     /// The impulse of a force that does not depend on the normal force vanishes with the duration of the
     /// impact.
-    fn impact_coefficient(&self, _slip_speed: f64) -> f64 {
-        0.0
+    fn impact_coefficient<T: Scalar>(&self, _slip_speed: T) -> T {
+        0.0.into()
     }
 
     fn friction<T: Scalar>(&self) -> Viscous<T> {

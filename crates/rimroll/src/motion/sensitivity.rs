@@ -10,18 +10,21 @@
 //!
 //! The step sizes are held constant, so the derivative is that of a solution of order 8.
 //!
-//! On a table at rest these are motions under one smooth law: [`Sensitivity`]. Motions on a table that moves may
-//! consist of several phases: [`ShakenSensitivity`].
+//! Where one ideal law holds for the whole motion, that is all. Other motions consist of phases that are joined by events,
+//! and some of their steps are implicit: `junction` and `collocated` continue the derivatives over these.
 
+mod collocated;
 mod junction;
 mod on_moving_table;
 mod variation;
 
 pub use on_moving_table::{SHAKEN_PARAMETERS, ShakenSensitivity, ShakenSlope};
 
+use self::junction::refused;
 use super::Motion;
 use super::event::EventKind;
 use super::instant::Phase;
+use super::landing::FlatLanding;
 use super::mechanics::{Clock, Mechanics, leading};
 use super::track::Track;
 use super::turns::Turn;
@@ -59,8 +62,16 @@ pub type Slope = [f64; PARAMETERS.len()];
 
 type Number = Dual<Slopes<{ PARAMETERS.len() }>>;
 
+/// The derivatives of a motion on a table at rest.
+pub struct Sensitivity(Method);
+
+enum Method {
+    Smooth(Box<SmoothSensitivity>),
+    Joined(Box<ShakenSensitivity>, Vec<Slope>),
+}
+
 /// The derivatives of a motion under one smooth law.
-pub struct Sensitivity {
+struct SmoothSensitivity {
     dynamics: Smooth,
     /// The coordinates at the start of each step and at the end of the last one.
     starts: Vec<[Number; RIGID_COORDINATES]>,
@@ -97,14 +108,14 @@ impl Smooth {
 
 impl Motion {
     /// The derivatives of the motion with respect to its initial state, its body and gravity. They cost about
-    /// thirty times as much as the motion itself.
+    /// thirty times as much as the motion itself, and more where dry friction or resistance acts.
     ///
     /// `watch` is called every few hundred steps with the time (s) that the derivatives have reached,
     /// beginning with 0. If it breaks, the result is `None`.
     ///
     /// # Errors
-    /// Refuses a motion that is not a smooth function of these parameters. Only rolling without slip and
-    /// sliding without friction are supported, each for the whole motion and without resistance.
+    /// Refuses a table that moves, for which there is [`Motion::shaken_sensitivity`], a body that passes through upright
+    /// in flight, and one whose base comes down flat and smoothly under friction or with resistance.
     pub fn sensitivity(
         &self,
         mut watch: impl FnMut(f64) -> ControlFlow<()>,
@@ -113,25 +124,69 @@ impl Motion {
     }
 }
 
-/// The coordinates at a moment, and their rates with respect to τ or to the time.
-struct CoordinatesAndRates<const K: usize> {
-    u: Coordinates<Dual<Slopes<K>>>,
-    rates: Coordinates<f64>,
-}
-
 impl Sensitivity {
     /// The sensitivity of a motion; `None` if `watch` breaks.
     fn new(
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Sensitivity>, InvalidInput> {
-        let mut sensitivity = Sensitivity {
-            dynamics: smooth_law(motion)?,
+        if motion.contacts.moves() {
+            return Err(refused("its table moves, which takes another computation"));
+        }
+        let method = match smooth_law(motion) {
+            Some(dynamics) => SmoothSensitivity::new(dynamics, motion, watch)
+                .map(|smooth| Method::Smooth(Box::new(smooth))),
+            None => ShakenSensitivity::new(motion, watch)?.map(|joined| {
+                let turns = joined.turns().iter().map(at_rest).collect();
+                Method::Joined(Box::new(joined), turns)
+            }),
+        };
+        Ok(method.map(Sensitivity))
+    }
+
+    /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion; NaN where there is
+    /// none.
+    pub fn at(&self, motion: &Motion, t: f64) -> [Slope; 6] {
+        match &self.0 {
+            Method::Smooth(smooth) => smooth.at(&motion.track, t),
+            Method::Joined(joined, _) => joined.at(motion, t).map(|slope| at_rest(&slope)),
+        }
+    }
+
+    /// Derivatives of the angles of turn.
+    pub fn turns(&self) -> &[Slope] {
+        match &self.0 {
+            Method::Smooth(smooth) => &smooth.turns,
+            Method::Joined(_, turns) => turns,
+        }
+    }
+}
+
+/// The derivatives by the parameters that a motion on a table at rest has.
+fn at_rest(slope: &ShakenSlope) -> Slope {
+    core::array::from_fn(|i| slope[i])
+}
+
+/// The coordinates at a moment, and their rates with respect to τ or to the time.
+struct CoordinatesAndRates<const K: usize> {
+    u: Coordinates<Dual<Slopes<K>>>,
+    rates: Coordinates<f64>,
+}
+
+impl SmoothSensitivity {
+    /// The sensitivity of a motion under this law; `None` if `watch` breaks.
+    fn new(
+        dynamics: Smooth,
+        motion: &Motion,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Option<SmoothSensitivity> {
+        let mut sensitivity = SmoothSensitivity {
+            dynamics,
             starts: vec![leading(&start(&motion.track.start()).into_array())],
             turns: Vec::new(),
         };
         let completed = sensitivity.differentiate(motion, watch);
-        Ok(completed.is_continue().then_some(sensitivity))
+        completed.is_continue().then_some(sensitivity)
     }
 
     fn differentiate(
@@ -156,14 +211,8 @@ impl Sensitivity {
         ControlFlow::Continue(())
     }
 
-    /// Derivatives of tilt, tilt rate, yaw, yaw rate, spin and spin rate at a time (s) of the motion.
-    pub fn at(&self, track: &Track, t: f64) -> [Slope; 6] {
+    fn at(&self, track: &Track, t: f64) -> [Slope; 6] {
         state_slopes(&self.locate(track, t).at_fixed_time())
-    }
-
-    /// Derivatives of the angles of turn.
-    pub fn turns(&self) -> &[Slope] {
-        &self.turns
     }
 
     fn locate(&self, track: &Track, t: f64) -> CoordinatesAndRates<{ PARAMETERS.len() }> {
@@ -192,7 +241,10 @@ fn turn_slope<const K: usize>(
             .iter()
             .take_while(|event| event.at.t == t);
         let is_here = |kind| here.clone().any(|event| event.kind == kind);
-        if is_here(EventKind::OnEdge) {
+        if is_here(EventKind::Land) {
+            // The tilt rate changes its sign in an impact.
+            at.u.yaw.slope
+        } else if is_here(EventKind::OnEdge) {
             at.fixed(&(at.u.cos, at.rates.cos)).yaw.slope
         } else if is_here(EventKind::TiltMax) || is_here(EventKind::TiltMin) {
             at.fixed(&(at.u.p, at.rates.p)).yaw.slope
@@ -279,27 +331,15 @@ fn varied_parameters<const K: usize>(k: &Parameters<f64>) -> Parameters<Dual<Slo
 }
 
 /// The law in dual numbers, if one smooth law holds for the whole motion.
-fn smooth_law(motion: &Motion) -> Result<Smooth, InvalidInput> {
-    let refused = |why: &str| InvalidInput::NoSensitivity {
-        why: why.to_owned(),
-    };
-    if motion.contacts.moves() {
-        return Err(refused("its table moves, which takes another computation"));
-    }
+fn smooth_law(motion: &Motion) -> Option<Smooth> {
+    let contacts = &motion.contacts;
     let phase = motion.track.start().phase;
-    if motion.track.phases().any(|at| at.phase != phase) {
-        return Err(refused(
-            "the contact changes on the way, which joins laws that are not the same",
-        ));
-    }
-    let in_place = motion.contacts.contact_law().friction == FrictionLaw::InPlace;
-    if in_place || !motion.contacts.dynamics(phase).is_conservative() {
-        return Err(refused(
-            "only rolling without slip and frictionless sliding are, without resistance",
-        ));
-    }
-    let k = varied_parameters(motion.contacts.parameters());
-    Ok(match phase {
+    let is_smooth = contacts.contact_law().friction != FrictionLaw::InPlace
+        && motion.flat == FlatLanding::Stop
+        && contacts.dynamics(phase).is_conservative()
+        && motion.track.phases().all(|at| at.phase == phase);
+    let k = varied_parameters(contacts.parameters());
+    is_smooth.then(|| match phase {
         Phase::Rolling => Smooth::Rolling(NoSlip::new(k)),
         _ => Smooth::Frictionless(Frictionless::new(k)),
     })

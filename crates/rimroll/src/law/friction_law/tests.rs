@@ -47,8 +47,8 @@ impl FrictionModel for Quadratic {
         }
     }
 
-    fn impact_coefficient(&self, _slip_speed: f64) -> f64 {
-        0.0
+    fn impact_coefficient<T: Scalar>(&self, _slip_speed: T) -> T {
+        0.0.into()
     }
 
     fn friction<T: Scalar>(&self) -> Quadratic<T> {

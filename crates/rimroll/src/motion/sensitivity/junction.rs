@@ -6,23 +6,31 @@
 //!
 //! * At a corner of the table's acceleration g is the time itself, and the map is the identity. So the derivatives at a
 //!   fixed time are continuous there, although the rates jump.
+//! * Where dry friction no longer holds a rim that rolls, g is the friction cone margin, and the map is the identity.
+//!   If static and kinetic friction are equal, the rates are continuous there, and so are the derivatives at a fixed time.
+//! * A slip that stops leaves two derivatives fewer: afterwards those of the slip are zero.
+//! * A rim leaves the table where the normal force is zero, and it lands where the gap is. The map of the landing is the
+//!   impact.
 //! * A body that stands is lifted at a time t_u that depends on the parameters, unless the acceleration of the table
 //!   jumps then. The rocking begins at t_u from a tilt and a tilt rate of zero, about the point of the rim opposite to the
 //!   acceleration at t_u.
 //! * Where the base comes down flat at once, a parameter that takes the motion out of its plane has no
 //!   derivative: beside the plane, the contact point runs round the rim instead.
 
-use super::on_moving_table::{Number, ShakenSlope, without};
+use super::on_moving_table::{Number, SHAKEN_PARAMETERS, ShakenSlope, without};
 use super::variation::Variation;
+use super::{values, with_values};
 use crate::error::InvalidInput;
-use crate::law::{FrictionLaw, IdealLaw};
+use crate::error_scale::ErrorScale;
+use crate::impact;
+use crate::law::{Dynamics, FrictionLaw, IdealLaw};
 use crate::motion::Motion;
 use crate::motion::contacts::tilting_energy_over_standing;
 use crate::motion::instant::Phase;
 use crate::motion::landing::{FLAT_TILT, FlatLanding, UPLIFT_TILT, plastic_factor, rocked_over};
 use crate::motion::level::levelled;
 use crate::motion::step_record::StepRecord;
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::state::{Coordinates, TIME};
 use crate::turn::inertias_of;
 use core::f64::consts::PI;
@@ -50,11 +58,14 @@ impl Junction<'_> {
             (Phase::Rolling | Phase::Sliding, next) if next.is_level() => self.stood(u)?,
             (Phase::Rolling | Phase::Sliding, Phase::Lying) => self.fallen(u),
             (Phase::Rolling | Phase::Sliding, _) if self.is_flat() => self.landed_flat(u)?,
-            _ => {
-                return Err(refused(
-                    "the contact changes on the way between rolling, sliding and flight",
-                ));
+            (Phase::Flying, _) if self.before.end[0] != self.after.start[0] => {
+                return Err(refused("the body passes through upright in flight"));
             }
+            (Phase::Flying, _) => self.landed(u)?,
+            (Phase::Sliding, Phase::Flying) => self.lifted_off(u),
+            (Phase::Sliding, _) => self.stopped_slipping(u),
+            (Phase::Rolling, _) => self.let_go(u),
+            (Phase::Lying, _) => *u,
         };
         Ok(match after {
             // The state is constant from then on.
@@ -69,6 +80,96 @@ impl Junction<'_> {
                 ..u
             },
             _ => u,
+        })
+    }
+
+    /// Friction no longer holds a rim that rolled, or the rim leaves the table.
+    fn let_go(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
+        let contacts = &self.motion.contacts;
+        let t = self.before.start[TIME];
+        let contact = |variation: &Variation, u: &Coordinates<Number>| {
+            variation
+                .phases(contacts, t)
+                .in_phase(Phase::Rolling)
+                .contact(u)
+        };
+        let margin = |variation: &Variation, u: &Coordinates<Number>| {
+            let force = contact(variation, u);
+            let holding = contacts.contact_law().friction.static_friction();
+            let friction = force.along.hypot(force.across);
+            Number::from(holding.unwrap_or(f64::INFINITY)) * force.normal - friction
+        };
+        let normal = |variation: &Variation, u: &Coordinates<Number>| contact(variation, u).normal;
+        let leaves = self.after.phase == Phase::Flying
+            && normal(self.variation, u).value.abs() < margin(self.variation, u).value.abs();
+        if leaves {
+            self.at_event(u, normal)
+        } else {
+            self.at_event(u, margin)
+        }
+    }
+
+    /// A rim that slid leaves the table, where neither friction presses it to the table nor it would penetrate the table
+    /// in flight.
+    fn lifted_off(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
+        let t = self.before.start[TIME];
+        self.at_event(u, |variation, u| {
+            let phases = variation.phases(&self.motion.contacts, t);
+            let falling = -(variation.k.m * phases.flying.rates(u).gap_rate);
+            let normal = phases.in_phase(Phase::Sliding).contact(u).normal;
+            normal.max(falling)
+        })
+    }
+
+    /// A dry slip has stopped. The last step ends a little earlier, from where the slip decelerates in a straight line.
+    fn stopped_slipping(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
+        // The part of 1/rate in which the slip has to stop; it stops in far less unless its deceleration is zero, too.
+        const BRIEF: f64 = 1e-3;
+        let contacts = &self.motion.contacts;
+        let phases = self.variation.phases(contacts, self.before.start[TIME]);
+        let sliding = phases.in_phase(Phase::Sliding);
+        let [x, y] = [u.slip_x, u.slip_y];
+        let until_stop = |rates: &Coordinates<Number>| {
+            -((x * x + y * y) / (rates.slip_x * x + rates.slip_y * y))
+        };
+        let rates = sliding.rates(u);
+        let half = Number::from(0.5) * until_stop(&rates);
+        let rates = sliding.rates(&u.plus(half, &rates));
+        let time = until_stop(&rates);
+        let stopped = Coordinates {
+            slip_x: 0.0.into(),
+            slip_y: 0.0.into(),
+            ..u.plus(time, &rates)
+        };
+        let rate = ErrorScale::new(contacts.parameters()).rate(&values(u));
+        let is_brief = (0.0..=BRIEF).contains(&(time.value * rate));
+        let undefined = [!is_brief; SHAKEN_PARAMETERS.len()];
+        let start = &self.after.start;
+        with_values(&without(&stopped, undefined), start)
+    }
+
+    /// The rim has struck the table.
+    fn landed(&self, u: &Coordinates<Number>) -> Result<Coordinates<Number>, InvalidInput> {
+        let contacts = &self.motion.contacts;
+        let law = contacts.contact_law();
+        let u = self.at_event(u, |_, u| u.gap);
+        let speed = u.slip_x.hypot(u.slip_y);
+        let friction = law.friction.impact_coefficient(speed);
+        // The slip across e_x1 is zero in a planar motion. Beside it, the direction of friction changes without bound if
+        // the slip stops in the impact.
+        let is_planar = u.slip_y.value == 0.0 && friction.value > 0.0;
+        let beside = u.slip_y.slope.0.map(|slope| is_planar && slope != 0.0);
+        let rest = contacts.stopped_speed(&values(&u));
+        let after = impact::resolve(&self.variation.k, &u, friction, law.restitution, rest)
+            .ok_or_else(|| refused("an impact cannot be followed"))?;
+        let after = without(&after, beside);
+        Ok(match self.after.phase {
+            Phase::Rolling => Coordinates {
+                slip_x: 0.0.into(),
+                slip_y: 0.0.into(),
+                ..after
+            },
+            _ => after,
         })
     }
 

@@ -37,8 +37,9 @@ pub(super) type Number = Dual<Slopes<{ SHAKEN_PARAMETERS.len() }>>;
 /// The derivatives of a motion on a table that moves.
 ///
 /// There is no derivative by tilt, tilt rate, yaw rate and spin rate of a start that stands; by the spin rate of a body that
-/// wobbles in place, which is not free; and, after the whole base has come down flat at once, by parameters that would
-/// take the motion out of its plane.
+/// wobbles in place, which is not free; by parameters that would take the motion out of its plane, after the whole base
+/// has come down flat at once or a rim that slips has landed in that plane; and by any parameter after a slip that has
+/// stopped without a deceleration.
 pub struct ShakenSensitivity {
     variation: Variation,
     start: Coordinates<Number>,
@@ -53,24 +54,26 @@ impl Motion {
     /// The derivatives of a motion on a table that moves, as [`Motion::sensitivity`] gives those on a table at rest.
     ///
     /// # Errors
-    /// Refuses a motion in which the contact changes between rolling, sliding and flight, and a table at rest.
+    /// Refuses a table at rest, a body that passes through upright in flight, and one whose base comes down flat and
+    /// smoothly under friction or with resistance.
     pub fn shaken_sensitivity(
         &self,
         mut watch: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<ShakenSensitivity>, InvalidInput> {
+        if !self.contacts.moves() {
+            return Err(refused("its table is at rest"));
+        }
         ShakenSensitivity::new(self, &mut watch)
     }
 }
 
 impl ShakenSensitivity {
-    /// The sensitivity of a motion; `None` if `watch` breaks.
-    fn new(
+    /// The sensitivity of a motion; `None` if `watch` breaks. On a table at rest the derivatives by the factor on its
+    /// acceleration are zero.
+    pub(super) fn new(
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<ShakenSensitivity>, InvalidInput> {
-        if !motion.contacts.moves() {
-            return Err(refused("its table is at rest"));
-        }
         let variation = Variation {
             k: varied_parameters(motion.contacts.parameters()),
             factor: parameter(1.0, PARAMETERS.len()),
@@ -112,7 +115,7 @@ impl ShakenSensitivity {
                     self.uplift_time = Some(self.end.t.slope.0);
                 }
             }
-            self.push(motion, record)?;
+            self.push(motion, record);
             before = Some(record);
         }
         if let Some(last) = before {
@@ -129,19 +132,8 @@ impl ShakenSensitivity {
     }
 
     /// Goes on to the end of the next step.
-    fn push(&mut self, motion: &Motion, record: &StepRecord) -> Result<(), InvalidInput> {
+    fn push(&mut self, motion: &Motion, record: &StepRecord) {
         let contacts = &motion.contacts;
-        let is_implicit = record.is_polynomial()
-            && match record.phase {
-                Phase::Standing | Phase::FlyingLevel | Phase::Lying => false,
-                Phase::SlidingFlat => contacts.is_dry(),
-                Phase::Rolling | Phase::Sliding | Phase::Flying => true,
-            };
-        if is_implicit {
-            return Err(refused(
-                "some of its steps are implicit, as where a slip begins",
-            ));
-        }
         let start = with_values(&all_or_none(&self.end), &record.start);
         self.starts.push(start);
         let end = self.variation.followed(contacts, record, &start, 1.0);
@@ -151,7 +143,6 @@ impl ShakenSensitivity {
         } else {
             end
         };
-        Ok(())
     }
 
     fn with_rates(
@@ -278,7 +269,7 @@ fn shaken_start(motion: &Motion, variation: &Variation) -> Coordinates<Number> {
     if *friction == FrictionLaw::InPlace {
         u.s = -(u.w * u.sin / (Number::from(1.0) + u.cos));
     }
-    if *friction == FrictionLaw::Frictionless {
+    if *friction == FrictionLaw::Frictionless && motion.contacts.moves() {
         let [along, across] = variation.k.rolling_velocity(&u);
         (u.slip_x, u.slip_y) = (-along, -across);
     }

@@ -1,15 +1,17 @@
-//! Phases of a motion on a table that moves, repeated in dual numbers.
+//! Phases of a motion, repeated in dual numbers.
 
+use super::collocated::Linearised;
 use super::on_moving_table::Number;
 use super::{CoordinatesAndRates, values};
 use crate::law::Parameters;
 use crate::motion::contacts::Contacts;
 use crate::motion::instant::Phase;
 use crate::motion::level_equations::{LevelEquations, LevelMotion, PLACES};
+use crate::motion::mechanics::Clock;
 use crate::motion::phase_dynamics::PhaseDynamics;
-use crate::motion::step_record::StepRecord;
+use crate::motion::step_record::{Polynomial, StepRecord};
 use crate::real::{Dual, Slope as _, Slopes};
-use crate::solve::Step;
+use crate::solve::{Collocation, POINTS, RADAU, Step};
 use crate::state::{COORDINATES, Coordinates, TIME};
 
 /// The body and gravity, and the factor on the acceleration of the table, with their derivatives.
@@ -58,6 +60,9 @@ impl Variation {
         let h = x * record.h;
         let t = record.start[TIME];
         match record.phase {
+            phase if is_collocated(contacts, record) => {
+                self.collocated(contacts, record, phase, start, x)
+            }
             Phase::Standing | Phase::Lying => Coordinates {
                 t: (t + h).into(),
                 ..*start
@@ -83,6 +88,65 @@ impl Variation {
         }
     }
 
+    /// [`Self::followed`] for a step whose dense output is a polynomial. The derivatives are those at a fixed time.
+    fn collocated(
+        &self,
+        contacts: &Contacts,
+        record: &StepRecord,
+        phase: Phase,
+        start: &Coordinates<Number>,
+        x: f64,
+    ) -> Coordinates<Number> {
+        let dense = record.dense(contacts);
+        let at_start = rates(contacts, record, &values(start));
+        let start = CoordinatesAndRates {
+            u: *start,
+            rates: at_start,
+        }
+        .at_fixed_time();
+        let t = record.start[TIME];
+        let constant = self.constant();
+        if phase == Phase::SlidingFlat {
+            let linearised = Linearised {
+                varied: |u: &Coordinates<Number>| self.flat_rates(contacts, t, u),
+                constant: |u: &Coordinates<Number>| constant.flat_rates(contacts, t, u),
+            };
+            let speed = |u: &[f64; COORDINATES]| flat_time_rate(contacts, record, u);
+            let time_rates = RADAU.map(|c| record.h * speed(&dense.at(c)));
+            return linearised.followed(&dense, &time_rates, &start, x);
+        }
+        let (varied, constant) = (self.phases(contacts, t), constant.phases(contacts, t));
+        let in_time = |phases: &PhaseDynamics<Number>, u: &Coordinates<Number>| {
+            let per_time = Number::from(1.0) / u.sin;
+            let rates = phases.in_phase(phase).rates(u).into_array();
+            Coordinates::from_array(&rates.map(|rate| rate * per_time))
+        };
+        let linearised = Linearised {
+            varied: |u: &Coordinates<Number>| in_time(&varied, u),
+            constant: |u: &Coordinates<Number>| in_time(&constant, u),
+        };
+        let time_rates = time_rates(contacts, record, &dense);
+        linearised.followed(&dense, &time_rates, &start, x)
+    }
+
+    /// The rates with respect to the time of a level base that slides, in steps that begin at a time, s.
+    fn flat_rates(
+        &self,
+        contacts: &Contacts,
+        t: f64,
+        u: &Coordinates<Number>,
+    ) -> Coordinates<Number> {
+        let rates = self.with_level(contacts, (Phase::SlidingFlat, t), u.yaw, |motion| {
+            let all = u.into_array();
+            motion.rates_in_time(&PLACES.map(|place| all[place]))
+        });
+        let mut all = [Number::from(0.0); COORDINATES];
+        for (rate, place) in rates.into_iter().zip(PLACES) {
+            all[place] = rate;
+        }
+        Coordinates::from_array(&all)
+    }
+
     /// The coordinates at an event at the end of a step: with the derivatives at a fixed value of a function. An event that
     /// comes with a corner of the table's acceleration has a fixed time, at which the derivatives are already.
     pub(super) fn at_event(
@@ -103,6 +167,70 @@ impl Variation {
         let rate = function(&self.constant(), &Coordinates::from_array(&along));
         let g = (function(self, u), rate.slope.0[0]);
         CoordinatesAndRates { u: *u, rates }.fixed(&g)
+    }
+}
+
+/// Whether the dense output of a step is a polynomial that other steps than explicit ones have made.
+fn is_collocated(contacts: &Contacts, record: &StepRecord) -> bool {
+    record.is_polynomial()
+        && record.h != 0.0
+        && match record.phase {
+            Phase::Standing | Phase::FlyingLevel | Phase::Lying => false,
+            Phase::SlidingFlat => contacts.is_dry(),
+            Phase::Rolling | Phase::Sliding | Phase::Flying => true,
+        }
+}
+
+/// dt/dx at the points of a step, where x is the fraction of the step.
+///
+/// The steps at an onset of dry slip are made with respect to τ, other implicit ones with respect to the regularized
+/// variable of the law. The change of the time over the step tells which.
+fn time_rates(contacts: &Contacts, record: &StepRecord, dense: &Polynomial) -> [f64; POINTS] {
+    let phases = contacts.phases_from(record.start[TIME]);
+    let mechanics = phases.mechanics(record.phase, Clock::Regularized);
+    let points = RADAU.map(|c| Coordinates::from_array(&dense.at(c)));
+    let [by_tau, by_sigma] = [false, true].map(|is_scaled| {
+        points.map(|u| {
+            let factor = if is_scaled {
+                mechanics.sundman_factor(&u)
+            } else {
+                1.0
+            };
+            record.h * u.sin * factor
+        })
+    });
+    let weights = Collocation::get().integral[POINTS - 1];
+    let lasting = record.end[TIME] - record.start[TIME];
+    let error = |rates: &[f64; POINTS]| {
+        let sum: f64 = weights.iter().zip(rates).map(|(a, b)| a * b).sum();
+        (sum - lasting).abs()
+    };
+    if error(&by_tau) < error(&by_sigma) {
+        by_tau
+    } else {
+        by_sigma
+    }
+}
+
+/// dt/dσ of a level base that slides.
+fn flat_time_rate(contacts: &Contacts, record: &StepRecord, u: &[f64; COORDINATES]) -> f64 {
+    let u = Coordinates::from_array(u);
+    level_motion(contacts, record, &u).time_rate([u.slip_x, u.slip_y])
+}
+
+/// The motion of a level base in a step.
+fn level_motion<'a>(
+    contacts: &'a Contacts,
+    record: &StepRecord,
+    u: &Coordinates<f64>,
+) -> LevelMotion<'a> {
+    let t = record.start[TIME];
+    let stretch = contacts.ground().map(|ground| ground.stretch(t));
+    let (k, sliding) = (*contacts.parameters(), contacts.dynamics(Phase::Sliding));
+    LevelMotion {
+        equations: LevelEquations::new(k, u.yaw, sliding, contacts.is_dry()),
+        stretch: stretch.map(|stretch| (stretch, 1.0)),
+        slides: record.phase == Phase::SlidingFlat,
     }
 }
 
@@ -131,13 +259,7 @@ pub(super) fn rates(
             ..Coordinates::zero()
         },
         Phase::SlidingFlat | Phase::FlyingLevel => {
-            let stretch = contacts.ground().map(|ground| ground.stretch(t));
-            let (k, sliding) = (*contacts.parameters(), contacts.dynamics(Phase::Sliding));
-            let motion = LevelMotion {
-                equations: LevelEquations::new(k, u.yaw, sliding, contacts.is_dry()),
-                stretch: stretch.map(|stretch| (stretch, 1.0)),
-                slides: record.phase == Phase::SlidingFlat,
-            };
+            let motion = level_motion(contacts, record, u);
             let u = u.into_array();
             let rates = motion.rates_in_time(&PLACES.map(|place| u[place]));
             let mut all = [0.0; COORDINATES];
