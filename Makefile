@@ -6,7 +6,7 @@ sources = Cargo.toml $(wildcard Cargo.lock) $(shell find $(1:=/Cargo.toml) $(1:=
 
 RUST    := $(call sources,crates/rimroll crates/rimroll-py)
 WASM    := $(call sources,crates/rimroll crates/rimroll-wasm)
-WEB     := $(shell find web/src web/licences -type f -not -name '*.wasm') $(wildcard web/*.html web/*.ts web/*.json)
+WEB     := $(shell find web/src web/public web/licences -type f -not -name '*.wasm') $(wildcard web/*.html web/*.ts web/*.json)
 PACKAGE := $(shell find python/rimroll -type f -not -path '*/__pycache__/*' -not -path '*/page/*')
 REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html

@@ -2,6 +2,7 @@ import { defineConfig } from "vitest/config";
 import { ALONE, aloneBuild, onlyScript } from "./alone";
 import { fields } from "./fields";
 import { licences } from "./licences";
+import { preview } from "./preview";
 import { smallShaders } from "./shaders";
 
 export default defineConfig(({ mode }) => ({
@@ -19,7 +20,9 @@ export default defineConfig(({ mode }) => ({
   },
   plugins: [
     smallShaders(),
-    ...(mode === ALONE ? [onlyScript()] : [licences("licences.txt"), fields("setup.json")]),
+    ...(mode === ALONE
+      ? [onlyScript()]
+      : [licences("licences.txt"), fields("setup.json"), preview()]),
   ],
   test: {
     // Run one browser at a time, because drawing in software uses all processors.

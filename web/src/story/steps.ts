@@ -6,6 +6,9 @@ import type { Setup } from "../setup/setup";
 export interface Step extends Playback {
   title: string;
   text: string;
+  /** MathML, and what its symbols mean. */
+  formula?: string;
+  symbols?: string;
   /** Fields that differ from the initial set-up. */
   setup: Partial<Setup>;
   /** Whether the step shows one release or many flicks. */
@@ -13,6 +16,13 @@ export interface Step extends Playback {
 }
 
 const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0.02, duration: 2 };
+
+/** The limiting turn without slip (Srinivasan & Ruina 2008). */
+const LIMIT =
+  '<math display="block"><mi>π</mi><msqrt><mfrac>' +
+  "<mrow><mi>A</mi><mo>+</mo><mi>m</mi><msup><mi>R</mi><mn>2</mn></msup><mo>+</mo><mi>m</mi><msup><mi>H</mi><mn>2</mn></msup></mrow>" +
+  "<mrow><mi>A</mi><mo>+</mo><mi>m</mi><msup><mi>H</mi><mn>2</mn></msup></mrow>" +
+  "</mfrac></msqrt></math>";
 
 export const STEPS: readonly Step[] = [
   {
@@ -44,7 +54,10 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "The angle is the same every time",
-    text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs: close to 202° every time, and closer the flatter the can comes down. The limit depends only on the can, by π\u00a0√((A\u00a0+\u00a0mR²\u00a0+\u00a0mH²)/(A\u00a0+\u00a0mH²)): m is its mass, R the radius of its base, H the height of its centre of mass, and A its moment of inertia for tipping about that centre.",
+    text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs: close to 202° every time, and closer the flatter the can comes down. The limit depends only on the can:",
+    formula: LIMIT,
+    symbols:
+      "m is its mass, R the radius of its base, H the height of its centre of mass, and A its moment of inertia for tipping about that centre.",
     setup: { law: "no_slip", unsteadiness: 10 },
     speed: 1,
     stretched: true,

@@ -12,7 +12,7 @@ import "./story.css";
 export function mountStory(lab: Lab, place: HTMLElement): void {
   place.innerHTML = `
     <p class="where"></p>
-    <div aria-live="polite"><h2></h2><p class="text"></p></div>
+    <div aria-live="polite"><h2></h2><p class="text"></p><p class="formula"></p><p class="symbols"></p></div>
     <div class="row">
       <button type="button" class="back" aria-label="Back to the previous step">‹ Back</button>
       <button type="button" class="show primary">Show me</button>
@@ -28,7 +28,9 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
   part(".show").addEventListener("click", () => showStep(lab, step(), true));
   part(".next").addEventListener("click", () => go(1));
   effect(() => {
-    const { title, text } = step();
+    const { title, text, formula = "", symbols = "" } = step();
+    part(".formula").innerHTML = formula;
+    part(".symbols").textContent = symbols;
     part(".where").textContent = `The story, step ${at.value + 1} of ${STEPS.length}`;
     part("h2").textContent = title;
     part(".text").textContent = text;

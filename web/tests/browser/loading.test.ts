@@ -11,8 +11,8 @@ browserForAll();
 
 /** Files that the page loads when a visitor first shakes the floor. */
 const FLOOR = /^(floor|shaken|rimroll-ground)-/;
-/** Files that the page loads when they are first needed. */
-const LATER = /^(closeup|floor|shaken|rimroll-ground)-/;
+/** Files that the page loads when they are first needed, or that only other programs load. */
+const LATER = /^(closeup|floor|shaken|rimroll-ground)-|^(preview|touch-icon|icon-512)\.png$/;
 
 const built = () =>
   readdirSync(PAGE, { recursive: true })
@@ -72,6 +72,17 @@ test("what shakes the floor is loaded when the floor is first shaken", async () 
     "rimroll-ground",
   ]);
   expect(complaints).toEqual([]);
+});
+
+test("previews and installed pages find their pictures beside the page", () => {
+  const page = readFileSync(join(PAGE, "index.html"), "utf8");
+  const [, image] = /property="og:image" content="(https:[^"]+)"/.exec(page)!;
+  const manifest = JSON.parse(readFileSync(join(PAGE, "manifest.webmanifest"), "utf8"));
+  const icons = manifest.icons.map(({ src }: { src: string }) => src);
+  const touch = /rel="apple-touch-icon" href="\.\/([^"]+)"/.exec(page)![1]!;
+  for (const name of [basename(image!), touch, ...icons])
+    expect(readFileSync(join(PAGE, name)).subarray(1, 4).toString(), name).toBe("PNG");
+  expect(page).toContain('rel="manifest" href="./manifest.webmanifest"');
 });
 
 test("the licences of all parts are beside the page", () => {
