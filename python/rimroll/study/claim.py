@@ -13,10 +13,11 @@ import os
 import platform
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rimroll.errors import RimrollError
+from rimroll.study.storage import told
 
 
 @contextmanager
@@ -26,7 +27,9 @@ def claimed(folder: Path, first: int, last: int) -> Iterator[bool]:
     Yields whether the file system knows locks; if not, nothing is held. Raises ``RimrollError``,
     which names the owner, when another process holds some of these chunks.
     """
-    with (folder / "lock").open("a+b") as file:
+    with told(folder.parent):
+        lock = (folder / "lock").open("a+b")
+    with lock as file:
         try:
             _lock(file.fileno(), first, last - first)
         except OSError as error:
@@ -36,7 +39,8 @@ def claimed(folder: Path, first: int, last: int) -> Iterator[bool]:
             raise RimrollError(_refusal(folder, first, last)) from None
         note = folder / f"owner-{first}-{last}.json"
         owner = {"chunks": [first, last], "host": platform.node(), "process": os.getpid()}
-        note.write_text(json.dumps(owner))
+        with told(folder.parent):
+            note.write_text(json.dumps(owner))
         try:
             yield True
         finally:
@@ -49,14 +53,19 @@ TAKEN = (errno.EACCES, errno.EAGAIN, errno.EDEADLK)
 
 def at_work(folder: Path) -> list[str]:
     """Who holds chunks, in words; owners that were killed hold none."""
+    noted = list(_owners(folder))
+    own = _named(os.getpid(), platform.node())
+    if any(who == own for _, _, who in noted):
+        # A process that closes a file gives up its locks on it: do not touch them.
+        return [_at_work(*one) for one in noted]
     owners = []
-    with (folder / "lock").open("a+b") as file:
-        for first, last, who in _owners(folder):
+    with suppress(PermissionError), (folder / "lock").open("a+b") as file:
+        for one in noted:
             try:
-                _lock(file.fileno(), first, last - first)
+                _lock(file.fileno(), one[0], one[1] - one[0])
             except OSError as error:
                 if error.errno in TAKEN:
-                    owners.append(f"{who} is computing chunks {first}:{last}")
+                    owners.append(_at_work(*one))
     return owners
 
 
@@ -64,10 +73,18 @@ def _refusal(folder: Path, first: int, last: int) -> str:
     for begin, end, who in _owners(folder):
         if begin < last and first < end:
             return (
-                f"{who} is computing chunks {begin}:{end} of {folder.parent}: wait until it ends,"
-                " or choose other chunks"
+                f"{_at_work(begin, end, who)} of {folder.parent}: wait until it ends, or choose"
+                " other chunks"
             )
     return f"another process is computing these chunks of {folder.parent}: wait until it ends"
+
+
+def _at_work(first: int, last: int, who: str) -> str:
+    return f"{who} is computing chunks {first}:{last}"
+
+
+def _named(process: int, host: str) -> str:
+    return f"process {process} on {host}"
 
 
 def _owners(folder: Path) -> Iterator[tuple[int, int, str]]:
@@ -75,7 +92,7 @@ def _owners(folder: Path) -> Iterator[tuple[int, int, str]]:
         try:
             owner = json.loads(note.read_text())
             first, last = owner["chunks"]
-            yield first, last, f"process {owner['process']} on {owner['host']}"
+            yield first, last, _named(owner["process"], owner["host"])
         except (OSError, ValueError, KeyError, TypeError):
             continue  # just being written or removed
 

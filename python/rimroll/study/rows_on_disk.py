@@ -59,7 +59,7 @@ class RowsOnDisk:
 
 def _flush(file: Path) -> None:
     """Wait until a file is on the disk."""
-    descriptor = os.open(file, os.O_RDONLY)
+    descriptor = os.open(file, os.O_RDWR)
     try:
         os.fsync(descriptor)
     finally:
