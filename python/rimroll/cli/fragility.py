@@ -249,7 +249,7 @@ def _follow(
     with working(f"shaking {what.name}") as bar:
         strength = measured(grounds, measure)
         if levels is None:
-            bar(0, 0, "how strong?")
+            bar(0, 1, "how strong?")
             levels = rocking.usual_levels(grounds, measure, asked.points)
         factors = np.broadcast_to(levels, (len(grounds), len(levels)))
         if not asked.are_factors:
