@@ -82,7 +82,7 @@ if TYPE_CHECKING:
         simulate as simulate,
     )
     from rimroll.motion.jacobian import Jacobian as Jacobian
-    from rimroll.nutation import Nutation as Nutation, nutation as nutation
+    from rimroll.nutations import Nutation as Nutation, nutation as nutation
     from rimroll.sensitivity import (
         turn_map as turn_map,
         watershed as watershed,
@@ -175,7 +175,7 @@ _NAMES = {
     "rimroll.many_falls": ("ensemble",),
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
     "rimroll.motion.jacobian": ("Jacobian",),
-    "rimroll.nutation": ("Nutation", "nutation"),
+    "rimroll.nutations": ("Nutation", "nutation"),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
     "rimroll.shaking.lognormal": ("Fragility", "UndecidedWarning", "fragility"),
     "rimroll.shaking.many": ("shake_many",),
