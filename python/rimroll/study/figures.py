@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from rimroll import style
 from rimroll.errors import RimrollError
@@ -163,10 +165,19 @@ def _map(ax: Axes, part: xr.DataArray, axes: Sequence[str], reach: tuple[float, 
     )
     if _is_logarithmic(across.values):
         ax.set_xscale("log")
+        _write_plainly(ax.xaxis)
     if _is_logarithmic(up.values):
         ax.set_yscale("log")
+        _write_plainly(ax.yaxis)
     _label(ax, words_on_axis(across), words_on_axis(up))
     return image
+
+
+def _write_plainly(axis: Axis) -> None:
+    """Ticks of a logarithmic axis at 1, 2, 5, 10, ... in plain numbers."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(lambda value, _: f"{value:g}")
+    axis.set_minor_formatter(NullFormatter())
 
 
 def _curves(ax: Axes, part: xr.DataArray, x: str, lines: str | None, *, legend: bool) -> None:
@@ -177,7 +188,7 @@ def _curves(ax: Axes, part: xr.DataArray, x: str, lines: str | None, *, legend: 
         ax.plot(along.values, one.values, ".-", ms=2.5, color=color, label=name)
     if _is_logarithmic(along.values):
         ax.set_xscale("log")
-        ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+        _write_plainly(ax.xaxis)
     if len(every) > 1 and legend:
         ax.legend()
     _label(ax, words_on_axis(along), words_on_axis(part))
