@@ -15,7 +15,7 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number, positive
 from rimroll.gyro.axis import Axis, fitted_axis
-from rimroll.gyro.collision import MOST_MISSED, Collision, collision_of
+from rimroll.gyro.collision import LEAST_TILT, Collision, collision_of, is_near
 from rimroll.gyro.doubts import refuse_unlikely
 from rimroll.gyro.falls import Falls, Passage, falls_of
 from rimroll.gyro.friction import Friction, Predicted, friction_from, predicted
@@ -33,8 +33,6 @@ Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
 CLEARER = 2.0
 """How many times worse every other axis of the sensor must suit than the one that is taken."""
-LEAST_TILT = math.radians(4.0)
-"""The smallest tilt from which a fall is read."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -166,9 +164,9 @@ def analyze(
     found, falls, sensed = _best(record, tried, [*candidates])
     limits = _limits(body)
     middle = 0.5 * (limits[0] + limits[1])
-    every = [collision_of(one, found, rests.bias_error, body, pull, middle) for one in sensed]
-    collisions = [one for one in every if _is_near(one)]
-    notes = _notes(record, rests, found, falls, every, collisions, body)
+    near = [one for one in sensed if is_near(one, found)]
+    collisions = [collision_of(one, found, rests.bias_error, body, pull, middle) for one in near]
+    notes = _notes(record, rests, found, falls, len(sensed) - len(near), collisions, body)
     if not collisions:
         raise RimrollError(
             f"{record.name}: the body falls, but never upright through a near-collision that can"
@@ -276,11 +274,6 @@ def _best(
     return best.axis, best.falls, best.sensed
 
 
-def _is_near(one: Collision) -> bool:
-    least = min(one.tilt_before, one.tilt_after)
-    return least > LEAST_TILT and one.miss < MOST_MISSED * least
-
-
 def _limits(body: Body) -> tuple[float, float]:
     from rimroll.laws import Frictionless, NoSlip
     from rimroll.theory import turn_limit
@@ -298,7 +291,7 @@ def _notes(
     rests: Rests,
     axis: Axis,
     falls: Falls,
-    every: list[Collision],
+    far: int,
     collisions: list[Collision],
     body: Body,
 ) -> list[str]:
@@ -323,7 +316,7 @@ def _notes(
             f" {record.sampling_rate:.0f} samples a second, not as steep as gravity makes them, or"
             " cut off by the end of the record."
         )
-    if far := len(every) - len(collisions):
+    if far:
         notes.append(
             f"Not read: {_counted(far, 'passage')} with a tilt below"
             f" {math.degrees(LEAST_TILT):.0f} degrees before or after, or too far from upright for"

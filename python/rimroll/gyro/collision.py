@@ -21,6 +21,8 @@ MISSED = 0.3
 """Error of the turn over the squared ratio of the miss distance to the tilt, rad."""
 FEW_SAMPLES = 10
 """Samples of a leg at which the error is √2 as large as its parts say, as simulations show."""
+LEAST_TILT = math.radians(4.0)
+"""The smallest tilt from which a fall is read."""
 MOST_MISSED = 0.25
 """The largest such ratio at which a passage is read as a near-collision."""
 BESIDE = math.radians(12.0)
@@ -89,6 +91,20 @@ class Collision:
     side_is_sure: bool
 
 
+def is_near(one: Sensed, axis: Axis) -> bool:
+    """Whether a passage is a near-collision, between tilts that are large enough to be read."""
+    fall, rise = one.legs(axis.direction)
+    least = min(float(fall.tilt[0]), float(rise.tilt[-1]))
+    return least > LEAST_TILT and _miss(one, fall, rise) < MOST_MISSED * least
+
+
+def _miss(one: Sensed, fall: Leg, rise: Leg) -> float:
+    """How far from upright the axis would have passed on a straight path, rad."""
+    before = abs(float(fall.momentum[-1])) / _speed(fall, one.passage.t)
+    after = abs(float(rise.momentum[0])) / _speed(rise, one.passage.t)
+    return 0.5 * (before + after)
+
+
 def collision_of(
     one: Sensed, axis: Axis, bias_error: float, body: Body, gravity: float, expected: float
 ) -> Collision:
@@ -99,7 +115,7 @@ def collision_of(
     error, momentum_error = _errors(one, axis, bias_error, fall, rise)
     alone, alone_error = _alone(one, fall, rise, expected)
     inward, outward = _speed(fall, one.passage.t), _speed(rise, one.passage.t)
-    miss = 0.5 * (abs(fall.momentum[-1]) / inward + abs(rise.momentum[0]) / outward)
+    miss = _miss(one, fall, rise)
     ratio = miss / min(fall.tilt[0], rise.tilt[-1])
     scarce = FEW_SAMPLES / min(len(fall.t), len(rise.t))
     error = math.hypot(error * math.hypot(1.0, scarce), MISSED * ratio**2)
