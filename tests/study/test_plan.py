@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 
 import rimroll as rr
 from given.strategies import examples
+from rimroll.errors import RimrollError
 from rimroll.study.description import described
+from rimroll.study.grounds import _read_once
 from rimroll.study.plan import Plan
 
 START = rr.State(tilt="30 deg", tilt_rate=-0.5, yaw_rate=0.005)
@@ -100,3 +102,45 @@ def test_a_plan_survives_pickling_and_json():
 def test_described_is_what_the_content_says(tmp_path):
     content = {"body": {"preset": "coin"}, "start": {"tilt": "1 deg"}}
     assert described(content, tmp_path).rows == 1
+
+
+def test_the_order_of_axes_and_of_dimensions_of_a_design_is_among_the_attributes_that_decide():
+    axes = {"law.friction": [0.1, 0.2], "body.height": ["5 cm", "7 cm"]}
+    ends = {"distribution": "uniform", "low": "5 cm", "high": "7 cm"}
+    random = {"body.height": ends, "body.radius": ends}
+    for more in ({"axes": axes}, {"axes": {}, "random": random, "trials": 8, "sampling": "sobol"}):
+        turned = {
+            name: dict(reversed(one.items())) if isinstance(one, dict) else one
+            for name, one in more.items()
+        }
+        one, other = falls_over(**more).plan(), falls_over(**turned).plan()
+        assert not np.array_equal(one.compute(0, one.rows)["turn"], other.compute(0, 4)["turn"])
+        assert one.attrs != other.attrs
+
+
+def test_a_record_that_is_edited_is_read_anew_and_not_in_the_middle_of_a_plan(tmp_path):
+    file = tmp_path / "quake.csv"
+
+    def write(size):
+        lines = (f"{k / 50},{size * np.sin(k / 5):.6f}\n" for k in range(100))
+        file.write_text("t,x\n" + "".join(lines), "utf-8")
+
+    content = {
+        "kind": "shake",
+        "body": {"preset": "cylinder", "radius": "0.5 m", "length": "4 m"},
+        "ground": {"record": "quake.csv", "units": "m/s^2"},
+        "axes": {"law": ["no_slip", "in_place"]},
+    }
+    study = rr.Study.from_dict({"study": content, "folder": str(tmp_path)})
+    write(4.0)
+    weak = study.plan()
+    tilt = weak.compute(0, 1)["max_tilt"]
+    write(5.0)
+    strong = study.plan()
+    assert strong.attrs["records"] != weak.attrs["records"]
+    assert strong.compute(0, 1)["max_tilt"] > tilt
+    assert weak.compute(0, 1)["max_tilt"] == tilt
+    write(6.0)
+    _read_once.cache_clear()
+    with pytest.raises(RimrollError, match=r"quake\.csv has changed since the study was planned"):
+        weak.compute(0, 1)

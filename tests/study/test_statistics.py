@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import rimroll as rr
 from given.strategies import examples
-from rimroll.study.exact_sum import mean, sums, whole
+from rimroll.study.exact_sum import added, mean, sums, whole
 
 
 def flicks():
@@ -92,6 +92,19 @@ def test_sums_are_exact(numbers):
     exact = sum(map(Fraction, numbers))
     assert Fraction(whole(pieces), 2**128) == exact
     assert mean(pieces, len(numbers)) == float(exact / len(numbers))
+
+
+@given(
+    st.lists(st.floats(-1e18, 1e18).filter(lambda x: x == 0 or abs(x) > 1e-20), min_size=1),
+    st.integers(31, 62),
+)
+def test_sums_of_more_numbers_than_fit_into_64_bits_are_exact(numbers, doublings):
+    values = np.array(numbers)
+    total = sums(values, np.zeros(len(values), np.int64), 1)
+    for _ in range(doublings):
+        total = added(total, total)
+    exact = sum(map(Fraction, numbers)) * 2**doublings
+    assert Fraction(whole(total[0]), 2**128) == exact
 
 
 def test_fragility_is_that_of_the_counts():

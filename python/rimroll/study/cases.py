@@ -78,7 +78,7 @@ class Cases:
         bodies = bodies_of(tables["body"], block)
         grounds = None
         if tables["ground"] is not None:
-            grounds = grounds_of(tables["ground"], block, description.folder)
+            grounds = grounds_of(tables["ground"], block, description.folder, description.records)
         if tables["release"] is not None:
             starts = releases_of(tables["release"], block, bodies, gravity)
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -18,6 +19,7 @@ from rimroll.scenario.tables import Table, as_toml, checked, made, readable
 from rimroll.study.axes import Axis, Described
 from rimroll.study.draws import OWN, Random, Sampling
 from rimroll.study.given import Block, Given
+from rimroll.study.grounds import records_of
 from rimroll.study.kinds import KINDS, Kind
 from rimroll.study.targets import targets, unit_of
 from rimroll.units import quantity
@@ -87,6 +89,15 @@ class Description:
     title: str | None
     store: str | None
     folder: Path
+
+    @cached_property
+    def records(self) -> Mapping[str, str]:
+        """The SHA-256 of each record when it was first asked for, by its name in the study."""
+        tables = [] if self.tables["ground"] is None else [self.tables["ground"]]
+        for axis in self.axes:
+            if axis.of in ("ground", "ground.record"):
+                tables += axis.values
+        return records_of(tables, self.folder)
 
     @property
     def rows(self) -> int:

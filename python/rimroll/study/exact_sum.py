@@ -1,7 +1,9 @@
 """Sums of floats that are exact, so that they depend on neither order nor chunks.
 
 A number is cut into six whole numbers of 32 bits, which count multiples of 2³², 1, 2⁻³², ... 2⁻¹²⁸.
-Sums of these are whole numbers. What of a number is below 2⁻¹²⁸ is dropped.
+Sums of these are whole numbers; what of one exceeds 32 bits is carried to the piece before it. One
+more piece, of multiples of 2⁶⁴, takes what the others cannot hold, so that 2⁶³ numbers have a sum.
+What of a number is below 2⁻¹²⁸ is dropped.
 """
 
 from __future__ import annotations
@@ -13,17 +15,19 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
 
-PIECES = 6
+PIECES = 7
+"""The first one is for what is carried: numbers themselves have none of it."""
+
 BITS = 32
 TOP = 64
 """Numbers must be below 2 to this power."""
 
-UNIT = TOP - PIECES * BITS
+UNIT = TOP - (PIECES - 1) * BITS
 """The last piece counts multiples of 2 to this power."""
 
 
 def sums(values: NDArray[np.float64], place: NDArray[np.int64], count: int) -> NDArray[np.int64]:
-    """The sum of the finite values (n,) of each of ``count`` places, in pieces (count, 6).
+    """The sum of the finite values (n,) of each of ``count`` places, in pieces (count, 7).
 
     Raises ``RimrollError`` for a finite value of 2⁶⁴ or more.
     """
@@ -34,7 +38,7 @@ def sums(values: NDArray[np.float64], place: NDArray[np.int64], count: int) -> N
     if (rest >= 1.0).any():
         raise RimrollError(f"sums are of numbers below 2^{TOP}, got {np.abs(values).max():g}")
     signs = np.sign(values).astype(np.int64)
-    for k in range(PIECES):
+    for k in range(1, PIECES):
         rest = rest * 2.0**BITS
         whole = np.floor(rest)
         rest -= whole
@@ -42,8 +46,20 @@ def sums(values: NDArray[np.float64], place: NDArray[np.int64], count: int) -> N
     return found
 
 
+def added(one: NDArray[np.int64], other: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The sums of two arrays of sums (n, 7), of fewer than 2³⁰ numbers or themselves added.
+
+    All pieces but the first are between 0 and 2³², so that there is always room for more.
+    """
+    found = one + other
+    for k in range(PIECES - 1, 0, -1):
+        found[:, k - 1] += found[:, k] >> BITS  # rounded down, also below zero
+        found[:, k] &= (1 << BITS) - 1
+    return found
+
+
 def whole(pieces: NDArray[np.int64]) -> int:
-    """A sum (6,) as a multiple of 2⁻¹²⁸."""
+    """A sum (7,) as a multiple of 2⁻¹²⁸."""
     total = 0
     for piece in pieces.tolist():
         total = (total << BITS) + piece

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -44,10 +44,11 @@ class _Synthetic(Table):
     rotation: Annotated[float, in_unit("rad")] = 0.0
 
 
-def grounds_of(table: Any, block: Block, folder: Path) -> GroundRows:
+def grounds_of(table: Any, block: Block, folder: Path, records: Mapping[str, str]) -> GroundRows:
     """The grounds of a table, or of the name of a record, and of what varies of them.
 
-    Raises ``RimrollError`` as scenario files do.
+    Raises ``RimrollError`` as scenario files do, and for a record whose SHA-256 is no longer that
+    in ``records``.
     """
     given = block.of("ground")
     scales = [one for one in given if key_in(one) == "scale"]
@@ -60,7 +61,8 @@ def grounds_of(table: Any, block: Block, folder: Path) -> GroundRows:
             key, value = key_in(one), one.at(row)
             whole = with_value(whole, key, value) if key else whole | _as_table(value)
         factors.append(_scale(whole.pop("scale", 1.0)))
-        grounds.append(_read_once(json.dumps(whole, sort_keys=True), str(folder)))
+        own = tuple((name, records[name]) for name in _names(whole))
+        grounds.append(_read_once(json.dumps(whole, sort_keys=True), str(folder), own))
     scale = np.array(factors)[codes]
     for one in scales:
         scale = scale * one.array
@@ -68,20 +70,25 @@ def grounds_of(table: Any, block: Block, folder: Path) -> GroundRows:
     return GroundRows(grounds, codes, scale)
 
 
-def records_of(tables: Iterator[Any], folder: Path) -> dict[str, str]:
+def records_of(tables: Iterable[Any], folder: Path) -> dict[str, str]:
     """The SHA-256 of each record that tables name, by its name there.
 
     Raises ``RimrollError`` for a record that cannot be read.
     """
-    found: dict[str, str] = {}
-    for table in tables:
-        names = _as_table(table).get("record", [])
-        for name in [names] if isinstance(names, str) else names:
-            try:
-                found[str(name)] = hashlib.sha256((folder / name).read_bytes()).hexdigest()
-            except OSError as error:
-                raise RimrollError(f"cannot read {folder / name}: {error.strerror}") from None
-    return dict(sorted(found.items()))
+    names = {name for table in tables for name in _names(_as_table(table))}
+    return {name: _sha256(folder / name) for name in sorted(names)}
+
+
+def _names(table: Mapping[str, Any]) -> list[str]:
+    names = table.get("record", [])
+    return list(map(str, [names] if isinstance(names, str) else names))
+
+
+def _sha256(file: Path) -> str:
+    try:
+        return hashlib.sha256(file.read_bytes()).hexdigest()
+    except OSError as error:
+        raise RimrollError(f"cannot read {file}: {error.strerror}") from None
 
 
 def _as_table(ground: Any) -> dict[str, Any]:
@@ -107,10 +114,14 @@ class _Scale(Table):
 
 
 @lru_cache(maxsize=KEPT)
-def _read_once(table: str, folder: str) -> Ground:
+def _read_once(table: str, folder: str, records: tuple[tuple[str, str], ...]) -> Ground:
     content = json.loads(table)
     if "synthetic" not in content:
-        return read_ground(content, Path(folder))
+        ground = read_ground(content, Path(folder))
+        for name, sha256 in records:  # after it was read: before, it could change in between
+            if _sha256(Path(folder) / name) != sha256:
+                raise RimrollError(f"{Path(folder) / name} has changed since the study was planned")
+        return ground
     read = checked(_Synthetic, content, "[ground]").model_dump()
     seed, turn = read.pop("synthetic"), read.pop("rotation")
     if not float(seed).is_integer():

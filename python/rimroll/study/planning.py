@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +15,6 @@ from rimroll.scenario.tables import as_toml, made
 from rimroll.study.axes import Axis
 from rimroll.study.cases import STATE, Cases
 from rimroll.study.description import Description
-from rimroll.study.grounds import records_of
 from rimroll.study.plan import Columns, Coordinate, Plan, Progress, Variable
 from rimroll.units import START_UNIT_OF
 
@@ -178,14 +177,9 @@ def _attributes(study: Study) -> dict[str, Any]:
             {name: one for name, one in content.items() if name not in WITHOUT_EFFECT},
             sort_keys=True,
         ),
-        "records": json.dumps(records_of(_grounds(description), description.folder)),
+        # The rows are numbered along the dimensions, and an even design has a dimension for each
+        # random quantity: the order of both decides.
+        "dimensions": ", ".join(description.dims),
+        "random_quantities": ", ".join(one.name for one in description.randoms),
+        "records": json.dumps(description.records),
     }
-
-
-def _grounds(description: Description) -> Iterator[Any]:
-    """The tables of all grounds."""
-    if description.tables["ground"] is not None:
-        yield description.tables["ground"]
-    for axis in description.axes:
-        if axis.of in ("ground", "ground.record"):
-            yield from axis.values

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.study.exact_sum import PIECES, deviation, mean, sums
+from rimroll.study.exact_sum import PIECES, added, deviation, mean, sums
 from rimroll.study.plan import Coordinate, Variable
 
 Counts = NDArray[np.int64]
@@ -22,13 +22,14 @@ class Kept:
 
     dtype: str
     shape: tuple[int, ...] = ()
-    merged_by: str = "add"
-    """``add``, ``minimum`` or ``maximum``: a function of NumPy."""
+    start: float = 0
+    """What nothing has been added to."""
+    merged: Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]] = np.add
+    """Merges two arrays."""
 
     def empty(self, groups: int) -> NDArray[Any]:
         """What nothing has been added to."""
-        start = {"add": 0, "minimum": np.inf, "maximum": -np.inf}[self.merged_by]
-        return np.full((groups, *self.shape), start, self.dtype)
+        return np.full((groups, *self.shape), self.start, self.dtype)
 
 
 class Reduction(Protocol):
@@ -107,7 +108,7 @@ class Moments:
     @property
     def kept(self) -> Mapping[str, Kept]:
         """The number, and exact sums of the values and of their squares."""
-        pieces = Kept("int64", (PIECES,))
+        pieces = Kept("int64", (PIECES,), merged=added)
         return {
             f"{self.column}_number": Kept("int64"),
             f"{self.column}_sum": pieces,
@@ -158,8 +159,8 @@ class Extremes:
     def kept(self) -> Mapping[str, Kept]:
         """Both extremes."""
         return {
-            f"{self.column}_min": Kept("float64", (), "minimum"),
-            f"{self.column}_max": Kept("float64", (), "maximum"),
+            f"{self.column}_min": Kept("float64", (), np.inf, np.minimum),
+            f"{self.column}_max": Kept("float64", (), -np.inf, np.maximum),
         }
 
     def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:

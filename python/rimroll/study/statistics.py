@@ -94,8 +94,7 @@ class Statistics:
         total[NUMBER][groups] += part[NUMBER]
         for one in self.reductions:
             for name, kept in one.kept.items():
-                merge = getattr(np, kept.merged_by)
-                total[name][groups] = merge(total[name][groups], part[name])
+                total[name][groups] = kept.merged(total[name][groups], part[name])
 
     def finished(self, total: Mapping[str, NDArray[Any]]) -> Columns:
         """The variables, each over its dimensions, from a total to which parts have been added."""

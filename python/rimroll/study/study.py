@@ -209,7 +209,8 @@ class Study:
         """
         from rimroll.study.planning import planned
 
-        return planned(self)
+        # A study of its own, whose records are those of this moment.
+        return planned(Study.from_dict(self.to_dict()))
 
     def run(
         self,
