@@ -97,9 +97,9 @@ pub fn shake_many(
     Ok(done_in_order(&chunks, work, watch))
 }
 
-/// The number of motions in a chunk of work: enough to fill the lanes, but few enough for all threads.
+/// The number of motions in a chunk of work: enough to fill the lanes of both orders, but few enough for all threads.
 fn chunk_size(count: usize, threads: usize) -> usize {
     const MAX: usize = 4 * LANES;
     let fair = count.div_ceil(threads).max(1);
-    fair.min(LANES.max(count / (4 * threads))).min(MAX)
+    fair.min((2 * LANES).max(count / (4 * threads))).min(MAX)
 }

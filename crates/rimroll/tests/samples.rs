@@ -7,7 +7,7 @@ use cases::cases;
 use proptest::prelude::*;
 use rimroll::ground::{Ground, Pulse, Shape};
 use rimroll::law::Coulomb;
-use rimroll::motion::{FlatLanding, Shaken, shaken};
+use rimroll::motion::{EventKind, FlatLanding, Shaken, shaken};
 use rimroll::{
     Body, ContactLaw, FrictionLaw, IdealLaw, Options, Shaking, State, Status, shake_many,
     simulate_on,
@@ -263,4 +263,42 @@ fn the_track_of_such_steps_is_a_motion() {
         .collect::<Vec<_>>();
     let regular = times.iter().filter(|t| (*t - t.round()).abs() < 1e-9);
     assert!(3 * regular.count() > 2 * times.len());
+}
+
+/// Steps that pass an extremum of the tilt find it where the usual steps do.
+#[test]
+fn no_extremum_of_the_tilt_is_lost() {
+    let (body, options) = (column(), options(1e-10));
+    let law = ContactLaw::from(IdealLaw::NoSlip);
+    let go_on = |_| ControlFlow::Continue(());
+    let extrema = |ground: Ground, start: &State| -> Vec<(EventKind, f64, f64, f64)> {
+        let ground = Some(Arc::new(ground));
+        let motion = simulate_on(ground, &body, start, law.clone(), &options, go_on).unwrap();
+        let events = motion.events.iter();
+        events
+            .filter(|event| matches!(event.kind, EventKind::TiltMax | EventKind::TiltMin))
+            .map(|event| (event.kind, event.at.t, event.at.tilt(), event.at.p))
+            .collect()
+    };
+    let mut count = 0;
+    for seed in 0..12 {
+        let start = State {
+            tilt: 0.02 + 0.004 * seed as f64,
+            yaw: 0.5 * seed as f64,
+            ..State::default()
+        };
+        let step = [0.005, 0.01, 0.02][seed as usize % 3];
+        let ground = record(seed, step, 0.7);
+        let usual = extrema(with_a_pulse_of_no_size(&ground), &start);
+        let mine = extrema(ground, &start);
+        assert_eq!(mine.len(), usual.len(), "seed {seed}");
+        for (a, b) in mine.iter().zip(&usual) {
+            assert_eq!(a.0, b.0);
+            // Where the tilt hardly changes, small errors shift an extremum by much.
+            let close = (a.1 - b.1).abs() < 1e-4 && (a.2 - b.2).abs() < 1e-8;
+            assert!(close && a.3.abs() < 1e-9, "seed {seed}: {a:?} {b:?}");
+        }
+        count += mine.len();
+    }
+    assert!(count > 60, "{count}");
 }

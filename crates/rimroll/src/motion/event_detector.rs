@@ -178,6 +178,9 @@ pub(super) struct EventDetector<'a> {
     started_on_first_face: bool,
     crossing: Option<Crossing>,
     events: Vec<Event>,
+    /// The largest tilt at a maximum, rad.
+    #[cfg(feature = "ground")]
+    largest_maximum: f64,
     /// The time at which steps have to end, s.
     corner: f64,
 }
@@ -201,6 +204,8 @@ impl<'a> EventDetector<'a> {
             direction: turns::direction_at_release(start),
             crossing: None,
             events: Vec::new(),
+            #[cfg(feature = "ground")]
+            largest_maximum: 0.0,
             corner: f64::INFINITY,
         }
     }
@@ -222,6 +227,23 @@ impl<'a> EventDetector<'a> {
         self.direction
     }
 
+    /// The largest tilt at a maximum so far, rad.
+    #[cfg(feature = "ground")]
+    pub(super) fn largest_maximum(&self) -> f64 {
+        self.largest_maximum
+    }
+
+    /// Takes account of an extremum of the tilt, after which the tilt rate has another significant sign. Without an instant
+    /// it is not added to the events.
+    #[cfg(feature = "ground")]
+    pub(super) fn reverse(&mut self, direction: f64, at: Option<Instant>) {
+        self.crossing = None;
+        self.direction = direction;
+        if let Some(at) = at {
+            self.add(extremum_kind(direction), at);
+        }
+    }
+
     /// The goal of the simulation.
     #[cfg(feature = "ground")]
     pub(super) fn goal(&self) -> Goal {
@@ -235,6 +257,10 @@ impl<'a> EventDetector<'a> {
 
     /// Inserts an event in order of time, since an extremum of the tilt is only confirmed some time later.
     pub(super) fn add(&mut self, kind: EventKind, at: Instant) {
+        #[cfg(feature = "ground")]
+        if kind == EventKind::TiltMax {
+            self.largest_maximum = self.largest_maximum.max(at.tilt());
+        }
         let earlier = |event: &Event| event.at.t.total_cmp(&at.t).is_le();
         let index = self.events.partition_point(earlier);
         self.events.insert(index, Event { kind, at });

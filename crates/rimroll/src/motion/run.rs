@@ -143,7 +143,7 @@ impl<'a> Run<'a> {
             last_event: None,
             landings: 0,
             #[cfg(feature = "ground")]
-            sample_steps: SampleSteps::new(contacts, options.topple_tilt, options.step_tolerance()),
+            sample_steps: SampleSteps::new(contacts, options),
         };
         if stands {
             let direction = None;

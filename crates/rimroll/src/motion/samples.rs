@@ -2,10 +2,10 @@
 //!
 //! The acceleration of the table has a corner at each sample, where a step has to end. Between two samples of an
 //! earthquake, 5 ms to 20 ms apart, a body moves so little that a method of order 5 with six evaluations is often
-//! accurate enough, and nearly always one of order 8 with twelve. So these steps are tried first, with time as the
-//! independent variable. A step counts only if its estimated error in the coordinates on which the rates depend is
-//! within the tolerance, and if exclusion tests show that it contains no event. Any other step is left to the usual
-//! stepper.
+//! accurate enough, and nearly always one of order 8 with twelve, or a few of them. So these steps are tried first, with
+//! time as the independent variable. A step counts only if its estimated error in the coordinates on which the rates depend
+//! is within the tolerance, and if exclusion tests show that it contains no event, except at most one extremum of the tilt,
+//! which is then located. Any other step is left to the usual stepper.
 //!
 //! All numbers go through the same operations for one motion and in lanes, so that their bits are the same.
 
@@ -14,13 +14,14 @@ mod method;
 
 use super::contacts::Contacts;
 use super::mechanics::rate_floor;
+use super::options::Options;
 use super::topple::Topple;
 use crate::error_scale::ErrorScale;
 use crate::law::{Acceleration, Contact, Dynamics, NoSlip};
 use crate::real::{
     Real, Task, call_vectorized, fieldwise, sin_cos_of_small, sin_cos_without_branches,
 };
-use crate::solve::Estimate;
+use crate::solve::{Estimate, bracketed_root_in};
 use crate::state::Coordinates;
 use method::{ERRORS_OF_5, ERRORS_OF_8, MAX_STAGES, ORDER_5, ORDER_8, Stages};
 
@@ -35,6 +36,10 @@ const FLAT: f64 = 1e-5;
 
 /// The largest change of the yaw in a step, rad.
 const MAX_TURN: f64 = 0.1;
+
+/// How far a linear function of a cubic can fall below its Bernstein coefficients in the true motion, as a fraction of
+/// their spread.
+const SPREAD: f64 = 0.25;
 
 /// (sin φ, cos φ, φ̇, w, s, ψ, θ, x, y, work of the ground), where x and y are the horizontal displacement of the
 /// centre of mass in axes fixed to the table.
@@ -51,10 +56,12 @@ pub(super) struct Rolling<T> {
     /// μ_s².
     static_friction_squared: T,
     tolerance: T,
+    /// The sign of a tilt rate is significant if the rate exceeds this fraction of its error scale.
+    significant: T,
 }
 
 fieldwise!(Rolling {
-    rate_floor, static_friction_squared, tolerance; dynamics, error_scale, topple
+    rate_floor, static_friction_squared, tolerance, significant; dynamics, error_scale, topple
 });
 
 /// The beginning of a step.
@@ -86,14 +93,14 @@ pub(super) enum Order {
 /// An attempted step.
 pub(super) struct Attempt<T> {
     pub end: At<T>,
-    /// Negative if the step may contain an event.
+    /// Negative if the step may contain an event other than one extremum of the tilt.
     pub margin: T,
     pub estimate: Estimate<T>,
 }
 
 impl Rolling<f64> {
     /// The equations under a contact law whose rolling rim these steps can follow.
-    pub(super) fn new(contacts: &Contacts, topple: Option<Topple<f64>>, tolerance: f64) -> Self {
+    pub(super) fn new(contacts: &Contacts, options: &Options) -> Self {
         // Without slip the margin to the friction cone has the sign of the normal force.
         const UNLIMITED: f64 = 1e50;
         // A record has thousands of samples, and the errors of all steps add up.
@@ -104,10 +111,11 @@ impl Rolling<f64> {
         Rolling {
             dynamics: NoSlip::new(*k),
             error_scale: ErrorScale::new(k),
-            topple: topple.unwrap_or(Topple::never()),
+            topple: options.topple_tilt.map_or(Topple::never(), Topple::at),
             rate_floor: rate_floor(k),
             static_friction_squared: static_friction * static_friction,
-            tolerance: STRICTER * tolerance,
+            tolerance: STRICTER * options.step_tolerance(),
+            significant: options.significant_tilt_rate(),
         }
     }
 
@@ -131,6 +139,61 @@ impl Rolling<f64> {
         }
         call_vectorized(Alone(self, order, at, between, direction))
     }
+
+    /// The fraction of a step at which the tilt has its extremum, and the coordinates there.
+    pub(super) fn extremum(
+        &self,
+        order: Order,
+        at: &At<f64>,
+        between: &Between<f64>,
+        end: &At<f64>,
+    ) -> (f64, Reduced<f64>) {
+        const ROUNDS: usize = 12;
+        const SMALL: f64 = 1e-6;
+        let h = between.h;
+        let [from, to, from_rate, to_rate] = [at.u[2], end.u[2], h * at.rates[2], h * end.rates[2]];
+        // The tilt rate as a cubic.
+        let tilt_rate = |x: f64| {
+            let y = 1.0 - x;
+            let linear = y * from + x * to;
+            linear + x * y * (y * (from_rate - (to - from)) + x * (to - from - to_rate))
+        };
+        let until = |x: f64| {
+            let end = &self.attempt_alone(order, at, &between.until(x), 1.0).end;
+            (end.u, h * end.rates[2])
+        };
+        let mut x = bracketed_root_in(ROUNDS, 0.0, 1.0, tilt_rate);
+        // Newton's method, whose error after a correction is about its square.
+        for _ in 0..ROUNDS {
+            let (u, rate) = until(x);
+            let corrected = (x - u[2] / rate).clamp(0.0, 1.0);
+            let change = (corrected - x).abs();
+            x = corrected;
+            if change < SMALL {
+                break;
+            }
+        }
+        (x, until(x).0)
+    }
+}
+
+impl Between<f64> {
+    /// The part up to a fraction of the time.
+    fn until(&self, x: f64) -> Between<f64> {
+        let to = core::array::from_fn(|i| self.from[i] + x * (self.to[i] - self.from[i]));
+        Between {
+            to,
+            h: x * self.h,
+            ..*self
+        }
+    }
+}
+
+impl Attempt<f64> {
+    /// Whether the step counts.
+    pub(super) fn is_accepted(&self) -> bool {
+        self.estimate.is_accepted() && self.margin >= 0.0
+    }
 }
 
 impl<T: Real> Rolling<T> {
@@ -146,7 +209,7 @@ impl<T: Real> Rolling<T> {
         }
     }
 
-    /// A step from one sample to the next, or from part to part between them, while the tilt rate has the sign
+    /// A step from one sample to the next, or from part to part between them. At its start the tilt rate has the sign
     /// `direction`.
     #[inline(always)]
     pub(super) fn attempt(
@@ -186,9 +249,10 @@ impl<T: Real> Rolling<T> {
             Order::Eight => ERRORS_OF_8,
         };
         let margins = clearance([at.margin, inner_margin, end.margin], UNDERSHOOT);
+        let estimate = method::estimate(errors, h, &stages, &self.per_allowed(u));
         Attempt {
             margin: self.margin(at, &end, h, direction).min(margins),
-            estimate: method::estimate(errors, h, &stages, &self.per_allowed(u)),
+            estimate: without_long_turn(estimate, end.u[5] - u[5]),
             end,
         }
     }
@@ -244,23 +308,59 @@ impl<T: Real> Rolling<T> {
         allowed
     }
 
-    /// Negative if the tilt may have an extremum in the step, or if the step ends near a tilt at which the motion changes.
-    /// In between the tilt changes in one direction.
+    /// Negative if the tilt may have several extrema in the step, or come near a tilt at which the motion changes.
     #[inline(always)]
     fn margin(&self, from: &At<T>, to: &At<T>, h: T, direction: T) -> T {
         let (a, b) = (expand(&from.u), expand(&to.u));
         let third = h * T::from(1.0 / 3.0);
-        let tilting = [
+        // The coefficients of the tilt rate in the direction in which the tilt changes at first.
+        let rates = [
             direction * a.p,
             direction * (a.p + third * from.rates[2]),
             direction * (b.p - third * to.rates[2]),
             direction * b.p,
         ];
-        clearance(tilting, 0.25)
+        let insignificant = self.significant * self.error_scale.tilt_rate(&b);
+        let one_extremum = (-rates[3] - insignificant).min(self.margin_of_extremum(&a, &b, third));
+        let none_or_one = monotonicity(rates)
+            .min(rates[0])
+            .min(rates[3].max(one_extremum));
+        clearance(rates, SPREAD)
+            .max(none_or_one)
             .min(b.sin - T::from(FLAT))
             .min(b.cos)
             .min(self.topple.below(&b))
-            .min(T::from(MAX_TURN) - (b.yaw - a.yaw).abs())
+    }
+
+    /// Negative if an extremum of the tilt in a step may be near a tilt at which the motion changes.
+    #[inline(always)]
+    fn margin_of_extremum(&self, a: &Coordinates<T>, b: &Coordinates<T>, third: T) -> T {
+        // How far the coefficients of the tilt exceed the tilts at the ends.
+        let (after, before) = (third * a.p.abs(), third * b.p.abs());
+        let either = |at_a: T, at_b: T| (at_a - after).min(at_b - before);
+        (either(a.sin, b.sin) - T::from(FLAT))
+            .min(either(a.cos, b.cos))
+            .min(either(self.topple.below(a), self.topple.below(b)))
+    }
+}
+
+/// Negative if the cubic with these Bernstein coefficients may rise and fall.
+#[inline(always)]
+fn monotonicity<T: Real>([a, b, c, d]: [T; 4]) -> T {
+    clearance([b - a, c - b, d - c], SPREAD).max(clearance([a - b, b - c, c - d], SPREAD))
+}
+
+/// The estimate of a step, in which an error is too large also if the yaw changes by more than [`MAX_TURN`].
+#[inline(always)]
+fn without_long_turn<T: Real>(estimate: Estimate<T>, turn: T) -> Estimate<T> {
+    // Its 16th power grows with the step size as the square of the error.
+    let mut power = turn * T::from(1.0 / MAX_TURN);
+    for _ in 0..4 {
+        power = power * power;
+    }
+    Estimate {
+        error_squared: estimate.error_squared.max(power * estimate.allowed),
+        ..estimate
     }
 }
 

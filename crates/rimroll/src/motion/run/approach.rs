@@ -62,6 +62,21 @@ impl Approach<'_> {
         }
     }
 
+    /// Whether so many steps of this size remain to the corner that an implicit step, which has to end there too, could
+    /// take less time.
+    pub(super) fn is_long(&self, u: &[f64; COORDINATES], h: f64) -> bool {
+        // The cost of an implicit step, in explicit steps.
+        const COST: f64 = 100.0;
+        if self.corner == f64::INFINITY {
+            return true;
+        }
+        let h = match self.clock {
+            Clock::Time => h,
+            Clock::Regularized => h * self.time_rate(u),
+        };
+        self.corner - u[TIME] > COST * h
+    }
+
     /// Limits the size of a step with respect to the time. Returns the time to the corner.
     pub(super) fn limit(&self, u: &[f64; COORDINATES], h: &mut f64) -> f64 {
         let remaining = self.corner - u[TIME];

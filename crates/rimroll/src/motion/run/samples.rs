@@ -7,9 +7,9 @@ use crate::motion::contacts::Contacts;
 use crate::motion::event_detector::Goal;
 use crate::motion::instant::{Instant, Phase};
 use crate::motion::mechanics::Clock;
-use crate::motion::samples::{At, Between, Order, Rolling, advanced, reduce};
+use crate::motion::options::Options;
+use crate::motion::samples::{At, Between, Order, Reduced, Rolling, advanced, reduce};
 use crate::motion::step_record::StepRecord;
-use crate::motion::topple::Topple;
 use crate::state::Coordinates;
 
 /// What the steps from sample to sample of a run need.
@@ -25,7 +25,7 @@ pub(super) struct SampleSteps {
 }
 
 /// A rolling rim that steps from sample to sample of a record: by one step of order 5 or, where that is not accurate enough,
-/// by 1, 2, 4 or 8 equal steps of order 8.
+/// by steps of order 8 whose size is that between two samples divided by a power of two.
 pub(in crate::motion) struct OnSamples {
     pub rolling: Rolling<f64>,
     pub at: At<f64>,
@@ -35,9 +35,9 @@ pub(in crate::motion) struct OnSamples {
     /// The index of the last sample, and that of the last one to which steps go.
     index: usize,
     last: usize,
-    /// 0 for a step of order 5; above that the number of steps of order 8 between two samples is 2^(level − 1).
+    /// 0 for a step of order 5; above that, 2^(level − 1) steps of order 8 as long as the next one fit between two samples.
     level: u32,
-    /// The number of those made.
+    /// The time since the last sample, in such steps.
     part: u32,
     /// The number of samples passed at level 1 in succession.
     passed: u32,
@@ -53,7 +53,10 @@ pub(in crate::motion) struct OnSamples {
 }
 
 /// The largest level.
-const MAX_LEVEL: u32 = 4;
+const MAX_LEVEL: u32 = 9;
+
+/// The square of the error of a step twice as long is at most this many times larger.
+const EXCESS: f64 = 1e6;
 
 impl OnSamples {
     /// The next step.
@@ -97,8 +100,6 @@ impl OnSamples {
     /// Accepts a step with this square of its error, relative to the tolerance. Whether another step may follow.
     #[inline]
     pub(in crate::motion) fn accept(&mut self, error_squared: f64) -> bool {
-        // The square of the error of a step twice as long is at most this many times larger.
-        const EXCESS: f64 = 1e6;
         // The number of samples after which order 5 is tried again.
         const PATIENCE: u32 = 8;
         self.steps += 1;
@@ -108,17 +109,30 @@ impl OnSamples {
             self.part = 0;
             self.index += 1;
             self.passed += u32::from(self.level == 1);
-            let coarser = match self.level {
-                0 => false,
-                1 => self.passed >= PATIENCE,
-                _ => EXCESS * error_squared < 1.0,
-            };
-            if coarser {
-                self.level -= 1;
-                self.passed = 0;
-            }
+        }
+        let coarser = match self.level {
+            0 => false,
+            1 => self.passed >= PATIENCE,
+            _ => self.part.is_multiple_of(2) && EXCESS * error_squared < 1.0,
+        };
+        if coarser {
+            self.level -= 1;
+            self.part /= 2;
+            self.passed = 0;
         }
         self.index < self.last && self.steps < self.max_steps
+    }
+
+    /// Whether the tilt rate changes its sign in a step that ends at `end`.
+    #[inline]
+    fn reverses(&self, end: &At<f64>) -> bool {
+        self.direction * end.u[2] < 0.0
+    }
+
+    /// An upper bound of the tilt in a step, rad.
+    fn largest_tilt(&self, between: &Between<f64>, end: &At<f64>) -> f64 {
+        let beyond = |u: &Reduced<f64>| libm::atan2(u[0], u[1]) + u[2].abs() * between.h / 3.0;
+        beyond(&self.at.u).max(beyond(&end.u))
     }
 
     /// The number of evaluations of a step.
@@ -154,19 +168,24 @@ impl OnSamples {
 
     /// All coordinates.
     fn coordinates(&self) -> Coordinates<f64> {
-        advanced(&self.before, &self.at.u, self.time())
+        self.coordinates_with(&self.at.u, self.time())
+    }
+
+    /// All coordinates at another time, s.
+    fn coordinates_with(&self, u: &Reduced<f64>, t: f64) -> Coordinates<f64> {
+        advanced(&self.before, u, t)
     }
 }
 
 impl SampleSteps {
     /// `None` where such steps cannot follow the motion.
-    pub(super) fn new(contacts: &Contacts, topple: Option<f64>, tolerance: f64) -> Option<Self> {
+    pub(super) fn new(contacts: &Contacts, options: &Options) -> Option<Self> {
         let law = contacts.contact_law();
         let rolls = law.friction == FrictionLaw::NoSlip || contacts.is_dry();
         let record = contacts.ground()?.record_alone()?;
         let fits = rolls && !law.resists();
         fits.then(|| SampleSteps {
-            rolling: Rolling::new(contacts, topple.map(Topple::at), tolerance),
+            rolling: Rolling::new(contacts, options),
             record: record.clone(),
             pause: 0,
             failures: 0,
@@ -193,8 +212,8 @@ impl Run<'_> {
         }
         let index = steps.record.index_of(u.t)?;
         let goal = match self.detector.goal() {
-            Goal::Time(end) | Goal::End(end) | Goal::Turn(end) => end,
-            Goal::Passed(_) => return None,
+            Goal::Time(end) | Goal::End(end) => end,
+            Goal::Turn(_) | Goal::Passed(_) => return None,
         };
         // The motion and the record end in later steps.
         let samples = steps.record.samples();
@@ -229,13 +248,15 @@ impl Run<'_> {
                 &between,
                 sample.direction,
             );
-            let is_accurate = attempt.estimate.is_accepted();
-            if !is_accurate || attempt.margin < 0.0 {
+            if !attempt.is_accepted() {
                 sample.reject();
-                if !is_accurate && sample.refine() {
+                if !attempt.estimate.is_accepted() && sample.refine() {
                     continue;
                 }
                 break;
+            }
+            if sample.reverses(&attempt.end) {
+                self.pass_extremum(&mut sample, &between, &attempt.end);
             }
             sample.at = attempt.end;
             let goes_on = sample.accept(attempt.estimate.relative_squared());
@@ -250,6 +271,27 @@ impl Run<'_> {
             }
         }
         self.leave_samples(&sample);
+    }
+
+    /// Adds the extremum of the tilt in a step that ends at `end`.
+    pub(in crate::motion) fn pass_extremum(
+        &mut self,
+        sample: &mut OnSamples,
+        between: &Between<f64>,
+        end: &At<f64>,
+    ) {
+        let is_maximum = sample.direction > 0.0;
+        sample.direction = -sample.direction;
+        let is_wanted = self.detector.goal().needs_track()
+            || is_maximum && sample.largest_tilt(between, end) > self.detector.largest_maximum();
+        let extremum = is_wanted.then(|| {
+            let (order, at) = (sample.order(), &sample.at);
+            let (x, u) = sample.rolling.extremum(order, at, between, end);
+            let u = sample.coordinates_with(&u, sample.time() + x * between.h);
+            let phase = Phase::Rolling;
+            Instant { phase, u }
+        });
+        self.detector.reverse(sample.direction, extremum);
     }
 
     /// Continues with the usual steps from where the steps from sample to sample have ended.

@@ -49,7 +49,10 @@ impl SystemVisitor for Steps<'_, '_> {
         let mut before = run.work;
         loop {
             let since_test = run.work.steps - run.steps_at_stiffness_test;
-            if N >= COORDINATES_AT_REST && since_test >= STIFFNESS_TEST_INTERVAL {
+            if N >= COORDINATES_AT_REST
+                && since_test >= STIFFNESS_TEST_INTERVAL
+                && approach.is_long(&u, stepper.h)
+            {
                 run.work = before + stepper.work;
                 let explicit = approach.regularized(&u, h);
                 run.detector.cut_steps_at(corner);

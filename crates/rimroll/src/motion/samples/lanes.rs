@@ -1,4 +1,5 @@
-//! Steps from sample to sample in lanes: one step of each of sixteen motions, each with its own body and record.
+//! Steps from sample to sample in lanes: one step of each of sixteen motions, each with its own body and record. All steps
+//! have the same order.
 
 use super::{At, Between, N, Order, Reduced, Rolling};
 use crate::motion::run::OnSamples;
@@ -12,8 +13,7 @@ pub(in crate::motion) struct SamplesInLanes {
     at: At<Lanes>,
     between: Between<Lanes>,
     direction: Lanes,
-    /// 1 in the lanes whose next step has order 8, otherwise 0.
-    high_order: Lanes,
+    order: Order,
     end: At<Lanes>,
     margin: Lanes,
     error_squared: Lanes,
@@ -38,7 +38,7 @@ impl SamplesInLanes {
                 h: zero,
             },
             direction: zero,
-            high_order: zero,
+            order: sample.order(),
             end: at,
             margin: zero,
             error_squared: zero,
@@ -56,13 +56,12 @@ impl SamplesInLanes {
         sample.rolling.write(&mut self.rolling, write);
         sample.at.write(&mut self.at, write);
         self.direction.0[lane] = sample.direction;
-        self.aim(lane, sample.order(), &sample.between());
+        self.aim(lane, &sample.between());
     }
 
     /// Sets the step of a lane.
     #[inline]
-    pub(in crate::motion) fn aim(&mut self, lane: usize, order: Order, between: &Between<f64>) {
-        self.high_order.0[lane] = f64::from(u8::from(order == Order::Eight));
+    pub(in crate::motion) fn aim(&mut self, lane: usize, between: &Between<f64>) {
         for i in 0..3 {
             self.between.from[i].0[lane] = between.from[i];
             self.between.to[i].0[lane] = between.to[i];
@@ -76,6 +75,18 @@ impl SamplesInLanes {
         self.at.map(number)
     }
 
+    /// The end of the last step of a lane.
+    pub(in crate::motion) fn end(&self, lane: usize) -> At<f64> {
+        let number = |lanes: &Lanes| lanes.0[lane];
+        self.end.map(number)
+    }
+
+    /// Sets the motion in a lane, and the sign of its tilt rate.
+    pub(in crate::motion) fn turn_back(&mut self, lane: usize, at: &At<f64>, direction: f64) {
+        at.write(&mut self.at, |number, lanes| lanes.0[lane] = *number);
+        self.direction.0[lane] = direction;
+    }
+
     /// The estimate of the error of the last step in a lane.
     #[inline]
     pub(in crate::motion) fn estimate(&self, lane: usize) -> Estimate<f64> {
@@ -85,27 +96,35 @@ impl SamplesInLanes {
         }
     }
 
-    /// Attempts a step in each lane whose next step has this order. Lanes whose bits are set in the result are at its end,
-    /// the others at its start.
-    pub(in crate::motion) fn step(&mut self, order: Order) -> Bits {
-        run_widest(Step(self, order))
+    /// Attempts a step in each lane.
+    pub(in crate::motion) fn step(&mut self) -> Stepped {
+        run_widest(Step(self))
     }
 }
 
-struct Step<'a>(&'a mut SamplesInLanes, Order);
+/// What has become of an attempted step, with a bit for each lane.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::motion) struct Stepped {
+    /// The lanes that are at the end of the step; the others are at its start.
+    pub moved: Bits,
+    /// The lanes at the start of a step that counts and that contains an extremum of the tilt.
+    pub reverses: Bits,
+}
+
+struct Step<'a>(&'a mut SamplesInLanes);
 
 impl SimdKernel for Step<'_> {
-    type Done = Bits;
+    type Done = Stepped;
 
     #[inline(always)]
-    fn run<V: Vector>(self) -> Bits {
-        let Step(lanes, order) = self;
+    fn run<V: Vector>(self) -> Stepped {
+        let Step(lanes) = self;
         // Each order is compiled by itself.
-        match order {
+        match lanes.order {
             Order::Five => lanes.attempt_all::<V>(Order::Five),
             Order::Eight => lanes.attempt_all::<V>(Order::Eight),
         }
-        lanes.accept::<V>(order)
+        lanes.accept::<V>()
     }
 }
 
@@ -148,20 +167,17 @@ impl SamplesInLanes {
         estimate.allowed.store_part(&mut self.allowed, part);
     }
 
-    /// Moves the lanes whose step counts to its end.
+    /// Moves the lanes whose step counts to its end, if the tilt has no extremum in it.
     #[inline(always)]
-    fn accept<V: Vector>(&mut self, order: Order) -> Bits {
+    fn accept<V: Vector>(&mut self) -> Stepped {
         let (error_squared, allowed) = (V::load(&self.error_squared), V::load(&self.allowed));
         let within_tolerance = error_squared
             .at_most(allowed)
             .and(error_squared.at_most(V::from(f64::MAX)));
         let uneventful = V::from(0.0).at_most(V::load(&self.margin));
-        let high_order = V::from(0.5).at_most(V::load(&self.high_order));
-        let of_this_order = match order {
-            Order::Five => !high_order,
-            Order::Eight => high_order,
-        };
-        let moves = within_tolerance.and(uneventful).and(of_this_order).opaque();
+        let counts = within_tolerance.and(uneventful).opaque();
+        let goes_on = V::from(0.0).at_most(V::load(&self.direction) * V::load(&self.end.u[2]));
+        let moves = counts.and(goes_on).opaque();
         for i in 0..N {
             let (u, end) = (V::load(&self.at.u[i]), V::load(&self.end.u[i]));
             self.at.u[i] = moves.choose(end, u).store();
@@ -170,7 +186,11 @@ impl SamplesInLanes {
         }
         let (margin, end) = (V::load(&self.at.margin), V::load(&self.end.margin));
         self.at.margin = moves.choose(end, margin).store();
-        moves.bits()
+        let moved = moves.bits();
+        Stepped {
+            moved,
+            reverses: counts.bits() & !moved,
+        }
     }
 }
 
@@ -195,13 +215,14 @@ impl<T> At<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LANES, Lanes, Order, SamplesInLanes, Step};
+    use super::{LANES, Lanes, Order, SamplesInLanes, Step, Stepped};
     use crate::contact_law::ContactLaw;
     use crate::law::IdealLaw;
     use crate::motion::contacts::Contacts;
+    use crate::motion::options::Options;
     use crate::motion::samples::{At, Between, Rolling, reduce};
     use crate::presets;
-    use crate::real::{Bits, SimdKernel, Vector, in_every_width};
+    use crate::real::{SimdKernel, Vector, in_every_width};
     use crate::state::{Coordinates, State};
 
     const ACCELERATION: [f64; 3] = [1.0, -2.0, 0.5];
@@ -223,23 +244,14 @@ mod tests {
         (at, Between { from, to, h })
     }
 
-    fn order(lane: usize) -> Order {
-        if lane.is_multiple_of(3) {
-            Order::Eight
-        } else {
-            Order::Five
-        }
-    }
-
     struct Owned(SamplesInLanes);
 
     impl SimdKernel for Owned {
-        type Done = ([Bits; 2], SamplesInLanes);
+        type Done = (Stepped, SamplesInLanes);
 
         fn run<V: Vector>(mut self) -> Self::Done {
-            let orders = [Order::Five, Order::Eight];
-            let moved = orders.map(|order| Step(&mut self.0, order).run::<V>());
-            (moved, self.0)
+            let stepped = Step(&mut self.0).run::<V>();
+            (stepped, self.0)
         }
     }
 
@@ -248,45 +260,50 @@ mod tests {
         let can = presets::can_2007().expect("the paper's can");
         let law = ContactLaw::from(IdealLaw::NoSlip);
         let contacts = Contacts::new(&can, &law, 9.8, 1e-9);
-        let rolling = Rolling::new(&contacts, None, 1e-9);
+        let rolling = Rolling::new(&contacts, &Options::default());
         let zero = Lanes::from(0.0);
         let (first, between) = lane(&rolling, 0);
         let all = |number: &f64| Lanes::from(*number);
-        let mut lanes = SamplesInLanes {
-            rolling: rolling.map(all),
-            at: first.map(all),
-            between: Between {
-                from: between.from.map(Lanes::from),
-                to: between.to.map(Lanes::from),
-                h: Lanes::from(between.h),
-            },
-            direction: Lanes::from(-1.0),
-            high_order: zero,
-            end: first.map(all),
-            margin: zero,
-            error_squared: zero,
-            allowed: zero,
-        };
-        for i in 0..LANES {
-            let (at, between) = lane(&rolling, i);
-            at.write(&mut lanes.at, |number, lanes| lanes.0[i] = *number);
-            lanes.aim(i, order(i), &between);
-        }
-        let alone: Vec<_> = (0..LANES)
-            .map(|i| {
+        for order in [Order::Five, Order::Eight] {
+            let mut lanes = SamplesInLanes {
+                rolling: rolling.map(all),
+                at: first.map(all),
+                between: Between {
+                    from: between.from.map(Lanes::from),
+                    to: between.to.map(Lanes::from),
+                    h: Lanes::from(between.h),
+                },
+                direction: Lanes::from(-1.0),
+                order,
+                end: first.map(all),
+                margin: zero,
+                error_squared: zero,
+                allowed: zero,
+            };
+            let mut alone = Vec::new();
+            for i in 0..LANES {
                 let (at, between) = lane(&rolling, i);
-                let attempt = rolling.attempt_alone(order(i), &at, &between, -1.0);
-                let moves = attempt.estimate.is_accepted() && attempt.margin >= 0.0;
-                (moves, if moves { attempt.end } else { at })
-            })
-            .collect();
-        assert!(alone.iter().any(|one| one.0) && alone.iter().any(|one| !one.0));
-        for ([five, eight], lanes) in in_every_width(|| Owned(lanes.clone())) {
-            assert_eq!(five & eight, 0);
-            for (i, (moves, at)) in alone.iter().enumerate() {
-                assert_eq!((five | eight) >> i & 1 == 1, *moves);
-                assert_eq!((lanes.at(i).u, lanes.at(i).rates), (at.u, at.rates));
+                at.write(&mut lanes.at, |number, lanes| lanes.0[i] = *number);
+                lanes.aim(i, &between);
+                alone.push((at, rolling.attempt_alone(order, &at, &between, -1.0)));
             }
+            let [mut moved, mut reversed, mut rejected] = [0; 3];
+            for (stepped, lanes) in in_every_width(|| Owned(lanes.clone())) {
+                for (i, (at, attempt)) in alone.iter().enumerate() {
+                    let reverses = attempt.is_accepted() && attempt.end.u[2] > 0.0;
+                    let moves = attempt.is_accepted() && !reverses;
+                    assert_eq!(stepped.moved >> i & 1 == 1, moves);
+                    assert_eq!(stepped.reverses >> i & 1 == 1, reverses);
+                    let (end, now) = (lanes.end(i), lanes.at(i));
+                    let at = if moves { &attempt.end } else { at };
+                    assert_eq!((now.u, now.rates), (at.u, at.rates));
+                    assert_eq!((end.u, end.rates), (attempt.end.u, attempt.end.rates));
+                    moved += u32::from(moves);
+                    reversed += u32::from(reverses);
+                    rejected += u32::from(!attempt.is_accepted());
+                }
+            }
+            assert!(moved > 0 && reversed > 0 && (rejected > 0 || order == Order::Eight));
         }
     }
 }

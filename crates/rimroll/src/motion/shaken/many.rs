@@ -3,30 +3,46 @@
 //!
 //! Each lane holds a run, which does everything else: other steps, events, standing, sliding, flights. A lane goes
 //! through the same operations as a run alone, so that all outcomes have the same bits as those of
-//! [`shaken`](super::shaken).
+//! [`shaken`](super::shaken). Steps of order 5 and of order 8 are made in lanes of their own. Twice as many motions as
+//! lanes are followed, so that one of the two is full.
 
 use super::{Begun, Shaken};
+use crate::ending::Status;
 use crate::motion::run::{Followed, OnSamples, Run};
+use crate::motion::samples::Order;
 use crate::motion::samples::lanes::SamplesInLanes;
-use crate::motion::samples::{At, Order};
 use crate::real::LANES;
 use core::ops::ControlFlow;
+use std::collections::VecDeque;
 
 /// Up to this number of motions are stepped one by one, which is faster than in mostly empty lanes.
 const FEW: usize = 2;
 
+/// The number of motions that are followed at the same time, so that the lanes of one of the two orders are full.
+const FOLLOWED: usize = 2 * LANES;
+
 /// A motion that steps from sample to sample.
-struct InLane<'a> {
+struct Stepping<'a> {
     index: usize,
     run: Run<'a>,
     sample: Box<OnSamples>,
 }
 
-/// The motions in the lanes and those that wait for one.
+/// The motions whose next step has the same order.
+#[derive(Default)]
+struct Batch<'a> {
+    lanes: [Option<Box<Stepping<'a>>>; LANES],
+    waiting: VecDeque<Box<Stepping<'a>>>,
+    lockstep: Option<SamplesInLanes>,
+}
+
+/// The motions that are followed and those that have not begun.
 struct Many<'a, 'w> {
     begun: &'a [Begun],
     next: usize,
-    lanes: [Option<InLane<'a>>; LANES],
+    followed: usize,
+    of_order_5: Batch<'a>,
+    of_order_8: Batch<'a>,
     outcomes: Vec<Option<Shaken>>,
     should_continue: &'w dyn Fn() -> bool,
     stopped: bool,
@@ -37,7 +53,9 @@ pub(crate) fn many_shaken(begun: &[Begun], should_continue: &dyn Fn() -> bool) -
     let mut many = Many {
         begun,
         next: 0,
-        lanes: [const { None }; LANES],
+        followed: 0,
+        of_order_5: Batch::default(),
+        of_order_8: Batch::default(),
         outcomes: vec![None; begun.len()],
         should_continue,
         stopped: false,
@@ -46,115 +64,159 @@ pub(crate) fn many_shaken(begun: &[Begun], should_continue: &dyn Fn() -> bool) -
     many.outcomes.into_iter().map_while(|done| done).collect()
 }
 
+impl<'a> Batch<'a> {
+    /// Puts waiting motions into empty lanes. Returns the number of motions in lanes.
+    fn fill(&mut self) -> usize {
+        let mut count = 0;
+        for (lane, place) in self.lanes.iter_mut().enumerate() {
+            if place.is_none()
+                && let Some(motion) = self.waiting.pop_front()
+            {
+                let sample = &motion.sample;
+                match &mut self.lockstep {
+                    Some(lockstep) => lockstep.put(lane, sample),
+                    None => self.lockstep = Some(SamplesInLanes::filled_with(sample)),
+                }
+                *place = Some(motion);
+            }
+            count += usize::from(place.is_some());
+        }
+        count
+    }
+
+    /// Makes a step of each motion in a lane. Those that leave the steps of this order are added to `leaving`.
+    fn step(&mut self, leaving: &mut Vec<(Box<Stepping<'a>>, Next)>) {
+        let Some(lockstep) = &mut self.lockstep else {
+            return;
+        };
+        let stepped = lockstep.step();
+        for (lane, place) in self.lanes.iter_mut().enumerate() {
+            let Some(motion) = place else {
+                continue;
+            };
+            let Stepping { run, sample, .. } = &mut **motion;
+            let (order, estimate) = (sample.order(), lockstep.estimate(lane));
+            let reverses = stepped.reverses >> lane & 1 == 1;
+            if reverses {
+                let end = lockstep.end(lane);
+                sample.at = lockstep.at(lane);
+                run.pass_extremum(sample, &sample.between(), &end);
+                lockstep.turn_back(lane, &end, sample.direction);
+            }
+            let goes_on = if reverses || stepped.moved >> lane & 1 == 1 {
+                sample.accept(estimate.relative_squared())
+            } else {
+                sample.reject();
+                !estimate.is_accepted() && sample.refine()
+            };
+            if goes_on && sample.order() == order {
+                lockstep.aim(lane, &sample.between());
+                continue;
+            }
+            sample.at = lockstep.at(lane);
+            let next = if goes_on {
+                Next::OtherOrder
+            } else {
+                Next::UsualSteps
+            };
+            leaving.extend(place.take().map(|motion| (motion, next)));
+        }
+    }
+
+    /// Empties the lanes.
+    fn take_all(&mut self) -> Vec<Stepping<'a>> {
+        let mut all: Vec<_> = self.waiting.drain(..).map(|motion| *motion).collect();
+        for (lane, place) in self.lanes.iter_mut().enumerate() {
+            if let (Some(mut motion), Some(lockstep)) = (place.take(), &self.lockstep) {
+                motion.sample.at = lockstep.at(lane);
+                all.push(*motion);
+            }
+        }
+        all
+    }
+}
+
+/// What follows the steps of one order.
+#[derive(Clone, Copy)]
+enum Next {
+    OtherOrder,
+    UsualSteps,
+}
+
 impl<'a> Many<'a, '_> {
     fn compute(&mut self) {
-        for lane in 0..LANES {
-            self.refill(lane);
-        }
-        let first = self.lanes.iter().flatten().next();
-        let Some(mut lockstep) = first.map(|first| SamplesInLanes::filled_with(&first.sample))
-        else {
-            return;
-        };
-        for (lane, motion) in self.lanes.iter().enumerate() {
-            if let Some(motion) = motion {
-                lockstep.put(lane, &motion.sample);
+        let mut leaving = Vec::new();
+        loop {
+            while self.followed < FOLLOWED && self.next < self.begun.len() && !self.stopped {
+                let index = self.next;
+                self.next += 1;
+                self.followed += 1;
+                self.follow(index, self.begun[index].run());
             }
-        }
-        while !self.stopped && self.lanes.iter().flatten().count() > FEW {
-            self.step(&mut lockstep);
-        }
-        if self.stopped {
-            return;
-        }
-        for lane in 0..LANES {
-            if let Some(motion) = self.lanes[lane].take() {
-                self.finish_alone(motion, lockstep.at(lane));
+            if self.stopped {
+                return;
             }
-        }
-    }
-
-    /// Makes a step of each motion in the lanes whose next step has the more frequent order.
-    fn step(&mut self, lockstep: &mut SamplesInLanes) {
-        let count = |order| {
-            let orders = self
-                .lanes
-                .iter()
-                .flatten()
-                .map(|motion| motion.sample.order());
-            orders.filter(|&one| one == order).count()
-        };
-        let order = if count(Order::Eight) > count(Order::Five) {
-            Order::Eight
-        } else {
-            Order::Five
-        };
-        let moved = lockstep.step(order);
-        for lane in 0..LANES {
-            let Some(motion) = &mut self.lanes[lane] else {
-                continue;
-            };
-            if motion.sample.order() != order {
-                continue;
+            if self.followed <= FEW {
+                break;
             }
-            let estimate = lockstep.estimate(lane);
-            let goes_on = if moved >> lane & 1 == 1 {
-                motion.sample.accept(estimate.relative_squared())
+            if self.of_order_5.fill() >= self.of_order_8.fill() {
+                self.of_order_5.step(&mut leaving);
             } else {
-                motion.sample.reject();
-                !estimate.is_accepted() && motion.sample.refine()
-            };
-            if goes_on {
-                lockstep.aim(lane, motion.sample.order(), &motion.sample.between());
-                continue;
+                self.of_order_8.step(&mut leaving);
             }
-            let Some(mut motion) = self.lanes[lane].take() else {
-                continue;
-            };
-            motion.sample.at = lockstep.at(lane);
-            motion.run.leave_samples(&motion.sample);
-            self.lanes[lane] = self.follow(motion.index, motion.run);
-            if self.lanes[lane].is_none() {
-                self.refill(lane);
-            }
-            if let Some(motion) = &self.lanes[lane] {
-                lockstep.put(lane, &motion.sample);
-            }
-        }
-    }
-
-    /// Puts the next motion that steps from sample to sample into an empty lane.
-    fn refill(&mut self, lane: usize) {
-        while self.lanes[lane].is_none() && !self.stopped && self.next < self.begun.len() {
-            let index = self.next;
-            self.next += 1;
-            self.lanes[lane] = self.follow(index, self.begun[index].run());
-        }
-    }
-
-    /// Follows a motion until it can step from sample to sample; `None` if it ends before.
-    fn follow(&mut self, index: usize, mut run: Run<'a>) -> Option<InLane<'a>> {
-        let followed = run.follow(&mut |_| self.watch());
-        match followed {
-            Followed::ToSample(sample) => Some(InLane { index, run, sample }),
-            Followed::Ended(status) => {
-                if !self.stopped {
-                    self.outcomes[index] = Some(self.begun[index].outcome(run, status));
+            for (motion, next) in leaving.drain(..) {
+                match next {
+                    Next::OtherOrder => self.wait(motion),
+                    Next::UsualSteps => {
+                        let Stepping {
+                            index,
+                            mut run,
+                            sample,
+                        } = *motion;
+                        run.leave_samples(&sample);
+                        self.follow(index, run);
+                    }
                 }
-                None
             }
+        }
+        let mut last = self.of_order_5.take_all();
+        last.append(&mut self.of_order_8.take_all());
+        for motion in last {
+            self.finish_alone(motion);
         }
     }
 
-    fn finish_alone(&mut self, mut motion: InLane<'a>, at: At<f64>) {
-        motion.sample.at = at;
-        let InLane {
+    /// Lets a motion wait for a lane.
+    fn wait(&mut self, motion: Box<Stepping<'a>>) {
+        let batch = match motion.sample.order() {
+            Order::Five => &mut self.of_order_5,
+            Order::Eight => &mut self.of_order_8,
+        };
+        batch.waiting.push_back(motion);
+    }
+
+    /// Follows a motion until it ends or can step from sample to sample.
+    fn follow(&mut self, index: usize, mut run: Run<'a>) {
+        match run.follow(&mut |_| self.watch()) {
+            Followed::ToSample(sample) => self.wait(Box::new(Stepping { index, run, sample })),
+            Followed::Ended(status) => self.end(index, run, status),
+        }
+    }
+
+    fn finish_alone(&mut self, motion: Stepping<'a>) {
+        let Stepping {
             index,
             mut run,
             sample,
         } = motion;
         run.step_alone(*sample);
         let status = run.follow_to_the_end(&mut |_| self.watch());
+        self.end(index, run, status);
+    }
+
+    /// Keeps the outcome of a run that has ended.
+    fn end(&mut self, index: usize, run: Run<'a>, status: Status) {
+        self.followed -= 1;
         if !self.stopped {
             self.outcomes[index] = Some(self.begun[index].outcome(run, status));
         }
