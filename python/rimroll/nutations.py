@@ -16,6 +16,7 @@ from rimroll.given import Number, number
 from rimroll.laws import NoSlip
 from rimroll.motion import Moments, Motion, simulate
 from rimroll.state import State, single
+from rimroll.steady import steady_motions
 
 LONGEST = 2.0**14
 """How long a nutation is looked for, in units of the time √(R/g)."""
@@ -31,7 +32,8 @@ class Nutation:
     The next nutation is the same, turned by the yaw advance about a centre. So the path of the
     contact point stays between two circles about that centre and fills the ring between them,
     unless the yaw advance is a fraction of 2π; then it closes. If the yaw advance is a multiple of
-    2π, there is no centre: the path goes on in one direction without bound.
+    2π, there is no centre: the path goes on in one direction without bound, or it closes if the
+    drift is zero.
     """
 
     period: float
@@ -45,8 +47,8 @@ class Nutation:
     drift: float
     """Distance between the contact points at the beginning and at the end of a nutation, m."""
     center: tuple[float, float]
-    """Centre of the path, m, from the point under the centre of mass at the start; infinite if
-    the path is unbounded."""
+    """Centre of the path, m, from the point under the centre of mass at the start. It is infinite
+    if the path is unbounded, and NaN if the path closes after one nutation."""
     inner_radius: float
     """Smallest distance of the contact point from the centre, m."""
     outer_radius: float
@@ -58,8 +60,8 @@ class Nutation:
 
     @property
     def is_bounded(self) -> bool:
-        """Whether the path stays in a ring."""
-        return math.isfinite(self.outer_radius)
+        """Whether the path stays near its place."""
+        return not math.isinf(self.outer_radius)
 
 
 def nutation(body: Body, start: State, *, gravity: Number = _core.STANDARD_GRAVITY) -> Nutation:
@@ -89,12 +91,14 @@ def nutation(body: Body, start: State, *, gravity: Number = _core.STANDARD_GRAVI
     one_body(body)
     expect("start", start, State)
     g = number("gravity", gravity, "m/s^2")
-    motion, first, second = _between_maxima(body, single(start), g)
+    release = single(start)
+    _not_steady(body, release, g)
+    motion, first, second = _between_maxima(body, release, g)
     lowest = _extrema(motion, rising=True)
     middle = float(lowest[(lowest > first) & (lowest < second)][0])
     at = motion.evaluate(np.array([first, middle, second]))
     advance = float(at.yaw[2] - at.yaw[0])
-    center = _fixed_point(at.contact_path[0], at.contact_path[2], advance)
+    center = _fixed_point(at.contact_path[0], at.contact_path[2], advance, SAME * body.radius)
 
     def along(at: Moments) -> NDArray[np.float64]:
         """The distance of the contact point from the centre, measured along the rim's tangent."""
@@ -117,6 +121,20 @@ def nutation(body: Body, start: State, *, gravity: Number = _core.STANDARD_GRAVI
         cusps=2 * len(cusps),
         inflections=2 * len(_half(motion, first, middle, lambda at: at.yaw_rate)),
     )
+
+
+def _not_steady(body: Body, start: State[float], gravity: float) -> None:
+    if start.tilt_rate != 0.0:
+        return
+    rates = {
+        "yaw_rate": start.yaw_rate,
+        "axial_spin": start.spin_rate + start.yaw_rate * math.cos(start.tilt),
+    }
+    if steady_motions(body, NoSlip(), start.tilt, gravity=gravity, **rates):
+        raise RimrollError(
+            "there is no nutation: the motion is steady, and rimroll.steady_motions has its"
+            " rate of small nutations"
+        )
 
 
 def _between_maxima(body: Body, start: State[float], gravity: float) -> tuple[Motion, float, float]:
@@ -155,11 +173,14 @@ def _half(
 
 
 def _fixed_point(
-    before: NDArray[np.float64], after: NDArray[np.float64], angle: float
+    before: NDArray[np.float64], after: NDArray[np.float64], angle: float, same: float
 ) -> NDArray[np.float64]:
-    """The point about which a rotation takes one point to another; infinite for a translation."""
+    """The point about which a rotation takes one point to another.
+
+    It is infinite for a translation, and NaN for one by less than the distance ``same`` (m).
+    """
     half = math.remainder(angle, 2.0 * math.pi) / 2.0
     if abs(half) < SAME:
-        return np.full(2, np.inf)
+        return np.full(2, np.inf if np.linalg.norm(after - before) > same else np.nan)
     across = np.array([before[1] - after[1], after[0] - before[0]])
     return 0.5 * (before + after) + across / (2.0 * math.tan(half))

@@ -142,5 +142,8 @@ def test_at_a_resonance_the_path_goes_on_for_ever():
 def test_what_has_no_nutation_is_refused():
     with pytest.raises(rr.RimrollError, match="there is no nutation"):
         rr.nutation(CAN, rr.State(tilt=0.8, yaw_rate=0.1))
+    motion, _ = rr.steady_motions(DISK, rr.NoSlip(), 1.0, axial_spin=20.0)
+    with pytest.raises(rr.RimrollError, match="there is no nutation: the motion is steady"):
+        rr.nutation(DISK, motion.start)
     with pytest.raises(rr.RimrollError, match="start must be"):
         rr.nutation(CAN, 3)
