@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pytest
 
 import rimroll as rr
@@ -93,6 +94,59 @@ WRONG = [
         {"random": {"law.kind": {"distribution": "normal"}}, "trials": 2},
         "law.kind is no number, so it has no distribution",
     ),
+    (
+        {"law": {"kind": "coulomb", "friction": 0.2, "air_drag": {"coefficient": "film"}}}
+        | {"axes": {"simulation.gravity": [9.8, 1.6]}},
+        '[law.air_drag] coefficient "film" goes with a single body and gravity: simulation.gravity',
+    ),
+    (
+        {"law": {"kind": "coulomb", "friction": 0.2, "air_drag": {"coefficient": "film"}}}
+        | {"random": {"body.radius": {"distribution": "normal", "mean": 1, "spread": 0}}}
+        | {"trials": 2},
+        "goes with a single body and gravity: body.radius varies",
+    ),
+    ({"axes": {"my friction": {"of": "law.friction", "values": [1]}}}, "name 'my friction' must"),
+    ({"axes": {"a/b": {"of": "law.friction", "values": [1]}}}, "name 'a/b' must consist of"),
+    (friction(values=[1], along="a b"), "[axes.friction] the name 'a b' must consist of"),
+    ({"random": {"a b": {"of": "law.friction"}}}, "[random.a b] the name 'a b' must consist of"),
+    (friction(values=[1], along="done"), "'done' is the name of a folder of the store"),
+    (
+        {"axes": {"a": {"of": "start.tilt", "values": [1], "along": "b"}}}
+        | {
+            "random": {
+                "b": {"of": "law.friction", "distribution": "normal", "mean": 1, "spread": 0}
+            }
+        },
+        "'b' is the name of a random quantity",
+    ),
+    (
+        {
+            "axes": {"number": {"of": "law.friction", "values": [1]}},
+            "statistics": {"mean": ["turn"]},
+        },
+        "[statistics] 'number' is also the name of an axis: take another",
+    ),
+    (
+        {"axes": {"turn_bin": {"of": "law.friction", "values": [1]}}}
+        | {"statistics": {"histogram": {"turn": {"range": [0, 1], "bins": 2}}}},
+        "'turn_bin' is also the name of an axis",
+    ),
+    (friction(values=[1, 2], labels=["a", 1]), 'labels must be all numbers or all texts, got ["a"'),
+    (
+        drawn(distribution="normal", mean=0.5, spread=0.1)
+        | {"trials": 2**30 + 1, "sampling": "sobol"},
+        "trials must be at most 1073741824 with sampling 'sobol', got 1073741825",
+    ),
+    (
+        drawn(distribution="normal", mean=0.5, spread=0.1) | {"trials": 10**8},
+        "[random.friction] reaches about -0.07307, 1.073 in 100000000 draws: [law] friction must",
+    ),
+    (
+        {"kind": "exact_turn", "law": "no_slip", "simulation": {"rtol": 1e-8}},
+        "[simulation] rtol has no effect",
+    ),
+    ({"simulation": {"flat": "housner"}}, "[simulation] flat has no effect on kind 'ensemble'"),
+    ({"axes": {"simulation.flat": ["stop"]}}, "[simulation] flat has no effect on kind 'ensemble'"),
     ({"statistics": {}}, "[statistics] is empty"),
     ({"statistics": {"mean": ["outcome"]}}, "mean: outcome is no number: count it"),
     ({"statistics": {"count": ["turn"]}}, "count: turn is a number"),
@@ -157,3 +211,36 @@ def test_files_are_named(tmp_path):
     file.write_text("", "utf-8")
     with pytest.raises(RimrollError, match=r"empty\.toml: is empty: write what rolls"):
         rr.Study.from_file(file)
+
+
+def test_a_hand_keeps_columns_whose_names_are_taken():
+    content = {"kind": "topple", "body": {"preset": "coin"}, "law": FALLS["law"]}
+    content["axes"] = {"release.friction_scale": [1, 2]}
+    with pytest.raises(RimrollError, match="'friction_scale' is the name of a column"):
+        rr.Study(**content).plan()
+
+
+def test_a_date_in_a_file_is_refused(tmp_path):
+    file = tmp_path / "dated.toml"
+    file.write_text("start = { tilt = 1979-05-27 }\nbody = { preset = 'coin' }", "utf-8")
+    with pytest.raises(RimrollError, match=r"dated\.toml: tilt must be a number, .* 1979-05-27"):
+        rr.Study.from_file(file)
+
+
+def test_a_value_that_is_refused_names_its_row_and_its_chunk(tmp_path, monkeypatch):
+    drawn = {"distribution": "normal", "spread": 0.08}
+    study = rr.Study(
+        body={"preset": "coin"},
+        law="coulomb",
+        start={"tilt": 0.3, "yaw_rate": 0.1},
+        random={"law.friction": {**drawn, "mean": 0.7}, "law.static": {**drawn, "mean": 0.9}},
+        trials=50,
+        chunk=5,
+    )
+    friction, static = (one.array for one in study.description.block(0, 50).given)
+    row = int(np.flatnonzero(static < friction)[0])
+    with pytest.raises(RimrollError, match=rf"^row {row}: \[law\] static must be between friction"):
+        study.plan()
+    monkeypatch.setattr("rimroll.study.planning.TRIED", 1)
+    with pytest.raises(RimrollError, match=rf"^chunk {row // 5}: row {row}: \[law\] static must"):
+        study.run(tmp_path / "slips.zarr")

@@ -144,3 +144,13 @@ def test_a_record_that_is_edited_is_read_anew_and_not_in_the_middle_of_a_plan(tm
     _read_once.cache_clear()
     with pytest.raises(RimrollError, match=r"quake\.csv has changed since the study was planned"):
         weak.compute(0, 1)
+
+
+def test_a_file_without_a_store_has_its_store_beside_it(tmp_path):
+    file = tmp_path / "falls.toml"
+    file.write_text("body = { preset = 'coin' }\nstart = { tilt = 1 }\n", "utf-8")
+    assert rr.Study.from_file(file).store == tmp_path / "falls.zarr"
+
+
+def test_trials_are_only_numbered():
+    assert list(flicks().plan().coords) == ["friction"]

@@ -1,5 +1,6 @@
 """Statistics are merged exactly, and are those of NumPy."""
 
+import dataclasses
 import itertools
 import random
 from fractions import Fraction
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 import rimroll as rr
 from given.strategies import examples
 from rimroll.study.exact_sum import added, mean, sums, whole
+from rimroll.study.statistics import HEADER
 
 
 def flicks():
@@ -130,3 +132,19 @@ def test_fragility_is_that_of_the_counts():
         curve = rr.fragility(overturned, intensity, trials=12)
         assert found["fragility_median"][k] == curve.median
         assert found["fragility_dispersion"][k] == curve.dispersion
+
+
+def test_the_size_of_statistics_counts_the_parts_of_chunks(plan, columns):
+    smaller = dataclasses.replace(plan, chunk=10)
+    parts_of_chunks = [
+        plan.statistics.of(a, b, {name: one[a:b] for name, one in columns.items()})
+        for a, b in smaller
+    ]
+    numbers = sum(one.nbytes for part in parts_of_chunks for one in part.values())
+    arrays = len(parts_of_chunks[0])
+    variables = plan.bytes - plan.statistics.bytes_of_parts(plan.blocks)
+    assert smaller.bytes == variables + numbers + 18 * arrays * HEADER
+
+
+def test_the_bins_of_a_histogram_have_the_unit_of_their_column(plan):
+    assert plan.statistics.coords["direction_bin"].unit == "rad"

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.scenario.tables import as_toml, readable
+from rimroll.scenario.tables import Table, as_toml, readable
 from rimroll.study.targets import unit_of
 from rimroll.units import quantity
 
@@ -41,9 +41,8 @@ class Axis:
         return len(self.values)
 
 
-@dataclass(frozen=True)
-class Described:
-    """An axis as a file or a program describes it, already checked for unknown keys."""
+class Described(Table):
+    """An axis as a file or a program describes it."""
 
     of: str
     values: list[Any] | None = None
@@ -132,7 +131,8 @@ class Described:
 
 def _as_labels(labels: list[Any]) -> NDArray[Any]:
     array = np.array(labels)
-    if array.dtype.kind not in "iufU" or array.ndim != 1:
+    texts = sum(isinstance(one, str) for one in labels)
+    if array.dtype.kind not in "iufU" or array.ndim != 1 or texts not in (0, len(labels)):
         raise RimrollError(f"labels must be all numbers or all texts, got {as_toml(labels)}")
     return array if array.dtype.kind == "U" else array.astype(np.float64)
 

@@ -17,7 +17,7 @@ from rimroll.errors import RimrollError
 from rimroll.names import choose, nearest
 from rimroll.scenario import presets
 from rimroll.scenario.tables import as_toml, made, read_body, readable
-from rimroll.study.given import Block, Codes, Given, distinct, key_in, with_value
+from rimroll.study.given import Block, Codes, Given, distinct, key_in, part, with_value
 from rimroll.study.targets import unit_of
 from rimroll.units import quantity
 
@@ -38,11 +38,11 @@ class BodyRows:
 
     def body(self, rows: Codes | slice = slice(None)) -> Body:
         """The bodies of some rows."""
-        return Body(**{name: _part(value, rows) for name, value in self.numbers.items()})
+        return Body(**{name: part(value, rows) for name, value in self.numbers.items()})
 
     def one(self, row: int) -> Body:
         """The body of a row."""
-        return Body(**{name: float(_part(value, row)) for name, value in self.numbers.items()})
+        return Body(**{name: float(part(value, row)) for name, value in self.numbers.items()})
 
 
 def bodies_of(table: Mapping[str, Any], block: Block) -> BodyRows:
@@ -128,7 +128,3 @@ def _factors(table: Mapping[str, Any]) -> dict[str, float]:
         name: made("[body.factors]", lambda n=name, v=value: quantity(readable(v), "1", n))  # type: ignore[misc]
         for name, value in given.items()
     }
-
-
-def _part(value: float | NDArray[np.float64], rows: Any) -> Any:
-    return value[rows] if isinstance(value, np.ndarray) else value

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -130,7 +130,3 @@ def _options_of(
         flat = made("[simulation]", lambda read=read: read_flat(read.flat))  # type: ignore[misc]
         found.append((replace(defaults, **chosen), chosen.get("duration"), flat))
     return found, codes
-
-
-STATE = tuple(one.name for one in fields(State))
-"""The names of the numbers of a start."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -15,20 +16,26 @@ from pydantic import Field
 from rimroll.errors import RimrollError
 from rimroll.given import random_seed
 from rimroll.names import nearest
-from rimroll.scenario.tables import Table, as_toml, checked, made, readable
+from rimroll.scenario import FILM
+from rimroll.scenario.tables import SimulationTable, Table, as_toml, checked, made, readable
 from rimroll.study.axes import Axis, Described
 from rimroll.study.draws import OWN, Random, Sampling
 from rimroll.study.given import Block, Given
 from rimroll.study.grounds import records_of
 from rimroll.study.kinds import KINDS, Kind
+from rimroll.study.plan import TRIAL
+from rimroll.study.starts import STATE
 from rimroll.study.targets import targets, unit_of
 from rimroll.units import quantity
 
-TRIAL = "trial"
-"""The dimension of the trials."""
-
 CASE = "case"
 """The dimension of axes that are zipped."""
+
+NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+"""What axes, dimensions and random quantities are called: xarray makes attributes of these."""
+
+HAND = (*(f"start_{name}" for name in STATE), "friction_scale")
+"""The columns of what a hand gives to a row."""
 
 COMBINATIONS = ("product", "zip")
 
@@ -57,18 +64,6 @@ class _Study(Table):
     axes: dict[str, Any] = Field(default_factory=dict)
     random: dict[str, Any] = Field(default_factory=dict)
     statistics: dict[str, Any] | None = None
-
-
-class _Axis(Table):
-    of: str
-    values: list[Any] | None = None
-    range: list[Any] | None = None
-    log_range: list[Any] | None = None
-    number: int | None = None
-    along: str | None = None
-    labels: list[Any] | None = None
-    unit: str | None = None
-    long_name: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,14 +123,35 @@ class Description:
             hand,
         )
 
+    @property
+    def first(self) -> Block:
+        """A row with the first value of each axis and the middle of each distribution."""
+        return self._tried(1, {})
+
     def along(self, axis: Axis) -> Block:
         """A row for each value of an axis; everything else that varies has its first value."""
-        own, first = np.arange(axis.size), np.zeros(axis.size, np.int64)
-        given = [Given(one.of, one.values, own if one is axis else first) for one in self.axes]
+        return self._tried(axis.size, {axis.of: axis.values})
+
+    def drawn(self, random: Random, chances: NDArray[np.float64]) -> Block:
+        """A row for each chance of a random quantity; everything else has its first value."""
+        return self._tried(len(chances), {random.of: random.values(chances)})
+
+    @property
+    def draws(self) -> int:
+        """How often each random quantity is drawn."""
+        return self.rows if self.sampling.method == "independent" else self.sampling.trials
+
+    def _tried(self, count: int, values: Mapping[str, Any]) -> Block:
+        own, first = np.arange(count), np.zeros(count, np.int64)
         # The middle of each distribution, which is more certainly possible than its tails.
         half = np.full(1, 0.5)
-        given += [Given(one.of, one.values(half), first) for one in self.randoms]
-        return Block(axis.size, tuple(given), release=np.full((axis.size, 5), 0.5))
+        whole = {one.of: one.values for one in self.axes}
+        whole |= {one.of: one.values(half) for one in self.randoms}
+        given = [
+            Given(of, values.get(of, one), own if of in values else first)
+            for of, one in whole.items()
+        ]
+        return Block(count, tuple(given), release=np.full((count, 5), 0.5))
 
 
 def described(content: dict[str, Any], folder: Path) -> Description:
@@ -161,7 +177,10 @@ def described(content: dict[str, Any], folder: Path) -> Description:
     )
     varied = [*(axis.of for axis in axes), *(one.of for one in randoms)]
     tables = _tables(read, kind, varied)
-    _expect_different(axes, randoms, kind)
+    _expect_settings(kind, [*read.simulation, *_varied_in("simulation", varied)])
+    _expect_one_film(tables["law"], axes, varied)
+    has_hand = tables["release"] is not None and kind.one_start
+    _expect_different(axes, randoms, kind, HAND if has_hand else ())
     names = tuple(one.name for one in randoms)
     sampling = Sampling(
         read.sampling, random_seed(read.seed), read.trials, names, tables["release"] is not None
@@ -196,7 +215,10 @@ def _axis(name: str, table: object) -> Axis:
     _, _, last = name.rpartition(".")
     if _is_key(name):
         table = {"of": name} | table
-    return Described(**checked(_Axis, table, "").model_dump()).axis(last)
+    read = checked(Described, table, "")
+    for one in (last, read.along or last):
+        _expect_name(one)
+    return read.axis(last)
 
 
 def _is_key(name: str) -> bool:
@@ -208,6 +230,7 @@ def _random(name: str, table: object) -> Random:
     if not isinstance(table, dict):
         raise RimrollError(f"must be a table, got {as_toml(table)}")
     _, _, last = name.rpartition(".")
+    _expect_name(last)
     rest = ({"of": name} if _is_key(name) else {}) | table
     for key in ("of", "distribution"):
         if not isinstance(rest.get(key), str):
@@ -308,8 +331,50 @@ def _dims(axes: tuple[Axis, ...], trials: int, most: int) -> dict[str, int]:
     return dims
 
 
-def _expect_different(axes: tuple[Axis, ...], randoms: tuple[Random, ...], kind: Kind) -> None:
-    names: dict[str, str] = {TRIAL: "the trials", **dict.fromkeys(kind.results, "a result")}
+def _varied_in(section: str, varied: list[str]) -> list[str]:
+    """The keys of a table that vary."""
+    return [key for one in varied for table, _, key in [one.partition(".")] if table == section]
+
+
+def _expect_settings(kind: Kind, given: list[str]) -> None:
+    for name in given:
+        if name in SimulationTable.model_fields and name not in kind.settings:
+            known = ", ".join(kind.settings)
+            raise RimrollError(
+                f"[simulation] {name} has no effect on kind {kind.name!r}, which has {known}:"
+                " leave it out"
+            )
+
+
+def _expect_one_film(law: Any, axes: tuple[Axis, ...], varied: list[str]) -> None:
+    """A film's drag is that of one body under one gravity."""
+    laws = [law, *(value for axis in axes if axis.of == "law" for value in axis.values)]
+    drags = [one.get("air_drag") for one in laws if isinstance(one, dict)]
+    if any(isinstance(one, dict) and one.get("coefficient") == FILM for one in drags):
+        for of in varied:
+            if of.partition(".")[0] == "body" or of == "simulation.gravity":
+                raise RimrollError(
+                    f'[law.air_drag] coefficient "{FILM}" goes with a single body and gravity:'
+                    f" {of} varies"
+                )
+
+
+def _expect_name(name: str) -> None:
+    if not NAME.fullmatch(name):
+        raise RimrollError(
+            f"the name {name!r} must consist of letters, digits and _, and begin with no digit"
+        )
+
+
+def _expect_different(
+    axes: tuple[Axis, ...], randoms: tuple[Random, ...], kind: Kind, kept: Iterable[str]
+) -> None:
+    names: dict[str, str] = {
+        TRIAL: "the trials",
+        "done": "a folder of the store",
+        **dict.fromkeys(kind.results, "a result"),
+        **dict.fromkeys(kept, "a column"),
+    }
     varied: dict[str, str] = {}
     given = [(axis.name, axis.of, "an axis") for axis in axes]
     given += [(one.name, one.of, "a random quantity") for one in randoms]
@@ -319,8 +384,13 @@ def _expect_different(axes: tuple[Axis, ...], randoms: tuple[Random, ...], kind:
         if of in varied:
             raise RimrollError(f"{of} is varied twice, by {varied[of]} and {name}")
         names[name], varied[of] = what, name
+    elsewhere = {axis.name for axis in axes if axis.along != axis.name}
     for axis in axes:
-        if axis.along != axis.name and axis.along in names and names[axis.along] != "an axis":
+        if axis.along in elsewhere:
+            raise RimrollError(
+                f"{axis.along!r} is the name of an axis along another dimension: take another"
+            )
+        if axis.along != axis.name and names.get(axis.along, "an axis") != "an axis":
             raise RimrollError(f"{axis.along!r} is the name of {names[axis.along]}: take another")
 
 

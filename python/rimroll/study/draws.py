@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -26,8 +27,9 @@ sobol, latin_hypercube: trials fill the space of the random quantities evenly (`
 trial k is the same at every place.
 """
 
-MOST_POINTS = 1 << 20
-"""The largest number of trials of a Latin hypercube, which must be made as a whole."""
+MOST_POINTS = {"latin_hypercube": 1 << 20, "sobol": 1 << 30}
+"""The largest numbers of trials: a Latin hypercube must be made as a whole, and Sobol points have
+30 bits."""
 
 WORDS = 4
 """Random numbers that Philox makes at each count."""
@@ -62,9 +64,10 @@ class Sampling:
     def __post_init__(self) -> None:
         if self.method not in SAMPLINGS:
             raise RimrollError(f"unknown sampling {self.method!r}{nearest(self.method, SAMPLINGS)}")
-        if self.method == "latin_hypercube" and self.trials > MOST_POINTS:
+        most = MOST_POINTS.get(self.method, self.trials)
+        if self.trials > most:
             raise RimrollError(
-                f"trials must be at most {MOST_POINTS} for a Latin hypercube, got {self.trials}"
+                f"trials must be at most {most} with sampling {self.method!r}, got {self.trials}"
             )
 
     def chances(self, first: int, last: int) -> tuple[dict[str, Array], Array | None]:
@@ -94,18 +97,26 @@ class Sampling:
         count = len(self.names) + (5 if self.release else 0)
         if not count:
             return {}, None
-        random = np.random.default_rng(self.seed)
         if self.method == "sobol":
-            engine: Any = qmc.Sobol(count, seed=random)
+            engine: Any = qmc.Sobol(count, seed=np.random.default_rng(self.seed))
             if first:
                 engine.fast_forward(first)
             # Not a power of two at a time: the design is whole when all its parts are.
             points = engine.random(1) if last - first == 1 else _quietly(engine, last - first)
         else:
-            points = qmc.LatinHypercube(count, seed=random).random(self.trials)[first:last]
+            points = _hypercube(count, self.seed, self.trials)[first:last]
         points = np.clip(points, LEAST_CHANCE, 1.0 - 2.0**-53)
         given = {name: points[:, k] for k, name in enumerate(self.names)}
         return given, points[:, len(self.names) :] if self.release else None
+
+
+@lru_cache(maxsize=1)
+def _hypercube(dimensions: int, seed: int, trials: int) -> Array:
+    """A Latin hypercube (trials, dimensions), made once for all chunks."""
+    from scipy.stats import qmc
+
+    engine = qmc.LatinHypercube(dimensions, seed=np.random.default_rng(seed))
+    return np.asarray(engine.random(trials))
 
 
 def _quietly(engine: Any, count: int) -> Array:

@@ -14,9 +14,9 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from rimroll import style
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
+from rimroll.study.plan import TRIAL
 from rimroll.study.quantities import (
     HISTOGRAM,
-    TRIAL,
     at,
     is_number,
     label_of,

@@ -79,3 +79,8 @@ def with_value(table: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
 def key_in(one: Given) -> str:
     """The key of a quantity inside its section: "" for the whole section."""
     return one.of.partition(".")[2]
+
+
+def part(value: float | NDArray[np.float64], rows: Any) -> Any:
+    """Those of the numbers (n,) that belong to some rows; or the one number of all rows."""
+    return value[rows] if isinstance(value, np.ndarray) else value

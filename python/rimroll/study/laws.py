@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
-from rimroll.errors import RimrollError
 from rimroll.laws import Law, parameters_of
-from rimroll.scenario import FILM, RESISTANCES
+from rimroll.scenario import RESISTANCES
 from rimroll.scenario.tables import made, read_law
 from rimroll.study.bodies import BodyRows
 from rimroll.study.given import Block, Codes, Given, distinct, key_in, with_value
@@ -38,8 +37,8 @@ class LawRows:
 def laws_of(table: Any, block: Block, bodies: BodyRows, gravity: float) -> LawRows:
     """The laws that a table, or the name of one, and what varies of it give.
 
-    Raises ``RimrollError`` as scenario files do, and for the air drag of a film under bodies that
-    differ.
+    The body of the first row and ``gravity`` give the air drag of a film: the description refuses
+    a film where either varies. Raises ``RimrollError`` as scenario files do.
     """
     given = block.of("law")
     anew = [one for one in given if unit_of(one.of) is None]
@@ -55,8 +54,6 @@ def laws_of(table: Any, block: Block, bodies: BodyRows, gravity: float) -> LawRo
         for one in numbers:
             whole = with_value(_as_table(whole), key_in(one), one.at(int(row)))
         text = json.dumps(whole, sort_keys=True)
-        if FILM in text and bodies.codes.any():
-            raise RimrollError(f'[law.air_drag] coefficient "{FILM}" goes with a single body')
         laws.append(_read_once(text, body, gravity))
     return LawRows(laws, codes, numbers)
 

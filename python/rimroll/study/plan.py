@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from rimroll.study.statistics import Statistics
     from rimroll.study.study import Study
 
+TRIAL = "trial"
+"""The dimension of the trials."""
+
 Columns = dict[str, NDArray[Any]]
 """Arrays by the name of their variable."""
 
@@ -124,12 +127,14 @@ class Plan:
 
     @property
     def bytes(self) -> int:
-        """The size of all variables without compression."""
+        """The size without compression of all variables, and of the parts of statistics."""
         sizes = self.sizes
-        return sum(
+        variables = sum(
             np.dtype(one.dtype).itemsize * math.prod(sizes[dim] for dim in one.dims)
             for one in self.variables.values()
         )
+        parts = 0 if self.statistics is None else self.statistics.bytes_of_parts(self.blocks)
+        return variables + parts
 
     @property
     def sizes(self) -> Mapping[str, int]:

@@ -12,10 +12,11 @@ from rimroll import _core
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
 from rimroll.scenario.tables import as_toml, made
-from rimroll.study.axes import Axis
-from rimroll.study.cases import STATE, Cases
+from rimroll.study.cases import Cases
 from rimroll.study.description import Description
+from rimroll.study.given import Block
 from rimroll.study.plan import Columns, Coordinate, Plan, Progress, Variable
+from rimroll.study.starts import STATE
 from rimroll.units import START_UNIT_OF
 
 if TYPE_CHECKING:
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 WITHOUT_EFFECT = ("store", "chunk", "most_rows", "title")
 """What of a study does not change its numbers."""
+
+TRIED = 1000
+"""So many first rows are tried when a study is planned."""
 
 
 def planned(study: Study) -> Plan:
@@ -55,6 +59,19 @@ def computed(
     progress: Progress | None,
 ) -> Columns:
     """The columns that are kept of the rows from ``first`` to before ``last``."""
+    try:
+        return _computed(description, first, last, threads, progress)
+    except RimrollError as error:
+        raise _in_row(description, first, last, error) from None
+
+
+def _computed(
+    description: Description,
+    first: int,
+    last: int,
+    threads: int | None,
+    progress: Progress | None,
+) -> Columns:
     block = description.block(first, last)
     cases = Cases.of(description, block, description.kind.options)
     columns = _kept(description)
@@ -99,17 +116,52 @@ def _inputs(description: Description, cases: Cases, columns: Mapping[str, Variab
 
 
 def _try(description: Description) -> None:
-    """Make bodies, starts, laws and grounds of every value of each axis, and of the first row."""
+    """Make what is computed for every value of each axis, for likely ends, and for first rows."""
+    _make(description, description.first)
     for axis in description.axes:
-        made(f"[axes.{axis.name}]", lambda axis=axis: _made(description, axis))  # type: ignore[misc]
-    Cases.of(description, description.block(0, 1), description.kind.options)
+        block = description.along(axis)
+        made(f"[axes.{axis.name}]", lambda block=block: _make(description, block))  # type: ignore[misc]
+    for random in description.randoms:
+        chances = np.array([0.5, description.draws - 0.5]) / description.draws
+        ends = ", ".join(f"{one:.4g}" for one in random.values(chances))
+        where = f"[random.{random.name}] reaches about {ends} in {description.draws} draws:"
+        block = description.drawn(random, chances)
+        made(where, lambda block=block: _make(description, block))  # type: ignore[misc]
+    last = min(description.rows, TRIED)
+    try:
+        _make(description, description.block(0, last))
+    except RimrollError as error:
+        raise _in_row(description, 0, last, error) from None
 
 
-def _made(description: Description, axis: Axis) -> None:
-    block = description.along(axis)
-    cases = Cases.of(description, block, description.kind.options)
-    for _ in cases.calls():
+def _make(description: Description, block: Block) -> None:
+    """Make the bodies, starts, laws and grounds of some rows."""
+    for _ in Cases.of(description, block, description.kind.options).calls():
         pass
+
+
+def _in_row(description: Description, first: int, last: int, error: RimrollError) -> RimrollError:
+    """The error of some rows as that of the first row whose values are refused, if there is one."""
+    refusal = _refusal(description, first, last)
+    while refusal is not None and last - first > 1:
+        middle = (first + last) // 2
+        earlier = _refusal(description, first, middle)
+        if earlier is not None:
+            last = middle
+        else:
+            first = middle
+        refusal = earlier or _refusal(description, first, last)
+    if refusal is None:
+        return error
+    return RimrollError(f"row {first}: {refusal.replace('[0]', '')}")
+
+
+def _refusal(description: Description, first: int, last: int) -> str | None:
+    try:
+        _make(description, description.block(first, last))
+    except RimrollError as error:
+        return str(error)
+    return None
 
 
 def _has_starts(description: Description) -> bool:
@@ -150,14 +202,11 @@ def _kept(description: Description) -> dict[str, Variable]:
 
 
 def _coordinates(description: Description) -> dict[str, Coordinate]:
-    found = {
+    # A dimension that is only numbered, such as the trials, has none: it may be long.
+    return {
         axis.name: Coordinate(axis.labels, (axis.along,), axis.unit, axis.long_name)
         for axis in description.axes
     }
-    for dim, size in description.dims.items():
-        if dim not in found:
-            found[dim] = Coordinate(np.arange(size), (dim,))
-    return found
 
 
 def _attributes(study: Study) -> dict[str, Any]:

@@ -14,7 +14,6 @@ from rimroll.study.statistics import NUMBER
 if TYPE_CHECKING:
     import xarray as xr
 
-TRIAL = "trial"
 
 PREFERRED = ("overturned", "turn", "max_tilt_ratio", "fragility_median")
 """The quantities that are shown unless others are asked for."""

@@ -195,6 +195,7 @@ class Histogram:
     low: float
     high: float
     bins: int
+    unit: str
 
     @property
     def edges(self) -> NDArray[np.float64]:
@@ -211,7 +212,7 @@ class Histogram:
         """The centres of the bins."""
         edges = self.edges
         centres = 0.5 * (edges[1:] + edges[:-1])
-        return {f"{self.column}_bin": Coordinate(centres, (f"{self.column}_bin",))}
+        return {f"{self.column}_bin": Coordinate(centres, (f"{self.column}_bin",), self.unit)}
 
     def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:
         """The counts."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Annotated, Any
 
 import numpy as np
@@ -17,10 +17,13 @@ from rimroll.experiment.release import PRESETS, Release
 from rimroll.scenario.tables import StartTable, Table, as_toml, checked, in_unit, made
 from rimroll.state import State
 from rimroll.study.bodies import BodyRows
-from rimroll.study.given import Block, Codes, distinct, key_in, with_value
+from rimroll.study.given import Block, Codes, distinct, key_in, part, with_value
 from rimroll.study.targets import SPREAD, targets
 
 Array = NDArray[np.float64]
+
+STATE = tuple(one.name for one in fields(State))
+"""The names of the numbers of a start."""
 
 STANDING = "standing"
 """The word for a start flat on the table, at rest."""
@@ -47,10 +50,10 @@ class StartRows:
     def state(self, rows: Codes) -> State:
         """The starts of some rows, each an array (n,) unless the bodies stand."""
         if self.stands:
-            return State.computed(**{name: _part(one, rows) for name, one in self.numbers.items()})
+            return State.computed(**{name: part(one, rows) for name, one in self.numbers.items()})
         shape = np.shape(rows)
         arrays = {
-            name: np.broadcast_to(_part(one, rows), shape) for name, one in self.numbers.items()
+            name: np.broadcast_to(part(one, rows), shape) for name, one in self.numbers.items()
         }
         return State(**arrays)
 
@@ -107,13 +110,13 @@ def releases_of(release: Any, block: Block, bodies: BodyRows, gravity: Array) ->
         hands.append(hand)
         here = codes == code if len(rows) > 1 else slice(None)
         state, scale[here] = hand.at(block.release[here])
-        for k, field in enumerate(fields(State)):
-            numbers[k, here] = getattr(state, field.name)
-    named = {field.name: numbers[k] for k, field in enumerate(fields(State))}
-    return StartRows(named, scale, hands, codes)
+        for k, name in enumerate(STATE):
+            numbers[k, here] = getattr(state, name)
+    return StartRows(dict(zip(STATE, numbers, strict=True)), scale, hands, codes)
 
 
-def _release_table() -> type[Table]:
+@cache
+def _table() -> type[Table]:
     """The table [release], with a field for each mean and each spread."""
     numbers: dict[str, Any] = {
         name.partition(".")[2]: (Annotated[float | None, in_unit(str(unit))], None)
@@ -141,12 +144,3 @@ def _read_once(table: str, body: tuple[float, ...], gravity: float) -> Release:
         pairs[field.name] = (read.get(field.name, mean), read.get(field.name + SPREAD, spread))
     hand = made("[release]", lambda: Release(**pairs))
     return replace(hand) if unsteadiness == 1.0 else hand.with_unsteadiness(unsteadiness)
-
-
-@lru_cache(maxsize=1)
-def _table() -> type[Table]:
-    return _release_table()
-
-
-def _part(value: float | Array, rows: Any) -> Any:
-    return value[rows] if isinstance(value, np.ndarray) else value

@@ -19,7 +19,8 @@ from pydantic import Field
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
 from rimroll.scenario.tables import Table, as_toml, checked, readable
-from rimroll.study.plan import Columns, Coordinate, Variable
+from rimroll.study.blocks import Blocks
+from rimroll.study.plan import TRIAL, Columns, Coordinate, Variable
 from rimroll.study.reductions import Count, Extremes, Histogram, Moments, Reduction
 from rimroll.units import quantity
 
@@ -28,6 +29,9 @@ GROUP = "group"
 
 NUMBER = "number"
 """The variable with the number of rows of each group."""
+
+HEADER = 500
+"""Bytes of an array in a part beside its numbers, about."""
 
 FRAGILITY = {"median": "intensity at which half overturn", "dispersion": "dispersion"}
 
@@ -87,6 +91,16 @@ class Statistics:
         for one in self.reductions:
             found |= {name: kept.empty(count) for name, kept in one.kept.items()}
         return found
+
+    def bytes_of_parts(self, blocks: Blocks) -> int:
+        """The size of the parts of all chunks."""
+        along = zip(self.dims, blocks.counts, strict=True)
+        # A group has a part in each chunk that differs in the dimensions that are reduced.
+        each = math.prod(self.groups.values())
+        each *= math.prod(count for dim, count in along if dim not in self.groups)
+        arrays = [kept for one in self.reductions for kept in one.kept.values()]
+        of_group = sum(kept.empty(1).nbytes for kept in arrays) + 16  # group and number
+        return each * of_group + blocks.number * (len(arrays) + 2) * HEADER
 
     def add(self, total: Columns, part: Mapping[str, NDArray[Any]]) -> None:
         """Add a part to the total, which is changed. Each part must be added once; in any order."""
@@ -190,9 +204,13 @@ def statistics_of(
     all_coords = {
         name: one for name, one in coords.items() if all(dim in groups for dim in one.dims)
     }
+    taken = {*left, *all_coords}
     for one in reductions:
         variables |= one.variables(left, columns[one.column])
         all_coords |= one.coords
+    for name in [*variables, *(name for one in reductions for name in one.coords)]:
+        if name in taken:
+            raise RimrollError(f"[statistics] {name!r} is also the name of an axis: take another")
     if read.fragility is not None:
         rest = tuple(dim for dim in left if dim != read.fragility)
         unit = coords[read.fragility].unit
@@ -204,7 +222,7 @@ def statistics_of(
 
 def _over(over: list[str] | None, dims: Mapping[str, int]) -> list[str]:
     """The dimensions that are reduced: by default the trials."""
-    found = ["trial"] if over is None and "trial" in dims else over or []
+    found = [TRIAL] if over is None and TRIAL in dims else over or []
     for dim in found:
         if dim not in dims:
             raise RimrollError(f"over: unknown dimension {dim!r}{nearest(dim, dims)}")
@@ -238,7 +256,7 @@ def _histogram(name: str, table: object, unit: str) -> Histogram:
         raise RimrollError(f"histogram.{name} range must rise, got {as_toml(read.range)}")
     if not 1 <= read.bins <= 100_000:
         raise RimrollError(f"histogram.{name} bins must be between 1 and 100000, got {read.bins}")
-    return Histogram(name, low, high, read.bins)
+    return Histogram(name, low, high, read.bins, unit)
 
 
 def _column(what: str, name: str, columns: Mapping[str, Variable]) -> Variable:

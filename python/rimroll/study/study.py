@@ -152,13 +152,17 @@ class Study:
     def from_file(cls, path: str | os.PathLike[str]) -> Study:
         """The study of a TOML file; paths in it are relative to the folder of the file.
 
+        Unless it names a ``store``, that is beside the file, with its name and ``.zarr``.
         Raises ``RimrollError``, which names the file, when it cannot be read or is not valid.
         """
         from rimroll.scenario.tables import read
 
         file = Path(path)
         try:
-            study = cls.from_dict({"study": read(file), "folder": str(file.parent)})
+            content = read(file)
+            if content:
+                content.setdefault("store", file.with_suffix(".zarr").name)
+            study = cls.from_dict({"study": content, "folder": str(file.parent)})
             _ = study.description
         except RimrollError as error:
             raise RimrollError(f"{file}: {error}") from None
@@ -168,7 +172,7 @@ class Study:
     def from_dict(cls, content: Mapping[str, Any]) -> Study:
         """The study that :meth:`to_dict` describes."""
         study = cls.__new__(cls)
-        study._keep(json.loads(json.dumps(content["study"])), Path(content["folder"]))
+        study._keep(_as_json("the study", content["study"]), Path(content["folder"]))
         return study
 
     def to_dict(self) -> dict[str, Any]:
@@ -204,8 +208,11 @@ class Study:
     def plan(self) -> Plan:
         """The rows of the study, its dimensions, and how its columns are computed.
 
-        Every value of each axis is tried, with the first values of the others, before it is said
-        to be possible; records are read. Raises ``RimrollError`` for what is not.
+        What is drawn for the first rows is tried, and every value of each axis, with the first
+        values of the others and the middle of each distribution. So are the ends of each
+        distribution that this many rows are likely to reach. Records are read. Raises
+        ``RimrollError`` for what is not possible; a later row may still be refused where several
+        quantities are extreme together.
         """
         from rimroll.study.planning import planned
 
@@ -229,7 +236,8 @@ class Study:
         Parameters
         ----------
         store
-            The folder of the results; by default the ``store`` of the study.
+            The folder of the results; by default the ``store`` of the study, or the name of its
+            file with ``.zarr``.
         client
             A client of a Dask cluster (``distributed.Client``) that computes. Its workers need the
             same version of rimroll, and must see the store at the same path.
@@ -290,7 +298,7 @@ def _as_json(name: str, value: Any) -> Any:
                 key.removeprefix("release_"): float(one) for key, one in value.parameters().items()
             }
         case Mapping():
-            return {str(key): _as_json(f"{name} {key}", one) for key, one in value.items()}
+            return {str(key): _as_json(str(key), one) for key, one in value.items()}
         case np.ndarray() | np.generic():
             return value.tolist()
         case list() | tuple():
@@ -300,7 +308,7 @@ def _as_json(name: str, value: Any) -> Any:
         case str() | int() | float() | bool() | None:
             return value
         case _:
-            raise RimrollError(f"{name} must be a number, a text, a list or a table, got {value!r}")
+            raise RimrollError(f"{name} must be a number, a text, a list or a table, got {value}")
 
 
 def _nonzero(numbers: Mapping[str, float]) -> dict[str, float]:

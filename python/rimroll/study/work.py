@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rimroll._core import __version__
+from rimroll.errors import RimrollError
 from rimroll.study.marks import Mark
 from rimroll.study.storage import told
 
@@ -29,7 +30,10 @@ def work(
     """
     begin = time.perf_counter()
     first, last = store.blocks.rows(chunk)
-    columns = plan.compute(first, last, threads=threads, progress=progress)
+    try:
+        columns = plan.compute(first, last, threads=threads, progress=progress)
+    except RimrollError as error:
+        raise RimrollError(f"chunk {chunk}: {error}") from None
     if plan.statistics is not None:
         columns = plan.statistics.of(first, last, columns)
     seconds = round(time.perf_counter() - begin, 3)

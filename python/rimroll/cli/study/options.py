@@ -40,9 +40,11 @@ def requested(path: Path) -> Study:
     return Study.from_file(path)
 
 
-def place(study: Study, path: Path, store: Path | None) -> Path:
-    """The folder of the results: as typed, as in the file, or named like the file."""
-    return store or study.store or path.with_suffix(".zarr")
+def place(study: Study, store: Path | None) -> Path:
+    """The folder of the results: as typed, or that of the study of a file."""
+    folder = store or study.store
+    assert folder is not None
+    return folder
 
 
 def planned(study: Study, path: Path) -> Plan:
@@ -57,4 +59,4 @@ def stored(path: Path, store: Path | None) -> Store:
     """The store of the study of a file, or in a folder."""
     if store is None and path.is_dir():
         return Store(path)
-    return Store(place(requested(path), path, store))
+    return Store(place(requested(path), store))

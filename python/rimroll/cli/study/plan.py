@@ -19,7 +19,7 @@ from rimroll.cli.study.options import (
     requested,
 )
 from rimroll.study.axes import Axis
-from rimroll.study.plan import Plan
+from rimroll.study.plan import TRIAL, Plan
 from rimroll.study.size import Probe, expect_room, free, in_bytes, in_time, probe
 
 
@@ -40,7 +40,7 @@ def plan(
     """
     what = requested(study)
     whole = planned(what, study)
-    folder = place(what, study, store)
+    folder = place(what, store)
     if not larger:
         expect_room(whole, folder)
     measured = probe(whole)
@@ -80,9 +80,9 @@ def _show(plan: Plan, store: Path, probe: Probe) -> None:
         unit = "" if one.unit == "1" else one.unit
         numbers = ", ".join(f"{name} {value:g}" for name, value in one.numbers.items())
         rows.add_row(one.name, one.of, "random", one.distribution, numbers, unit)
-    if "trial" in plan.dims:
-        trials, sampling = plan.dims["trial"], plan.study.description.sampling.method
-        rows.add_row("trial", "", str(trials), sampling, f"seed {plan.attrs['seed']}", "")
+    if TRIAL in plan.dims:
+        trials, sampling = plan.dims[TRIAL], plan.study.description.sampling.method
+        rows.add_row(TRIAL, "", str(trials), sampling, f"seed {plan.attrs['seed']}", "")
     if rows.row_count:
         say(rows)
         say()

@@ -80,7 +80,7 @@ def run(
     $ rimroll study run falls.toml --chunks 120:240
     """
     what = requested(study)
-    folder = place(what, study, store)
+    folder = place(what, store)
     asked = planned(what, study)
     if not larger and not folder.exists():
         expect_room(asked, folder)

@@ -17,7 +17,7 @@ from rimroll.falls import Falls
 from rimroll.many_falls import OPTIONS, VARIABLES, follow
 from rimroll.options import Options
 from rimroll.study.cases import Call
-from rimroll.study.kinds.kind import Result
+from rimroll.study.kinds.kind import OPTION_NAMES, Result
 from rimroll.study.plan import Progress
 
 OUTCOME = Result("int8", long_name="outcome", flags=tuple(_core.OUTCOMES))
@@ -38,6 +38,7 @@ class Followed:
     name: str
     options: Options
     tables: Mapping[str, Any]
+    settings: tuple[str, ...] = OPTION_NAMES
     chunk: int = 200_000
     one_start: bool = True
     results: Mapping[str, Result] = field(
@@ -69,6 +70,7 @@ class ByQuadrature:
     tables: Mapping[str, Any] = field(
         default_factory=lambda: {"law": "no_slip", "start": None, "release": None}
     )
+    settings: tuple[str, ...] = ("gravity", "topple_tilt")
     chunk: int = 500_000
     one_start: bool = True
     results: Mapping[str, Result] = field(

@@ -58,6 +58,7 @@ class Fitted:
     tables: Mapping[str, Any] = field(
         default_factory=lambda: {"law": "coulomb", "release": "paper", "fit": {}}
     )
+    settings: tuple[str, ...] = ("gravity",)
     chunk: int = 50
     one_start: bool = False
     results: Mapping[str, Result] = field(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Protocol
 
 from numpy.typing import NDArray
@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from rimroll.options import Options
 from rimroll.study.cases import Call
 from rimroll.study.plan import Progress
+
+OPTION_NAMES = tuple(one.name for one in fields(Options))
+"""The keys of [simulation] that are options of the solver."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +49,10 @@ class Kind(Protocol):
     @property
     def tables(self) -> Mapping[str, Any]:
         """The tables that it reads besides [body], and what they are unless the study has them."""
+
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """The keys of [simulation] that decide its results."""
 
     @property
     def one_start(self) -> bool:

@@ -13,7 +13,7 @@ from rimroll.options import Options
 from rimroll.shaking.many import VARIABLES, follow_shaken
 from rimroll.study.cases import Call
 from rimroll.study.kinds.falls import as_flags
-from rimroll.study.kinds.kind import Result
+from rimroll.study.kinds.kind import OPTION_NAMES, Result
 from rimroll.study.plan import Progress
 from rimroll.study.starts import STANDING
 
@@ -40,6 +40,7 @@ class Shaken:
             "ground": None,
         }
     )
+    settings: tuple[str, ...] = (*OPTION_NAMES, "flat")
     chunk: int = 10_000
     one_start: bool = True
     results: Mapping[str, Result] = field(
