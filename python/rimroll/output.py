@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import shutil
@@ -88,6 +89,37 @@ def durably(path: Path) -> Iterator[BinaryIO]:
             file.flush()
             os.fsync(file.fileno())
         os.replace(part, path)
+        flush(path.parent)
     except BaseException:
         part.unlink(missing_ok=True)
         raise
+
+
+def flush(path: Path) -> None:
+    """Wait until a file, or the list of the files in a folder, is on the disk.
+
+    Without the second, a file may be lost with the power although its content was on the disk.
+    """
+    folder = path.is_dir()
+    if folder and os.name == "nt":
+        return  # Windows does not open folders
+    descriptor = os.open(path, os.O_RDONLY if folder else os.O_RDWR)
+    try:
+        os.fsync(descriptor)
+    except OSError as error:
+        if not folder or error.errno not in UNKNOWN:
+            raise
+    finally:
+        os.close(descriptor)
+
+
+UNKNOWN = (errno.EINVAL, errno.ENOTSUP, errno.EBADF)
+"""What file systems answer that cannot flush a folder."""
+
+
+def flush_all(folder: Path) -> None:
+    """Wait until all that is in a folder is on the disk."""
+    for path, _, files in os.walk(folder, topdown=False):
+        for file in files:
+            flush(Path(path, file))
+        flush(Path(path))

@@ -2,8 +2,10 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -210,6 +212,109 @@ def test_damaged_statistics_are_found_and_merged_again(file, capsys):
     assert main(["study", "verify", str(file), "--repair"]) == 1
     assert "damaged statistics; run computes them again" in capsys.readouterr().out
     assert verify(in_process(file)).sha256 == whole
+
+
+def test_statistics_are_written_again_if_a_run_was_killed_while_it_wrote_them(file, capsys):
+    written(file, STUDY + STATISTICS)
+    store = in_process(file)
+    whole = verify(store).sha256
+    shown = ["study", "show", str(file), "--json"]
+    assert main(shown) == 0
+    quantities = as_json(capsys.readouterr().out)["quantities"]
+    store.marks.remove_merged()
+    store.arrays["outcome_count"][...] = -1
+    assert main(["study", "verify", str(file)]) == 1
+    assert "the statistics are not written: run writes them" in capsys.readouterr().out
+    assert main(["study", "status", str(file)]) == 0
+    assert "the statistics are not written: run writes them" in capsys.readouterr().out
+    assert main(shown) == 0
+    assert as_json(capsys.readouterr().out)["quantities"] == quantities
+    assert verify(in_process(file)).sha256 == whole
+
+
+def test_merged_statistics_that_cannot_be_read_are_damage(file):
+    written(file, STUDY + STATISTICS)
+    store = in_process(file)
+    whole = verify(store).sha256
+    (content,) = (path for path in (store.path / "turn_mean" / "c").rglob("*") if path.is_file())
+    content.write_bytes(content.read_bytes()[:10])
+    found = verify(Store(store.path))
+    assert found.unmerged and found.sha256 is None
+    store.marks.remove_merged()
+    assert verify(in_process(file)).sha256 == whole
+
+
+def test_statistics_of_all_rows_have_no_dimensions(file):
+    written(
+        file,
+        STUDY + STATISTICS.replace("[statistics]", '[statistics]\nover = ["friction", "trial"]'),
+    )
+    store = in_process(file)
+    found = store.open()
+    assert found.turn_mean.dims == () and int(found.number) == 150
+    assert verify(store).sha256
+
+
+@pytest.mark.parametrize("command", ["show", "status", "verify"])
+def test_the_store_of_a_changed_study_is_not_shown(file, command, capsys):
+    in_process(file)
+    written(file, STUDY.replace("0.4]", "0.5]"))
+    assert main(["study", command, str(file)]) == 2
+    assert "is the store of another study: study.axes.friction" in capsys.readouterr().err
+    assert main(["study", command, str(file.with_suffix(".zarr"))]) == 0
+
+
+def test_a_store_of_other_versions_is_shown_but_not_continued(file, capsys):
+    store = in_process(file, chunks=range(1))
+    meta = store.path / "zarr.json"
+    meta.write_text(re.sub(r'"numpy_version": "[^"]*"', '"numpy_version": "1.0"', meta.read_text()))
+    assert main(["study", "run", str(file)]) == 2
+    assert "was made with numpy 1.0, here is numpy" in capsys.readouterr().err
+    assert main(["study", "status", str(file)]) == 0
+
+
+def test_rows_that_are_not_done_are_neither_true_nor_false(file, capsys):
+    written(file, STUDY.replace('["turn", "outcome", "slid", "steps"]', '["slid"]'))
+    store = in_process(file, chunks=range(2))
+    assert store.open().done.values.sum() == 20
+    assert main(["study", "show", str(file), "--json"]) == 0
+    assert as_json(capsys.readouterr().out)["quantities"]["slid"]["values"] == 20
+    assert "done" not in in_process(file).open().coords
+
+
+def test_what_is_left_of_stores_that_were_never_made_is_swept(file):
+    left = file.parent / ".flicks.zarr.0a1b2c3d.partial"
+    other = file.parent / ".other.zarr.0a1b2c3d.partial"
+    for folder in (left, other):
+        folder.mkdir()
+        (folder / "zarr.json").write_text("{")
+    in_process(file, chunks=range(1))
+    assert not left.exists() and other.exists()
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/fd"), reason="files have no names here")
+@pytest.mark.parametrize("more", ["", STATISTICS], ids=["columns", "statistics"])
+def test_folders_are_flushed_before_a_mark_counts_on_them(file, more, monkeypatch):
+    written(file, STUDY + more)
+    settled = {}  # what was in a folder when it was flushed
+    usual = os.fsync
+
+    def noting(descriptor):
+        usual(descriptor)
+        place = Path(os.readlink(f"/proc/self/fd/{descriptor}"))
+        if place.is_dir():
+            final = re.sub(r"/\.(flicks\.zarr)\.[0-9a-f]{8}\.partial", r"/\1", str(place))
+            settled.setdefault(Path(final), set()).update(os.listdir(place))
+
+    monkeypatch.setattr(os, "fsync", noting)
+    store = in_process(file)
+    assert "flicks.zarr" in settled[file.parent]
+    ends = [store.path / "zarr.json", store.marks.file(3), *store.numbers.files(3)]
+    ends += [path for path in (store.path / "turn_mean").rglob("*") if more and path.is_file()]
+    for path in ends:
+        for inner in (path, *path.relative_to(store.path).parents[:-1]):
+            place = store.path / inner
+            assert place.name in settled[place.parent], place
 
 
 def test_a_damaged_mark_is_damage(file):

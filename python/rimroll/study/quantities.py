@@ -10,6 +10,7 @@ import numpy as np
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
 from rimroll.study.statistics import NUMBER
+from rimroll.study.store import DONE
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -46,11 +47,13 @@ def quantity_of(dataset: xr.Dataset, name: str) -> xr.DataArray:
     done = is_done(dataset)
     if done is not None and set(done.dims) <= set(found.dims):
         found = _named(found.where(done), found.attrs.get("long_name"), found.attrs.get("units"))
-    return in_degrees(found.rename(name))
+    return in_degrees(found.drop_vars(DONE, errors="ignore").rename(name))
 
 
 def is_done(dataset: xr.Dataset) -> xr.DataArray | None:
     """Which rows are done, if the study says so: whole numbers are negative elsewhere."""
+    if DONE in dataset.coords:
+        return dataset.coords[DONE]
     for name in (*(str(one) for one in dataset.data_vars), NUMBER):
         if name in dataset and dataset[name].dtype.kind == "i":
             return dataset[name] >= 0

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rimroll.output import flush
 from rimroll.study.storage import StoreError, digest, told
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ class RowsOnDisk:
     def __init__(self, path: Path, store: Store) -> None:
         self._path = path
         self._store = store
+        self._flushed: set[Path] = set()
 
     def write(self, chunk: int, columns: Mapping[str, NDArray[Any]]) -> str:
         """Write the columns of a chunk to the disk; return their hash."""
@@ -36,7 +38,7 @@ class RowsOnDisk:
                 array[place or ...] = written[name].reshape(shape)
             # At the same time, since a disk writes many files at once nearly as fast as one.
             with ThreadPoolExecutor(len(arrays)) as pool:
-                list(pool.map(_flush, self.files(chunk)))
+                list(pool.map(self._flush, self.files(chunk)))
         return digest(written)
 
     def read(self, chunk: int) -> Columns:
@@ -56,11 +58,12 @@ class RowsOnDisk:
         key = os.path.join("c", *index)
         return (self._path / name / key for name in self._store.arrays)
 
-
-def _flush(file: Path) -> None:
-    """Wait until a file is on the disk."""
-    descriptor = os.open(file, os.O_RDWR)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+    def _flush(self, file: Path) -> None:
+        """Wait until a file is on the disk, with the folders that were made for it."""
+        flush(file)
+        folder = file.parent
+        flush(folder)
+        while folder != self._path and folder not in self._flushed:
+            self._flushed.add(folder)
+            folder = folder.parent
+            flush(folder)

@@ -16,6 +16,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import secrets
 import shutil
 from collections.abc import Iterable, Mapping
@@ -27,6 +28,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rimroll.output import flush, flush_all
 from rimroll.study.blocks import Blocks
 from rimroll.study.changes import changes
 from rimroll.study.marks import Marks
@@ -45,8 +47,14 @@ FORMAT = "rimroll_store"
 VERSION = 1
 """The form of stores that this version of rimroll writes and reads."""
 
+DONE = "done"
+"""What a dataset of an unfinished store says of its rows; also the folder of the marks."""
+
 WITHOUT_EFFECT = ("title",)
 """Attributes that may change."""
+
+VERSIONS = ("rimroll_version", "numpy_version", "scipy_version")
+"""Attributes that may not change while a study is computed; who reads it may have others."""
 
 
 class Numbers(Protocol):
@@ -94,10 +102,10 @@ class Store:
             )
         self._labels = str(self.attrs.pop("coordinates", "")).split()
         self.blocks = Blocks(tuple(form["shape"]), tuple(form["block"]))
-        self.marks = Marks(self.path / "done")
+        self.marks = Marks(self.path / DONE)
         self.merged = bool(form["parts"])
         self.numbers: Numbers = (
-            Parts(self.path / "done") if self.merged else RowsOnDisk(self.path, self)
+            Parts(self.path / DONE) if self.merged else RowsOnDisk(self.path, self)
         )
 
     @classmethod
@@ -109,18 +117,33 @@ class Store:
         """
         place = Path(path)
         if _is_store(place):
-            return cls(place)
+            return cls._swept(place)
         with told(place):
             place.parent.mkdir(parents=True, exist_ok=True)
             part = place.with_name(f".{place.name}.{secrets.token_hex(4)}.partial")
             try:
                 _write_empty(part, plan)
+                flush_all(part)
                 os.replace(part, place)
-            except OSError:
+                flush(place.parent)
+            except Exception:
                 if not _is_store(place):  # made by another process in the meantime
                     raise
             finally:
                 shutil.rmtree(part, ignore_errors=True)
+        return cls._swept(place)
+
+    @classmethod
+    def _swept(cls, place: Path) -> Store:
+        """Open a store, and remove what processes left that were killed while they made it.
+
+        One that is making it now finds it made.
+        """
+        name = re.compile(rf"\.{re.escape(place.name)}\.[0-9a-f]{{8}}\.partial")
+        with suppress(OSError):
+            for part in place.parent.iterdir():
+                if name.fullmatch(part.name):
+                    shutil.rmtree(part, ignore_errors=True)
         return cls(place)
 
     @property
@@ -142,7 +165,10 @@ class Store:
     def coordinates(self) -> dict[str, NDArray[Any]]:
         """What labels the dimensions, by name."""
         group = zarr().open_group(self.path, mode="r", use_consolidated=False)
-        return {name: group[name][...] for name in sorted(self._labels)}
+        try:
+            return {name: group[name][...] for name in sorted(self._labels)}
+        except Exception as error:  # codecs raise errors of many classes
+            raise StoreError(f"coordinates of {self.path} cannot be read: {error}") from None
 
     @property
     def identity(self) -> str:
@@ -150,10 +176,30 @@ class Store:
         whole = json.dumps([self.attrs, self.blocks.shape, self.blocks.block], sort_keys=True)
         return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
+    @property
+    def unmerged(self) -> bool:
+        """Whether it keeps statistics that are not merged from the parts of its chunks."""
+        return self.merged and self.marks.merged() is None
+
     def expect(self, plan: Plan) -> None:
-        """Raise ``StoreError``, which says what differs, unless the store is of this plan."""
+        """Raise ``StoreError``, which says what differs, unless a run may continue the store.
+
+        It must be of this plan, and made with the same packages.
+        """
+        self.expect_study(plan)
+        for name in VERSIONS:
+            made, here = self.attrs.get(name), plan.attrs.get(name)
+            package = name.removesuffix("_version")
+            if made != here:
+                raise StoreError(
+                    f"{self.path} was made with {package} {made}, here is {package} {here}: with"
+                    " the other version numbers may differ; use that one, or give another --store"
+                )
+
+    def expect_study(self, plan: Plan) -> None:
+        """Raise ``StoreError``, which says what differs, unless the store is of this study."""
         mine, wanted = (
-            {name: one for name, one in attrs.items() if name not in WITHOUT_EFFECT}
+            {name: one for name, one in attrs.items() if name not in (*WITHOUT_EFFECT, *VERSIONS)}
             for attrs in (self.attrs, json.loads(json.dumps(dict(plan.attrs))))
         )
         found = list(changes(mine, wanted))
@@ -189,14 +235,24 @@ class Store:
         with told(self.path):
             for name, array in self.arrays.items():
                 array[...] = merged[name]
+                flush_all(self.path / name)
             self.marks.add_merged(digest({name: merged[name] for name in self.arrays}))
 
     def open(self) -> xr.Dataset:
-        """The store as a dataset whose numbers are read when they are used."""
+        """The store as a dataset whose numbers are read when they are used.
+
+        While columns are not finished, the coordinate ``done`` says which rows are.
+        """
         import xarray as xr
 
         dataset: xr.Dataset = xr.open_zarr(self.path, consolidated=False)
-        return dataset
+        if self.merged or self.finished:
+            return dataset
+        done = np.zeros(self.blocks.shape, bool)
+        for chunk in self.marks.done():
+            done[self.blocks.place(chunk)] = True
+        dims = next(iter(self.arrays.values())).metadata.dimension_names or ()
+        return dataset.assign_coords({DONE: (dims, done)})
 
 
 def _is_store(place: Path) -> bool:
@@ -233,7 +289,7 @@ def _write_empty(path: Path, plan: Plan) -> None:
         # xarray reads from "coordinates" which arrays are labels.
         attributes={FORMAT: form, "coordinates": " ".join(coords), **plan.attrs},
     )
-    group.create_group("done")
+    group.create_group(DONE)
     for name, coordinate in coords.items():
         values = np.asarray(coordinate.values)
         words = values.dtype.kind == "U"

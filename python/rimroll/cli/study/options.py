@@ -55,8 +55,15 @@ def planned(study: Study, path: Path) -> Plan:
         raise RimrollError(f"{path}: {error}") from None
 
 
-def stored(path: Path, store: Path | None) -> Store:
-    """The store of the study of a file, or in a folder."""
+def stored(path: Path, store: Path | None) -> tuple[Store, Plan | None]:
+    """The store of the study of a file, with its plan; or the store in a folder.
+
+    Raises ``RimrollError`` if the store is of another study.
+    """
     if store is None and path.is_dir():
-        return Store(path)
-    return Store(place(requested(path), store))
+        return Store(path), None
+    study = requested(path)
+    opened = Store(place(study, store))
+    plan = planned(study, path)
+    opened.expect_study(plan)
+    return opened, plan

@@ -15,8 +15,6 @@ from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.cli.study.options import (
     StoredArgument,
     StoreOption,
-    planned,
-    requested,
     stored,
 )
 from rimroll.errors import RimrollError
@@ -117,17 +115,16 @@ def _opened(path: Path, store: Path | None) -> xr.Dataset:
     """The dataset of a store; of a partial one with statistics, those of the chunks so far."""
     from rimroll.study.dataset import dataset_of
 
-    results = stored(path, store)
-    done = results.marks.done()
-    if not results.merged or len(done) == results.blocks.number:
+    results, plan = stored(path, store)
+    if (results.finished and not results.unmerged) or not results.merged:
         return results.open()
-    if path.suffix.lower() != ".toml":
+    if plan is None:
         raise RimrollError(
             f"{path} is not finished: give the study, a .toml file, to see its statistics so far"
         )
-    plan = planned(requested(path), path)
     assert plan.statistics is not None
-    return dataset_of(plan, plan.statistics.merged(map(results.numbers.read, sorted(done))))
+    done = sorted(results.marks.done())
+    return dataset_of(plan, plan.statistics.merged(map(results.numbers.read, done)))
 
 
 def _ranges(dataset: xr.Dataset, view: View) -> dict[str, dict[str, Any]]:

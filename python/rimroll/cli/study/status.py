@@ -15,7 +15,7 @@ def status(study: StoredArgument, store: StoreOption = None, json: JsonOption = 
 
     $ rimroll study status falls.toml
     """
-    opened = stored(study, store)
+    opened, _ = stored(study, store)
     found = status_of(opened)
     if json:
         show_json({"store": str(opened.path), **vars(found)})
@@ -24,6 +24,8 @@ def status(study: StoredArgument, store: StoreOption = None, json: JsonOption = 
     say(f"motions: {found.motions_done:,} of {found.motions:,}")
     if found.seconds is not None:
         say(f"a chunk took {found.seconds:.3g} s on average")
+    if found.chunks_done == found.chunks and opened.unmerged:
+        say("the statistics are not written: run writes them")
     for owner in found.owners:
         say(owner)
     return 0

@@ -34,9 +34,10 @@ def verify(
 
     $ rimroll study verify falls.toml --repair
     """
-    opened = stored(study, store)
+    opened, _ = stored(study, store)
     with working("reading") as bar:
         found = look(opened, lambda done, total: bar(done, total, ""))
+    unwritten = opened.unmerged
     if repair and (found.damaged or found.unmerged):
         with claimed(opened.marks.folder, 0, opened.blocks.number):
             opened.marks.remove_merged()
@@ -48,7 +49,9 @@ def verify(
         then = "run computes them again" if repair else "--repair has run compute them again"
         if found.damaged:
             say(f"damaged chunks: {_ranges(found.damaged)}; {then}")
-        if found.unmerged:
+        if found.unmerged and unwritten:
+            say("the statistics are not written: run writes them")
+        elif found.unmerged:
             say(f"damaged statistics; {then}")
         if found.missing:
             say(f"missing chunks: {_ranges(found.missing)}; run computes them")
