@@ -39,7 +39,7 @@ class Followed:
     options: Options
     tables: Mapping[str, Any]
     settings: tuple[str, ...] = OPTION_NAMES
-    chunk: int = 200_000
+    chunk: int = 1_000_000
     one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {"outcome": OUTCOME, **described(tuple(VARIABLES))}
@@ -71,7 +71,7 @@ class ByQuadrature:
         default_factory=lambda: {"law": "no_slip", "start": None, "release": None}
     )
     settings: tuple[str, ...] = ("gravity", "topple_tilt")
-    chunk: int = 500_000
+    chunk: int = 2_000_000
     one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {

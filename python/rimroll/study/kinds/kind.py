@@ -44,7 +44,7 @@ class Kind(Protocol):
 
     @property
     def chunk(self) -> int:
-        """Rows of a chunk unless the study says otherwise: some seconds of work."""
+        """Rows of a chunk unless the study says otherwise: some seconds of processor time."""
 
     @property
     def tables(self) -> Mapping[str, Any]:
