@@ -84,6 +84,8 @@ def reading(sensor: rr.gyro.Sensor, seed: int) -> Reading:
 def row(name: str, readings: list[Reading]) -> str:
     """A line of the table."""
     read = [one for one in readings if one.error is not None]
+    if not read:
+        return f"| {name} | 0 of {len(readings)} | | | | | |"
     off = np.array([abs(one.error / one.deviation) for one in read])
     error = math.degrees(float(np.median([abs(one.error) for one in read])))
     width = float(np.median([math.inf if one.width is None else one.width for one in read]))

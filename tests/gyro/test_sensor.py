@@ -70,8 +70,34 @@ def test_a_record_survives_its_file_and_says_that_it_is_simulated(motion, tmp_pa
 
 
 @pytest.mark.parametrize(
-    ("field", "value"), [("sampling_rate", 0.0), ("noise_density", -1.0), ("range", -2.0)]
-)
+    ("field", "value"),
+    [
+        ("sampling_rate", 0.0), ("sampling_rate", np.nan), ("sampling_rate", "fast"),
+        ("noise_density", -1.0), ("range", -2.0), ("bandwidth", np.inf), ("jitter", "2 m"),
+        ("bias", [0.1, 0.2]),
+    ],
+)  # fmt: skip
 def test_impossible_sensors_are_refused(field, value):
     with pytest.raises(rr.RimrollError, match=field):
         rr.gyro.Sensor(**{field: value})
+
+
+def test_numbers_of_a_sensor_may_have_units(motion):
+    sensor = rr.gyro.Sensor(bias="1 deg/s", jitter="0.1 ms", misalignment="2 deg")
+    assert sensor == rr.gyro.Sensor(bias=DEGREE, jitter=1e-4, misalignment=2.0 * DEGREE)
+    plain = sensor.record(motion, rest=1.0, held=0.5)
+    assert (sensor.record(motion, rest="1 s", held="500 ms").rates == plain.rates).all()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"rest": np.nan}, "rest must be >= 0 and finite"),
+        ({"rest": -1.0}, "rest must be >= 0"),
+        ({"held": np.inf}, "held must be >= 0 and finite"),
+        ({"rest": 1e9}, "a record may have 1000000 samples"),
+    ],
+)
+def test_impossible_times_are_refused(motion, options, message):
+    with pytest.raises(rr.RimrollError, match=message):
+        rr.gyro.Sensor().record(motion, **options)

@@ -142,9 +142,9 @@ def _show(found: Analysis) -> None:
             f"{i} at {one.time:.3f} s",
             f"{math.degrees(one.tilt_before):.1f}°, {math.degrees(one.tilt_after):.1f}°",
             f"{one.spin_after:.2f}",
-            f"{100.0 * one.energy_kept:.0f} %",
+            "unknown" if one.energy_kept is None else f"{100.0 * one.energy_kept:.0f} %",
             f"{math.degrees(one.veer):.1f} ± {math.degrees(one.veer_error):.1f}°",
-            _interval(friction),
+            "any" if found.friction is None else _interval(friction),
         )
     say(rows)
     if (more := len(found.collisions) - MOST_SHOWN) > 0:
@@ -154,11 +154,16 @@ def _show(found: Analysis) -> None:
         "tilts: the largest before and after; spin: what is left just after, rad/s;"
         " energy: the part of it that is left; veer: the turn beyond 180°"
     )
+    prose(
+        "The errors hold for a round body: what a phone that is not round adds is not in them, nor"
+        " in what is excluded."
+    )
     say()
     limits = [f"{math.degrees(limit) - 180.0:.2f}°" for limit in found.limits]
     prose(f"limits of the veer: {limits[0]} rolling without slip, {limits[1]} without friction")
-    for sentence in verdicts(found.friction, found.confidence):
-        prose(sentence)
+    if found.friction is not None:
+        for sentence in verdicts(found.friction, found.confidence):
+            prose(sentence)
     for note in found.notes:
         prose(f"Note: {note}")
 

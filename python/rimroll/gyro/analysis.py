@@ -23,7 +23,7 @@ from rimroll.gyro.passages import Sensed
 from rimroll.gyro.record import Record
 from rimroll.gyro.rests import Rests, rests_of
 from rimroll.gyro.times import GAP, cut_off
-from rimroll.theory import balance_tilt
+from rimroll.theory import balance_tilt, needed_friction
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 AXES = ("x", "y", "z")
+LOOSE = 3.0
+"""What is left of the momentum, over its noise, from which on a sensor may be loose."""
 CLEARER = 2.0
 """How many times worse every other axis of the sensor must suit than the one that is taken."""
 
@@ -56,7 +58,8 @@ class Analysis:
         table; later falls may begin with a rim that slides, so they imply no friction: None stands
         for them, unless the record has no release at all.
     friction
-        The friction that these veers imply together.
+        The friction that these veers imply together; None, as are the others, for a body without
+        height, whose turn is the same at every friction.
     limits
         The limiting angles of turn, rolling without slip and sliding without friction, rad.
     notes
@@ -72,7 +75,7 @@ class Analysis:
     collisions: list[Collision]
     predictions: list[Predicted]
     frictions: list[Friction | None]
-    friction: Friction
+    friction: Friction | None
     limits: tuple[float, float]
     notes: list[str]
 
@@ -111,8 +114,10 @@ def analyze(
 ) -> Analysis:
     """Read the near-collisions of a body from the record of a gyroscope inside it.
 
-    No law of contact is assumed for the veers: they follow from Newton's and Euler's laws for a
-    body of revolution on its rim. The frictions are those of dry friction (``Coulomb``).
+    The veers follow from Newton's and Euler's laws for a body of revolution on its rim. Of the laws
+    of contact they assume only how many whole turns there were, and, where the momentum about the
+    vertical is within its error, to which side (:attr:`Collision.side_is_sure`). The frictions are
+    those of dry friction (``Coulomb``).
 
     Parameters
     ----------
@@ -171,6 +176,12 @@ def analyze(
         raise RimrollError(
             f"{record.name}: the body falls, but never upright through a near-collision that can"
             " be read: " + (notes[-1] if notes else "its tilts are too small")
+        )
+    if needed_friction(body) == 0.0:
+        notes.append("A body without height turns alike at every friction, so none follows.")
+        none = [None] * len(collisions)
+        return Analysis(
+            record, body, pull, level, rests, found, collisions, [], [*none], None, limits, notes
         )
     predictions = [predicted(one, body, pull) for one in collisions]
     chi_square = _chi_square(level)
@@ -305,7 +316,7 @@ def _notes(
             f"The bias drifts by {math.degrees(rests.drift):.2f} degrees/s between the rests; it is"
             " taken as linear in time."
         )
-    if axis.misfit > 5.0:
+    if axis.misfit > LOOSE:
         notes.append(
             f"The motion leaves {axis.misfit:.0f} times the sensor's noise unexplained: the sensor"
             " may be loose, the body not the one given or not round."
@@ -327,8 +338,8 @@ def _notes(
     unsure = sum(not one.side_is_sure for one in collisions)
     if unsure:
         notes.append(
-            f"{_counted(unsure, 'veer')} so near to 0 that the turn may have been to the other"
-            " side."
+            f"The side of {_counted(unsure, 'turn')} is the one that theory makes likelier: the"
+            " momentum about the vertical is within its error."
         )
     return notes
 

@@ -21,10 +21,14 @@ MISSED = 0.3
 """Error of the turn over the squared ratio of the miss distance to the tilt, rad."""
 FEW_SAMPLES = 10
 """Samples of a leg at which the error is √2 as large as its parts say, as simulations show."""
+SIDE_ERRORS = 6.0
+"""How many times its error the momentum must be to tell the side of the turn."""
 LEAST_TILT = math.radians(4.0)
 """The smallest tilt from which a fall is read."""
 MOST_MISSED = 0.25
 """The largest such ratio at which a passage is read as a near-collision."""
+UNSEEN = 0.05
+"""The part of the energy that may be of a translation that is not known."""
 BESIDE = math.radians(12.0)
 """Tilt up to which the direction of the rate is extrapolated to the collision, rad."""
 
@@ -43,9 +47,9 @@ class Collision:
         anticlockwise about the sensor's axis that points along the body.
     veer, veer_error
         The size of the turn less π.
-    turn_alone, turn_alone_error
+    turn_alone
         The turn of the near-collision alone, from the directions of the rate across the axis just
-        before and just after it.
+        before and just after it. No error is stated for it.
     released
         Whether the body was released before it, and not rocking already.
     start, end
@@ -57,13 +61,18 @@ class Collision:
     spin_before, spin_after
         Spin about the axis just before and just after: ``spin_after`` is what is left behind.
     energy_kept
-        Energy at ``end`` over that at ``start``: of height, and of rotation about the centre.
+        Energy at ``end`` over that at ``start``: of height, and of rotation about the centre; at a
+        release also of translation, by a rim that rests while the hand lets go. None where the
+        energy of translation is not known to 5 %: after a flick the rim may slide at the release,
+        and the record may end on the way to toppling.
     miss
         How far from upright the axis would have passed on a straight path, rad.
     yaw_rate, spin_rate, tilt_rate
         Rates of the Euler angles at ``start``.
     side_is_sure
-        Whether the direction of the turn is known; else it may have been a turn to the other side.
+        Whether the measured momentum exceeds its error by so much that it tells the direction of
+        the turn. Else the direction is that in which the size of the turn is nearest to what the
+        two ideal laws allow, and it may have been a turn to the other side.
     """
 
     time: float
@@ -71,7 +80,6 @@ class Collision:
     veer: float
     veer_error: float
     turn_alone: float
-    turn_alone_error: float
     released: bool
     start: float
     end: float
@@ -81,7 +89,7 @@ class Collision:
     rate_after: float
     spin_before: float
     spin_after: float
-    energy_kept: float
+    energy_kept: float | None
     miss: float
     yaw_rate: float
     spin_rate: float
@@ -111,9 +119,11 @@ def collision_of(
     """What a passage says; ``expected``: the middle of the turns that theory allows, rad."""
     direction = axis.direction
     fall, rise = one.legs(direction)
-    turn = _nearest(one.turn(direction), expected)
     error, momentum_error = _errors(one, axis, bias_error, fall, rise)
-    alone, alone_error = _alone(one, fall, rise, expected)
+    arriving = float(fall.momentum[-1])
+    is_sure = abs(arriving) > SIDE_ERRORS * momentum_error
+    turn = _nearest(one.turn(direction), expected, arriving if is_sure else 0.0)
+    alone = _alone(one, fall, rise, turn)
     inward, outward = _speed(fall, one.passage.t), _speed(rise, one.passage.t)
     miss = _miss(one, fall, rise)
     ratio = miss / min(fall.tilt[0], rise.tilt[-1])
@@ -123,14 +133,12 @@ def collision_of(
     yaw_rate = momentum / math.sin(tilt) ** 2
     few = slice(0, min(5, len(fall.t)))
     spin = float(fall.spin[few].mean())
-    other = (2.0 * math.pi - abs(turn)) - math.pi
     return Collision(
         time=one.passage.t,
         turn=turn,
         veer=abs(turn) - math.pi,
         veer_error=error,
         turn_alone=alone,
-        turn_alone_error=alone_error,
         released=one.passage.released,
         start=float(fall.t[0]),
         end=float(rise.t[-1]),
@@ -140,21 +148,25 @@ def collision_of(
         rate_after=outward,
         spin_before=_spin_at(fall, one.passage.t),
         spin_after=_spin_at(rise, one.passage.t),
-        energy_kept=_energy(rise, -1, body, gravity) / _energy(fall, 0, body, gravity),
+        energy_kept=_energy_kept(fall, rise, one.passage.released, body, gravity),
         miss=miss,
         yaw_rate=yaw_rate,
         spin_rate=spin - yaw_rate * math.cos(tilt),
         tilt_rate=float(fall.tilt_rate[0]) if one.passage.released else 0.0,
         momentum_error=momentum_error,
         spin_error=math.hypot(bias_error, one.noise / math.sqrt(len(fall.t[few]))),
-        side_is_sure=abs((abs(turn) - math.pi) - other) > 6.0 * error,
+        side_is_sure=is_sure,
     )
 
 
-def _nearest(turn: float, expected: float) -> float:
-    """Of the turns that differ by whole ones, that whose size is nearest to what is expected."""
-    whole = 2.0 * math.pi * np.arange(-2, 3)
-    return float(min(turn + whole, key=lambda angle: abs(abs(angle) - expected)))
+def _nearest(turn: float, expected: float, side: float = 0.0) -> float:
+    """Of the turns that differ by whole ones, that whose size is nearest to what is expected.
+
+    ``side``: the sign that the turn must have; 0 if it is not known.
+    """
+    possible = turn + 2.0 * math.pi * np.arange(-3, 4)
+    allowed = possible[possible * side >= 0.0]
+    return float(min(allowed, key=lambda angle: abs(abs(angle) - expected)))
 
 
 def _errors(
@@ -200,22 +212,18 @@ def _errors(
     )
 
 
-def _alone(one: Sensed, fall: Leg, rise: Leg, expected: float) -> tuple[float, float]:
-    """The turn of the near-collision alone and its error, from directions of the rate."""
-    before, error_before = _direction_at(one, fall)
-    after, error_after = _direction_at(one, rise)
-    turn = _nearest(after - before + math.pi, expected)
-    return turn, math.hypot(error_before, error_after)
+def _alone(one: Sensed, fall: Leg, rise: Leg, turn: float) -> float:
+    """The turn of the near-collision alone, near the whole turn, from directions of the rate."""
+    alone = _direction_at(one, rise) - _direction_at(one, fall) + math.pi
+    return turn + math.remainder(alone - turn, 2.0 * math.pi)
 
 
-def _direction_at(one: Sensed, leg: Leg) -> tuple[float, float]:
+def _direction_at(one: Sensed, leg: Leg) -> float:
     """Direction of the rate across the axis at the collision, by a straight line over the time."""
     near = (leg.tilt < BESIDE) | (np.argsort(np.argsort(np.abs(leg.t - one.passage.t))) < 5)
     t, angle, size = leg.t[near] - one.passage.t, leg.direction[near], leg.rate[near]
     fitted = np.polynomial.polynomial.polyfit(t, angle, 1, w=size)
-    design = np.stack([np.ones(len(t)), t], axis=-1) * size[:, np.newaxis]
-    covariance = one.noise**2 * np.linalg.inv(design.T @ design)
-    return float(fitted[0]), float(np.sqrt(covariance[0, 0]))
+    return float(fitted[0])
 
 
 def _near(leg: Leg, time: float) -> NDArray[np.intp]:
@@ -234,9 +242,31 @@ def _spin_at(leg: Leg, time: float) -> float:
     return float(np.polyfit(leg.t[near] - time, leg.spin[near], 1)[1])
 
 
+def _energy_kept(fall: Leg, rise: Leg, released: bool, body: Body, gravity: float) -> float | None:
+    """Energy after over energy before, where the unseen translation hardly matters."""
+    before, after = _energy(fall, 0, body, gravity), _energy(rise, -1, body, gravity)
+    upward, level = _of_translation(fall, body) if released else (0.0, 0.0)
+    arm = body.radius**2 + body.height**2
+    unseen = 0.5 * body.mass * arm * float(rise.tilt_rate[-1]) ** 2
+    if level > UNSEEN * before or unseen > UNSEEN * after:
+        return None
+    return after / (before + upward + level)
+
+
 def _energy(leg: Leg, at: int, body: Body, gravity: float) -> float:
     """Energy over that of standing: of height, and of rotation about the centre of mass, J."""
     tilt = float(leg.tilt[at])
     raised = body.radius * math.sin(tilt) + body.height * (math.cos(tilt) - 1.0)
     turning = body.transverse_inertia * leg.rate[at] ** 2 + body.axial_inertia * leg.spin[at] ** 2
     return float(body.mass * gravity * raised + 0.5 * turning)
+
+
+def _of_translation(leg: Leg, body: Body) -> tuple[float, float]:
+    """The energy of the centre's motion upward and level at the start, if the rim rests, J."""
+    tilt, falling = float(leg.tilt[0]), float(leg.tilt_rate[0])
+    upward = body.radius * math.cos(tilt) - body.height * math.sin(tilt)
+    onward = body.radius * math.sin(tilt) + body.height * math.cos(tilt)
+    across = float(leg.momentum[0]) / math.sin(tilt)  # yaw rate × sin(tilt)
+    sideways = body.height * across - body.radius * float(leg.spin[0])
+    level = (onward * falling) ** 2 + sideways**2
+    return 0.5 * body.mass * (upward * falling) ** 2, 0.5 * body.mass * level

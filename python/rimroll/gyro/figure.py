@@ -61,7 +61,7 @@ def _draw_record(ax: Axes, found: Analysis) -> None:
     ax.margins(y=0.15)
     ax.legend(loc="upper left", ncols=2)
     kind = "simulated record" if found.record.simulated else "record"
-    title = f"{kind}: the rate jumps in direction, not in size (rests are grey)"
+    title = f"{kind}: the direction of the rate jumps (rests are grey)"
     style.label(ax, "a", title, "time (s)", "angular velocity (rad/s)")
 
 
@@ -117,10 +117,13 @@ def _draw_friction(ax: Axes, found: Analysis) -> None:
     used = [i for i, one in enumerate(found.collisions) if one.released]
     used = (used or [*range(len(found.collisions))])[:MOST_RAYS]
     for i in used:
-        one, there = found.collisions[i], found.predictions[i]
+        one = found.collisions[i]
         color = RAYS[i % MOST_RAYS]
-        veers = np.degrees(there.turns) - 180.0
-        ax.plot(there.frictions, veers, color=color, label=f"{i + 1}: this fall at each friction")
+        if found.predictions:
+            there = found.predictions[i]
+            veers = np.degrees(there.turns) - 180.0
+            named = f"{i + 1}: this fall at each friction"
+            ax.plot(there.frictions, veers, color=color, label=named)
         veer, error = math.degrees(one.veer), math.degrees(one.veer_error)
         ax.axhspan(veer - error, veer + error, color=color, alpha=0.25, lw=0)
         ax.axhline(veer, color=color, lw=0.7)
@@ -135,14 +138,14 @@ def _draw_friction(ax: Axes, found: Analysis) -> None:
     ):
         ax.axhline(math.degrees(limit) - 180.0, color=color, ls=dashes, lw=0.9, label=name)
     together = found.friction
-    title = "no friction suits"
-    if together.best is not None and together.interval is not None:
+    most = float(found.predictions[used[0]].frictions[-1]) if found.predictions else 1.0
+    title = "the same at every friction" if together is None else "no friction suits"
+    if together is not None and together.best is not None and together.interval is not None:
         low, high = together.interval
-        most = float(found.predictions[used[0]].frictions[-1])
         ax.axvspan(low, most if high is None else high, color=style.CONTRAST, alpha=0.2, lw=0)
         end = f"{low:.3f} or more" if high is None else f"{low:.3f} to {high:.3f}"
         title = f"friction {together.best:.3f}: {end} ({100.0 * found.confidence:g} %)"
-    ax.set_xlim(0.0, float(found.predictions[used[0]].frictions[-1]))
+    ax.set_xlim(0.0, most)
     ax.margins(y=0.15)
     ax.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, -0.16), columnspacing=1.2)
     style.label(ax, "c", title, "coefficient of friction", "turn beyond 180° (degrees)")

@@ -66,7 +66,6 @@ def predicted(one: Collision, body: Body, gravity: float) -> Predicted:
     """The turns that falls from the start of a collision have under dry friction."""
     frictions = np.linspace(0.0, BEYOND * float(needed_friction(body)), POINTS)
     momentum = one.yaw_rate * math.sin(one.tilt_before) ** 2
-    # A fall that passes upright on the other side is not meant: the side is that measured.
     changes = [(0.0, 0.0), (one.momentum_error, 0.0), (0.0, one.spin_error)]
     turns = []
     for of_momentum, of_spin in changes:

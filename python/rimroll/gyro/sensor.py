@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, expect
-from rimroll.given import random_seed
-from rimroll.gyro.attitude import rotation
+from rimroll.given import Number, number, positive, random_seed
 from rimroll.gyro.record import Record
 
 if TYPE_CHECKING:
@@ -23,11 +22,23 @@ OVERSAMPLING = 16
 """Instants at which the filter is evaluated for each sample."""
 
 
+MOST_SAMPLES = 1_000_000
+"""Samples of a simulated record: 83 minutes at 200 a second."""
+_UNIT_OF = {
+    "bias": "rad/s",
+    "resolution": "rad/s",
+    "range": "rad/s",
+    "jitter": "s",
+    "misalignment": "rad",
+}
+
+
 @dataclass(frozen=True, kw_only=True)
 class Sensor:
     """A gyroscope with the errors of real ones.
 
-    Everything is in SI units and radians: rad/s, Hz, s.
+    Plain numbers are in SI units and radians: rad/s, Hz, s; a text has a unit, as ``"0.1 ms"``. A
+    rate in Hz and a density have no unit of their own here: give plain numbers.
 
     Parameters
     ----------
@@ -66,12 +77,19 @@ class Sensor:
     misalignment: float = 0.0
 
     def __post_init__(self) -> None:
-        for field, value in vars(self).items():
-            if value is None and field == "bandwidth":
+        for field, given in list(vars(self).items()):
+            if given is None and field == "bandwidth":
                 continue
-            positive = field in ("sampling_rate", "range", "bandwidth")
-            if not (value > 0.0 if positive else 0.0 <= value < np.inf):
-                raise RimrollError(f"{field} must be {'> 0' if positive else '>= 0'}, got {value}")
+            unit = _UNIT_OF.get(field, "1")
+            if field in ("sampling_rate", "bandwidth"):
+                value = positive(field, given, unit)
+            else:
+                value = number(field, given, unit)
+                least = value > 0.0 if field == "range" else 0.0 <= value < np.inf
+                if not least:
+                    what = "> 0" if field == "range" else ">= 0 and finite"
+                    raise RimrollError(f"{field} must be {what}, got {value}")
+            object.__setattr__(self, field, value)
         if not self.sampling_rate < 1e5:
             raise RimrollError(f"sampling_rate must be below 100000 Hz, got {self.sampling_rate}")
 
@@ -79,8 +97,8 @@ class Sensor:
         self,
         motion: Motion,
         *,
-        rest: float = 1.0,
-        held: float = 0.5,
+        rest: Number = 1.0,
+        held: Number = 0.5,
         seed: int = 0,
         name: str = "a simulated record",
     ) -> Record:
@@ -90,19 +108,30 @@ class Sensor:
         0.6 s, is held at the tilt of the start for ``held`` seconds, and is released: then the
         motion runs to its end, and so does the record. The same seed draws the same errors. The
         mean delay of the filter is taken off the times.
+
+        Raises ``RimrollError`` for times that are negative or not finite, and for a record of more
+        than a million samples.
         """
+        from scipy.spatial.transform import Rotation
+
         from rimroll.motion import Motion
 
         expect("motion", motion, Motion)
         generator = np.random.default_rng(random_seed(seed))
-        before = rest + TIPPING + held
-        count = int((before + float(motion.t[-1])) * self.sampling_rate)
+        standing, holding = _duration("rest", rest), _duration("held", held)
+        before = standing + TIPPING + holding
+        samples = (before + float(motion.t[-1])) * self.sampling_rate
+        if samples > MOST_SAMPLES:
+            raise RimrollError(
+                f"a record may have {MOST_SAMPLES} samples, this one would have {samples:.3g}"
+            )
+        count = int(samples)
         t = np.arange(count) / self.sampling_rate
         taken = t + self.jitter * generator.standard_normal(count)
-        seen = self._filtered(lambda at: _hand_and_motion(motion, at, rest, held), taken)
-        turned = rotation(
-            np.array([*(self.misalignment * generator.standard_normal(2)), 0.0])
-        ) @ rotation(np.array([0.0, 0.0, 2.0 * np.pi * generator.random()]))
+        seen = self._filtered(lambda at: _hand_and_motion(motion, at, standing, holding), taken)
+        askew = np.array([*(self.misalignment * generator.standard_normal(2)), 0.0])
+        about = np.array([0.0, 0.0, 2.0 * np.pi * generator.random()])
+        turned = (Rotation.from_rotvec(askew) * Rotation.from_rotvec(about)).as_matrix()
         shown = seen @ turned.T * (1.0 + self.scale_error * generator.standard_normal(3))
         shown += self.bias * generator.standard_normal(3)
         shown += self.noise * generator.standard_normal(shown.shape)
@@ -134,6 +163,14 @@ class Sensor:
         for lag, weight in zip(lags, weights, strict=True):
             total += weight * rates(taken - lag + delay)  # type: ignore[operator]
         return total
+
+
+def _duration(field: str, value: Number) -> float:
+    """A time in s, ``RimrollError`` unless it is at least 0 and finite."""
+    read = number(field, value, "s")
+    if not 0.0 <= read < np.inf:
+        raise RimrollError(f"{field} must be >= 0 and finite, got {read} s")
+    return read
 
 
 TIPPING = 0.6

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rimroll.gyro.friction import Friction
 
 _DEGREES = (
-    *("turn", "veer", "veer_error", "turn_alone", "turn_alone_error"),
+    *("turn", "veer", "veer_error", "turn_alone"),
     *("tilt_before", "tilt_after", "miss"),
 )
 _RATES = ("rate_before", "rate_after", "spin_before", "spin_after")
@@ -37,8 +37,8 @@ def summary_of(found: Analysis) -> dict[str, Any]:
             for one, friction in zip(found.collisions, found.frictions, strict=True)
         ],
         **_of_friction(found.friction),
-        "excludes_rolling": found.friction.excludes_rolling,
-        "excludes_sliding": found.friction.excludes_sliding,
+        "excludes_rolling": found.friction and found.friction.excludes_rolling,
+        "excludes_sliding": found.friction and found.friction.excludes_sliding,
         "veer_limits": [math.degrees(limit) - 180.0 for limit in found.limits],
         "confidence": found.confidence,
         "gravity": found.gravity,
@@ -54,6 +54,7 @@ def _of_collision(one: Collision) -> dict[str, Any]:
         **{name: getattr(one, name) for name in _RATES},
         "energy_kept": one.energy_kept,
         "released": one.released,
+        "side_is_sure": one.side_is_sure,
         "start": one.start,
         "end": one.end,
     }

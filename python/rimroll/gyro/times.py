@@ -57,8 +57,7 @@ def with_even_notes(
     if float(np.std(usual)) > UNEVEN * record.step:
         notes.append("The times are uneven; they are used as they are.")
     third = len(steps) // 3
-    first, last = (float(np.mean(part[part <= GAP * record.step])) for part in
-                   (steps[:third], steps[-third:]))  # fmt: skip
+    first, last = (_usual(part, record.step) for part in (steps[:third], steps[-third:]))
     if abs(last / first - 1.0) > DRIFT:
         notes.append(f"The sampling rate drifts by {100.0 * (first / last - 1.0):+.1f} %.")
     if cut := cut_off(rates):
@@ -68,6 +67,12 @@ def with_even_notes(
             f" ({math.degrees(largest):.0f} degrees/s); these samples are not used: {cut}."
         )
     return record, notes
+
+
+def _usual(steps: Array, step: float) -> float:
+    """The mean of the steps that are no gaps, s; the usual step where all are."""
+    usual = steps[steps <= GAP * step]
+    return float(usual.mean()) if len(usual) else step
 
 
 def cut_off(rates: Array) -> int:
