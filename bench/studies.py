@@ -6,7 +6,7 @@ takes only microseconds. Run, with the package installed:
 
     .venv/bin/python bench/studies.py
 
-It takes some minutes and writes its table into docs/studies-on-many-machines.md.
+It takes some minutes and prints its tables, for docs/studies-on-many-machines.md.
 """
 
 from __future__ import annotations
@@ -23,12 +23,9 @@ from typing import Any
 
 import numpy as np
 from contest.contestants import ROOT
-from contest.tables import put_between
 
 import rimroll as rr
 from rimroll.study.size import in_bytes
-
-PAGE = ROOT / "docs/studies-on-many-machines.md"
 
 ROUNDS = 3
 ROWS = 1_000_000
@@ -66,10 +63,9 @@ def main() -> None:
             more = [100.0 * (whole / bare - 1.0) for bare, whole in found]
             lines.append(f"| a study of 10⁶ turns in one process, {name} kept | {spread(more)} |")
         lines += by_processes(folder)
-    put_between(PAGE, "prices", "\n".join(prices(seconds)))
+    print("\n".join(prices(seconds)))
     lines.append(f"| a task of the scheduler (of {TINY} that do nothing) | {scheduler()} |")
     print("\n".join(lines))
-    put_between(PAGE, "studies", "\n".join(lines))
 
 
 def prices(turn: float) -> list[str]:

@@ -342,6 +342,7 @@ def test_status_says_what_is_done(file, capsys):
         (["--chunks", "all"], "--chunks must be two whole numbers such as 120:240, got 'all'"),
         (["--workers", "0"], "must be between 1 and 10000, got 0"),
         (["--workers", "2", "--scheduler", "tcp://127.0.0.1:9"], "either workers or a scheduler"),
+        (["--workers", "2", "--threads", "1"], "threads are those of this process"),
         (["--scheduler", "nonsense"], "no scheduler answers at nonsense"),
     ],
 )

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from rimroll._core import __version__
 from rimroll.errors import RimrollError
+from rimroll.study.size import processors
 from rimroll.study.storage import StoreError
 from rimroll.study.store import Store
 from rimroll.study.work import work
@@ -59,7 +60,9 @@ def connected(
         address: Any = scheduler
         if scheduler is None:
             assert workers is not None
-            cores = os.cpu_count() or 1
+            cores = processors()
+            if workers > cores:
+                note(f"{workers} workers share {cores} processors: more workers are no faster")
             address = stack.enter_context(
                 distributed.LocalCluster(
                     n_workers=workers,

@@ -68,8 +68,11 @@ def run(
     KeyboardInterrupt
         On Ctrl-C. What is done is kept; run again to continue.
     """
-    if sum(one is not None for one in (workers, scheduler, client)) > 1:
+    elsewhere = sum(one is not None for one in (workers, scheduler, client))
+    if elsewhere > 1:
         raise RimrollError("give either workers or a scheduler")
+    if threads is not None and elsewhere:
+        raise RimrollError("threads are those of this process: give no workers or scheduler")
     store = Store.create(path, plan)
     store.expect(plan)
     mine = _within(chunks, store.blocks.number)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,7 @@ from rimroll.cli.study.options import (
 )
 from rimroll.study.axes import Axis
 from rimroll.study.plan import TRIAL, Plan
-from rimroll.study.size import Probe, expect_room, free, in_bytes, in_time, probe
+from rimroll.study.size import Probe, expect_room, free, in_bytes, in_time, probe, processors
 
 
 def plan(
@@ -98,7 +97,7 @@ def _show_sizes(plan: Plan, store: Path, probe: Probe) -> None:
     prose(f"{kept:9} {', '.join(plan.variables)}", hanging=10)
     room = f"{in_bytes(free(store))} are free"
     say(f"size      at most {in_bytes(plan.bytes)} in {store}; {room}")
-    threads = os.cpu_count() or 1
+    threads = processors()
     took = in_time(probe.of(plan.rows))
     say(f"time      {took} on the {threads} processors of this machine")
 
