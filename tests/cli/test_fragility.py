@@ -71,8 +71,8 @@ def stations(tmp_path):
 
 
 def test_it_is_shake_many_and_fragility(stdout_of, column, records):
-    answer = json.loads(stdout_of(f"{FEW} {SCALES} --json"))
-    factors = rr.axis("scale", [3.0, 4.0, 5.0])
+    answer = json.loads(stdout_of(f"{FEW} --scales 2.5,3,3.5,4,5 --json"))
+    factors = rr.axis("scale", [2.5, 3.0, 3.5, 4.0, 5.0])
     shaken = rr.shake_many(
         column, rr.State.standing(), rr.Coulomb(0.6), records, scale=factors, gravity=9.81,
         flat="housner",
@@ -81,9 +81,24 @@ def test_it_is_shake_many_and_fragility(stdout_of, column, records):
     curve = rr.fragility(shaken, peaks[:, np.newaxis] * factors.values)
     assert answer["curve"]["median"] == pytest.approx(curve.median, rel=1e-12)
     assert answer["curve"]["dispersion_interval"] == pytest.approx(curve.dispersion_interval)
+    assert answer["curve"]["median_interval"] == pytest.approx(curve.median_interval)
+    assert (answer["curve"]["method"], answer["curve"]["records"]) == ("jackknife", 6)
     counts = [row["overturned"] for row in answer["levels"]]
     assert counts == shaken["overturned"].sum("ground").values.tolist()
     assert answer["records"]["synthetic 5"]["pga"] == records["synthetic 5"].peak.horizontal
+
+
+def test_the_interval_rests_on_the_records_and_does_not_narrow_with_the_points(stdout_of):
+    study = f"fragility {COLUMN} --synthetic 12 --soil-period 0.8s --intensities 0.25g..0.6g"
+    widths = {}
+    for points in (10, 40):
+        curve = json.loads(stdout_of(f"{study} --points {points} --json"))["curve"]
+        assert (curve["method"], curve["records"]) == ("jackknife", 12)
+        low, high = curve["median_interval"]
+        widths[points] = np.log(high / low)
+    # With independent motions it would be half as wide.
+    assert widths[40] > 0.8 * widths[10]
+    assert "(jackknife over 12 records)" in stdout_of(f"{study} --points 10")
 
 
 def test_every_record_is_scaled_to_the_levels(stdout_of, tmp_path, records):
@@ -216,6 +231,7 @@ def test_ctrl_c_keeps_the_records_that_are_done(capsys, monkeypatch, tmp_path):
         (f"fragility {COLUMN} --units g", "--units needs --record"),
         (f"fragility {COLUMN} {RECORD[0]} {RECORD[0]}", "is given twice"),
         (f"fragility {COLUMN} {RECORD[2]}", "has no horizontal acceleration"),
+        (f"fragility {COLUMN} {RECORD[2]} --measure pgv", "has no horizontal velocity"),
         (f"fragility {COLUMN} nosuch.at2", "cannot read nosuch.at2"),
         ("fragility disk --radius 1m --synthetic 2", "give --intensities or --scales"),
     ],

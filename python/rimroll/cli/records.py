@@ -75,8 +75,8 @@ class IntensityOptions:
     intensities: Annotated[
         str | None,
         typer.Option(
-            help="Levels to which each record is scaled: 0.2g..1g, or 0.2g,0.4g,0.8g. [from where a"
-            " body may be lifted to where most overturn]",
+            help="Levels to which each record is scaled: 0.2g..1g, or 0.2g,0.4g,0.8g. [from g R/H"
+            " of acceleration to where most overturn]",
             metavar="RANGE",
             rich_help_panel="Intensity",
         ),

@@ -108,6 +108,8 @@ def fragility_figure(
 ) -> Figure:
     """The fractions that overturned or reached a limit, and the curve with its median's interval.
 
+    A curve of motions that share records also has the band of :meth:`Fragility.band`.
+
     Trials of the same intensity are one point. Without a curve there are only the points.
     """
     low, high = counts.intensity.min(), counts.intensity.max()
@@ -136,6 +138,8 @@ def fragility_figure(
 
 
 def _draw_curve(ax: Axes, curve: Fragility, x: np.ndarray) -> None:
+    if curve.without is not None:
+        ax.fill_between(x, *curve.band(x), color=style.SERIES[0], alpha=0.15, lw=0.0)
     ax.plot(x, curve(x), color=style.SERIES[0], label=_parameters(curve))
     ends = np.clip(curve.median_interval, x[0], x[-1])
     words = f"{100.0 * curve.level:g} % interval of θ"

@@ -50,7 +50,7 @@ MEASURES = {
 """The measures by name. The peaks are those of the vector, which no turning of a record changes."""
 
 DOUBLINGS = 5
-"""How often the search for strong shaking doubles the shaking that may lift the body."""
+"""How often the search for strong shaking doubles the lowest level."""
 
 ENOUGH = 0.9
 """The part of the bodies that overturns at the upper end of the usual range."""
@@ -99,9 +99,10 @@ class Rocking:
     def usual_levels(self, grounds: Mapping[str, Ground], measure: Measure, points: int) -> Array:
         """Usual levels of the measure (points,).
 
-        They run from the weakest shaking that can lift the body, g R/H of horizontal acceleration,
-        evenly to one that overturns nine tenths of the bodies, which is found by doubling; if
-        none does, to that which overturns the most.
+        They run from g R/H of horizontal acceleration, evenly to one that overturns nine tenths of
+        the bodies, which is found by doubling; if none does, to that which overturns the most. A
+        horizontal acceleration of g R/H is the weakest that lifts a body that stands flat, unless
+        the ground also moves vertically, or friction is below R/H, where the body slides.
         """
         if math.isinf(tangent(self.body)):
             raise RimrollError("a disk stands on no base: give --intensities or --scales")
@@ -122,11 +123,12 @@ class Rocking:
 
 
 def measured(grounds: Mapping[str, Ground], measure: Measure) -> Array:
-    """The measure of each ground; ``RimrollError`` for one without horizontal motion."""
+    """The measure of each ground; ``RimrollError`` for one where it is 0."""
     values = np.array([measure.of(ground) for ground in grounds.values()])
     for name, value in zip(grounds, values, strict=True):
         if not value > 0.0:
-            raise RimrollError(f"{name} has no horizontal acceleration: it cannot be scaled")
+            what = measure.long_name.removeprefix("largest ")
+            raise RimrollError(f"{name} has no {what}: it cannot be scaled")
     return values
 
 

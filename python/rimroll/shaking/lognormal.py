@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +13,8 @@ from numpy.typing import NDArray
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers
 from rimroll.grid import is_labelled
+from rimroll.shaking import jackknife
+from rimroll.shaking.likelihood import Likelihood
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
+Method = Literal["profile likelihood", "jackknife"]
 
 SHOWN = 6
 """The number of intensities that a warning lists."""
@@ -35,14 +37,20 @@ class Fragility:
     Attributes
     ----------
     median
-        θ, the intensity at which half of the bodies overturn, in the unit of the intensities.
+        θ, the intensity at which the probability is 1/2, in the unit of the intensities.
     dispersion
         β, the standard deviation of the logarithm of the intensity that overturns.
     median_interval, dispersion_interval
-        Their intervals of profile likelihood. An end is 0 or infinite where the data do not bound
+        Their intervals: ``method`` says which. An end is 0 or infinite where the data do not bound
         it.
     level
         The confidence level of the intervals.
+    method
+        ``jackknife`` over records if several motions share each record, else
+        ``profile likelihood`` of motions that are independent.
+    records
+        The number of records on which the intervals of the jackknife rest; None for independent
+        motions.
     log_likelihood
         The largest logarithm of the likelihood.
     intensity, overturned, trials, undecided
@@ -57,19 +65,25 @@ class Fragility:
     median_interval: Interval
     dispersion_interval: Interval
     level: float
+    method: Method
+    records: int | None
     log_likelihood: float
     intensity: Array
     overturned: Array
     trials: Array
     undecided: Array
     limit: float | None = None
+    without: Array | None = None
+    """Medians and dispersions (records, 2) of the curves without one record each, if they exist."""
 
     def __repr__(self) -> str:
         low, high = self.median_interval
         least, most = self.dispersion_interval
+        of = "" if self.records is None else f" of {self.records} records"
         return (
             f"<Fragility: median {self.median:.4g} ({low:.4g} to {high:.4g}), dispersion"
-            f" {self.dispersion:.3g} ({least:.3g} to {most:.3g}), {self.trials.sum():.0f} trials>"
+            f" {self.dispersion:.3g} ({least:.3g} to {most:.3g}), {self.trials.sum():.0f}"
+            f" trials{of}>"
         )
 
     def __call__(self, intensity: Values) -> Array:
@@ -79,6 +93,26 @@ class Fragility:
         given = numbers("intensity", intensity)
         hold("intensity", given, given > 0.0, "> 0")
         return np.asarray(ndtr(np.log(given / self.median) / self.dispersion))
+
+    def band(self, intensity: Values) -> tuple[Array, Array]:
+        """The ends of the interval of the probability at each intensity, > 0, of any shape.
+
+        By the jackknife on Φ⁻¹ of the probability. They are 0 and 1 where the records do not bound
+        it. Raises ``RimrollError`` for a curve of independent motions, which has no records.
+        """
+        from scipy.special import ndtr
+
+        if self.method != "jackknife":
+            raise RimrollError("band is for motions that share records: this curve has none")
+        given = numbers("intensity", intensity)
+        hold("intensity", given, given > 0.0, "> 0")
+        if self.without is None:
+            return np.zeros(given.shape), np.ones(given.shape)
+        median, dispersion = self.without.T.reshape(2, -1, *[1] * given.ndim)
+        z = np.log(given / self.median) / self.dispersion
+        others = np.log(given / median) / dispersion
+        low, high = jackknife.interval(z, others, self.level)
+        return np.asarray(ndtr(low)), np.asarray(ndtr(high))
 
     def plot(self, label: str = "intensity") -> Figure:
         """The curve with its data; ``label`` names the intensity with its unit."""
@@ -125,14 +159,23 @@ def fragility(
     *,
     trials: Values = 1,
     undecided: Any = 0,
+    records: Any = None,
     limit: Number | None = None,
     level: Number = 0.95,
 ) -> Fragility:
     """Fit a lognormal fragility curve by maximum likelihood.
 
     Each trial is a Bernoulli experiment with the probability Φ(ln(im/θ)/β). This is the binomial
-    generalised linear model with a probit link on ln(im); the intervals hold the values that a test
-    of the likelihood ratio at this level does not reject (χ² with one degree of freedom).
+    generalised linear model with a probit link on ln(im).
+
+    If the motions are independent, the intervals hold the values that a test of the likelihood
+    ratio at this level does not reject (χ² with one degree of freedom). If several motions share
+    each record, as where a record is scaled to many intensities, they vary together, and only
+    the records are independent: the intervals of ln θ and ln β are then those of the jackknife
+    over the n records, with Student's t of n - 1 degrees of freedom. They do not shrink with the
+    number of intensities. No random number is drawn. In simulations with a level of 0.95, records
+    with lognormal thresholds and 10 intensities, the interval of the median held the truth in 96 %
+    of the cases, that of the dispersion in 96, 92 and 94 % for 10, 20 and 40 records.
 
     Parameters
     ----------
@@ -150,6 +193,10 @@ def fragility(
         overturns. They neither overturned nor stayed up, and are left out, with a warning that
         counts them. A dataset has them itself. If stronger shaking leaves more motions undecided,
         the curve is biased: follow them longer, under a law with flight, or with another ``flat``.
+    records
+        Which record each motion belongs to, as numbers or names that broadcast with ``overturned``.
+        By default it is the dimension ``ground`` of a dataset or data array; an array without such
+        a dimension holds independent motions.
     limit
         Of a dataset: the largest tilt over the balance tilt, up to 1, that counts in place of
         overturning, such as 0.5. Bodies that overturned have reached it.
@@ -176,16 +223,20 @@ def fragility(
     """
     if hasattr(overturned, "data_vars"):
         intensity = _along(overturned, intensity)
+        records = _records(overturned["overturned"]) if records is None else records
         overturned, undecided = reached(overturned, limit)
     elif limit is not None:
         raise RimrollError("limit is for a dataset of rimroll.shake_many, which has the tilts")
-    count, logs, of, open_ = _data(overturned, intensity, trials, undecided)
+    elif records is None and is_labelled(overturned):
+        records = _records(overturned)
+    count, logs, of, open_, record = _data(overturned, intensity, trials, undecided, records)
     _warn_of_undecided(logs, of, open_)
     data = np.exp(logs), count, of, open_
     decided = of > open_
     if not decided.any():
         raise RimrollError("all motions are undecided: they determine no fragility curve")
     count, logs, of = count[decided], logs[decided], (of - open_)[decided]
+    _, record = np.unique(record[decided], return_inverse=True)
     confidence = number("level", level)
     if not 0.0 < confidence < 1.0:
         raise RimrollError(f"level must be between 0 and 1, got {confidence:g}")
@@ -197,24 +248,55 @@ def fragility(
     best = likelihood(intercept, slope)
     theta, beta = -intercept / slope, 1.0 / slope
     center = float(logs.mean())
-    medians = likelihood.interval(likelihood.at_median, theta, beta, best, confidence)
-    slopes = likelihood.interval(likelihood.at_slope, slope, slope, best, confidence)
+    shared = records is not None and (np.bincount(record, of) > 1.0).any()
+    without = None
+    if shared:
+        without = jackknife.left_out(record, count, likelihood.x, of, (intercept, slope))
+        medians, dispersions = _over_records((theta, beta), without, confidence)
+    else:
+        medians, dispersions = _profiles(likelihood, (theta, beta), best, confidence)
+    if without is not None:
+        without = np.stack(
+            [np.exp(center - without[:, 0] / without[:, 1]), 1.0 / without[:, 1]], axis=1
+        )
     return Fragility(
         median=math.exp(center + theta),
         dispersion=beta,
         median_interval=(_exp(center + medians[0]), _exp(center + medians[1])),
-        dispersion_interval=(
-            1.0 / slopes[1],
-            1.0 / slopes[0] if slopes[0] > 0.0 else math.inf,
-        ),
+        dispersion_interval=dispersions,
         level=confidence,
+        method="jackknife" if shared else "profile likelihood",
+        records=int(record.max()) + 1 if shared else None,
         log_likelihood=best,
         intensity=data[0],
         overturned=data[1],
         trials=data[2],
         undecided=data[3],
         limit=None if limit is None else number("limit", limit),
+        without=without,
     )
+
+
+def _profiles(
+    likelihood: Likelihood, at: tuple[float, float], best: float, level: float
+) -> tuple[Interval, Interval]:
+    """Intervals of ln θ and β by profile likelihood, around the best of both."""
+    theta, beta = at
+    medians = likelihood.interval(likelihood.at_median, theta, beta, best, level)
+    slopes = likelihood.interval(likelihood.at_slope, 1.0 / beta, 1.0 / beta, best, level)
+    return medians, (1.0 / slopes[1], 1.0 / slopes[0] if slopes[0] > 0.0 else math.inf)
+
+
+def _over_records(
+    at: tuple[float, float], without: Array | None, level: float
+) -> tuple[Interval, Interval]:
+    """Intervals of ln θ and β by the jackknife, open if some record alone decides the curve."""
+    if without is None:
+        return (-math.inf, math.inf), (0.0, math.inf)
+    intercept, slope = without.T
+    values = np.stack([-intercept / slope, -np.log(slope)], axis=1)
+    low, high = jackknife.interval(np.array([at[0], math.log(at[1])]), values, level)
+    return (float(low[0]), float(high[0])), (_exp(float(low[1])), _exp(float(high[1])))
 
 
 def _exp(x: float) -> float:
@@ -222,9 +304,12 @@ def _exp(x: float) -> float:
 
 
 def _data(
-    overturned: Any, intensity: Values, trials: Values, undecided: Any
-) -> tuple[Array, Array, Array, Array]:
-    """How many overturned, the logarithms of the intensities, of how many, how many undecided."""
+    overturned: Any, intensity: Values, trials: Values, undecided: Any, records: Any
+) -> tuple[Array, Array, Array, Array, NDArray[Any]]:
+    """How many overturned, the logarithms of the intensities, of how many, how many undecided.
+
+    The last is the record of each.
+    """
     count, open_ = _counted("overturned", overturned), _counted("undecided", undecided)
     of = numbers("trials", trials)
     strength = numbers("intensity", _without_units(intensity))
@@ -237,12 +322,27 @@ def _data(
         raise RimrollError(
             f"overturned, intensity, trials and undecided must broadcast, got shapes {shapes}"
         ) from None
+    try:
+        record = np.broadcast_to(np.asarray(0 if records is None else records), count.shape)
+    except ValueError:
+        raise RimrollError(
+            f"records must broadcast with overturned, got shape {np.shape(records)} for"
+            f" {count.shape}"
+        ) from None
     count, strength, of, open_ = (part.ravel() for part in (count, strength, of, open_))
     within = (count >= 0.0) & (count <= of) & (count == np.floor(count))
     hold("overturned", count, within, "whole, >= 0 and at most the trials")
     within = (open_ >= 0.0) & (open_ <= of - count) & (open_ == np.floor(open_))
     hold("undecided", open_, within, "whole, >= 0 and at most the trials that did not overturn")
-    return count, np.log(strength), of, open_
+    return count, np.log(strength), of, open_, record.ravel()
+
+
+def _records(motions: xr.DataArray) -> NDArray[np.intp] | None:
+    """The number of the record of each motion, if they lie along ``ground``."""
+    if "ground" not in motions.dims:
+        return None
+    behind = motions.ndim - 1 - motions.get_axis_num("ground")
+    return np.arange(motions.sizes["ground"]).reshape(-1, *[1] * behind)
 
 
 def _along(shaken: xr.Dataset, intensity: Any) -> Any:
@@ -305,101 +405,3 @@ def _expect_overlap(count: Array, logs: Array, of: Array, did: str) -> None:
         )
     if fell.max() <= stood.min():
         raise RimrollError("the probability of overturning does not grow with the intensity")
-
-
-@dataclass(frozen=True)
-class Likelihood:
-    """The logarithm of the likelihood of Φ(intercept + slope x), which is concave."""
-
-    count: Array
-    x: Array
-    of: Array
-
-    def __call__(self, intercept: float, slope: float) -> float:
-        from scipy.special import log_ndtr
-
-        z = intercept + slope * self.x
-        rest = self.of - self.count
-        return float(np.sum(self.count * log_ndtr(z) + rest * log_ndtr(-z)))
-
-    def largest(self) -> tuple[float, float]:
-        """The intercept and the slope with the largest likelihood."""
-        from scipy.optimize import minimize
-
-        spread = float(self.x.std())
-        begin = np.array([0.0, 1.0])
-        found = minimize(
-            lambda a: -self(a[0], a[1] / spread),
-            begin,
-            jac=lambda a: -self._gradient(a[0], a[1] / spread) * [1.0, 1.0 / spread],
-            method="BFGS",
-            options={"gtol": 1e-9},
-        )
-        return float(found.x[0]), float(found.x[1]) / spread
-
-    def _gradient(self, intercept: float, slope: float) -> Array:
-        from scipy.special import log_ndtr
-
-        z = intercept + slope * self.x
-        log_density = -0.5 * z * z - 0.5 * math.log(2.0 * math.pi)
-        rest = self.of - self.count
-        each = self.count * np.exp(log_density - log_ndtr(z)) - rest * np.exp(
-            log_density - log_ndtr(-z)
-        )
-        return np.array([each.sum(), (each * self.x).sum()])
-
-    def at_median(self, theta: float) -> float:
-        """The largest likelihood with this ln θ and a slope that is not negative."""
-        from scipy.optimize import brentq
-
-        def rate(slope: float) -> float:
-            of_intercept, of_slope = self._gradient(-slope * theta, slope)
-            return float(of_slope - theta * of_intercept)
-
-        if rate(0.0) <= 0.0:
-            return self(0.0, 0.0)
-        steep = 1.0 / float(self.x.std())
-        while rate(steep) > 0.0:
-            steep *= 2.0
-        slope = float(brentq(rate, 0.0, steep, xtol=1e-12))
-        return self(-slope * theta, slope)
-
-    def at_slope(self, slope: float) -> float:
-        """The largest likelihood with this slope."""
-        from scipy.optimize import brentq
-
-        reach = 10.0 + abs(slope) * float(np.abs(self.x).max())
-        intercept = brentq(lambda a: self._gradient(a, slope)[0], -reach, reach, xtol=1e-12)
-        return self(float(intercept), slope)
-
-    def interval(
-        self,
-        profile: Callable[[float], float],
-        at: float,
-        width: float,
-        best: float,
-        level: float,
-    ) -> Interval:
-        """The values around ``at`` that the test of the likelihood ratio does not reject."""
-        from scipy.optimize import brentq
-        from scipy.stats import chi2
-
-        drop = 0.5 * float(chi2.ppf(level, 1))
-
-        def excess(value: float) -> float:
-            return best - profile(value) - drop
-
-        ends = []
-        for sign in (-1.0, 1.0):
-            distance = 0.1 * width
-            for _ in range(60):
-                if excess(at + sign * distance) > 0.0:
-                    ends.append(float(brentq(excess, at, at + sign * distance)))
-                    break
-                distance *= 2.0
-                if distance > 1e3 * (width + abs(at)):
-                    ends.append(sign * math.inf)
-                    break
-            else:
-                ends.append(sign * math.inf)
-        return ends[0], ends[1]
