@@ -119,6 +119,8 @@ def analyze(
     vertical is within its error, to which side (:attr:`Collision.side_is_sure`). The frictions are
     those of dry friction (``Coulomb``).
 
+    A record should hold one release: after a catch the stated errors do not hold.
+
     Parameters
     ----------
     record

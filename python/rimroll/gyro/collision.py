@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 SCALE_ERROR = 0.01
 """Standard deviation of the sensitivity: ±1 % is typical in data sheets."""
 MISSED = 0.3
-"""Error of the turn over the squared ratio of the miss distance to the tilt, rad."""
+"""Error of the turn over the squared ratio of the miss distance to the tilt, rad: an allowance."""
 FEW_SAMPLES = 10
-"""Samples of a leg at which the error is √2 as large as its parts say, as simulations show."""
+"""Samples of a leg at which the error is √2 as large as its parts say: an allowance."""
 SIDE_ERRORS = 6.0
 """How many times its error the momentum must be to tell the side of the turn."""
 LEAST_TILT = math.radians(4.0)
