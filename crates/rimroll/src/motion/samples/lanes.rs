@@ -232,15 +232,15 @@ mod tests {
         let part = lane as f64 / LANES as f64;
         let start = State {
             tilt: 0.05 + 0.2 * part,
-            // The tilt has a minimum in the last lanes.
-            tilt_rate: -1.0 + 1.005 * part,
+            // The tilt has a maximum in the step of the last lane.
+            tilt_rate: 1.0 - 1.06 * part,
             yaw: -40.0 * part,
             yaw_rate: 1.0 + part,
             ..State::default()
         };
         let from = ACCELERATION.map(|a| a * part);
         let at = rolling.at(&reduce(&Coordinates::from_state(&start)), from);
-        let (to, h) = (ACCELERATION, 1e-3 * (1.0 + part));
+        let (to, h) = (ACCELERATION, 5e-4 * (1.0 + part));
         (at, Between { from, to, h })
     }
 
@@ -273,7 +273,7 @@ mod tests {
                     to: between.to.map(Lanes::from),
                     h: Lanes::from(between.h),
                 },
-                direction: Lanes::from(-1.0),
+                direction: Lanes::from(1.0),
                 order,
                 end: first.map(all),
                 margin: zero,
@@ -285,12 +285,12 @@ mod tests {
                 let (at, between) = lane(&rolling, i);
                 at.write(&mut lanes.at, |number, lanes| lanes.0[i] = *number);
                 lanes.aim(i, &between);
-                alone.push((at, rolling.attempt_alone(order, &at, &between, -1.0)));
+                alone.push((at, rolling.attempt_alone(order, &at, &between, 1.0)));
             }
             let [mut moved, mut reversed, mut rejected] = [0; 3];
             for (stepped, lanes) in in_every_width(|| Owned(lanes.clone())) {
                 for (i, (at, attempt)) in alone.iter().enumerate() {
-                    let reverses = attempt.is_accepted() && attempt.end.u[2] > 0.0;
+                    let reverses = attempt.is_accepted() && attempt.end.u[2] < 0.0;
                     let moves = attempt.is_accepted() && !reverses;
                     assert_eq!(stepped.moved >> i & 1 == 1, moves);
                     assert_eq!(stepped.reverses >> i & 1 == 1, reverses);
