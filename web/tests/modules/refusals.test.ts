@@ -59,7 +59,7 @@ test("another unit is no number", () => {
 
 test("what `rimroll lab` checks a set-up by is what the page takes", () => {
   const table = allowed();
-  expect(Object.keys(table)).toEqual([...FIELD_NAMES, "speed", "slow"]);
+  expect(Object.keys(table)).toEqual([...FIELD_NAMES, "speed", "slow", "view", "step"]);
   for (const name of FIELD_NAMES) {
     const entry = table[name]!;
     if ("choices" in entry) {
