@@ -149,7 +149,7 @@ def test_make_says_no_more_than_the_one_line_and_its_own(machine):
     for crate in "rimroll", "rimroll-py", "rimroll-wasm":
         (tree / "crates" / crate / "src").mkdir(parents=True)
         (tree / "crates" / crate / "Cargo.toml").touch()
-    for folder in "python/rimroll", "web/src", "web/licences":
+    for folder in "python/rimroll", "web/src", "web/public", "web/licences":
         (tree / folder).mkdir(parents=True)
     run = subprocess.run(
         [shutil.which("make"), "test"],
