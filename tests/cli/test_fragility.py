@@ -23,28 +23,6 @@ FEW = f"fragility {COLUMN} --synthetic 6 --soil-period 0.8s"
 SCALES = "--scales 3,4,5"
 
 
-@pytest.fixture
-def stdout_of(capsys):
-    """Runs a command that must succeed, and returns its stdout with single spaces."""
-
-    def run(arguments):
-        assert main(arguments.split()) == 0
-        return " ".join(capsys.readouterr().out.split())
-
-    return run
-
-
-@pytest.fixture
-def error_of(capsys):
-    """Runs a command that must fail, and returns its stderr."""
-
-    def run(arguments):
-        assert main(arguments.split()) == 2
-        return capsys.readouterr().err
-
-    return run
-
-
 @pytest.fixture(scope="module")
 def column():
     return load(COLUMN).body

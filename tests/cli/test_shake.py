@@ -11,7 +11,6 @@ import xarray as xr
 
 import rimroll as rr
 from given.motions import CAN, same_bits
-from rimroll.cli import main
 from rimroll.scenario import load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -19,28 +18,6 @@ COLUMN = EXAMPLES / "column.toml"
 RECORD = [EXAMPLES / f"synthetic_{name}.at2" for name in ("000", "090", "up")]
 FILES = " ".join(map(str, RECORD))
 PULSE = "shake --pulse sine --amplitude 0.9g --period 0.3s"
-
-
-@pytest.fixture
-def stdout_of(capsys):
-    """Runs a command that must succeed, and returns its stdout with single spaces."""
-
-    def run(arguments):
-        assert main(arguments.split()) == 0
-        return " ".join(capsys.readouterr().out.split())
-
-    return run
-
-
-@pytest.fixture
-def error_of(capsys):
-    """Runs a command that must fail, and returns its stderr."""
-
-    def run(arguments):
-        assert main(arguments.split()) == 2
-        return capsys.readouterr().err
-
-    return run
 
 
 @pytest.fixture(scope="module")

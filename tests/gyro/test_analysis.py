@@ -91,7 +91,7 @@ def test_the_friction_of_a_disk_is_not_stated():
 
 
 def test_the_turn_alone_is_that_of_theory():
-    """Of a body that rolls, it is near the limit, even where the whole turn is not."""
+    """For a body that rolls, it is near the limit, even where the whole turn is not."""
     motion = motion_under(rr.NoSlip(), replace(START, yaw_rate=0.02, spin_rate=0.0))
     found = rr.gyro.analyze(rr.gyro.phone(400.0).record(motion, seed=1), CAN)
     limit = rr.turn_limit(CAN, rr.NoSlip())
@@ -162,7 +162,7 @@ def test_veers_and_frictions_of_random_bodies_are_within_their_errors():
 
 @pytest.mark.soak
 def test_errors_are_as_large_as_they_say():
-    """Of veers, 68 % should be within one standard deviation, of frictions 95 % in the interval."""
+    """68 % of veers should be within one standard deviation, 95 % of frictions in the interval."""
     check_coverage(range(1000, 1120), within_one=0.68, within_two=0.95, friction_inside=0.93)
 
 

@@ -183,7 +183,7 @@ def test_damaged_chunks_are_found_and_computed_again(file, capsys, more):
     whole = hash_in(capsys.readouterr().out)
     changed, cut, lost = (next(iter(store.numbers.files(chunk))) for chunk in (2, 5, 9))
     content = bytearray(changed.read_bytes())
-    # Of a part, a number of its first array: it has bytes that mean nothing, too.
+    # In a part, some bytes mean nothing: damage a number of its first array.
     place = content.index(b" \n") + 2 if changed.suffix == ".npz" else len(content) // 2
     content[place] ^= 1
     changed.write_bytes(content)

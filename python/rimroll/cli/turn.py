@@ -206,7 +206,7 @@ def start_line(motion: Motion, nudged: bool = False) -> str:
 
 
 def start_in_words(start: State, gravity: float, nudged: bool = False) -> str:
-    """The same without a motion."""
+    """The start and the gravity in words, for a command that computes no motion."""
     gravity_in_words = unbroken(f"gravity {gravity:g} m/s²")
     if start.tilt == 0.0:
         return f"standing flat; {gravity_in_words}"

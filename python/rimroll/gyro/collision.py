@@ -160,7 +160,7 @@ def collision_of(
 
 
 def _nearest(turn: float, expected: float, side: float = 0.0) -> float:
-    """Of the turns that differ by whole ones, that whose size is nearest to what is expected.
+    """The turn plus or minus whole revolutions whose size is nearest to what is expected.
 
     ``side``: the sign that the turn must have; 0 if it is not known.
     """

@@ -198,7 +198,7 @@ def fragility(
         By default it is the dimension ``ground`` of a dataset or data array; an array without such
         a dimension holds independent motions.
     limit
-        Of a dataset: the largest tilt over the balance tilt, up to 1, that counts in place of
+        For a dataset: the ratio of largest tilt to balance tilt, up to 1, that counts in place of
         overturning, such as 0.5. Bodies that overturned have reached it.
     level
         Confidence level of the intervals, between 0 and 1.

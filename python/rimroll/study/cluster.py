@@ -42,7 +42,7 @@ TRIES = 3
 """How often a chunk that raises an unexpected error is tried."""
 
 MOST_FAILURES = 10
-"""So many chunks that fail end a run: the others would fail, too."""
+"""The number of failed chunks that ends a run: the others would probably fail, too."""
 
 Found = dict[str, str]
 """What a task returns: nothing, or ``stop`` and a reason why no other task should be tried."""

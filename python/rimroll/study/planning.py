@@ -26,7 +26,7 @@ WITHOUT_EFFECT = ("store", "chunk", "most_rows", "title")
 """What of a study does not change its numbers."""
 
 TRIED = 1000
-"""So many first rows are tried when a study is planned."""
+"""The number of first rows that are tried when a study is planned."""
 
 
 def planned(study: Study) -> Plan:

@@ -9,7 +9,7 @@ from rimroll.study.claim import at_work
 from rimroll.study.store import Store
 
 SAMPLE = 1000
-"""So many marks are read for the mean time of a chunk: a store may have millions."""
+"""The number of marks read for the mean time of a chunk; a store may have millions."""
 
 
 @dataclass(frozen=True)

@@ -242,8 +242,8 @@ class Study:
             A client of a Dask cluster (``distributed.Client``) that computes. Its workers need the
             same version of rimroll, and must see the store at the same path.
         workers
-            Compute on so many processes of this machine. A script that asks for them begins with
-            ``if __name__ == "__main__":``, because each process loads it.
+            Number of processes on this machine to compute on. A script that asks for them begins
+            with ``if __name__ == "__main__":``, because each process loads it.
         threads
             Threads in this process, by default one for each processor.
         progress

@@ -22,7 +22,7 @@ class Watcher:
         self._written = time.monotonic()
 
     def progress(self, done: int, total: int) -> None:
-        """So many motions of all are done."""
+        """Show that ``done`` motions are complete."""
         self.done = done
         now = time.monotonic()
         if self._begin is None:

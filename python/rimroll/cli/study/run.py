@@ -26,7 +26,7 @@ from rimroll.study.size import expect_room
 WorkersOption = Annotated[
     Any,
     typer.Option(
-        help="Compute on so many processes of this machine, which share its processors.",
+        help="Number of processes on this machine to compute on; they share its processors.",
         metavar="NUMBER",
         parser=whole(least=1, most=10_000),
     ),
