@@ -339,9 +339,16 @@ fn what_is_done_before_the_watch_ends_the_work_is_kept() {
     let trials = vec![(&can, start, ContactLaw::from(IdealLaw::NoSlip)); 5000];
     let whole = of_many_bodies(&trials, &options());
     let stop = |_| ControlFlow::Break(());
-    let some = ensemble(&trials, &options(), stop).expect("valid starts");
-    assert!(!some.is_empty() && some.len() < whole.len());
-    assert_eq!(some, whole[..some.len()]);
+    for threads in [1, 2, 5] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let stopped = || ensemble(&trials, &options(), stop).expect("valid starts");
+        let some = pool.build().expect("a pool of threads").install(stopped);
+        // On several threads, the first chunk need not be done when another chunk ends the work.
+        if threads == 1 {
+            assert!(!some.is_empty() && some.len() < whole.len());
+        }
+        assert_eq!(some, whole[..some.len()]);
+    }
 }
 
 #[test]
