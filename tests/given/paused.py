@@ -2,21 +2,27 @@
 
 Loaded by ``pause()``, or by a Dask worker as ``--preload given.paused``. The variable RIMROLL_PAUSE
 holds what to do, where, and a folder: ``wait mark FOLDER``. The process writes its number to
-``FOLDER/reached`` and waits until that file is removed; or it kills itself.
+``FOLDER/reached`` and waits until that file is removed; or it kills itself. ``wait mark@5 FOLDER``
+lets it pass the place five times before.
 """
 
 import os
 import signal
 import time
+from itertools import count
 from pathlib import Path
 
 
 def pause():
     """Take part in what RIMROLL_PAUSE says."""
     what, where, folder = os.environ["RIMROLL_PAUSE"].split(" ", 2)
+    where, _, passed = where.partition("@")
     reached = Path(folder) / "reached"
+    times = count()
 
     def stop():
+        if next(times) < int(passed or 0):
+            return
         if what == "die":
             os.kill(os.getpid(), signal.SIGKILL)
         part = reached.with_name("reached.part")

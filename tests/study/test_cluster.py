@@ -1,62 +1,15 @@
 """A study on a Dask cluster: real schedulers and workers, which are killed."""
 
-import json
 import signal
-import subprocess
-import sys
-from contextlib import contextmanager
 
 import pytest
 
-from given.ctrl_c import needs_signals, running
-from given.small_study import CHUNKS, done, in_process, rimroll, until, with_tests, written
+from given.ctrl_c import needs_signals
+from given.dask_programs import client, pausing, scheduler, worker
+from given.small_study import CHUNKS, done, in_process, rimroll, until, written
 from rimroll.study.verify import verify
 
 pytestmark = [needs_signals, pytest.mark.slow]
-
-BY_ITSELF = "import sys; from {} import main; sys.exit(main())"
-
-
-@contextmanager
-def dask(program, *arguments, environment=None):
-    """A scheduler or a worker, until the block ends."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", BY_ITSELF.format(f"distributed.cli.dask_{program}"), *arguments],
-        env=with_tests(**(environment or {})),
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    try:
-        yield process
-    finally:
-        process.kill()
-        process.wait()
-
-
-@contextmanager
-def scheduler(folder, **environment):
-    """The address of a scheduler, and its process."""
-    file = folder / "scheduler.json"
-    where = ["--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(file)]
-    with dask("scheduler", *where, environment=environment) as process:
-        until(lambda: file.exists() and file.read_text().endswith("}"), process)
-        yield json.loads(file.read_text())["address"], process
-
-
-@contextmanager
-def worker(address, *arguments, **environment):
-    """A worker of one thread."""
-    more = ["--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0"]
-    with dask("worker", address, *more, *arguments, environment=environment) as process:
-        yield process
-
-
-@contextmanager
-def pausing(address, file, place, what="wait"):
-    """A worker that stops at a place of a study; its process, and the sign that it is there."""
-    pause = f"{what} {place} {file.parent}"
-    with worker(address, "--preload", "given.paused", RIMROLL_PAUSE=pause) as process:
-        yield process, file.parent / "reached"
 
 
 @pytest.fixture
@@ -76,12 +29,6 @@ def cluster(tmp_path_factory):
     folder = tmp_path_factory.mktemp("cluster")
     with scheduler(folder) as (address, _), worker(address):
         yield address
-
-
-def client(file, address):
-    """A run on a cluster, in a process of its own."""
-    command = ("-m", "rimroll.cli", "study", "run", str(file), "--scheduler", address)
-    return running("-W", "error", *command)
 
 
 @pytest.mark.parametrize("place", ["compute", pytest.param("mark", marks=pytest.mark.soak)])
