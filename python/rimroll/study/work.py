@@ -11,6 +11,7 @@ from rimroll._core import __version__
 from rimroll.errors import RimrollError
 from rimroll.study.marks import Mark
 from rimroll.study.storage import told
+from rimroll.study.uninterrupted import uninterrupted
 
 if TYPE_CHECKING:
     from rimroll.study.plan import Plan
@@ -37,8 +38,7 @@ def work(
     if plan.statistics is not None:
         columns = plan.statistics.of(first, last, columns)
     seconds = round(time.perf_counter() - begin, 3)
-    sha256 = store.numbers.write(chunk, columns)
-    mark = Mark(sha256, seconds, platform.node(), __version__)
-    with told(store.path):
+    with uninterrupted(), told(store.path):
+        mark = Mark(store.numbers.write(chunk, columns), seconds, platform.node(), __version__)
         store.marks.add(chunk, mark)
     return mark
