@@ -1,5 +1,6 @@
 """A study on a Dask cluster: real schedulers and workers, which are killed."""
 
+import re
 import signal
 
 import pytest
@@ -8,6 +9,7 @@ from given.ctrl_c import needs_signals
 from given.dask_programs import client, pausing, scheduler, worker
 from given.small_study import CHUNKS, done, in_process, rimroll, until, written
 from rimroll.study.verify import verify
+from rimroll.study.versions import build
 
 pytestmark = [needs_signals, pytest.mark.slow]
 
@@ -93,12 +95,17 @@ def test_a_chunk_that_kills_its_workers_is_named(file, whole):
     assert verify(in_process(file)).sha256 == whole
 
 
-def test_a_worker_with_another_version_is_refused_by_name(file):
-    code = "import rimroll._core; rimroll._core.__version__ = '9.9.9'\n"
+def test_a_worker_with_another_build_of_the_same_version_is_refused_by_name(file, whole):
+    code = "from rimroll.study import versions; versions.build = lambda: 'another'\n"
     with scheduler(file.parent) as (address, _), worker(address, "--preload", code):
         status, _, err = rimroll("study", "run", file, "--scheduler", address)
-    assert status == 2
-    assert "rimroll: the worker tcp://" in err and "has rimroll 9.9.9, this is rimroll" in err
+        assert status == 2
+        refused = rf"rimroll: the worker tcp://\S+ has rimroll build another, this is .* {build()}$"
+        assert re.search(refused, err, re.M)
+        assert not done(file)
+        store = in_process(file, scheduler=address, other_versions=True)
+    assert verify(store).sha256 == whole
+    assert store.marks.read(0).rimroll.endswith(" build another")
 
 
 def test_a_scheduler_that_does_not_answer_is_named(file):

@@ -264,13 +264,22 @@ def test_the_store_of_a_changed_study_is_not_shown(file, command, capsys):
     assert main(["study", command, str(file.with_suffix(".zarr"))]) == 0
 
 
-def test_a_store_of_other_versions_is_shown_but_not_continued(file, capsys):
+@pytest.mark.parametrize(
+    "attribute, named",
+    [("numpy_version", "numpy 1.0, here is numpy "), ("rimroll_build", "rimroll build 1.0, here ")],
+)
+def test_a_store_of_other_versions_is_shown_but_not_continued_unless_told(
+    file, capsys, attribute, named
+):
     store = in_process(file, chunks=range(1))
     meta = store.path / "zarr.json"
-    meta.write_text(re.sub(r'"numpy_version": "[^"]*"', '"numpy_version": "1.0"', meta.read_text()))
+    meta.write_text(re.sub(rf'"{attribute}": "[^"]*"', f'"{attribute}": "1.0"', meta.read_text()))
     assert main(["study", "run", str(file)]) == 2
-    assert "was made with numpy 1.0, here is numpy" in capsys.readouterr().err
+    assert f"was made with {named}" in capsys.readouterr().err
+    assert done(file) == {0}
     assert main(["study", "status", str(file)]) == 0
+    assert main(["study", "run", str(file), "--chunks", "0:2", "--other-versions"]) == 0
+    assert done(file) == {0, 1}
 
 
 def test_rows_that_are_not_done_are_neither_true_nor_false(file, capsys):

@@ -14,16 +14,16 @@ import os
 import queue
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from rimroll._core import __version__
 from rimroll.errors import RimrollError
 from rimroll.study.size import processors
 from rimroll.study.storage import StoreError
 from rimroll.study.store import Store
+from rimroll.study.versions import difference, versions
 from rimroll.study.work import work
 
 if TYPE_CHECKING:
@@ -108,6 +108,8 @@ def compute(
     pending: list[int],
     done: Callable[[int], object],
     note: Callable[[str], object],
+    *,
+    other_versions: bool = False,
 ) -> None:
     """Compute chunks on a cluster, and call ``done`` with the number of each that is done.
 
@@ -115,7 +117,7 @@ def compute(
     if chunks fail.
     """
     _same_versions(client)
-    tasks = _Tasks(client, store, plan)
+    tasks = _Tasks(client, store, plan, {} if other_versions else dict(versions()))
     waiting = iter(pending)
     failed: dict[int, str] = {}
     try:
@@ -148,13 +150,13 @@ def compute(
 class _Tasks:
     """The tasks that a scheduler has: a few for each thread, and their ends in a queue."""
 
-    def __init__(self, client: Any, store: Store, plan: Plan) -> None:
+    def __init__(self, client: Any, store: Store, plan: Plan, wanted: Mapping[str, str]) -> None:
         self.given: dict[int, Any] = {}
         self._threads, self._counted = 1, -RECOUNT
         self._client = client
         self._ended: queue.SimpleQueue[int] = queue.SimpleQueue()
         content = json.dumps(plan.study.to_dict())
-        self._task = (os.fspath(store.path.resolve()), store.identity, content, __version__)
+        self._task = (os.fspath(store.path.resolve()), store.identity, content, wanted)
         self._name = f"rimroll-{store.identity}-{os.urandom(4).hex()}"
 
     def room(self) -> int:
@@ -197,11 +199,12 @@ class _Tasks:
         self.given.clear()
 
 
-def task(path: str, identity: str, content: str, version: str, chunk: int) -> Found:
-    """Compute a chunk on a worker."""
+def task(path: str, identity: str, content: str, wanted: Mapping[str, str], chunk: int) -> Found:
+    """Compute a chunk on a worker, unless it has other versions than are wanted, if any are."""
     where = f"the worker {_address()}"
-    if version != __version__:
-        return {"stop": f"{where} has rimroll {__version__}, this is rimroll {version}"}
+    found = difference(versions(), wanted) if wanted else None
+    if found:
+        return {"stop": f"{where} has {found[0]}, this is {found[1]}"}
     try:
         store, plan = _opened(path, identity, content)
         work(store, plan, chunk, threads=1)
@@ -219,7 +222,7 @@ def _opened(path: str, identity: str, content: str) -> tuple[Store, Plan]:
     if store.identity != identity:
         raise StoreError(f"{path} is another store here")
     plan = study_of(content).plan()
-    store.expect(plan)
+    store.expect_study(plan)  # versions are those that the client accepts
     return store, plan
 
 

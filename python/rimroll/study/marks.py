@@ -27,7 +27,7 @@ class Mark:
     """How long its computation took."""
     host: str
     rimroll: str
-    """The version that computed it."""
+    """The version and the build that computed it."""
 
 
 class Marks:

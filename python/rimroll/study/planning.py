@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rimroll import _core
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
 from rimroll.scenario.tables import as_toml, made
@@ -17,6 +16,7 @@ from rimroll.study.description import Description
 from rimroll.study.given import Block
 from rimroll.study.plan import Columns, Coordinate, Plan, Progress, Variable
 from rimroll.study.starts import STATE
+from rimroll.study.versions import versions
 from rimroll.units import START_UNIT_OF
 
 if TYPE_CHECKING:
@@ -211,16 +211,12 @@ def _coordinates(description: Description) -> dict[str, Coordinate]:
 
 def _attributes(study: Study) -> dict[str, Any]:
     """Everything that determines the numbers."""
-    import scipy
-
     description = study.description
     content = study.to_dict()["study"]
     return {
         "title": description.title or "",
         "kind": description.kind.name,
-        "rimroll_version": _core.__version__,
-        "numpy_version": np.__version__,
-        "scipy_version": scipy.__version__,
+        **versions(),
         "seed": description.sampling.seed,
         "study": json.dumps(
             {name: one for name, one in content.items() if name not in WITHOUT_EFFECT},

@@ -35,6 +35,7 @@ def run(
     scheduler: str | None = None,
     client: Any = None,
     threads: int | None = None,
+    other_versions: bool = False,
     progress: Progress = lambda done, total: None,
     note: Note = lambda text: None,
 ) -> Store:
@@ -54,13 +55,16 @@ def run(
         same version of rimroll, and must see the store at the same path.
     threads
         Threads in this process, by default one for each processor.
+    other_versions
+        Also continues a store, and computes on workers, of another build of rimroll, or with other
+        versions of NumPy or SciPy. Numbers may differ; the mark of each chunk names its build.
     progress, note
         Called with how far the run is, and with sentences for the user.
 
     Raises
     ------
     StoreError
-        A store of another study, a full disk, a folder that cannot be written.
+        A store of another study or another build, a full disk, a folder that cannot be written.
     RimrollError
         A run at work on the same chunks, a cluster that does not answer or whose versions differ.
     Unfinished
@@ -74,7 +78,7 @@ def run(
     if threads is not None and elsewhere:
         raise RimrollError("threads are those of this process: give no workers or scheduler")
     store = Store.create(path, plan)
-    store.expect(plan)
+    store.expect(plan, other_versions=other_versions)
     mine = _within(chunks, store.blocks.number)
     with claimed(store.marks.folder, mine.start, mine.stop) as held:
         if not held:
@@ -91,7 +95,9 @@ def run(
 
             lent = nullcontext(client) if client else connected(workers, scheduler, note)
             with lent as connection:
-                compute(connection, store, plan, pending, done.add, note)
+                compute(
+                    connection, store, plan, pending, done.add, note, other_versions=other_versions
+                )
         if store.finished:
             store.merge(plan)
     return store

@@ -35,6 +35,8 @@ from rimroll.study.marks import Marks
 from rimroll.study.parts import Parts
 from rimroll.study.rows_on_disk import RowsOnDisk
 from rimroll.study.storage import StoreError, digest, told, zarr
+from rimroll.study.versions import NAMES as VERSIONS
+from rimroll.study.versions import difference
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -52,9 +54,6 @@ DONE = "done"
 
 WITHOUT_EFFECT = ("title",)
 """Attributes that may change."""
-
-VERSIONS = ("rimroll_version", "numpy_version", "scipy_version")
-"""Attributes that may not change while a study is computed; who reads it may have others."""
 
 
 class Numbers(Protocol):
@@ -181,20 +180,19 @@ class Store:
         """Whether it keeps statistics that are not merged from the parts of its chunks."""
         return self.merged and self.marks.merged() is None
 
-    def expect(self, plan: Plan) -> None:
+    def expect(self, plan: Plan, *, other_versions: bool = False) -> None:
         """Raise ``StoreError``, which says what differs, unless a run may continue the store.
 
-        It must be of this plan, and made with the same packages.
+        It must be of this plan, and made by the same build of rimroll with the same packages, or by
+        others where these are accepted.
         """
         self.expect_study(plan)
-        for name in VERSIONS:
-            made, here = self.attrs.get(name), plan.attrs.get(name)
-            package = name.removesuffix("_version")
-            if made != here:
-                raise StoreError(
-                    f"{self.path} was made with {package} {made}, here is {package} {here}: with"
-                    " the other version numbers may differ; use that one, or give another --store"
-                )
+        found = difference(self.attrs, plan.attrs)
+        if found and not other_versions:
+            raise StoreError(
+                f"{self.path} was made with {found[0]}, here is {found[1]}: numbers may differ; use"
+                " that one, give another --store, or accept it with --other-versions"
+            )
 
     def expect_study(self, plan: Plan) -> None:
         """Raise ``StoreError``, which says what differs, unless the store is of this study."""

@@ -226,6 +226,7 @@ class Study:
         client: Any = None,
         workers: int | None = None,
         threads: int | None = None,
+        other_versions: bool = False,
         progress: Progress | None = None,
     ) -> xr.Dataset:
         """Compute what is not done of the study, and return its results, read when they are used.
@@ -240,12 +241,15 @@ class Study:
             file with ``.zarr``.
         client
             A client of a Dask cluster (``distributed.Client``) that computes. Its workers need the
-            same version of rimroll, and must see the store at the same path.
+            same build of rimroll, and must see the store at the same path.
         workers
             Number of processes on this machine to compute on. A script that asks for them begins
             with ``if __name__ == "__main__":``, because each process loads it.
         threads
             Threads in this process, by default one for each processor.
+        other_versions
+            Also continues a store, and computes on workers, of another build of rimroll, or with
+            other versions of NumPy or SciPy. Numbers may differ.
         progress
             Called with the number of rows done and the number of all rows.
 
@@ -264,7 +268,13 @@ class Study:
             raise RimrollError("store must be given: the folder of the results")
         report = progress or (lambda done, total: None)
         filled = run(
-            self.plan(), path, client=client, workers=workers, threads=threads, progress=report
+            self.plan(),
+            path,
+            client=client,
+            workers=workers,
+            threads=threads,
+            other_versions=other_versions,
+            progress=report,
         )
         return filled.open()
 

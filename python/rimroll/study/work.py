@@ -7,11 +7,11 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from rimroll._core import __version__
 from rimroll.errors import RimrollError
 from rimroll.study.marks import Mark
 from rimroll.study.storage import told
 from rimroll.study.uninterrupted import uninterrupted
+from rimroll.study.versions import of_mark
 
 if TYPE_CHECKING:
     from rimroll.study.plan import Plan
@@ -39,6 +39,6 @@ def work(
         columns = plan.statistics.of(first, last, columns)
     seconds = round(time.perf_counter() - begin, 3)
     with uninterrupted(), told(store.path):
-        mark = Mark(store.numbers.write(chunk, columns), seconds, platform.node(), __version__)
+        mark = Mark(store.numbers.write(chunk, columns), seconds, platform.node(), of_mark())
         store.marks.add(chunk, mark)
     return mark

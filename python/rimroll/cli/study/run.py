@@ -54,6 +54,15 @@ ChunksOption = Annotated[
     ),
 ]
 
+OtherVersionsOption = Annotated[
+    bool,
+    typer.Option(
+        "--other-versions",
+        help="Also continue a store, and use workers, of another build or version of rimroll, NumPy"
+        " or SciPy; numbers may differ.",
+    ),
+]
+
 
 def run(
     study: StudyArgument,
@@ -63,6 +72,7 @@ def run(
     scheduler: SchedulerOption = None,
     threads: ThreadsOption = None,
     chunks: ChunksOption = None,
+    other: OtherVersionsOption = False,
 ) -> int:
     """Compute what is not done of a study, into its store.
 
@@ -93,6 +103,7 @@ def run(
                 workers=workers,
                 scheduler=scheduler,
                 threads=threads,
+                other_versions=other,
                 progress=watcher.progress,
                 note=watcher.note,
             )
