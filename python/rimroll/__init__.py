@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     )
     from rimroll.body import Body as Body
     from rimroll.browser.view import Lab as Lab, lab as lab
+    from rimroll.decays import Decay as Decay, decay as decay
     from rimroll.errors import RimrollError as RimrollError
     from rimroll.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
     from rimroll.experiment.fitting.angles import read_directions as read_directions
@@ -50,6 +51,7 @@ if TYPE_CHECKING:
     from rimroll.experiment.measurement import Measurement as Measurement, measure as measure
     from rimroll.experiment.release import Release as Release
     from rimroll.experiment.toppling import topple as topple
+    from rimroll.exponents import EndExponent as EndExponent, fit_exponent as fit_exponent
     from rimroll.falls import Interrupted as Interrupted
     from rimroll.grid import axis as axis
     from rimroll.ground.ground import Ground as Ground
@@ -146,6 +148,7 @@ _NAMES = {
     "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),
     "rimroll.body": ("Body",),
     "rimroll.browser.view": ("Lab", "lab"),
+    "rimroll.decays": ("Decay", "decay"),
     "rimroll.errors": ("RimrollError",),
     "rimroll.exact": ("ExactTurn", "exact_turn"),
     "rimroll.experiment.fitting.angles": ("read_directions",),
@@ -155,6 +158,7 @@ _NAMES = {
     "rimroll.experiment.measurement": ("Measurement", "measure"),
     "rimroll.experiment.release": ("Release",),
     "rimroll.experiment.toppling": ("topple",),
+    "rimroll.exponents": ("EndExponent", "fit_exponent"),
     "rimroll.falls": ("Interrupted",),
     "rimroll.grid": ("axis",),
     "rimroll.ground.ground": ("Ground",),

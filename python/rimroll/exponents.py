@@ -1,0 +1,268 @@
+"""The exponent with which a quantity vanishes at an end time that is not known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.errors import RimrollError, hold
+from rimroll.given import Number, Values, number, numbers
+from rimroll.state import times
+
+Array = NDArray[np.float64]
+
+NEAREST, FARTHEST = 1e-9, 1e3
+"""Where the end time is looked for after the last point, in lengths of the window."""
+
+FEWEST = 10
+"""Fewest points to which a power law is fitted."""
+
+PARAMETERS = 3
+"""Amplitude, exponent and end time."""
+
+
+@dataclass(frozen=True)
+class EndExponent:
+    """A power law a (t_end − t)^p, fitted to a window of a curve, with profile intervals.
+
+    The intervals say how well the curve inside the window determines a power law. They know nothing
+    of other terms outside it: compare several windows.
+    """
+
+    exponent: float
+    """p."""
+    exponent_interval: tuple[float, float]
+    """The exponents that the window allows, with the end time and the amplitude free."""
+    end: float
+    """t_end, s."""
+    end_interval: tuple[float, float]
+    """The end times that the window allows, s, with the exponent and the amplitude free."""
+    amplitude: float
+    """a, the value one second before the end."""
+    confidence: float
+    """The confidence level of the intervals."""
+    window: tuple[float, float]
+    """First and last time that was fitted, s."""
+    count: int
+    """Number of points in the window."""
+    independent: float
+    """How many independent residuals the points are worth."""
+    residual: float
+    """Root mean square of the residuals of the logarithm."""
+
+    def __call__(self, t: Values) -> Array:
+        """The fitted power law at the times t (s), rad or what was fitted; NaN after the end."""
+        left = self.end - times(t)
+        return np.asarray(self.amplitude * np.where(left < 0.0, np.nan, left) ** self.exponent)
+
+
+def fit_exponent(
+    t: Values,
+    curve: Values,
+    *,
+    window: tuple[Number, Number] | None = None,
+    confidence: float = 0.95,
+) -> EndExponent:
+    """Fit a power law of the time that is left, a (t_end − t)^p, to a window of a curve.
+
+    Parameters
+    ----------
+    t
+        Times, s, shape (n,), rising.
+    curve
+        What is fitted, > 0, shape (n,): the tilt of a disk that comes to rest, for example, or its
+        yaw rate, whose exponent is negative.
+    window
+        First and last time to use, s; all by default. It must contain at least 10 points.
+    confidence
+        Level of the intervals, between 0 and 1.
+
+    Raises
+    ------
+    RimrollError
+        Arrays of different lengths, times that do not rise, values that are not positive, too few
+        points, or a window that shows no end: one that an exponential would fit as well.
+
+    Notes
+    -----
+    Least squares of ln curve = ln a + p ln(t_end − t). Amplitude and exponent enter linearly and
+    are eliminated, so that one search over t_end remains. The interval of p holds all exponents
+    whose best fit has a residual sum of squares below S (1 + q²/(k − 3)), with the smallest sum S
+    and the quantile q of Student's t with k − 3 degrees of freedom; likewise the interval of t_end.
+    So they include each other's uncertainty.
+
+    The residuals of a computed or filmed curve follow each other smoothly. k is the number of
+    independent ones: the number of points over the integrated autocorrelation time (the sum up to
+    the first correlation that is not positive), or the number of runs of one sign if this is
+    smaller, but at least 4. More points on the same curve do not narrow the intervals. Of
+    residuals whose correlation lasts longer than a tenth of the window, k is an overestimate.
+    """
+    moments, positive = _curve(t, curve)
+    first, last = (moments[0], moments[-1]) if window is None else _window(window)
+    inside = (moments >= first) & (moments <= last)
+    if inside.sum() < FEWEST:
+        raise RimrollError(
+            f"window must contain at least {FEWEST} points, got {inside.sum()} between"
+            f" {first:.6g} and {last:.6g} s"
+        )
+    level = number("confidence", confidence)
+    if not 0.0 < level < 1.0:
+        raise RimrollError(f"confidence must be between 0 and 1, got {level}")
+    return _Fit(moments[inside], np.log(positive[inside])).intervals(level)
+
+
+def _curve(t: Values, curve: Values) -> tuple[Array, Array]:
+    moments, positive = np.asarray(times(t)), numbers("curve", curve)
+    if moments.ndim != 1 or positive.shape != moments.shape:
+        raise RimrollError(
+            "t and curve must be arrays of the same length, got shapes"
+            f" {moments.shape} and {positive.shape}"
+        )
+    hold("t", moments, np.diff(moments, prepend=-math.inf) > 0.0, "rising", "s")
+    hold("curve", positive, (positive > 0.0) & np.isfinite(positive), "> 0 and finite")
+    return moments, positive
+
+
+def _window(window: tuple[Number, Number]) -> tuple[float, float]:
+    if not isinstance(window, tuple | list) or len(window) != 2:
+        raise RimrollError(f"window must be a first and a last time, got {window!r}")
+    return number("window", window[0], "s"), number("window", window[1], "s")
+
+
+class _Fit:
+    """Power laws through points of a window: x = ln(t_end − t), y = ln curve."""
+
+    def __init__(self, t: Array, y: Array) -> None:
+        self.t, self.y = t, y
+        self.mean = float(y.mean())
+        self.from_mean = y - self.mean
+        length = float(t[-1] - t[0])
+        # The end is looked for by the logarithm of its distance to the last point.
+        self.bounds = (math.log(NEAREST * length), math.log(FARTHEST * length))
+        self.grid = np.linspace(*self.bounds, 120)
+        self.moments = np.array([self._moments(end) for end in self.grid]).T
+        covariance, variance = self.moments
+        self.best = self._lowest(-(covariance**2) / variance, self._at_end)
+        if self.best > self.bounds[1] - 1.0 or not self.from_mean.any():
+            raise RimrollError(
+                "the window shows no end: a constant or an exponential fits as well as a power law"
+            )
+
+    def _log_left(self, log_end: float) -> Array:
+        left: Array = np.log(math.exp(log_end) + (self.t[-1] - self.t))
+        return left
+
+    def _moments(self, log_end: float) -> tuple[float, float]:
+        """The sums of products of x with y and with itself, about the means."""
+        x = self._log_left(log_end)
+        x -= x.mean()
+        return float(x @ self.from_mean), float(x @ x)
+
+    def _at_end(self, log_end: float) -> float:
+        """The sum of squares of the best power law with an end."""
+        covariance, variance = self._moments(log_end)
+        return self._squares(log_end, covariance / variance)
+
+    def _squares(self, log_end: float, exponent: float) -> float:
+        return float(np.square(self._residuals(log_end, exponent)).sum())
+
+    def _residuals(self, log_end: float, exponent: float) -> Array:
+        """Those of the best power law with an end and an exponent."""
+        x = self._log_left(log_end)
+        residuals: Array = self.from_mean - exponent * (x - x.mean())
+        return residuals
+
+    def _at_exponent(self, exponent: float) -> float:
+        """The sum of squares of the best power law with an exponent."""
+        covariance, variance = self.moments
+        on_grid = exponent**2 * variance - 2.0 * exponent * covariance
+
+        def squares(log_end: float) -> float:
+            return self._squares(log_end, exponent)
+
+        return squares(self._lowest(on_grid, squares))
+
+    def _lowest(self, on_grid: Array, squares: Callable[[float], float]) -> float:
+        """The end with the smallest sum of squares, near the lowest place of the grid."""
+        from scipy.optimize import minimize_scalar
+
+        place = int(np.argmin(on_grid))
+        around = self.grid[max(place - 1, 0)], self.grid[min(place + 1, len(self.grid) - 1)]
+        found = minimize_scalar(squares, bounds=around, method="bounded", options={"xatol": 1e-9})
+        return float(found.x)
+
+    def intervals(self, confidence: float) -> EndExponent:
+        """The best power law, with its intervals."""
+        from scipy.stats import t as student
+
+        covariance, variance = self._moments(self.best)
+        exponent = covariance / variance
+        residuals = self._residuals(self.best, exponent)
+        independent = _independent(residuals)
+        freedom = independent - PARAMETERS
+        least = float(np.square(residuals).sum())
+        quantile = float(student.ppf(0.5 + 0.5 * confidence, freedom))
+        allowed = least * (1.0 + quantile**2 / freedom)
+
+        def excess(squares: Callable[[float], float]) -> Callable[[float], float]:
+            return lambda at: squares(at) - allowed
+
+        at_end, at_exponent = excess(self._at_end), excess(self._at_exponent)
+        first, last = (_zero(at_end, self.best, step, *self.bounds) for step in (-0.01, 0.01))
+        step = 1e-3 * abs(exponent) + 1e-6
+        low, high = (_zero(at_exponent, exponent, way * step) for way in (-1.0, 1.0))
+        end_of = float(self.t[-1])
+        return EndExponent(
+            exponent=exponent,
+            exponent_interval=(low, high),
+            end=end_of + math.exp(self.best),
+            end_interval=(end_of + math.exp(first), end_of + math.exp(last)),
+            amplitude=math.exp(self.mean - exponent * float(self._log_left(self.best).mean())),
+            confidence=confidence,
+            window=(float(self.t[0]), end_of),
+            count=len(self.t),
+            independent=independent,
+            residual=math.sqrt(least / len(self.t)),
+        )
+
+
+def _zero(
+    function: Callable[[float], float],
+    start: float,
+    step: float,
+    low: float = -math.inf,
+    high: float = math.inf,
+) -> float:
+    """Where a function that is negative at the start first rises through zero, or the bound."""
+    from scipy.optimize import brentq
+
+    if function(start) > 0.0:  # rounding, where the fit is exact
+        return start
+    inner = start
+    for _ in range(60):
+        outer = min(max(inner + step, low), high)
+        if function(outer) > 0.0:
+            return float(brentq(function, inner, outer, xtol=1e-12, rtol=1e-10))
+        if outer in (low, high):
+            break
+        inner, step = outer, 1.6 * step
+    return outer
+
+
+def _independent(residuals: Array) -> float:
+    """How many independent numbers the residuals are worth; above the number of parameters."""
+    count = len(residuals)
+    spectrum = np.abs(np.fft.rfft(residuals, 2 * count)) ** 2
+    covariances = np.fft.irfft(spectrum)[:count]
+    if covariances[0] == 0.0:
+        return float(PARAMETERS + 1)
+    runs = 1 + int((np.diff(np.sign(residuals)) != 0.0).sum())
+    correlations = covariances[1:] / covariances[0]
+    ends = np.flatnonzero(correlations <= 0.0)
+    positive = correlations[: ends[0]] if len(ends) else correlations
+    independent = count / (1.0 + 2.0 * float(positive.sum()))
+    return max(float(PARAMETERS + 1), min(float(runs), independent))
