@@ -1,23 +1,26 @@
 """What studies cost beside the motions that they compute.
 
-All costs are processor times of one run on one machine, of all processes together, so other work
-on the machine changes them little. Studies of turns without slip are the hardest case, since a turn
-takes only microseconds. Run, with the package installed:
+Processor times are those of all processes together. Each cost is a ratio of runs that follow each
+other, so that other work on the machine changes it little. Turns without slip are the hardest case,
+since a turn takes only microseconds. Run, with the package and its extra ``cluster`` installed:
 
-    .venv/bin/python bench/studies.py
+    .venv/bin/python bench/studies.py [overhead] [processes] [scheduler] [prices]
 
-It takes some minutes and prints its tables, for docs/studies-on-many-machines.md.
+Each part prints rows of the tables in docs/studies-on-many-machines.md. Together they take about
+fifteen minutes of processor time, half of them for the tasks of the scheduler.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -27,157 +30,140 @@ from contest.contestants import ROOT
 import rimroll as rr
 from rimroll.study.size import in_bytes
 
-ROUNDS = 3
+ROUNDS = 5
 ROWS = 1_000_000
-CHUNK = 200_000
 FEW = ["turn", "outcome", "direction"]
-TINY = 20_000
-"""Tasks that do nothing, for the cost of the scheduler."""
+TASKS = (1000, 10_000, 100_000)
+"""Numbers of tasks that do nothing, for the cost of the scheduler."""
 
 SPREAD = {"distribution": "uniform", "low": -0.02, "high": 0.02}
 
+Cost = dict[str, float]
+"""Processor time (s), time (s) and memory (MB)."""
+
 
 def study(rows: int, keep: str | list[str] = "all") -> rr.Study:
-    """Turns of the can of 2007 without slip, from random sideways rates."""
+    """Turns of the can of 2007 without slip, from random sideways rates, in chunks by default."""
     return rr.Study(
         body=rr.bodies.can_2007(),
         law="no_slip",
         start={"tilt": "30 deg", "tilt_rate": -0.5},
         random={"start.yaw_rate": SPREAD, "start.spin_rate": SPREAD},
         trials=rows,
-        chunk=CHUNK,
         keep=keep,
         seed=1,
     )
 
 
-def main() -> None:
-    lines = ["| | measured |", "| --- | --: |"]
-    with tempfile.TemporaryDirectory() as folder:
-        stores = (Path(folder) / f"{k}.zarr" for k in range(10_000))
-        study(1).run(next(stores))  # loads what a run needs
-        alone = [overheads(keep, stores) for keep in ("all", FEW)]
-        seconds = statistics.median(bare for bare, _ in alone[0]) / ROWS
-        lines.append(f"| a turn of `rr.ensemble`, processor time | {1e6 * seconds:.1f} µs |")
-        for name, found in zip(("17 columns", "3 columns"), alone, strict=True):
-            more = [100.0 * (whole / bare - 1.0) for bare, whole in found]
-            lines.append(f"| a study of 10⁶ turns in one process, {name} kept | {spread(more)} |")
-        lines += by_processes(folder)
-    print("\n".join(prices(seconds)))
-    lines.append(f"| a task of the scheduler (of {TINY} that do nothing) | {scheduler()} |")
-    print("\n".join(lines))
+def overhead(folder: Path) -> Iterator[str]:
+    """What a study in the process takes more than the same turns in the bare ensemble."""
+    stores = (folder / f"{k}.zarr" for k in range(10_000))
+    study(1).run(next(stores))  # loads what a run needs
+    yield "| a study of 10⁶ turns in one process, over `rr.ensemble` | processor time | time |"
+    for name, keep in {"17 columns kept": "all", "3 columns kept": FEW}.items():
+        found = [paired(keep, next(stores)) for _ in range(ROUNDS)]
+        clocks_apart = zip(*found, strict=True)
+        more = [[100.0 * (whole / bare - 1.0) for bare, whole in one] for one in clocks_apart]
+        yield f"| {name}, median and range of {ROUNDS} pairs | {' | '.join(map(spread, more))} |"
+    turn = statistics.median(one[0][0] for one in found) / ROWS
+    yield f"a turn of rr.ensemble: {1e6 * turn:.2f} µs"
+    size = sum(file.stat().st_size for file in (folder / "1.zarr").rglob("*") if file.is_file())
+    yield f"17 columns of a turn: {size / ROWS:.1f} bytes on the disk"
 
 
-def prices(turn: float) -> list[str]:
-    """What many motions cost, from the processor time of a turn (s) and of a shaken column."""
-    column = rr.Study.from_file(ROOT / "examples/studies/fragility_of_a_column.toml").plan()
-    some = np.linspace(0, column.rows - 100, 40).astype(int)
-    begin = time.process_time()
-    for first in some:
-        column.compute(int(first), int(first) + 100)
-    shaken = (time.process_time() - begin) / (100 * len(some))
-    columns = study(ROWS).plan()
-    kinds = {
-        "turns without slip, 17 columns": (turn, columns.bytes / columns.rows, 0.0),
-        "columns in records of 15 s, their statistics": (shaken, 0.0, float(column.bytes)),
-    }
-    lines = ["| core-hours and size of the store | 10⁶ | 10⁹ | 10¹² |", "| --- | --: | --: | --: |"]
-    for name, (seconds, each, all_) in kinds.items():
-        cells = [
-            f"{seconds * rows / 3600.0:.2g} h, {in_bytes(each * rows + all_)}"
-            for rows in (1e6, 1e9, 1e12)
-        ]
-        lines.append(f"| {name} | {' | '.join(cells)} |")
-    return lines
+def paired(keep: str | list[str], store: Path) -> list[tuple[float, float]]:
+    """Processor time and time (s): each of the bare ensemble and of a study of its starts."""
+    drawn = study(ROWS, ["yaw_rate", "spin_rate"]).plan().compute(0, ROWS)
+    start = rr.State(
+        tilt="30 deg", tilt_rate=-0.5, yaw_rate=drawn["yaw_rate"], spin_rate=drawn["spin_rate"]
+    )
+    moments = [clocks()]
+    falls = rr.ensemble(rr.bodies.can_2007(), start, rr.NoSlip())
+    moments.append(clocks())
+    kept = study(ROWS, keep).run(store)
+    moments.append(clocks())
+    assert np.array_equal(kept.turn.values, falls.turn.values, equal_nan=True)
+    return [(b - a, c - b) for a, b, c in zip(*moments, strict=True)]
 
 
-def overheads(keep: str | list[str], stores: Any) -> list[tuple[float, float]]:
-    """Processor times of the bare ensemble and of a study with the same starts, alternately."""
-    found = []
-    for _ in range(ROUNDS):
-        begin = time.process_time()
-        study(ROWS, keep).run(store := next(stores))
-        whole = time.process_time() - begin
-        drawn = study(ROWS, ["yaw_rate", "spin_rate"]).plan().compute(0, ROWS)
-        start = rr.State(
-            tilt="30 deg",
-            tilt_rate=-0.5,
-            yaw_rate=drawn["yaw_rate"],
-            spin_rate=drawn["spin_rate"],
-        )
-        begin = time.process_time()
-        falls = rr.ensemble(rr.bodies.can_2007(), start, rr.NoSlip())
-        found.append((time.process_time() - begin, whole))
-        kept = rr.Study.run(study(ROWS, keep), store)
-        assert np.array_equal(kept.turn.values, falls.turn.values, equal_nan=True)
-    return found
+def clocks() -> tuple[float, float]:
+    """Processor time and time, s."""
+    return time.process_time(), time.perf_counter()
 
 
 def spread(percent: list[float]) -> str:
     """A median and a range."""
     low, high = min(percent), max(percent)
-    return f"**{statistics.median(percent):+.0f} %**, {low:+.0f} to {high:+.0f}"
+    return f"{statistics.median(percent):+.1f} %, {low:+.1f} to {high:+.1f} %"
 
 
-def by_processes(folder: str) -> list[str]:
+def processes(folder: Path) -> Iterator[str]:
     """What processes of this machine cost, from runs of two sizes."""
     sizes = (ROWS, 4 * ROWS)
-    costs = {workers: [measured(folder, workers, rows) for rows in sizes] for workers in (0, 1, 2)}
-    slope = {
-        workers: (large["seconds"] - small["seconds"]) / (sizes[1] - sizes[0])
+    costs: dict[int, list[Cost]] = {0: [], 1: [], 2: []}
+    for rows in sizes:
+        for workers, found in costs.items():
+            found.append(measured("run", str(folder), str(workers), str(rows)))
+    yield "| workers | turns | processor time | time | largest process |"
+    for workers, found in costs.items():
+        for rows, cost in zip(sizes, found, strict=True):
+            cells = f"{cost['processor']:.1f} s | {cost['time']:.1f} s | {cost['memory']:.0f} MB"
+            yield f"| {workers} | {rows:.0e} | {cells} |"
+    each = {
+        workers: (large["processor"] - small["processor"]) / (sizes[1] - sizes[0])
         for workers, (small, large) in costs.items()
     }
-    begin = costs[2][0]["seconds"] - slope[2] * ROWS
-    small, large = (cost["megabytes"] for cost in costs[2])
-    return [
-        f"| two local workers: to start and end them | {begin:.1f} s |",
-        f"| then, a turn with two workers over one in one process |"
-        f" {100.0 * (slope[2] / slope[0] - 1.0):+.0f} % |",
-        f"| a turn with two workers over one with one worker |"
-        f" {100.0 * (slope[2] / slope[1] - 1.0):+.0f} % |",
-        f"| largest process, 10⁶ and 4 × 10⁶ turns | {small:.0f} and {large:.0f} MB |",
-    ]
+    yield f"to start and end two workers: {costs[2][0]['processor'] - each[2] * ROWS:.1f} s"
+    for one in (0, 1):
+        more = 100.0 * (each[2] / each[one] - 1.0)
+        yield f"a turn with two workers over one with {one or 'no'} worker: {more:+.1f} %"
 
 
-def measured(folder: str, workers: int, rows: int) -> dict[str, float]:
-    """Processor time (s) of a run and its workers, and memory (MB) of the largest."""
+def scheduler(folder: Path) -> Iterator[str]:
+    """What tasks that do nothing cost on two workers."""
+    yield "| tasks | processor time of a task | tasks in a second | largest process |"
+    for tasks in TASKS:
+        cost = measured("tasks", str(folder), str(tasks))
+        cells = f"{1e3 * cost['processor'] / tasks:.2f} ms | {tasks / cost['time']:.0f}"
+        yield f"| {tasks} | {cells} | {cost['memory']:.0f} MB |"
+
+
+def measured(*arguments: str) -> Cost:
+    """What a run of :func:`run` or :func:`tasks` in a process of its own costs."""
     run = subprocess.run(
-        [sys.executable, __file__, folder, str(workers), str(rows)],
-        check=True,
-        capture_output=True,
-        text=True,
+        [sys.executable, __file__, *arguments], check=True, stdout=subprocess.PIPE, text=True
     )
-    answer: dict[str, float] = json.loads(run.stdout.splitlines()[-1])
+    answer: Cost = json.loads(run.stdout.splitlines()[-1])
     return answer
 
 
-def measure(folder: str, workers: int, rows: int) -> None:
-    """The run of :func:`measured`."""
-    store = Path(folder) / f"by-{workers}-{rows}.zarr"
-    study(rows).run(store, workers=workers or None)
-    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    seconds = sum(one.ru_utime + one.ru_stime for one in used)
-    print(json.dumps({"seconds": seconds, "megabytes": used[workers > 0].ru_maxrss / 1024.0}))
+def run(folder: str, workers: str, rows: str) -> Cost:
+    """A study with so many workers, or in the process if there are 0."""
+    begin = time.perf_counter()
+    study(int(rows)).run(Path(folder) / f"{workers}-{rows}.zarr", workers=int(workers) or None)
+    return cost(time.perf_counter() - begin, 0.0)
 
 
-def scheduler() -> str:
-    """Processor time of a task, of scheduler, worker and client together."""
+def tasks(folder: str, number: str) -> Cost:
+    """Tasks that do nothing, on two workers; the scheduler is in this process."""
     import distributed
 
     from rimroll.study import cluster
 
-    store = tempfile.mkdtemp()
-    with distributed.Client(
-        processes=False, n_workers=1, threads_per_worker=2, dashboard_address=None
-    ) as client:
-        plan = study(1).plan()
-        study(1).run(store)
-        opened = cluster.Store(store)
-        cluster.task = nothing  # type: ignore[assignment]
-        begin = time.process_time()
-        cluster.compute(client, opened, plan, list(range(TINY)), lambda _: None, print)
-        seconds = time.process_time() - begin
-    return f"{1e3 * seconds / TINY:.2f} ms"
+    plan = study(1).plan()
+    store = cluster.Store.create(Path(folder) / f"tasks-{number}.zarr", plan)
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None
+        ) as processes,
+        distributed.Client(processes) as client,
+    ):
+        cluster.task = nothing
+        cluster.compute(client, store, plan, list(range(100)), lambda _: None, print)
+        used, begin = cost(0.0, 0.0)["processor"], time.perf_counter()
+        cluster.compute(client, store, plan, list(range(int(number))), lambda _: None, print)
+        seconds = time.perf_counter() - begin
+    return cost(seconds, used)
 
 
 def nothing(*_: object) -> dict[str, str]:
@@ -185,8 +171,47 @@ def nothing(*_: object) -> dict[str, str]:
     return {}
 
 
+def cost(seconds: float, before: float) -> Cost:
+    """The costs of this process and of its children that have ended."""
+    own, of_children = (
+        resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    )
+    used = sum(one.ru_utime + one.ru_stime for one in (own, of_children))
+    memory = max(own.ru_maxrss, of_children.ru_maxrss) / 1024.0
+    return {"processor": used - before, "time": seconds, "memory": memory}
+
+
+def prices(_: Path) -> Iterator[str]:
+    """What many motions cost, in proportion to some."""
+    column = rr.Study.from_file(ROOT / "examples/studies/fragility_of_a_column.toml").plan()
+    kinds = {"turns without slip": (study(ROWS).plan(), 5, 100_000), "columns": (column, 40, 25)}
+    yield "| core-hours | 10⁶ | 10⁹ | 10¹² | size |"
+    for name, (plan, places, rows) in kinds.items():
+        begin = time.process_time()
+        for first in np.linspace(0, plan.rows - rows, places).astype(int).tolist():
+            plan.compute(first, first + rows)
+        seconds = (time.process_time() - begin) / (places * rows)
+        cells = [f"{seconds * number / 3600.0:.2g}" for number in (1e6, 1e9, 1e12)]
+        size = in_bytes(plan.bytes if plan.statistics else plan.bytes / plan.rows)
+        each = "all" if plan.statistics else "each"
+        yield f"| {name}, {1e6 * seconds:.1f} µs | {' | '.join(cells)} | {size} {each} |"
+
+
+PARTS = {one.__name__: one for one in (overhead, processes, scheduler, prices)}
+
+
+def main(names: list[str]) -> None:
+    """Print the tables of some parts, or of all."""
+    print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")
+    for name in names or PARTS:
+        with tempfile.TemporaryDirectory() as folder:
+            for line in PARTS[name](Path(folder)):
+                print(line, flush=True)
+
+
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        measure(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))
+    alone: dict[str, Any] = {"run": run, "tasks": tasks}
+    if sys.argv[1:2] and sys.argv[1] in alone:
+        print(json.dumps(alone[sys.argv[1]](*sys.argv[2:])))
     else:
-        main()
+        main(sys.argv[1:])

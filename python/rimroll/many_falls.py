@@ -145,10 +145,12 @@ def follow(
     friction_scale: Values = 1.0,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    words: bool = True,
 ) -> Falls:
     """What :func:`ensemble` computes, in plain columns, without importing xarray.
 
-    Arguments, errors and columns are those of :func:`ensemble`.
+    Arguments, errors and columns are those of :func:`ensemble`. Without ``words``, outcomes are
+    their places (int8) in the list of outcomes.
     """
     expect("body", body, Body)
     expect("starts", starts, State)
@@ -178,7 +180,7 @@ def follow(
         )
     except RimrollError as refusal:
         raise rows.placed(refusal, law.name, options.gravity, options.topple_tilt) from None
-    columns = _columns(rows, varied, scales, table)
+    columns = _columns(rows, varied, scales, table, words)
     falls = in_rows(
         columns, parameters(law.name, asdict(options), law=law.numbers, body=asdict(body))
     )
@@ -206,7 +208,7 @@ def _flat(rows: Rows) -> Rows:
 
 
 def _columns(
-    rows: Rows, varied: Mapping[str, Array], scales: Array, table: Array
+    rows: Rows, varied: Mapping[str, Array], scales: Array, table: Array, words: bool
 ) -> dict[str, Column]:
     done = len(table)
     found = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
@@ -216,9 +218,9 @@ def _columns(
     for flag in ("slid", "flew"):
         found[flag] = found[flag] != 0.0
     found["steps"] = found["steps"].astype(np.int64)
-    outcome = np.array(_core.OUTCOMES)[found["outcome"].astype(np.int64)]
+    outcome = found["outcome"].astype(np.int8)
     return {
-        "outcome": Column(outcome),
+        "outcome": Column(np.array(_core.OUTCOMES)[outcome] if words else outcome),
         **described(found),
         **inputs(rows, varied, done),
         "friction_scale": Column(scales[:done], ""),

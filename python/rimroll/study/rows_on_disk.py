@@ -32,7 +32,10 @@ class RowsOnDisk:
         place = self._store.blocks.place(chunk)
         shape = tuple(part.stop - part.start for part in place)
         arrays = self._store.arrays
-        written = {name: np.asarray(columns[name], one.dtype) for name, one in arrays.items()}
+        # Contiguous once, for both the disk and the hash.
+        written = {
+            name: np.ascontiguousarray(columns[name], one.dtype) for name, one in arrays.items()
+        }
         with told(self._path):
             for name, array in arrays.items():
                 array[place or ...] = written[name].reshape(shape)

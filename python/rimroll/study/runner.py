@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from rimroll.errors import RimrollError
 from rimroll.study.claim import claimed
 from rimroll.study.store import Store
-from rimroll.study.work import work
+from rimroll.study.uninterrupted import uninterrupted
+from rimroll.study.work import work_through
 
 if TYPE_CHECKING:
     from rimroll.study.plan import Plan
@@ -87,9 +88,7 @@ def run(
         store.sweep(pending)
         done = _Rows(store, mine, pending, progress)
         if workers is None and scheduler is None and client is None:
-            for chunk in pending:
-                work(store, plan, chunk, threads, done.within)
-                done.add(chunk)
+            work_through(store, plan, pending, threads, done.add, done.within)
         elif pending:
             from rimroll.study.cluster import compute, connected
 
@@ -99,7 +98,8 @@ def run(
                     connection, store, plan, pending, done.add, note, other_versions=other_versions
                 )
         if store.finished:
-            store.merge(plan)
+            with uninterrupted():
+                store.merge(plan)
     return store
 
 

@@ -22,6 +22,10 @@ from rimroll.study.plan import Progress
 
 OUTCOME = Result("int8", long_name="outcome", flags=tuple(_core.OUTCOMES))
 
+CHUNK = 250_000
+"""First turns in a chunk: a second of processor time or more. In larger chunks, whose columns fill no
+cache, drawing, hashing and writing take up to three times as long (``bench/studies.py``)."""
+
 DTYPES = {"slid": "bool", "flew": "bool", "steps": "int64"}
 """The types of columns that are not float64."""
 
@@ -39,7 +43,7 @@ class Followed:
     options: Options
     tables: Mapping[str, Any]
     settings: tuple[str, ...] = OPTION_NAMES
-    chunk: int = 1_000_000
+    chunk: int = CHUNK
     one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {"outcome": OUTCOME, **described(tuple(VARIABLES))}
@@ -57,8 +61,9 @@ class Followed:
             friction_scale=call.friction_scale,
             threads=threads,
             progress=progress,
+            words=False,
         )
-        return _columns(falls, self.results)
+        return {name: falls[name] for name in self.results}
 
 
 @dataclass(frozen=True)
@@ -71,7 +76,7 @@ class ByQuadrature:
         default_factory=lambda: {"law": "no_slip", "start": None, "release": None}
     )
     settings: tuple[str, ...] = ("gravity", "topple_tilt")
-    chunk: int = 2_000_000
+    chunk: int = 2 * CHUNK
     one_start: bool = True
     results: Mapping[str, Result] = field(
         default_factory=lambda: {
