@@ -84,7 +84,11 @@ if TYPE_CHECKING:
         simulate as simulate,
     )
     from rimroll.motion.jacobian import Jacobian as Jacobian
-    from rimroll.nutations import Nutation as Nutation, nutation as nutation
+    from rimroll.nutations import (
+        Nutation as Nutation,
+        nutation as nutation,
+        resonant_start as resonant_start,
+    )
     from rimroll.sensitivity import (
         turn_map as turn_map,
         watershed as watershed,
@@ -179,7 +183,7 @@ _NAMES = {
     "rimroll.many_falls": ("ensemble",),
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
     "rimroll.motion.jacobian": ("Jacobian",),
-    "rimroll.nutations": ("Nutation", "nutation"),
+    "rimroll.nutations": ("Nutation", "nutation", "resonant_start"),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
     "rimroll.shaking.lognormal": ("Fragility", "UndecidedWarning", "fragility"),
     "rimroll.shaking.many": ("shake_many",),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +15,10 @@ from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number
 from rimroll.laws import NoSlip
 from rimroll.motion import Moments, Motion, simulate
+from rimroll.names import choose
 from rimroll.state import State, single
 from rimroll.steady import steady_motions
+from rimroll.units import START_UNIT_OF
 
 LONGEST = 2.0**14
 """How long a nutation is looked for, in units of the time √(R/g)."""
@@ -62,6 +64,17 @@ class Nutation:
     def is_bounded(self) -> bool:
         """Whether the path stays near its place."""
         return not math.isinf(self.outer_radius)
+
+    @property
+    def kind(self) -> str:
+        """What the path looks like.
+
+        ``petals``: it always bends to the same side and never stops. ``cusps``: it stops and goes
+        back. ``inflections``: it bends to both sides. ``cusps and inflections``: both. (A steady
+        motion, without nutation, draws a circle.)
+        """
+        seen = [name for name in ("cusps", "inflections") if getattr(self, name)]
+        return " and ".join(seen) or "petals"
 
 
 def nutation(body: Body, start: State, *, gravity: Number = _core.STANDARD_GRAVITY) -> Nutation:
@@ -121,6 +134,66 @@ def nutation(body: Body, start: State, *, gravity: Number = _core.STANDARD_GRAVI
         cusps=2 * len(cusps),
         inflections=2 * len(_half(motion, first, middle, lambda at: at.yaw_rate)),
     )
+
+
+def resonant_start(
+    body: Body,
+    start: State,
+    quantity: str,
+    between: tuple[Number, Number],
+    *,
+    revolutions: int = 1,
+    gravity: Number = _core.STANDARD_GRAVITY,
+) -> State[float]:
+    """A start at a resonance: the yaw advances by whole revolutions in a nutation.
+
+    There the contact point of a rolling body moves on by the same :attr:`Nutation.drift` in each
+    nutation, in one direction without bound. The resonances are surfaces in the space of starts:
+    for each number of revolutions one condition, which a single quantity of the start can meet.
+
+    Parameters
+    ----------
+    body, start
+        What rolls, and a start.
+    quantity
+        What is changed to meet the resonance: ``tilt``, ``tilt_rate``, ``yaw_rate`` or
+        ``spin_rate``.
+    between
+        Two values of the quantity, SI units or radians. The excess of the yaw advance over that of
+        the resonance must change its sign between them, and each start between them must nutate.
+    revolutions
+        How often the yaw goes round in a nutation, with its sign.
+    gravity
+        m/s².
+
+    Raises
+    ------
+    RimrollError
+        An unknown quantity, the same sign at both values, or a start without nutation.
+    """
+    from scipy.optimize import brentq
+
+    quantities = ("tilt", "tilt_rate", "yaw_rate", "spin_rate")
+    name = choose("quantity", quantity, {name: name for name in quantities})
+    expect("start", start, State)
+    release = single(start)
+    low, high = (number("between", value, START_UNIT_OF[name]) for value in between)
+
+    def changed(value: float) -> State[float]:
+        return replace(release, **{name: value})
+
+    def excess(value: float) -> float:
+        found = nutation(body, changed(value), gravity=gravity)
+        return found.yaw_advance - 2.0 * math.pi * revolutions
+
+    ends = excess(low), excess(high)
+    if ends[0] * ends[1] > 0.0:
+        advances = [(end + 2.0 * math.pi * revolutions) / (2.0 * math.pi) for end in ends]
+        raise RimrollError(
+            f"between must enclose a resonance: the yaw advances by {advances[0]:.4g} and"
+            f" {advances[1]:.4g} revolutions there, both on one side of {revolutions}"
+        )
+    return changed(float(brentq(excess, low, high, xtol=1e-14, rtol=1e-14)))
 
 
 def _not_steady(body: Body, start: State[float], gravity: float) -> None:

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 
 import rimroll as rr
 from given.motions import CAN, DISK
@@ -110,6 +109,41 @@ def test_the_contact_point_stops_at_a_cusp_and_turns_back():
     assert rr.nutation(DISK, WAVY).cusps == 0
 
 
+def test_cusps_of_a_long_motion_are_where_those_of_the_printed_equations_are():
+    found = rr.nutation(DISK, CUSPED, gravity=9.81)
+    motion = rr.simulate(DISK, CUSPED, rr.NoSlip(), 10 * found.period, gravity=9.81, rtol=1e-12)
+    assert {event.kind for event in motion.cusps} == {"cusp"}
+    assert len(motion.cusps) == 10 * found.cusps
+    for cusp in motion.cusps[:: found.cusps + 1]:
+        spin_rate = printed_path(DISK, CUSPED, cusp.t, 9.81)[-1]
+        assert spin_rate == pytest.approx(0.0, abs=1e-8)
+    gaps = np.diff([cusp.t for cusp in motion.cusps])
+    assert gaps[0] + gaps[1] == pytest.approx(found.period, rel=1e-10)
+
+
+def test_a_rim_has_cusps_while_it_rolls_and_none_while_it_slips():
+    rolling = rr.simulate(DISK, CUSPED, rr.NoSlip(), 1.0, rtol=1e-12)
+    held = rr.simulate(DISK, CUSPED, rr.Coulomb(0.3), 1.0, rtol=1e-12)
+    assert [phase.kind for phase in held.phases] == ["rolling"]
+    np.testing.assert_allclose(
+        [cusp.t for cusp in held.cusps], [cusp.t for cusp in rolling.cusps], rtol=1e-9
+    )
+    for law in rr.Coulomb(0.1), rr.Frictionless():
+        motion = rr.simulate(DISK, replace(CUSPED, spin_rate=0.1), law, 2.0)
+        zeros = motion.crossings(lambda at: at.spin_rate)
+        slips = [p for p in motion.phases if p.kind == "sliding"]
+        assert any(p.start < zero.t < p.end for zero in zeros for p in slips)
+        assert all(np.hypot(*motion.evaluate(cusp.t).slip[0]) < 1e-12 for cusp in motion.cusps)
+    wobbling = rr.simulate(DISK, rr.State(tilt=0.5, yaw_rate=1.0, spin_rate=-1.0), rr.InPlace())
+    assert wobbling.cusps == []
+
+
+def test_the_kind_of_a_path():
+    assert rr.nutation(DISK, CUSPED).kind == "cusps"
+    assert rr.nutation(DISK, WAVY).kind == "inflections"
+    assert rr.nutation(DISK, rr.State(tilt=0.5, spin_rate=-20.0)).kind == "petals"
+
+
 def test_inflections_are_where_the_yaw_turns_back():
     found = rr.nutation(DISK, WAVY)
     assert found.inflections == 2
@@ -120,12 +154,8 @@ def test_inflections_are_where_the_yaw_turns_back():
 def test_at_a_resonance_the_path_goes_on_for_ever():
     """Borisov, Mamaev and Kilin (2003): the path of a disk is bounded unless it is resonant."""
 
-    def excess(spin_rate):
-        start = rr.State(tilt=0.5, spin_rate=spin_rate)
-        return rr.nutation(DISK, start).yaw_advance / (2 * np.pi) - 1.0
-
-    spin_rate = brentq(excess, -60.0, -1.0, xtol=1e-13, rtol=1e-14)
-    start = rr.State(tilt=0.5, spin_rate=spin_rate)
+    start = rr.resonant_start(DISK, rr.State(tilt=0.5), "spin_rate", (-60.0, -1.0))
+    spin_rate = start.spin_rate
     found = rr.nutation(DISK, start)
     assert not found.is_bounded
     motion = rr.simulate(DISK, start, rr.NoSlip(), 50.5 * found.period, rtol=1e-12)
@@ -137,6 +167,32 @@ def test_at_a_resonance_the_path_goes_on_for_ever():
     # Half a percent beside the resonance the path is bounded, in a ring many times as wide.
     beside = rr.nutation(DISK, replace(start, spin_rate=1.005 * spin_rate))
     assert beside.is_bounded and beside.outer_radius > 10 * found.drift
+
+
+def test_small_nutations_resonate_where_their_rate_is_the_yaw_rate():
+    """The resonance of small nutations, by the stability of steady motions."""
+
+    def excess(tilt):
+        slow, _ = rr.steady_motions(DISK, rr.NoSlip(), tilt, axial_spin=8.0)
+        return slow, slow.nutation_rate - abs(slow.yaw_rate)
+
+    low, high = 0.1, 0.4
+    assert excess(low)[1] * excess(high)[1] < 0.0
+    while high - low > 1e-12:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if excess(low)[1] * excess(middle)[1] > 0.0 else (low, middle)
+    steady = excess(low)[0]
+    near = replace(steady.start, tilt=steady.tilt + 1e-4)
+    found = rr.nutation(DISK, near)
+    assert abs(found.yaw_advance) == pytest.approx(2.0 * np.pi, rel=1e-3)
+
+
+def test_what_is_refused_of_a_resonance():
+    start = rr.State(tilt=0.5)
+    with pytest.raises(rr.RimrollError, match="between must enclose a resonance"):
+        rr.resonant_start(DISK, start, "spin_rate", (-60.0, -50.0))
+    with pytest.raises(rr.RimrollError, match="quantity"):
+        rr.resonant_start(DISK, start, "spin", (-60.0, -50.0))
 
 
 def test_what_has_no_nutation_is_refused():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
@@ -16,7 +16,7 @@ from rimroll import _core
 from rimroll.body import Body, body_of
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, whole_number
-from rimroll.laws import Law, law_of
+from rimroll.laws import InPlace, Law, law_of
 from rimroll.motion.crossings import checked, crossings
 from rimroll.motion.flat import FlatLanding, flat_as_text, flat_given, flat_in_core
 from rimroll.motion.jacobian import QUANTITIES, SHAKEN_PARAMETERS, Jacobian
@@ -361,6 +361,24 @@ class Motion(Moments):
         wanted = slice(None) if rising is None else found.rises == bool(rising)
         table = self._core.inside(found.steps[wanted], found.fractions[wanted])
         return events_of(["crossing"] * table.shape[1], table)
+
+    @cached_property
+    def cusps(self) -> list[Event]:
+        """The cusps of the contact point's path, as events of kind ``cusp``.
+
+        A rim that rolls moves its contact point at R dθ/dt along its tangent. So the path has a
+        cusp exactly where the spin rate passes through zero without slip. A rim that slips moves
+        its contact point by the slip, too, and has no cusp there. Under ``InPlace`` the contact
+        point goes back on its circle, which is no cusp either.
+        """
+        if isinstance(self.law, InPlace):
+            return []
+        rolling = [phase for phase in self.phases if phase.kind == "rolling"]
+        return [
+            replace(event, kind="cusp")
+            for event in self.crossings(lambda at: at.spin_rate)
+            if any(phase.start < event.t < phase.end for phase in rolling)
+        ]
 
     def _fitting(self, per_step: int) -> int:
         """The number of samples a step, or ``RimrollError`` if there are too many in all."""

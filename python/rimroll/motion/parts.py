@@ -15,8 +15,9 @@ class Event:
     ``kind`` is ``tilt_min`` (the near-collision), ``tilt_max``, ``on_edge`` (a disk between its
     faces), a change of the contact (``slip``, ``stick``, ``lift_off``, ``land``, ``uplift`` where a
     body that stood flat begins to rock, ``stand`` where it stands again) or an ending
-    (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``), or a ``crossing`` (see
-    :meth:`Motion.crossings`); ``t`` in s; ``state`` as single numbers.
+    (``topple``, ``lift_off``, ``face_down``, ``rest``, ``painleve``), a ``crossing`` (see
+    :meth:`Motion.crossings`) or a ``cusp`` (see :attr:`Motion.cusps`); ``t`` in s; ``state`` as
+    single numbers.
     """
 
     kind: str
