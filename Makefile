@@ -12,7 +12,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web docs dev check test soak bench coverage census wheels lint audit semver msrv clean toolchain
+.PHONY: help demo web docs dev check test soak bench census wheels lint audit semver msrv clean toolchain
 
 help: ## list the targets (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -49,9 +49,6 @@ soak: .venv/.extension $(PAGE) ## run all tests, with four times as many random 
 bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)
 	bench/install.sh
 	.venv/bin/python bench/against_peers.py
-
-coverage: .venv/.extension ## measure how often the fit's intervals hold the truth (twenty minutes)
-	.venv/bin/python bench/coverage.py
 
 census: .venv/.extension ## compare both engines from 100 000 wild starts (ten minutes)
 	.venv/bin/python bench/census.py

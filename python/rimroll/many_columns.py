@@ -29,6 +29,19 @@ LOSSES: dict[str, Meaning] = {
 """The losses of energy, but for that in impacts."""
 
 
+BLOCK = 1024
+"""Rows that are transposed at a time: they fit in the cache of a core."""
+
+
+def transposed(table: Array) -> Array:
+    """A table (n, k) as columns (k, n), each of which lies in one piece."""
+    found = np.empty(table.shape[::-1])
+    for first in range(0, len(table), BLOCK):
+        rows = slice(first, first + BLOCK)
+        found[:, rows] = table[rows].T
+    return found
+
+
 def energy_lost(found: Mapping[str, Array]) -> Array:
     """The sum of all losses, J."""
     return found["friction_loss"] + found["resistance_loss"] + found["impact_loss"]

@@ -17,7 +17,7 @@ from rimroll.falls import Column, Falls
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, thread_count, values
 from rimroll.laws import Law, contact_law, only_fixed, varied_numbers
-from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
+from rimroll.many_columns import LOSSES, energy_lost, inputs, transposed, unless_stopped
 from rimroll.options import Options
 from rimroll.recorded import parameters
 from rimroll.rows import Rows
@@ -211,7 +211,7 @@ def _columns(
     rows: Rows, varied: Mapping[str, Array], scales: Array, table: Array, words: bool
 ) -> dict[str, Column]:
     done = len(table)
-    found = dict(zip(_core.FALL_COLUMNS, table.T, strict=True))
+    found = dict(zip(_core.FALL_COLUMNS, transposed(table), strict=True))
     gone_round = np.mod(found.pop("end_yaw") - rows.starts.yaw[:done], 2.0 * np.pi)
     found["direction"] = np.where(np.isnan(found["turn"]), np.nan, gone_round)
     found["energy_lost"] = energy_lost(found)

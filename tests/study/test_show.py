@@ -94,6 +94,17 @@ def test_statistics_show_means_parts_and_their_histogram(study):
     np.testing.assert_array_equal(quantity_of(dataset, "slid"), dataset.slid_count / 5)
     axes = study_figure(dataset, ["turn"], form="histogram").axes[0]
     assert sum(bar.get_height() for bar in axes.patches) == dataset.turn_histogram.sum()
+    panels = study_figure(dataset, ["turn"], along=["friction"], form="histogram").axes
+    assert len(panels) == dataset.sizes["friction"]
+    for k, panel in enumerate(panels):
+        counts = [bar.get_height() for bar in panel.patches]
+        there = dataset.turn_histogram.isel(friction=k)
+        others = [dim for dim in there.dims if dim != "turn_bin"]
+        np.testing.assert_array_equal(counts, there.sum(others))
+    with pytest.raises(
+        RimrollError, match="panels are along one dimension of .*friction.*, got turn"
+    ):
+        study_figure(dataset, ["turn"], along=["turn"], form="histogram")
 
 
 @pytest.mark.parametrize(

@@ -35,6 +35,9 @@ MOST_PANELS = 12
 MOST_LINES = 8
 BINS = 60
 
+COUNT = "count"
+"""What a histogram shows: motions, or fits."""
+
 PANEL = 44.0
 """The height of a panel, mm."""
 
@@ -59,7 +62,8 @@ def study_figure(
     along
         The dimensions of the axes; by default the last ones whose labels are numbers. What is not
         drawn along an axis or in panels of its own is averaged if it is the trials; of the others
-        the middle value is taken, and the title says which.
+        the middle value is taken, and the title says which. For a histogram in place of the rows,
+        the dimension of its panels.
     places
         Values of dimensions at which the study is drawn.
     form
@@ -77,7 +81,7 @@ def study_figure(
         raise RimrollError(f"give one or two quantities, got {len(chosen)}")
     if form == "histogram" and f"{chosen[0]}{HISTOGRAM}" in dataset:
         with style.figure_style():
-            return _kept_histogram(dataset, chosen[0], places or {})
+            return _kept_histogram(dataset, chosen[0], along, places or {})
     arrays = [at(quantity_of(dataset, name), places or {}) for name in chosen]
     with style.figure_style():
         if len(arrays) == 2:
@@ -215,21 +219,29 @@ def _histogram(array: xr.DataArray) -> Figure:
     values = array.values[np.isfinite(array.values)].ravel()
     figure, (ax,) = _page(1)
     ax.hist(values, bins=min(BINS, max(5, values.size // 5)), color=style.SERIES[0])
-    _label(ax, words_on_axis(array), "number of motions")
+    _label(ax, words_on_axis(array), COUNT)
     return figure
 
 
-def _kept_histogram(dataset: xr.Dataset, name: str, places: Mapping[str, str]) -> Figure:
-    """A histogram that was kept in place of the rows, over all groups."""
+def _kept_histogram(
+    dataset: xr.Dataset, name: str, along: Sequence[str], places: Mapping[str, str]
+) -> Figure:
+    """A histogram that was kept in place of the rows, over all groups, or with panels for some."""
     counts = at(dataset[f"{name}{HISTOGRAM}"], places)
     bins = f"{name}_bin"
-    total = counts.where(counts >= 0).sum([dim for dim in counts.dims if dim != bins])
-    centres = label_of(counts, bins)
-    figure, (ax,) = _page(1)
+    dims = [str(dim) for dim in counts.dims if dim != bins]
+    if len(along) > 1 or not set(along) <= set(dims):
+        raise RimrollError(f"panels are along one dimension of {', '.join(dims)}, got {along[-1]}")
+    long_name = str(counts.attrs.get("long_name", name)).removeprefix("histogram: ")
+    centres = label_of(counts, bins).assign_attrs(long_name=long_name)
+    total = counts.where(counts >= 0).sum([dim for dim in dims if dim not in along])
+    parts = [("", total)] if not along else _slices(total, along[0], MOST_PANELS)
+    figure, every = _page(len(parts))
     width = float(centres.values[1] - centres.values[0]) if len(centres) > 1 else 1.0
-    ax.bar(centres.values, total.values, width=width, color=style.SERIES[0])
-    unit = f" ({centres.attrs['units']})" if centres.attrs.get("units") else ""
-    _label(ax, f"{name.replace('_', ' ')}{unit}", "number of motions")
+    for (title, part), ax in zip(parts, every, strict=True):
+        ax.bar(centres.values, part.values, width=width, color=style.SERIES[0])
+        ax.set_title(title, loc="left")
+        _label(ax, words_on_axis(centres), COUNT)
     return figure
 
 
@@ -241,7 +253,7 @@ def _against(x: xr.DataArray, y: xr.DataArray) -> Figure:
     there = np.isfinite(across) & np.isfinite(up)
     figure, (ax,) = _page(1)
     *_, image = ax.hist2d(across[there], up[there], bins=BINS, cmin=1, cmap="viridis")
-    figure.colorbar(image, ax=ax, label="number of motions")
+    figure.colorbar(image, ax=ax, label=COUNT)
     _label(ax, words_on_axis(x), words_on_axis(y))
     return figure
 

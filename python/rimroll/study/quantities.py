@@ -34,14 +34,14 @@ def quantity_of(dataset: xr.Dataset, name: str) -> xr.DataArray:
     if equals:
         found = _part(dataset, column, word)
     elif column in dataset and dataset[column].dtype.kind == "b":
-        found = _named(dataset[column].astype(float), f"part: {_long(dataset, column)}")
+        found = _named(dataset[column].astype(float), f"fraction: {_long(dataset, column)}")
     elif column in dataset and "flag_meanings" not in dataset[column].attrs:
         found = dataset[column].astype(float)
     elif f"{column}{MEAN}" in dataset:
         found = dataset[f"{column}{MEAN}"]
     elif f"{column}{COUNT}" in dataset and column not in dataset.dims:
         counts = dataset[f"{column}{COUNT}"]
-        found = _named(counts / _positive(dataset[NUMBER]), f"part: {column.replace('_', ' ')}")
+        found = _named(counts / _positive(dataset[NUMBER]), f"fraction: {column.replace('_', ' ')}")
     else:
         raise RimrollError(f"unknown quantity {name!r}{nearest(name, names(dataset))}")
     done = is_done(dataset)
@@ -141,7 +141,7 @@ def in_degrees(array: xr.DataArray) -> xr.DataArray:
 
 def _part(dataset: xr.Dataset, column: str, word: str) -> xr.DataArray:
     """The part that has a word."""
-    label = f"part: {word.replace('_', ' ')}"
+    label = f"fraction: {word.replace('_', ' ')}"
     if column in dataset.data_vars and "flag_meanings" in dataset[column].attrs:
         words = dataset[column].attrs["flag_meanings"].split()
         if word in words:

@@ -23,8 +23,9 @@ from rimroll.study.plan import Progress
 OUTCOME = Result("int8", long_name="outcome", flags=tuple(_core.OUTCOMES))
 
 CHUNK = 250_000
-"""First turns in a chunk: a second of processor time or more. In larger chunks, whose columns fill no
-cache, drawing, hashing and writing take up to three times as long (``bench/studies.py``)."""
+"""First turns in a chunk: a second of processor time or more.
+
+Larger columns fit in no cache, so drawing, hashing and writing take up to three times as long."""
 
 DTYPES = {"slid": "bool", "flew": "bool", "steps": "int64"}
 """The types of columns that are not float64."""

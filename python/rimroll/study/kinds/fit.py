@@ -35,14 +35,14 @@ RESULTS = {
     "friction_chance": Result(
         "float64",
         "",
-        "confidence beyond that of the true friction",
+        "p-value of the true friction",
         "an interval of confidence c holds the true friction if this is 1 − c or more; uniform in"
         " (0, 1) if coverage is exact",
     ),
     "bias_chance": Result(
         "float64",
         "",
-        "confidence beyond that of the true bias",
+        "p-value of the true bias",
         "as friction_chance, for the bias",
     ),
     "falls": Result("int64", "", "falls that were fitted"),
