@@ -101,9 +101,7 @@ def test_statistics_show_means_parts_and_their_histogram(study):
         there = dataset.turn_histogram.isel(friction=k)
         others = [dim for dim in there.dims if dim != "turn_bin"]
         np.testing.assert_array_equal(counts, there.sum(others))
-    with pytest.raises(
-        RimrollError, match="panels are along one dimension of .*friction.*, got turn"
-    ):
+    with pytest.raises(RimrollError, match=r"one dimension of .*friction.*, got turn"):
         study_figure(dataset, ["turn"], along=["turn"], form="histogram")
 
 
