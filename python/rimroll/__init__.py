@@ -89,6 +89,11 @@ if TYPE_CHECKING:
         nutation as nutation,
         resonant_start as resonant_start,
     )
+    from rimroll.reduced import (
+        ReducedMotion as ReducedMotion,
+        reduced_motion as reduced_motion,
+        rocking_friction as rocking_friction,
+    )
     from rimroll.sensitivity import (
         turn_map as turn_map,
         watershed as watershed,
@@ -184,6 +189,7 @@ _NAMES = {
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
     "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.nutations": ("Nutation", "nutation", "resonant_start"),
+    "rimroll.reduced": ("ReducedMotion", "reduced_motion", "rocking_friction"),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
     "rimroll.shaking.lognormal": ("Fragility", "UndecidedWarning", "fragility"),
     "rimroll.shaking.many": ("shake_many",),
