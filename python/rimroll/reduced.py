@@ -80,15 +80,15 @@ class ReducedMotion:
 
     def tilt(self, t: Values) -> Array:
         """φ at the times t (s), rad, shape (n,)."""
-        return self._at(t)[0]
+        return np.asarray(self._at(t)[0])
 
     def tilt_rate(self, t: Values) -> Array:
         """dφ/dt at the times t (s), rad/s, shape (n,)."""
-        return self._at(t)[1]
+        return np.asarray(self._at(t)[1])
 
     def yaw(self, t: Values) -> Array:
         """ψ at the times t (s), rad, shape (n,)."""
-        return self._at(t)[2]
+        return np.asarray(self._at(t)[2])
 
     def _at(self, t: Values) -> Array:
         moments = np.atleast_1d(times(t))
