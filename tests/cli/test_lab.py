@@ -177,7 +177,7 @@ def opened(monkeypatch, *arguments):
 
 def test_the_browser_is_opened_at_the_page(package, monkeypatch, capsys):
     address = opened(monkeypatch)
-    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address)
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/#lab", address)
     assert f"The lab is at {address}" in capsys.readouterr().out
 
 

@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals-core";
 import { element } from "./elements";
 import type { Lab } from "./lab";
+import { LAB } from "./part";
 import { hashOf } from "./setup/address";
 import "./style/embed.css";
 
@@ -12,7 +13,6 @@ export function embed(lab: Lab, transport: HTMLElement): void {
   const link = element("a", { class: "whole", target: "_blank", rel: "noopener" }, "Open the lab");
   transport.querySelector(".row")?.append(link);
   effect(() => {
-    const hash = hashOf(lab);
-    link.href = location.pathname + location.search + (hash && `#${hash}`);
+    link.href = `${location.pathname}${location.search}#${hashOf(lab) || LAB}`;
   });
 }

@@ -34,6 +34,14 @@ export interface Simulated {
   partial: boolean;
 }
 
+/** What the picture marks beside the motion. */
+export interface Marks {
+  /** Whether it shows the limits of theory. */
+  theory: boolean;
+  /** A guess of the angle of turn, rad; undefined if there is none. */
+  guess: number | undefined;
+}
+
 /** Number of steps computed at once when the set-up changes; they take a few ms. */
 const FIRST_STEPS = 2000;
 /** The remaining steps are computed after this time without a change, ms. */
@@ -83,6 +91,7 @@ export class Lab {
   readonly tableHeld: Signal<Displacement | undefined> = signal(undefined);
   /** From where the body is seen. */
   readonly view: Signal<ViewName> = signal(INITIAL_PLAYBACK.view);
+  readonly marks: Signal<Readonly<Marks>> = signal({ theory: true, guess: undefined });
   /** Step of the story, counted from 0. */
   readonly step: Signal<number> = signal(0);
   /** Set-ups before the latest changes. */

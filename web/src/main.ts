@@ -1,14 +1,16 @@
-// Starts the page: loads the core, creates the lab and mounts each section on it.
+// Starts the page: loads the core, and shows the essay or the lab, as the address says.
 
 import { followAnchors } from "./anchors";
 import { mountControls } from "./controls/controls";
 import { Core } from "./core/core";
 import { element } from "./elements";
 import { embed } from "./embed";
+import { Essay } from "./essay/essay";
 import { shakeOnDemand } from "./floor/loading";
 import { mountFlicks } from "./flicks/flicks";
 import { Lab } from "./lab";
 import { mountLimits } from "./limits/section";
+import { type Part, partOf, showPart, shownPart } from "./part";
 import { mountScene } from "./scene/scene";
 import { EMBED, keepInAddress } from "./setup/address";
 import { mountShare } from "./share/share";
@@ -21,10 +23,31 @@ import { mountVerdict } from "./verdict/verdict";
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 
 // The plots are below the first view, so that the other parts need not wait for them.
-const loadingPlots = import("./plots/plots");
+const loadingPlots = partOf(location.hash) === "lab" ? import("./plots/plots") : undefined;
 
 async function start(): Promise<void> {
   const core = await Core.load(await coreOfPage());
+  let essay: Essay | undefined;
+  let lab: Lab | undefined;
+  const route = (part: Part, hash: string) => {
+    const other = part !== shownPart();
+    showPart(part);
+    if (part === "lab") {
+      essay?.close();
+      lab ??= startLab(core);
+    } else {
+      lab?.clock.pause();
+      essay ??= new Essay(core, section("essay"));
+      essay.open(hash);
+    }
+    if (other && !hash.slice(1)) scrollTo({ top: 0, behavior: "instant" });
+    if (other && part === "lab") scrollTo({ top: 0, behavior: "instant" });
+  };
+  addEventListener("hashchange", () => route(partOf(location.hash), location.hash));
+  route(partOf(location.hash), location.hash);
+}
+
+function startLab(core: Core): Lab {
   const lab = new Lab(core);
   keepInAddress(lab);
   shakeOnDemand(lab);
@@ -35,10 +58,13 @@ async function start(): Promise<void> {
   mountStory(lab, section("story"));
   mountControls(lab, section("controls"));
   mountFlicks(lab, section("flicks"));
-  loadingPlots.then(({ mountPlots }) => mountPlots(lab, section("plots"))).catch(console.error);
+  (loadingPlots ?? import("./plots/plots"))
+    .then(({ mountPlots }) => mountPlots(lab, section("plots")))
+    .catch(console.error);
   if (EMBED) embed(lab, section("transport"));
   mountShare(lab, section("share"));
   mountLimits(lab, section("limits"));
+  return lab;
 }
 
 /** The page that rimroll.lab makes carries the core, since it may load nothing. */
@@ -47,10 +73,11 @@ const coreOfPage = (): ArrayBuffer | Promise<Response> =>
     ? (globalThis as unknown as { rimrollCore: ArrayBuffer }).rimrollCore
     : fetch(new URL("./core/rimroll.wasm", import.meta.url));
 
+showPart(partOf(location.hash));
 followAnchors();
 start().catch((error: unknown) => {
   console.error(error);
-  section("lab").replaceChildren(
+  section(shownPart()).replaceChildren(
     element("p", { class: "no-page", role: "alert" }, `This page could not start: ${why(error)}`),
   );
 });

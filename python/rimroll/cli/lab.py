@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from rimroll.browser.server import PageServer
 
 
+LAB = "lab"
+"""The part after # of the address of the lab; without one, the page opens with its essay."""
+
+
 def lab(
     setup: Annotated[
         str,
@@ -45,7 +49,7 @@ def lab(
     with built_page() as page, _server(page, port) as server:
         if setup:
             _check(setup, page)
-        address = server.address + (f"#{quote(setup, safe='=&%+')}" if setup else "")
+        address = f"{server.address}#{quote(setup, safe='=&%+') or LAB}"
         try:
             say(f"The lab is at {address}")
             say("Press Ctrl-C to end it.")

@@ -27,6 +27,7 @@ import type { Frame } from "./frame";
 import type { Grasped } from "./gestures";
 import { formatLength, powerOfTen } from "./lengths";
 import { FrameRate } from "./frame_rate";
+import { Guess } from "./guess";
 import { Outline } from "./outline";
 import { readPalette } from "./palette";
 import {
@@ -79,13 +80,17 @@ export class Picture {
   private readonly ruler = new Ruler();
   private readonly trail = new Trail();
   private readonly wedge = new Wedge();
+  private readonly guess = new Guess();
   private readonly contact = new Contact();
   private readonly slip = new Slip();
   private readonly dots = new Dots();
   private readonly shade = new Shade();
   private readonly labels: Labels;
   private readonly outline = new Outline();
-  private readonly labelIds: Record<"turned" | "theory" | "other" | "itself" | "gap", number>;
+  private readonly labelIds: Record<
+    "turned" | "guess" | "theory" | "other" | "itself" | "gap",
+    number
+  >;
   private palette = readPalette();
   private body = new Group();
   /** A cylinder round the body, for hits of the pointer. */
@@ -128,6 +133,7 @@ export class Picture {
     this.labels = new Labels(frame.words);
     this.labelIds = {
       turned: this.labels.add("turned", true),
+      guess: this.labels.add("guess", true),
       theory: this.labels.add("theory"),
       other: this.labels.add("theory"),
       itself: this.labels.add("itself"),
@@ -138,6 +144,7 @@ export class Picture {
     scene.add(this.table.mesh, this.shade.mesh, this.protractor.mesh, this.ruler.group);
     scene.add(
       this.wedge.group,
+      this.guess.mesh,
       this.trail.mesh,
       this.slip.mesh,
       this.dots.group,
@@ -163,6 +170,20 @@ export class Picture {
     this.draw(performance.now());
     stage.style.backgroundImage = `url(${canvas.toDataURL()})`;
   };
+
+  /** Draws the present picture and copies it. */
+  copyTo(still: HTMLCanvasElement): void {
+    const { canvas } = this.frame;
+    this.draw(performance.now());
+    [still.width, still.height] = [canvas.width, canvas.height];
+    if (canvas.width > 0 && canvas.height > 0) still.getContext("2d")?.drawImage(canvas, 0, 0);
+  }
+
+  /** Frees the graphics context; nothing can be drawn afterwards. */
+  dispose(): void {
+    this.waiting = true;
+    this.stage.dispose();
+  }
 
   readonly resize = (): void => {
     const { clientWidth, clientHeight } = this.frame.stage;
@@ -437,6 +458,8 @@ export class Picture {
     const motion = lab.motion.peek();
     const shown = progress !== undefined && motion !== undefined;
     this.wedge.group.visible = this.trail.mesh.visible = shown;
+    const { theory, guess } = lab.marks.peek();
+    this.guess.mesh.visible = shown && guess !== undefined;
     if (!shown) {
       const { yaw } = lab.held.peek() ?? { yaw: (lab.setup.peek().yaw * Math.PI) / 180 };
       this.protractor.lay(0, 0, yaw + Math.PI, true, palette);
@@ -461,10 +484,12 @@ export class Picture {
       progress.angle / 2,
       1.13,
     );
-    this.labelBody(progress);
+    // Before a guess is answered, one label is enough.
+    if (guess === undefined) this.labelBody(progress);
+    else labels.set(labelIds.itself, "", 0, 0);
     // Outside the dots of the flicks, if there are any.
     const far = lab.flicksShown.peek() === undefined ? 1.2 : 1.6;
-    const [first, second] = this.limits;
+    const [first, second] = theory ? this.limits : [];
     const limit = (index: number, one: Limit | undefined) =>
       label(
         index,
@@ -474,6 +499,10 @@ export class Picture {
       );
     limit(labelIds.theory, first);
     limit(labelIds.other, second);
+    this.wedge.showLimits(theory);
+    if (guess === undefined) return labels.set(labelIds.guess, "", 0, 0);
+    this.guess.show(x, y, zero + sense * guess, palette.wedge);
+    label(labelIds.guess, `your guess ${formatDegrees(guess, 0)}`, sense * guess, 1.2);
   }
 
   /** Shows the rotation of the body itself, at the mark on it. */

@@ -71,6 +71,12 @@ export class Stage {
     this.lamp.target.position.set(x, y, 0);
   }
 
+  /** Frees the graphics context. */
+  dispose(): void {
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   render(): void {
     this.renderer.render(this.scene, this.camera);
   }

@@ -107,6 +107,13 @@ export class View {
     this.glide(this.eyeAt(name));
   }
 
+  /** Is at a place at once. */
+  cut(name: ViewName): void {
+    this.chosen = name;
+    this.aimed = this.contact;
+    this.go(this.eyeAt(name));
+  }
+
   private eyeAt(name: ViewName): Eye {
     // From here the rim fills the picture.
     const near = this.rim / this.radius;

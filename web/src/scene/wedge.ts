@@ -33,6 +33,7 @@ export class Wedge {
   private readonly fill: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly edge = new Ribbon(3);
   private readonly limits = new Ribbon(3);
+  private marked = false;
   private readonly paint = new Color();
   private readonly x = new Float64Array(PIECES + 3);
   private readonly y = new Float64Array(PIECES + 3);
@@ -90,8 +91,13 @@ export class Wedge {
 
   /** Draws the limits to both sides, from an inner radius outward. */
   mark(limits: readonly Limit[], inner: number): void {
-    this.limits.mesh.visible = limits.length > 0;
+    this.marked = limits.length > 0;
     this.limits.layStrokes(limitStrokes(limits, inner, 1.07));
+  }
+
+  /** Shows or hides the marked limits. */
+  showLimits(shown: boolean): void {
+    this.limits.mesh.visible = shown && this.marked;
   }
 }
 

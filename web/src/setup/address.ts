@@ -2,6 +2,7 @@
 
 import { batch, effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
+import { LAB, partOf } from "../part";
 import { prefersReducedMotion } from "../reduced_motion";
 import { showStep } from "../story/show_step";
 import { STEPS } from "../story/steps";
@@ -13,7 +14,7 @@ import { fromHash, holdsSetup, toHash } from "./url";
  * back. A page that rimroll.lab makes has the set-up in its first element. */
 export function keepInAddress(lab: Lab): void {
   const read = (link: string) => {
-    if (holdsSetup(link)) readLink(lab, link);
+    if (partOf(link) === "lab" && holdsSetup(link)) readLink(lab, link);
   };
   read(location.hash || `#${document.documentElement.dataset["setup"] ?? ""}`);
   lab.beginHere();
@@ -47,7 +48,7 @@ export function readLink(lab: Lab, link: string): void {
         text,
       ),
     });
-  const known = [...pairs.keys()].some((name) => name !== "step" && name !== "embed");
+  const known = [...pairs.keys()].some((name) => !["lab", "step", "embed"].includes(name));
   batch(() => {
     lab.refusals.value = refusals;
     lab.step.value = Math.max(step, 0);
@@ -58,7 +59,7 @@ export function readLink(lab: Lab, link: string): void {
   if (step >= 0 && !known) showStep(lab, STEPS[step]!, !prefersReducedMotion());
 }
 
-/** The # part of the address of what is shown. */
+/** The # part of the address of what is shown; empty for the initial set-up, whose address is {@link LAB}. */
 export function hashOf(lab: Lab): string {
   const hash = toHash(lab.setup.value, lab.playback);
   const step = lab.step.value;
@@ -82,9 +83,10 @@ export function goToStep(lab: Lab, step: number, moving: boolean): void {
 function write(hash: string, anew = false): void {
   // A page that another one holds as a text has no address of its own.
   if (location.protocol === "about:") return;
-  const whole = [EMBED && "embed", hash].filter(Boolean).join("&");
+  if (partOf(location.hash) !== "lab") return;
+  const whole = [EMBED && "embed", hash].filter(Boolean).join("&") || LAB;
   if (whole === location.hash.replace(/^#/, "")) return;
-  const address = whole === "" ? location.pathname + location.search : `#${whole}`;
+  const address = `#${whole}`;
   // Moves of a slider make no entries in the history.
   if (anew) history.pushState(null, "", address);
   else history.replaceState(null, "", address);

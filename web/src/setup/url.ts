@@ -24,7 +24,7 @@ export function toHash(
 
 /** Whether the # part of an address holds a set-up and not the name of a part of the page. */
 export const holdsSetup = (hash: string): boolean =>
-  hash.length <= 1 || hash.includes("=") || hash === "#embed";
+  hash.length <= 1 || hash.includes("=") || hash === "#embed" || hash === "#lab";
 
 /** Reads a link. A wrong value gives the initial one and a refusal; if a name appears twice, the last
  * value counts. */

@@ -1,6 +1,8 @@
 // What a visitor can send to somebody else: a link, or a command if the page's address works only on this
 // machine.
 
+import { LAB } from "../part";
+
 /** Public address of the page, if VITE_RIMROLL_ADDRESS was set when it was built. */
 const PUBLISHED = (import.meta.env["VITE_RIMROLL_ADDRESS"] as string | undefined) ?? "";
 
@@ -15,7 +17,7 @@ export function shareLink(hash: string, page: string, published = PUBLISHED): Sh
   if (address === "")
     return { kind: "command", text: "rimroll lab" + (hash === "" ? "" : ` --setup "${hash}"`) };
   const bare = address.replace(/#.*$/, "");
-  return { kind: "link", text: bare + (hash === "" ? "" : `#${hash}`) };
+  return { kind: "link", text: `${bare}#${hash || LAB}` };
 }
 
 /** Whether other machines can open a page at its address. */

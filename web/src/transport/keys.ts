@@ -1,6 +1,7 @@
-// Keys that work anywhere on the page, except in text fields and in controls that use them.
+// Keys that work anywhere in the lab, except in text fields and in controls that use them.
 
 import { type Signal, signal } from "@preact/signals-core";
+import { shownPart } from "../part";
 
 /** Whether the keys work; visitors who use speech input can switch them off. */
 export const keysOn: Signal<boolean> = signal(true);
@@ -13,7 +14,7 @@ const PRESSED = "button, summary, a[href], input, select, [role=button], [role=s
 export function onKeys(actions: Record<string, () => void>): void {
   addEventListener("keydown", (event) => {
     const act = actions[event.key];
-    if (!act || !keysOn.value || event.defaultPrevented) return;
+    if (!act || !keysOn.value || event.defaultPrevented || shownPart() !== "lab") return;
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const target = event.target instanceof Element ? event.target : document.body;
     const punctuation = event.key === "," || event.key === ".";

@@ -172,7 +172,7 @@ describe("with the keyboard alone", () => {
     await page.locator("#law-coulomb").press("ArrowDown");
     await page.waitForFunction(() => /law=no_slip/.test(location.hash));
     await page.getByRole("button", { name: "Reset", exact: true }).press("Enter");
-    await page.waitForFunction(() => location.hash === "");
+    await page.waitForFunction(() => location.hash === "#lab");
     await page.getByRole("button", { name: "Friction of ice" }).press("Space");
     await page.waitForFunction(() => location.hash === "#friction=0.03");
     await page.getByRole("button", { name: "Copy command" }).press("Enter");

@@ -34,7 +34,7 @@ describe("from nearby", () => {
     await page.waitForURL(/#view=contact$/);
     expect(await violations(page)).toEqual([]);
     await button.click();
-    await page.waitForFunction(() => location.hash === "");
+    await page.waitForFunction(() => location.hash === "#lab");
     await unrolled(page).waitFor({ state: "hidden" });
     expect(complaints).toEqual([]);
   });

@@ -105,7 +105,7 @@ describe("with a mouse", () => {
       await page.mouse.move(x + 60, y, { steps: 3 });
       await page.mouse.up();
       await page.waitForTimeout(500);
-      expect(new URL(page.url()).hash).toBe("");
+      expect(new URL(page.url()).hash).toBe("#lab");
     });
   });
 });

@@ -31,9 +31,9 @@ function gzipped(names: readonly string[]): { all: number; each: string } {
   return { all: sizes.reduce((sum, [, size]) => sum + size, 0), each: JSON.stringify(sizes) };
 }
 
-test("the page loads at most 410 kB, gzipped", () => {
+test("the page loads at most 430 kB, gzipped", () => {
   const { all, each } = gzipped(files());
-  expect(all, each).toBeLessThanOrEqual(410_000);
+  expect(all, each).toBeLessThanOrEqual(430_000);
 });
 
 // At 1.6 Mbit/s, a mobile connection, these files take 1.25 s. index.html names the files without which

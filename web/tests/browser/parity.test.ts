@@ -34,7 +34,7 @@ test("Python computes from the copied code what was downloaded", async () => {
   const ours: { code: string; csv: string }[] = [];
   for (const setup of setups) {
     const hash = toHash(setup);
-    await visited.page.evaluate((hash) => (location.hash = hash), hash);
+    await visited.page.evaluate((hash) => (location.hash = hash), hash || "lab");
     // The page has read the set-up when the shared command holds it.
     await visited.page.waitForFunction(
       (hash) =>

@@ -14,7 +14,7 @@ beforeAll(async () => {
   const code = "import sys; from rimroll.cli import main; sys.exit(main(['lab', '--no-browser']))";
   lab = spawn(PYTHON, ["-u", "-c", code], { stdio: ["ignore", "pipe", "inherit"] });
   const [said] = (await once(lab.stdout!, "data")) as [Buffer];
-  address = /http:\S+/.exec(said.toString())![0];
+  address = /http:[^\s#]+/.exec(said.toString())![0];
 });
 afterAll(() => lab.kill("SIGINT"));
 

@@ -52,7 +52,7 @@ describe("a finger", () => {
       await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(40);
       await page.getByText("Hold the body for a moment, then tip it.").waitFor();
       await page.waitForTimeout(500); // longer than the page waits before it writes its address
-      expect(new URL(page.url()).hash).toBe("");
+      expect(new URL(page.url()).hash).toBe("#lab");
     });
   });
 
@@ -69,7 +69,7 @@ describe("a finger", () => {
       await page.waitForURL(/tilt=/);
       expect(await page.evaluate(() => scrollY)).toBe(0);
       await undo.click();
-      await page.waitForFunction(() => location.hash === "");
+      await page.waitForFunction(() => location.hash === "#lab");
       expect(await page.locator("#tilt-field").inputValue()).toBe("20");
       expect(await undo.getAttribute("aria-disabled")).toBe("true");
     });
@@ -90,6 +90,6 @@ test("a slider's moves are undone together, and earlier changes one by one", asy
   await undo.click();
   await page.waitForURL(/#body=coin$/);
   await undo.click();
-  await page.waitForFunction(() => location.hash === "");
+  await page.waitForFunction(() => location.hash === "#lab");
   expect(await undo.evaluate((it) => it === document.activeElement)).toBe(true);
 });

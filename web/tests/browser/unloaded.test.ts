@@ -13,14 +13,14 @@ const said = (place: Page | Frame) => place.locator("#scene .loading");
 
 test("opened from a file", async () => {
   const page = await emptyPage();
-  await page.goto(pathToFileURL(join(PAGE, "index.html")).href);
+  await page.goto(`${pathToFileURL(join(PAGE, "index.html")).href}#lab`);
   await said(page).getByText("rimroll lab", { exact: true }).waitFor();
   expect(await said(page).innerText()).toMatch(/opened as a file.*web server/s);
 });
 
 test("in a sandboxed frame", async () => {
   const page = await emptyPage();
-  await page.setContent(`<iframe sandbox="allow-scripts" src="${addressOfPage()}"></iframe>`);
+  await page.setContent(`<iframe sandbox="allow-scripts" src="${addressOfPage()}#lab"></iframe>`);
   const frame = page.frames()[1] as Frame;
   await said(frame).getByText("allow-same-origin", { exact: true }).waitFor();
   expect(await said(frame).innerText()).toContain(addressOfPage());
@@ -29,7 +29,7 @@ test("in a sandboxed frame", async () => {
 test("when its script is missing on the server", async () => {
   const page = await emptyPage();
   await page.route(/index-.*\.js$/, (route) => route.fulfill({ status: 404 }));
-  await page.goto(addressOfPage());
+  await page.goto(`${addressOfPage()}#lab`);
   await said(page).getByText("its script is missing").waitFor();
 });
 
@@ -38,7 +38,7 @@ test("when its script fails", async () => {
   await page.route(/index-.*\.js$/, (route) =>
     route.fulfill({ contentType: "text/javascript", body: "this is no script" }),
   );
-  await page.goto(addressOfPage());
+  await page.goto(`${addressOfPage()}#lab`);
   await said(page)
     .getByText(/SyntaxError/)
     .waitFor();
@@ -53,7 +53,7 @@ test("when its script loads slowly, until it is there", async () => {
     await held;
     await route.continue();
   });
-  await page.goto(addressOfPage(), { waitUntil: "commit" });
+  await page.goto(`${addressOfPage()}#lab`, { waitUntil: "commit" });
   await said(page).waitFor();
   expect(await said(page).innerText()).toBe("Loading…");
   await page.clock.fastForward(20_000);
@@ -69,7 +69,7 @@ test("when its script loads slowly, until it is there", async () => {
 test("when only the picture is missing, and the rest works", async () => {
   const page = await emptyPage();
   await page.route(/picture-.*\.js$/, (route) => route.fulfill({ status: 404 }));
-  await page.goto(addressOfPage());
+  await page.goto(`${addressOfPage()}#lab`);
   await page
     .locator("#scene")
     .getByText(/picture could not be loaded.*Reload the page/)
@@ -80,7 +80,7 @@ test("when only the picture is missing, and the rest works", async () => {
 test("but not when everything loads", async () => {
   const page = await emptyPage();
   await page.clock.install();
-  await page.goto(addressOfPage());
+  await page.goto(`${addressOfPage()}#lab`);
   await page.getByRole("button", { name: "Let go" }).waitFor();
   await page.clock.fastForward(60_000);
   expect(await said(page).count()).toBe(0);

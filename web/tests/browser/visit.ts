@@ -11,7 +11,7 @@ const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swift
 export const PUBLIC_HOST = "rimroll.example";
 
 export interface VisitOptions extends BrowserContextOptions {
-  /** The part of the address after #. */
+  /** The part of the address after #; by default that of the lab. */
   hash?: string;
   /** Whether the browser has WebGL, which is slow without a graphics card. */
   webgl?: boolean;
@@ -65,7 +65,7 @@ export async function emptyPage(): Promise<Page> {
 
 /** Opens the page in a fresh context and waits until it has started. */
 export async function visit(options: VisitOptions = {}): Promise<Visit> {
-  const { hash = "", webgl = false, host, ...rest } = options;
+  const { hash = "lab", webgl = false, host, ...rest } = options;
   const context = await browser.newContext({
     viewport: { width: 1366, height: 768 },
     acceptDownloads: true,
@@ -88,11 +88,13 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
     if (["error", "warning"].includes(message.type()) && !expected) complaints.push(text);
   });
   const address = host ? served.address.replace("127.0.0.1", host) : served.address;
-  await page.goto(address + (hash && `#${hash}`));
-  await page.getByRole("button", { name: "Let go" }).waitFor();
+  await page.goto(`${address}#${hash}`);
+  const part = await page.evaluate(() => document.documentElement.dataset["part"]);
+  const place = page.locator(`#${part}`);
+  await place.getByRole("button", { name: "Let go" }).first().waitFor();
   // three.js marks the canvas that it draws on.
-  const scene = page.locator("#scene");
-  await (webgl ? scene.locator("canvas[data-engine]") : scene.getByText("WebGL")).waitFor();
+  const notice = place.getByText(/WebGL|cannot show the picture/);
+  await (webgl ? place.locator("canvas[data-engine]") : notice).waitFor();
   return { page, requests, complaints };
 }
 

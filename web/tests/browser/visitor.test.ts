@@ -13,7 +13,7 @@ const degreesIn = async (page: Page, place: string) =>
 const verdict = (page: Page) => page.locator("#verdict");
 
 async function visited(hash: string, what: (visit: Visit) => Promise<void>): Promise<void> {
-  const one = await visit({ hash });
+  const one = await visit({ hash: hash || "lab" });
   await what(one);
   expect(one.complaints).toEqual([]);
 }
@@ -101,7 +101,7 @@ describe("a link", () => {
       await page.reload();
       await expectValues(page, { "#tilt-field": "12.5", "#body-field": "coin" });
       await page.getByRole("button", { name: "Reset", exact: true }).click();
-      await page.waitForFunction(() => location.hash === "");
+      await page.waitForFunction(() => location.hash === "#lab");
     });
   });
 
@@ -260,7 +260,7 @@ describe("a step of the story", () => {
       await expectValues(page, { "#tilt-field": "5", "#transport select": "0.02" });
       expect(await stepOf(page)).toContain("step 2 of 6");
       await page.goBack();
-      await page.waitForFunction(() => location.hash === "");
+      await page.waitForFunction(() => location.hash === "#lab");
       expect(await stepOf(page)).toContain("step 1 of 6");
       await page.goForward();
       await page.goForward();

@@ -39,7 +39,7 @@ test.each(["https://lab.example/~me/the%20can/?x=1", "http://192.168.1.7:8000/"]
       kind: "link",
       text: `${page}#${HASH}`,
     });
-    expect(shareLink("", page, "").text).toBe(page);
+    expect(shareLink("", page, "").text).toBe(`${page}#lab`);
   },
 );
 

@@ -1,0 +1,217 @@
+// The scenes of the essay: what each one shows, its one control, and what it says of the motion.
+
+import type { Setup } from "../setup/setup";
+import type { Playback } from "../setup/playback";
+import type { Line } from "./curve";
+import { type Facts, cameUp, ranRound } from "./words";
+import { formatDegrees } from "../format/numbers";
+
+/** A slider for a quantity. */
+export interface Quantity {
+  kind: "quantity";
+  label: string;
+  low: number;
+  high: number;
+  step: number;
+  initial: number;
+  /** Whether the slider is logarithmic; then it has a hundred steps. */
+  logarithmic?: boolean;
+  /** Values with names, below the slider. */
+  marks?: Readonly<Record<string, number>>;
+  /** A value as people read it. */
+  words(value: number): string;
+  setup(value: number): Partial<Setup>;
+}
+
+/** Buttons for some set-ups. */
+export interface Choice {
+  kind: "choice";
+  label: string;
+  options: readonly { name: string; setup: Partial<Setup> }[];
+}
+
+/** A guess of the angle of turn; the time of the motion; the body itself. */
+export interface Special {
+  kind: "guess" | "time" | "grasp";
+}
+
+export interface Scene {
+  /** The # part of its address. */
+  id: string;
+  setup: Partial<Setup>;
+  playback: Playback;
+  control: Quantity | Choice | Special;
+  /** Whether the motion plays when the scene first comes into view. */
+  plays?: boolean;
+  /** Whether it repeats the release and shows all falls. */
+  flicks?: boolean;
+  /** Whether it compares the motion with what the model leaves out. */
+  limits?: boolean;
+  /** A plot of angles of turn over the values of the control. */
+  curve?: readonly Line[];
+  /** Angles that the plot always contains, degrees. */
+  include?: readonly number[];
+  says(facts: Facts): string;
+}
+
+/** The sideways error of a hand, rad/s. */
+const HAND = 0.02;
+
+/** Motions of the essay are short. */
+const BRIEF: Partial<Setup> = { sideways: HAND, duration: 1 };
+
+const STRETCHED: Playback = { speed: 1, stretched: true, view: "whole" };
+
+export const SCENES: readonly Scene[] = [
+  {
+    id: "question",
+    setup: BRIEF,
+    playback: { speed: 0.1, stretched: false, view: "whole" },
+    control: { kind: "guess" },
+    says: cameUp,
+  },
+  {
+    id: "slap-or-roll",
+    setup: { ...BRIEF, duration: 0.4 },
+    playback: { ...STRETCHED, view: "contact" },
+    control: { kind: "time" },
+    plays: true,
+    says: ranRound,
+  },
+  {
+    id: "hand",
+    setup: BRIEF,
+    playback: STRETCHED,
+    control: {
+      kind: "quantity",
+      label: "Sideways error of the hand",
+      low: 0.001,
+      high: 0.1,
+      step: 1,
+      initial: HAND,
+      logarithmic: true,
+      words: (rate) => `${rate.toPrecision(2)} rad/s`,
+      setup: (sideways) => ({ sideways }),
+    },
+    curve: [
+      { name: "angle of turn", colour: "accent", of: "turn" },
+      { name: "limit", colour: "theory", of: "here", dashed: true },
+    ],
+    include: [180, 220],
+    says: ({ passage, gap, time }) =>
+      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}. The gap under the rim fell to ${gap}, and most of the angle took ${time}.`,
+  },
+  {
+    id: "friction",
+    setup: BRIEF,
+    playback: STRETCHED,
+    control: {
+      kind: "quantity",
+      label: "Friction of the table",
+      low: 0,
+      high: 0.8,
+      step: 0.01,
+      initial: 0.1,
+      marks: { ice: 0.03, wood: 0.3, rubber: 0.8 },
+      words: (friction) => friction.toFixed(2),
+      setup: (friction) => ({ law: "coulomb", friction }),
+    },
+    plays: true,
+    curve: [
+      { name: "limit on this table", colour: "theory", of: "here" },
+      { name: "no slip", colour: "law-no_slip", of: "noSlip", dashed: true },
+      { name: "no friction", colour: "law-frictionless", of: "frictionless", dashed: true },
+    ],
+    says: ({ passage, theory }) =>
+      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}, and the rim ${
+        passage.rim === "rolled" ? "rolled all the way" : "slipped on the way"
+      }. A can that comes down ever flatter tends to ${formatDegrees(theory.here, 1)} on this table.`,
+  },
+  {
+    id: "tall-and-flat",
+    setup: {
+      ...BRIEF,
+      tilt: 10,
+      body: "own",
+      radius: 3,
+      mass: 100,
+      wall: 0,
+      base: 0,
+      law: "no_slip",
+    },
+    playback: STRETCHED,
+    control: {
+      kind: "quantity",
+      label: "Height of the cylinder",
+      low: 0,
+      high: 18,
+      step: 0.1,
+      initial: 9,
+      words: (length) => `${length.toFixed(1)} cm`,
+      setup: (length) => ({ length }),
+    },
+    curve: [{ name: "limit without slip", colour: "law-no_slip", of: "noSlip" }],
+    says: ({ passage, theory }) =>
+      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}. The limit for this cylinder is ${formatDegrees(theory.noSlip, 1)}.`,
+  },
+  {
+    id: "disks-and-coins",
+    setup: { ...BRIEF, friction: 0.3 },
+    playback: STRETCHED,
+    control: {
+      kind: "choice",
+      label: "Body",
+      options: [
+        { name: "Coin", setup: { body: "coin" } },
+        { name: "Ring", setup: { body: "ring" } },
+        { name: "Battery", setup: { body: "battery", tilt: 10 } },
+        { name: "Bottle", setup: { body: "beer_bottle", tilt: 10 } },
+      ],
+    },
+    plays: true,
+    says: ({ passage, theory }) =>
+      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}. The limits are ${formatDegrees(theory.noSlip, 1)} without slip and ${formatDegrees(theory.frictionless, 1)} without friction.`,
+  },
+  {
+    id: "experiment",
+    setup: { tilt_rate: -5, sideways: HAND, duration: 2, law: "coulomb" },
+    playback: STRETCHED,
+    control: {
+      kind: "quantity",
+      label: "Friction of the table",
+      low: 0.01,
+      high: 0.4,
+      step: 0.01,
+      initial: 0.3,
+      words: (friction) => friction.toFixed(2),
+      setup: (friction) => ({ friction }),
+    },
+    flicks: true,
+    says: () => "",
+  },
+  {
+    id: "left-out",
+    setup: { ...BRIEF, rolling: 0 },
+    playback: STRETCHED,
+    control: {
+      kind: "quantity",
+      label: "Sideways error of the hand",
+      low: 0.0001,
+      high: 0.1,
+      step: 1,
+      initial: HAND,
+      logarithmic: true,
+      words: (rate) => `${rate.toPrecision(2)} rad/s`,
+      setup: (sideways) => ({ sideways }),
+    },
+    limits: true,
+    says: () => "",
+  },
+  {
+    id: "your-turn",
+    setup: { sideways: HAND },
+    playback: STRETCHED,
+    control: { kind: "grasp" },
+    says: ranRound,
+  },
+];

@@ -1,0 +1,20 @@
+// The two parts of the page: the essay, and the lab. The address says which one is shown.
+
+export type Part = "essay" | "lab";
+
+/** The # part of the lab's address with its initial set-up. */
+export const LAB = "lab";
+
+/** The # parts that belong to the lab: all with a set-up, and the names of its sections. index.html has the
+ * same expression, to show the right part while the page loads. */
+const OF_LAB = /=|^#(lab|embed|controls|flicks|plots|share|limits)$/;
+
+/** A page that rimroll.lab makes has a set-up in its first element, and shows the lab only. */
+export const partOf = (hash: string): Part =>
+  document.documentElement.dataset["setup"] !== undefined || OF_LAB.test(hash) ? "lab" : "essay";
+
+export const shownPart = (): Part => document.documentElement.dataset["part"] as Part;
+
+export function showPart(part: Part): void {
+  document.documentElement.dataset["part"] = part;
+}
