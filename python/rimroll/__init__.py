@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         bodies as bodies,
         ground as ground,
         gyro as gyro,
+        polygons as polygons,
         solids as solids,
         surfaces as surfaces,
     )
@@ -89,6 +90,11 @@ if TYPE_CHECKING:
         nutation as nutation,
         resonant_start as resonant_start,
     )
+    from rimroll.polygon import (
+        PolygonalBody as PolygonalBody,
+        PolygonEvent as PolygonEvent,
+        PolygonMotion as PolygonMotion,
+    )
     from rimroll.reduced import (
         ReducedMotion as ReducedMotion,
         reduced_motion as reduced_motion,
@@ -151,7 +157,7 @@ if TYPE_CHECKING:
         turn_limit_with_spin as turn_limit_with_spin,
     )
 
-_MODULES = ("bodies", "ground", "gyro", "solids", "surfaces")
+_MODULES = ("bodies", "ground", "gyro", "polygons", "solids", "surfaces")
 _NAMES = {
     "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
     "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),
@@ -189,6 +195,7 @@ _NAMES = {
     "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
     "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.nutations": ("Nutation", "nutation", "resonant_start"),
+    "rimroll.polygon": ("PolygonEvent", "PolygonMotion", "PolygonalBody"),
     "rimroll.reduced": ("ReducedMotion", "reduced_motion", "rocking_friction"),
     "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
     "rimroll.shaking.lognormal": ("Fragility", "UndecidedWarning", "fragility"),

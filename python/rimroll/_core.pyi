@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 __version__: str
 COLUMNS: list[str]
+POLYGON_COLUMNS: list[str]
 EXACT_COLUMNS: list[str]
 PARAMETERS: list[str]
 SHAKEN_PARAMETERS: list[str]
@@ -168,6 +169,35 @@ def simulate(
     ground: CoreGround | None,
     flat: tuple[str, float, int],
 ) -> CoreMotion: ...
+
+class CorePolygonMotion:
+    def samples(self, per_step: int) -> _Array: ...
+    def at(self, t: _Array) -> _Array: ...
+    def events(self) -> tuple[list[str], list[str], list[float], _Array]: ...
+    def phases(self) -> list[tuple[str, float]]: ...
+    def turns(self) -> list[tuple[float, float, float, float, float, float, float]]: ...
+    @property
+    def status(self) -> str: ...
+    def message(self, degrees: bool) -> str: ...
+    @property
+    def work(self) -> tuple[int, int, int]: ...
+
+def check_polygonal_body(body: object) -> None: ...
+def housner_ratio(body: object) -> float: ...
+def prism(
+    mass: float, corners: int, radius: float, length: float, bore: float
+) -> tuple[int, float, float, float, float, float]: ...
+def simulate_polygonal_body(
+    body: object,
+    start: object,
+    law_name: str,
+    duration: float,
+    gravity: float,
+    rtol: float,
+    topple_tilt: float | None,
+    max_steps: int,
+    progress: Callable[[float], object] | None,
+) -> CorePolygonMotion: ...
 def ensemble(
     bodies: _Bodies,
     starts: _Starts,

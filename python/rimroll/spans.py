@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rimroll.errors import RimrollError
 from rimroll.scene import Motion
+
+if TYPE_CHECKING:
+    from rimroll.motion.parts import Turn
 
 
 @dataclass(frozen=True)
@@ -24,7 +28,13 @@ class Span:
 
 
 def turn_spans(motion: Motion) -> list[Span]:
-    """All turns of a motion, in order of time, from its events."""
+    """All turns of a motion, in order of time, from its events.
+
+    A motion of a body with corners has many small extrema, and knows its turns itself.
+    """
+    if getattr(motion.body, "corners", 0):
+        turns: list[Turn] = getattr(motion, "turns", [])
+        return [Span(turn.start, turn.t, turn.end, turn.angle) for turn in turns]
     highest = ("tilt_max", "on_edge")
     near = [float(event.t) for event in motion.events if event.kind == "tilt_min"]
     high = np.array([float(event.t) for event in motion.events if event.kind in highest])

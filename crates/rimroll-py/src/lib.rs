@@ -7,6 +7,7 @@ mod exact;
 mod ground;
 mod imperfection;
 mod motion;
+mod polygon;
 mod shaking;
 mod steady;
 mod theory;
@@ -37,6 +38,10 @@ mod _core {
     #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};
     #[pymodule_export]
+    use crate::polygon::{
+        CorePolygonMotion, check_polygonal_body, housner_ratio, prism, simulate_polygonal_body,
+    };
+    #[pymodule_export]
     use crate::shaking::{first_refused_shaking, shake_many};
     #[pymodule_export]
     use crate::steady::{
@@ -55,6 +60,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("COLUMNS", core::COLUMNS)?;
+        module.add("POLYGON_COLUMNS", rimroll::polygon::COLUMNS)?;
         module.add("PARAMETERS", core::PARAMETERS)?;
         module.add("SHAKEN_PARAMETERS", core::SHAKEN_PARAMETERS)?;
         module.add("EXACT_COLUMNS", crate::exact::EXACT_COLUMNS)?;

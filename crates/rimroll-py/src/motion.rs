@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
-type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
+pub type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 
 /// A computed motion, kept in the core. Tables have one column per moment and one row per quantity.
 #[pyclass(frozen)]
@@ -61,6 +61,19 @@ impl CoreMotion {
     }
 }
 
+/// The numbers of a turn.
+pub fn turn_numbers(turn: &rimroll::motion::Turn) -> TurnNumbers {
+    (
+        turn.angle,
+        turn.min_tilt,
+        turn.t,
+        turn.yaw_rate,
+        turn.start,
+        turn.end,
+        turn.max_tilt,
+    )
+}
+
 /// Rows of numbers.
 fn in_rows<'py, const COLUMNS: usize>(
     py: Python<'py>,
@@ -72,7 +85,7 @@ fn in_rows<'py, const COLUMNS: usize>(
 }
 
 /// A table with one column for each item of an iterator.
-fn in_columns<const ROWS: usize>(
+pub fn in_columns<const ROWS: usize>(
     py: Python<'_>,
     columns: impl Iterator<Item = [f64; ROWS]>,
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
@@ -207,18 +220,7 @@ impl CoreMotion {
     }
 
     fn turns(&self) -> Vec<TurnNumbers> {
-        let numbers = |turn: &rimroll::motion::Turn| {
-            (
-                turn.angle,
-                turn.min_tilt,
-                turn.t,
-                turn.yaw_rate,
-                turn.start,
-                turn.end,
-                turn.max_tilt,
-            )
-        };
-        self.motion.turns.iter().map(numbers).collect()
+        self.motion.turns.iter().map(turn_numbers).collect()
     }
 
     #[getter]

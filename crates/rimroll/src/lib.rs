@@ -42,6 +42,7 @@
 //!   of a motion with respect to its parameters; [`motion::fall`], one turn without a recorded motion.
 //! * [`ensemble`](mod@ensemble): many falls at once.
 //! * [`shaking`]: many motions on tables that move, of which only the ends and the extremes are kept.
+//! * [`polygon`]: bodies on a base with corners.
 //! * [`steady`]: motions at a constant tilt, and their stability.
 //! * [`turn`]: closed forms, and the near-collision as a problem of its own under any friction.
 //! * [`composite`] and [`small_angle`]: the paper's two approximations.
@@ -65,6 +66,7 @@ pub mod imperfection;
 mod in_order;
 pub mod law;
 pub mod motion;
+pub mod polygon;
 pub mod presets;
 pub mod real;
 #[cfg(feature = "ground")]

@@ -3,22 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 from rimroll import _core
 from rimroll.body import Body, one_body
-from rimroll.errors import callback, expect
+from rimroll.errors import RimrollError, callback, expect
 from rimroll.given import Number
 from rimroll.laws import Law, one_law
 from rimroll.motion.flat import FlatLanding, flat_given, ground_given
 from rimroll.motion.motion import Motion, follow
 from rimroll.options import Options
+from rimroll.polygon.body import PolygonalBody
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground
+    from rimroll.polygon.motion import PolygonMotion
 
 
+@overload
+def simulate(
+    body: PolygonalBody,
+    start: State,
+    law: Law,
+    duration: Number = 2.0,
+    *,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    rtol: float = 1e-10,
+    topple_tilt: Number | None = None,
+    max_steps: int = 1_000_000,
+    progress: Callable[[float], object] | None = None,
+) -> PolygonMotion: ...
+
+
+@overload
 def simulate(
     body: Body,
     start: State,
@@ -33,13 +51,33 @@ def simulate(
     flat: FlatLanding = "stop",
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
-) -> Motion:
+) -> Motion: ...
+
+
+def simulate(
+    body: Body | PolygonalBody,
+    start: State,
+    law: Law,
+    duration: Number = 2.0,
+    *,
+    gravity: Number = _core.STANDARD_GRAVITY,
+    rtol: float = 1e-10,
+    topple_tilt: Number | None = None,
+    max_steps: int = 1_000_000,
+    ground: Ground | None = None,
+    flat: FlatLanding = "stop",
+    progress: Callable[[float], object] | None = None,
+    jacobian: bool = False,
+) -> Motion | PolygonMotion:
     """Follow a body from a start under a contact law.
 
     Parameters
     ----------
     body, start, law
-        What rolls, how it is released (single numbers), and how its rim meets the table.
+        What rolls, how it is released (single numbers), and how its rim meets the table. A
+        :class:`rimroll.PolygonalBody` pivots from corner to corner, with plastic impacts, under
+        ``NoSlip`` or ``Frictionless`` on a table at rest, and gives a
+        :class:`rimroll.PolygonMotion`; at spin 0 it leans over a corner, at spin π/n over an edge.
     duration
         Length of the motion, s. The motion may end earlier; its status says why.
     gravity
@@ -52,6 +90,7 @@ def simulate(
     topple_tilt
         The tilt that counts as toppled, rad. By default π/2 for a body with height, whose side
         then meets the table; none for a disk, which may stand on its edge and fall to either face.
+        With corners π/2, and at most that.
     max_steps
         Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB. A
         rocking takes tens of steps. It takes hundreds if slip oscillates as the contact point runs
@@ -98,10 +137,18 @@ def simulate(
         down flat with ``smooth`` under friction or resistance, or that passes through upright in
         flight.
     """
-    one_body(body)
+    if not isinstance(body, PolygonalBody):
+        one_body(body)
     expect("start", start, State)
     one_law(law)
     options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
+    if isinstance(body, PolygonalBody):
+        from rimroll.polygon.motion import follow as follow_corners
+
+        if ground is not None or flat != "stop" or jacobian:
+            raise RimrollError("a body with corners takes no ground, flat or jacobian")
+        callback("progress", progress)
+        return follow_corners(body, single(start), law, options, progress)
     moving = ground_given(ground)
     landing = flat_given(flat)
     callback("progress", progress)

@@ -16,7 +16,8 @@ Point = tuple[float, float, float]
 class RoundBody(Protocol):
     """What the renderer needs of a body: radius of the rim and height of the centre of mass, m.
 
-    A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disk.
+    A body may also carry ``profile``, a :class:`Profile`, when it is not just a can or a disk, and
+    ``corners``, when its base is a polygon.
     """
 
     @property
@@ -87,12 +88,28 @@ class Pose:
         return np.asarray(self.center - body.height * self.axes()[2])
 
     def contact(self, body: RoundBody) -> Array:
-        """The rim's lowest point, (3,), m: it lies at azimuth yaw + pi from the base's centre."""
+        """The rim's lowest point, (3,), m: it lies at azimuth yaw + pi from the base's centre.
+
+        Of a base with corners it is the lowest one.
+        """
+        corners = corner_ways(body)
+        if corners is not None:
+            placed = self.place(body.radius * corners, body)
+            return np.asarray(placed[np.argmin(placed[:, 2])])
         return np.asarray(self.base_center(body) - body.radius * self.axes()[0])
 
     def place(self, points: Array, body: RoundBody) -> Array:
         """Points (..., 3) of the body, from the centre of its base, to the frame of the table."""
         return np.asarray(points @ self.rotation().T + self.base_center(body))
+
+
+def corner_ways(body: RoundBody) -> Array | None:
+    """Unit vectors (n, 3) of the body to the corners of its base; None for a round one."""
+    count = getattr(body, "corners", 0)
+    if not count:
+        return None
+    angle = np.pi + 2.0 * np.pi * np.arange(count) / count
+    return np.stack([np.cos(angle), np.sin(angle), np.zeros(count)], axis=-1)
 
 
 def pose_at(states: States, k: int) -> Pose:
@@ -102,7 +119,15 @@ def pose_at(states: States, k: int) -> Pose:
 
 
 def contact_path(states: States, body: RoundBody) -> Array:
-    """The contact point on the table, (n, 2), m: behind G by R cos(tilt) - H sin(tilt)."""
+    """The contact point on the table, (n, 2), m: behind G by R cos(tilt) - H sin(tilt).
+
+    A motion of a body with corners knows its path itself.
+    """
+    own: Array | None = (
+        getattr(states, "contact_path", None) if corner_ways(body) is not None else None
+    )
+    if own is not None:
+        return own
     out = body.radius * np.cos(states.tilt) - body.height * np.sin(states.tilt)
     way = np.stack([np.cos(states.yaw), np.sin(states.yaw)], axis=-1)
     return np.asarray(states.center[:, :2] - out[:, None] * way)

@@ -16,11 +16,18 @@ from rimroll.scene.pose import Array, RoundBody
 class Profile:
     """Outline of a body of revolution: points (r, z), m, from the base's rim up to the top.
 
-    z is counted from the base. ``label`` is the range of z that has the label's colour.
+    z is counted from the base. ``label`` is the range of z that has the label's colour. With
+    ``corners`` the cross-sections are regular polygons, and r is that of the corners.
     """
 
     outline: tuple[tuple[float, float], ...]
     label: tuple[float, float]
+    corners: int = 0
+
+    @property
+    def first(self) -> float:
+        """The material azimuth of the first corner, rad."""
+        return np.pi if self.corners else 0.0
 
     @classmethod
     def can(cls, radius: float, length: float) -> Profile:
@@ -43,6 +50,12 @@ class Profile:
         return cls(((radius, 0.0), (radius, top), (0.9 * radius, top)), (top, top))
 
     @classmethod
+    def prism(cls, corners: int, radius: float, length: float) -> Profile:
+        """A prism, drawn at least 0.04 radii long."""
+        top = max(length, 0.04 * radius)
+        return cls(((radius, 0.0), (radius, top)), (0.0, top), corners)
+
+    @classmethod
     def of(cls, body: RoundBody) -> Profile:
         """The body's own profile; else a can, or a disk if flat, twice as long as the height of
         G."""
@@ -50,12 +63,15 @@ class Profile:
         if own is not None:
             return own
         length = 2.0 * body.height
+        corners = getattr(body, "corners", 0)
+        if corners:
+            return cls.prism(corners, body.radius, length)
         flat = length < 0.4 * body.radius
         return cls.disk(body.radius, length) if flat else cls.can(body.radius, length)
 
     def points(self, count: int = 48) -> Array:
         """Points (n, 3) of the surface, m, from the base's centre: enough for hulls and limits."""
-        angle = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+        angle = np.linspace(0.0, 2.0 * np.pi, self.corners or count, endpoint=False) + self.first
         r, z = np.array(self.outline).T[:, :, None]
         x, y, z = np.broadcast_arrays(r * np.cos(angle), r * np.sin(angle), z)
         return np.stack([x, y, z], axis=-1).reshape(-1, 3)
@@ -74,7 +90,8 @@ class Mesh:
 def mesh(profile: Profile, count: int = 80) -> Mesh:
     """The profile revolved in ``count`` sectors, with base and lid closed."""
     r, z = _closed_outline(profile)
-    angle = np.linspace(0.0, 2.0 * np.pi, count + 1)
+    count = profile.corners or count
+    angle = np.linspace(0.0, 2.0 * np.pi, count + 1) + profile.first
     ring = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
     grid = r[:, None, None] * ring + z[:, None, None] * np.array([0.0, 0.0, 1.0])
     corners = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2)
@@ -108,12 +125,15 @@ def _colors(profile: Profile, r: Array, z: Array, angle: Array) -> Array:
     tolerance = 1e-9 * r.max()
     worn = (z[:-1] >= low - tolerance) & (z[1:] <= high + tolerance)
     colors = np.where(worn[:, None, None], rgb(GREEN), rgb(METAL)) * np.ones((angle.size, 1))
-    away = np.abs((angle - MARK + np.pi) % (2.0 * np.pi) - np.pi)
+    # One side is marked, if sides are wide.
+    mark = MARK + (0.01 if profile.corners else 0.0)
+    away = np.abs((angle - mark + np.pi) % (2.0 * np.pi) - np.pi)
+    width = max(np.radians(14.0), away.min() + 1e-9)
     wall = worn & (np.diff(z) > 0.0)
-    colors[np.ix_(wall, away < np.radians(14.0))] = rgb("white")
+    colors[np.ix_(wall, away < width)] = rgb("white")
     lid = np.diff(z) == 0.0
     lid[0] = False
-    colors[np.ix_(lid & (r[1:] == 0.0), away < np.radians(14.0))] = rgb(GREEN)
+    colors[np.ix_(lid & (r[1:] == 0.0), away < width)] = rgb(GREEN)
     if not wall.any():
-        colors[np.ix_(lid, away < np.radians(14.0))] = rgb("white")
+        colors[np.ix_(lid, away < width)] = rgb("white")
     return colors

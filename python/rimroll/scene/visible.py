@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rimroll.scene.camera import Camera
-from rimroll.scene.pose import Array, Pose, RoundBody
+from rimroll.scene.pose import Array, Pose, RoundBody, corner_ways
 from rimroll.scene.shape import Profile, mesh
 
 
@@ -40,15 +40,29 @@ def _lit(colors: Array, normals: Array, sight: Array, lamp: Array, window: Array
 
 def rim_stretches(body: RoundBody, pose: Pose, camera: Camera) -> list[tuple[Array, bool]]:
     """The rim of the base as lines (n, 2), and whether each is seen or behind the body."""
-    angle = np.linspace(0.0, 2.0 * np.pi, 121)
-    way = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
-    ring = pose.place(body.radius * way, body)
-    seen = rim_seen(way @ pose.rotation().T, ring, pose, camera)
+    points, outward = _rim(body)
+    ring = pose.place(points, body)
+    seen = rim_seen(outward @ pose.rotation().T, ring, pose, camera)
     flat = camera.project(ring)
     firm = seen[1:] & seen[:-1]
     # Each stretch is one line, so that a faint one has no dark joints.
     ends = [0, *(np.flatnonzero(firm[1:] != firm[:-1]) + 1).tolist(), len(firm)]
     return [(flat[start : end + 1], bool(firm[start])) for start, end in pairwise(ends)]
+
+
+def _rim(body: RoundBody) -> tuple[Array, Array]:
+    """Points (n, 3) once round the rim, from the base's centre, m, and outward unit vectors."""
+    corners = corner_ways(body)
+    if corners is None:
+        angle = np.linspace(0.0, 2.0 * np.pi, 121)
+        way = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
+        return body.radius * way, way
+    share = np.linspace(0.0, 1.0, 12)[:, None]
+    ends = list(zip(corners, np.roll(corners, -1, axis=0), strict=True))
+    points = np.concatenate([(1.0 - share) * one + share * other for one, other in ends])
+    middles = np.array([one + other for one, other in ends])
+    outward = middles / np.linalg.norm(middles, axis=1, keepdims=True)
+    return body.radius * points, np.repeat(outward, len(share), axis=0)
 
 
 def rim_seen(
@@ -66,4 +80,5 @@ def rim_seen(
 def contact_seen(body: RoundBody, pose: Pose, camera: Camera) -> bool:
     """Whether the camera sees the contact point; else the body hides it."""
     spot = pose.contact(body)[None]
-    return bool(rim_seen(-pose.axes()[:1], spot, pose, camera, limb=0.25)[0])
+    outward = (spot - pose.base_center(body)) / body.radius
+    return bool(rim_seen(outward, spot, pose, camera, limb=0.25)[0])

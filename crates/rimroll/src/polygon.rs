@@ -1,0 +1,27 @@
+//! Bodies on a base with corners: nuts, square columns, prisms.
+//!
+//! A round body touches the table with one point of its rim, which runs round smoothly. A body whose base is a
+//! regular polygon pivots about one corner at a time, and each change of corner is an impact, which loses energy. In
+//! between it moves as a heavy symmetric body about a fixed point off its axis (no slip) or as a body whose corner
+//! slides (no friction). The spin is not ignorable: it says which corner is lowest.
+//!
+//! * [`PolygonalBody`]: the six numbers that enter the motion, and ready-made bodies.
+//! * [`Support`]: the corners that carry the body.
+//! * [`simulate`]: phases on a corner or an edge, joined by plastic impacts (see the file `impact.rs`).
+//! * [`PolygonMotion`]: the computed motion.
+
+mod body;
+mod impact;
+mod motion;
+mod pose;
+mod run;
+mod segment;
+mod support;
+mod turns;
+mod vector;
+mod watcher;
+
+pub use body::PolygonalBody;
+pub use motion::{COLUMNS, Moment, PolygonEvent, PolygonEventKind, PolygonMotion};
+pub use run::{PolygonOptions, simulate};
+pub use support::Support;

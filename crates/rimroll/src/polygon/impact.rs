@@ -1,0 +1,133 @@
+//! Plastic impacts: corners come down on the table.
+//!
+//! The corners that touch stay down or leave upward. Of all supports (one corner, an edge, the face) after whose impact no
+//! touching corner moves downward, the one that loses the least energy follows. Without friction this is the plastic
+//! impact of Moreau (1988), the projection of the velocities on those that the table allows, in the metric of
+//! the kinetic energy. It contains the two impacts of the literature:
+//!
+//! * the old corner leaves, if that takes it upward: angular momentum about the new corner is conserved (without
+//!   slip), as in the rolling polygon of Ruina, Bertram & Srinivasan (2005);
+//! * otherwise both corners stay, and angular momentum about the edge is conserved.
+//!
+//! A block that comes down flat passes on to the opposite edge, as Housner (1963) assumed, for all corners touch and
+//! the nearest allowed velocity is that about the far edge. No impact gains energy, because each is a projection.
+
+use super::body::PolygonalBody;
+use super::pose::Pose;
+use super::support::{Carried, Support};
+use super::vector::{Vector, cross, dot, plus, times};
+use crate::law::IdealLaw;
+
+/// The support and the pose after an impact.
+pub(super) struct AfterImpact {
+    pub carried: Carried,
+    pub pose: Pose,
+}
+
+/// The outcome of an impact of the corners `touching` (at least two, those that were carrying included). With
+/// `is_slow` the corners approach so slowly that the next of ever smaller impacts would follow at once: those that touch
+/// then stay down together.
+pub(super) fn resolve(
+    before: &Carried,
+    at: &Pose,
+    touching: &[i64],
+    is_slow: bool,
+) -> Option<AfterImpact> {
+    let approach = touching
+        .iter()
+        .map(|&k| -before.gap(at, k).1)
+        .fold(0.0, f64::max);
+    let allowed = -1e-9 * approach;
+    let stays_allowed = |after: &AfterImpact| {
+        let rate = |&k: &i64| after.carried.gap(&after.pose, k).1;
+        touching.iter().map(rate).all(|rate| rate >= allowed)
+    };
+    let candidates = supports(&before.body, touching);
+    let mut best: Option<(f64, AfterImpact)> = None;
+    for support in candidates {
+        let holds_all = match support {
+            Support::Corner(_) => false,
+            Support::Edge(_) => touching.len() == 2,
+            Support::Face(_) => true,
+        };
+        if is_slow && !holds_all {
+            continue;
+        }
+        let after = impact(before, at, support);
+        if !stays_allowed(&after) {
+            continue;
+        }
+        let energy = after.carried.kinetic(&after.pose);
+        if best.as_ref().is_none_or(|&(most, _)| energy > most) {
+            best = Some((energy, after));
+        }
+    }
+    best.map(|(_, after)| after)
+}
+
+/// The supports that touching corners can form.
+fn supports(body: &PolygonalBody, touching: &[i64]) -> Vec<Support> {
+    let count = i64::from(body.corners());
+    let touches = |k: i64| touching.iter().any(|&other| (other - k) % count == 0);
+    let corners = touching.iter().map(|&k| Support::Corner(k));
+    let edges = touching
+        .iter()
+        .filter(|&&k| touches(k + 1))
+        .map(|&k| Support::Edge(k));
+    let face = (touching.len() > 2).then(|| Support::Face(touching[0]));
+    corners.chain(edges).chain(face).collect()
+}
+
+/// The impact after which a given support carries the body.
+fn impact(before: &Carried, at: &Pose, support: Support) -> AfterImpact {
+    let carried = Carried::new(&before.body, before.law, before.gravity, support);
+    let rate = match before.law {
+        IdealLaw::NoSlip => sticking(before, at, support),
+        IdealLaw::Frictionless => sliding(before, at, support),
+    };
+    AfterImpact {
+        carried,
+        pose: Pose { rate, ..*at },
+    }
+}
+
+/// The corners of the support come to rest.
+fn sticking(before: &Carried, at: &Pose, support: Support) -> Vector {
+    let body = &before.body;
+    let k = support.corner();
+    let b = body.corner(k);
+    let momentum = plus(
+        body.inertia(at.rate),
+        -body.mass(),
+        cross(b, before.velocity(at)),
+    );
+    match support {
+        Support::Corner(_) => body.per_inertia_about(b, momentum),
+        Support::Edge(_) => {
+            let edge = body.edge(k);
+            times(dot(edge, momentum) / body.edge_inertia(k), edge)
+        }
+        Support::Face(_) => [0.0; 3],
+    }
+}
+
+/// The corners of the support stop moving downward; on its face the body can still turn about the vertical.
+fn sliding(before: &Carried, at: &Pose, support: Support) -> Vector {
+    let body = &before.body;
+    let k = support.corner();
+    let lever = |k| cross(body.corner(k), at.up);
+    let mobility = |j, k| 1.0 / body.mass() + dot(lever(j), body.per_inertia(lever(k)));
+    let approach = |k| -before.gap(at, k).1;
+    let struck = |rate: Vector, k, impulse| plus(rate, impulse, body.per_inertia(lever(k)));
+    match support {
+        Support::Corner(_) => struck(at.rate, k, approach(k) / mobility(k, k)),
+        Support::Edge(_) => {
+            let (a, b, c) = (mobility(k, k), mobility(k + 1, k + 1), mobility(k, k + 1));
+            let (p, q) = (approach(k), approach(k + 1));
+            let determinant = a * b - c * c;
+            let impulses = [(b * p - c * q) / determinant, (a * q - c * p) / determinant];
+            struck(struck(at.rate, k, impulses[0]), k + 1, impulses[1])
+        }
+        Support::Face(_) => [0.0, 0.0, at.rate[2]],
+    }
+}

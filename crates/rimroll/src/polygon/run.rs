@@ -1,0 +1,376 @@
+//! Follows a motion from phase to phase.
+
+use super::body::PolygonalBody;
+use super::impact::{self, AfterImpact};
+use super::motion::{PolygonEvent, PolygonEventKind, PolygonMotion};
+use super::pose::Pose;
+use super::segment::{Instant, Segment};
+use super::support::{Carried, Support};
+use super::turns::turns;
+use super::vector::{dot, length, times};
+use super::watcher::{StepEvent, Watcher, touching, touching_gap};
+use crate::ending::Status;
+use crate::error::{InvalidInput, bounded, positive};
+use crate::law::IdealLaw;
+use crate::motion::STANDARD_GRAVITY;
+use crate::solve::{Stepper, Work};
+use crate::state::State;
+use core::f64::consts::{FRAC_PI_2, PI};
+use core::ops::ControlFlow;
+
+/// A corner that would rise by less than this many times the height that counts as touching, and fall back, stays.
+const HOP: f64 = 10.0;
+
+/// A body whose energy over rest is below this fraction of mgR stands.
+const SPENT: f64 = 1e-10;
+
+/// Options of a simulation of a body with corners.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PolygonOptions {
+    /// The duration of the motion, s.
+    pub duration: f64,
+    /// g, m/s².
+    pub gravity: f64,
+    /// The target error, relative to the size of each quantity. A step may have a fiftieth of it.
+    pub rtol: f64,
+    /// The tilt at which the body counts as toppled, rad.
+    pub topple_tilt: f64,
+    /// The maximal number of steps and impacts.
+    pub max_steps: usize,
+}
+
+impl Default for PolygonOptions {
+    fn default() -> Self {
+        PolygonOptions {
+            duration: 2.0,
+            gravity: STANDARD_GRAVITY,
+            rtol: 1e-10,
+            topple_tilt: FRAC_PI_2,
+            max_steps: 1_000_000,
+        }
+    }
+}
+
+impl PolygonOptions {
+    fn check(&self) -> Result<(), InvalidInput> {
+        positive("duration", self.duration, "s")?;
+        positive("gravity", self.gravity, "m/s2")?;
+        let fine = |rtol| (1e-14..=1e-3).contains(&rtol);
+        bounded("rtol", self.rtol, fine, "between 1e-14 and 1e-3", "")?;
+        let low = |tilt| tilt > 0.0 && tilt <= FRAC_PI_2;
+        bounded(
+            "topple_tilt",
+            self.topple_tilt,
+            low,
+            "inside (0, pi/2]",
+            "rad",
+        )?;
+        bounded(
+            "max_steps",
+            self.max_steps as f64,
+            |steps| steps >= 1.0,
+            ">= 1",
+            "",
+        )?;
+        Ok(())
+    }
+
+    fn step_tolerance(&self) -> f64 {
+        (0.02 * self.rtol).max(5e-15)
+    }
+}
+
+/// The motion of a body with corners from a start: with the centre of mass above the origin and, without friction, at
+/// rest but for its fall. At spin 0 corner 0 is the lowest; at spin π/n the body leans over an edge. `watch` receives the
+/// time reached after each step and may stop the computation.
+///
+/// # Errors
+/// Refuses options and starts outside their bounds, in particular a tilt of 0.
+pub fn simulate(
+    body: &PolygonalBody,
+    start: &State,
+    law: IdealLaw,
+    options: &PolygonOptions,
+    watch: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<PolygonMotion, InvalidInput> {
+    options.check()?;
+    start.check()?;
+    let below = |tilt| tilt < options.topple_tilt;
+    bounded("tilt", start.tilt, below, "below topple_tilt", "rad")?;
+    let mut run = Run::new(body, start, law, options);
+    let status = run.follow(watch);
+    let turns = turns(&run.first, &run.events, &run.now);
+    Ok(PolygonMotion {
+        body: *body,
+        start: run.first,
+        segments: run.segments,
+        events: run.events,
+        turns,
+        status,
+        work: run.work,
+    })
+}
+
+/// A simulation in progress.
+struct Run<'a> {
+    options: &'a PolygonOptions,
+    first: Instant,
+    now: Instant,
+    segments: Vec<Segment>,
+    events: Vec<PolygonEvent>,
+    work: Work,
+}
+
+impl<'a> Run<'a> {
+    fn new(
+        body: &PolygonalBody,
+        start: &State,
+        law: IdealLaw,
+        options: &'a PolygonOptions,
+    ) -> Run<'a> {
+        let pose = Pose::from_state(start);
+        let lowest = libm::rint(-start.spin / body.corner_angle()) as i64;
+        let carried = Carried::new(body, law, options.gravity, Support::Corner(lowest));
+        let now = Instant {
+            t: 0.0,
+            pose,
+            carried,
+            anchor: carried.anchor(&pose, [0.0; 2]),
+            lost: 0.0,
+        };
+        let mut run = Run {
+            options,
+            first: now,
+            now,
+            segments: Vec::new(),
+            events: Vec::new(),
+            work: Work::default(),
+        };
+        run.begin();
+        run
+    }
+
+    /// Chooses the support where two corners are the lowest at the start.
+    fn begin(&mut self) {
+        let Instant { carried, pose, .. } = self.now;
+        let lowest = carried.support.corner();
+        let touching = touching(&carried, &pose, lowest);
+        if touching.len() == 1 {
+            return;
+        }
+        let radius = carried.body.round().radius();
+        let still = 1e-12 * radius * (length(pose.rate) + carried.falling_rate);
+        let sinking = touching
+            .iter()
+            .filter(|&&k| carried.gap(&pose, k).1 < -still);
+        let rising = touching[1..]
+            .iter()
+            .all(|&k| carried.gap(&pose, k).1 > still);
+        let next = match sinking.copied().next() {
+            Some(corner) if touching.len() == 2 => Some(Support::Corner(corner)),
+            _ if rising => None,
+            _ => {
+                self.touch(&touching, true);
+                // Without a loss nothing has struck the table: the body lay on the edge.
+                self.events
+                    .retain(|event| event.loss > 1e-12 * carried.kinetic(&pose));
+                self.first = self.now;
+                return;
+            }
+        };
+        if let Some(support) = next {
+            self.carry(support, pose);
+            self.first = self.now;
+        }
+    }
+
+    /// Goes on from `pose` on another support.
+    fn carry(&mut self, support: Support, pose: Pose) {
+        let Instant {
+            carried, anchor, ..
+        } = self.now;
+        let center = carried.center(&self.now.pose, anchor);
+        let carried = Carried::new(&carried.body, carried.law, carried.gravity, support);
+        let up = times(1.0 / length(pose.up), pose.up);
+        let pose = Pose { up, ..pose };
+        self.now = Instant {
+            pose,
+            carried,
+            anchor: carried.anchor(&pose, center),
+            ..self.now
+        };
+    }
+
+    fn follow(&mut self, mut watch: impl FnMut(f64) -> ControlFlow<()>) -> Status {
+        loop {
+            if let Some(status) = self.phase(&mut watch) {
+                return status;
+            }
+        }
+    }
+
+    /// Follows the motion to the end of the phase, and returns the status if it ends there.
+    fn phase(&mut self, watch: &mut impl FnMut(f64) -> ControlFlow<()>) -> Option<Status> {
+        if let Support::Face(_) = self.now.carried.support {
+            self.segments.push(Segment::jump(&self.now));
+            return Some(Status::AtRest);
+        }
+        let carried = self.now.carried;
+        let rate = length(self.now.pose.rate) + carried.falling_rate;
+        let u = self.now.pose.into_array();
+        let mut stepper = Stepper::new(&carried, u, 0.01 / rate, self.options.step_tolerance());
+        let before = self.work;
+        loop {
+            if before.steps + stepper.work.steps + self.events.len() >= self.options.max_steps {
+                return Some(Status::Failed);
+            }
+            if watch(self.now.t).is_break() {
+                return Some(Status::Interrupted);
+            }
+            let Ok(step) = stepper.advance() else {
+                return Some(Status::Failed);
+            };
+            let dense = step.dense(&carried);
+            self.work = before + stepper.work;
+            let left = (self.options.duration - self.now.t) / dense.h;
+            let mut segment = Segment {
+                t: self.now.t,
+                until: left.min(1.0),
+                dense,
+                carried,
+                anchor: self.now.anchor,
+                lost: self.now.lost,
+            };
+            let found = Watcher {
+                carried: &carried,
+                dense: &segment.dense,
+                until: segment.until,
+                topple_tilt: self.options.topple_tilt,
+            }
+            .events();
+            let whole = segment.until;
+            for &(x, event) in &found {
+                match event {
+                    StepEvent::TiltMax => {
+                        self.record(&segment, x / whole, PolygonEventKind::TiltMax)
+                    }
+                    StepEvent::TiltMin => {
+                        self.record(&segment, x / whole, PolygonEventKind::TiltMin)
+                    }
+                    _ => segment.until = x,
+                }
+            }
+            self.now = segment.at(1.0);
+            self.segments.push(segment);
+            match found.last() {
+                Some(&(_, event)) if event.ends_phase() => return self.after(event),
+                _ if left <= 1.0 => {
+                    self.now.t = self.options.duration;
+                    return Some(Status::Finished);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn record(&mut self, segment: &Segment, fraction: f64, kind: PolygonEventKind) {
+        let at = segment.at(fraction);
+        self.events.push(PolygonEvent {
+            kind,
+            at,
+            loss: 0.0,
+        });
+    }
+
+    /// What follows an event that ends a phase; the status if the motion ends.
+    fn after(&mut self, event: StepEvent) -> Option<Status> {
+        let Instant { carried, pose, .. } = self.now;
+        let (kind, status) = match event {
+            StepEvent::Touch(corner) => {
+                return self.touch(&touching(&carried, &pose, corner), false);
+            }
+            StepEvent::Release(which) => {
+                let k = carried.support.corner();
+                self.carry(Support::Corner(k + 1 - which as i64), pose);
+                (PolygonEventKind::CornerLift, None)
+            }
+            StepEvent::Topple => (PolygonEventKind::Topple, Some(Status::Toppled)),
+            _ => (PolygonEventKind::LiftOff, Some(Status::LiftedOff)),
+        };
+        self.events.push(PolygonEvent {
+            kind,
+            at: self.now,
+            loss: 0.0,
+        });
+        status
+    }
+
+    /// An impact, or corners that come to rest on the table without one. A body that rocks on an edge from end to end with
+    /// ever smaller impacts comes to rest on it: the endless sequence ends where hops are lost in rounding.
+    fn touch(&mut self, touching: &[i64], is_slow: bool) -> Option<Status> {
+        let Instant { carried, pose, .. } = self.now;
+        let free = impact::resolve(&carried, &pose, touching, false);
+        let chatters = |after: &AfterImpact| {
+            let corner = after.carried.support.corner();
+            let others = touching.iter().filter(|&&k| k != corner);
+            let is_corner = matches!(after.carried.support, Support::Corner(_));
+            is_corner && others.clone().all(|&k| hops_back(after, k))
+        };
+        let after = if is_slow || free.as_ref().is_some_and(chatters) {
+            impact::resolve(&carried, &pose, touching, true).or(free)
+        } else {
+            free
+        };
+        let Some(after) = after else {
+            return Some(Status::Failed);
+        };
+        let before = carried.kinetic(&pose);
+        self.carry(after.carried.support, after.pose);
+        if self.is_spent() {
+            let rate = match carried.law {
+                IdealLaw::NoSlip => [0.0; 3],
+                IdealLaw::Frictionless => [0.0, 0.0, self.now.pose.rate[2]],
+            };
+            let corner = self.now.carried.support.corner();
+            self.carry(
+                Support::Face(corner),
+                Pose {
+                    rate,
+                    ..self.now.pose
+                },
+            );
+        }
+        let loss = before - self.now.carried.kinetic(&self.now.pose);
+        self.now.lost += loss;
+        self.events.push(PolygonEvent {
+            kind: PolygonEventKind::Impact,
+            at: self.now,
+            loss,
+        });
+        None
+    }
+
+    /// Whether next to no energy is left for further rocking.
+    fn is_spent(&self) -> bool {
+        let Instant { carried, pose, .. } = &self.now;
+        let round = carried.body.round();
+        let about_vertical = match carried.law {
+            IdealLaw::NoSlip => 0.0,
+            IdealLaw::Frictionless => {
+                let momentum = dot(pose.up, carried.body.inertia(pose.rate));
+                0.5 * momentum * momentum / round.axial_inertia()
+            }
+        };
+        let left = carried.energy_above_rest(pose) - about_vertical;
+        let is_level = pose.tilt() < 1e-3 * PI;
+        is_level && left < SPENT * round.mass() * carried.gravity * round.radius()
+    }
+}
+
+/// Whether corner k, which an impact has just freed, rises by next to nothing and falls back.
+fn hops_back(after: &AfterImpact, k: i64) -> bool {
+    let AfterImpact { carried, pose } = after;
+    let rate = carried.gap(pose, k).1;
+    let acceleration = carried.gap_acceleration(pose, k);
+    acceleration < 0.0 && rate * rate < -2.0 * acceleration * HOP * touching_gap(carried, pose)
+}

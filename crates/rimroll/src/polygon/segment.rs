@@ -1,0 +1,60 @@
+//! A stretch of a motion: one step of the solver.
+
+use super::pose::{COORDINATES, Pose};
+use super::support::Carried;
+use crate::solve::Dense;
+
+/// A step, or a jump of no length.
+pub(super) struct Segment {
+    /// The time at its start, s.
+    pub t: f64,
+    pub dense: Dense<f64, COORDINATES>,
+    /// The fraction of the step at which the segment ends.
+    pub until: f64,
+    pub carried: Carried,
+    /// See [`Carried::center`].
+    pub anchor: [f64; 2],
+    /// The energy that impacts have taken so far, J.
+    pub lost: f64,
+}
+
+/// The body at one time.
+#[derive(Clone, Copy)]
+pub(super) struct Instant {
+    pub t: f64,
+    pub pose: Pose,
+    pub carried: Carried,
+    pub anchor: [f64; 2],
+    pub lost: f64,
+}
+
+impl Segment {
+    /// A jump to this instant.
+    pub fn jump(to: &Instant) -> Segment {
+        Segment {
+            t: to.t,
+            dense: Dense::empty(to.pose.into_array()),
+            until: 1.0,
+            carried: to.carried,
+            anchor: to.anchor,
+            lost: to.lost,
+        }
+    }
+
+    /// The time at its end, s.
+    pub fn end(&self) -> f64 {
+        self.t + self.until * self.dense.h
+    }
+
+    /// At a fraction of the segment.
+    pub fn at(&self, fraction: f64) -> Instant {
+        let x = fraction * self.until;
+        Instant {
+            t: self.t + x * self.dense.h,
+            pose: Pose::from_array(&self.dense.at(x)),
+            carried: self.carried,
+            anchor: self.anchor,
+            lost: self.lost,
+        }
+    }
+}

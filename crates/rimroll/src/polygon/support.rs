@@ -1,0 +1,298 @@
+//! The equations of motion of a body on one corner or on an edge.
+//!
+//! In the axes of the body, with b from the centre of mass to a corner on the table and I for diag(A, A, C):
+//!
+//! ```text
+//! no slip, a corner:    I_b Ω̇ = mg b × Γ − Ω × I_b Ω,     I_b a = I a + m b × (a × b)
+//! no slip, an edge e:   Ω = ω e,   (A + m|b × e|²) ω̇ = e · (mg b × Γ)
+//! no friction:          I Ω̇ = Σ N b × Γ − Ω × I Ω,   with the forces N that keep each corner at the height 0.
+//! ```
+//!
+//! Without slip the two corners of an edge carry equal forces: the body is its own mirror image in the plane through the
+//! centre of mass across the edge, and rotates about an axis across that plane. So it leaves an edge only by
+//! lifting off. Without friction it can turn about the vertical while it lies on an edge, and one force can vanish alone.
+
+use super::body::PolygonalBody;
+use super::pose::{COORDINATES, Pose};
+use super::vector::{Vector, cross, dot, minus, plus, times};
+use crate::law::IdealLaw;
+use crate::solve::System;
+
+/// The corners that carry the body. Corners are counted round without end: corner k is also corner k + n.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Support {
+    /// One corner.
+    Corner(i64),
+    /// The corners k and k + 1.
+    Edge(i64),
+    /// All corners; k is the one that was lowest before.
+    Face(i64),
+}
+
+impl Support {
+    /// The name that the user reads.
+    pub fn name(self) -> &'static str {
+        match self {
+            Support::Corner(_) => "corner",
+            Support::Edge(_) => "edge",
+            Support::Face(_) => "face",
+        }
+    }
+
+    /// A corner that carries the body.
+    pub fn corner(self) -> i64 {
+        match self {
+            Support::Corner(k) | Support::Edge(k) | Support::Face(k) => k,
+        }
+    }
+
+    /// The spin at which these corners are lowest, rad.
+    pub(super) fn middle_spin(self, body: &PolygonalBody) -> f64 {
+        let middle = match self {
+            Support::Corner(k) | Support::Face(k) => k as f64,
+            Support::Edge(k) => k as f64 + 0.5,
+        };
+        -middle * body.corner_angle()
+    }
+
+    /// The corners that may touch next: those beside the support.
+    pub(super) fn neighbours(self) -> [i64; 2] {
+        match self {
+            Support::Corner(k) | Support::Face(k) => [k + 1, k - 1],
+            Support::Edge(k) => [k + 2, k - 1],
+        }
+    }
+}
+
+/// A body on a corner or an edge.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Carried {
+    pub body: PolygonalBody,
+    pub law: IdealLaw,
+    pub gravity: f64,
+    pub support: Support,
+    /// From the centre of mass to the first corner of the support.
+    first: Vector,
+    /// To the second corner of an edge.
+    second: Option<Vector>,
+    edge: Vector,
+    /// √(g/R), 1/s.
+    pub falling_rate: f64,
+}
+
+/// What the table does to the body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reaction {
+    /// Ω̇, rad/s².
+    pub acceleration: Vector,
+    /// The normal forces at the two corners, N; the second is 0 on one corner.
+    pub normal: [f64; 2],
+    /// |T|, N.
+    pub friction: f64,
+}
+
+impl Carried {
+    pub fn new(body: &PolygonalBody, law: IdealLaw, gravity: f64, support: Support) -> Carried {
+        let k = support.corner();
+        let second = matches!(support, Support::Edge(_)).then(|| body.corner(k + 1));
+        Carried {
+            body: *body,
+            law,
+            gravity,
+            support,
+            first: body.corner(k),
+            second,
+            edge: body.edge(k),
+            falling_rate: (gravity / body.round().radius()).sqrt(),
+        }
+    }
+
+    /// The corners that carry the body.
+    pub fn corners(&self) -> Vec<i64> {
+        match self.support {
+            Support::Corner(k) => vec![k],
+            Support::Edge(k) => vec![k, k + 1],
+            Support::Face(k) => (k..k + i64::from(self.body.corners())).collect(),
+        }
+    }
+
+    /// From the centre of mass to the middle of the support, in the body's axes, m.
+    pub fn middle(&self) -> Vector {
+        match (self.support, self.second) {
+            (Support::Face(_), _) => [0.0, 0.0, self.first[2]],
+            (_, Some(second)) => times(0.5, plus(self.first, 1.0, second)),
+            (_, None) => self.first,
+        }
+    }
+
+    /// The place on the table (x, y) of the centre of mass, given that of the first corner (no slip) or of the centre of
+    /// mass itself (no friction), m.
+    pub fn center(&self, at: &Pose, anchor: [f64; 2]) -> [f64; 2] {
+        match self.law {
+            IdealLaw::NoSlip => {
+                let [x, y, _] = at.on_table(self.first);
+                [anchor[0] - x, anchor[1] - y]
+            }
+            IdealLaw::Frictionless => anchor,
+        }
+    }
+
+    /// The inverse of [`Self::center`].
+    pub fn anchor(&self, at: &Pose, center: [f64; 2]) -> [f64; 2] {
+        match self.law {
+            IdealLaw::NoSlip => {
+                let [x, y, _] = at.on_table(self.first);
+                [center[0] + x, center[1] + y]
+            }
+            IdealLaw::Frictionless => center,
+        }
+    }
+
+    /// The height of corner k over the support, m, and its rate, m/s.
+    pub fn gap(&self, at: &Pose, k: i64) -> (f64, f64) {
+        let over = minus(self.body.corner(k), self.first);
+        (dot(at.up, over), dot(at.up, cross(at.rate, over)))
+    }
+
+    /// The acceleration of the height of corner k over the support, m/s².
+    pub fn gap_acceleration(&self, at: &Pose, k: i64) -> f64 {
+        let over = minus(self.body.corner(k), self.first);
+        let turning = dot(cross(at.up, at.rate), cross(at.rate, over));
+        turning + dot(at.up, cross(self.reaction(at).acceleration, over))
+    }
+
+    /// The height of the centre of mass, m.
+    pub fn height(&self, at: &Pose) -> f64 {
+        -dot(self.first, at.up)
+    }
+
+    /// The velocity of the centre of mass in the body's axes, m/s.
+    pub fn velocity(&self, at: &Pose) -> Vector {
+        match self.law {
+            IdealLaw::NoSlip => cross(self.first, at.rate),
+            IdealLaw::Frictionless => times(self.rise(at), at.up),
+        }
+    }
+
+    /// The rate of the height of the centre of mass, m/s.
+    fn rise(&self, at: &Pose) -> f64 {
+        -dot(cross(self.first, at.up), at.rate)
+    }
+
+    /// Kinetic energy, J.
+    pub fn kinetic(&self, at: &Pose) -> f64 {
+        let velocity = self.velocity(at);
+        0.5 * self.body.mass() * dot(velocity, velocity)
+            + 0.5 * dot(at.rate, self.body.inertia(at.rate))
+    }
+
+    /// Kinetic and potential energy over the body at rest on its face, J.
+    pub fn energy_above_rest(&self, at: &Pose) -> f64 {
+        // z − H = R sin φ cos β − H sin² φ / (1 + cos φ), where the difference would cancel.
+        let base = dot(self.first, [at.up[0], at.up[1], 0.0]);
+        let sin = at.sin_tilt();
+        let sunk = self.body.round().height() * sin * sin / (1.0 + at.up[2]);
+        self.kinetic(at) - self.body.mass() * self.gravity * (base + sunk)
+    }
+
+    /// The angular acceleration and the forces of the table.
+    pub fn reaction(&self, at: &Pose) -> Reaction {
+        if let Support::Face(_) = self.support {
+            return Reaction {
+                acceleration: [0.0; 3],
+                normal: [self.body.mass() * self.gravity, 0.0],
+                friction: 0.0,
+            };
+        }
+        match self.law {
+            IdealLaw::NoSlip => self.reaction_without_slip(at),
+            IdealLaw::Frictionless => self.reaction_without_friction(at),
+        }
+    }
+
+    fn angular_acceleration_without_slip(&self, at: &Pose) -> Vector {
+        let (body, b) = (&self.body, self.first);
+        let moment = times(body.mass() * self.gravity, cross(b, at.up));
+        if self.second.is_some() {
+            let rate = dot(self.edge, moment) / body.edge_inertia(self.support.corner());
+            return times(rate, self.edge);
+        }
+        let gyroscopic = cross(at.rate, body.inertia_about(b, at.rate));
+        body.per_inertia_about(b, minus(moment, gyroscopic))
+    }
+
+    fn reaction_without_slip(&self, at: &Pose) -> Reaction {
+        let acceleration = self.angular_acceleration_without_slip(at);
+        let arm = times(-1.0, self.first);
+        let of_center = plus(
+            cross(acceleration, arm),
+            1.0,
+            cross(at.rate, cross(at.rate, arm)),
+        );
+        let force = times(self.body.mass(), plus(of_center, self.gravity, at.up));
+        let normal = dot(force, at.up);
+        let along = plus(force, -normal, at.up);
+        let share = if self.second.is_some() { 0.5 } else { 1.0 };
+        Reaction {
+            acceleration,
+            normal: [share * normal, (1.0 - share) * normal],
+            friction: dot(along, along).sqrt(),
+        }
+    }
+
+    fn reaction_without_friction(&self, at: &Pose) -> Reaction {
+        let body = &self.body;
+        let gyroscopic = body.per_inertia(cross(at.rate, body.inertia(at.rate)));
+        let turning = cross(cross(at.up, at.rate), at.rate);
+        let lever = |b| cross(b, at.up);
+        // The acceleration that a force must add at each corner.
+        let missing = |b| self.gravity + dot(lever(b), gyroscopic) - dot(b, turning);
+        let mobility = |a, b| 1.0 / body.mass() + dot(lever(a), body.per_inertia(lever(b)));
+        let first = self.first;
+        let normal = match self.second {
+            None => [missing(first) / mobility(first, first), 0.0],
+            Some(second) => {
+                let (a, b) = (mobility(first, first), mobility(second, second));
+                let c = mobility(first, second);
+                let determinant = a * b - c * c;
+                let (p, q) = (missing(first), missing(second));
+                [(b * p - c * q) / determinant, (a * q - c * p) / determinant]
+            }
+        };
+        let mut moment = times(normal[0], lever(first));
+        if let Some(second) = self.second {
+            moment = plus(moment, normal[1], lever(second));
+        }
+        Reaction {
+            acceleration: minus(body.per_inertia(moment), gyroscopic),
+            normal,
+            friction: 0.0,
+        }
+    }
+}
+
+impl System<f64, COORDINATES> for Carried {
+    fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
+        let at = Pose::from_array(u);
+        let acceleration = match self.law {
+            IdealLaw::NoSlip => self.angular_acceleration_without_slip(&at),
+            IdealLaw::Frictionless => self.reaction_without_friction(&at).acceleration,
+        };
+        let (up, heading) = at.kinematics();
+        Pose {
+            up,
+            rate: acceleration,
+            heading,
+        }
+        .into_array()
+    }
+
+    /// The lean decides which corner is lowest, so its error is relative to its own size; so is that of the rates.
+    fn scale(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
+        const SMALL: f64 = 1e-6;
+        let at = Pose::from_array(u);
+        let lean = at.sin_tilt() + SMALL;
+        let rate = dot(at.rate, at.rate).sqrt() + SMALL.sqrt() * self.falling_rate;
+        [lean, lean, 1.0, rate, rate, rate, 1.0]
+    }
+}

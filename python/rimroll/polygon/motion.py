@@ -1,0 +1,291 @@
+"""A computed motion of a body with corners."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll import _core
+from rimroll.errors import RimrollError
+from rimroll.given import Values, whole_number
+from rimroll.laws import Frictionless, Law, NoSlip
+from rimroll.motion.parts import Phase, Stats, Turn
+from rimroll.options import Options
+from rimroll.polygon.body import PolygonalBody
+from rimroll.state import State, times
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+    from rimroll.animation import Film
+
+Array = NDArray[np.float64]
+
+_ROW = {name: row for row, name in enumerate(_core.POLYGON_COLUMNS)}
+_ANGLES = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")
+
+
+@dataclass(frozen=True)
+class PolygonEvent:
+    """An event of a body with corners.
+
+    ``kind`` is ``tilt_max``, ``tilt_min``, ``impact``, ``corner_lift`` (one end of an edge leaves
+    the table), ``lift_off`` or ``topple``; ``t`` in s; ``state`` as single numbers, after the
+    event; ``support`` what carries the body afterwards, ``corner``, ``edge`` or ``face``; ``loss``
+    the energy that an impact took, J.
+    """
+
+    kind: str
+    t: float
+    state: State[float]
+    support: str
+    loss: float
+
+
+class PolygonMoments:
+    """A motion of a body with corners at n moments: arrays (n,), or (n, 2) and (n, 3)."""
+
+    def __init__(self, table: Array) -> None:
+        self._table = table
+
+    def __getitem__(self, column: str) -> Array:
+        """One column by its name in :meth:`keys`."""
+        values: Array = self._table[_ROW[column]]
+        return values
+
+    def keys(self) -> list[str]:
+        """The names of the columns."""
+        return list(_ROW)
+
+    def __len__(self) -> int:
+        return int(self._table.shape[1])
+
+    @property
+    def t(self) -> Array:
+        """Time, s."""
+        return self["t"]
+
+    @property
+    def tilt(self) -> Array:
+        """φ, rad."""
+        return self["tilt"]
+
+    @property
+    def tilt_rate(self) -> Array:
+        """dφ/dt, rad/s."""
+        return self["tilt_rate"]
+
+    @property
+    def yaw(self) -> Array:
+        """ψ, rad."""
+        return self["yaw"]
+
+    @property
+    def yaw_rate(self) -> Array:
+        """dψ/dt, rad/s."""
+        return self["yaw_rate"]
+
+    @property
+    def spin(self) -> Array:
+        """θ, rad: where it is a multiple of 2π/n, the body leans over a corner."""
+        return self["spin"]
+
+    @property
+    def spin_rate(self) -> Array:
+        """dθ/dt, rad/s."""
+        return self["spin_rate"]
+
+    @property
+    def center(self) -> Array:
+        """Centre of mass (x, y, z), m, shape (n, 3); it starts above the origin."""
+        return np.stack([self["x"], self["y"], self["z"]], axis=-1)
+
+    @property
+    def contact_path(self) -> Array:
+        """The supporting corner, or the middle of the edge or the face (x, y), m, shape (n, 2)."""
+        return np.stack([self["contact_x"], self["contact_y"]], axis=-1)
+
+    @property
+    def corner(self) -> NDArray[np.int64]:
+        """The (first) corner that carries the body, from 0 to corners − 1."""
+        return self["corner"].astype(np.int64)
+
+    @property
+    def normal_force(self) -> Array:
+        """The table's upward push, N."""
+        return self["normal"]
+
+    @property
+    def friction_ratio(self) -> Array:
+        """|T|/N: the coefficient of friction that the motion needs between impacts."""
+        return np.asarray(self["friction"] / self["normal"])
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy, J; the latter is counted from the table."""
+        return self["energy"]
+
+    @property
+    def impact_loss(self) -> Array:
+        """Energy that impacts have taken so far, J."""
+        return self["impact_loss"]
+
+
+class PolygonMotion(PolygonMoments):
+    """A computed motion of a body with corners; its arrays are at the solver's steps.
+
+    An impact is there twice, before and after. For other times, call it: ``motion(t)``.
+
+    Attributes
+    ----------
+    body, start, law, duration, gravity, rtol, topple_tilt, max_steps
+        What it was computed from.
+    status
+        ``finished``, ``toppled``, ``lifted_off`` (the body would fly, which is not followed),
+        ``at_rest`` (it stands on its base: impacts, if endless, took the energy) or ``failed``.
+    """
+
+    def __init__(
+        self,
+        core: _core.CorePolygonMotion,
+        body: PolygonalBody,
+        start: State[float],
+        law: Law,
+        options: Options,
+    ) -> None:
+        super().__init__(core.samples(1))
+        self._core = core
+        self.body = body
+        self.start = start
+        self.law = law
+        self.duration = options.duration
+        self.gravity = options.gravity
+        self.rtol = options.rtol
+        self.topple_tilt = options.topple_tilt
+        self.max_steps = options.max_steps
+        self.status = core.status
+
+    def __repr__(self) -> str:
+        return f"<PolygonMotion, {self.body.corners} corners, {self.message}>"
+
+    @cached_property
+    def message(self) -> str:
+        """The ending in a sentence with angles in radians."""
+        return self._core.message(False)
+
+    @property
+    def message_in_degrees(self) -> str:
+        """The ending in a sentence with angles in degrees."""
+        return self._core.message(True)
+
+    @cached_property
+    def stats(self) -> Stats:
+        """The solver's work."""
+        return Stats(*self._core.work)
+
+    @cached_property
+    def turns(self) -> list[Turn]:
+        """The turns from one large tilt maximum to the next, as of a round body.
+
+        As one corner follows another the tilt has small maxima, too. Only maxima count between
+        which the tilt falls below half of the lower one.
+        """
+        return [Turn(*numbers) for numbers in self._core.turns()]
+
+    @cached_property
+    def events(self) -> list[PolygonEvent]:
+        """The events in order of time."""
+        kinds, supports, losses, table = self._core.events()
+        rows = zip(*(table[_ROW[name]].tolist() for name in ("t", *_ANGLES)), strict=True)
+        return [
+            PolygonEvent(
+                kind,
+                t,
+                State.computed(**dict(zip(_ANGLES, numbers, strict=True))),
+                support,
+                loss,
+            )
+            for kind, support, loss, (t, *numbers) in zip(
+                kinds, supports, losses, rows, strict=True
+            )
+        ]
+
+    @cached_property
+    def impacts(self) -> list[PolygonEvent]:
+        """The events that are impacts."""
+        return [event for event in self.events if event.kind == "impact"]
+
+    @cached_property
+    def phases(self) -> list[Phase]:
+        """What carries the body, and when: ``corner``, ``edge`` or ``face``."""
+        kinds, starts = zip(*self._core.phases(), strict=True)
+        ends = [*starts[1:], float(self.t[-1])]
+        return [Phase(*phase) for phase in zip(kinds, starts, ends, strict=True)]
+
+    def __call__(self, t: Values) -> PolygonMoments:
+        """All quantities at times t (s) of the motion; after the impact, if one is then."""
+        moments = times(t)
+        if not np.all((moments >= 0.0) & (moments <= self.t[-1])):
+            raise RimrollError(f"t must be inside the motion, 0 to {self.t[-1]:.6g} s")
+        return PolygonMoments(self._core.at(np.atleast_1d(moments)))
+
+    evaluate = __call__
+
+    def samples(self, per_step: int = 4) -> PolygonMoments:
+        """All quantities at the accepted steps and evenly inside each, for smooth curves."""
+        count = whole_number("per_step", per_step)
+        if not 0 < count <= 1000:
+            raise RimrollError(f"per_step must be between 1 and 1000, got {count}")
+        return PolygonMoments(self._core.samples(count))
+
+    def plot(self) -> Figure:
+        """Tilt, yaw, energy and the path of the supporting corner, with the impacts."""
+        from rimroll.polygon.figure import polygon_figure
+
+        return polygon_figure(self)
+
+    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
+        """Write the motion as a film: GIF, HTML page or MP4; see :meth:`rimroll.Motion.animate`."""
+        from rimroll.animation import animate
+
+        return animate(self, path, **options)
+
+    def film(self, **options: Any) -> Film:
+        """The motion as a film that a notebook shows; see :meth:`rimroll.Motion.film`."""
+        from rimroll.animation.film import film
+
+        return film(self, **options)
+
+    def to_xarray(self) -> xr.Dataset:
+        """The motion as a dataset over ``t``, the moments after impacts."""
+        import xarray as xr
+
+        last = np.append(np.diff(self.t) > 0.0, True)
+        columns = {name: ("t", self[name][last]) for name in _ROW if name != "t"}
+        attributes = {"status": self.status, "message": self.message, "law": self.law.name}
+        return xr.Dataset(columns, coords={"t": self.t[last]}, attrs=attributes)
+
+
+def follow(
+    body: PolygonalBody,
+    start: State[float],
+    law: Law,
+    options: Options,
+    progress: Callable[[float], object] | None = None,
+) -> PolygonMotion:
+    """What :func:`rimroll.simulate` computes for a body with corners."""
+    if not isinstance(law, NoSlip | Frictionless) or law.resistances:
+        raise RimrollError(
+            "law must be NoSlip() or Frictionless() for a body with corners, without resistances,"
+            f" got {law!r}"
+        )
+    core = _core.simulate_polygonal_body(body, start, law.name, *options.values, progress)
+    return PolygonMotion(core, body, start, law, options)
