@@ -82,6 +82,7 @@ if TYPE_CHECKING:
         Phase as Phase,
         Stats as Stats,
         Turn as Turn,
+        Validity as Validity,
         simulate as simulate,
     )
     from rimroll.motion.jacobian import Jacobian as Jacobian
@@ -192,7 +193,16 @@ _NAMES = {
         "Viscous",
     ),
     "rimroll.many_falls": ("ensemble",),
-    "rimroll.motion": ("Event", "Moments", "Motion", "Phase", "Stats", "Turn", "simulate"),
+    "rimroll.motion": (
+        "Event",
+        "Moments",
+        "Motion",
+        "Phase",
+        "Stats",
+        "Turn",
+        "Validity",
+        "simulate",
+    ),
     "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.nutations": ("Nutation", "nutation", "resonant_start"),
     "rimroll.polygon": ("PolygonEvent", "PolygonMotion", "PolygonalBody"),

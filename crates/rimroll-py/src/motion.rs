@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// (angle, min_tilt, t, yaw_rate, start, end, max_tilt)
 pub type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 
+/// (gap, contact_speed, passage_time, sound_time, force_ratio, loss_ratio), and which of them are exceeded
+type ValidityNumbers = ((f64, f64, f64, f64, f64, f64), [bool; 5]);
+
 /// A computed motion, kept in the core. Tables have one column per moment and one row per quantity.
 #[pyclass(frozen)]
 pub struct CoreMotion {
@@ -221,6 +224,23 @@ impl CoreMotion {
 
     fn turns(&self) -> Vec<TurnNumbers> {
         self.motion.turns.iter().map(turn_numbers).collect()
+    }
+
+    /// For each turn: how far the model holds, and which numbers are beyond it.
+    fn validity(&self) -> Vec<ValidityNumbers> {
+        let numbers = |turn| {
+            let validity = self.motion.validity(turn);
+            let numbers = (
+                validity.gap,
+                validity.contact_speed,
+                validity.passage_time,
+                validity.sound_time,
+                validity.force_ratio,
+                validity.loss_ratio,
+            );
+            (numbers, validity.exceeded())
+        };
+        self.motion.turns.iter().map(numbers).collect()
     }
 
     #[getter]

@@ -31,6 +31,7 @@ mod step_record;
 mod topple;
 mod track;
 mod turns;
+mod validity;
 
 pub(crate) use contacts::Transition;
 pub use contacts::{Contacts, STANDING_TILT};
@@ -55,6 +56,7 @@ pub(crate) use topple::Topple;
 pub use track::{LookUp, Track};
 pub use turns::Turn;
 pub(crate) use turns::direction_at_release;
+pub use validity::{ROUGHNESS, SPEED_OF_SOUND, Validity};
 
 pub use crate::ending::{Ending, EndingKind, FACE_DOWN_TILT, OnItsSide, STOPPED_TILT, Status};
 pub use crate::text::AngleUnit;

@@ -4,6 +4,7 @@ from rimroll.motion.moments import UNITS, Array, Moments
 from rimroll.motion.motion import Motion
 from rimroll.motion.parts import Event, Phase, Stats, Turn
 from rimroll.motion.simulation import simulate
+from rimroll.motion.validity import Validity
 
 __all__ = [
     "UNITS",
@@ -14,5 +15,6 @@ __all__ = [
     "Phase",
     "Stats",
     "Turn",
+    "Validity",
     "simulate",
 ]

@@ -23,6 +23,7 @@ from rimroll.motion.jacobian import QUANTITIES, SHAKEN_PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
 from rimroll.motion.shaken import first_uplift, footprint_of, is_overturned, largest_tilt
+from rimroll.motion.validity import Validity, validity_of
 from rimroll.options import Options, options_of
 from rimroll.recorded import expect_dataset, parameters
 from rimroll.state import State, single, start_of, times
@@ -120,6 +121,21 @@ class Motion(Moments):
     def turns(self) -> list[Turn]:
         """The turns, in order of time."""
         return [Turn(*numbers) for numbers in self._core.turns()]
+
+    @cached_property
+    def validity(self) -> list[Validity]:
+        """How far the model of a rigid body on a rigid, smooth table holds in each of the turns.
+
+        >>> import rimroll as rr
+        >>> start = rr.State(tilt=0.5, yaw_rate=0.001)
+        >>> print(rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip()).validity[0])
+        beyond the model: the gap closes to 4.1e-06 m; roughness is 1e-06 to 1e-05 m
+        beyond the model: the contact point runs at 7.15e+03 m/s; sound runs at 5000 m/s
+        beyond the model: most of the angle takes 4.94e-05 s; sound crosses the base in 2.04e-05 s
+        beyond the model: the largest force is 3.25e+03 weights; a rim yields at about 100
+        beyond the model: the turn loses 0 % of the energy; a real can loses 1 % or more
+        """
+        return validity_of(self._core)
 
     @cached_property
     def events(self) -> list[Event]:

@@ -19,6 +19,7 @@ interface Exports {
   events(motion: number): void;
   phases(motion: number): void;
   turns(motion: number): void;
+  validity(motion: number, start: number, lowest: number, end: number): void;
   status(motion: number): void;
   message(motion: number): void;
   falls(): number;

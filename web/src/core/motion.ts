@@ -87,6 +87,28 @@ export interface Turn {
   maxTilt: number;
 }
 
+/** How far the model holds for a part of a motion; as rimroll.Validity in Python. */
+export interface Validity {
+  /** Height of the highest point of the rim above its lowest at the smallest tilt, m. */
+  gap: number;
+  /** Speed of the contact point along the rim then, m/s. */
+  contactSpeed: number;
+  /** Time from a tenth to nine tenths of the angle, s. */
+  passageTime: number;
+  /** Time in which sound crosses the base, s. */
+  soundTime: number;
+  /** Largest normal force over the weight. */
+  forceRatio: number;
+  /** Energy lost over the largest kinetic energy. */
+  lossRatio: number;
+  /** Which of these are beyond the model. */
+  exceeded: Record<"gap" | "contactSpeed" | "passageTime" | "forceRatio" | "lossRatio", boolean>;
+  /** Heights of the roughness of rims and tables, from smooth to rough, m. */
+  roughness: readonly [number, number];
+  /** Speed of sound in the body, m/s. */
+  speedOfSound: number;
+}
+
 /** Largest number of points that are useful in a picture. */
 const MAX_POINTS = 4000;
 /** A step divided into this many parts makes a line without visible corners. */
@@ -151,6 +173,44 @@ export class Motion {
   private sample(perStep: number): Moments {
     this.exchange.core.samples(this.validAddress(), perStep);
     return this.table();
+  }
+
+  /** How far the model holds from `start` to `end` with the smallest tilt at `lowest`, s. */
+  validity(start: number, lowest: number, end: number): Validity {
+    this.exchange.core.validity(this.validAddress(), start, lowest, end);
+    const [
+      gap,
+      contactSpeed,
+      passageTime,
+      soundTime,
+      forceRatio,
+      lossRatio,
+      isRough,
+      isFast,
+      isFlexible,
+      isYielding,
+      isLossless,
+      smooth,
+      rough,
+      speedOfSound,
+    ] = Array.from(this.exchange.numbers()) as Row<14>;
+    return {
+      gap,
+      contactSpeed,
+      passageTime,
+      soundTime,
+      forceRatio,
+      lossRatio,
+      exceeded: {
+        gap: isRough === 1,
+        contactSpeed: isFast === 1,
+        passageTime: isFlexible === 1,
+        forceRatio: isYielding === 1,
+        lossRatio: isLossless === 1,
+      },
+      roughness: [smooth, rough],
+      speedOfSound,
+    };
   }
 
   /** Moments to draw lines through: at the solver steps and, if these are few, between them. */

@@ -5,17 +5,11 @@ import { element } from "../elements";
 import type { Lab } from "../lab";
 import { shownPassage } from "../verdict/passage";
 import "./limits.css";
-import { numbersOf } from "./numbers";
 import { limitsOf } from "./words";
 
 export function mountLimits(lab: Lab, place: HTMLElement): void {
   const passage = shownPassage(lab);
-  const limits = computed(() => {
-    const outcome = lab.outcome.value;
-    if (!passage.value || !("motion" in outcome)) return [];
-    const { motion, input } = outcome;
-    return limitsOf(numbersOf(motion, passage.value, input.body, input.options.gravity));
-  });
+  const limits = computed(() => (passage.value ? limitsOf(passage.value.validity) : []));
   const list = element("dl");
   const none = element(
     "p",

@@ -1,7 +1,7 @@
 // The passage of a body through a near-collision: it comes down, its contact point races, it rises again.
 
 import { type ReadonlySignal, computed } from "@preact/signals-core";
-import { type Motion, headingOf } from "../core/motion";
+import { type Motion, type Validity, headingOf } from "../core/motion";
 import type { Lab } from "../lab";
 
 export interface Passage {
@@ -17,8 +17,8 @@ export interface Passage {
   minTilt: number;
   /** rad/s, at the smallest tilt */
   yawRate: number;
-  /** Time from a tenth to nine tenths of the angle, s. */
-  fastTime: number;
+  /** How far the model holds meanwhile. */
+  validity: Validity;
   /** Whether the rim only rolls, slips at times, or leaves the table at times. */
   rim: "rolled" | "slipped" | "jumped";
 }
@@ -46,9 +46,6 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
   const headingAt = (time: number) => headingOf(motion.at([time]).moment(0));
   const startYaw = yawAt(start);
   const angle = turn?.angle ?? yawAt(end) - startYaw;
-  const crosses = (part: number) => (time: number) => (yawAt(time) - startYaw) / angle >= part;
-  const tenth = firstTime(crosses(0.1), start, lowest.t);
-  const nineTenths = firstTime(crosses(0.9), lowest.t, end);
   const includes = (kind: string) =>
     motion.phases.some((phase) => phase.kind === kind && phase.start < end && phase.end > start);
   return {
@@ -59,17 +56,7 @@ export function passageFrom(motion: Motion, start: number): Passage | undefined 
     end,
     minTilt: lowest.minTilt,
     yawRate: lowest.yawRate,
-    fastTime: nineTenths - tenth,
+    validity: motion.validity(start, lowest.t, end),
     rim: includes("flying") ? "jumped" : includes("sliding") ? "slipped" : "rolled",
   };
-}
-
-/** The first time at which a condition holds, by bisection. */
-function firstTime(isTrue: (time: number) => boolean, low: number, high: number): number {
-  for (let k = 0; k < 60; k++) {
-    const middle = (low + high) / 2;
-    if (isTrue(middle)) high = middle;
-    else low = middle;
-  }
-  return high;
 }

@@ -17,9 +17,9 @@ export function story(
   setup: Readonly<Setup>,
 ): string {
   if (!passage) return "";
-  const { angle, bodyAngle, fastTime, rim } = passage;
+  const { angle, bodyAngle, validity, rim } = passage;
   const round = `the contact point runs round by ${formatDegrees(Math.abs(angle), 1)}`;
-  const swift = `, most of it in ${formatDuration(fastTime)}`;
+  const swift = `, most of it in ${formatDuration(validity.passageTime)}`;
   const itself = `the ${BODY_NOUNS[setup.body]} itself turns ${bodyTurn(bodyAngle, angle)}`;
   const law = setup.law === "coulomb" ? ` ${RIM[rim]}` : "";
   return `${interval(passage, motion)} ${round}${swift}; ${itself}.${beside(angle)}${law}`;

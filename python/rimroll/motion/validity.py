@@ -1,0 +1,87 @@
+"""How far a rigid body on a rigid, smooth table is a good model for a turn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rimroll import _core
+
+SMOOTH, ROUGH = _core.ROUGHNESS
+"""Heights of the roughness of rims and tables, m: pressed metal and varnished wood, roughly."""
+
+SPEED_OF_SOUND: float = _core.SPEED_OF_SOUND
+"""The speed of sound in the material of the body, m/s; roughly that in steel, aluminium and glass."""
+
+
+@dataclass(frozen=True)
+class Validity:
+    """Numbers of a turn to compare with a real body, and whether the model still describes them.
+
+    The model is a rigid body with a perfect circle for a rim, on a rigid and smooth table, without
+    air. Where a number is beyond it, do not trust the gap or the speed. The angle of turn hardly
+    depends on how small the gap becomes.
+
+    The forces count between impacts; that of an impact is infinite.
+    """
+
+    gap: float
+    """Height of the highest point of the rim above its lowest at the smallest tilt, m."""
+    contact_speed: float
+    """Speed of the contact point along the rim then, m/s."""
+    passage_time: float
+    """Time from a tenth to nine tenths of the angle of turn, s."""
+    sound_time: float
+    """Time in which sound crosses the base, s."""
+    force_ratio: float
+    """Largest normal force over the weight."""
+    loss_ratio: float
+    """Energy lost over the largest kinetic energy."""
+    is_rough: bool
+    """Whether the gap is smaller than a rough surface's height, 10 µm."""
+    is_faster_than_sound: bool
+    """Whether the contact point runs faster along the rim than sound."""
+    is_flexible: bool
+    """Whether the passage lasts less than ten times the sound's, so that the body bends and rings."""
+    is_yielding: bool
+    """Whether the force exceeds a hundred weights, at which a real rim and table yield."""
+    is_lossless: bool
+    """Whether less than 1 % of the energy is lost, which is less than in any real can."""
+
+    def __str__(self) -> str:
+        """The numbers with what they mean, a line each."""
+        table = (
+            (
+                self.is_rough,
+                f"the gap closes to {self.gap:.3g} m",
+                f"roughness is {SMOOTH:.0e} to {ROUGH:.0e} m",
+            ),
+            (
+                self.is_faster_than_sound,
+                f"the contact point runs at {self.contact_speed:.3g} m/s",
+                f"sound runs at {SPEED_OF_SOUND:.0f} m/s",
+            ),
+            (
+                self.is_flexible,
+                f"most of the angle takes {self.passage_time:.3g} s",
+                f"sound crosses the base in {self.sound_time:.3g} s",
+            ),
+            (
+                self.is_yielding,
+                f"the largest force is {self.force_ratio:.3g} weights",
+                "a rim yields at about 100",
+            ),
+            (
+                self.is_lossless,
+                f"the turn loses {100.0 * self.loss_ratio:.3g} % of the energy",
+                "a real can loses 1 % or more",
+            ),
+        )
+        return "\n".join(
+            f"{'beyond the model' if beyond else 'within the model'}: {here}; {limit}"
+            for beyond, here, limit in table
+        )
+
+
+def validity_of(core: _core.CoreMotion) -> list[Validity]:
+    """How far the model holds in each turn of a motion."""
+    return [Validity(*numbers, *exceeded) for numbers, exceeded in core.validity()]
