@@ -10,7 +10,7 @@ SMOOTH, ROUGH = _core.ROUGHNESS
 """Heights of the roughness of rims and tables, m: pressed metal and varnished wood, roughly."""
 
 SPEED_OF_SOUND: float = _core.SPEED_OF_SOUND
-"""The speed of sound in the material of the body, m/s; roughly that in steel, aluminium and glass."""
+"""The speed of sound in the body, m/s: roughly that in steel, aluminium and glass."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Validity:
     is_faster_than_sound: bool
     """Whether the contact point runs faster along the rim than sound."""
     is_flexible: bool
-    """Whether the passage lasts less than ten times the sound's, so that the body bends and rings."""
+    """Whether the passage is shorter than ten times that of sound: the body bends and rings."""
     is_yielding: bool
     """Whether the force exceeds a hundred weights, at which a real rim and table yield."""
     is_lossless: bool
