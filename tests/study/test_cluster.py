@@ -8,6 +8,8 @@ import pytest
 from given.ctrl_c import needs_signals
 from given.dask_programs import client, pausing, scheduler, worker
 from given.small_study import CHUNKS, done, in_process, rimroll, until, written
+from rimroll.study.cluster import _Tasks
+from rimroll.study.study import Study
 from rimroll.study.verify import verify
 from rimroll.study.versions import build
 
@@ -64,14 +66,14 @@ def test_a_client_is_killed_while_its_worker_goes_on(file, cluster, whole):
 
 
 def test_a_scheduler_is_killed(file, whole):
-    with (
-        scheduler(file.parent) as (address, process),
-        pausing(address, file, "mark") as (working, reached),
-        client(file, address) as run,
-    ):
-        until(reached.exists, working, run)
-        process.send_signal(signal.SIGKILL)
-        _, err = run.communicate()
+    with scheduler(file.parent) as (address, process), client(file, address) as run:
+        assert run.stderr.readline().startswith("dashboard: ")
+        assert run.stderr.readline() == "the scheduler has no workers: waiting for some\n"
+        with pausing(address, file, "mark") as (working, reached):
+            until(reached.exists, working, run)
+            assert run.stderr.readline() == "workers have come\n"
+            process.send_signal(signal.SIGKILL)
+            _, err = run.communicate()
     assert run.returncode == 2
     lost = "rimroll: the scheduler was lost; what is done is kept: run again to continue"
     assert err.splitlines()[-1] == lost
@@ -113,3 +115,21 @@ def test_a_scheduler_that_does_not_answer_is_named(file):
     assert status == 2
     assert err.startswith("rimroll: no scheduler answers at tcp://127.0.0.1:1: ")
     assert err.count("\n") == 1
+
+
+class Silent:
+    """A future whose task has ended, and whose worker never answers."""
+
+    status = "finished"
+
+    def result(self, timeout):
+        raise TimeoutError
+
+
+def test_a_chunk_with_a_mark_is_done_although_its_worker_never_answers(file):
+    store = in_process(file, chunks=range(1))
+    tasks = _Tasks(None, store, Study.from_file(file).plan(), {}, print)
+    for chunk, failure in ((0, None), (1, "its worker does not answer")):
+        tasks.given[chunk] = Silent()
+        tasks._ended.put(chunk)
+        assert tasks.next() == (chunk, failure)

@@ -163,7 +163,7 @@ def test_a_full_disk_is_named(tmp_path):
         Path("/dev/full").write_bytes(b"x")
 
 
-@pytest.mark.slow
+@pytest.mark.soak
 def test_a_client_with_workers_of_its_own_is_killed(file, tmp_path):
     whole = verify(in_process(written(tmp_path / "whole.toml"))).sha256
     written(file, STUDY)

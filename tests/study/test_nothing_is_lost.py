@@ -78,13 +78,13 @@ def test_a_study_that_loses_a_worker_and_its_client_ends_with_the_numbers_of_one
         until(at_work.exists, lost, run)
         lost.send_signal(signal.SIGKILL)
         lost.wait()
-        before = done(file)  # the chunk of the first rows, where no worker stops
+        assert done(file) <= {0}  # the chunk of the first rows, where no worker stops
         with pausing(address, second, f"mark@{MARKED}") as (other, stopped):
             until(stopped.exists, other, run)
             run.send_signal(signal.SIGKILL)
             run.wait()
-    assert len(before) <= 1
-    assert len(done(file)) == len(before) + MARKED
+    # The second worker may have computed the first chunk again, if the client had no answer yet.
+    assert len(done(file) | {0}) in (MARKED, MARKED + 1)
 
     code, out, err = rimroll("study", "run", file, "--workers", "2")
     assert code == 0, err

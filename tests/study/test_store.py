@@ -95,6 +95,7 @@ def test_what_is_not_done_is_missing_in_the_dataset(file):
     found = store.open()
     assert np.isnan(found.turn.values[0, :10]).all()
     assert (found.outcome.values[0, :10] == -1).all()
+    assert (found.slid.values[0, :10] == -1).all()
     assert (found.outcome.values[0, 10:20] >= 0).all()
 
 

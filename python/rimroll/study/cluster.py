@@ -17,6 +17,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import lru_cache
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from rimroll.errors import RimrollError
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
 
 PATIENCE = 5.0
 """How long (s) a scheduler may take to answer."""
+
+ANSWERS = 60.0
+"""How long (s) a worker may take to say why it has not marked its chunk."""
 
 AHEAD = 3
 """Tasks given to the scheduler for each thread of the cluster: all at once would choke it."""
@@ -117,13 +121,13 @@ def compute(
     if chunks fail.
     """
     _same_versions(client)
-    tasks = _Tasks(client, store, plan, {} if other_versions else dict(versions()))
+    tasks = _Tasks(client, store, plan, {} if other_versions else dict(versions()), note)
     waiting = iter(pending)
     failed: dict[int, str] = {}
     try:
         while True:
             room = tasks.room()
-            for chunk in _at_most(waiting, room):
+            for chunk in islice(waiting, max(0, room)):
                 tasks.give(chunk)
             if not tasks.given:
                 break
@@ -150,10 +154,19 @@ def compute(
 class _Tasks:
     """The tasks that a scheduler has: a few for each thread, and their ends in a queue."""
 
-    def __init__(self, client: Any, store: Store, plan: Plan, wanted: Mapping[str, str]) -> None:
+    def __init__(
+        self,
+        client: Any,
+        store: Store,
+        plan: Plan,
+        wanted: Mapping[str, str],
+        note: Callable[[str], object],
+    ) -> None:
         self.given: dict[int, Any] = {}
-        self._threads, self._counted = 1, -RECOUNT
+        self._threads, self._counted = 0, -RECOUNT
+        self._note, self._waits = note, False
         self._client = client
+        self._marks = store.marks
         self._ended: queue.SimpleQueue[int] = queue.SimpleQueue()
         content = json.dumps(plan.study.to_dict())
         self._task = (os.fspath(store.path.resolve()), store.identity, content, wanted)
@@ -161,11 +174,23 @@ class _Tasks:
 
     def room(self) -> int:
         """How many more tasks to give to the scheduler; workers come and go."""
+        self._count()
+        return AHEAD * max(1, self._threads) - len(self.given)
+
+    def _count(self) -> None:
+        """Count the threads of the cluster now and then, and say if there are none."""
         now = time.monotonic()
-        if now >= self._counted + RECOUNT:
-            self._counted = now
-            self._threads = max(1, sum(self._client.nthreads().values()))
-        return AHEAD * self._threads - len(self.given)
+        if now < self._counted + RECOUNT:
+            return
+        self._counted = now
+        try:
+            self._threads = sum(self._client.nthreads().values())
+        except OSError:
+            raise RimrollError(LOST) from None
+        if self._waits != (self._threads == 0):
+            self._waits = self._threads == 0
+            none = "the scheduler has no workers: waiting for some"
+            self._note(none if self._waits else "workers have come")
 
     def give(self, chunk: int) -> None:
         future = self._client.submit(
@@ -183,12 +208,21 @@ class _Tasks:
             except queue.Empty:
                 if self._client.status != "running":
                     raise RimrollError(LOST) from None
+                self._count()
         future = self.given.pop(chunk)
         if future.status in ("cancelled", "lost"):
             raise RimrollError(LOST)
         if future.status == "error":
             return chunk, _reason(future.exception())
-        if reason := future.result().get("stop"):
+        # The mark says that it is done. To ask the worker for its answer takes longer, and one of
+        # many thousands of answers may never come.
+        if self._marks.file(chunk).exists():
+            return chunk, None
+        try:
+            answer = future.result(timeout=ANSWERS)
+        except TimeoutError:
+            return chunk, "its worker does not answer"
+        if reason := answer.get("stop"):
             raise RimrollError(reason)
         return chunk, None
 
@@ -259,14 +293,6 @@ def _reason(error: BaseException) -> str:
     if type(error).__name__ == "KilledWorker":
         return "every worker that tried it died, perhaps for want of memory"
     return f"{type(error).__name__}: {' '.join(str(error).split())}"
-
-
-def _at_most(items: Iterator[int], number: int) -> Iterator[int]:
-    for _ in range(number):
-        try:
-            yield next(items)
-        except StopIteration:
-            return
 
 
 def _distributed() -> Any:

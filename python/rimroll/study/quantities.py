@@ -10,7 +10,7 @@ import numpy as np
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
 from rimroll.study.statistics import NUMBER
-from rimroll.study.store import DONE
+from rimroll.study.store import DONE, is_truth
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,7 +33,7 @@ def quantity_of(dataset: xr.Dataset, name: str) -> xr.DataArray:
     column, equals, word = name.partition("=")
     if equals:
         found = _part(dataset, column, word)
-    elif column in dataset and dataset[column].dtype.kind == "b":
+    elif column in dataset and (dataset[column].dtype.kind == "b" or is_truth(dataset[column])):
         found = _named(dataset[column].astype(float), f"fraction: {_long(dataset, column)}")
     elif column in dataset and "flag_meanings" not in dataset[column].attrs:
         found = dataset[column].astype(float)
@@ -65,7 +65,7 @@ def names(dataset: xr.Dataset) -> list[str]:
     found: list[str] = []
     for variable, one in dataset.data_vars.items():
         name = str(variable)
-        words = one.attrs.get("flag_meanings", "").split()
+        words = [] if is_truth(one) else one.attrs.get("flag_meanings", "").split()
         if words:
             found += [f"{name}={word}" for word in words]
         elif name.endswith(COUNT) and name.removesuffix(COUNT) in dataset.dims:

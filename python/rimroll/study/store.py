@@ -5,6 +5,8 @@ that decides the numbers. xarray opens it without rimroll:
 ``xarray.open_zarr(path, consolidated=False)``. Consolidated metadata are no part of Zarr's
 specification and go stale, so there are none.
 
+What is true or false is kept as 1 or 0, so that what is not computed, -1, is neither.
+
 Columns are on the dimensions of the study, and a chunk of the study is one chunk of each array
 (:mod:`rimroll.study.blocks`), so writers never share a file. Statistics are merged from the parts
 of all chunks when these are done. In the store lies the folder ``done`` with the marks of the
@@ -45,6 +47,9 @@ if TYPE_CHECKING:
 
 FORMAT = "rimroll_store"
 """The attribute that only stores of rimroll have: their form and how they are divided."""
+
+TRUTH = {"flag_values": [0, 1], "flag_meanings": "false true"}
+"""The attributes of an array of what is true (1), false (0) or not computed (-1)."""
 
 VERSION = 1
 """The form of stores that this version of rimroll writes and reads."""
@@ -239,18 +244,31 @@ class Store:
     def open(self) -> xr.Dataset:
         """The store as a dataset whose numbers are read when they are used.
 
-        While columns are not finished, the coordinate ``done`` says which rows are.
+        While columns are not finished, the coordinate ``done`` says which rows are, and what is
+        true or false is 1 or 0.
         """
         import xarray as xr
 
         dataset: xr.Dataset = xr.open_zarr(self.path, consolidated=False)
-        if self.merged or self.finished:
+        if self.merged:
+            return dataset
+        if self.finished:
+            truths = [name for name, one in dataset.data_vars.items() if is_truth(one)]
+            for name in truths:
+                attrs = {key: one for key, one in dataset[name].attrs.items() if key not in TRUTH}
+                dataset[name] = dataset[name].astype(bool)
+                dataset[name].attrs = attrs
             return dataset
         done = np.zeros(self.blocks.shape, bool)
         for chunk in self.marks.done():
             done[self.blocks.place(chunk)] = True
         dims = next(iter(self.arrays.values())).metadata.dimension_names or ()
         return dataset.assign_coords({DONE: (dims, done)})
+
+
+def is_truth(array: xr.DataArray) -> bool:
+    """Whether an array of a store says what is true and what is false."""
+    return str(array.attrs.get("flag_meanings")) == TRUTH["flag_meanings"]
 
 
 def _is_store(place: Path) -> bool:
@@ -301,15 +319,16 @@ def _write_empty(path: Path, plan: Plan) -> None:
         )
         array[...] = values.astype(object) if words else values
     for name, variable in plan.variables.items():
-        dtype = np.dtype(variable.dtype)
+        truth = variable.dtype == "bool"
+        dtype = np.dtype("int8" if truth else variable.dtype)
         group.create_array(
             name,
             shape=tuple(plan.sizes[dim] for dim in variable.dims),
             chunks="auto" if plan.statistics else plan.blocks.block,
             dtype=dtype,
-            fill_value={"f": np.nan, "i": -1, "b": False}[dtype.kind],
+            fill_value={"f": np.nan, "i": -1}[dtype.kind],
             dimension_names=variable.dims,
-            attributes=variable.attrs,
+            attributes={**variable.attrs, **TRUTH} if truth else variable.attrs,
             # Flags and equal numbers shrink to little; doubles are as fast as uncompressed.
             compressors=zarr().codecs.BloscCodec(cname="lz4", clevel=5, shuffle="shuffle"),
         )

@@ -23,13 +23,14 @@ from rimroll.study.progress import status_of
 from rimroll.study.runner import run as compute
 from rimroll.study.size import expect_room
 
+
+def _number(help: str) -> Any:
+    """An option that is a number of processes or threads."""
+    return typer.Option(help=help, metavar="NUMBER", parser=whole(least=1, most=10_000))
+
+
 WorkersOption = Annotated[
-    Any,
-    typer.Option(
-        help="Number of processes on this machine to compute on; they share its processors.",
-        metavar="NUMBER",
-        parser=whole(least=1, most=10_000),
-    ),
+    Any, _number("Number of processes on this machine to compute on; they share its processors.")
 ]
 
 SchedulerOption = Annotated[
@@ -38,12 +39,7 @@ SchedulerOption = Annotated[
 ]
 
 ThreadsOption = Annotated[
-    Any,
-    typer.Option(
-        help="Threads in this process; one for each processor by default.",
-        metavar="NUMBER",
-        parser=whole(least=1, most=10_000),
-    ),
+    Any, _number("Threads in this process; one for each processor by default.")
 ]
 
 ChunksOption = Annotated[

@@ -99,10 +99,11 @@ class ByQuadrature:
             threads=threads,
             progress=progress,
         )
-        return _columns(falls, self.results)
+        return columns_of(falls, self.results)
 
 
-def _columns(falls: Falls, results: Mapping[str, Result]) -> dict[str, NDArray[Any]]:
+def columns_of(falls: Falls, results: Mapping[str, Result]) -> dict[str, NDArray[Any]]:
+    """The results among the columns of falls, or of shaken bodies, with words as their places."""
     return {
         name: as_flags(falls[name], result.flags) if result.flags else falls[name]
         for name, result in results.items()

@@ -12,7 +12,7 @@ from rimroll import _core
 from rimroll.options import Options
 from rimroll.shaking.many import VARIABLES, follow_shaken
 from rimroll.study.cases import Call
-from rimroll.study.kinds.falls import as_flags
+from rimroll.study.kinds.falls import columns_of
 from rimroll.study.kinds.kind import OPTION_NAMES, Result
 from rimroll.study.plan import Progress
 from rimroll.study.starts import STANDING
@@ -67,10 +67,7 @@ class Shaken:
             threads=threads,
             progress=progress,
         )
-        return {
-            name: as_flags(shaken[name], result.flags) if result.flags else shaken[name]
-            for name, result in self.results.items()
-        }
+        return columns_of(shaken, self.results)
 
 
 SHAKE = Shaken()
