@@ -129,6 +129,7 @@ if TYPE_CHECKING:
     )
     from rimroll.shaking.scales import rocking_frequency as rocking_frequency
     from rimroll.solids import Solid as Solid
+    from rimroll.stability import growth_rates as growth_rates
     from rimroll.state import State as State
     from rimroll.steady import (
         SteadyMotion as SteadyMotion,
@@ -219,6 +220,7 @@ _NAMES = {
     "rimroll.shaking.rocking": ("RockingSpectrum", "rocking_spectrum"),
     "rimroll.shaking.scales": ("rocking_frequency",),
     "rimroll.solids": ("Solid",),
+    "rimroll.stability": ("growth_rates",),
     "rimroll.state": ("State",),
     "rimroll.steady": (
         "SteadyMotion",
