@@ -8,6 +8,7 @@ import { embed } from "./embed";
 import { Essay } from "./essay/essay";
 import { shakeOnDemand } from "./floor/loading";
 import { mountFlicks } from "./flicks/flicks";
+import { mountGyro } from "./gyro/section";
 import { Lab } from "./lab";
 import { mountLimits } from "./limits/section";
 import { type Part, partOf, showPart, shownPart } from "./part";
@@ -64,6 +65,7 @@ function startLab(core: Core): Lab {
   if (EMBED) embed(lab, section("transport"));
   mountShare(lab, section("share"));
   mountLimits(lab, section("limits"));
+  mountGyro(lab, section("gyro"));
   return lab;
 }
 

@@ -3,6 +3,7 @@
 import type { LawName, Theory } from "../core/core";
 import type { Column, Moment, Moments, Motion } from "../core/motion";
 import type { Shaking, TableMotion } from "../floor/shaking";
+import { type Rates, bodyRates, bodyRatesAt } from "../gyro/rates";
 import type { Colour } from "./palette";
 import { countBelow } from "./sampled";
 import type { Values } from "./thinned";
@@ -91,6 +92,16 @@ export const FIGURES: readonly Figure[] = [
     ],
   },
   {
+    name: "gyroscope",
+    title: "Gyroscope in the body",
+    unit: "rad/s",
+    lines: [
+      ofGyroscope("x", "plot-first"),
+      { ...ofGyroscope("y", "plot-second"), dash: [7, 3] },
+      { ...ofGyroscope("z, the axis", "plot-third"), dash: [2, 3] },
+    ],
+  },
+  {
     name: "friction",
     title: "Friction ratio",
     unit: "",
@@ -143,6 +154,17 @@ function plain(label: string, column: Column, colour: Colour, factor = 1): Line 
     colour,
     values: (moments) => finite(moments.column(column), factor),
     now: (moment) => factor * moment[column],
+  };
+}
+
+/** A rate that a gyroscope in the body shows; the first letter of the label is its axis. */
+function ofGyroscope(label: string, colour: Colour): Line {
+  const axis = label[0] as keyof Rates;
+  return {
+    label,
+    colour,
+    values: (moments) => bodyRates(moments)[axis],
+    now: (moment) => bodyRatesAt(moment)[axis],
   };
 }
 

@@ -1,0 +1,86 @@
+// The section on a gyroscope in the body: its star, and a record as a phone would save it.
+
+import { computed, effect } from "@preact/signals-core";
+import { button, element, svgElement } from "../elements";
+import { formatDegrees, formatNumber } from "../format/numbers";
+import type { Lab } from "../lab";
+import type { Setup } from "../setup/setup";
+import { download } from "../share/download";
+import "./gyro.css";
+import { toPhyphox } from "./phyphox";
+import { bodyRates } from "./rates";
+import { SIZE, starOf } from "./star";
+
+export function mountGyro(lab: Lab, place: HTMLElement): void {
+  const view = `${-SIZE} ${-SIZE} ${2 * SIZE} ${2 * SIZE}`;
+  const picture = svgElement("svg", { viewBox: view, role: "img" });
+  const circle = svgElement("circle", { class: "circle" });
+  const cross = svgElement("path", {
+    class: "circle",
+    d: `M${-SIZE} 0H${SIZE}M0 ${-SIZE}V${SIZE}`,
+  });
+  const whole = svgElement("path", { class: "whole" });
+  const past = svgElement("path", { class: "past" });
+  const now = svgElement("circle", { class: "now", r: 4 });
+  const scale = svgElement("text", { x: 3, "text-anchor": "start" });
+  picture.append(circle, cross, whole, past, now, scale);
+  const said = element("p", { class: "said" });
+  const message = element("p", { class: "done", role: "status" });
+  const save = button("Save as phyphox CSV", () => {
+    lab.complete();
+    const motion = lab.motion.value;
+    if (!motion) return;
+    const name = `rimroll-${lab.setup.value.body}-phyphox.csv`;
+    download(name, toPhyphox(motion), "text/csv");
+    message.textContent = `${name} saved. Read it with: rimroll gyro ${name} --body ${bodyForCommand(lab.setup.value)}`;
+  });
+  place.append(
+    element("h2", {}, "A phone in the body"),
+    element(
+      "p",
+      {},
+      "A gyroscope that turns with the body sees none of the contact point’s race. Across the axis it sees rays: the body falls along one and rises along the next. " +
+        "Each near-collision turns the ray by the angle of turn less 180°.",
+    ),
+    element("figure", {}, picture as unknown as HTMLElement, said),
+    element("div", { class: "buttons" }, save),
+    message,
+  );
+  const star = computed(() => lab.motion.value && starOf(lab.motion.value, Infinity));
+  effect(() => {
+    const motion = lab.motion.value;
+    save.disabled = !motion;
+    if (!motion || !star.value) return;
+    const { path, largest, place: placed } = star.value;
+    whole.setAttribute("d", path);
+    const [radius] = placed(largest, 0);
+    circle.setAttribute("r", String(radius));
+    scale.setAttribute("y", String(-radius + 9));
+    scale.textContent = `${formatNumber(largest, 3)} rad/s`;
+    const veers = motion.turns
+      .slice(0, 4)
+      .map(({ angle }) => formatDegrees(Math.abs(angle) - Math.PI, 1));
+    said.textContent =
+      veers.length > 0
+        ? `The first veers: ${veers.join(", ")}.`
+        : "There is no complete turn, so no ray turns.";
+    picture.setAttribute(
+      "aria-label",
+      `Angular velocity across the axis, in the frame of the body, up to ${formatNumber(largest, 3)} rad/s. ${said.textContent}`,
+    );
+  });
+  effect(() => {
+    const motion = lab.motion.value;
+    if (!motion || !star.value) return;
+    const time = lab.clock.time.value;
+    past.setAttribute("d", starOf(motion, time).path);
+    const { x, y } = bodyRates(motion.at([time]));
+    const [cx, cy] = star.value.place(x[0]!, y[0]!);
+    now.setAttribute("cx", cx.toFixed(1));
+    now.setAttribute("cy", cy.toFixed(1));
+  });
+}
+
+/** A body as the command takes it: a preset, or a file that describes it. */
+const bodyForCommand = ({ body, fill }: Readonly<Setup>) =>
+  body === "own" || body === "inertia" || fill > 0 ? "my_body.toml" : body;
