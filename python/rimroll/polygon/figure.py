@@ -33,10 +33,13 @@ def polygon_figure(motion: PolygonMotion) -> Figure:
     tilt.plot(struck, angles, ".", color=VERMILLION, ms=4, label=f"{len(struck)} impacts")
     if len(struck):
         tilt.legend(frameon=False)
+    # The face has no corner of its own to show.
+    standing = motion.phases[-1].kind == "face"
+    supports = fine.contact_path[: -1 if standing else None]
     path.plot(*(1e3 * fine.center[:, :2].T), color=GREEN, lw=1.0, label="centre of mass")
-    path.plot(*(1e3 * fine.contact_path.T), ".-", color=VERMILLION, lw=0.6, ms=4, label="support")
+    path.plot(*(1e3 * supports.T), ".-", color=VERMILLION, lw=0.6, ms=4, label="support")
     path.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
-    path.legend(frameon=False, fontsize="small")
+    path.legend(frameon=False, fontsize="small", loc="center left", bbox_to_anchor=(1.0, 0.5))
     figure.suptitle(
         f"{motion.body.corners} corners, {motion.law!r}: {motion.message_in_degrees}",
         fontsize="medium",
