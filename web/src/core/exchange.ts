@@ -49,8 +49,13 @@ export class Exchange {
   static async with(core: Response | BufferSource): Promise<Exchange> {
     if (core instanceof Response && !core.ok)
       throw new Error(`the mechanics could not be loaded (HTTP status ${core.status})`);
-    const { instance } = await instantiate(core);
-    return new Exchange(instance.exports as unknown as Exports);
+    const { instance } = await instantiate(core).catch((error: unknown) => {
+      throw new Error("the file of the mechanics is damaged or is none", { cause: error });
+    });
+    const exports = instance.exports as unknown as Exports;
+    if (typeof exports.simulate !== "function")
+      throw new Error("the file of the mechanics does not belong to this page");
+    return new Exchange(exports);
   }
 
   /** Writes the arguments of the next call. */

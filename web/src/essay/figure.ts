@@ -7,7 +7,6 @@ import { clearFlicks, startFlicks } from "../falls/animation";
 import { flickSummary } from "../falls/summary";
 import { tallyOf } from "../falls/tally";
 import type { Lab } from "../lab";
-import { numbersOf } from "../limits/numbers";
 import { limitsOf } from "../limits/words";
 import { LAB } from "../part";
 import { prefersReducedMotion } from "../reduced_motion";
@@ -167,9 +166,8 @@ export class Figure {
     const outcome = this.lab.outcome.value;
     if (!("motion" in outcome)) return undefined;
     const passage = passageFrom(outcome.motion, 0);
-    const { body } = outcome.input;
     const guess = (this.guess.value * Math.PI) / 180;
-    return passage && factsOf(passage, outcome.theory, this.lab.setup.value, body.radius, guess);
+    return passage && factsOf(passage, outcome.theory, this.lab.setup.value, guess);
   }
 
   private say(): void {
@@ -316,10 +314,7 @@ export class Figure {
       const outcome = this.lab.outcome.value;
       if (!this.active.value || !("motion" in outcome)) return;
       const passage = passageFrom(outcome.motion, 0);
-      const { body, options } = outcome.input;
-      const limits = passage
-        ? limitsOf(numbersOf(outcome.motion, passage, body, options.gravity))
-        : [];
+      const limits = passage ? limitsOf(passage.validity) : [];
       list.replaceChildren(
         ...limits.map(({ name, here, means, exceeded }) =>
           element(

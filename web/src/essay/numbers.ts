@@ -22,7 +22,7 @@ export function numbersOf(core: Core): Record<string, string> {
   motion.forget();
   if (!passage) throw new Error("the essay's can does not come down");
   const can = theoryOf({});
-  const { time } = factsOf(passage, can, setup, body.radius, 0);
+  const { time } = factsOf(passage, can, setup, 0);
   const flat = theoryOf({ body: "own", radius: 3, length: 0, wall: 0, base: 0, law: "no_slip" });
   const half = Math.abs(passage.angle) - Math.PI;
   return {

@@ -24,15 +24,14 @@ export function factsOf(
   passage: Passage,
   theory: Theory,
   setup: Readonly<Setup>,
-  radius: number,
   guess: number,
 ): Facts {
   return {
     passage,
     theory,
     setup,
-    gap: formatLengthShort(2 * radius * Math.sin(passage.minTilt)),
-    time: formatDuration(passage.fastTime),
+    gap: formatLengthShort(passage.validity.gap),
+    time: formatDuration(passage.validity.passageTime),
     guess,
   };
 }

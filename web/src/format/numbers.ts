@@ -14,7 +14,7 @@ export function significant(exact: number, digits: number): string {
   if (exact === 0) return "0";
   const value = Number(exact.toPrecision(digits));
   const size = Math.floor(Math.log10(Math.abs(value)));
-  if (size < -5) return withMinus(value.toExponential(digits - 1));
+  if (size < -5) return formatWide(value, digits);
   return withMinus(grouped(value.toFixed(Math.min(Math.max(digits - 1 - size, 0), 12))));
 }
 

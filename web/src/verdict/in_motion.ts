@@ -55,8 +55,8 @@ function contentAtRest(lab: Lab, passage: Passage | undefined): Content {
       number: rounds === undefined ? "–" : formatWide(rounds, 3),
       note:
         passage && radius
-          ? `rounds per second, at ${speedOf(passage, radius)}`
-          : "rounds per second",
+          ? `times round per second, at ${speedOf(passage, radius)}`
+          : "times round per second",
     },
     said: story(passage, motion, setup),
     ended: ending(outcome, setup),

@@ -8,7 +8,6 @@ import { computeLines } from "../../src/essay/curve";
 import { numbersOf } from "../../src/essay/numbers";
 import { SCENES } from "../../src/essay/scenes";
 import { cameUp, factsOf } from "../../src/essay/words";
-import { bodyOf } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { passageFrom } from "../../src/verdict/passage";
 import { loadCore, motionOf } from "../given/core";
@@ -88,9 +87,8 @@ test("the limit falls from ice to rubber, and a flatter cylinder turns further",
 test("a guess is compared in whole degrees", () => {
   const setup = { ...INITIAL, ...sceneOf("question").setup };
   const passage = passageFrom(motionOf(core, setup), 0)!;
-  const body = bodyOf(core, setup);
   const said = (degrees: number) =>
-    cameUp(factsOf(passage, { noSlip: 0 } as never, setup, body.radius, (degrees * Math.PI) / 180));
+    cameUp(factsOf(passage, { noSlip: 0 } as never, setup, (degrees * Math.PI) / 180));
   const turned = Math.round((Math.abs(passage.angle) * 180) / Math.PI);
   expect(said(180)).toBe(
     `You said 180°, straight across. It came up at ${turned}°. That is ${turned - 180}° further round than your guess.`,

@@ -186,9 +186,14 @@ describe("the theory", () => {
 
 describe("how small and how fast it is", () => {
   test.each([
-    ["the paper's can", {}, "a gap of 3.5\u00a0µm", /^rounds per second, at 7\.6\skm\/s$/],
-    ["by a hand", { sideways: 0.02 }, "a gap of 140\u00a0µm", /^rounds per second, at \d+\sm\/s$/],
-    ["not coming down", { tilt: 60 }, "", /^rounds per second$/],
+    ["the paper's can", {}, "a gap of 3.5\u00a0µm", /^times round per second, at 7\.6\skm\/s$/],
+    [
+      "by a hand",
+      { sideways: 0.02 },
+      "a gap of 140\u00a0µm",
+      /^times round per second, at \d+\sm\/s$/,
+    ],
+    ["not coming down", { tilt: 60 }, "", /^times round per second$/],
   ] as const)("%s", (_what, changed, gap, speed) => {
     const lab = labWith(core, changed);
     const passage = passageFrom(lab.motion.value!, 0);
