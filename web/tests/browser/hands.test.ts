@@ -32,7 +32,7 @@ async function pointAt(page: Page, canvas: Locator): Promise<{ x: number; y: num
 }
 
 async function taken(hash: string, what: (visit: Visit, canvas: Locator) => Promise<void>) {
-  const visited = await visit({ ...SMALL, hash });
+  const visited = await visit({ ...SMALL, hash: hash || "lab" });
   await what(visited, visited.page.locator("#scene canvas"));
   expect(visited.complaints).toEqual([]);
 }
