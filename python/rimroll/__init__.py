@@ -56,6 +56,8 @@ if TYPE_CHECKING:
     from rimroll.falls import Interrupted as Interrupted
     from rimroll.grid import axis as axis
     from rimroll.ground.ground import Ground as Ground
+    from rimroll.gyro.motions.fit import fit_motion as fit_motion
+    from rimroll.gyro.motions.result import MotionFit as MotionFit
     from rimroll.imperfection import (
         Collision as Collision,
         ImperfectRim as ImperfectRim,
@@ -179,6 +181,8 @@ _NAMES = {
     "rimroll.falls": ("Interrupted",),
     "rimroll.grid": ("axis",),
     "rimroll.ground.ground": ("Ground",),
+    "rimroll.gyro.motions.fit": ("fit_motion",),
+    "rimroll.gyro.motions.result": ("MotionFit",),
     "rimroll.imperfection": ("Collision", "ImperfectRim", "imperfect_rim"),
     "rimroll.laws": (
         "AirDrag",

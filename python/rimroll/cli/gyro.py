@@ -11,6 +11,7 @@ import typer
 
 from rimroll.cli.fit import BodyByOption, ConfidenceOption, GravityOption, OutputOption
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
+from rimroll.cli.gyro_fit import fitted, show_fit
 from rimroll.cli.options import (
     JsonOption,
     LawOptions,
@@ -54,6 +55,22 @@ ColumnsOption = Annotated[
         metavar="COLUMNS",
     ),
 ]
+FitOption = Annotated[
+    bool,
+    typer.Option(
+        "--fit", help="Fit the whole motion, too: start, friction, sensor. Takes some seconds."
+    ),
+]
+ResistanceOption = Annotated[
+    bool, typer.Option("--resistance", help="With --fit: fit a dry rolling resistance, too.")
+]
+BodyErrorOption = Annotated[
+    str,
+    typer.Option(
+        help="With --fit: standard deviation of the body's lengths and moments of inertia.",
+        metavar="PART",
+    ),
+]
 
 
 def gyro(
@@ -64,6 +81,9 @@ def gyro(
     columns: ColumnsOption = None,
     gravity: GravityOption = None,
     confidence: ConfidenceOption = "95%",
+    fit: FitOption = False,
+    resistance: ResistanceOption = False,
+    body_error: BodyErrorOption = "1%",
     output: OutputOption = None,
     json: JsonOption = False,
 ) -> int:
@@ -78,6 +98,8 @@ def gyro(
     $ rimroll gyro rock.csv --body my_can.toml
 
     $ rimroll gyro rock.zip --body my_can.toml --axis y -o star.svg
+
+    $ rimroll gyro rock.csv --body my_can.toml --fit
     """
     files = output or []
     check(files, FORMS)
@@ -95,7 +117,13 @@ def gyro(
         gravity=what.options.gravity,
         confidence=quantity(confidence, "1", "--confidence"),
     )
+    fitting = None
+    if fit or resistance:
+        deviation = quantity(body_error, "1", "--body-error")
+        fitting = fitted(found, resistance, deviation)
     answer = {"body": what.name, **found.to_dict()}
+    if fitting is not None:
+        answer["fit"] = fitting.to_dict()
     for file in files:
         write(file, (found, answer), FORMS)
     if json:
@@ -105,6 +133,8 @@ def gyro(
     say()
     prose(f"read {taken.source}")
     _show(found)
+    if fitting is not None:
+        show_fit(fitting)
     for file in files:
         say(f"wrote {file}")
     return 0

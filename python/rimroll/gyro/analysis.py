@@ -186,14 +186,14 @@ def analyze(
             record, body, pull, level, rests, found, collisions, [], [*none], None, limits, notes
         )
     predictions = [predicted(one, body, pull) for one in collisions]
-    chi_square = _chi_square(level)
+    threshold = chi_square(level)
     used = [i for i, one in enumerate(collisions) if one.released] or [*range(len(collisions))]
     frictions = [
-        friction_from([one], [there], chi_square) if i in used else None
+        friction_from([one], [there], threshold) if i in used else None
         for i, (one, there) in enumerate(zip(collisions, predictions, strict=True))
     ]
     together = friction_from(
-        [collisions[i] for i in used], [predictions[i] for i in used], chi_square
+        [collisions[i] for i in used], [predictions[i] for i in used], threshold
     )
     if not collisions[used[0]].released:
         notes.append(
@@ -294,7 +294,7 @@ def _limits(body: Body) -> tuple[float, float]:
     return float(turn_limit(body, NoSlip())), float(turn_limit(body, Frictionless()))
 
 
-def _chi_square(confidence: float) -> float:
+def chi_square(confidence: float) -> float:
     """The chi square of one degree of freedom that is exceeded with the rest of the probability."""
     return NormalDist().inv_cdf(0.5 + 0.5 * confidence) ** 2
 

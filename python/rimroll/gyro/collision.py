@@ -54,8 +54,10 @@ class Collision:
         Whether the body was released before it, and not rocking already.
     start, end
         Times of the release or largest tilt before, and of the largest tilt after.
+    last_before, first_after
+        Times of the last sample before the collision and of the first after it that are used.
     tilt_before, tilt_after
-        Tilts at these times.
+        Tilts at the start and the end.
     rate_before, rate_after
         Rate across the axis just before and just after.
     spin_before, spin_after
@@ -83,6 +85,8 @@ class Collision:
     released: bool
     start: float
     end: float
+    last_before: float
+    first_after: float
     tilt_before: float
     tilt_after: float
     rate_before: float
@@ -142,6 +146,8 @@ def collision_of(
         released=one.passage.released,
         start=float(fall.t[0]),
         end=float(rise.t[-1]),
+        last_before=float(fall.t[-1]),
+        first_after=float(rise.t[0]),
         tilt_before=tilt,
         tilt_after=float(rise.tilt[-1]),
         rate_before=inward,

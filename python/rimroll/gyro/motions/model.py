@@ -1,0 +1,230 @@
+"""The rates that a sensor shows of motions under a law, beside those of a record."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.body import Body
+from rimroll.errors import RimrollError
+from rimroll.gyro.motions.law_numbers import with_numbers
+from rimroll.gyro.motions.seen import SENSOR, Sensing, body_rates, derivatives
+from rimroll.laws import Law
+from rimroll.motion import Motion, simulate
+from rimroll.motion.jacobian import PARAMETERS
+from rimroll.state import State
+
+Array = NDArray[np.float64]
+
+BODY = ("radius", "height", "transverse_inertia", "axial_inertia")
+"""The numbers of the body, whose relative deviations are fitted; its mass does not matter alone."""
+START = ("tilt", "tilt_rate", "yaw_rate", "spin_rate")
+"""The numbers of a start that are fitted with exact derivatives."""
+RELEASE = (*START, "azimuth", "delay")
+"""The numbers of a release: its start, the azimuth of the sensor's axes, and its delay, s."""
+RTOL = 1e-8
+"""Tolerance of the motions: far below what any sensor resolves."""
+MOST_STEPS = 50_000
+SHIFT = 2e-5
+"""Time over which the motion is differenced by the delay, s."""
+SMALL = 2e-4
+"""Step by which a number of the law is differenced, of its size."""
+OF_FRICTION, OF_RESISTANCE = 0.05, 1e-3
+"""The sizes at which such numbers are taken as small."""
+UNREACHED = 1e3
+"""What a motion that cannot be computed differs by, in standard deviations."""
+
+SHARED = (*SENSOR, *(f"{name}_deviation" for name in BODY))
+"""The numbers that all releases share, besides those of the law."""
+
+_OF_START = [PARAMETERS.index(name) for name in START]
+_OF_BODY = [PARAMETERS.index(name) for name in BODY]
+
+
+@dataclass(frozen=True)
+class Window:
+    """The samples after one release that are fitted: ``rates`` (n, 3) less the bias at rest.
+
+    ``release``: the time at which the motion begins, as far as it is known, s; ``scatter`` (n, 1):
+    the standard deviation of a rate, rad/s.
+    """
+
+    release: float
+    t: Array
+    rates: Array
+    scatter: Array
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Expected values and standard deviations of the shared numbers, and that of the delay."""
+
+    shared: Array
+    shared_error: Array
+    delay_error: float
+
+
+@dataclass(frozen=True)
+class Model:
+    """Motions of a body after releases, seen by one sensor.
+
+    Its vector of numbers holds the ``free`` numbers of the law, those of the sensor and the body
+    (:data:`SHARED`), and those of each release (:data:`RELEASE`).
+    """
+
+    body: Body
+    law: Law
+    free: tuple[str, ...]
+    gravity: float
+    sensing: Sensing
+    windows: Sequence[Window]
+    prior: Prior
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the numbers; those of release k end in ``_k`` if there are several."""
+        several = len(self.windows) > 1
+        ends = [f"_{k}" if several else "" for k in range(1, len(self.windows) + 1)]
+        return [*self.free, *SHARED, *(f"{name}{end}" for end in ends for name in RELEASE)]
+
+    @property
+    def count(self) -> int:
+        """How many rates are fitted."""
+        return 3 * sum(len(window.t) for window in self.windows)
+
+    def numbers_of_law(self, vector: Array) -> Array:
+        """The free numbers of the law."""
+        return np.asarray(vector[: len(self.free)])
+
+    def numbers_of_law_given(self) -> Array:
+        """The free numbers as the law has them."""
+        numbers = self.law.numbers
+        return np.array([float(numbers[name]) for name in self.free])  # type: ignore[arg-type]
+
+    def numbers_of_sensor(self, vector: Array) -> Array:
+        """The numbers of the sensor."""
+        return vector[len(self.free) :][: len(SENSOR)]
+
+    def shared(self, vector: Array) -> Array:
+        """The numbers of the sensor and of the body."""
+        return vector[len(self.free) :][: len(SHARED)]
+
+    def body_at(self, vector: Array) -> Body:
+        """The body with the deviations of a vector; ``RimrollError`` if there is none such."""
+        deviations = self.shared(vector)[len(SENSOR) :]
+        changed = {
+            name: float(getattr(self.body, name) * (1.0 + deviation))
+            for name, deviation in zip(BODY, deviations, strict=True)
+            if deviation != 0.0
+        }
+        return replace(self.body, **changed)
+
+    def place(self, window: int) -> slice:
+        """Where the numbers of a release are."""
+        first = len(self.free) + len(SHARED) + window * len(RELEASE)
+        return slice(first, first + len(RELEASE))
+
+    def law_at(self, vector: Array) -> Law:
+        """The law with the numbers of a vector."""
+        numbers = self.numbers_of_law(vector)
+        return with_numbers(self.law, dict(zip(self.free, map(float, numbers), strict=True)))
+
+    def motion(self, vector: Array, window: int, law: Law, jacobian: bool = False) -> Motion:
+        """The motion after a release; ``RimrollError`` where the start is impossible."""
+        numbers = vector[self.place(window)]
+        start = State(**dict(zip(START, map(float, numbers), strict=False)), spin=float(numbers[4]))
+        part = self.windows[window]
+        duration = max(float(part.t[-1]) - part.release - min(numbers[5], 0.0) + 1e-3, 1e-2)
+        return simulate(
+            self.body_at(vector), start, law, duration, gravity=self.gravity, rtol=RTOL,
+            max_steps=MOST_STEPS, jacobian=jacobian,
+        )  # fmt: skip
+
+    def _since(self, vector: Array, window: int, motion: Motion) -> Array:
+        """Times of the samples since the release, inside the motion."""
+        part = self.windows[window]
+        since = part.t - part.release - vector[self.place(window)][5]
+        return np.asarray(np.clip(since, 0.0, float(motion.t[-1])))
+
+    def shown(self, vector: Array, window: int, law: Law | None = None) -> Array:
+        """The rates that the sensor would show, (n, 3), rad/s; NaN after the end of the motion."""
+        motion = self.motion(vector, window, law or self.law_at(vector))
+        rates = body_rates(motion.evaluate(self._since(vector, window, motion)))
+        return self.sensing.shown(rates, self.numbers_of_sensor(vector))
+
+    def residuals(self, vector: Array) -> Array:
+        """What is left of the rates over their scatter, and of the priors over theirs."""
+        law = self.law_at(vector)
+        parts = []
+        for k, part in enumerate(self.windows):
+            try:
+                left = (self.shown(vector, k, law) - part.rates) / part.scatter
+            except RimrollError:
+                left = np.full(part.rates.shape, UNREACHED)
+            parts.append(np.nan_to_num(left, nan=UNREACHED).ravel())
+        return np.concatenate([*parts, *self._of_prior(vector)])
+
+    def _of_prior(self, vector: Array) -> list[Array]:
+        shared = (self.shared(vector) - self.prior.shared) / self.prior.shared_error
+        delays = [vector[self.place(k)][5:] for k in range(len(self.windows))]
+        return [shared, np.concatenate(delays) / self.prior.delay_error]
+
+    def jacobian(self, vector: Array) -> Array:
+        """Derivatives of :meth:`residuals`: exact ones by the start, differences by the law."""
+        law = self.law_at(vector)
+        sensor = self.numbers_of_sensor(vector)
+        first = len(self.free)
+        rows = []
+        for k, part in enumerate(self.windows):
+            block = np.zeros((*part.rates.shape, len(vector)))
+            try:
+                place = self.place(k)
+                by_release, by_body = self._by_motion(vector, k, law, sensor)
+                block[:, :, place] = by_release
+                block[:, :, first + len(SENSOR) : first + len(SHARED)] = by_body
+                motion = self.motion(vector, k, law)
+                rates = body_rates(motion.evaluate(self._since(vector, k, motion)))
+                block[:, :, first : first + len(SENSOR)] = self.sensing.by_sensor(rates, sensor)
+                for i in range(first):
+                    block[:, :, i] = self._by_law(vector, k, i)
+            except RimrollError:
+                pass  # no derivative where there is no motion
+            block = np.nan_to_num(block, posinf=0.0, neginf=0.0) / part.scatter[:, :, np.newaxis]
+            rows.append(block.reshape(-1, len(vector)))
+        prior = np.zeros((len(SHARED) + len(self.windows), len(vector)))
+        for i, error in enumerate(self.prior.shared_error):
+            prior[i, first + i] = 1.0 / error
+        for k in range(len(self.windows)):
+            prior[len(SHARED) + k, self.place(k).stop - 1] = 1.0 / self.prior.delay_error
+        return np.concatenate([*rows, prior])
+
+    def _by_motion(self, vector: Array, k: int, law: Law, sensor: Array) -> tuple[Array, Array]:
+        """Derivatives (n, 3, 6) by the numbers of a release, and (n, 3, 4) by those of the body."""
+        motion = self.motion(vector, k, law, jacobian=True)
+        since = self._since(vector, k, motion)
+        moments = motion.evaluate(since)
+        of_state = motion.jacobian(since).values
+        sizes = np.array([getattr(self.body, name) for name in BODY])
+        of_body = derivatives(moments, of_state[:, :, _OF_BODY] * sizes)
+        end = float(motion.t[-1])
+        later = body_rates(motion.evaluate(np.clip(since + SHIFT, 0.0, end)))
+        sooner = body_rates(motion.evaluate(np.clip(since - SHIFT, 0.0, end)))
+        rates = body_rates(moments)
+        by_azimuth = np.stack([rates[:, 1], -rates[:, 0], np.zeros(len(rates))], axis=-1)
+        extra = np.stack([by_azimuth, (sooner - later) / (2.0 * SHIFT)], axis=-1)
+        of_start = derivatives(moments, of_state[:, :, _OF_START])
+        of_release = np.concatenate([of_start, extra], axis=-1)
+        carried = self.sensing.carried
+        return carried(of_release, sensor), carried(of_body, sensor)
+
+    def _by_law(self, vector: Array, k: int, i: int) -> Array:
+        least = OF_FRICTION if self.free[i] in ("friction", "static") else OF_RESISTANCE
+        step = SMALL * max(abs(float(vector[i])), least)
+        ahead, behind = vector.copy(), vector.copy()
+        ahead[i] += step
+        behind[i] = max(behind[i] - step, 0.0)
+        apart = self.shown(ahead, k) - self.shown(behind, k)
+        return np.asarray(apart / (ahead[i] - behind[i]))

@@ -1,0 +1,45 @@
+"""What to know about the fit of a motion, in sentences."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from rimroll.gyro.motions.windows import Chain
+
+
+def notes_of(
+    chains: Sequence[Chain],
+    followed: list[int],
+    sure: list[bool],
+    interval: tuple[float, float | None] | None,
+    told: bool,
+    inflation: float,
+) -> list[str]:
+    """The sentences that apply; ``told``: whether the record limits the friction."""
+    notes = []
+    if not chains[0].collisions[0].released:
+        notes.append(
+            "No release was seen, so the fit assumes that the rim rests where the tilt is largest."
+        )
+    later = sum(len(one.collisions) for one in chains) - sum(followed)
+    if later:
+        notes.append(
+            f"Not followed: {later} later near-collisions, which depend too much on small errors of"
+            " what came before, or are beyond the number asked for."
+        )
+    if not all(sure):
+        count = sum(not one for one in sure)
+        notes.append(
+            f"The side of {count} of {len(sure)} turns is not sure: a turn to the other side suits"
+            " about as well."
+        )
+    if interval is not None and not told:
+        notes.append("The record cannot tell the friction: nearly every friction suits it.")
+    if inflation > 4.0:
+        notes.append(
+            f"The residuals are {math.sqrt(inflation):.1f} times what the sensor's errors explain,"
+            " so all intervals were made wider by this factor: the body may not be round or not"
+            " the one given, or the sensor not fixed."
+        )
+    return notes

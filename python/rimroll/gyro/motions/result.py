@@ -1,0 +1,148 @@
+"""What the fit of a whole motion found."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rimroll.gyro.analysis import Analysis
+from rimroll.laws import Law
+from rimroll.state import State
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted number: ``error`` is its standard deviation, by the covariance.
+
+    ``interval`` is at the confidence level; ``method`` says how it was found, ``"profile"`` or
+    ``"covariance"``. An end that the record does not limit is None.
+    """
+
+    value: float
+    error: float
+    interval: tuple[float | None, float | None]
+    method: str
+
+
+@dataclass(frozen=True)
+class LawVerdict:
+    """How well a law describes the record.
+
+    ``excess``: its sum of squares less that of the best law, over what the scatter of the residuals
+    makes of one (see :attr:`MotionFit.inflation`); ``excluded``: whether this exceeds the chi
+    square of one degree of freedom at the confidence level.
+    """
+
+    law: Law
+    excess: float
+    excluded: bool
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MotionFit:
+    """A motion that was fitted to a record: see :func:`rimroll.fit_motion`.
+
+    Attributes
+    ----------
+    analysis
+        What was read from the record first.
+    law
+        The law with the numbers that suit best.
+    starts, releases
+        The state at each release, and its time in the record, s.
+    numbers
+        The fitted numbers of the law, of the sensor and of each start, by name (``_1``, ``_2``, …
+        where there are several releases); ``delay`` is the clock offset: how much later than
+        expected the motion begins.
+    fitted_of_law
+        The names of the law's numbers among them.
+    followed
+        How many near-collisions after each release were fitted.
+    residuals, scatter
+        What is left of the rates, (n, 3), and their standard deviations (n, 1), rad/s; at times
+        ``t``.
+    inflation
+        By how much the squares of residuals are larger, and how many of them hang together: the
+        variances and the verdicts contain this factor.
+    sides_are_sure
+        For each release, whether a turn to the other side is excluded.
+    verdicts
+        The two ideal laws and dry friction compared.
+    friction_is_told
+        Whether the record limits the friction at all.
+    notes
+        What to know about it, a sentence each.
+    """
+
+    analysis: Analysis
+    law: Law
+    starts: Sequence[State]
+    releases: list[float]
+    numbers: dict[str, Estimate]
+    fitted_of_law: tuple[str, ...]
+    followed: list[int]
+    t: Array
+    shown: Array
+    residuals: Array
+    scatter: Array
+    inflation: float
+    sides_are_sure: list[bool]
+    verdicts: list[LawVerdict]
+    friction_is_told: bool
+    notes: list[str]
+
+    def __repr__(self) -> str:
+        left = math.degrees(self.residual)
+        return f"<Motion fit: {self.law!r}, residual {left:.2f} degrees/s>"
+
+    @property
+    def residual(self) -> float:
+        """Root mean square of the residuals, rad/s."""
+        return float(np.sqrt(np.mean(self.residuals**2)))
+
+    @property
+    def friction(self) -> Estimate | None:
+        """The friction; None where the law has none or the record does not tell."""
+        return self.numbers.get("friction") if self.friction_is_told else None
+
+    def plot(self) -> Figure:
+        """The rates of the record and of the fitted motion, and what is left."""
+        from rimroll.gyro.motions.figure import fit_figure
+
+        return fit_figure(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything that was fitted, as plain numbers in SI units and radians."""
+        return {
+            "law": repr(self.law),
+            "numbers": {
+                name: {
+                    "value": one.value,
+                    "error": one.error,
+                    "interval": list(one.interval),
+                    "method": one.method,
+                }
+                for name, one in self.numbers.items()
+            },
+            "friction_is_told": self.friction_is_told,
+            "releases": self.releases,
+            "followed": self.followed,
+            "sides_are_sure": self.sides_are_sure,
+            "residual": self.residual,
+            "inflation": self.inflation,
+            "verdicts": [
+                {"law": repr(one.law), "excess": one.excess, "excluded": one.excluded}
+                for one in self.verdicts
+            ],
+            "notes": self.notes,
+        }
