@@ -111,7 +111,7 @@ web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc t
 	tools/build_extension.sh
 	@touch $@
 
-.venv/.packages: pyproject.toml constraints.txt tools/setup.sh | toolchain
+.venv/.packages: pyproject.toml $(wildcard score/pyproject.toml) constraints.txt tools/setup.sh | toolchain
 	tools/setup.sh
 
 # .venv contains its own path: in a tree that was moved or copied it is created again.

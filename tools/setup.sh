@@ -12,4 +12,5 @@ rm -rf .venv
 .venv/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt uv
 .venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt \
     --requirements pyproject.toml --group dev
+.venv/bin/uv pip install --quiet --python .venv/bin/python --no-deps --editable score
 pwd -P >.venv/.packages

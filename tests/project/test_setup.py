@@ -185,7 +185,7 @@ def test_every_package_that_is_imported_is_declared():
                 imported |= {alias.name.split(".")[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and not node.level:
                 imported.add(node.module.split(".")[0])
-    own = {"rimroll", "rimroll_command"}
+    own = {"rimroll", "rimroll_command", "rimroll_score"}
     type_checkers_only = {"typing_extensions"}
     packages = imported - sys.stdlib_module_names - own - type_checkers_only
     distributions = {

@@ -27,6 +27,7 @@ COMMANDS = {
     "gyro": "Turns and friction from the record of a gyroscope in the body.",
     "study": "Many bodies, frictions, starts and records, planned in a file.",
     "lab": "Tip the can in a browser, on a page that computes itself.",
+    "score": "Which physics engine gets the can right: a scorecard.",
     "reproduce": "The paper's numbers, figures and film redone as one page.",
 }
 """Each command, the function of that name in the module of that name, and its first line of help.

@@ -1,0 +1,99 @@
+"""MuJoCo: the cylinder of its plane-cylinder routine has a round rim."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, ClassVar
+
+import mujoco
+import numpy as np
+
+from rimroll_score.protocol import (
+    Scene,
+    State,
+    inertia_departures,
+    quaternion,
+    rotation_matrix,
+)
+
+STIFF = 2.0
+"""Time constant of the contact in the best settings, in steps; MuJoCo allows none below 2."""
+
+
+class MuJoCo:
+    """A free body with a cylinder geom over a plane."""
+
+    settings: ClassVar = {
+        "defaults": "the options of an empty model; friction as asked",
+        "best": "implicitfast, elliptic cone, impratio 100, contact as stiff as the step allows "
+        "(solref 2 dt, solimp 0.99 to 0.9999), solver tolerance 1e-12",
+    }
+    known_versions = ""
+
+    def version(self) -> str:
+        return str(mujoco.__version__)
+
+    def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
+        body, best = scene.body, setting == "best"
+        friction = min(scene.friction, 1.0)
+        options = (
+            'integrator="implicitfast" cone="elliptic" impratio="100" tolerance="1e-12" '
+            'iterations="200"'
+            if best
+            else ""
+        )
+        geom = f'friction="{friction} 0 0" condim="{3 if friction else 1}"'
+        if best:
+            geom += f' solref="{STIFF * dt} 1" solimp="0.99 0.9999 1e-6 0.5 2"'
+        transverse, axial = body.transverse_inertia, body.axial_inertia
+        floor = f'<geom name="table" type="plane" size="9 9 1" {geom}/>' if scene.table else ""
+        self._model: Any = mujoco.MjModel.from_xml_string(f"""
+            <mujoco>
+              <compiler balanceinertia="false" boundmass="0" boundinertia="0"/>
+              <option timestep="{dt}" gravity="0 0 {-scene.gravity}" {options}/>
+              <worldbody>
+                {floor}
+                <body name="body">
+                  <freejoint/>
+                  <inertial pos="0 0 0" mass="{body.mass}"
+                    diaginertia="{transverse} {transverse} {axial}"/>
+                  <geom type="cylinder" size="{body.radius} {body.height}" {geom}/>
+                </body>
+              </worldbody>
+            </mujoco>""")
+        self._data: Any = mujoco.MjData(self._model)
+        departures = inertia_departures(body, self._model.body_mass[1], self._axes(body))
+        if self._model.dof_damping.any():
+            departures.append(f"the joint's damping is {self._model.dof_damping.max():g}")
+        if math.isinf(scene.friction):
+            departures.append(f"friction is {friction:g}, not infinite")
+        if scene.table:
+            departures.append("contacts are soft: they never touch without overlap")
+        if friction and not best:
+            departures.append("the friction cone is a pyramid")
+        return departures
+
+    def _axes(self, body: Any) -> Any:
+        """Principal moments about the geom's axes; MuJoCo may order them in another way."""
+        turned = rotation_matrix(self._model.body_iquat[1])
+        return np.diag(turned @ np.diag(self._model.body_inertia[1]) @ turned.T)
+
+    def set_state(self, state: State) -> None:
+        mujoco.mj_resetData(self._model, self._data)
+        self._data.qpos[:3] = state.position
+        self._data.qpos[3:] = quaternion(state.rotation)
+        self._data.qvel[:3] = state.velocity
+        self._data.qvel[3:] = state.rotation.T @ state.angular_velocity  # in the body's frame
+        mujoco.mj_forward(self._model, self._data)
+
+    def step(self) -> None:
+        mujoco.mj_step(self._model, self._data)
+
+    def time(self) -> float:
+        return float(self._data.time)
+
+    def state(self) -> State:
+        turned = rotation_matrix(self._data.qpos[3:])
+        angular_velocity = turned @ self._data.qvel[3:]
+        position, velocity = self._data.qpos[:3].copy(), self._data.qvel[:3].copy()
+        return State(position, turned, velocity, angular_velocity)

@@ -1,0 +1,104 @@
+"""PyBullet (Bullet 3).
+
+A cylinder of ``createCollisionShape`` has a round rim, that of a URDF has 32 corners.
+"""
+
+from __future__ import annotations
+
+import math
+from importlib.metadata import version
+from typing import ClassVar
+
+import numpy as np
+import pybullet
+
+from rimroll_score.protocol import (
+    Scene,
+    State,
+    inertia_departures,
+    quaternion,
+    rotation_matrix,
+)
+
+
+class PyBullet:
+    """A rigid body with a cylinder shape over a plane."""
+
+    settings: ClassVar = {
+        "defaults": "the world as it comes, damping and sleeping included",
+        "best": "no damping, no sleeping, collision margin 1e-6 m, implicit cone, 200 iterations, "
+        "no residual threshold, gyroscopic terms, no restitution and slop",
+    }
+    known_versions = "3."
+
+    def version(self) -> str:
+        return version("pybullet")
+
+    def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
+        body, best = scene.body, setting == "best"
+        friction = min(scene.friction, 1.0)
+        if pybullet.isConnected():
+            pybullet.disconnect()
+        pybullet.connect(pybullet.DIRECT)
+        pybullet.setTimeStep(dt)
+        pybullet.setGravity(0.0, 0.0, -scene.gravity)
+        if best:
+            pybullet.setPhysicsEngineParameter(
+                numSolverIterations=200, solverResidualThreshold=0.0, contactSlop=0.0,
+                enableConeFriction=1, erp=0.2, contactERP=0.2, frictionERP=0.2,
+                restitutionVelocityThreshold=0.0,
+            )  # fmt: skip
+        if scene.table:
+            plane = pybullet.createCollisionShape(pybullet.GEOM_PLANE)
+            table = pybullet.createMultiBody(0.0, plane)
+            pybullet.changeDynamics(table, -1, lateralFriction=1.0)
+        cylinder = pybullet.createCollisionShape(
+            pybullet.GEOM_CYLINDER, radius=body.radius, height=2.0 * body.height
+        )
+        self._body = pybullet.createMultiBody(body.mass, cylinder)
+        inertia = [body.transverse_inertia, body.transverse_inertia, body.axial_inertia]
+        # Bullet multiplies the frictions of the two bodies.
+        pybullet.changeDynamics(
+            self._body, -1, localInertiaDiagonal=inertia, lateralFriction=friction,
+            rollingFriction=0.0, spinningFriction=0.0, restitution=0.0,
+        )  # fmt: skip
+        if best:
+            pybullet.changeDynamics(
+                self._body, -1, linearDamping=0.0, angularDamping=0.0, collisionMargin=1e-6,
+                activationState=pybullet.ACTIVATION_STATE_DISABLE_SLEEPING,
+                maxJointVelocity=1e6,
+            )  # fmt: skip
+        self._dt, self._steps = dt, 0
+        info = pybullet.getDynamicsInfo(self._body, -1)
+        departures = inertia_departures(body, info[0], info[2])
+        if math.isinf(scene.friction):
+            departures.append(f"friction is {friction:g}, not infinite")
+        if not best:
+            departures.append("linear and angular damping are 0.04 1/s")
+            departures.append(f"the collision margin is {info[11]:g} m")
+            departures.append("a body that is slow for long may be put to sleep")
+        departures.append("angular velocity is limited to 100 rad/s unless it is raised")
+        return departures
+
+    def set_state(self, state: State) -> None:
+        w, x, y, z = quaternion(state.rotation)
+        pybullet.resetBasePositionAndOrientation(self._body, state.position, [x, y, z, w])
+        pybullet.resetBaseVelocity(
+            self._body, state.velocity.tolist(), state.angular_velocity.tolist()
+        )
+        self._steps = 0
+
+    def step(self) -> None:
+        pybullet.stepSimulation()
+        self._steps += 1
+
+    def time(self) -> float:
+        return self._steps * self._dt  # PyBullet has no clock
+
+    def state(self) -> State:
+        position, (x, y, z, w) = pybullet.getBasePositionAndOrientation(self._body)
+        velocity, angular_velocity = pybullet.getBaseVelocity(self._body)
+        return State(
+            np.array(position), rotation_matrix([w, x, y, z]),
+            np.array(velocity), np.array(angular_velocity),
+        )  # fmt: skip

@@ -1,0 +1,117 @@
+"""Rapier, from Python in single precision.
+
+Its default friction model acts on groups of contacts, some of which are predicted far away.
+"""
+
+from __future__ import annotations
+
+import math
+from importlib.metadata import version
+from typing import Any, ClassVar
+
+import numpy as np
+import rapier3d
+
+from rimroll_score.protocol import (
+    Scene,
+    State,
+    inertia_departures,
+    quaternion,
+    rotation_matrix,
+)
+
+UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+"""From the axes of Rapier's cylinder, which stands along y, to the body's."""
+
+
+class Rapier:
+    """A dynamic body with a cylinder over a half space."""
+
+    settings: ClassVar = {
+        "defaults": "the world as it comes, at the step asked",
+        "best": "Coulomb friction at every contact, lengths of 5 cm, 20 iterations, no contact "
+        "kept from the last step, fast rotation allowed, no sleeping",
+    }
+    known_versions = "0."
+
+    def version(self) -> str:
+        return version("rapier3d")
+
+    def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
+        body, best = scene.body, setting == "best"
+        friction = min(scene.friction, 1.0)
+        self._world: Any = rapier3d.PhysicsWorld(gravity=(0.0, 0.0, -scene.gravity))
+        known = self._world.integration_parameters
+        known.dt = dt
+        if best:
+            known.friction_model = rapier3d.FrictionModel.COULOMB
+            known.length_unit = 0.05
+            known.num_solver_iterations = 20
+            known.contact_recycling = False
+            known.contact_clustering = False
+            known.normalized_allowed_linear_error = 1e-5
+            stiff = rapier3d.SpringCoefficients(1.0 / (8.0 * dt), 5.0)
+            known.contact_softness = known.static_contact_softness = stiff
+        moments = rapier3d.Vec3(
+            body.transverse_inertia, body.axial_inertia, body.transverse_inertia
+        )
+        properties = rapier3d.MassProperties(
+            rapier3d.Vec3(0.0, 0.0, 0.0), body.mass, moments, rapier3d.Rotation3.identity()
+        )
+        builder = rapier3d.RigidBody.dynamic(gyroscopic_forces=True) if best else None
+        builder = builder or rapier3d.RigidBody.dynamic()
+        builder = builder.additional_mass_properties(properties)
+        if best:
+            builder = builder.can_sleep(False).allow_fast_rotation(True)
+        self._body = self._world.add_body(builder)
+        cylinder = rapier3d.Collider.cylinder(body.height, body.radius)
+        self._world.add_collider(cylinder.density(0.0).friction(friction), self._body)
+        if scene.table:
+            table = rapier3d.Collider.halfspace(rapier3d.Vec3(0.0, 0.0, 1.0))
+            self._world.add_collider(table.friction(friction))
+        self._rigid().recompute_mass_properties_from_colliders(self._world.colliders)
+        self._dt, self._steps = dt, 0
+        has = self._rigid().mass_properties
+        x, y, z = _numbers(getattr(has, "local_mprops", has).principal_inertia)
+        departures = inertia_departures(body, self._rigid().mass, (x, z, y))
+        departures.append("arithmetic is in single precision")
+        if friction and not best:
+            departures.append("friction acts once for all contacts, with a twist")
+        if not self._rigid().gyroscopic_forces_enabled:
+            departures.append("gyroscopic forces are off")
+        if not best:
+            departures.append("rotation is limited to 45 degrees a substep")
+        if math.isinf(scene.friction):
+            departures.append(f"friction is {friction:g}, not infinite")
+        return departures
+
+    def _rigid(self) -> Any:
+        body = self._body
+        return self._world.rigid_bodies.get(body) if hasattr(body, "index") else body
+
+    def set_state(self, state: State) -> None:
+        w, x, y, z = (float(q) for q in quaternion(state.rotation @ UPRIGHT.T))
+        body = self._rigid()
+        body.position = rapier3d.Isometry3(
+            rapier3d.Vec3(*map(float, state.position)), rapier3d.Rotation3(w, x, y, z)
+        )
+        body.linvel = rapier3d.Vec3(*map(float, state.velocity))
+        body.angvel = rapier3d.Vec3(*map(float, state.angular_velocity))
+        self._steps = 0
+
+    def step(self) -> None:
+        self._world.step()
+        self._steps += 1
+
+    def time(self) -> float:
+        return self._steps * self._dt  # Rapier has no clock
+
+    def state(self) -> State:
+        body = self._rigid()
+        turned = body.rotation
+        spun = rotation_matrix([turned.w, turned.i, turned.j, turned.k]) @ UPRIGHT
+        return State(_numbers(body.translation), spun, _numbers(body.linvel), _numbers(body.angvel))
+
+
+def _numbers(vector: Any) -> Any:
+    return np.array([vector.x, vector.y, vector.z])

@@ -1,0 +1,148 @@
+"""``rimroll score``: physics engines against the truth."""
+
+from __future__ import annotations
+
+import math
+import shlex
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rimroll.cli.screen import say
+from rimroll.errors import RimrollError
+from rimroll.output import ensure_folder
+from rimroll.units import quantity
+from rimroll_score import environments, registry, results
+from rimroll_score.page import Bounds, in_ms, in_words
+from rimroll_score.scoring import Missing, Plan, Unknown
+from rimroll_score.scoring import score as scored
+from rimroll_score.sweep import STEPS, Run, grade
+
+
+def score(
+    engine: Annotated[
+        list[str] | None,
+        typer.Argument(help="Engines that have an adapter, or your own as file.py:class."),
+    ] = None,
+    dt: Annotated[str | None, typer.Option(help="Steps, s, as in 2e-3,5e-4.")] = None,
+    settings: Annotated[str | None, typer.Option(help="Settings, as in defaults,best.")] = None,
+    cases: Annotated[str | None, typer.Option(help="Cases, as in rolling_near,wobble.")] = None,
+    repeats: Annotated[int, typer.Option(help="Runs of each; the worst counts.")] = 1,
+    limit: Annotated[str, typer.Option(help="Longest time of a run.")] = "60 s",
+    python: Annotated[str | None, typer.Option(help="A Python that has the engine.")] = None,
+    install: Annotated[
+        bool, typer.Option("--install", help="Make an environment with the engine first.")
+    ] = False,
+    checks: Annotated[
+        bool, typer.Option(help="Also the checks that need no truth, and 42 falls.")
+    ] = True,
+    max_error: Annotated[
+        str | None, typer.Option(help="Largest angle error that passes, as in 1deg.")
+    ] = None,
+    max_energy: Annotated[
+        str | None, typer.Option(help="Largest energy error that passes, as in 1%.")
+    ] = None,
+    output: Annotated[str, typer.Option("--output", "-o", help="A folder.")] = "score",
+) -> int:
+    """Which physics engine gets the can right: a scorecard.
+
+    Without an engine, lists those that have an adapter.
+    The folder gets index.html, results.json and a badge.
+    Engines that were scored into the same folder stay on the page.
+    With --max-error or --max-energy, the exit code is 1 if any case is
+    beyond that at the smallest step.
+
+    Examples:
+
+    $ rimroll score mujoco --install
+
+    $ rimroll score mujoco --dt 1e-4 --cases rolling_near --max-error 1deg --max-energy 1%
+
+    $ rimroll score my_adapter.py:MyEngine
+    """
+    if not engine:
+        for name, place in registry.engines().items():
+            say(f"{name:<10} {place}")
+        return 0
+    bounds = Bounds(
+        math.degrees(quantity(max_error or "1 deg", "rad", "max_error")),
+        quantity(max_energy or "1 %", "1", "max_energy"),
+    )
+    plan = Plan(
+        steps=_steps(dt),
+        settings=_listed(settings),
+        cases=_listed(cases),
+        check_step=1e-4 if checks else None,
+        repeats=_positive(repeats),
+        limit=quantity(limit, "s", "limit"),
+    )
+    folder = ensure_folder(output)
+    passed = True
+    for name in engine:
+        result = _scored(name, plan, python, install)
+        _keep(folder, result, bounds)
+        passed &= _passes(result, bounds)
+    say(f"The page is {folder / 'index.html'}.")
+    return int(not passed and (max_error is not None or max_energy is not None))
+
+
+def _scored(name: str, plan: Plan, python: str | None, install: bool) -> results.EngineResult:
+    command = shlex.join(["rimroll", *sys.argv[1:]])
+    try:
+        if install:
+            say(f"installing {name} into {environments.folder(name)}")
+            python = environments.installed(name)
+        return scored(name, plan, command, python or sys.executable, _tell)
+    except (registry.NoAdapter, Missing, Unknown, environments.NotInstalled) as error:
+        raise RimrollError(str(error)) from None
+
+
+def _tell(run: Run) -> None:
+    found = in_words(run) if run.measured else f"{run.status}: {run.message}"
+    say(f"{run.case:<15} {run.setting:<9} {in_ms(run.dt):>8}  {found}")
+
+
+def _keep(folder: Path, result: results.EngineResult, bounds: Bounds) -> None:
+    """Put an engine among those of the folder, and write the page again."""
+    from rimroll_score import page  # which loads matplotlib
+    from rimroll_score.badge import badge
+
+    try:
+        kept = results.load(folder)
+    except ValueError as error:
+        raise RimrollError(str(error)) from None
+    kept[result.name] = result
+    results.save(folder, list(kept.values()))
+    page.write(folder, list(kept.values()), bounds)
+    (folder / f"{result.name}.svg").write_text(badge(result, bounds), "utf-8")
+
+
+def _passes(result: results.EngineResult, bounds: Bounds) -> bool:
+    """Whether every case that the engine has is within the bounds at the smallest step."""
+    groups = {(run.case, run.setting) for run in result.runs if run.status != "unsupported"}
+    return all(
+        grade(result.of(case, setting), bounds.angle, bounds.energy) is not None
+        for case, setting in groups
+    )
+
+
+def _listed(names: str | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in names.split(",")) if names else ()
+
+
+def _steps(text: str | None) -> tuple[float, ...]:
+    if text is None:
+        return STEPS
+    steps = tuple(quantity(one.strip(), "s", "dt") for one in text.split(","))
+    for step in steps:
+        if not 1e-7 <= step <= 0.1:
+            raise RimrollError(f"dt must be between 1e-7 and 0.1 s, got {step:g}")
+    return steps
+
+
+def _positive(repeats: int) -> int:
+    if repeats < 1:
+        raise RimrollError(f"repeats must be at least 1, got {repeats}")
+    return repeats

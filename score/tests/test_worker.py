@@ -1,0 +1,127 @@
+"""An engine that goes wrong is told of in one sentence, and the next run goes on."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rimroll_score.cases import cases
+from rimroll_score.registry import NoAdapter, engines, located
+from rimroll_score.samples import BadSample, Recorder
+from rimroll_score.scoring import Missing, Plan, Unknown, score
+from rimroll_score.sweep import sweep, task
+from rimroll_score.worker import Worker
+
+FAKES = Path(__file__).with_name("fakes.py")
+CASE = next(case for case in cases() if case.name == "rolling_near")
+TASK = task(CASE.scene, CASE.state, 0.1, 0.01, "defaults")
+
+
+def fake(name):
+    return f"{FAKES}:{name}"
+
+
+@pytest.mark.parametrize(
+    ("name", "status", "says"),
+    [
+        ("Raises", "raised", "RuntimeError: the solver diverged"),
+        ("Dies", "crashed", "ended with code 7: terminate called"),
+        ("ReturnsNaN", "invalid", "position is not finite at t = 0.03 s"),
+        ("WrongShape", "invalid", r"position has shape \(4,\) at t = 0 s; it must be \(3,\)"),
+        ("NoRotation", "invalid", "rotation is no rotation matrix at t = 0 s"),
+        ("SlowClock", "invalid", "the engine's clock shows 0.005 s at t = 0.01 s"),
+        ("NoTable", "unsupported", "it has no table"),
+        ("NoSuchClass", "raised", "NoSuchClass"),
+    ],
+)
+def test_what_goes_wrong_is_told(name, status, says):
+    with Worker(fake(name)) as worker:
+        outcome = worker.run(TASK)
+    assert outcome.status == status
+    assert outcome.samples is None
+    assert re.search(says, outcome.message)
+
+
+def test_an_engine_that_hangs_is_stopped_and_started_again():
+    with Worker(fake("Hangs"), limit=0.3) as worker:
+        for _ in range(2):
+            outcome = worker.run(TASK)
+            assert (outcome.status, outcome.message) == ("too_slow", "no answer within 0.3 s")
+
+
+def test_an_engine_that_is_not_installed_is_missing(tmp_path):
+    adapter = tmp_path / "adapter.py"
+    adapter.write_text("import no_such_engine\n")
+    with Worker(f"{adapter}:Engine") as worker:
+        assert worker.run(TASK).status == "missing"
+    with pytest.raises(Missing, match="No module named 'no_such_engine'; install it"):
+        score(f"{adapter}:Engine", Plan(), "")
+
+
+def test_what_an_engine_prints_disturbs_nothing():
+    with Worker(fake("Loud")) as worker:
+        outcome = worker.run(TASK)
+    assert outcome.status == "ok"
+    assert outcome.departures == ("it never moves",)
+    assert len(outcome.samples.time) == 11
+    np.testing.assert_array_equal(outcome.samples.position[-1], CASE.state.position)
+
+
+def test_no_window_can_open(monkeypatch, tmp_path):
+    monkeypatch.setenv("DISPLAY", ":0")
+    adapter = tmp_path / "adapter.py"
+    adapter.write_text(
+        "import os\nclass Asks:\n    settings, known_versions = {}, ''\n"
+        "    def version(self): return os.environ.get('DISPLAY', 'none')\n"
+    )
+    with Worker(f"{adapter}:Asks") as worker:
+        assert worker.describe()["version"] == "none"
+
+
+def test_a_version_that_the_adapter_does_not_know_is_a_warning():
+    with Worker(fake("OfTomorrow")) as worker:
+        described = worker.describe()
+    assert described["warning"] == "the adapter was written for version 0., this is 1.0"
+
+
+def test_too_few_samples_are_refused():
+    recorder = Recorder(0.1)
+    recorder.add(0.0, 0.0, CASE.state)
+    with pytest.raises(BadSample, match="1 samples were returned instead of 3"):
+        recorder.samples(3)
+
+
+def test_after_a_step_that_took_too_long_no_finer_one_is_tried():
+    with Worker(fake("Hangs"), limit=0.3) as worker:
+        runs = sweep(worker, [CASE], (1e-2, 1e-3), ("defaults",))
+    assert [(run.dt, run.status) for run in runs] == [(1e-2, "too_slow"), (1e-3, "too_slow")]
+
+
+def test_an_unknown_engine_case_or_setting_is_told_with_those_that_there_are():
+    with pytest.raises(NoAdapter, match=r"'mujocco'; there are .*your own as module:class"):
+        located("mujocco")
+    with pytest.raises(Unknown, match="no case is called 'wabble'; there are rolling_far"):
+        score(fake("Still"), Plan(cases=("wabble",)), "")
+    with pytest.raises(Unknown, match="no setting is called 'best'; there are defaults"):
+        score(fake("Still"), Plan(settings=("best",)), "")
+
+
+def test_adapters_are_classes_that_their_entry_points_name():
+    file = Path(__file__).parents[1] / "pyproject.toml"
+    places = tomllib.loads(file.read_text("utf-8"))["project"]["entry-points"]["rimroll.engines"]
+    folder = file.parent / "src"
+    for place in places.values():
+        module, _, name = place.partition(":")
+        text = (folder / (module.replace(".", "/") + ".py")).read_text("utf-8")
+        assert f"class {name}:" in text
+    assert set(engines()) >= set(places) or not engines()  # none if it is not installed
+
+
+def test_the_last_sample_is_at_the_end_or_just_after_it():
+    for dt in (2e-3, 3.3e-4, 7e-5):
+        asked = task(CASE.scene, CASE.state, CASE.duration, dt, "defaults")
+        end = asked.samples * asked.every * dt
+        assert CASE.duration - 1e-9 <= end < CASE.duration + asked.every * dt
+        assert asked.samples <= 2000
