@@ -58,7 +58,7 @@ def score(
 
     $ rimroll score mujoco --install
 
-    $ rimroll score mujoco --dt 1e-4 --cases rolling_near --max-error 1deg --max-energy 1%
+    $ rimroll score mujoco --dt 1e-4 --cases wobble --max-error 1deg
 
     $ rimroll score my_adapter.py:MyEngine
     """

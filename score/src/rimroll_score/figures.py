@@ -45,7 +45,7 @@ def errors(results: Sequence[EngineResult], setting: str) -> str:
         axes[1, 0].set_ylabel("error of the energy, %")
         for axis, bound in zip(axes.flat, (1.0, 1.0, 1.0, 1.0), strict=True):
             axis.axhline(bound, color="#8A8A8A", linewidth=0.8, linestyle=":")
-        axes[0, 1].legend(loc="upper left", bbox_to_anchor=(1.02, 1.0))
+        _name_the_lines(axes[0, 1])
         return svg(figure)
 
 
@@ -69,11 +69,11 @@ def resolution(results: Sequence[EngineResult], setting: str) -> str:
                 x = [math.degrees(rates[run.case]) * run.dt for run in runs]
                 axis.plot(x, [_angle(run) for run in runs], **_look(number), linestyle="",
                           label=result.name)  # fmt: skip
-            axis.set(xscale="log", yscale="log", title=way)
+            axis.set(xscale="log", yscale="log", ylim=(5e-5, 300.0), title=way)
             axis.set_xlabel("run of the contact point in a step, degrees")
             axis.axhline(1.0, color="#8A8A8A", linewidth=0.8, linestyle=":")
         figure.axes[0].set_ylabel("error of the turn, degrees")
-        figure.axes[1].legend(loc="upper left", bbox_to_anchor=(1.02, 1.0))
+        _name_the_lines(figure.axes[1])
         return svg(figure)
 
 
@@ -108,6 +108,11 @@ def _nearest(result: EngineResult, setting: str) -> str:
     return setting if setting in result.settings else "defaults"
 
 
+def _name_the_lines(axis: Axes) -> None:
+    if axis.get_legend_handles_labels()[0]:
+        axis.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0))
+
+
 def _line(
     axis: Axes,
     runs: Sequence[Run],
@@ -116,10 +121,11 @@ def _line(
     number: int,
     name: str,
 ) -> None:
+    # Limits first: errors that are all alike would leave none to find.
+    axis.set(xscale="log", yscale="log", ylim=(5e-5, 300.0))
     points = [(along(run), error(run)) for run in runs if math.isfinite(error(run))]
     if points:
         axis.plot(*zip(*points, strict=True), **_look(number), linewidth=1.0, label=name)
-    axis.set(xscale="log", yscale="log")
 
 
 def _look(number: int) -> dict[str, Any]:

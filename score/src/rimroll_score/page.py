@@ -46,7 +46,7 @@ def write(folder: Path, results: Sequence[EngineResult], bounds: Bounds) -> Path
     loaded = Environment(loader=templates, autoescape=True, undefined=StrictUndefined)
     shown = sorted(results, key=lambda one: one.name)
     page = folder / "index.html"
-    settings = {"defaults", *(s for one in shown for s in one.settings)} & {"defaults", "best"}
+    settings = {s for one in shown for s in one.settings} & {"defaults", "best"}
     text = loaded.get_template("page.html").render(
         bounds=bounds,
         cases=cases(),
