@@ -134,6 +134,8 @@ def _integrated(slow: _SlowMotion, motion: SteadyMotion, smallest: float) -> Dec
     found = solve_ivp(
         over_log_tilt, span, first, method="DOP853", t_eval=at, rtol=1e-10, atol=1e-12
     )
+    if not found.success:
+        raise RimrollError(f"the decay cannot be followed below {math.exp(found.t[-1]):.3g} rad")
     w, s, t = found.y
     tilt = np.exp(at)
     falls, _, _, squares = np.array([slow.rates(*each) for each in zip(tilt, w, s, strict=True)]).T

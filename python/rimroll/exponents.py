@@ -36,11 +36,13 @@ class EndExponent:
     exponent: float
     """p."""
     exponent_interval: tuple[float, float]
-    """The exponents that the window allows, with the end time and the amplitude free."""
+    """The exponents that the window allows, with the end time and the amplitude free; without bound
+    on the side where it allows an exponential."""
     end: float
     """t_end, s."""
     end_interval: tuple[float, float]
-    """The end times that the window allows, s, with the exponent and the amplitude free."""
+    """The end times that the window allows, s, with the exponent and the amplitude free; up to
+    infinity if it allows an exponential."""
     amplitude: float
     """a, the value one second before the end."""
     confidence: float
@@ -216,11 +218,15 @@ class _Fit:
         step = 1e-3 * abs(exponent) + 1e-6
         low, high = (_zero(at_exponent, exponent, way * step) for way in (-1.0, 1.0))
         end_of = float(self.t[-1])
+        farthest = end_of + math.exp(last)
+        if at_end(self.bounds[1]) <= 0.0:  # An exponential is allowed, too.
+            farthest = math.inf
+            low, high = (low, math.inf) if exponent > 0.0 else (-math.inf, high)
         return EndExponent(
             exponent=exponent,
             exponent_interval=(low, high),
             end=end_of + math.exp(self.best),
-            end_interval=(end_of + math.exp(first), end_of + math.exp(last)),
+            end_interval=(end_of + math.exp(first), farthest),
             amplitude=math.exp(self.mean - exponent * float(self._log_left(self.best).mean())),
             confidence=confidence,
             window=(float(self.t[0]), end_of),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect, hold
-from rimroll.given import Number, Values, number
+from rimroll.given import Number, Values, number, positive
 from rimroll.state import State, single, times
 
 Array = NDArray[np.float64]
@@ -136,12 +136,10 @@ def reduced_motion(
     """
     one_body(body)
     expect("start", start, State)
-    release, length = single(start), number("duration", duration, "s")
-    g = number("gravity", gravity, "m/s^2")
+    release, length = single(start), positive("duration", duration, "s")
+    g = positive("gravity", gravity, "m/s^2")
     if not 0 <= number("order", order) <= TERMS or int(order) != order:
         raise RimrollError(f"order must be a whole number from 0 to {TERMS}, got {order}")
-    if not 0.0 < length < math.inf:
-        raise RimrollError(f"duration must be > 0 and finite, got {length} s")
     if not release.tilt <= LARGEST_TILT:
         raise RimrollError(f"tilt must be at most {LARGEST_TILT} rad, got {release.tilt:.6g} rad")
     if release.yaw_rate == release.spin_rate == 0.0:
@@ -216,13 +214,14 @@ def rocking_friction(body: Body, start: State, gravity: Number = _core.STANDARD_
     the mirror image. In the tipping, a pendulum about the contact point, T = −m (z φ̈ + ρ φ̇²) and N
     = m (g + ρ φ̈ − z φ̇²) with J φ̈ = −m g ρ.
 
-    Raises ``RimrollError`` for a start that does not come down, or whose rim lifts off.
+    Raises ``RimrollError`` for a gravity that is not positive, a start that does not come down, or
+    one whose rim lifts off.
     """
     from rimroll.theory import needed_friction
 
     one_body(body)
     expect("start", start, State)
-    release, g = single(start), number("gravity", gravity, "m/s^2")
+    release, g = single(start), positive("gravity", gravity, "m/s^2")
     m, R, H = body.mass, body.radius, body.height
     J = body.transverse_inertia + m * (R**2 + H**2)
     tilt = np.linspace(release.tilt, 0.0, 2001)

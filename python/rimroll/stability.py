@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number, optional
+from rimroll.given import Number, positive
 from rimroll.laws import Law, one_law
 from rimroll.motion import Motion, simulate
 from rimroll.state import State, single
@@ -78,7 +78,7 @@ def growth_rates(
     Raises
     ------
     RimrollError
-        A motion that is not steady, or whose derivatives are not
+        A number outside its bounds, or a motion that is not steady or whose derivatives are not
         accurate enough.
 
     Notes
@@ -94,10 +94,12 @@ def growth_rates(
     one_body(body)
     expect("start", start, State)
     one_law(law)
-    g, release = number("gravity", gravity, "m/s^2"), single(start)
+    g, release = positive("gravity", gravity, "m/s^2"), single(start)
     falling_rate = math.sqrt(g / body.radius)
     fastest = max(falling_rate, abs(release.yaw_rate), abs(release.spin_rate))
-    length = optional("duration", duration, "s") or 2 * BLOCKS / (STEPS_PER_RADIAN * fastest)
+    length = 2 * BLOCKS / (STEPS_PER_RADIAN * fastest)
+    if duration is not None:
+        length = positive("duration", duration, "s")
     for disturbance in DISTURBANCES:
         disturbed = replace(release, tilt_rate=release.tilt_rate + disturbance * falling_rate)
         flow, step = _followed(body, disturbed, law, length, g, fastest)

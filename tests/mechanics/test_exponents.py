@@ -101,3 +101,14 @@ def test_what_is_refused():
         rr.fit_exponent(t, 10.0 - t, confidence=95)
     with pytest.raises(rr.RimrollError, match=r"t\[1\] must be rising"):
         rr.fit_exponent(np.zeros(50), 10.0 - t)
+
+
+def test_a_window_that_allows_an_exponential_bounds_neither_end_nor_exponent():
+    rng = np.random.default_rng(3)
+    t = np.linspace(0.0, 1.0, 200)
+    curve = (20.0 - t) ** 2.0 * np.exp(rng.normal(0.0, 3e-3, t.size))
+    fit = rr.fit_exponent(t, curve)
+    assert fit.end_interval[1] == np.inf
+    assert fit.exponent_interval[1] == np.inf
+    assert fit.exponent_interval[0] < 2.0
+    assert fit.end_interval[0] < 20.0

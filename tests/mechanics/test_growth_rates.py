@@ -115,5 +115,9 @@ def test_a_disturbance_grows_as_the_rates_say():
 
 
 def test_what_is_refused():
+    for name in ("gravity", "duration"):
+        for wrong in (0.0, -1.0, np.nan):
+            with pytest.raises(rr.RimrollError, match=name):
+                rr.growth_rates(CAN, rr.State(tilt=0.5, yaw_rate=1.0), rr.NoSlip(), **{name: wrong})
     with pytest.raises(rr.RimrollError, match="the motion is not steady"):
         rr.growth_rates(CAN, rr.State(tilt=0.5, yaw_rate=1.0), rr.NoSlip())

@@ -84,6 +84,11 @@ def test_the_friction_of_a_rocking_is_that_of_a_motion_with_small_sideways_rates
 
 
 def test_what_is_refused():
+    for wrong in (0.0, -9.81, np.nan):
+        with pytest.raises(rr.RimrollError, match="gravity"):
+            rr.reduced_motion(CAN, rocking(0.1), gravity=wrong)
+        with pytest.raises(rr.RimrollError, match="gravity"):
+            rr.rocking_friction(CAN, rr.State(tilt=0.5), gravity=wrong)
     with pytest.raises(rr.RimrollError, match="order must be a whole number from 0 to 60"):
         rr.reduced_motion(CAN, rocking(0.1), order=61)
     with pytest.raises(rr.RimrollError, match=r"tilt must be at most 1\.5"):
