@@ -12,5 +12,7 @@ rm -rf .venv
 .venv/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt uv
 .venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt \
     --requirements pyproject.toml --group dev
-.venv/bin/uv pip install --quiet --python .venv/bin/python --no-deps --editable score
+if [ -d score ]; then
+    .venv/bin/uv pip install --quiet --python .venv/bin/python --no-deps --editable score
+fi
 pwd -P >.venv/.packages

@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rimroll.cli import main
 from rimroll_score.cases import cases
+from rimroll_score.protocol import State
 from rimroll_score.registry import NoAdapter, engines, located
 from rimroll_score.samples import BadSample, Recorder
 from rimroll_score.scoring import Missing, Plan, Unknown, score
@@ -91,6 +93,40 @@ def test_too_few_samples_are_refused():
     recorder.add(0.0, 0.0, CASE.state)
     with pytest.raises(BadSample, match="1 samples were returned instead of 3"):
         recorder.samples(3)
+
+
+def test_states_are_copied_because_engines_may_overwrite_them():
+    live = State(*(value.copy() for value in vars(CASE.state).values()))
+    recorder = Recorder(0.1)
+    recorder.add(0.0, 0.0, live)
+    live.position[:] += 1.0
+    recorder.add(0.1, 0.1, live)
+    found = recorder.samples(2).position
+    np.testing.assert_array_equal(found, np.add(CASE.state.position, [[0.0], [1.0]]))
+
+
+def test_numbers_whose_energy_would_be_infinite_are_refused():
+    huge = State(CASE.state.position * 1e200 + 1e200, *list(vars(CASE.state).values())[1:])
+    with pytest.raises(BadSample, match="position is not finite"):
+        Recorder(0.1).add(0.0, 0.0, huge)
+
+
+@pytest.mark.parametrize(
+    "options, says",
+    [
+        (["--limit", "-1 s"], "limit must be > 0"),
+        (["--install", "--python", "python3"], "give either --install"),
+    ],
+)
+def test_options_that_make_no_sense_are_refused(options, says, capsys, tmp_path):
+    assert main(["score", "rimroll", "-o", str(tmp_path), *options]) == 2
+    assert says in capsys.readouterr().err
+
+
+def test_a_bound_that_is_not_given_does_not_decide(capsys, tmp_path):
+    fake_still = ["score", fake("Still"), "--cases", "flight", "--dt", "1e-2", "--no-checks"]
+    assert main([*fake_still, "-o", str(tmp_path), "--max-energy", "1e9"]) == 0
+    assert main([*fake_still, "-o", str(tmp_path), "--max-error", "1e-9deg"]) == 1
 
 
 def test_after_a_step_that_took_too_long_no_finer_one_is_tried():

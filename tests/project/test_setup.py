@@ -229,5 +229,6 @@ def test_scripts_can_be_run(script):
 
 def test_every_folder_of_tests_is_run_by_make_test_but_the_proofs():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    folders = {f"tests/{file.parent.name}" for file in ROOT.glob("tests/*/test_*.py")}
+    files = [*ROOT.glob("tests/*/test_*.py"), *ROOT.glob("score/tests/test_*.py")]
+    folders = {file.parent.relative_to(ROOT).as_posix() for file in files}
     assert folders - {*project["tool"]["pytest"]["ini_options"]["testpaths"]} == {"tests/proofs"}

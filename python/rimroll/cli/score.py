@@ -7,5 +7,7 @@ try:
 except ModuleNotFoundError as error:
     if error.name != "rimroll_score":
         raise
-    message = "rimroll score needs another package: pip install rimroll-score"
+    message = (
+        "rimroll score needs another package: pip install rimroll-score, or ./score from a clone"
+    )
     raise RimrollError(message) from None

@@ -12,6 +12,7 @@ import typer
 
 from rimroll.cli.screen import say
 from rimroll.errors import RimrollError
+from rimroll.given import positive
 from rimroll.output import ensure_folder
 from rimroll.units import quantity
 from rimroll_score import environments, registry, results
@@ -44,7 +45,7 @@ def score(
     max_energy: Annotated[
         str | None, typer.Option(help="Largest energy error that passes, as in 1%.")
     ] = None,
-    output: Annotated[str, typer.Option("--output", "-o", help="A folder.")] = "score",
+    output: Annotated[str, typer.Option("--output", "-o", help="A folder.")] = "scorecard",
 ) -> int:
     """Which physics engine gets the can right: a scorecard.
 
@@ -66,24 +67,31 @@ def score(
         for name, place in registry.engines().items():
             say(f"{name:<10} {place}")
         return 0
-    bounds = Bounds(
+    shown = Bounds(
         math.degrees(quantity(max_error or "1 deg", "rad", "max_error")),
         quantity(max_energy or "1 %", "1", "max_energy"),
     )
+    # A bound that is not given does not decide.
+    asked = Bounds(
+        shown.angle if max_error is not None else math.inf,
+        shown.energy if max_energy is not None else math.inf,
+    )
+    if install and python is not None:
+        raise RimrollError("give either --install, which makes a Python, or --python")
     plan = Plan(
         steps=_steps(dt),
         settings=_listed(settings),
         cases=_listed(cases),
         check_step=1e-4 if checks else None,
         repeats=_positive(repeats),
-        limit=quantity(limit, "s", "limit"),
+        limit=positive("limit", limit, "s"),
     )
     folder = ensure_folder(output)
     passed = True
     for name in engine:
         result = _scored(name, plan, python, install)
-        _keep(folder, result, bounds)
-        passed &= _passes(result, bounds)
+        _keep(folder, result, shown)
+        passed &= _passes(result, asked)
     say(f"The page is {folder / 'index.html'}.")
     return int(not passed and (max_error is not None or max_energy is not None))
 
@@ -92,7 +100,8 @@ def _scored(name: str, plan: Plan, python: str | None, install: bool) -> results
     command = shlex.join(["rimroll", *sys.argv[1:]])
     try:
         if install:
-            say(f"installing {name} into {environments.folder(name)}")
+            if name in environments.PINS:
+                say(f"installing {name} into {environments.folder(name)}")
             python = environments.installed(name)
         return scored(name, plan, command, python or sys.executable, _tell)
     except (registry.NoAdapter, Missing, Unknown, environments.NotInstalled) as error:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Self
@@ -15,6 +14,10 @@ from rimroll_score.protocol import State
 Array = NDArray[np.float64]
 
 SHAPES = {"position": (3,), "rotation": (3, 3), "velocity": (3,), "angular_velocity": (3,)}
+
+
+LARGEST = 1e100
+"""No number of a state may be larger, in SI units."""
 
 
 class BadSample(Exception):
@@ -47,7 +50,7 @@ class Samples:
 
 @dataclass
 class Recorder:
-    """Takes states one by one, and refuses what is none."""
+    """Takes copies of states one by one, and refuses what is none."""
 
     dt: float
     rows: list[tuple[float, State]] = field(default_factory=list)
@@ -59,15 +62,18 @@ class Recorder:
         by more than a hundredth.
         """
         where = f"at t = {due:.6g} s"
+        copies = {name: np.array(getattr(state, name), dtype=float) for name in SHAPES}
         for name, shape in SHAPES.items():
-            value = np.asarray(getattr(state, name), dtype=float)
+            value = copies[name]
             if value.shape != shape:
                 raise BadSample(f"{name} has shape {value.shape} {where}; it must be {shape}")
-            if not math.isfinite(value.sum()):
+            # Larger numbers would have infinite energies. NaN is not below the bound either.
+            if not np.abs(value).max() < LARGEST:
                 raise BadSample(f"{name} is not finite {where}")
         if not abs(time - due) <= 0.01 * max(due, self.dt):
             raise BadSample(f"the engine's clock shows {time:.6g} s {where}")
-        self.rows.append((due, state))
+        # Copied: an engine may give a view of what it overwrites in the next step.
+        self.rows.append((due, State(**copies)))
 
     def samples(self, expected: int) -> Samples:
         """All samples; ``BadSample`` if some are missing or a matrix is no rotation."""

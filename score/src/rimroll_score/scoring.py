@@ -60,6 +60,8 @@ def score(
         described = worker.describe()
         if described["status"] != "ok":
             raise Missing(f"{engine} cannot be loaded: {described['message']}; {advice(engine)}")
+        if not described["settings"]:
+            raise Missing(f"{engine} has no settings: its class is to name at least one")
         settings = _chosen("setting", plan.settings, list(described["settings"]))
         by_name = {case.name: case for case in known.cases()}
         chosen = [by_name[name] for name in _chosen("case", plan.cases, list(by_name))]

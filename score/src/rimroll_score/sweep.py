@@ -94,8 +94,8 @@ def sweep(
 ) -> list[Run]:
     """Run every case with every setting, from the largest step to the smallest.
 
-    A case is left once the engine has not the scene or a step took too long; the finer steps get
-    the same status without a run.
+    A case is left once the engine does not have the scene or a step took too long; the finer steps
+    get the same status without a run.
     """
     runs: list[Run] = []
     for setting in settings:

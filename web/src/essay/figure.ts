@@ -42,6 +42,8 @@ export class Figure {
   private time: number | undefined;
   private hasPlayed = false;
   private flicked = false;
+  /** Of the flicks that are shown. */
+  private seed = INITIAL.seed;
   private curve: Curve | undefined;
 
   constructor(
@@ -117,7 +119,7 @@ export class Figure {
   }
 
   private get setup(): Setup {
-    return { ...INITIAL, ...this.scene.setup, ...this.control?.setup() };
+    return { ...INITIAL, seed: this.seed, ...this.scene.setup, ...this.control?.setup() };
   }
 
   private get turnEnd(): number {
@@ -128,7 +130,7 @@ export class Figure {
     const { lab, scene } = this;
     this.answered.value = false;
     if (scene.flicks) {
-      if (this.flicked) lab.change({ seed: lab.setup.value.seed + 1 });
+      if (this.flicked) lab.change({ seed: ++this.seed });
       this.flicked = true;
       startFlicks(lab);
     }

@@ -91,11 +91,11 @@ export class EssayStage {
         changed();
       }),
     );
-    onTheme(picture.repaint);
     addEventListener("beforeprint", picture.print);
     const sizes = new ResizeObserver(picture.resize);
     sizes.observe(stage);
     this.ends.push(
+      onTheme(picture.repaint),
       () => sizes.disconnect(),
       () => removeEventListener("beforeprint", picture.print),
     );

@@ -4,7 +4,7 @@ import { computed, effect } from "@preact/signals-core";
 import { button, element, svgElement } from "../elements";
 import { formatDegrees, formatNumber } from "../format/numbers";
 import type { Lab } from "../lab";
-import type { Setup } from "../setup/setup";
+import { INITIAL, type Setup } from "../setup/setup";
 import { download } from "../share/download";
 import "./gyro.css";
 import { toPhyphox } from "./phyphox";
@@ -32,7 +32,7 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}-phyphox.csv`;
     download(name, toPhyphox(motion), "text/csv");
-    message.textContent = `${name} saved. Read it with: rimroll gyro ${name} --body ${bodyForCommand(lab.setup.value)}`;
+    message.textContent = `${name} saved. Read it with: rimroll gyro ${name} ${optionsOf(lab.setup.value)}`;
   });
   place.append(
     element("h2", {}, "A phone in the body"),
@@ -81,6 +81,8 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
   });
 }
 
-/** A body as the command takes it: a preset, or a file that describes it. */
-const bodyForCommand = ({ body, fill }: Readonly<Setup>) =>
-  body === "own" || body === "inertia" || fill > 0 ? "my_body.toml" : body;
+/** The body as the command takes it, a preset or a file that describes it, and gravity unless it is that of the command. */
+const optionsOf = ({ body, fill, gravity }: Readonly<Setup>) => {
+  const name = body === "own" || body === "inertia" || fill > 0 ? "my_body.toml" : body;
+  return `--body ${name}` + (gravity === INITIAL.gravity ? "" : ` --gravity ${gravity}`);
+};

@@ -35,7 +35,9 @@ export function readPalette(): Palette {
   };
 }
 
-/** Calls a function when the colour scheme changes between light and dark. */
-export function onTheme(changed: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+/** Calls a function when the colour scheme changes between light and dark; what it returns ends that. */
+export function onTheme(changed: () => void): () => void {
+  const scheme = matchMedia("(prefers-color-scheme: dark)");
+  scheme.addEventListener("change", changed);
+  return () => scheme.removeEventListener("change", changed);
 }

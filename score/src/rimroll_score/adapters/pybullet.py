@@ -77,7 +77,7 @@ class PyBullet:
             departures.append("linear and angular damping are 0.04 1/s")
             departures.append(f"the collision margin is {info[11]:g} m")
             departures.append("a body that is slow for long may be put to sleep")
-        departures.append("angular velocity is limited to 100 rad/s unless it is raised")
+            departures.append("angular velocity is limited to 100 rad/s")
         return departures
 
     def set_state(self, state: State) -> None:
