@@ -173,7 +173,7 @@ pub fn simulate_polygonal_body(
     let mut steps = 0_usize;
     let watch = |t| {
         steps += 1;
-        if steps % 64 != 0 {
+        if !steps.is_multiple_of(64) {
             return ControlFlow::Continue(());
         }
         match report(t) {
