@@ -51,6 +51,7 @@ def test_columns_and_units_may_be_given(capsys, tmp_path):
         (["--units", "deg/s"], "the rates are in rad/s"),
         (["--columns", "b"], "--columns must be as in"),
         (["--body", "nothing.toml"], "nothing.toml"),
+        (["--body-error", "2%"], "--body-error needs --fit or --resistance"),
     ],
 )
 def test_what_is_wrong_is_said_in_a_sentence(capsys, options, message):

@@ -9,10 +9,14 @@ import pytest
 
 import rimroll as rr
 from rimroll.cli import main
+from rimroll.cli.gyro_fit import show_fit
 from rimroll.gyro.motions.law_numbers import fitted_names, with_numbers
-from rimroll.gyro.motions.model import SHARED, Model, Prior, Window
-from rimroll.gyro.motions.search import least
+from rimroll.gyro.motions.misfit import part_left
+from rimroll.gyro.motions.model import SHARED, UNREACHED, Model, Prior, Window
+from rimroll.gyro.motions.notes import notes_of
+from rimroll.gyro.motions.search import Found, least
 from rimroll.gyro.motions.seen import Sensing
+from rimroll.gyro.motions.windows import Chain
 from rimroll.scenario import load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -115,6 +119,39 @@ def test_derivatives_are_those_of_differences(law, free):
         assert exact[:, i] == pytest.approx(rough, abs=1e-3 * np.abs(rough).max() + 1e-6), name
 
 
+def test_after_a_motion_topples_every_sample_counts_as_unreached():
+    model = model_of(rr.NoSlip(), ())
+    vector = np.array([*np.zeros(len(SHARED)), 0.5, 6.0, 0.1, 0.05, 0.3, 0.0])
+    motion = model.motion(vector, 0, model.law)
+    assert motion.status == "toppled"
+    after = model.windows[0].t > motion.t[-1]
+    assert 0.1 < after.mean() < 0.9
+    assert np.array_equal(np.isnan(model.shown(vector, 0)), np.tile(after[:, np.newaxis], 3))
+    left = model.residuals(vector)[: model.count].reshape(-1, 3)
+    assert np.all(left[after] == UNREACHED)
+    derivatives = model.jacobian(vector)[: model.count].reshape(len(after), 3, -1)
+    assert np.all(derivatives[after] == 0.0)
+    assert np.all(np.abs(derivatives[~after]).max(axis=(1, 2)) > 0.0)
+    assert np.isnan(part_left(Found(model, vector, float(np.sum(left**2)), derivatives)))
+
+
+def test_after_a_body_comes_to_rest_the_sensor_shows_its_bias():
+    law = rr.Coulomb(0.3) + rr.RollingResistance(dry=5e-4) + rr.PivotingFriction(3e-4)
+    model = replace(model_of(rr.Coulomb(0.3), ()), law=law)
+    vector = np.array([*np.zeros(len(SHARED)), 0.5, -0.2, 0.1, 0.05, 0.3, 0.0])
+    vector[2:5] = (0.01, -0.02, 0.03)
+    motion = model.motion(vector, 0, law)
+    assert motion.status == "at_rest"
+    after = model.windows[0].t > motion.t[-1]
+    assert 0.1 < after.mean() < 0.9
+    shown = model.shown(vector, 0)
+    assert np.all(shown[after] == vector[2:5])
+    assert np.all(np.linalg.norm(shown[~after] - vector[2:5], axis=1) > 0.0)
+    by = model.jacobian(vector)[: model.count].reshape(len(after), 3, -1)[after]
+    assert np.all(by[:, :, model.place(0)] == 0.0)
+    assert by[:, 0, 2] == pytest.approx(1.0 / model.windows[0].scatter[after, 0])
+
+
 def test_the_minimum_without_noise_is_the_truth():
     model = model_of(rr.Coulomb(0.15), ("friction",))
     truth = np.array([0.15, *np.zeros(len(SHARED)), 0.5, -0.2, 0.1, 0.05, 0.3, 0.0])
@@ -150,7 +187,7 @@ def test_impossible_arguments_are_refused(options, message):
 
 
 @pytest.mark.slow
-def test_the_command_fits_draws_and_answers(capsys, tmp_path):
+def test_the_command_gives_the_fit_as_json(capsys):
     record = str(EXAMPLES / "simulated_phone_in_a_can.csv")
     body = str(EXAMPLES / "can_with_phone.toml")
     assert main(["gyro", record, "--body", body, "--fit", "--json"]) == 0
@@ -158,6 +195,41 @@ def test_the_command_fits_draws_and_answers(capsys, tmp_path):
     low, high = answer["fit"]["numbers"]["friction"]["interval"]
     assert low < 0.2 < high  # the friction of examples/phone_in_a_can.py
     assert high - low < 0.01
+
+
+@pytest.mark.slow
+def test_the_command_prints_the_fit_that_a_resistance_implies(capsys):
+    record = str(EXAMPLES / "simulated_phone_in_a_can.csv")
+    body = str(EXAMPLES / "can_with_phone.toml")
+    assert main(["gyro", record, "--body", body, "--resistance"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert any(line.startswith("fit of the whole motion over ") for line in lines)
+    rows = {line.split()[0]: line.split() for line in lines if line.strip()}
+    assert float(rows["friction"][1]) == pytest.approx(0.2, abs=0.01)
+    assert rows["friction"][-1] == "profile"
+    assert rows["rolling_dry"][-1] == "covariance"
+    verdicts = [line for line in lines if line.startswith(("NoSlip()", "Frictionless()"))]
+    assert len(verdicts) == 2
+    assert all(line.endswith(": excluded") for line in verdicts)
+
+
+def test_what_the_record_cannot_tell_is_printed_once(slipping, capsys):
+    chains = [Chain(list(slipping.analysis.collisions[:1]))]
+    notes = notes_of(chains, [1], [True], (0.0, None), False, 1.0)
+    show_fit(replace(slipping, friction_is_told=False, notes=notes))
+    assert capsys.readouterr().out.count("cannot tell") == 1
+
+
+@pytest.mark.parametrize(
+    ("later", "words"),
+    [(1, "1 later near-collision, which depends"), (2, "2 later near-collisions, which depend ")],
+)
+def test_the_notes_count_and_do_not_blame_the_sensor_alone(slipping, later, words):
+    one = slipping.analysis.collisions[0]
+    notes = notes_of([Chain([one] * (1 + later))], [1], [True], None, False, 9.0)
+    assert words in "\n".join(notes)
+    assert "or hang together from sample to sample" in notes[-1]
+    assert "all intervals are 3.0 times wider" in notes[-1]
 
 
 def test_the_figure_shows_record_motion_and_residuals(slipping):

@@ -62,15 +62,22 @@ FitOption = Annotated[
     ),
 ]
 ResistanceOption = Annotated[
-    bool, typer.Option("--resistance", help="With --fit: fit a dry rolling resistance, too.")
+    bool,
+    typer.Option(
+        "--resistance", help="Fit the whole motion with a dry rolling resistance: implies --fit."
+    ),
 ]
 BodyErrorOption = Annotated[
-    str,
+    str | None,
     typer.Option(
-        help="With --fit: standard deviation of the body's lengths and moments of inertia.",
+        help="With --fit or --resistance: standard deviation of the body's lengths and moments of"
+        " inertia. [1%]",
         metavar="PART",
     ),
 ]
+
+BODY_ERROR = "1%"
+"""The standard deviation of the body's numbers unless ``--body-error`` gives it."""
 
 
 def gyro(
@@ -83,7 +90,7 @@ def gyro(
     confidence: ConfidenceOption = "95%",
     fit: FitOption = False,
     resistance: ResistanceOption = False,
-    body_error: BodyErrorOption = "1%",
+    body_error: BodyErrorOption = None,
     output: OutputOption = None,
     json: JsonOption = False,
 ) -> int:
@@ -101,6 +108,8 @@ def gyro(
 
     $ rimroll gyro rock.csv --body my_can.toml --fit
     """
+    if body_error is not None and not (fit or resistance):
+        raise RimrollError("--body-error needs --fit or --resistance: nothing else uses it")
     files = output or []
     check(files, FORMS)
     motion = MotionOptions(gravity=gravity)
@@ -119,7 +128,8 @@ def gyro(
     )
     fitting = None
     if fit or resistance:
-        deviation = quantity(body_error, "1", "--body-error")
+        given = BODY_ERROR if body_error is None else body_error
+        deviation = quantity(given, "1", "--body-error")
         fitting = fitted(found, resistance, deviation)
     answer = {"body": what.name, **found.to_dict()}
     if fitting is not None:

@@ -39,8 +39,6 @@ def show_fit(fit: MotionFit) -> None:
     for name in (*fit.fitted_of_law, *_of_first_release(fit)):
         rows.add_row(name, *_in_words(name, fit.numbers[name]))
     say(rows)
-    if not fit.friction_is_told and "friction" in fit.numbers:
-        prose("friction: the record cannot tell")
     for one in fit.verdicts[1:]:
         prose(f"{one.law!r}: {'excluded' if one.excluded else 'possible'}")
     for note in fit.notes:

@@ -134,11 +134,14 @@ def fit_analysis(
     ideal = _ideal(begun, found, chains)
     begun, excess = _from_ideal(begun, excess, ideal)
     best, followed = _followed(begun, found, chains, most)
-    if part_left(best) > LARGEST_LEFT:
+    left = part_left(best)
+    if not left <= LARGEST_LEFT:
+        fault = f"leaves {100.0 * left:.0f} % of the rates"
+        if math.isnan(left):
+            fault = "ends before the record of it does"
         raise RimrollError(
-            f"{found.record.name}: no motion under {given!r} describes it: the best one leaves"
-            f" {100.0 * part_left(best):.0f} % of the rates. Check the body, whether the sensor is"
-            " fixed in it, and the law"
+            f"{found.record.name}: no motion under {given!r} describes it: the best one {fault}."
+            " Check the body, whether the sensor is fixed in it, and the law"
         )
     return _result(best, begun, ideal, found, chains, followed, excess)
 
@@ -181,8 +184,8 @@ def _followed(
             if not _is_predicted(model, best, k):
                 break
             trial = least(model, best.vector)
-            if normal_residual(trial) > WORSE * max(normal_residual(best), 1.0):
-                break
+            if not normal_residual(trial) <= WORSE * max(normal_residual(best), 1.0):
+                break  # worse, or the motion ends too early
             best, counts[k] = trial, counts[k] + 1
     return best, counts
 

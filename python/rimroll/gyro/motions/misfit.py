@@ -13,14 +13,14 @@ Array = NDArray[np.float64]
 
 
 def part_left(one: Found) -> float:
-    """Residual over rate: root mean squares."""
+    """Residual over rate: root mean squares; NaN if a motion ends before its samples do."""
     residuals, _ = residuals_of(one)
     rates = np.concatenate([window.rates for window in one.model.windows])
     return math.sqrt(float(np.mean(residuals**2) / np.mean(rates**2)))
 
 
 def residuals_of(one: Found) -> tuple[Array, Array]:
-    """What is left of the rates, rad/s, and the scatter."""
+    """What is left of the rates, rad/s (NaN after the end of a motion), and the scatter."""
     windows = one.model.windows
     shown = [one.model.shown(one.vector, k) for k in range(len(windows))]
     left = np.concatenate([w.rates - s for w, s in zip(windows, shown, strict=True)])

@@ -35,7 +35,9 @@ SMALL = 2e-4
 OF_FRICTION, OF_RESISTANCE = 0.05, 1e-3
 """The sizes at which such numbers are taken as small."""
 UNREACHED = 1e3
-"""What a motion that cannot be computed differs by, in standard deviations."""
+"""What a motion that has ended, or cannot be computed, differs by, in standard deviations."""
+END = 1e-9
+"""A sample at most so long after the end of a motion belongs to it, s."""
 
 SHARED = (*SENSOR, *(f"{name}_deviation" for name in BODY))
 """The numbers that all releases share, besides those of the law."""
@@ -143,16 +145,20 @@ class Model:
             max_steps=MOST_STEPS, jacobian=jacobian,
         )  # fmt: skip
 
-    def _since(self, vector: Array, window: int, motion: Motion) -> Array:
-        """Times of the samples since the release, inside the motion."""
+    def _since(self, vector: Array, window: int) -> Array:
+        """Times of the samples since the release, s; 0 before it."""
         part = self.windows[window]
         since = part.t - part.release - vector[self.place(window)][5]
-        return np.asarray(np.clip(since, 0.0, float(motion.t[-1])))
+        return np.asarray(np.maximum(since, 0.0))
 
     def shown(self, vector: Array, window: int, law: Law | None = None) -> Array:
-        """The rates that the sensor would show, (n, 3), rad/s; NaN after the end of the motion."""
+        """The rates that the sensor would show, (n, 3), rad/s.
+
+        After the end of the motion they are those of rest if the body has come to rest, and
+        otherwise NaN.
+        """
         motion = self.motion(vector, window, law or self.law_at(vector))
-        rates = body_rates(motion.evaluate(self._since(vector, window, motion)))
+        rates = _rates(motion, self._since(vector, window))
         return self.sensing.shown(rates, self.numbers_of_sensor(vector))
 
     def residuals(self, vector: Array) -> Array:
@@ -186,10 +192,11 @@ class Model:
                 block[:, :, place] = by_release
                 block[:, :, first + len(SENSOR) : first + len(SHARED)] = by_body
                 motion = self.motion(vector, k, law)
-                rates = body_rates(motion.evaluate(self._since(vector, k, motion)))
+                rates = _rates(motion, self._since(vector, k))
                 block[:, :, first : first + len(SENSOR)] = self.sensing.by_sensor(rates, sensor)
                 for i in range(first):
                     block[:, :, i] = self._by_law(vector, k, i)
+                block[np.isnan(rates).any(axis=1)] = 0.0
             except RimrollError:
                 pass  # no derivative where there is no motion
             block = np.nan_to_num(block, posinf=0.0, neginf=0.0) / part.scatter[:, :, np.newaxis]
@@ -204,12 +211,13 @@ class Model:
     def _by_motion(self, vector: Array, k: int, law: Law, sensor: Array) -> tuple[Array, Array]:
         """Derivatives (n, 3, 6) by the numbers of a release, and (n, 3, 4) by those of the body."""
         motion = self.motion(vector, k, law, jacobian=True)
-        since = self._since(vector, k, motion)
+        end = float(motion.t[-1])
+        unclipped = self._since(vector, k)
+        since = np.minimum(unclipped, end)
         moments = motion.evaluate(since)
         of_state = motion.jacobian(since).values
         sizes = np.array([getattr(self.body, name) for name in BODY])
         of_body = derivatives(moments, of_state[:, :, _OF_BODY] * sizes)
-        end = float(motion.t[-1])
         later = body_rates(motion.evaluate(np.clip(since + SHIFT, 0.0, end)))
         sooner = body_rates(motion.evaluate(np.clip(since - SHIFT, 0.0, end)))
         rates = body_rates(moments)
@@ -217,6 +225,8 @@ class Model:
         extra = np.stack([by_azimuth, (sooner - later) / (2.0 * SHIFT)], axis=-1)
         of_start = derivatives(moments, of_state[:, :, _OF_START])
         of_release = np.concatenate([of_start, extra], axis=-1)
+        ended = unclipped > end + END
+        of_release[ended], of_body[ended] = 0.0, 0.0
         carried = self.sensing.carried
         return carried(of_release, sensor), carried(of_body, sensor)
 
@@ -228,3 +238,11 @@ class Model:
         behind[i] = max(behind[i] - step, 0.0)
         apart = self.shown(ahead, k) - self.shown(behind, k)
         return np.asarray(apart / (ahead[i] - behind[i]))
+
+
+def _rates(motion: Motion, since: Array) -> Array:
+    """Rates in the body, (n, 3), rad/s; after the end of the motion 0 at rest, and else NaN."""
+    end = float(motion.t[-1])
+    rates = body_rates(motion.evaluate(np.minimum(since, end)))
+    later = 0.0 if motion.status == "at_rest" else np.nan
+    return np.where((since > end + END)[:, np.newaxis], later, rates)

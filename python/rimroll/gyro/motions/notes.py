@@ -25,8 +25,11 @@ def notes_of(
     later = sum(len(one.collisions) for one in chains) - sum(followed)
     if later:
         notes.append(
-            f"Not followed: {later} later near-collisions, which depend too much on small errors of"
-            " what came before, or are beyond the number asked for."
+            "Not followed: 1 later near-collision, which depends too much on small errors of what"
+            " came before, or is beyond the number asked for."
+            if later == 1
+            else f"Not followed: {later} later near-collisions, which depend too much on small"
+            " errors of what came before, or are beyond the number asked for."
         )
     if not all(sure):
         count = sum(not one for one in sure)
@@ -38,8 +41,8 @@ def notes_of(
         notes.append("The record cannot tell the friction: nearly every friction suits it.")
     if inflation > 4.0:
         notes.append(
-            f"The residuals are {math.sqrt(inflation):.1f} times what the sensor's errors explain,"
-            " so all intervals were made wider by this factor: the body may not be round or not"
-            " the one given, or the sensor not fixed."
+            "The residuals are larger than the sensor's errors explain, or hang together from"
+            f" sample to sample, so all intervals are {math.sqrt(inflation):.1f} times wider. The"
+            " body may not be round or not the one given, or the sensor may not be fixed."
         )
     return notes

@@ -77,7 +77,7 @@ class MotionFit:
     sides_are_sure
         For each release, whether a turn to the other side is excluded.
     verdicts
-        The two ideal laws and dry friction compared.
+        The fitted law and the two ideal ones, compared.
     friction_is_told
         Whether the record limits the friction at all.
     notes

@@ -69,17 +69,3 @@ def at_friction(model: Model, friction: float) -> Model:
     """The model with its friction fixed."""
     law = with_numbers(model.law, {"friction": friction})
     return replace(model, law=law, free=tuple(name for name in model.free if name != "friction"))
-
-
-def along_friction(model: Model, vector: Array, frictions: Array) -> list[Found]:
-    """The minima at several frictions, each search from the minimum before it.
-
-    ``vector`` holds the numbers without the friction.
-    """
-    found = []
-    for friction in frictions:
-        one = least(at_friction(model, float(friction)), vector)
-        found.append(one)
-        if np.isfinite(one.squares):
-            vector = one.vector
-    return found

@@ -84,15 +84,21 @@ def sides(found: Analysis, one: Collision) -> tuple[float, float]:
 
 
 def first_guess(model: Model, one: Collision, yaw_rate: float) -> Array:
-    """The numbers of a model with one window, as the collision was read."""
+    """The numbers of a model with one window, as the collision was read.
+
+    ``RimrollError`` if the motion from there ends before the first sample.
+    """
     spin = one.spin_rate + (one.yaw_rate - yaw_rate) * math.cos(one.tilt_before)
     law = model.numbers_of_law_given()
     vector = np.concatenate(
         [law, np.zeros(len(SHARED)), [one.tilt_before, one.tilt_rate, yaw_rate, spin, 0.0, 0.0]]
     )
     window = model.windows[0]
-    fall = window.t <= one.time
-    shown = model.sensing.unturned(model.shown(vector, 0)[fall])
+    rates = model.shown(vector, 0)
+    fall = (window.t <= one.time) & np.isfinite(rates).all(axis=1)
+    if not fall.any():
+        raise RimrollError("the motion ends before the first sample")
+    shown = model.sensing.unturned(rates[fall])
     seen = model.sensing.unturned(window.rates[fall])
     # Rates across the axis turn by minus the azimuth.
     across = np.sum((seen[:, 0] + 1j * seen[:, 1]) * (shown[:, 0] - 1j * shown[:, 1]))
