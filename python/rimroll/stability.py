@@ -37,7 +37,7 @@ LARGEST_ORDER = 6
 """Tilt, its rate, two rates and the slip."""
 
 STEADY = 1e-4
-"""By how much the tilt of a steady motion may change, rad."""
+"""The largest change of the tilt of a steady motion, rad."""
 
 LARGEST_GROWTH = 100.0
 """By which factor a disturbance may grow, so that it leaves others to be seen."""

@@ -2,6 +2,7 @@
 
 import math
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -192,6 +193,8 @@ def test_results_survive_a_file_and_make_a_page_and_a_badge(rimroll_itself, tmp_
     assert "mine 1.0" in text and '<td class="good"' in text and "2 ms" in text
     assert "<script" not in text and "<link" not in text
     assert "right to 2 ms" in badge(one, Bounds())
+    assert "right at no step tried" in badge(one, Bounds(0.0, 0.0))
+    assert "rolling_near not scored" in badge(replace(one, runs=[]), Bounds())
 
 
 def test_wrapped_angles_and_tilts():

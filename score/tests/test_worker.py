@@ -1,4 +1,4 @@
-"""An engine that goes wrong is told of in one sentence, and the next run goes on."""
+"""One sentence says how an engine went wrong, and the next run goes on."""
 
 import re
 import tomllib

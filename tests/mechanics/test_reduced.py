@@ -22,7 +22,7 @@ def turn_error(size, order):
 
 
 def test_at_order_zero_the_reduced_equation_lacks_the_logarithm_of_the_near_collisions_spin():
-    """Of the three terms of the error law, the equation has that of gravity alone.
+    """The equation has one of the three terms of the error law, that of gravity.
 
     The others are 2 √(J/K) (m H R/K) φ_c ln φ_c.
     """

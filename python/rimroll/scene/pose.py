@@ -90,7 +90,7 @@ class Pose:
     def contact(self, body: RoundBody) -> Array:
         """The rim's lowest point, (3,), m: it lies at azimuth yaw + pi from the base's centre.
 
-        Of a base with corners it is the lowest one.
+        If the base has corners, it is the lowest corner.
         """
         corners = corner_ways(body)
         if corners is not None:

@@ -13,7 +13,11 @@ def badge(result: EngineResult, bounds: Bounds) -> str:
     """An SVG that tells the best grade of any setting in ``rolling_near``."""
     grades = [grade(result.of(NEAR, one), bounds.angle, bounds.energy) for one in result.settings]
     best = max((one for one in grades if one is not None), default=None)
-    value = f"right to {in_ms(best)}" if best is not None else "no step tried"
+    if best is not None:
+        value = f"right to {in_ms(best)}"
+    else:
+        tried = any(run.case == NEAR for run in result.runs)
+        value = "right at no step tried" if tried else f"{NEAR} not scored"
     left, right = 84, 7 * len(value) + 14
     fill = "#1a7f5a" if best is not None else "#b34700"
     text = 'font-family="Verdana,DejaVu Sans,sans-serif" font-size="11" fill="#fff"'

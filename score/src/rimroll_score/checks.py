@@ -22,7 +22,7 @@ MIRROR = np.diag([1.0, -1.0, 1.0])
 ANGLES = (37.0, 90.0, 211.0)
 """Degrees."""
 SCALE = 4.0
-"""Of lengths; times go with its square root."""
+"""The factor on lengths; that on times is its square root."""
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ class Distribution:
     right_sides: int
     """Falls on the true side of straight across."""
     median_error: float | None
-    """Of the falls that there were, degrees."""
+    """The median error of the bodies that fell, degrees; None if none did."""
 
 
 def distribution(worker: Worker, falls: Falls, dt: float, setting: str) -> Distribution:

@@ -60,11 +60,11 @@ class State:
     """Pose and motion of the body in the world's frame."""
 
     position: Array
-    """Of the centre of mass, (3,), m."""
+    """The position of the centre of mass, (3,), m."""
     rotation: Array
     """Matrix (3, 3) whose columns are the body's axes; the third is the symmetry axis."""
     velocity: Array
-    """Of the centre of mass, (3,), m/s."""
+    """The velocity of the centre of mass, (3,), m/s."""
     angular_velocity: Array
     """In the world's frame, (3,), rad/s."""
 

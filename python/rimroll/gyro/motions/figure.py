@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rimroll.gyro.motions.result import MotionFit
 
 COLORS = ("#0072B2", "#D55E00", "#009E73")
-"""Of the sensor's x, y and z."""
+"""The colours of the sensor's x, y and z."""
 MARKERS = ("o", "s", "^")
 
 

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 FRICTIONS = 14
 """Frictions from which a search begins."""
 COARSE = 10.0
-"""By how much the scatter is enlarged while a search begins."""
+"""The scatter is enlarged by this factor while a search begins."""
 BEST = 3
 """Coarse minima from which the search goes on."""
 SHORT = 5

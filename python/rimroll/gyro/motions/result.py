@@ -72,8 +72,8 @@ class MotionFit:
         What is left of the rates, (n, 3), and their standard deviations (n, 1), rad/s; at times
         ``t``.
     inflation
-        By how much the squares of residuals are larger, and how many of them hang together: the
-        variances and the verdicts contain this factor.
+        The factor by which the squares of residuals exceed what the sensor explains, times the
+        number of residuals that hang together. The variances and the verdicts contain it.
     sides_are_sure
         For each release, whether a turn to the other side is excluded.
     verdicts

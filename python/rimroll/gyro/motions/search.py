@@ -41,7 +41,7 @@ class Found:
 
     @property
     def covariance(self) -> Array:
-        """Of the numbers, if the scatter is right."""
+        """The covariance of the numbers, if the scatter is right."""
         return np.asarray(np.linalg.pinv(self.jacobian.T @ self.jacobian, hermitian=True))
 
 
