@@ -36,6 +36,11 @@ class Sensed:
         origin = turned[self.passage.before - self.passage.start]
         return np.asarray(origin.T @ turned)
 
+    @cached_property
+    def step(self) -> float:
+        """The usual time from sample to sample, s."""
+        return float(np.median(np.diff(self.t)))
+
     def legs(self, axis: Array, later: float = 0.0) -> tuple[Leg, Leg]:
         """The fall and the rise, for an axis in the sensor, the collision ``later`` by seconds."""
         passage, path = self.passage, path_of(self.t, self.rates, axis, self.attitudes)
@@ -43,8 +48,8 @@ class Sensed:
         before = path.part(0, passage.before - passage.start)
         after = path.part(passage.after - passage.start, passage.end - passage.start)
         return (
-            leg_of(before, collision, self.body, self.noise, up),
-            leg_of(after, collision, self.body, self.noise, up),
+            leg_of(before, collision, self.body, self.noise, self.step, up),
+            leg_of(after, collision, self.body, self.noise, self.step, up),
         )
 
     def turn(self, axis: Array, later: float = 0.0) -> float:
