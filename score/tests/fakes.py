@@ -85,3 +85,13 @@ class Loud(Still):
     def step(self):
         print("a greeting on stdout")
         super().step()
+
+
+class OnTheGround(Still):
+    why_table_rests = "its ground is at rest"
+
+
+class Random(Still):
+    def state(self):
+        place = self.held.position + np.random.default_rng().normal(0.0, 1e-6, 3)
+        return State(place, *list(vars(self.held).values())[1:])

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 
-from rimroll_score import truth
+from rimroll_score import film, truth
 from rimroll_score.badge import badge
 from rimroll_score.cases import FILE, cases, falls
 from rimroll_score.checks import variants
@@ -15,7 +16,14 @@ from rimroll_score.distribution import distribution
 from rimroll_score.euler import tilt_of, wrapped
 from rimroll_score.measures import energies, lowest, measured, slipped
 from rimroll_score.page import Bounds, cell, write
-from rimroll_score.protocol import inertia_departures, quaternion, rotation_matrix
+from rimroll_score.paths import path_of, seen_from_above, true_path
+from rimroll_score.protocol import (
+    friction_departures,
+    inertia_departures,
+    loss_departures,
+    quaternion,
+    rotation_matrix,
+)
 from rimroll_score.results import EngineResult, load, save
 from rimroll_score.sweep import Run, grade, run, task
 from rimroll_score.worker import Worker
@@ -181,20 +189,58 @@ def test_an_inertia_that_the_engine_changed_is_a_departure():
     assert changed == ["axial inertia is 0.00028 kg m², not 0.00014 kg m²"]
 
 
+def test_friction_and_losses_that_were_not_asked_are_departures():
+    assert friction_departures(0.2, np.float32(0.2)) == []
+    assert friction_departures(math.inf, 1.0) == ["friction is 1, not infinite"]
+    assert friction_departures(0.2, 0.04) == ["friction is 0.04, not 0.2"]
+    assert loss_departures(linear_damping=0.0, angular_damping=0.04) == [
+        "angular damping is 0.04, not 0"
+    ]
+
+
 def test_results_survive_a_file_and_make_a_page_and_a_badge(rimroll_itself, tmp_path):
     runs = [run(rimroll_itself, CASES["rolling_near"], dt, "best") for dt in (2e-3, 1e-3)]
-    path = {"best": [[-0.5, 0.0], [0.5, 0.1]]}
+    path = {"best": [[0.0, 0.0, 0.08, 0.5, 0.0], [0.01, 0.0, 0.08, 0.4, 3.1]]}
     machine = {"processor": "p", "cores": "1", "system": "s", "python": "3"}
     one = EngineResult("mine", "1.0", {"best": "as is"}, "rimroll score mine", machine, "r",
                        runs, paths=path)  # fmt: skip
     save(tmp_path, [one])
-    assert load(tmp_path) == {"mine": one}
+    kept = load(tmp_path)["mine"]
+    for run_kept, true in zip(kept.runs, runs, strict=True):
+        assert run_kept.cost == pytest.approx(true.cost, rel=1e-5)
+        assert run_kept.error == pytest.approx(true.error, rel=1e-5)
+        assert run_kept.energy == pytest.approx(true.energy, rel=1e-5)
+        assert run_kept.measured.right_side is true.measured.right_side
+        plain = {"cost": None, "measured": None}
+        assert replace(run_kept, **plain) == replace(true, **plain)
+    assert replace(kept, runs=[]) == replace(one, runs=[])
+    first = (tmp_path / "results.json").read_bytes()
+    save(tmp_path, [kept])
+    assert (tmp_path / "results.json").read_bytes() == first
     text = write(tmp_path, [one], Bounds()).read_text("utf-8")
     assert "mine 1.0" in text and '<td class="good"' in text and "2 ms" in text
     assert "<script" not in text and "<link" not in text
     assert "right to 2 ms" in badge(one, Bounds())
     assert "right at no step tried" in badge(one, Bounds(0.0, 0.0))
     assert "rolling_near not scored" in badge(replace(one, runs=[]), Bounds())
+
+
+def test_a_film_shows_the_true_can_and_one_for_each_setting(rimroll_itself, tmp_path):
+    near = CASES["rolling_near"]
+    outcome = rimroll_itself.run(task(near.scene, near.state, near.duration, 1e-3, "best"))
+    found = path_of(outcome.samples)
+    true = true_path(near)
+    assert len(found) == len(true) == 161
+    np.testing.assert_allclose(np.array(found)[:, :4], true[:, :4], atol=1e-4)
+    assert np.abs(seen_from_above(np.array(found)) - seen_from_above(true)).max() < 2e-4
+    one = EngineResult("mine", "1.0", {"best": ""}, "", {}, "", paths={"best": found[:4]})
+    with Image.open(film.write(tmp_path, one)) as picture:
+        assert (picture.size, picture.n_frames) == ((2 * film.SIZE, film.SIZE), 161)
+        shown = np.asarray(picture.convert("RGB"), float)
+    # At first both cans are alike; the words above them differ.
+    left, right = shown[20:, : film.SIZE], shown[20:, film.SIZE :]
+    assert np.abs(left - right).mean() < 1.0
+    assert film.write(tmp_path, replace(one, paths={})) is None
 
 
 def test_wrapped_angles_and_tilts():

@@ -2,6 +2,7 @@
 
 import re
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from rimroll.cli import main
 from rimroll_score.cases import cases
+from rimroll_score.checks import check, lifted
 from rimroll_score.protocol import State
 from rimroll_score.registry import NoAdapter, engines, located
 from rimroll_score.samples import BadSample, Recorder
@@ -133,6 +135,37 @@ def test_after_a_step_that_took_too_long_no_finer_one_is_tried():
     with Worker(fake("Hangs"), limit=0.3) as worker:
         runs = sweep(worker, [CASE], (1e-2, 1e-3), ("defaults",))
     assert [(run.dt, run.status) for run in runs] == [(1e-2, "too_slow"), (1e-3, "too_slow")]
+
+
+def test_a_table_is_moved_by_adapters_alone_that_say_they_do():
+    with Worker(fake("Still")) as worker:
+        outcome = worker.run(replace(TASK, scene=lifted(CASE).scene))
+        table = {one.name: one for one in check(worker, CASE, 0.1, "defaults")}["table"]
+    assert (outcome.status, outcome.message) == (
+        "unsupported",
+        "the adapter does not move the table",
+    )
+    assert (table.angle, table.note) == (None, outcome.message)
+    with Worker(fake("OnTheGround")) as worker:
+        outcome = worker.run(replace(TASK, scene=lifted(CASE).scene))
+    assert outcome.message == "its ground is at rest"
+
+
+def test_an_engine_that_is_not_deterministic_is_run_ten_times(tmp_path):
+    plan = Plan(steps=(1e-2,), cases=("wobble",), check_step=None)
+    (once,) = score(fake("Still"), plan, "").runs
+    (ten,) = score(fake("Random"), plan, "").runs
+    assert (once.repeats, once.differ) == (1, False)
+    assert (ten.repeats, ten.differ) == (10, True)
+    (asked,) = score(fake("Random"), replace(plan, repeats=2), "").runs
+    assert asked.repeats == 2
+
+
+def test_without_an_engine_those_that_have_an_adapter_are_listed(capsys):
+    assert main(["score"]) == 0
+    heading, *lines = capsys.readouterr().out.splitlines()
+    assert heading.startswith("engines that have an adapter")
+    assert [line.split()[0] for line in lines] == list(engines())
 
 
 def test_an_unknown_engine_case_or_setting_is_told_with_those_that_there_are():

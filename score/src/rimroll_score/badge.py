@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from rimroll_score.page import Bounds, in_ms
+from rimroll_score.paths import NEAR
 from rimroll_score.results import EngineResult
 from rimroll_score.sweep import grade
-
-NEAR = "rolling_near"
 
 
 def badge(result: EngineResult, bounds: Bounds) -> str:

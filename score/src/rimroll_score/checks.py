@@ -1,7 +1,8 @@
 """Checks that need no truth: changes of a scene that change nothing, but for an engine's errors.
 
 The case ``rolling_near`` is run again with another heading, with the body turned about its own
-axis, mirrored, with half the step, and four times as large and twice as slow.
+axis, mirrored, with half the step, four times as large and twice as slow, and on a table that
+accelerates upward at half of gravity in place of that half.
 """
 
 from __future__ import annotations
@@ -36,6 +37,8 @@ class Check:
     """Largest change of the turn, degrees; None where a run had no turn."""
     energy: float | None
     """Largest change of the lost fraction of the energy."""
+    note: str = ""
+    """Why the engine does not have the changed scene, if so."""
 
 
 def check(worker: Worker, case: Case, dt: float, setting: str) -> list[Check]:
@@ -48,8 +51,9 @@ def check(worker: Worker, case: Case, dt: float, setting: str) -> list[Check]:
         off = [_wrapped(sign * one.error_or_nan - plain.error_or_nan) for one in runs]
         angle = float(np.max(off))
         energy = float(np.max([abs(one.energy_or_nan - plain.energy_or_nan) for one in runs]))
-        both = [None if math.isnan(value) else value for value in (angle, energy)]
-        found.append(Check(name, setting, dt, *both))
+        lacking = [one.message for one in runs if one.status == "unsupported"]
+        note = lacking[0] if lacking else ""
+        found.append(Check(name, setting, dt, _known(angle), _known(energy), note))
     return found
 
 
@@ -61,6 +65,7 @@ def variants(case: Case, dt: float) -> Iterator[tuple[str, list[tuple[Case, floa
     yield "mirror", [(replace(case, state=mirrored(case.state), truth=opposite), dt)]
     yield "half_step", [(case, 0.5 * dt)]
     yield "scale", [(scaled(case), math.sqrt(SCALE) * dt)]
+    yield "table", [(lifted(case), dt)]
 
 
 def about_z(degrees: float) -> NDArray[np.float64]:
@@ -109,6 +114,16 @@ def scaled(case: Case) -> Case:
         duration=slow * case.duration,
         truth={**case.truth, **{name: slow * case.truth[name] for name in times}},
     )  # fmt: skip
+
+
+def lifted(case: Case) -> Case:
+    """The case with half of gravity, on a table that accelerates upward at the other half."""
+    half = 0.5 * case.scene.gravity
+    return replace(case, scene=replace(case.scene, gravity=half, table_acceleration=half))
+
+
+def _known(value: float) -> float | None:
+    return None if math.isnan(value) else value
 
 
 def _wrapped(degrees: float) -> float:

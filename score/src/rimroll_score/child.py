@@ -61,12 +61,15 @@ def described(adapter: Any) -> dict[str, Any]:
 
 def computed(adapter: Any, task: dict[str, Any]) -> dict[str, Any]:
     """Run a motion, save its samples and tell the processor time of its steps."""
-    from rimroll_score.protocol import Body, Scene, State
+    from rimroll_score.protocol import Body, Scene, State, Unsupported
     from rimroll_score.samples import Recorder
 
     scene = Scene(**{**task["scene"], "body": Body(**task["scene"]["body"])})
     start = State(**{name: np.array(value) for name, value in task["state"].items()})
     dt, every = task["dt"], task["every"]
+    if scene.table_acceleration and not getattr(adapter, "moves_table", False):
+        why = getattr(adapter, "why_table_rests", "the adapter does not move the table")
+        raise Unsupported(why)
     engine = adapter()
     departures = list(engine.make(scene, dt, task["setting"]))
     engine.set_state(start)

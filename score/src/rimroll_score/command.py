@@ -30,7 +30,10 @@ def score(
     dt: Annotated[str | None, typer.Option(help="Steps, s, as in 2e-3,5e-4.")] = None,
     settings: Annotated[str | None, typer.Option(help="Settings, as in defaults,best.")] = None,
     cases: Annotated[str | None, typer.Option(help="Cases, as in rolling_near,wobble.")] = None,
-    repeats: Annotated[int, typer.Option(help="Runs of each; the worst counts.")] = 1,
+    repeats: Annotated[
+        int | None,
+        typer.Option(help="Runs of each; the worst counts. Else 1, and 10 where two differ."),
+    ] = None,
     limit: Annotated[str, typer.Option(help="Longest time of a run.")] = "60 s",
     python: Annotated[str | None, typer.Option(help="A Python that has the engine.")] = None,
     install: Annotated[
@@ -64,8 +67,10 @@ def score(
     $ rimroll score my_adapter.py:MyEngine
     """
     if not engine:
+        say("engines that have an adapter; name one or more, as in: rimroll score mujoco --install")
         for name, place in registry.engines().items():
-            say(f"{name:<10} {place}")
+            pinned = ", ".join(environments.PINS.get(name, []))
+            say(f"  {name:<10} {pinned:<20} {place}")
         return 0
     shown = Bounds(
         math.degrees(quantity(max_error or "1 deg", "rad", "max_error")),
@@ -83,7 +88,7 @@ def score(
         settings=_listed(settings),
         cases=_listed(cases),
         check_step=1e-4 if checks else None,
-        repeats=_positive(repeats),
+        repeats=None if repeats is None else _positive(repeats),
         limit=positive("limit", limit, "s"),
     )
     folder = ensure_folder(output)
@@ -100,7 +105,7 @@ def _scored(name: str, plan: Plan, python: str | None, install: bool) -> results
     command = shlex.join(["rimroll", *sys.argv[1:]])
     try:
         if install:
-            if name in environments.PINS:
+            if environments.PINS.get(name):
                 say(f"installing {name} into {environments.folder(name)}")
             python = environments.installed(name)
         return scored(name, plan, command, python or sys.executable, _tell)
@@ -115,7 +120,7 @@ def _tell(run: Run) -> None:
 
 def _keep(folder: Path, result: results.EngineResult, bounds: Bounds) -> None:
     """Put an engine among those of the folder, and write the page again."""
-    from rimroll_score import page  # which loads matplotlib
+    from rimroll_score import film, page  # which load matplotlib
     from rimroll_score.badge import badge
 
     try:
@@ -124,6 +129,7 @@ def _keep(folder: Path, result: results.EngineResult, bounds: Bounds) -> None:
         raise RimrollError(str(error)) from None
     kept[result.name] = result
     results.save(folder, list(kept.values()))
+    film.write(folder, result)
     page.write(folder, list(kept.values()), bounds)
     (folder / f"{result.name}.svg").write_text(badge(result, bounds), "utf-8")
 

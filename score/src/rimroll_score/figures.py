@@ -12,10 +12,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rimroll.style import SERIES, figure_style
+from rimroll_score.paths import NEAR, seen_from_above, true_motion
 from rimroll_score.results import EngineResult
 from rimroll_score.sweep import Run
 
-NEAR = "rolling_near"
 LEAST_ANGLE, LEAST_ENERGY = 1e-4, 1e-6
 """Errors below these are drawn there: degrees and fractions."""
 MARKERS = "osD^vP*Xph"
@@ -80,10 +80,10 @@ def resolution(results: Sequence[EngineResult], setting: str) -> str:
 def paths(results: Sequence[EngineResult]) -> str:
     """The top of the axis seen from above in ``rolling_near``, truth and engines."""
     from rimroll_score.cases import cases
-    from rimroll_score.truth import followed_path
 
     (case,) = (case for case in cases() if case.name == NEAR)
-    true = followed_path(case)
+    motion = true_motion(case).samples(per_step=8)
+    true = -np.sin(motion.tilt)[:, None] * np.column_stack([np.cos(motion.yaw), np.sin(motion.yaw)])
     shown = [(one, setting) for one in results for setting in one.paths if one.name != "rimroll"]
     if not shown:
         return ""
@@ -93,7 +93,7 @@ def paths(results: Sequence[EngineResult]) -> str:
         figure = Figure(figsize=(7.1, 1.9 * rows), layout="constrained")
         grid = np.atleast_1d(figure.subplots(rows, columns, squeeze=False)).flat
         for axis, (result, setting) in zip(grid, shown, strict=False):
-            found = np.array(result.paths[setting])
+            found = seen_from_above(np.array(result.paths[setting]))
             axis.plot(*true.T, color="#000000", linewidth=1.6, alpha=0.35)
             axis.plot(*found.T, color=SERIES[5], linewidth=1.0)
             axis.set(xlim=(-0.62, 0.62), ylim=(-0.62, 0.62), aspect="equal")

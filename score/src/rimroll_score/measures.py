@@ -112,7 +112,7 @@ def energies(scene: Scene, samples: Samples) -> Array:
     )
     ground = body.height if scene.table else samples.position[0, 2]
     height = samples.position[:, 2] - ground
-    return np.asarray(0.5 * twice + body.mass * scene.gravity * height)
+    return np.asarray(0.5 * twice + body.mass * scene.weight * height)
 
 
 def _to_rim(body: Body, samples: Samples) -> Array:

@@ -18,6 +18,7 @@ CHECKS = {
     "mirror": "mirrored",
     "half_step": "half the step",
     "scale": "four times as large",
+    "table": "half of gravity as acceleration of the table",
 }
 
 
@@ -39,7 +40,7 @@ class Bounds:
 
 
 def write(folder: Path, results: Sequence[EngineResult], bounds: Bounds) -> Path:
-    """Write ``index.html``, which loads nothing from elsewhere."""
+    """Write ``index.html``, which loads nothing but the films of the folder."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     templates = FileSystemLoader(Path(__file__).parent)
@@ -60,6 +61,7 @@ def write(folder: Path, results: Sequence[EngineResult], bounds: Bounds) -> Path
             for setting in sorted(settings)
         ],
         paths=figures.paths(shown),
+        films=[one for one in shown if (folder / f"{one.name}.webp").exists()],
     )
     page.write_text(text, "utf-8")
     return page

@@ -53,6 +53,16 @@ class Scene:
     """Downward, m/s²."""
     table: bool = True
     """False in free flight."""
+    table_acceleration: float = 0.0
+    """Of the table, upward, m/s². It starts at rest, and the body's state counts from it.
+
+    Only an adapter that has ``moves_table = True`` is asked for one other than 0.
+    """
+
+    @property
+    def weight(self) -> float:
+        """The weight per mass that the body has on the table, m/s²."""
+        return self.gravity + self.table_acceleration
 
 
 @dataclass(frozen=True)
@@ -70,7 +80,11 @@ class State:
 
 
 class Engine(Protocol):
-    """An adapter. It is made anew, without arguments, for each run."""
+    """An adapter. It is made anew, without arguments, for each run.
+
+    It may have ``moves_table = True`` if it takes a ``table_acceleration``; if it does not, a
+    sentence ``why_table_rests`` is shown in place of that check.
+    """
 
     settings: ClassVar[Mapping[str, str]]
     """Names of settings and a sentence on each. ``defaults`` is the engine as it comes."""
@@ -100,7 +114,7 @@ class Engine(Protocol):
         """The engine's time, s."""
 
     def state(self) -> State:
-        """The body's pose and motion now."""
+        """The body's pose and motion now, as seen from the table if that moves."""
 
 
 def inertia_departures(body: Body, mass: float, principal: Sequence[float] | Array) -> list[str]:
@@ -116,6 +130,18 @@ def inertia_departures(body: Body, mass: float, principal: Sequence[float] | Arr
         for name, (asked, has, unit) in found.items()
         if not math.isclose(asked, has, rel_tol=1e-6)
     ]
+
+
+def friction_departures(asked: float, found: float) -> list[str]:
+    """The departure of the coefficient of friction as read back, if there is one."""
+    if math.isclose(asked, found, rel_tol=1e-6):
+        return []
+    return [f"friction is {found:g}, not {'infinite' if math.isinf(asked) else f'{asked:g}'}"]
+
+
+def loss_departures(**found: float) -> list[str]:
+    """Departures of what must be zero so that nothing is lost, such as ``linear_damping``."""
+    return [f"{name.replace('_', ' ')} is {v:g}, not 0" for name, v in found.items() if v]
 
 
 def quaternion(rotation: Array) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Self
 
@@ -13,7 +13,9 @@ from rimroll_score.distribution import Distribution
 from rimroll_score.measures import Measured
 from rimroll_score.sweep import Run
 
-FORMAT = 1
+FORMAT = 2
+DIGITS = 6
+"""Significant digits of the numbers in the file."""
 
 
 @dataclass
@@ -28,11 +30,11 @@ class EngineResult:
     machine: Mapping[str, str]
     scored_by: str
     """Versions of rimroll and rimroll-score."""
-    runs: list[Run]
+    runs: list[Run] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
     falls: list[Distribution] = field(default_factory=list)
     paths: dict[str, list[list[float]]] = field(default_factory=dict)
-    """By setting: where the top of the axis is, seen from above, in ``rolling_near``."""
+    """By setting, the motion in ``rolling_near``: see :mod:`rimroll_score.paths`."""
     warning: str = ""
 
     def of(self, case: str, setting: str) -> list[Run]:
@@ -47,15 +49,53 @@ class EngineResult:
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Self:
         plain = dict(data)
-        plain["runs"] = [_run(run) for run in data["runs"]]
+        told = [tuple(one) for one in plain.pop("departures")]
+        plain["runs"] = [
+            _run(setting, case, dict(zip(COLUMNS, row, strict=True)), told)
+            for setting, found in data["runs"].items()
+            for case, rows in found.items()
+            for row in rows
+        ]
         plain["checks"] = [Check(**check) for check in data["checks"]]
         plain["falls"] = [Distribution(**falls) for falls in data["falls"]]
         return cls(**plain)
 
 
-def _run(data: Mapping[str, Any]) -> Run:
-    found = data["measured"] and Measured(**data["measured"])
-    return Run(**{**data, "measured": found, "departures": tuple(data["departures"])})
+MEASURES = tuple(one.name for one in fields(Measured))
+COLUMNS = ("dt", "status", "message", "cost", "repeats", "differ", "departures", *MEASURES)
+"""Of a run in the file; ``departures`` is a place in the list of an engine's."""
+
+
+def _run(
+    setting: str, case: str, row: dict[str, Any], departures: Sequence[tuple[str, ...]]
+) -> Run:
+    values = {name: row.pop(name) for name in MEASURES}
+    found = None if values["note"] is None else Measured(**values)
+    told = departures[row.pop("departures")]
+    return Run(case=case, setting=setting, measured=found, departures=told, **row)
+
+
+def _in_json(result: EngineResult) -> dict[str, Any]:
+    """An engine's results, with runs as rows by setting and case."""
+    departures = list(dict.fromkeys(run.departures for run in result.runs))
+    runs: dict[str, dict[str, list[Any]]] = {}
+    for run in result.runs:
+        plain = vars(run) | {"departures": departures.index(run.departures)}
+        plain |= vars(run.measured) if run.measured else dict.fromkeys(MEASURES)
+        row = [plain[name] for name in COLUMNS]
+        runs.setdefault(run.setting, {}).setdefault(run.case, []).append(row)
+    named = {one.name: getattr(result, one.name) for one in fields(result)}
+    lists = {name: [asdict(one) for one in named[name]] for name in ("checks", "falls")}
+    return {**named, **lists, "departures": departures, "runs": runs}
+
+
+def _rounded(value: Any) -> Any:
+    """The value with numbers to ``DIGITS`` significant digits."""
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}")
+    if isinstance(value, Mapping):
+        return {name: _rounded(one) for name, one in value.items()}
+    return [_rounded(one) for one in value] if isinstance(value, list | tuple) else value
 
 
 def load(folder: Path) -> dict[str, EngineResult]:
@@ -73,8 +113,8 @@ def load(folder: Path) -> dict[str, EngineResult]:
 
 
 def save(folder: Path, results: Sequence[EngineResult]) -> None:
-    """Write the results of all engines."""
-    engines = {one.name: asdict(one) for one in results}
-    data = {"format": FORMAT, "engines": engines}
+    """Write the results of all engines, an engine on a line."""
+    engines = {one.name: _rounded(_in_json(one)) for one in results}
+    data = {"format": FORMAT, "columns": COLUMNS, "engines": engines}
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     (folder / "results.json").write_text(text + "\n", "utf-8")

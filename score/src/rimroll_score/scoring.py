@@ -7,20 +7,21 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 
-import numpy as np
-
 from rimroll_score import cases as known
 from rimroll_score.checks import check
 from rimroll_score.distribution import distribution
 from rimroll_score.environments import advice
 from rimroll_score.machine import machine
+from rimroll_score.paths import NEAR, STEP, path_of
 from rimroll_score.registry import located
 from rimroll_score.results import EngineResult
-from rimroll_score.sweep import STEPS, Run, sweep, task
+from rimroll_score.sweep import STEPS, Run, run, sweep, task
 from rimroll_score.worker import Worker
 
-PATH_STEP = 1e-3
-"""Step of the motion that the page draws, s."""
+PROBE = 5e-4
+"""Step at which an engine is run twice to see whether it is deterministic, s."""
+REPEATS = 10
+"""Runs of each case by an engine that is not."""
 
 
 class Missing(Exception):
@@ -40,7 +41,8 @@ class Plan:
     cases: Sequence[str] = ()
     check_step: float | None = 1e-4
     """Step of the checks and the falls, s; None leaves them out."""
-    repeats: int = 1
+    repeats: int | None = None
+    """Runs of each case; None means one, and ten where two runs differ."""
     limit: float = 60.0
     """Longest time of a run, s."""
 
@@ -72,14 +74,16 @@ def score(
             command=command,
             machine=machine(),
             scored_by=f"rimroll {_version('rimroll')}, rimroll-score {_version('rimroll-score')}",
-            runs=sweep(worker, chosen, plan.steps, settings, plan.repeats, told),
             warning=described.get("warning", ""),
         )
-        near = by_name["rolling_near"]
+        near = by_name[NEAR]
+        for setting in settings:
+            repeats = plan.repeats or _repeats(worker, near, setting)
+            result.runs += sweep(worker, chosen, plan.steps, [setting], repeats, told)
         for setting in settings if near in chosen else ():
-            outcome = worker.run(task(near.scene, near.state, near.duration, PATH_STEP, setting))
+            outcome = worker.run(task(near.scene, near.state, near.duration, STEP, setting))
             if outcome.samples is not None:
-                result.paths[setting] = np.round(outcome.samples.axis[:, :2], 5).tolist()
+                result.paths[setting] = path_of(outcome.samples)
             if plan.check_step is not None:
                 result.checks += check(worker, near, plan.check_step, setting)
         if plan.check_step is not None and not plan.cases:
@@ -88,6 +92,13 @@ def score(
                 distribution(worker, falls, plan.check_step, setting) for setting in settings
             ]
     return result
+
+
+def _repeats(worker: Worker, case: known.Case, setting: str) -> int:
+    """How often to run cases: once, or ten times if a run in a new process differs."""
+    with Worker(worker.place, worker.python, worker.limit) as other:
+        one, two = (run(process, case, PROBE, setting) for process in (worker, other))
+    return 1 if one.measured == two.measured else REPEATS
 
 
 def _chosen(what: str, names: Sequence[str], known_names: Sequence[str]) -> Sequence[str]:

@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import rimroll as rr
-from rimroll_score.cases import Case
-from rimroll_score.euler import Angles, frame, state
+from rimroll_score.euler import Angles, state
 from rimroll_score.protocol import Body
 
 Array = NDArray[np.float64]
@@ -135,25 +134,6 @@ def followed(plan: Plan) -> dict[str, Any]:
         "position": [float(x) for x in last.center[0] - begin],
         "energy_lost": 0.0,
     }
-
-
-def followed_path(case: Case) -> Array:
-    """The tip of the unit axis of a rolling body's case from above, (n, 2)."""
-    axis, turning = case.state.rotation[:, 2], case.state.angular_velocity
-    tilt = math.acos(axis[2])
-    axes = frame(tilt, math.atan2(-axis[1], -axis[0]))
-    yaw_rate = float(turning @ axes[:, 0]) / math.sin(tilt)
-    start = rr.State(
-        tilt=tilt, tilt_rate=-float(turning @ axes[:, 1]), yaw_rate=yaw_rate,
-        spin_rate=float(turning @ axis) - yaw_rate * math.cos(tilt),
-    )  # fmt: skip
-    motion = rr.simulate(
-        rr.Body(**asdict(case.scene.body)), start, rr.NoSlip(),
-        duration=case.duration, gravity=case.scene.gravity,
-    )  # fmt: skip
-    found = motion.samples(per_step=8)
-    out = -np.sin(found.tilt)
-    return np.column_stack([out * np.cos(found.yaw), out * np.sin(found.yaw)])
 
 
 def flight() -> dict[str, Any]:

@@ -5,14 +5,19 @@ No other detector did better in all cases than the one it comes with.
 
 from __future__ import annotations
 
-import math
 from importlib.metadata import version
 from typing import Any, ClassVar
 
 import dartpy
 import numpy as np
 
-from rimroll_score.protocol import Scene, State, inertia_departures
+from rimroll_score.protocol import (
+    Scene,
+    State,
+    friction_departures,
+    inertia_departures,
+    loss_departures,
+)
 
 
 class Dart:
@@ -23,13 +28,15 @@ class Dart:
         "ode": "the collision detector of ODE instead",
     }
     known_versions = "6."
+    moves_table = True
 
     def version(self) -> str:
         return version("dartpy")
 
     def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
         body = scene.body
-        friction = min(scene.friction, 1.0)
+        self._scene, friction = scene, min(scene.friction, 1.0)
+        self._lift: Any = None
         self._world: Any = dartpy.simulation.World()
         self._world.setTimeStep(dt)
         self._world.setGravity([0.0, 0.0, -scene.gravity])
@@ -41,23 +48,37 @@ class Dart:
         moments = [body.transverse_inertia, body.transverse_inertia, body.axial_inertia]
         self._node.setInertia(dartpy.dynamics.Inertia(body.mass, np.zeros(3), np.diag(moments)))
         cylinder = dartpy.dynamics.CylinderShape(body.radius, 2.0 * body.height)
-        _solid(self._node, cylinder, friction)
+        shapes = [_solid(self._node, cylinder, friction)]
         self._world.addSkeleton(skeleton)
         if scene.table:
             table = dartpy.dynamics.Skeleton("table")
-            weld, ground = table.createWeldJointAndBodyNodePair()
+            if scene.table_acceleration:
+                joint, self._ground = table.createPrismaticJointAndBodyNodePair()
+                joint.setAxis([0.0, 0.0, 1.0])
+                joint.setActuatorType(dartpy.dynamics.ActuatorType.ACCELERATION)
+                self._lift = joint
+            else:
+                joint, self._ground = table.createWeldJointAndBodyNodePair()
             pose = dartpy.math.Isometry3()
             pose.set_translation([0.0, 0.0, -0.5])
-            weld.setTransformFromParentBodyNode(pose)
-            _solid(ground, dartpy.dynamics.BoxShape([4.0, 4.0, 1.0]), friction)
+            joint.setTransformFromParentBodyNode(pose)
+            plane = dartpy.dynamics.BoxShape([4.0, 4.0, 1.0])
+            shapes.append(_solid(self._ground, plane, friction))
             self._world.addSkeleton(table)
         inertia = self._node.getInertia()
         departures = inertia_departures(body, inertia.getMass(), np.diag(inertia.getMoment()))
         departures.append(f"collisions are found by {self._world.getCollisionDetector().getType()}")
         if scene.table:
             departures.append("the table is a box, since not every detector has a plane")
-        if math.isinf(scene.friction):
-            departures.append(f"friction is {friction:g}, not infinite")
+            found = [shape.getDynamicsAspect().getFrictionCoeff() for shape in shapes]
+            departures += friction_departures(scene.friction, min(found))
+        coordinates = range(self._joint.getNumDofs())
+        departures += loss_departures(
+            damping_of_the_joint=max(map(self._joint.getDampingCoefficient, coordinates)),
+            friction_of_the_joint=max(map(self._joint.getCoulombFriction, coordinates)),
+        )
+        if self._world.getDeactivationOptions().mEnabled:
+            departures.append("a body that is slow for long may be put to sleep")
         return departures
 
     def set_state(self, state: State) -> None:
@@ -70,6 +91,8 @@ class Dart:
         self._world.setTime(0.0)
 
     def step(self) -> None:
+        if self._lift is not None:  # a step clears the command
+            self._lift.setCommand(0, self._scene.table_acceleration)
         self._world.step()
 
     def time(self) -> float:
@@ -77,16 +100,19 @@ class Dart:
 
     def state(self) -> State:
         pose = self._node.getWorldTransform()
-        return State(
-            np.array(pose.translation()), np.array(pose.rotation()),
-            np.array(self._node.getLinearVelocity()), np.array(self._node.getAngularVelocity()),
-        )  # fmt: skip
+        position, velocity = np.array(pose.translation()), np.array(self._node.getLinearVelocity())
+        if self._lift is not None:
+            position[2] -= self._lift.getPosition(0)
+            velocity[2] -= self._lift.getVelocity(0)
+        turned = np.array(pose.rotation())
+        return State(position, turned, velocity, np.array(self._node.getAngularVelocity()))
 
 
-def _solid(node: Any, shape: Any, friction: float) -> None:
-    """Give a body a shape that collides."""
+def _solid(node: Any, shape: Any, friction: float) -> Any:
+    """Give a body a shape that collides, and return where it is."""
     place = node.createShapeNode(shape)
     for aspect in ("Visual", "Collision", "Dynamics"):
         getattr(place, f"create{aspect}Aspect")()
     place.getDynamicsAspect().setFrictionCoeff(friction)
     place.getDynamicsAspect().setRestitutionCoeff(0.0)
+    return place

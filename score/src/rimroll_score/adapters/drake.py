@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from importlib.metadata import version
 from typing import Any, ClassVar
 
@@ -13,14 +12,16 @@ from pydrake.multibody.math import SpatialVelocity
 from pydrake.multibody.plant import (
     AddMultibodyPlant,
     CoulombFriction,
-    DiscreteContactApproximation,
     MultibodyPlantConfig,
 )
-from pydrake.multibody.tree import SpatialInertia, UnitInertia
+from pydrake.multibody.tree import PrismaticJoint, SpatialInertia, UnitInertia
 from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder
 
-from rimroll_score.protocol import Scene, State, inertia_departures
+from rimroll_score.protocol import Scene, State, friction_departures, inertia_departures
+
+HEAVY = 1e4
+"""Mass of a table that moves, kg."""
 
 
 class Drake:
@@ -32,6 +33,7 @@ class Drake:
         "stiction tolerance 1e-5 m/s",
     }
     known_versions = "1."
+    moves_table = True
 
     def version(self) -> str:
         return version("drake")
@@ -39,6 +41,7 @@ class Drake:
     def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
         body, best = scene.body, setting == "best"
         friction = min(scene.friction, 1.0)
+        self._lift: Any = None
         builder = DiagramBuilder()
         config = MultibodyPlantConfig(time_step=dt)
         if best:
@@ -53,19 +56,25 @@ class Drake:
         )  # fmt: skip
         rigid = plant.AddRigidBody("body", inertia)
         material = ProximityProperties()
-        known = CoulombFriction(friction, friction)
+        dry = CoulombFriction(friction, friction)
         if best:
             AddContactMaterial(
-                dissipation=0.0, point_stiffness=1e9, friction=known, properties=material
+                dissipation=0.0, point_stiffness=1e9, friction=dry, properties=material
             )
         else:
-            AddContactMaterial(friction=known, properties=material)
+            AddContactMaterial(friction=dry, properties=material)
         shape = Cylinder(body.radius, 2.0 * body.height)
         plant.RegisterCollisionGeometry(rigid, RigidTransform(), shape, "body", material)
         if scene.table:
-            plant.RegisterCollisionGeometry(
-                plant.world_body(), RigidTransform(), HalfSpace(), "table", material
-            )
+            table = plant.world_body()
+            if scene.table_acceleration:
+                heavy = SpatialInertia(HEAVY, np.zeros(3), UnitInertia(1.0, 1.0, 1.0))
+                table = plant.AddRigidBody("table", heavy)
+                self._lift = plant.AddJoint(
+                    PrismaticJoint("lift", plant.world_frame(), table.body_frame(), [0, 0, 1])
+                )
+                plant.AddJointActuator("lift", self._lift)
+            plant.RegisterCollisionGeometry(table, RigidTransform(), HalfSpace(), "table", material)
         plant.Finalize()
         diagram = builder.Build()
         self._simulator: Any = Simulator(diagram)
@@ -73,20 +82,23 @@ class Drake:
             self._simulator.get_mutable_context()
         )
         self._plant, self._rigid, self._dt, self._steps = plant, rigid, dt, 0
+        if self._lift is not None:
+            push = HEAVY * (scene.table_acceleration + scene.gravity)
+            plant.get_actuation_input_port().FixValue(self._context, [push])
         has = rigid.CalcSpatialInertiaInBodyFrame(self._context)
         moments = has.CalcRotationalInertia().get_moments()
         departures = inertia_departures(body, has.get_mass(), moments)
-        if math.isinf(scene.friction):
-            departures.append(f"friction is {friction:g}, not infinite")
+        if scene.table:
+            known = diagram.GetSubsystemByName("scene_graph").model_inspector()
+            (one,) = plant.GetCollisionGeometriesForBody(rigid)
+            found = known.GetProximityProperties(one).GetProperty("material", "coulomb_friction")
+            departures += friction_departures(scene.friction, found.static_friction())
         if friction:
             tolerance = config.stiction_tolerance
             departures.append(f"friction is regularised below a slip of {tolerance:g} m/s")
         if scene.table:
-            name = DiscreteContactApproximation.kSap
-            departures.append(
-                "contact is compliant"
-                + ("" if plant.get_discrete_contact_approximation() != name else ", solved by SAP")
-            )
+            kind = plant.get_discrete_contact_approximation().name.removeprefix("k").upper()
+            departures.append(f"contact is compliant, approximated by {kind}")
         return departures
 
     def set_state(self, state: State) -> None:
@@ -110,7 +122,8 @@ class Drake:
     def state(self) -> State:
         pose = self._plant.EvalBodyPoseInWorld(self._context, self._rigid)
         moving = self._plant.EvalBodySpatialVelocityInWorld(self._context, self._rigid)
-        return State(
-            pose.translation(), pose.rotation().matrix(),
-            moving.translational(), moving.rotational(),
-        )  # fmt: skip
+        position, velocity = np.array(pose.translation()), np.array(moving.translational())
+        if self._lift is not None:
+            position[2] -= self._lift.get_translation(self._context)
+            velocity[2] -= self._lift.get_translation_rate(self._context)
+        return State(position, pose.rotation().matrix(), velocity, moving.rotational())

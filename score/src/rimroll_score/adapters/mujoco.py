@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, ClassVar
 
 import mujoco
@@ -11,7 +10,9 @@ import numpy as np
 from rimroll_score.protocol import (
     Scene,
     State,
+    friction_departures,
     inertia_departures,
+    loss_departures,
     quaternion,
     rotation_matrix,
 )
@@ -29,6 +30,7 @@ class MuJoCo:
         "(solref 2 dt, solimp 0.99 to 0.9999), solver tolerance 1e-12",
     }
     known_versions = ""
+    why_table_rests = "a plane of MuJoCo belongs to the world and does not move"
 
     def version(self) -> str:
         return str(mujoco.__version__)
@@ -63,13 +65,23 @@ class MuJoCo:
             </mujoco>""")
         self._data: Any = mujoco.MjData(self._model)
         departures = inertia_departures(body, self._model.body_mass[1], self._axes(body))
-        if self._model.dof_damping.any():
-            departures.append(f"the joint's damping is {self._model.dof_damping.max():g}")
-        if math.isinf(scene.friction):
-            departures.append(f"friction is {friction:g}, not infinite")
-        if scene.table:
-            departures.append("contacts are soft: they never touch without overlap")
-        if friction and not best:
+        departures += loss_departures(
+            damping_of_the_joint=self._model.dof_damping.max(),
+            friction_of_the_joint=self._model.dof_frictionloss.max(),
+            armature=self._model.dof_armature.max(),
+            density_of_the_air=self._model.opt.density,
+            viscosity_of_the_air=self._model.opt.viscosity,
+        )
+        if scene.table:  # the larger of the two counts
+            found = self._model.geom_friction[:, 0].max()
+            departures += friction_departures(scene.friction, found if friction else 0.0)
+            time, ratio = self._model.geom_solref[0]
+            known = f"{time / dt:.3g} steps" if best else f"{time:g} s"
+            departures.append(
+                f"contacts are soft (time constant {known}, damping ratio {ratio:g}): they never "
+                "touch without overlap"
+            )
+        if friction and self._model.opt.cone == mujoco.mjtCone.mjCONE_PYRAMIDAL:
             departures.append("the friction cone is a pyramid")
         return departures
 

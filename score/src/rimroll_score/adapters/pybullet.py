@@ -5,7 +5,6 @@ A cylinder of ``createCollisionShape`` has a round rim, that of a URDF has 32 co
 
 from __future__ import annotations
 
-import math
 from importlib.metadata import version
 from typing import ClassVar
 
@@ -15,10 +14,19 @@ import pybullet
 from rimroll_score.protocol import (
     Scene,
     State,
+    friction_departures,
     inertia_departures,
+    loss_departures,
     quaternion,
     rotation_matrix,
 )
+
+HEAVY = 1e6
+"""Mass of a table that moves, kg."""
+
+
+LEAST_MARGIN = 1e-6
+"""m; with none at all, contacts are lost."""
 
 
 class PyBullet:
@@ -30,6 +38,7 @@ class PyBullet:
         "no residual threshold, gyroscopic terms, no restitution and slop",
     }
     known_versions = "3."
+    moves_table = True
 
     def version(self) -> str:
         return version("pybullet")
@@ -37,6 +46,8 @@ class PyBullet:
     def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
         body, best = scene.body, setting == "best"
         friction = min(scene.friction, 1.0)
+        # A table that moves is a body so heavy that the can does not stop it, under a force.
+        self._push = scene.table_acceleration and HEAVY * (scene.table_acceleration + scene.gravity)
         if pybullet.isConnected():
             pybullet.disconnect()
         pybullet.connect(pybullet.DIRECT)
@@ -50,8 +61,13 @@ class PyBullet:
             )  # fmt: skip
         if scene.table:
             plane = pybullet.createCollisionShape(pybullet.GEOM_PLANE)
-            table = pybullet.createMultiBody(0.0, plane)
-            pybullet.changeDynamics(table, -1, lateralFriction=1.0)
+            self._table = pybullet.createMultiBody(self._push and HEAVY, plane)
+            pybullet.changeDynamics(self._table, -1, lateralFriction=1.0)
+            if self._push:
+                pybullet.changeDynamics(
+                    self._table, -1, linearDamping=0.0, angularDamping=0.0,
+                    localInertiaDiagonal=[HEAVY] * 3, maxJointVelocity=1e6,
+                )  # fmt: skip
         cylinder = pybullet.createCollisionShape(
             pybullet.GEOM_CYLINDER, radius=body.radius, height=2.0 * body.height
         )
@@ -64,18 +80,24 @@ class PyBullet:
         )  # fmt: skip
         if best:
             pybullet.changeDynamics(
-                self._body, -1, linearDamping=0.0, angularDamping=0.0, collisionMargin=1e-6,
+                self._body, -1, linearDamping=0.0, angularDamping=0.0, collisionMargin=LEAST_MARGIN,
                 activationState=pybullet.ACTIVATION_STATE_DISABLE_SLEEPING,
                 maxJointVelocity=1e6,
             )  # fmt: skip
         self._dt, self._steps = dt, 0
         info = pybullet.getDynamicsInfo(self._body, -1)
         departures = inertia_departures(body, info[0], info[2])
-        if math.isinf(scene.friction):
-            departures.append(f"friction is {friction:g}, not infinite")
-        if not best:
+        if scene.table:  # the product counts
+            departures += friction_departures(
+                scene.friction, info[1] * pybullet.getDynamicsInfo(self._table, -1)[1]
+            )
+        departures += loss_departures(
+            restitution=info[5], rolling_friction=info[6], spinning_friction=info[7]
+        )
+        if info[11] > LEAST_MARGIN:
+            departures.append(f"the collision margin, which rounds the rim, is {info[11]:g} m")
+        if not best:  # as its manual says: PyBullet does not tell
             departures.append("linear and angular damping are 0.04 1/s")
-            departures.append(f"the collision margin is {info[11]:g} m")
             departures.append("a body that is slow for long may be put to sleep")
             departures.append("angular velocity is limited to 100 rad/s")
         return departures
@@ -89,6 +111,10 @@ class PyBullet:
         self._steps = 0
 
     def step(self) -> None:
+        if self._push:
+            pybullet.applyExternalForce(
+                self._table, -1, [0.0, 0.0, self._push], [0.0] * 3, pybullet.WORLD_FRAME
+            )
         pybullet.stepSimulation()
         self._steps += 1
 
@@ -98,7 +124,8 @@ class PyBullet:
     def state(self) -> State:
         position, (x, y, z, w) = pybullet.getBasePositionAndOrientation(self._body)
         velocity, angular_velocity = pybullet.getBaseVelocity(self._body)
-        return State(
-            np.array(position), rotation_matrix([w, x, y, z]),
-            np.array(velocity), np.array(angular_velocity),
-        )  # fmt: skip
+        place, moving = np.array(position), np.array(velocity)
+        if self._push:
+            place -= pybullet.getBasePositionAndOrientation(self._table)[0]
+            moving -= pybullet.getBaseVelocity(self._table)[0]
+        return State(place, rotation_matrix([w, x, y, z]), moving, np.array(angular_velocity))

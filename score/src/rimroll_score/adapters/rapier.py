@@ -5,7 +5,6 @@ Its default friction model acts on groups of contacts, some of which are predict
 
 from __future__ import annotations
 
-import math
 from importlib.metadata import version
 from typing import Any, ClassVar
 
@@ -15,7 +14,9 @@ import rapier3d
 from rimroll_score.protocol import (
     Scene,
     State,
+    friction_departures,
     inertia_departures,
+    loss_departures,
     quaternion,
     rotation_matrix,
 )
@@ -33,6 +34,7 @@ class Rapier:
         "kept from the last step, fast rotation allowed, no sleeping",
     }
     known_versions = "0."
+    moves_table = True
 
     def version(self) -> str:
         return version("rapier3d")
@@ -40,6 +42,7 @@ class Rapier:
     def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
         body, best = scene.body, setting == "best"
         friction = min(scene.friction, 1.0)
+        self._scene, self._table = scene, None
         self._world: Any = rapier3d.PhysicsWorld(gravity=(0.0, 0.0, -scene.gravity))
         known = self._world.integration_parameters
         known.dt = dt
@@ -65,29 +68,44 @@ class Rapier:
             builder = builder.can_sleep(False).allow_fast_rotation(True)
         self._body = self._world.add_body(builder)
         cylinder = rapier3d.Collider.cylinder(body.height, body.radius)
-        self._world.add_collider(cylinder.density(0.0).friction(friction), self._body)
+        solid = cylinder.density(0.0).friction(friction)
+        solids = [self._world.add_collider(solid, self._body)]
         if scene.table:
             table = rapier3d.Collider.halfspace(rapier3d.Vec3(0.0, 0.0, 1.0))
-            self._world.add_collider(table.friction(friction))
+            kind = rapier3d.RigidBody.fixed()
+            if scene.table_acceleration:
+                kind = rapier3d.RigidBody.kinematic_velocity_based()
+            self._table = self._world.add_body(kind)
+            solids.append(self._world.add_collider(table.friction(friction), self._table))
         self._rigid().recompute_mass_properties_from_colliders(self._world.colliders)
         self._dt, self._steps = dt, 0
         has = self._rigid().mass_properties
         x, y, z = _numbers(getattr(has, "local_mprops", has).principal_inertia)
         departures = inertia_departures(body, self._rigid().mass, (x, z, y))
         departures.append("arithmetic is in single precision")
-        if friction and not best:
+        if friction and known.friction_model == rapier3d.FrictionModel.SIMPLIFIED:
             departures.append("friction acts once for all contacts, with a twist")
         if not self._rigid().gyroscopic_forces_enabled:
             departures.append("gyroscopic forces are off")
-        if not best:
+        if not self._rigid().allow_fast_rotation:
             departures.append("rotation is limited to 45 degrees a substep")
-        if math.isinf(scene.friction):
-            departures.append(f"friction is {friction:g}, not infinite")
+        departures += friction_departures(scene.friction, self._friction(solids))
+        departures += loss_departures(
+            linear_damping=self._rigid().linear_damping,
+            angular_damping=self._rigid().angular_damping,
+        )
+        if self._rigid().activation.linear_threshold >= 0.0:  # Rapier's sign for never
+            departures.append("a body that is slow for long may be put to sleep")
         return departures
 
-    def _rigid(self) -> Any:
-        body = self._body
+    def _rigid(self, body: Any = None) -> Any:
+        body = self._body if body is None else body
         return self._world.rigid_bodies.get(body) if hasattr(body, "index") else body
+
+    def _friction(self, solids: list[Any]) -> float:
+        """The mean of the coefficients, which is what counts."""
+        found = [float(self._world.colliders.get(one).friction) for one in solids]
+        return sum(found) / len(found)
 
     def set_state(self, state: State) -> None:
         w, x, y, z = (float(q) for q in quaternion(state.rotation @ UPRIGHT.T))
@@ -100,6 +118,9 @@ class Rapier:
         self._steps = 0
 
     def step(self) -> None:
+        if self._scene.table_acceleration:  # its velocity at the end of the step
+            rise = self._scene.table_acceleration * (self._steps + 1) * self._dt
+            self._rigid(self._table).linvel = rapier3d.Vec3(0.0, 0.0, rise)
         self._world.step()
         self._steps += 1
 
@@ -110,7 +131,12 @@ class Rapier:
         body = self._rigid()
         turned = body.rotation
         spun = rotation_matrix([turned.w, turned.i, turned.j, turned.k]) @ UPRIGHT
-        return State(_numbers(body.translation), spun, _numbers(body.linvel), _numbers(body.angvel))
+        position, velocity = _numbers(body.translation), _numbers(body.linvel)
+        if self._scene.table_acceleration:
+            table = self._rigid(self._table)
+            position -= _numbers(table.translation)
+            velocity -= _numbers(table.linvel)
+        return State(position, spun, velocity, _numbers(body.angvel))
 
 
 def _numbers(vector: Any) -> Any:

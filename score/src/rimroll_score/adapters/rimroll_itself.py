@@ -15,6 +15,9 @@ import rimroll as rr
 from rimroll_score.euler import frame
 from rimroll_score.protocol import Scene, State, Unsupported
 
+LONGEST = 2.0
+"""s"""
+
 
 class Rimroll:
     """``rimroll.simulate`` as an engine."""
@@ -24,6 +27,7 @@ class Rimroll:
         "best": "relative tolerance 1e-12",
     }
     known_versions = "0."
+    moves_table = True
 
     def version(self) -> str:
         return rr.__version__
@@ -41,6 +45,9 @@ class Rimroll:
             self._law = rr.Coulomb(scene.friction) if scene.friction else rr.Frictionless()
         self._scene, self._dt, self._steps = scene, dt, 0
         self._options: dict[str, Any] = {"rtol": 1e-12} if setting == "best" else {}
+        if scene.table_acceleration:
+            rise = [0.0, 0.0, scene.table_acceleration]
+            self._options["ground"] = rr.ground.sampled(LONGEST, [rise, rise])
         return []
 
     def set_state(self, state: State) -> None:
@@ -65,7 +72,7 @@ class Rimroll:
     def step(self) -> None:
         if self._motion is None:  # here, where its time counts
             self._motion = rr.simulate(
-                self._body, self._angles, self._law, gravity=self._scene.gravity, duration=2.0,
+                self._body, self._angles, self._law, gravity=self._scene.gravity, duration=LONGEST,
                 **self._options,
             )  # fmt: skip
             self._moved = self._start.position - self._motion.center[0]
