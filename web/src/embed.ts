@@ -6,11 +6,12 @@ import type { Lab } from "./lab";
 import { LAB } from "./part";
 import { hashOf } from "./setup/address";
 import "./style/embed.css";
+import { words } from "./words/words";
 
 /** Leaves only what fits into a small frame, with a link to all of it. */
 export function embed(lab: Lab, transport: HTMLElement): void {
   document.documentElement.classList.add("embed");
-  const link = element("a", { class: "whole", target: "_blank", rel: "noopener" }, "Open the lab");
+  const link = element("a", { class: "whole", target: "_blank", rel: "noopener" }, words.openLab);
   transport.querySelector(".row")?.append(link);
   effect(() => {
     link.href = `${location.pathname}${location.search}#${hashOf(lab) || LAB}`;

@@ -22,6 +22,7 @@ import type { Held } from "./setup/release";
 import { INITIAL_PLAYBACK, type Playback, type ViewName } from "./setup/playback";
 import type { Refusal } from "./setup/refusal";
 import { INITIAL, type Setup } from "./setup/setup";
+import { words } from "./words/words";
 
 /** The result for a set-up: a motion, or the reason why there is none. */
 export type Outcome = Simulated | { refused: string };
@@ -86,7 +87,7 @@ export class Lab {
   /** What shakes the floor; undefined until a set-up needs it and it is loaded. */
   readonly shaker: Signal<Shaker | undefined> = signal(undefined);
   /** Why there is no shaker, as the end of a sentence. */
-  readonly shakerMissing: Signal<string> = signal("is being loaded");
+  readonly shakerMissing: Signal<string> = signal(words.floor.isLoading);
   /** Where a hand holds the table, m; undefined if none does. */
   readonly tableHeld: Signal<Displacement | undefined> = signal(undefined);
   /** From where the body is seen. */
@@ -119,7 +120,7 @@ export class Lab {
       if (setup.floor === "rest") return outcomeOf(core, undefined, setup, maxSteps);
       const shaker = this.shaker.value;
       if (shaker) return outcomeOf(core, shaker, setup, maxSteps);
-      return { refused: `the part of this page that shakes the floor ${this.shakerMissing.value}` };
+      return { refused: this.shakerMissing.value };
     });
     this.motion = computed(() =>
       "motion" in this.outcome.value ? this.outcome.value.motion : undefined,

@@ -20,6 +20,7 @@ import "./style/page.css";
 import { startTicker } from "./ticker";
 import { mountTransport } from "./transport/transport";
 import { mountVerdict } from "./verdict/verdict";
+import { words } from "./words/words";
 
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 
@@ -80,9 +81,8 @@ followAnchors();
 start().catch((error: unknown) => {
   console.error(error);
   section(shownPart()).replaceChildren(
-    element("p", { class: "no-page", role: "alert" }, `This page could not start: ${why(error)}`),
+    element("p", { class: "no-page", role: "alert" }, words.notStarted(why(error))),
   );
 });
 
-const why = (error: unknown) =>
-  `${error instanceof Error ? error.message : String(error)}. Reloading it may help.`;
+const why = (error: unknown) => (error instanceof Error ? error.message : String(error));

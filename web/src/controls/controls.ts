@@ -10,16 +10,17 @@ import { BODY_FIELDS } from "../setup/fields";
 import { floorGroup } from "./floor";
 import { frictionRow, idleUnderIdealLaws } from "./friction";
 import { hintFor } from "./hint";
+import { words } from "../words/words";
 
 const RELEASE: NumberName[] = ["tilt", "tilt_rate", "sideways"];
 const MORE: NumberName[] = ["twist", "yaw", "rolling", "restitution", "gravity", "duration"];
 
 export function mountControls(lab: Lab, place: HTMLElement): void {
   const form = new SetupForm(lab);
-  const idle = () => (isStanding(form) ? "The body stands flat, at rest." : undefined);
+  const idle = () => (isStanding(form) ? words.controls.standsFlat : undefined);
   const release = RELEASE.map((name) => numberRow(form, name, idle).row);
   place.append(
-    element("h2", { class: "unseen" }, "Set-up"),
+    element("h2", { class: "unseen" }, words.controls.title),
     element(
       "div",
       { class: "quantities" },
@@ -36,15 +37,15 @@ export function mountControls(lab: Lab, place: HTMLElement): void {
       "div",
       { class: "foot" },
       hintFor(place),
-      button("Let go", () => form.letGo(), { class: "primary", id: "let-go" }),
+      button(words.letGo, () => form.letGo(), { class: "primary", id: "let-go" }),
       undoButton(form),
-      button("Reset", () => form.reset(), { id: "reset" }),
+      button(words.controls.reset, () => form.reset(), { id: "reset" }),
     ),
   );
 }
 
 function undoButton(form: SetupForm): HTMLElement {
-  const undo = button("Undo", () => form.undo(), { id: "undo" });
+  const undo = button(words.controls.undo, () => form.undo(), { id: "undo" });
   effect(() => {
     // A disabled button would lose the focus after it is pressed.
     undo.setAttribute("aria-disabled", String(!form.lab.canUndo.value));
@@ -77,7 +78,11 @@ const ROOMY = "(min-width: 60em) and (min-height: 64em)";
 /** Less common quantities, folded; they open on large screens and when one of them is refused. */
 function more(form: SetupForm): HTMLElement {
   const open = matchMedia(ROOMY).matches;
-  const details = element("details", { class: "more", open }, element("summary", {}, "More"));
+  const details = element(
+    "details",
+    { class: "more", open },
+    element("summary", {}, words.controls.more),
+  );
   for (const name of MORE) {
     const idle = name === "restitution" ? idleUnderIdealLaws(form) : undefined;
     details.append(numberRow(form, name, idle).row);

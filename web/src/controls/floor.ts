@@ -5,6 +5,7 @@ import { element } from "../elements";
 import { loadFloor } from "../floor/loading";
 import type { SetupForm } from "../inputs/setup_form";
 import { FIELDS, FLOOR_FIELDS } from "../setup/fields";
+import { words } from "../words/words";
 
 export function floorGroup(form: SetupForm): HTMLElement {
   const summary = element("summary");
@@ -14,18 +15,18 @@ export function floorGroup(form: SetupForm): HTMLElement {
   details.addEventListener("toggle", () => {
     if (mounted || !details.open) return;
     mounted = true;
-    status.textContent = "Loading…";
+    status.textContent = words.loading;
     loadFloor().then(
       ({ mountFloorControls }) => {
         status.remove();
         mountFloorControls(form, details);
       },
-      () => (status.textContent = "These controls could not be loaded. Reload the page."),
+      () => (status.textContent = words.controls.notLoaded),
     );
   });
   effect(() => {
     const { floor } = form.lab.setup.value;
-    summary.textContent = `The floor: ${FIELDS.floor.choices[floor].toLowerCase()}`;
+    summary.textContent = words.controls.floor(FIELDS.floor.choices[floor]);
     const inside: readonly string[] = FLOOR_FIELDS;
     if (floor !== "rest" || form.lab.refusals.value.some(({ field }) => inside.includes(field)))
       details.open = true;

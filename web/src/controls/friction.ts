@@ -6,29 +6,34 @@ import type { SetupForm } from "../inputs/setup_form";
 import { numberRow } from "../inputs/number";
 import { scaleOf } from "../inputs/scale";
 import { FIELDS } from "../setup/fields";
+import { formatExact, formatFixed } from "../format/numbers";
+import { words } from "../words/words";
 
 /** Dry friction of a metal rim on these materials, as in rimroll.surfaces. */
-const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 };
+const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 } as const;
 
 /** A label centred nearer to the start of the slider (as a fraction of it) would begin outside it. */
 const NEAR_THE_START = 0.08;
 
 /** Under an ideal law, the reason why the settings of dry friction have no effect. */
 export const idleUnderIdealLaws = (form: SetupForm) => () =>
-  form.lab.setup.value.law === "coulomb" ? undefined : "Applies to dry friction only.";
+  form.lab.setup.value.law === "coulomb" ? undefined : words.controls.dryOnly;
 
 export function frictionRow(form: SetupForm): HTMLElement {
   const { row, slider } = numberRow(form, "friction", idleUnderIdealLaws(form));
   const marks = element("div", { class: "marks" });
-  for (const [table, friction] of Object.entries(TABLES))
+  for (const table of ["ice", "wood", "rubber"] as const) {
+    const friction = TABLES[table];
+    const name = words.controls.tables[table];
     marks.append(
       placed(
-        button(table, () => form.set("friction", friction), {
-          "aria-label": `Friction of ${table}, ${friction}`,
+        button(name, () => form.set("friction", friction), {
+          "aria-label": words.controls.frictionOf(name, formatExact(friction)),
         }),
         friction,
       ),
     );
+  }
   const needed = element("div", { class: "marks needed" });
   // Rounded up, so that the body does roll.
   const mark = button("", () => form.set("friction", Math.ceil(1e4 * neededFriction(form)) / 1e4));
@@ -39,14 +44,10 @@ export function frictionRow(form: SetupForm): HTMLElement {
   effect(() => {
     const friction = neededFriction(form);
     needed.hidden = !(friction >= 0);
-    const words = `μ* ${friction.toFixed(3)}`;
-    mark.textContent = words;
-    mark.setAttribute(
-      "aria-label",
-      `${words}, the friction that this body needs to roll through its near-collision`,
-    );
-    mark.dataset["help"] =
-      `With ${words} or more this body rolls through its near-collision. With less it slips.`;
+    const text = `μ* ${formatFixed(friction, 3)}`;
+    mark.textContent = text;
+    mark.setAttribute("aria-label", words.controls.neededLabel(text));
+    mark.dataset["help"] = words.controls.neededHelp(text);
     placed(mark, friction);
   });
   effect(() => {

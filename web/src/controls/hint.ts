@@ -2,6 +2,7 @@
 // under each quantity would leave no room for the table. Screen readers read it as a description.
 
 import { element } from "../elements";
+import { words } from "../words/words";
 
 export function hintFor(place: HTMLElement): HTMLElement {
   const hint = element("p", { class: "hint", "aria-hidden": "true" });
@@ -12,6 +13,6 @@ export function hintFor(place: HTMLElement): HTMLElement {
     hint.textContent = helpOf(event.target) ?? helpOf(focused) ?? hint.textContent;
   };
   for (const kind of ["pointerover", "focusin", "input"]) place.addEventListener(kind, say);
-  hint.textContent = "Point at a setting to see what it means.";
+  hint.textContent = words.controls.hint;
   return hint;
 }

@@ -4,6 +4,8 @@ import type { Core, Theory } from "../core/core";
 import { svgElement } from "../elements";
 import { simulationInput } from "../setup/simulation_input";
 import { INITIAL, type Setup } from "../setup/setup";
+import { formatFixed } from "../format/numbers";
+import { words } from "../words/words";
 
 export interface Line {
   name: string;
@@ -93,12 +95,12 @@ export class Curve {
       const label = svgElement("text", { x, y: HEIGHT - 6, class: "name" }, `— ${name}`);
       label.style.fill = `var(--${colour})`;
       this.root.append(label);
-      x += 14 + 6.2 * (name.length + 2);
+      x += 14 + 6.2 * (widthOf(name) + 2);
     }
     this.root.append(this.now);
     const spoken = lines.map(({ name, angles }) => {
       const known = angles.filter(Number.isFinite);
-      return `${name} from ${known[0]?.toFixed(1)}° to ${known[known.length - 1]?.toFixed(1)}°`;
+      return words.essay.range(name, degrees(known[0]), degrees(known.at(-1)));
     });
     this.root.setAttribute("aria-label", `${about}: ${spoken.join("; ")}.`);
   }
@@ -108,6 +110,12 @@ export class Curve {
     this.now.setAttribute("d", `M${placeOf(part).toFixed(1)} ${TOP - 4}V${BOTTOM}`);
   }
 }
+
+/** The width of a text in letters; a Chinese character is twice as wide. */
+const widthOf = (text: string) =>
+  [...text].reduce((width, letter) => width + (letter > "\u2e7f" ? 2 : 1), 0);
+
+const degrees = (angle = NaN) => `${formatFixed(angle, 1)}°`;
 
 const placeOf = (part: number) => LEFT + part * (WIDTH - LEFT - RIGHT);
 

@@ -19,6 +19,8 @@ import { type Control, choice, slider, valuesOf } from "./control";
 import { Curve, POINTS, computeLines } from "./curve";
 import type { Scene } from "./scenes";
 import { type Facts, factsOf, guessInWords } from "./words";
+import { formatFixed } from "../format/numbers";
+import { sentences, words } from "../words/words";
 
 /** The first fall stops at this part of the time to the smallest tilt. */
 const NEARLY = 0.9;
@@ -60,7 +62,7 @@ export class Figure {
     const status = control.kind === "guess" || scene.flicks ? { role: "status" } : {};
     this.result = element("p", { class: "result", ...status });
     const go = button(
-      scene.flicks ? `Flick it ${INITIAL.flicks} times` : "Let go",
+      scene.flicks ? words.flickTimes(INITIAL.flicks) : words.letGo,
       () => this.letGo(),
       {
         class: "primary go",
@@ -187,11 +189,7 @@ export class Figure {
     if (this.control) return this.control.root;
     if (kind === "guess") return this.guessElement();
     if (kind === "time") return this.timeElement();
-    return element(
-      "p",
-      { class: "hint" },
-      "Grab the top of the can, tip it and let go. A finger rests on it for a moment first.",
-    );
+    return element("p", { class: "hint" }, words.essay.grasp);
   }
 
   private guessElement(): HTMLElement {
@@ -215,7 +213,7 @@ export class Figure {
     return element(
       "div",
       { class: "control" },
-      element("label", { for: input.id }, "Your guess"),
+      element("label", { for: input.id }, words.essay.guess),
       output,
       input,
     );
@@ -246,7 +244,7 @@ export class Figure {
     return element(
       "div",
       { class: "control" },
-      element("label", { for: input.id }, "Time"),
+      element("label", { for: input.id }, words.essay.time),
       output,
       input,
     );
@@ -274,7 +272,7 @@ export class Figure {
       }));
       this.curve = new Curve(
         computeLines(this.lab.core, curve, setups),
-        `${control.label} from ${control.words(control.low)} to ${control.words(control.high)}`,
+        words.essay.range(control.label, control.words(control.low), control.words(control.high)),
         include,
       );
       this.curve.mark(this.control?.part() ?? 0);
@@ -303,9 +301,9 @@ export class Figure {
       const { from, to, width } = bins.value;
       picture.setAttribute(
         "aria-label",
-        `Angles of turn of the falls, from ${from}° to ${to}° in bars of ${width}°. ${flickSummary(lab)}`,
+        sentences(words.story.histogram(`${from}°`, `${to}°`, `${width}°`), flickSummary(lab)),
       );
-      caption.textContent = `Angles of turn of the falls: left above, right below, ${width}° per bar. Lines with a dot: mean and spread of the paper’s falls.`;
+      caption.textContent = sentences(words.story.caption(`${width}°`), words.story.measured);
     });
     return element("div", { class: "falls" }, picture as unknown as HTMLElement, caption);
   }
@@ -333,7 +331,7 @@ export class Figure {
   }
 
   private linkToLab(): HTMLElement {
-    const link = element("a", { class: "in-lab" }, "Open this in the lab");
+    const link = element("a", { class: "in-lab" }, words.essay.inLab);
     effect(() => {
       void this.lab.setup.value;
       const shown = this.active.value ? this.lab.setup.value : this.setup;
@@ -345,19 +343,15 @@ export class Figure {
 
 /** The way to the explanation, shown with the answer. */
 const closer = () =>
-  element(
-    "p",
-    { class: "closer" },
-    element("a", { href: "#slap-or-roll" }, "How can that be? Look closer"),
-  );
+  element("p", { class: "closer" }, element("a", { href: "#slap-or-roll" }, words.essay.closer));
 
 /** A time (s) from the smallest tilt, in words. */
 function momentInWords(since: number): string {
   const size = Math.abs(since);
   const text =
     size < 1e-3
-      ? `${(size * 1e6).toFixed(0)} µs`
-      : `${(size * 1e3).toFixed(size < 0.01 ? 1 : 0)} ms`;
-  if (size < 5e-7) return "at the smallest tilt";
-  return `${text} ${since < 0 ? "before" : "after"} the smallest tilt`;
+      ? `${formatFixed(size * 1e6, 0)} µs`
+      : `${formatFixed(size * 1e3, size < 0.01 ? 1 : 0)} ms`;
+  if (size < 5e-7) return words.essay.atSmallest;
+  return words.essay.fromSmallest(text, since < 0 ? "before" : "after");
 }

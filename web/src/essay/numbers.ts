@@ -8,6 +8,7 @@ import { INITIAL, type Setup } from "../setup/setup";
 import { factsOf } from "./words";
 import { passageFrom } from "../verdict/passage";
 import { SCENES } from "./scenes";
+import { formatFixed } from "../format/numbers";
 
 /** Every number of the prose by its name, as a text. */
 export function numbersOf(core: Core): Record<string, string> {
@@ -30,11 +31,11 @@ export function numbersOf(core: Core): Record<string, string> {
     time,
     limit: degrees(can.noSlip, 1),
     frictionless: degrees(can.frictionless, 1),
-    needed: can.neededFriction.toFixed(2),
+    needed: formatFixed(can.neededFriction, 2),
     disk: degrees(flat.noSlip, 1),
     "disk-beyond": degrees(flat.noSlip - 2 * Math.PI, 1),
-    left: `${MEASURED.left.mean.toFixed(1)}°`,
-    right: `${MEASURED.right.mean.toFixed(1)}°`,
+    left: `${formatFixed(MEASURED.left.mean, 1)}°`,
+    right: `${formatFixed(MEASURED.right.mean, 1)}°`,
   };
 }
 
@@ -46,4 +47,4 @@ export function writeNumbers(core: Core, place: HTMLElement): void {
 }
 
 const degrees = (angle: number, decimals: number) =>
-  `${((angle * 180) / Math.PI).toFixed(decimals)}°`;
+  `${formatFixed((angle * 180) / Math.PI, decimals)}°`;

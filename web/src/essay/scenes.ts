@@ -4,7 +4,8 @@ import type { Setup } from "../setup/setup";
 import type { Playback } from "../setup/playback";
 import type { Line } from "./curve";
 import { type Facts, cameUp, ranRound } from "./words";
-import { formatDegrees } from "../format/numbers";
+import { formatDegrees, formatFixed, formatPrecise } from "../format/numbers";
+import { words } from "../words/words";
 
 /** A slider for a quantity. */
 export interface Quantity {
@@ -57,6 +58,8 @@ export interface Scene {
 /** The sideways error of a hand, rad/s. */
 const HAND = 0.02;
 
+const angleOf = ({ angle }: Facts["passage"]) => formatDegrees(Math.abs(angle), 1);
+
 /** Motions of the essay are short. */
 const BRIEF: Partial<Setup> = { sideways: HAND, duration: 1 };
 
@@ -84,22 +87,21 @@ export const SCENES: readonly Scene[] = [
     playback: STRETCHED,
     control: {
       kind: "quantity",
-      label: "Sideways error of the hand",
+      label: words.essay.sideways,
       low: 0.001,
       high: 0.1,
       step: 1,
       initial: HAND,
       logarithmic: true,
-      words: (rate) => `${rate.toPrecision(2)} rad/s`,
+      words: (rate) => `${formatPrecise(rate, 2)} rad/s`,
       setup: (sideways) => ({ sideways }),
     },
     curve: [
-      { name: "angle of turn", colour: "accent", of: "turn" },
-      { name: "limit", colour: "theory", of: "here", dashed: true },
+      { name: words.essay.lines.turn, colour: "accent", of: "turn" },
+      { name: words.essay.lines.limit, colour: "theory", of: "here", dashed: true },
     ],
     include: [180, 220],
-    says: ({ passage, gap, time }) =>
-      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}. The gap under the rim fell to ${gap}, and most of the angle took ${time}.`,
+    says: ({ passage, gap, time }) => words.essay.hand(angleOf(passage), gap, time),
   },
   {
     id: "friction",
@@ -107,25 +109,32 @@ export const SCENES: readonly Scene[] = [
     playback: STRETCHED,
     control: {
       kind: "quantity",
-      label: "Friction of the table",
+      label: words.essay.friction,
       low: 0,
       high: 0.8,
       step: 0.01,
       initial: 0.1,
-      marks: { ice: 0.03, wood: 0.3, rubber: 0.8 },
-      words: (friction) => friction.toFixed(2),
+      marks: {
+        [words.controls.tables.ice]: 0.03,
+        [words.controls.tables.wood]: 0.3,
+        [words.controls.tables.rubber]: 0.8,
+      },
+      words: (friction) => formatFixed(friction, 2),
       setup: (friction) => ({ law: "coulomb", friction }),
     },
     plays: true,
     curve: [
-      { name: "limit on this table", colour: "theory", of: "here" },
-      { name: "no slip", colour: "law-no_slip", of: "noSlip", dashed: true },
-      { name: "no friction", colour: "law-frictionless", of: "frictionless", dashed: true },
+      { name: words.essay.lines.here, colour: "theory", of: "here" },
+      { name: words.essay.lines.noSlip, colour: "law-no_slip", of: "noSlip", dashed: true },
+      {
+        name: words.essay.lines.frictionless,
+        colour: "law-frictionless",
+        of: "frictionless",
+        dashed: true,
+      },
     ],
     says: ({ passage, theory }) =>
-      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}, and the rim ${
-        passage.rim === "rolled" ? "rolled all the way" : "slipped on the way"
-      }. A can that comes down ever flatter tends to ${formatDegrees(theory.here, 1)} on this table.`,
+      words.essay.table(angleOf(passage), passage.rim === "rolled", formatDegrees(theory.here, 1)),
   },
   {
     id: "tall-and-flat",
@@ -142,17 +151,17 @@ export const SCENES: readonly Scene[] = [
     playback: STRETCHED,
     control: {
       kind: "quantity",
-      label: "Height of the cylinder",
+      label: words.essay.height,
       low: 0,
       high: 18,
       step: 0.1,
       initial: 9,
-      words: (length) => `${length.toFixed(1)} cm`,
+      words: (length) => `${formatFixed(length, 1)} cm`,
       setup: (length) => ({ length }),
     },
-    curve: [{ name: "limit without slip", colour: "law-no_slip", of: "noSlip" }],
+    curve: [{ name: words.essay.lines.noSlipLimit, colour: "law-no_slip", of: "noSlip" }],
     says: ({ passage, theory }) =>
-      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}. The limit for this cylinder is ${formatDegrees(theory.noSlip, 1)}.`,
+      words.essay.cylinder(angleOf(passage), formatDegrees(theory.noSlip, 1)),
   },
   {
     id: "disks-and-coins",
@@ -160,17 +169,21 @@ export const SCENES: readonly Scene[] = [
     playback: STRETCHED,
     control: {
       kind: "choice",
-      label: "Body",
+      label: words.essay.body,
       options: [
-        { name: "Coin", setup: { body: "coin" } },
-        { name: "Ring", setup: { body: "ring" } },
-        { name: "Battery", setup: { body: "battery", tilt: 10 } },
-        { name: "Bottle", setup: { body: "beer_bottle", tilt: 10 } },
+        { name: words.essay.bodies.coin, setup: { body: "coin" } },
+        { name: words.essay.bodies.ring, setup: { body: "ring" } },
+        { name: words.essay.bodies.battery, setup: { body: "battery", tilt: 10 } },
+        { name: words.essay.bodies.bottle, setup: { body: "beer_bottle", tilt: 10 } },
       ],
     },
     plays: true,
     says: ({ passage, theory }) =>
-      `The contact point ran round ${formatDegrees(Math.abs(passage.angle), 1)}. The limits are ${formatDegrees(theory.noSlip, 1)} without slip and ${formatDegrees(theory.frictionless, 1)} without friction.`,
+      words.essay.limits(
+        angleOf(passage),
+        formatDegrees(theory.noSlip, 1),
+        formatDegrees(theory.frictionless, 1),
+      ),
   },
   {
     id: "experiment",
@@ -178,12 +191,12 @@ export const SCENES: readonly Scene[] = [
     playback: STRETCHED,
     control: {
       kind: "quantity",
-      label: "Friction of the table",
+      label: words.essay.friction,
       low: 0.01,
       high: 0.4,
       step: 0.01,
       initial: 0.3,
-      words: (friction) => friction.toFixed(2),
+      words: (friction) => formatFixed(friction, 2),
       setup: (friction) => ({ friction }),
     },
     flicks: true,
@@ -195,13 +208,13 @@ export const SCENES: readonly Scene[] = [
     playback: STRETCHED,
     control: {
       kind: "quantity",
-      label: "Sideways error of the hand",
+      label: words.essay.sideways,
       low: 0.0001,
       high: 0.1,
       step: 1,
       initial: HAND,
       logarithmic: true,
-      words: (rate) => `${rate.toPrecision(2)} rad/s`,
+      words: (rate) => `${formatPrecise(rate, 2)} rad/s`,
       setup: (sideways) => ({ sideways }),
     },
     limits: true,

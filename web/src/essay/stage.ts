@@ -10,6 +10,7 @@ import { listenToKeys } from "../scene/keys";
 import { onTheme } from "../scene/palette";
 import type { Picture } from "../scene/picture";
 import "../scene/scene.css";
+import { words } from "../words/words";
 
 export class EssayStage {
   readonly frame: Frame;
@@ -35,8 +36,7 @@ export class EssayStage {
       .catch((error: unknown) => {
         console.warn(error);
         this.frame.stage.classList.add("blind");
-        this.frame.notice.textContent =
-          "This browser cannot show the picture, because WebGL is off or missing. The words, numbers and curves need no picture.";
+        this.frame.notice.textContent = words.essay.noPicture;
       });
   }
 
@@ -51,10 +51,7 @@ export class EssayStage {
     const { canvas } = frame;
     canvas.tabIndex = this.graspable ? 0 : -1;
     canvas.setAttribute("role", this.graspable ? "application" : "img");
-    canvas.setAttribute(
-      "aria-label",
-      this.graspable ? "The can, which you can tip" : "The body on the table",
-    );
+    canvas.setAttribute("aria-label", this.graspable ? words.essay.theCan : words.essay.theBody);
     if (!picture) return;
     picture.view.cut(lab.view.peek());
     picture.resize();

@@ -2,26 +2,29 @@
 
 import type { Lab } from "../lab";
 import { type Side, type Tally, tallyOf } from "./tally";
+import { formatFixed } from "../format/numbers";
+import { words } from "../words/words";
 
 /** A sentence on the flicks that are shown, or a notice while they are still appearing. */
 export function flickSummary(lab: Lab): string {
   const count = lab.flicksShown.value;
   if (count === undefined) return "";
-  if (lab.flicking.value) return "Flicking it …";
+  if (lab.flicking.value) return words.flicks.running;
   const shown = lab.flicks.value.slice(0, count);
-  return shown.length === 0
-    ? "This set-up cannot be flicked."
-    : inWords(tallyOf(shown), shown.length);
+  return shown.length === 0 ? words.flicks.none : inWords(tallyOf(shown), shown.length);
 }
 
 /** The tally of a number of flicks in a sentence. */
 function inWords({ outcome, left, right, others }: Tally, made: number): string {
-  const did = outcome === "toppled" ? "fell" : "came up";
-  const of = (side: Side, name: string) => {
-    if (side.count === 0) return `none ${did} to the ${name}`;
-    const spread = side.count > 1 ? ` ± ${side.deviation.toFixed(1)}°` : "";
-    return `${side.count} ${did} to the ${name} after ${side.mean.toFixed(1)}°${spread}`;
-  };
-  const rest = others > 0 ? `; ${others} did something else` : "";
-  return `Of ${made} flick${made === 1 ? "" : "s"}, ${of(left, "left")}, ${of(right, "right")}${rest}.`;
+  const sides = [["left", left] as const, ["right", right] as const].map(([side, one]) => ({
+    side,
+    count: one.count,
+    angle: angleOf(one),
+  }));
+  return words.flicks.summary(made, sides, outcome === "toppled", others);
+}
+
+function angleOf({ count, mean, deviation }: Side): string {
+  const spread = count > 1 ? ` ± ${formatFixed(deviation, 1)}°` : "";
+  return `${formatFixed(mean, 1)}°${spread}`;
 }

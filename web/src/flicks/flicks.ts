@@ -10,29 +10,33 @@ import type { Lab } from "../lab";
 import { FLICK_FIELDS } from "../setup/fields";
 import "./flicks.css";
 import { histogram } from "./histogram";
+import { MEASURED } from "../falls/paper";
+import { formatDegrees, formatFixed } from "../format/numbers";
+import { words } from "../words/words";
 
 export function mountFlicks(lab: Lab, place: HTMLElement): void {
+  const { flicks: text } = words;
   place.innerHTML = `
-    <h2>Forty-two flicks</h2>
-    <p class="hint">No hand repeats a motion exactly. Repeat this release with some scatter and see where the body falls.</p>
+    <h2>${text.title}</h2>
+    <p class="hint">${text.hint}</p>
     <div class="row">
       <button type="button" class="make primary"></button>
-      <button type="button" class="clear">Clear</button>
+      <button type="button" class="clear">${text.clear}</button>
     </div>
-    <details><summary>The hand</summary></details>
+    <details><summary>${text.hand}</summary></details>
     <figure>
-      <svg viewBox="-106 -106 212 212" role="img" aria-label="Directions in which the body fell, seen from above" aria-describedby="flicks-said"></svg>
+      <svg viewBox="-106 -106 212 212" role="img" aria-label="${text.picture}" aria-describedby="flicks-said"></svg>
       <figcaption>
         <p id="flicks-said" role="status"></p>
         <ul class="legend">
-          <li><i class="left"></i>to the left of the hand</li>
-          <li><i class="right"></i>to the right</li>
-          <li><i class="no-slip"></i>limit without slip <b class="no-slip-limit"></b></li>
-          <li><i class="frictionless"></i>limit without friction <b class="frictionless-limit"></b></li>
-          <li class="for-here"><i class="here"></i>limit on this table <b class="here-limit"></b></li>
-          <li class="for-measured"><i class="measured"></i>the paper: 213.0 ± 3.9° and 217.9 ± 4.5°</li>
+          <li><i class="left"></i>${text.left}</li>
+          <li><i class="right"></i>${text.right}</li>
+          <li><i class="no-slip"></i>${text.noSlip} <b class="no-slip-limit"></b></li>
+          <li><i class="frictionless"></i>${text.frictionless} <b class="frictionless-limit"></b></li>
+          <li class="for-here"><i class="here"></i>${text.here} <b class="here-limit"></b></li>
+          <li class="for-measured"><i class="measured"></i>${text.measured(measuredAngle("left"), measuredAngle("right"))}</li>
         </ul>
-        <p class="hint for-twisted">The limits hold for a body that is not twisted.</p>
+        <p class="hint for-twisted">${text.twisted}</p>
       </figcaption>
     </figure>`;
   const part = <E extends Element>(selector: string) => place.querySelector(selector) as E;
@@ -64,14 +68,13 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   effect(() => {
     const { flicks } = lab.setup.value;
     const again = lab.flicksShown.value !== undefined;
-    make.textContent =
-      flicks === 1 ? "Flick it once" : `Flick it ${flicks} times${again ? " again" : ""}`;
+    make.textContent = again && flicks > 1 ? words.flickAgain(flicks) : words.flickTimes(flicks);
     clear.hidden = !again;
   });
   effect(() => {
-    const text = flickSummary(lab);
+    const summary = flickSummary(lab);
     // An unchanged text must not be read out again.
-    if (said.textContent !== text) said.textContent = text;
+    if (said.textContent !== summary) said.textContent = summary;
   });
   effect(() => {
     const { body, twist } = lab.setup.value;
@@ -93,4 +96,7 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
 
 const nextSeed = (lab: Lab) => (lab.setup.value.seed + 1) % 4294967296;
 
-const degrees = (radians: number) => `${((radians * 180) / Math.PI).toFixed(1)}°`;
+const degrees = (radians: number) => formatDegrees(radians, 1);
+
+const measuredAngle = (side: keyof typeof MEASURED) =>
+  `${formatFixed(MEASURED[side].mean, 1)} ± ${formatFixed(MEASURED[side].deviation, 1)}°`;

@@ -6,6 +6,7 @@ import type { Theory } from "../core/core";
 import { MEASURED } from "../falls/paper";
 import type { Tally } from "../falls/tally";
 import { LAW_COLOURS } from "./colours";
+import { words } from "../words/words";
 
 const BIN = 3; // degrees; divides 180, so that no bar has falls of both sides
 const [INNER, OUTER] = [46, 92];
@@ -29,7 +30,7 @@ export function histogram({ tally, theory, measured }: Shown): string {
     ...limits(theory),
     ...(measured ? MEASURED_ROUND.map(({ mean, deviation }) => measuredArc(mean, deviation)) : []),
     `<path d="M0 12V30m-3.5 -5L0 33l3.5 -8" class="lean"/>`,
-    `<text y="7" class="small">initial lean</text>`,
+    `<text y="7" class="small">${words.flicks.initialLean}</text>`,
   ].join("");
 }
 

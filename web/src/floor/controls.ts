@@ -6,6 +6,7 @@ import { choiceButtons, choiceList } from "../inputs/choice";
 import { type NumberName, numberRow } from "../inputs/number";
 import type { SetupForm } from "../inputs/setup_form";
 import { padFor } from "./pad";
+import { words } from "../words/words";
 
 const PULSE: NumberName[] = ["shake", "period", "cycles", "direction", "vertical"];
 
@@ -27,20 +28,15 @@ export function mountFloorControls(form: SetupForm, place: HTMLElement): void {
     element(
       "div",
       { class: "buttons" },
-      button("Push", () => push(form), {
-        "data-help":
-          "Pushes the floor away from you for a fifth of a second and starts the motion.",
+      button(words.floor.push, () => push(form), {
+        "data-help": words.floor.pushHelp,
       }),
-      button("Shake", () => form.letGo(), {
+      button(words.floor.shake, () => form.letGo(), {
         id: "shake",
-        "data-help": "Starts the motion of the floor and of the body.",
+        "data-help": words.floor.shakeHelp,
       }),
     ),
-    element(
-      "p",
-      { class: "help always" },
-      "The flicks and the theory are those of a floor at rest. Positions in the plots are relative to the table.",
-    ),
+    element("p", { class: "help always" }, words.floor.note),
   );
   const shake = place.querySelector<HTMLButtonElement>("#shake") as HTMLButtonElement;
   effect(() => {
@@ -53,9 +49,7 @@ export function mountFloorControls(form: SetupForm, place: HTMLElement): void {
 function pulseControls(form: SetupForm): HTMLElement {
   const isOnce = () => {
     const { pulse } = form.lab.setup.value;
-    return pulse === "sine" || pulse === "cosine"
-      ? undefined
-      : "Applies to a sine and a cosine only.";
+    return pulse === "sine" || pulse === "cosine" ? undefined : words.floor.onceOnly;
   };
   const rows = PULSE.map((name) => numberRow(form, name, name === "cycles" ? isOnce : undefined));
   const group = element("div", {}, choiceList(form, "pulse"), ...rows.map(({ row }) => row));

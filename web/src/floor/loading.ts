@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
+import { words } from "../words/words";
 
 let loading: Promise<typeof import("./floor")> | undefined;
 
@@ -18,7 +19,7 @@ export function shakeOnDemand(lab: Lab): void {
         (shaker) => (lab.shaker.value = shaker),
         (error: unknown) => {
           console.error(error);
-          lab.shakerMissing.value = "could not be loaded; reload the page";
+          lab.shakerMissing.value = words.floor.isMissing;
         },
       );
   });

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals-core";
 import { element } from "../elements";
 import type { SetupForm } from "../inputs/setup_form";
 import { type HandAt, MAX_SAMPLES, STEP, recordOf } from "./record";
+import { words } from "../words/words";
 
 /** Metres of the table for a pixel of the pad. */
 const SCALE = 1e-3;
@@ -31,16 +32,12 @@ export function padFor(form: SetupForm): HTMLElement {
       class: "pad",
       tabindex: 0,
       role: "application",
-      "aria-label": "Move the table",
+      "aria-label": words.floor.pad,
       "aria-describedby": "pad-help",
     },
     dot,
   );
-  const help = element(
-    "p",
-    { id: "pad-help", class: "help always" },
-    "Drag here to move the table, a millimetre for a pixel. When you let go, the body is shaken as you moved. The arrow keys move it, too.",
-  );
+  const help = element("p", { id: "pad-help", class: "help always" }, words.floor.padHelp);
   const hand = new Hand(form, pad, dot);
   pad.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;

@@ -3,10 +3,11 @@
 import type { Motion } from "../core/motion";
 import { formatDegrees, significant } from "../format/numbers";
 import { formatDuration } from "../format/times";
-import { BODY_NOUNS } from "../setup/fields";
+import type { BodyName } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Content } from "../verdict/content";
 import type { Shaking } from "./shaking";
+import { sentences, words } from "../words/words";
 
 export function shakenVerdict(
   motion: Motion,
@@ -17,66 +18,61 @@ export function shakenVerdict(
   const tilt = largestTilt(motion);
   const uplift = timeOf(motion, "uplift");
   const ratio = significant(tilt / balanceTilt, 2);
-  const noun = BODY_NOUNS[setup.body];
+  const { body } = setup;
+  const { floor } = words;
   const stood = setup.start === "standing";
-  const rocks = tilt > 0 ? ` Its largest tilt is ${formatDegrees(tilt, 1)}.` : "";
+  const rocks = tilt > 0 ? floor.itsLargestTilt(formatDegrees(tilt, 1)) : "";
   return {
     theory: {
-      name: "Balance tilt",
+      name: floor.balanceTilt,
       number: formatDegrees(balanceTilt, 1),
-      note: "beyond it a body at rest falls over",
+      note: floor.beyondBalance,
     },
     lowest: {
-      name: "Largest tilt",
+      name: floor.largestTilt,
       number: formatDegrees(tilt, 1),
-      note: balanceTilt > 0 ? `${ratio} of the balance tilt` : "",
+      note: balanceTilt > 0 ? floor.ofBalance(ratio) : "",
     },
     then: {
-      name: "Uplift",
+      name: floor.uplift,
       number: uplift === undefined ? "–" : formatDuration(uplift),
       note: stood
         ? uplift === undefined
-          ? "it never begins to rock"
-          : "when it begins to rock"
-        : "the body leans at the start",
+          ? floor.neverRocks
+          : floor.whenRocks
+        : floor.leansAtStart,
     },
-    said: `${floorInWords(motion, shaking)} ${begins(uplift, motion, noun, stood)}${rocks}`,
-    ...ended(motion, noun, balanceTilt),
+    said: sentences(floorInWords(motion, shaking), begins(uplift, motion, body, stood), rocks),
+    ...ended(motion, body, balanceTilt),
   };
 }
 
 /** Sentences on the way in which the motion ends; nothing where the words for a table at rest hold. */
-function ended(motion: Motion, noun: string, balanceTilt: number): Partial<Content> {
+function ended(motion: Motion, body: BodyName, balanceTilt: number): Partial<Content> {
   const after = formatDuration(motion.end);
   const isBeyond = (motion.at([motion.end]).column("tilt")[0] ?? 0) > balanceTilt;
   switch (motion.status) {
     case "toppled":
-      return { ended: `The ${noun} overturns at ${after}.` };
+      return { ended: words.floor.overturns(body, after) };
     case "lifted_off":
-      return isBeyond
-        ? { ended: `The ${noun} overturns: its rim leaves the floor at ${after}.` }
-        : {};
+      return isBeyond ? { ended: words.floor.overturnsInAir(body, after) } : {};
     case "finished":
-      if (isBeyond)
-        return {
-          ended: `It is beyond its balance tilt after ${after}, when the computation ends: whether it overturns is undecided.`,
-        };
       return {
-        ended: `It does not overturn. ${STILL[motion.phases.at(-1)?.kind ?? ""] ?? "It still moves"} after ${after}, when the computation ends.`,
+        ended: isBeyond
+          ? words.floor.undecided(after)
+          : words.floor.survives(STILL[motion.phases.at(-1)?.kind ?? ""] ?? "moving", after),
       };
     case "face_down":
-      return {
-        ended: `The base comes down flat after ${after}, and the motion ends, because “Flat landing” says so. Rigid-body mechanics does not determine what follows.`,
-      };
+      return { ended: words.floor.stops(after) };
     default:
       return {};
   }
 }
 
-const STILL: Record<string, string> = {
-  standing: "It stands flat",
-  sliding_flat: "It still slides on its base",
-  flying_level: "It is in the air",
+const STILL: Record<string, "standing" | "sliding_flat" | "flying_level"> = {
+  standing: "standing",
+  sliding_flat: "sliding_flat",
+  flying_level: "flying_level",
 };
 
 /** How far the floor moves, in the time that the motion takes. */
@@ -92,20 +88,23 @@ function floorInWords(motion: Motion, shaking: Shaking): string {
     far = Math.max(far, size("displacement"));
     strong = Math.max(strong, size("acceleration"));
   }
-  if (strong === 0) return "The floor does not move.";
-  return `The floor moves by up to ${significant(100 * far, 2)} cm, at up to ${significant(strong, 2)} m/s².`;
+  if (strong === 0) return words.floor.isStill;
+  return words.floor.moves(`${significant(100 * far, 2)} cm`, `${significant(strong, 2)} m/s²`);
 }
 
-function begins(uplift: number | undefined, motion: Motion, noun: string, stood: boolean): string {
+function begins(
+  uplift: number | undefined,
+  motion: Motion,
+  body: BodyName,
+  stood: boolean,
+): string {
   if (uplift !== undefined)
     return stood
-      ? `The ${noun} begins to rock at ${formatDuration(uplift)} (uplift).`
-      : `The ${noun} leans at first; it stands flat for a while and begins to rock again at ${formatDuration(uplift)}.`;
-  if (!stood) return `The ${noun} leans at first.`;
+      ? words.floor.beginsToRock(body, formatDuration(uplift))
+      : words.floor.rocksAgain(body, formatDuration(uplift));
+  if (!stood) return words.floor.leans(body);
   const slides = motion.phases.some(({ kind }) => kind === "sliding_flat");
-  return slides
-    ? `The ${noun} slides on its base and never begins to rock.`
-    : `The ${noun} stands still on the floor and never begins to rock.`;
+  return slides ? words.floor.slides(body) : words.floor.stands(body);
 }
 
 const timeOf = (motion: Motion, kind: string) =>

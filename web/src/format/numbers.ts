@@ -1,13 +1,24 @@
-// Numbers as the page writes them: a real minus sign, few digits or all of them, units, powers of ten.
+// Numbers as the page writes them: a real minus sign, the decimal sign of the visitor, few digits or all of them,
+// units, powers of ten. Thousands have narrow spaces in every language, which nobody takes for a decimal sign.
+
+import { NUMBERS } from "../words/language";
 
 /** A number with at most `digits` significant digits, without trailing zeros. */
 export function formatNumber(value: number, digits = 6): string {
   if (Number.isNaN(value)) return "–";
-  return withMinus(String(Number(value.toPrecision(digits))));
+  return written(String(Number(value.toPrecision(digits))));
 }
 
 /** A number with all its digits: reading the text gives the same number. */
-export const formatExact = (value: number): string => withMinus(String(value));
+export const formatExact = (value: number): string => written(String(value));
+
+/** A number with a number of decimals. */
+export const formatFixed = (value: number, decimals: number): string =>
+  written(value.toFixed(decimals));
+
+/** A number with `digits` significant digits, trailing zeros included. */
+export const formatPrecise = (value: number, digits: number): string =>
+  written(value.toPrecision(digits));
 
 /** A number with `digits` significant digits, trailing zeros included; in powers of ten only below 1e-5. */
 export function significant(exact: number, digits: number): string {
@@ -15,7 +26,7 @@ export function significant(exact: number, digits: number): string {
   const value = Number(exact.toPrecision(digits));
   const size = Math.floor(Math.log10(Math.abs(value)));
   if (size < -5) return formatWide(value, digits);
-  return withMinus(grouped(value.toFixed(Math.min(Math.max(digits - 1 - size, 0), 12))));
+  return written(grouped(value.toFixed(Math.min(Math.max(digits - 1 - size, 0), 12))));
 }
 
 /** A number as `formatNumber` writes it, or as a power of ten if it is very large or very small. */
@@ -23,14 +34,14 @@ export function formatWide(value: number, digits: number): string {
   const size = Math.abs(value);
   if (!Number.isFinite(value) || value === 0 || (size >= 1e-5 && size < 1e6)) {
     const text = formatNumber(value, digits);
-    if (text.includes("e")) return value.toFixed(6);
+    if (text.includes("e")) return written(value.toFixed(6));
     return size >= 1e4 ? text.replace(/(\d)(?=(\d{3})+$)/g, "$1\u202f") : text;
   }
   const [mantissa = "", exponent = ""] = value.toExponential(digits - 1).split("e");
   const raised = [...exponent.replace("+", "")]
     .map((digit) => (digit === "-" ? "⁻" : SUPERSCRIPTS[Number(digit)]))
     .join("");
-  return `${withMinus(mantissa)} × 10${raised}`;
+  return `${written(mantissa)} × 10${raised}`;
 }
 
 export const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -39,16 +50,18 @@ export const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 export function formatDegrees(angle: number, decimals: number): string {
   if (Number.isNaN(angle)) return "–";
   const text = ((angle * 180) / Math.PI).toFixed(decimals);
-  return `${Number(text) === 0 ? text.replace("-", "") : withMinus(text)}°`;
+  return `${written(Number(text) === 0 ? text.replace("-", "") : text)}°`;
 }
 
 /** A number with its unit, separated by a space unless the unit is a sign. */
 export function withUnit(value: string, unit: string): string {
-  return unit === "" || unit === "°" || unit === "%" ? value + unit : `${value} ${unit}`;
+  if (unit === "%") return value + NUMBERS.percentGap + unit;
+  return unit === "" || unit === "°" ? value + unit : `${value} ${unit}`;
 }
 
-/** Replaces hyphens by minus signs, which are as wide as a plus. */
-export const withMinus = (text: string) => text.replaceAll("-", "−");
+/** Writes the digits of a number as the visitor reads them: minus signs are as wide as a plus. */
+export const written = (digits: string, { decimal } = NUMBERS): string =>
+  digits.replaceAll("-", "−").replace(".", decimal);
 
 /** Separates thousands by narrow no-break spaces, from 10 000 on. */
 function grouped(text: string): string {

@@ -10,6 +10,7 @@ import "./gyro.css";
 import { toPhyphox } from "./phyphox";
 import { bodyRates } from "./rates";
 import { SIZE, starOf } from "./star";
+import { sentences, words } from "../words/words";
 
 export function mountGyro(lab: Lab, place: HTMLElement): void {
   const view = `${-SIZE} ${-SIZE} ${2 * SIZE} ${2 * SIZE}`;
@@ -26,22 +27,20 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
   picture.append(circle, cross, whole, past, now, scale);
   const said = element("p", { class: "said" });
   const message = element("p", { class: "done", role: "status" });
-  const save = button("Save as phyphox CSV", () => {
+  const save = button(words.gyro.save, () => {
     lab.complete();
     const motion = lab.motion.value;
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}-phyphox.csv`;
     download(name, toPhyphox(motion), "text/csv");
-    message.textContent = `${name} saved. Read it with: rimroll gyro ${name} ${optionsOf(lab.setup.value)}`;
+    message.textContent = words.gyro.saved(
+      name,
+      `rimroll gyro ${name} ${optionsOf(lab.setup.value)}`,
+    );
   });
   place.append(
-    element("h2", {}, "A phone in the body"),
-    element(
-      "p",
-      {},
-      "A gyroscope that turns with the body sees none of the contact point’s race. Across the axis it sees rays: the body falls along one and rises along the next. " +
-        "Each near-collision turns the ray by the angle of turn less 180°.",
-    ),
+    element("h2", {}, words.gyro.title),
+    element("p", {}, words.gyro.intro),
     element("figure", {}, picture as unknown as HTMLElement, said),
     element("div", { class: "buttons" }, save),
     message,
@@ -60,13 +59,10 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
     const veers = motion.turns
       .slice(0, 4)
       .map(({ angle }) => formatDegrees(Math.abs(angle) - Math.PI, 1));
-    said.textContent =
-      veers.length > 0
-        ? `The first veers: ${veers.join(", ")}.`
-        : "There is no complete turn, so no ray turns.";
+    said.textContent = veers.length > 0 ? words.gyro.veers(veers.join("; ")) : words.gyro.noTurn;
     picture.setAttribute(
       "aria-label",
-      `Angular velocity across the axis, in the frame of the body, up to ${formatNumber(largest, 3)} rad/s. ${said.textContent}`,
+      sentences(words.gyro.picture(`${formatNumber(largest, 3)} rad/s`), said.textContent),
     );
   });
   effect(() => {

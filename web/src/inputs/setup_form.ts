@@ -5,7 +5,7 @@ import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import type { FieldName } from "../setup/fields";
 import { INITIAL_PLAYBACK } from "../setup/playback";
-import { INITIAL, type Setup, read } from "../setup/setup";
+import { INITIAL, type Setup, readTyped } from "../setup/setup";
 
 export class SetupForm {
   private pending: Partial<Record<FieldName, string | number>> = {};
@@ -22,7 +22,7 @@ export class SetupForm {
 
   /** Sets the value that was typed, or shows at the field why it is refused. */
   type(name: FieldName, text: string): void {
-    const result = read(name, text);
+    const result = readTyped(name, text);
     if ("value" in result) {
       this.set(name, result.value);
     } else {

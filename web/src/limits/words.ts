@@ -4,6 +4,7 @@ import { formatLengthShort, formatSpeed } from "../format/sizes";
 import { formatDuration } from "../format/times";
 import { formatWide } from "../format/numbers";
 import type { Validity } from "../core/motion";
+import { words } from "../words/words";
 
 export interface Limit {
   name: string;
@@ -20,12 +21,9 @@ export function limitsOf(validity: Validity): Limit[] {
 }
 
 function gap({ gap, roughness: [smooth], exceeded: { gap: exceeded } }: Validity): Limit {
-  const means = exceeded
-    ? gap < smooth
-      ? "Smaller than the roughness of any rim and table, 1 to 10 µm: they touch at several points."
-      : "No larger than the roughness of rim and table, 1 to 10 µm: they may touch at several points."
-    : "Larger than the roughness of rim and table, 1 to 10 µm.";
-  return { name: "Smallest gap under the rim", here: formatLengthShort(gap), means, exceeded };
+  const { limits } = words;
+  const means = exceeded ? (gap < smooth ? limits.gapTiny : limits.gapSmall) : limits.gapWide;
+  return { name: limits.gap, here: formatLengthShort(gap), means, exceeded };
 }
 
 function speed({
@@ -33,49 +31,43 @@ function speed({
   speedOfSound,
   exceeded: { contactSpeed: exceeded },
 }: Validity): Limit {
-  const compared = exceeded
-    ? "Faster than"
-    : contactSpeed > speedOfSound / 10
-      ? "Not much slower than"
-      : "Slower than";
+  const { limits } = words;
+  const isNear = contactSpeed > speedOfSound / 10;
   return {
-    name: "Contact point along the rim",
+    name: limits.speed,
     here: formatSpeed(contactSpeed),
-    means: `${compared} sound in steel, aluminium or glass, 5 to 6 km/s${exceeded ? ": rim and table cannot make way for it in time" : ""}.`,
+    means: exceeded ? limits.speedBeyond : isNear ? limits.speedNear : limits.speedBelow,
     exceeded,
   };
 }
 
 function rigid({ passageTime, soundTime, exceeded: { passageTime: exceeded } }: Validity): Limit {
-  const sound = `Sound needs ${formatDuration(soundTime)} to cross the base`;
+  const { limits } = words;
+  const sound = formatDuration(soundTime);
   return {
-    name: "Time for most of the angle",
+    name: limits.time,
     here: formatDuration(passageTime),
-    means: exceeded
-      ? `${sound}: the body bends and rings instead of moving as one piece.`
-      : `${sound}: the body moves as one piece.`,
+    means: exceeded ? limits.bends(sound) : limits.isRigid(sound),
     exceeded,
   };
 }
 
 function force({ forceRatio, exceeded: { forceRatio: exceeded } }: Validity): Limit {
+  const { limits } = words;
   return {
-    name: "Largest force on the table",
-    here: `${formatWide(forceRatio, 2)} × the weight`,
-    means: exceeded
-      ? "At one point: a real rim and table yield there, and the body rings."
-      : "At one point of a rim that does not yield.",
+    name: limits.force,
+    here: limits.timesWeight(formatWide(forceRatio, 2)),
+    means: exceeded ? limits.yields : limits.bears,
     exceeded,
   };
 }
 
 function losses({ lossRatio, exceeded: { lossRatio: exceeded } }: Validity): Limit {
+  const { limits } = words;
   return {
-    name: "Energy lost in this turn",
+    name: limits.losses,
     here: lossRatio < 5e-4 ? "0 %" : `${formatWide(100 * lossRatio, 2)} %`,
-    means: exceeded
-      ? "A real can loses a part in every turn, by sound, air and bending, and soon stands still. “Rolling resistance” is one such loss."
-      : "Sound, air and bending, which are left out, take more.",
+    means: exceeded ? limits.lossless : limits.loses,
     exceeded,
   };
 }

@@ -3,13 +3,14 @@
 import uPlot from "uplot";
 import type { Moment, Moments } from "../core/motion";
 import { element } from "../elements";
-import { significant } from "../format/numbers";
+import { formatFixed, significant } from "../format/numbers";
 import type { Figure, Line, Subject } from "./figures";
 import { type Mark, drawEvents, drawStrip, shadePhases } from "./marks";
 import type { Palette } from "./palette";
 import { powerText, powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } from "./ticks";
 import { type Values, thinned } from "./thinned";
 import type { Stretch } from "./view";
+import { words } from "../words/words";
 
 /** Curves with more points per CSS px of the width than this are thinned. */
 const MAX_DENSITY = 4;
@@ -153,8 +154,8 @@ export class Chart {
   private summary(curves: readonly Values[]): string {
     const [min, max] = bounds(curves);
     const range =
-      min > max ? "nothing to show" : `between ${this.valueText(min)} and ${this.valueText(max)}`;
-    return `${this.figure.title} over time ${stretchText(this.shown)}: ${range}`;
+      min > max ? words.plots.nothing : words.plots.range(this.valueText(min), this.valueText(max));
+    return words.plots.summary(this.figure.title, stretchText(this.shown), range);
   }
 
   private options(): uPlot.Options {
@@ -279,5 +280,4 @@ function bounds(curves: readonly Values[]): [number, number] {
 }
 
 /** A number with three decimals; zero has no sign. */
-const thousandths = (value: number) =>
-  (Math.round(1000 * value) / 1000 || 0).toFixed(3).replace("-", "−");
+const thousandths = (value: number) => formatFixed(Math.round(1000 * value) / 1000 || 0, 3);

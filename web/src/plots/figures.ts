@@ -7,6 +7,7 @@ import { type Rates, bodyRates, bodyRatesAt } from "../gyro/rates";
 import type { Colour } from "./palette";
 import { countBelow } from "./sampled";
 import type { Values } from "./thinned";
+import { words } from "../words/words";
 
 /** The data of a figure. */
 export interface Subject {
@@ -35,6 +36,8 @@ export interface Line {
 export interface Figure {
   name: string;
   title: string;
+  /** Name where there is little room. */
+  short: string;
   unit: string;
   lines: readonly Line[];
   /** Whether the lines are borders of stacked areas. */
@@ -52,72 +55,80 @@ const DEGREES = 180 / Math.PI;
 /** The figure of a floor that moves. */
 export const FLOOR = "floor";
 
+const { figures } = words.plots;
+
 export const FIGURES: readonly Figure[] = [
   {
     name: FLOOR,
-    title: "Floor, acceleration",
+    title: figures.floor.title,
+    short: figures.floor.short,
     unit: "m/s²",
     include: 0,
     lines: [
-      ofFloor("along x", "ground_acceleration_x", "plot-first"),
-      { ...ofFloor("along y", "ground_acceleration_y", "plot-second"), dash: [7, 3] },
-      { ...ofFloor("upward", "ground_acceleration_z", "plot-third"), dash: [2, 3] },
+      ofFloor(figures.floor.x, "ground_acceleration_x", "plot-first"),
+      { ...ofFloor(figures.floor.y, "ground_acceleration_y", "plot-second"), dash: [7, 3] },
+      { ...ofFloor(figures.floor.z, "ground_acceleration_z", "plot-third"), dash: [2, 3] },
     ],
   },
   {
     name: "tilt",
-    title: "Tilt",
+    title: figures.tilt.title,
+    short: figures.tilt.short,
     unit: "°",
     include: 0,
-    lines: [plain("tilt", "tilt", "plot-first", DEGREES)],
+    lines: [plain(figures.tilt.tilt, "tilt", "plot-first", DEGREES)],
   },
   {
     name: "yaw",
-    title: "Yaw",
+    title: figures.yaw.title,
+    short: figures.yaw.short,
     unit: "°",
     lines: [
-      plain("direction of the lean", "yaw", "plot-first", DEGREES),
-      { label: "theory, first turn", colour: "theory", dash: [6, 4], values: turnedInTheory },
+      plain(figures.yaw.yaw, "yaw", "plot-first", DEGREES),
+      { label: figures.yaw.theory, colour: "theory", dash: [6, 4], values: turnedInTheory },
     ],
   },
   {
     name: "rates",
-    title: "Rates",
+    title: figures.rates.title,
+    short: figures.rates.short,
     unit: "rad/s",
     stretched: true,
     lines: [
-      plain("tilt", "tilt_rate", "plot-second"),
-      plain("yaw", "yaw_rate", "plot-first"),
-      { ...plain("spin", "spin_rate", "plot-third"), dash: [7, 3] },
+      plain(figures.rates.tilt, "tilt_rate", "plot-second"),
+      plain(figures.rates.yaw, "yaw_rate", "plot-first"),
+      { ...plain(figures.rates.spin, "spin_rate", "plot-third"), dash: [7, 3] },
     ],
   },
   {
     name: "gyroscope",
-    title: "Gyroscope in the body",
+    title: figures.gyroscope.title,
+    short: figures.gyroscope.short,
     unit: "rad/s",
     lines: [
-      ofGyroscope("x", "plot-first"),
-      { ...ofGyroscope("y", "plot-second"), dash: [7, 3] },
-      { ...ofGyroscope("z, the axis", "plot-third"), dash: [2, 3] },
+      ofGyroscope("x", figures.gyroscope.x, "plot-first"),
+      { ...ofGyroscope("y", figures.gyroscope.y, "plot-second"), dash: [7, 3] },
+      { ...ofGyroscope("z", figures.gyroscope.z, "plot-third"), dash: [2, 3] },
     ],
   },
   {
     name: "friction",
-    title: "Friction ratio",
+    title: figures.friction.title,
+    short: figures.friction.short,
     unit: "",
     include: 0,
     lines: [
       {
-        label: "available μ",
+        label: figures.friction.available,
         colour: "warn",
         width: 5,
         values: (moments, { law, friction }) =>
           constant(moments, law === "coulomb" ? friction : NaN),
         now: (_, { law, friction }) => (law === "coulomb" ? friction : NaN),
       },
-      plain("used |T|/N", "friction_ratio", "plot-first"),
+      plain(figures.friction.used, "friction_ratio", "plot-first"),
       {
-        label: "needed to roll μ*",
+        label: figures.friction.needed,
         colour: "theory",
         dash: [6, 4],
         values: (moments, { theory }) => constant(moments, theory?.neededFriction ?? NaN),
@@ -127,22 +138,23 @@ export const FIGURES: readonly Figure[] = [
   },
   {
     name: "energy",
-    title: "Energy",
+    title: figures.energy.title,
+    short: figures.energy.short,
     unit: "J",
     include: 0,
     stacked: true,
     prefixed: true,
     lines: [
       {
-        ...plain("potential", "potential_energy", "plot-first"),
+        ...plain(figures.energy.potential, "potential_energy", "plot-first"),
         values: (moments, { ground }) =>
           moments.column("potential_energy").map((energy) => energy - ground),
         now: (moment, { ground }) => moment.potential_energy - ground,
       },
-      plain("kinetic", "kinetic_energy", "plot-second"),
-      plain("lost in sliding", "friction_loss", "plot-third"),
-      plain("lost in rolling", "resistance_loss", "plot-fourth"),
-      plain("lost in impacts", "impact_loss", "plot-fifth"),
+      plain(figures.energy.kinetic, "kinetic_energy", "plot-second"),
+      plain(figures.energy.sliding, "friction_loss", "plot-third"),
+      plain(figures.energy.rolling, "resistance_loss", "plot-fourth"),
+      plain(figures.energy.impacts, "impact_loss", "plot-fifth"),
     ],
   },
 ];
@@ -157,9 +169,8 @@ function plain(label: string, column: Column, colour: Colour, factor = 1): Line 
   };
 }
 
-/** A rate that a gyroscope in the body shows; the first letter of the label is its axis. */
-function ofGyroscope(label: string, colour: Colour): Line {
-  const axis = label[0] as keyof Rates;
+/** A rate that a gyroscope in the body shows. */
+function ofGyroscope(axis: keyof Rates, label: string, colour: Colour): Line {
   return {
     label,
     colour,

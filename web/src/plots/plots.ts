@@ -13,6 +13,7 @@ import { sampled } from "./sampled";
 import { chooser, phaseKey, toolbar } from "./toolbar";
 import { View } from "./view";
 import { inSight, oncePerFrame, onceIdle } from "./redraw";
+import { words } from "../words/words";
 
 /** On a page narrower than this, one plot is shown at a time. */
 const NARROW = "(max-width: 47.99rem)";
@@ -31,14 +32,8 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
 
   const large = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
   const charts = FIGURES.map((figure) => new Chart(figure, () => palette.value, large));
-  const absent = element("p", { class: "absent" }, "There is no motion to plot.");
-  const hint = element(
-    "p",
-    { class: "hint" },
-    "Drag across a plot to zoom, click to go to a time, double-click to show the whole motion. " +
-      "The mouse wheel also zooms, after a click or with Ctrl. " +
-      "On a touch screen one finger goes to a time and two fingers zoom.",
-  );
+  const absent = element("p", { class: "absent" }, words.plots.absent);
+  const hint = element("p", { class: "hint" }, words.plots.hint);
   const notes = element("div", { class: "notes" }, phaseKey(lab), hint);
   const grid = element("div", { class: "grid" }, ...charts.map((chart) => chart.root), notes);
   const present = element("div", {}, toolbar(lab, view), chooser(lab, FIGURES, chosen), grid);

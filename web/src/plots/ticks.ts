@@ -1,8 +1,9 @@
 // Labels of the axes.
 
-import { SUPERSCRIPTS, significant, withMinus } from "../format/numbers";
+import { SUPERSCRIPTS, formatNumber, significant, written } from "../format/numbers";
 import { type TimeUnit, formatDuration, unitFor } from "../format/times";
 import type { Stretch } from "./view";
+import { words } from "../words/words";
 
 /** The unit for the times of a stretch. */
 export function timeUnit({ from, to }: Stretch): TimeUnit {
@@ -11,13 +12,15 @@ export function timeUnit({ from, to }: Stretch): TimeUnit {
 
 export function timeLabel(shown: Stretch): string {
   const { name } = timeUnit(shown);
-  return shown.since === "start" ? `time, ${name}` : `${name} from ${originText(shown)}`;
+  return shown.since === "start"
+    ? words.plots.timeLabel(name)
+    : words.plots.since(name, originText(shown));
 }
 
 function originText({ since, origin }: Stretch): string {
   return since === "collision"
-    ? `the collision at ${significant(origin, 6)} s`
-    : `${Number(origin.toPrecision(12))} s`;
+    ? words.plots.collisionAt(`${significant(origin, 6)} s`)
+    : `${formatNumber(origin, 12)} s`;
 }
 
 /** Values of an axis in a unit, with the digits that distinguish them. */
@@ -28,15 +31,15 @@ export function tickTexts(places: readonly number[], unit: number): string[] {
     digits++;
   return places.map((place) => {
     const text = (place / unit).toFixed(digits);
-    return Number(text) === 0 ? "0" : withMinus(text);
+    return Number(text) === 0 ? "0" : written(text);
   });
 }
 
 /** A stretch in words. */
 export function stretchText(shown: Stretch): string {
   const { since, from, to } = shown;
-  const stretch = `from ${formatDuration(from)} to ${formatDuration(to)}`;
-  return since === "start" ? stretch : `${stretch} about ${originText(shown)}`;
+  const stretch = words.plots.stretch(formatDuration(from), formatDuration(to));
+  return since === "start" ? stretch : words.plots.about(stretch, originText(shown));
 }
 
 /** Smallest distance between labels, CSS px. */
@@ -55,7 +58,7 @@ export function powersOfTen(low: number, high: number, length: number): number[]
 
 /** A power of ten, written with an exponent if it is large. */
 export function powerText(value: number): string {
-  if (Math.abs(value) < 1e4) return withMinus(String(value));
+  if (Math.abs(value) < 1e4) return written(String(value));
   const size = [...String(Math.round(Math.log10(Math.abs(value))))];
   return `${value < 0 ? "−" : ""}10${size.map((digit) => SUPERSCRIPTS[Number(digit)]).join("")}`;
 }

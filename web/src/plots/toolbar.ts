@@ -6,6 +6,7 @@ import type { Lab } from "../lab";
 import { FLOOR, type Figure } from "./figures";
 import { stretchText } from "./ticks";
 import type { View } from "./view";
+import { words } from "../words/words";
 
 /** The phases and their colours. */
 const PHASES = {
@@ -18,7 +19,7 @@ const PHASES = {
   lying: "muted",
 };
 
-const inWords = (phase: string) => phase.replace("_", " ");
+const inWords = (phase: string) => words.plots.phases[phase as keyof typeof PHASES] ?? phase;
 
 export function toolbar(lab: Lab, view: View): HTMLElement {
   const about = () => {
@@ -26,15 +27,15 @@ export function toolbar(lab: Lab, view: View): HTMLElement {
     const now = lab.clock.time.value - origin;
     return now >= from && now <= to ? now : (from + to) / 2;
   };
-  const whole = button("Whole motion", "", () => view.whole());
-  const close = button("This collision", "Shows the collision nearest to the time shown", () =>
+  const whole = button(words.plots.whole, "", () => view.whole());
+  const close = button(words.plots.close, words.plots.closeHelp, () =>
     view.close(lab.clock.time.value),
   );
-  const nearer = button("+", "Zoom in", () => view.zoom(2, about()));
-  const farther = button("−", "Zoom out", () => view.zoom(0.5, about()));
+  const nearer = button("+", words.plots.zoomIn, () => view.zoom(2, about()));
+  const farther = button("−", words.plots.zoomOut, () => view.zoom(0.5, about()));
   const shown = element("span", { class: "shown" });
   effect(() => {
-    shown.textContent = `Shown: ${stretchText(view.shown.value)}`;
+    shown.textContent = words.plots.shown(stretchText(view.shown.value));
     whole.disabled = farther.disabled = view.isWhole;
     close.disabled = view.collisions.value.length === 0;
   });
@@ -43,7 +44,7 @@ export function toolbar(lab: Lab, view: View): HTMLElement {
     { class: "tools" },
     element(
       "div",
-      { class: "buttons", role: "group", "aria-label": "Zoom" },
+      { class: "buttons", role: "group", "aria-label": words.plots.zoom },
       whole,
       close,
       nearer,
@@ -59,7 +60,7 @@ export function phaseKey(lab: Lab): HTMLElement {
   effect(() => {
     const time = lab.clock.time.value;
     const phase = lab.motion.value?.phases.findLast((phase) => phase.start <= time);
-    now.textContent = phase ? `At the time shown it is ${inWords(phase.kind)}.` : "";
+    now.textContent = phase ? words.plots.now(inWords(phase.kind)) : "";
   });
   const entries = Object.entries(PHASES).map(([phase, colour]) => {
     const swatch = element("i", { class: "area", style: `--swatch: var(--${colour})` });
@@ -69,12 +70,12 @@ export function phaseKey(lab: Lab): HTMLElement {
     });
     return entry;
   });
-  return element("p", { class: "phases" }, "Shaded: ", ...entries, now);
+  return element("p", { class: "phases" }, words.plots.shaded, ...entries, now);
 }
 
 /** The choice of one figure on a narrow page. */
 export function chooser(lab: Lab, figures: readonly Figure[], chosen: Signal<string>): HTMLElement {
-  const choices = figures.map(({ name, title }) => {
+  const choices = figures.map(({ name, short }) => {
     const radio = element("input", {
       type: "radio",
       name: "plot-chosen",
@@ -84,8 +85,7 @@ export function chooser(lab: Lab, figures: readonly Figure[], chosen: Signal<str
     effect(() => {
       radio.checked = name === chosen.value;
     });
-    const [first] = title.split(/[ ,]/);
-    const label = element("label", {}, radio, element("span", {}, first as string));
+    const label = element("label", {}, radio, element("span", {}, short));
     if (name === FLOOR)
       effect(() => {
         label.hidden = !lab.shaking.value;
@@ -93,7 +93,11 @@ export function chooser(lab: Lab, figures: readonly Figure[], chosen: Signal<str
       });
     return label;
   });
-  return element("div", { class: "chooser", role: "radiogroup", "aria-label": "Plot" }, ...choices);
+  return element(
+    "div",
+    { class: "chooser", role: "radiogroup", "aria-label": words.plots.plot },
+    ...choices,
+  );
 }
 
 function button(text: string, title: string, press: () => void): HTMLButtonElement {

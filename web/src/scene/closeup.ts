@@ -23,6 +23,8 @@ import type { Palette } from "./palette";
 import type { Pose } from "./pose";
 import { formatSmall } from "./lengths";
 import { Unrolled } from "./unrolled";
+import { formatNumber } from "../format/numbers";
+import { words } from "../words/words";
 
 /** Radius of a mark and half the width of a post, in radii of the rim. */
 const [MARK, POST] = [0.028, 0.011];
@@ -145,7 +147,9 @@ export class Closeup {
 }
 
 const labelOf = (gap: number, times: number) =>
-  times > 1 ? `gap ${formatSmall(gap)}, drawn ${times} × as high` : `gap ${formatSmall(gap)}`;
+  times > 1
+    ? words.scene.gapDrawn(formatSmall(gap), formatNumber(times))
+    : words.scene.gap(formatSmall(gap));
 
 const flat = (opacity: number) =>
   new MeshBasicMaterial({

@@ -2,14 +2,13 @@
 // shown if there is no picture.
 
 import type { ViewName } from "../setup/playback";
-import { KEYS } from "./keys";
+import { words } from "../words/words";
 
 /** Names of the places of the camera on their buttons. */
-const PLACES: readonly (readonly [ViewName, string])[] = [
-  ["above", "From above"],
-  ["contact", "Contact"],
-  ["below", "From below"],
-];
+const PLACES = (["above", "contact", "below"] as const).map((name): [ViewName, string] => [
+  name,
+  words.scene.places[name],
+]);
 
 export interface Frame {
   stage: HTMLElement;
@@ -41,21 +40,21 @@ export function frameIn(place: HTMLElement): Frame {
   const canvas = element("canvas", "table-picture");
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "application");
-  canvas.setAttribute("aria-label", "The body on the table");
+  canvas.setAttribute("aria-label", words.scene.picture);
   canvas.setAttribute("aria-describedby", "table-keys");
-  const words = element("div", "table-words");
+  const labels = element("div", "table-words");
   const notice = element("p", "table-notice");
   notice.setAttribute("role", "status");
-  const tip = element("p", "table-tip", "Hold the body for a moment, then tip it.");
+  const tip = element("p", "table-tip", words.scene.tip);
   tip.hidden = true;
-  const reset = button("Reset view");
+  const reset = button(words.scene.reset);
   const places = new Map(PLACES.map(([name, text]) => [name, button(text)]));
   const tools = element("div", "table-tools");
   tools.append(reset, ...places.values(), help());
   const [legend, scale] = key();
-  stage.append(canvas, words, legend, tools, tip, notice);
+  stage.append(canvas, labels, legend, tools, tip, notice);
   place.replaceChildren(stage);
-  return { stage, canvas, words, scale, notice, tip, reset, places };
+  return { stage, canvas, words: labels, scale, notice, tip, reset, places };
 }
 
 function button(text: string): HTMLButtonElement {
@@ -67,25 +66,17 @@ function button(text: string): HTMLButtonElement {
 function help(): HTMLElement {
   const details = element("details", "table-help");
   const summary = element("summary", "table-button", "?");
-  summary.setAttribute("aria-label", "How to use this picture");
+  summary.setAttribute("aria-label", words.scene.help);
   const box = element("div", "table-help-box");
   box.id = "table-keys";
   // If the box is higher than the picture, keys can scroll it.
   box.tabIndex = 0;
   box.setAttribute("role", "group");
-  box.setAttribute("aria-label", "How to use this picture");
-  box.append(
-    element(
-      "p",
-      "",
-      "Drag the body to tip it; with a finger, first hold it for a moment. Let go to release it, or let go while moving to flick it. " +
-        "Drag the table to look from another side. To zoom, pinch, or turn the mouse wheel " +
-        "after a click on the picture or with Ctrl.",
-    ),
-    element("p", "", "Keys while the picture has the focus:"),
-  );
+  box.setAttribute("aria-label", words.scene.help);
+  box.append(element("p", "", words.scene.gestures), element("p", "", words.scene.keysTitle));
   const list = element("dl", "");
-  for (const [name, does] of KEYS) list.append(element("dt", "", name), element("dd", "", does));
+  for (const [name, does] of words.scene.keys)
+    list.append(element("dt", "", name), element("dd", "", does));
   box.append(list);
   details.append(summary, box);
   return details;
@@ -95,9 +86,9 @@ function help(): HTMLElement {
 function key(): [HTMLElement, HTMLElement] {
   const legend = element("p", "table-key");
   for (const [kind, means] of [
-    ["rolling", "rolls"],
-    ["sliding", "slips"],
-    ["flying", "in the air"],
+    ["rolling", words.scene.rolls],
+    ["sliding", words.scene.slips],
+    ["flying", words.scene.flies],
   ] as const)
     legend.append(element("span", `trail-${kind}`, means));
   const scale = element("span", "table-scale");

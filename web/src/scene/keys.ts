@@ -5,18 +5,6 @@ import type { View } from "./view";
 
 const DEGREE = Math.PI / 180;
 
-/** The list of keys for the help box. */
-export const KEYS: readonly (readonly [key: string, does: string])[] = [
-  ["← → ↑ ↓", "look from another side, also from below"],
-  ["Page Up, Page Down", "zoom in, zoom out"],
-  ["Home", "reset the view"],
-  ["+ and −", "take the body and tip it by 1°"],
-  ["Shift + ← →", "swing its lean round by 5° while you hold it"],
-  ["Enter", "let it go at rest"],
-  ["Shift + Enter", "flick it with the rates that are set"],
-  ["Escape", "put it back"],
-];
-
 export function listenToKeys(
   canvas: HTMLCanvasElement,
   view: View,

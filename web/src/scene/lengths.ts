@@ -1,6 +1,6 @@
 // Lengths as the picture writes them.
 
-import { significant } from "../format/numbers";
+import { formatNumber, significant } from "../format/numbers";
 import { formatLengthShort } from "../format/sizes";
 
 /** The largest of 1, 2 and 5 times a power of ten that does not exceed a length, m. */
@@ -31,5 +31,5 @@ export function formatSmall(length: number): string {
 
 export function formatLength(length: number): string {
   const { name, size } = unitOf(length);
-  return `${Number((length / size).toPrecision(6))} ${name}`;
+  return `${formatNumber(length / size)} ${name}`;
 }

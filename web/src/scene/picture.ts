@@ -14,7 +14,7 @@ import type { InPicture } from "../floor/shaking";
 import { formatDegrees } from "../format/numbers";
 import { inFrame } from "../frames";
 import { prefersReducedMotion } from "../reduced_motion";
-import { BODY_FIELDS, BODY_NOUNS } from "../setup/fields";
+import { BODY_FIELDS } from "../setup/fields";
 import type { Held } from "../setup/release";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf, setSeeThrough } from "./bodies/bodies";
@@ -53,6 +53,7 @@ import { Trail } from "./trail";
 import { View } from "./view";
 import { type Limit, Wedge } from "./wedge";
 import { Labels } from "./labels";
+import { words } from "../words/words";
 
 /** How far a shaken table may be from the middle of the picture, in radii of the circle of degrees. */
 const LEASH = 0.6;
@@ -320,7 +321,7 @@ export class Picture {
     const cell = powerOfTen(this.reach / 2.5);
     this.cell = cell / this.reach;
     for (const one of [this.table, this.shaken]) one?.setCell(this.cell);
-    this.frame.scale.textContent = `1 square = ${formatLength(cell)}`;
+    this.frame.scale.textContent = words.scene.square(formatLength(cell));
     this.followed = undefined;
   }
 
@@ -355,10 +356,11 @@ export class Picture {
     if (!theory) return [];
     const { here, noSlip, frictionless } = theory;
     const { palette } = this;
-    if (!Number.isNaN(here)) return [{ angle: here, color: palette.theory, name: "theory" }];
+    if (!Number.isNaN(here))
+      return [{ angle: here, color: palette.theory, name: words.scene.theory }];
     return [
-      { angle: noSlip, color: palette.rolling, name: "no slip" },
-      { angle: frictionless, color: palette.sliding, name: "no friction" },
+      { angle: noSlip, color: palette.rolling, name: words.scene.noSlip },
+      { angle: frictionless, color: palette.sliding, name: words.scene.frictionless },
     ].filter(({ angle }) => !Number.isNaN(angle));
   }
 
@@ -480,7 +482,7 @@ export class Picture {
     };
     label(
       labelIds.turned,
-      `contact ran round ${formatDegrees(Math.abs(progress.angle), 1)}`,
+      words.scene.ranRound(formatDegrees(Math.abs(progress.angle), 1)),
       progress.angle / 2,
       1.13,
     );
@@ -502,17 +504,16 @@ export class Picture {
     this.wedge.showLimits(theory);
     if (guess === undefined) return labels.set(labelIds.guess, "", 0, 0);
     this.guess.show(x, y, zero + sense * guess, palette.wedge);
-    label(labelIds.guess, `your guess ${formatDegrees(guess, 0)}`, sense * guess, 1.2);
+    label(labelIds.guess, words.scene.guess(formatDegrees(guess, 0)), sense * guess, 1.2);
   }
 
   /** Shows the rotation of the body itself, at the mark on it. */
   private labelBody(progress: TurnProgress): void {
     const { lab, labelIds, labels, spot } = this;
-    const noun = BODY_NOUNS[lab.setup.peek().body];
     const { x, y, z } = spot.copy(markPlace(this.size)).applyMatrix4(this.body.matrix);
     labels.set(
       labelIds.itself,
-      `the ${noun} itself turned ${formatDegrees(bodyAngleAlongContact(progress), 1)}`,
+      words.scene.itself(lab.setup.peek().body, formatDegrees(bodyAngleAlongContact(progress), 1)),
       x,
       y,
       z,

@@ -4,6 +4,7 @@ import { BoxGeometry, Group, Mesh, MeshStandardMaterial } from "three";
 import { FlatDrawing } from "./flat";
 import { roundLength, unitOf } from "./lengths";
 import type { Palette } from "./palette";
+import { formatNumber } from "../format/numbers";
 
 /** Size of the ruler, in radii of the circle of degrees. */
 const [LENGTH, WIDTH, THICK] = [2.3, 0.17, 0.016];
@@ -55,7 +56,7 @@ function ticks(pen: CanvasRenderingContext2D, pixels: number, length: number): v
   pen.font = `600 ${0.36 * height}px system-ui, sans-serif`;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  const text = (k: number) => String(Number(((k * step) / unit.size).toPrecision(6)));
+  const text = (k: number) => formatNumber((k * step) / unit.size);
   // Every long mark has a number, or every second, third … one if there is no room.
   const apart = Math.ceil(pen.measureText(`${text(count)}  `).width / (step * metre));
   for (let k = 0; k <= count; k += apart)

@@ -10,6 +10,7 @@ import { listenToKeys } from "./keys";
 import { onTheme } from "./palette";
 import type { Picture } from "./picture";
 import "./scene.css";
+import { sentences, words } from "../words/words";
 
 // The largest part of the page is loaded in parallel, so that the other parts need not wait for it.
 const loading = import("./picture");
@@ -23,16 +24,14 @@ export function mountScene(lab: Lab, place: HTMLElement): void {
   const without = (why: string) => (error: unknown) => {
     console.warn(error);
     frame.stage.classList.add("never");
-    say(`${why} The rest of this page works: the motion, the angles and the plots.`);
+    say(sentences(why, words.scene.rest));
   };
   const draw = ({ Picture }: Awaited<typeof loading>) => {
     const picture = new Picture(lab, frame);
     connect(lab, frame, picture);
     handleContextLoss(frame, picture, say);
   };
-  loading
-    .then(draw, without("The picture could not be loaded. Reload the page to see it."))
-    .catch(without("This browser cannot show the picture, because WebGL is off or missing."));
+  loading.then(draw, without(words.scene.notLoaded)).catch(without(words.scene.noWebGL));
 }
 
 /** A tip is shown for this time, ms, and so many times. */
@@ -87,7 +86,7 @@ function tipFor(tip: HTMLElement): () => void {
 function handleContextLoss({ canvas }: Frame, picture: Picture, say: (text: string) => void): void {
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
-    say("The graphics of this browser have stopped. The picture returns when they restart.");
+    say(words.scene.stopped);
   });
   canvas.addEventListener("webglcontextrestored", () => {
     say("");

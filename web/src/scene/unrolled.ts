@@ -7,6 +7,7 @@ import type { Lab, TurnProgress } from "../lab";
 import { MARK_PLACE } from "./bodies/mark";
 import { MARKS } from "./gap";
 import { formatSmall } from "./lengths";
+import { words } from "../words/words";
 
 /** Lengths in m. */
 export interface Runs {
@@ -77,11 +78,7 @@ export class Unrolled {
 
   constructor(private readonly lab: Lab) {
     const { table, rim } = this.strips;
-    this.element.append(
-      element("p", {}, "Path of the contact, unrolled: ", this.slipped),
-      table.row,
-      rim.row,
-    );
+    this.element.append(element("p", {}, words.scene.unrolled, this.slipped), table.row, rim.row);
   }
 
   show(progress: TurnProgress | undefined, radius: number): void {
@@ -113,10 +110,7 @@ export class Unrolled {
     this.slipped.textContent = slipOf(runs, radius);
     if (this.lab.clock.playing.peek()) return;
     const [rim, table] = [runs.rim, runs.table].map((run) => formatSmall(Math.abs(run)));
-    this.element.setAttribute(
-      "aria-label",
-      `In this turn the contact point has run ${rim} along the rim and ${table} along the table: ${slipOf(runs, radius)}.`,
-    );
+    this.element.setAttribute("aria-label", words.scene.runs(rim!, table!, slipOf(runs, radius)));
   }
 }
 
@@ -128,13 +122,15 @@ function firstMark(spin: number, sense: number): number {
 
 function slipOf({ slip }: Runs, radius: number): string {
   // Below this the computed slip of a rolling body is rounding.
-  return slip < 1e-9 * radius
-    ? "it rolls without slip"
-    : `its rim has slipped ${formatSmall(slip)}`;
+  return slip < 1e-9 * radius ? words.scene.noSlipYet : words.scene.slipped(formatSmall(slip));
 }
 
-function strip(name: string) {
+function strip(name: "rim" | "table") {
   const bar = element("i", { class: name });
   const length = element("b");
-  return { row: element("div", {}, element("span", {}, name), bar, length), bar, length };
+  return {
+    row: element("div", {}, element("span", {}, words.scene[name]), bar, length),
+    bar,
+    length,
+  };
 }

@@ -6,9 +6,9 @@ import { LAB, partOf } from "../part";
 import { prefersReducedMotion } from "../reduced_motion";
 import { showStep } from "../story/show_step";
 import { STEPS } from "../story/steps";
-import { noSuchChoice } from "./refusal";
 import { INITIAL } from "./setup";
 import { fromHash, holdsSetup, toHash } from "./url";
+import { words } from "../words/words";
 
 /** Reads the set-up from the address, now and whenever the visitor edits it or goes back, and writes changes
  * back. A page that rimroll.lab makes has the set-up in its first element. */
@@ -42,8 +42,8 @@ export function readLink(lab: Lab, link: string): void {
     refusals.push({
       field: "step",
       text,
-      message: noSuchChoice(
-        "Step",
+      message: words.refusals.noSuchChoice(
+        words.playback.step,
         STEPS.map((_, k) => String(k + 1)),
         text,
       ),

@@ -1,13 +1,14 @@
 // How fast a motion is played and from where it is seen. The motion does not depend on it, but a link holds it.
 
 import type { PlaybackName } from "./fields";
-import { type Refusal, noSuchChoice } from "./refusal";
+import type { Refusal } from "./refusal";
+import { words } from "../words/words";
 
 export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
 
 /** The speed as a visitor reads it. */
 export const speedName = (speed: number) =>
-  speed === 1 ? "real time" : `1/${Math.round(1 / speed)}`;
+  speed === 1 ? words.playback.realTime : `1/${Math.round(1 / speed)}`;
 
 /** Places of the camera; from the last two the body is transparent. */
 export const VIEWS = ["whole", "above", "contact", "below"] as const;
@@ -48,13 +49,15 @@ export function playbackFrom(link: ReadonlyMap<string, string>): {
   const known = SPEEDS.find((each) => String(each) === speed);
   if (known !== undefined) playback.speed = known;
   else if (speed !== undefined)
-    refusals.push(refused("speed", "Speed", SPEEDS.map(speedName), speed));
+    refusals.push(refused("speed", words.playback.speed, SPEEDS.map(speedName), speed));
   if (slow === "0" || slow === "1") playback.stretched = slow === "1";
   else if (slow !== undefined)
-    refusals.push(refused("slow", "Slow at the collision", ["on", "off"], slow));
+    refusals.push(
+      refused("slow", words.playback.slow, [words.playback.on, words.playback.off], slow),
+    );
   const place = VIEWS.find((each) => each === view);
   if (place !== undefined) playback.view = place;
-  else if (view !== undefined) refusals.push(refused("view", "View", VIEWS, view));
+  else if (view !== undefined) refusals.push(refused("view", words.playback.view, VIEWS, view));
   return { playback, refusals };
 }
 
@@ -63,4 +66,4 @@ const refused = (
   label: string,
   names: readonly string[],
   text: string,
-): Refusal => ({ field, text, message: noSuchChoice(label, names, text) });
+): Refusal => ({ field, text, message: words.refusals.noSuchChoice(label, names, text) });

@@ -9,28 +9,33 @@ import { hashOf } from "../setup/address";
 import { copyText } from "./copy";
 import { download } from "./download";
 import { shareLink } from "./share_link";
+import { words } from "../words/words";
 
 export function mountShare(lab: Lab, place: HTMLElement): void {
   const message = element("p", { class: "done", role: "status" });
-  const { help, label, name } = WORDS[linkFor(lab).kind];
+  const { share } = words;
+  const { help, label, copy: copyLabel, copied } = share[linkFor(lab).kind];
   const link = element("input", { type: "text", id: "share-link", readonly: true });
-  const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": "Python code" });
-  const copy = async (text: string, shownIn: HTMLElement, what: string) => {
+  const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": share.python });
+  const copy = async (text: string, shownIn: HTMLElement, copied: string) => {
     const done = await copyText(text, shownIn);
-    say(message, done ? `${what} copied.` : "Selected: copy it with Ctrl+C or ⌘C.");
+    say(message, done ? copied : share.select);
   };
-  const copyLink = button(`Copy ${name.toLowerCase()}`, () => void copy(link.value, link, name));
-  const copyCode = button("Copy as Python", () => void copy(code.textContent, code, "Python code"));
-  const saveCsv = button("Download CSV", () => {
+  const copyLink = button(copyLabel, () => void copy(link.value, link, copied));
+  const copyCode = button(
+    share.copyPython,
+    () => void copy(code.textContent, code, share.copiedPython),
+  );
+  const saveCsv = button(share.csv, () => {
     lab.complete();
     const motion = lab.motion.value;
     if (!motion) return;
     const name = `rimroll-${lab.setup.value.body}.csv`;
     download(name, toCsv(motion, lab.shaking.value), "text/csv");
-    say(message, `${name} downloaded, in SI units and radians.`);
+    say(message, share.saved(name));
   });
   place.append(
-    element("h2", {}, "Share"),
+    element("h2", {}, share.title),
     element("p", { class: "help" }, help),
     element(
       "div",
@@ -41,7 +46,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     ),
     element("div", { class: "buttons" }, copyCode, saveCsv),
     message,
-    element("details", {}, element("summary", {}, "The same motion in Python"), code),
+    element("details", {}, element("summary", {}, share.samePython), code),
   );
   effect(() => {
     link.value = linkFor(lab).text;
@@ -52,19 +57,6 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     copyCode.disabled = saveCsv.disabled = "refused" in outcome;
   });
 }
-
-const WORDS = {
-  link: {
-    help: "The link holds the whole set-up. No server sees it.",
-    label: "Link to this set-up",
-    name: "Link",
-  },
-  command: {
-    help: "The address of this page works only on your own machine. This command opens the same set-up wherever rimroll is installed.",
-    label: "Command that opens this set-up",
-    name: "Command",
-  },
-} as const;
 
 const linkFor = (lab: Lab) => shareLink(hashOf(lab), location.href);
 

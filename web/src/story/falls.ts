@@ -7,6 +7,7 @@ import { flickSummary } from "../falls/summary";
 import type { Lab } from "../lab";
 import { binsFor } from "./bins";
 import { HEIGHT, WIDTH, humps } from "./humps";
+import { sentences, words } from "../words/words";
 
 /** The histogram, hidden unless the current step wants it; `wanted` reads signals. */
 export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
@@ -29,10 +30,12 @@ export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
     const { from, to, width } = bins.value;
     picture.setAttribute(
       "aria-label",
-      `Angles of turn of the falls, from ${from}° to ${to}° in bars of ${width}°. ${flickSummary(lab)}`,
+      sentences(words.story.histogram(`${from}°`, `${to}°`, `${width}°`), flickSummary(lab)),
     );
-    const beside = measured ? " Lines with a dot: mean and spread of the paper’s falls." : "";
-    caption.textContent = `Angles of turn of the falls: left above, right below, ${width}° per bar.${beside}`;
+    caption.textContent = sentences(
+      words.story.caption(`${width}°`),
+      measured ? words.story.measured : "",
+    );
   });
   return figure;
 }

@@ -5,6 +5,8 @@ import type { Theory } from "../core/core";
 import { MEASURED } from "../falls/paper";
 import type { Tally } from "../falls/tally";
 import { type Bins, type Counts, binned } from "./bins";
+import { formatFixed } from "../format/numbers";
+import { words } from "../words/words";
 
 /** Size of the picture, with room for labels above, degrees in the middle, and counts. */
 export const [WIDTH, HEIGHT] = [360, 154];
@@ -32,8 +34,8 @@ export function humps({ tally, theory, bins, measured }: Shown): string {
     bars(left, "left", -TALLEST / highest, AXIS - BAND / 2),
     bars(right, "right", TALLEST / highest, AXIS + BAND / 2),
     ...(measured ? [paper(place, "left", TOP + 1), paper(place, "right", BOTTOM - 5)] : []),
-    `<text x="0" y="${TOP + 10}" class="side">left: ${tally.left.count}</text>`,
-    `<text x="0" y="${BOTTOM - 2}" class="side">right: ${tally.right.count}</text>`,
+    `<text x="0" y="${TOP + 10}" class="side">${words.story.left(tally.left.count)}</text>`,
+    `<text x="0" y="${BOTTOM - 2}" class="side">${words.story.right(tally.right.count)}</text>`,
   ].join("");
 }
 
@@ -76,8 +78,8 @@ function degrees({ from, to, width }: Bins, place: (angle: number) => number): s
 function limits(theory: Theory | undefined, place: (angle: number) => number): string {
   if (!theory) return "";
   const all = [
-    { angle: theory.noSlip, kind: "no-slip", name: "no slip" },
-    { angle: theory.frictionless, kind: "frictionless", name: "no friction" },
+    { angle: theory.noSlip, kind: "no-slip", name: words.essay.lines.noSlip },
+    { angle: theory.frictionless, kind: "frictionless", name: words.essay.lines.frictionless },
   ]
     .filter(({ angle }) => !Number.isNaN(angle))
     .map((one) => ({ ...one, x: place(one.angle * DEGREES) }))
@@ -89,7 +91,7 @@ function limits(theory: Theory | undefined, place: (angle: number) => number): s
       const anchor = close ? (k === 0 ? "end" : "start") : "middle";
       return (
         `<path class="limit ${kind}" d="M${fixed(x)} ${TOP - 4}V${BOTTOM}"/>` +
-        `<text x="${fixed(x)}" y="10" class="name" text-anchor="${anchor}">${name} ${(angle * DEGREES).toFixed(1)}°</text>`
+        `<text x="${fixed(x)}" y="10" class="name" text-anchor="${anchor}">${name} ${formatFixed(angle * DEGREES, 1)}°</text>`
       );
     })
     .join("");

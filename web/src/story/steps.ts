@@ -2,6 +2,7 @@
 
 import type { Playback } from "../setup/playback";
 import type { Setup } from "../setup/setup";
+import { words } from "../words/words";
 
 export interface Step extends Playback {
   title: string;
@@ -26,8 +27,7 @@ const LIMIT =
 
 export const STEPS: readonly Step[] = [
   {
-    title: "It looks like rocking",
-    text: "Tip a can and let it go. It seems to slap flat on the table and rock up on the other side. The film stops at the top of this rise: the can has not come up opposite, but 22° to the side.",
+    ...words.story.steps.looks,
     setup: {},
     speed: 1,
     stretched: false,
@@ -35,8 +35,7 @@ export const STEPS: readonly Step[] = [
     shows: "release",
   },
   {
-    title: "Look slower",
-    text: "Let it go from a small tilt and watch it fifty times slower. The base never slaps the table. It comes very close to lying flat, but only one point of its rim touches.",
+    ...words.story.steps.slower,
     setup: { tilt: 5, sideways: 0.02 },
     speed: 0.02,
     stretched: false,
@@ -44,8 +43,7 @@ export const STEPS: readonly Step[] = [
     shows: "release",
   },
   {
-    title: "It is rolling",
-    text: "Now from nearby, and time stretches while the contact point races round the rim. The posts show the gap under the rim, drawn a few thousand times higher. The contact point runs more than half way round in less than a ten-thousandth of a second, but the marks on the rim stay where they are: the can itself does not turn. It rolls along its rim.",
+    ...words.story.steps.rolls,
     setup: {},
     speed: 1,
     stretched: true,
@@ -53,11 +51,8 @@ export const STEPS: readonly Step[] = [
     shows: "release",
   },
   {
-    title: "The angle is the same every time",
-    text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs: close to 202° every time, and closer the flatter the can comes down. The limit depends only on the can:",
+    ...words.story.steps.same,
     formula: LIMIT,
-    symbols:
-      "m is its mass, R the radius of its base, H the height of its centre of mass, and A its moment of inertia for tipping about that centre.",
     setup: { law: "no_slip", unsteadiness: 10 },
     speed: 1,
     stretched: true,
@@ -65,8 +60,7 @@ export const STEPS: readonly Step[] = [
     shows: "flicks",
   },
   {
-    title: "Friction",
-    text: "On a table without friction the can slides instead of rolling and turns by 221°. A real table is in between. The authors of the paper flicked a can 42 times and measured means of 213° to the left and 218° to the right. Try a friction near 0.1, and change the table to see the two humps move.",
+    ...words.story.steps.friction,
     setup: { ...FLICK, law: "coulomb", friction: 0.12 },
     speed: 1,
     stretched: true,
@@ -74,8 +68,7 @@ export const STEPS: readonly Step[] = [
     shows: "flicks",
   },
   {
-    title: "Your turn",
-    text: "Grab the top of the body and tilt it. Let go, or flick it by letting go while your hand moves. Change the body and the table, fill the bottle, spin a coin. To keep a motion or show it to a friend, use Share, further down.",
+    ...words.story.steps.yourTurn,
     setup: {},
     speed: 1,
     stretched: true,

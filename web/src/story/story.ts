@@ -8,15 +8,17 @@ import { fallsOf } from "./falls";
 import { showStep } from "./show_step";
 import { STEPS, type Step } from "./steps";
 import "./story.css";
+import { words } from "../words/words";
 
 export function mountStory(lab: Lab, place: HTMLElement): void {
+  const { story } = words;
   place.innerHTML = `
     <p class="where"></p>
     <div aria-live="polite"><h2></h2><p class="text"></p><p class="formula"></p><p class="symbols"></p></div>
     <div class="row">
-      <button type="button" class="back" aria-label="Back to the previous step">‹ Back</button>
-      <button type="button" class="show primary">Show me</button>
-      <button type="button" class="next" aria-label="Next step">Next ›</button>
+      <button type="button" class="back" aria-label="${story.backLabel}">${story.back}</button>
+      <button type="button" class="show primary">${story.show}</button>
+      <button type="button" class="next" aria-label="${story.nextLabel}">${story.next}</button>
     </div>`;
   const part = <E extends HTMLElement>(selector: string) => place.querySelector(selector) as E;
   const at = lab.step;
@@ -31,7 +33,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     const { title, text, formula = "", symbols = "" } = step();
     part(".formula").innerHTML = formula;
     part(".symbols").textContent = symbols;
-    part(".where").textContent = `The story, step ${at.value + 1} of ${STEPS.length}`;
+    part(".where").textContent = story.where(at.value + 1, STEPS.length);
     part("h2").textContent = title;
     part(".text").textContent = text;
     // A disabled button would lose the focus after it is pressed.

@@ -5,6 +5,7 @@ import { element } from "../elements";
 import type { Lab } from "../lab";
 import { marks } from "./marks";
 import { timeText } from "./readout";
+import { words } from "../words/words";
 
 const ARROWS: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
 /** Frames that an arrow key with Shift moves. */
@@ -17,7 +18,7 @@ export function scrubber(lab: Lab): HTMLElement {
     max: "1",
     step: "any",
     value: "0",
-    "aria-label": "Time shown",
+    "aria-label": words.transport.shown,
   });
   range.addEventListener("input", () => {
     lab.clock.pause();

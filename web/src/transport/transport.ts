@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { element } from "../elements";
+import { formatFixed } from "../format/numbers";
 import type { Lab } from "../lab";
 import { SPEEDS, speedName } from "../setup/playback";
 import { collisionsOf, nearest } from "../time/collisions";
@@ -10,6 +11,9 @@ import { keysOn, onKeys } from "./keys";
 import { collisionText, slowdownText } from "./readout";
 import { scrubber } from "./scrubber";
 import "./transport.css";
+import { words } from "../words/words";
+
+const say = words.transport;
 
 export function mountTransport(lab: Lab, place: HTMLElement): void {
   const { clock } = lab;
@@ -23,21 +27,21 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     ".": unlessHeld(lab, () => clock.step(1)),
     Home: unlessHeld(lab, rewind),
   };
-  const play = button("play", "Play", "Space", () => clock.toggle());
+  const play = button("play", say.play, "Space", () => clock.toggle());
   const buttons = [
-    button("rewind", "Back to the release", "Home", rewind),
-    button("before", "To the previous collision", "", () => jump(lab, -1)),
-    button("back", "Previous frame", ",", actions[","]),
+    button("rewind", say.rewind, "Home", rewind),
+    button("before", say.before, "", () => jump(lab, -1)),
+    button("back", say.back, ",", actions[","]),
     play,
-    button("on", "Next frame", ".", actions["."]),
-    button("after", "To the next collision", "", () => jump(lab, 1)),
+    button("on", say.on, ".", actions["."]),
+    button("after", say.after, "", () => jump(lab, 1)),
   ];
   effect(() => {
     const playing = clock.playing.value;
-    const name = playing ? "Pause" : "Play";
+    const name = playing ? say.pause : say.play;
     play.replaceChildren(icon(playing ? "pause" : "play"));
     play.setAttribute("aria-label", name);
-    play.title = `${name} (Space)`;
+    play.title = `${name} (${say.space})`;
   });
   effect(() => {
     for (const one of buttons) one.disabled = lab.motion.value === undefined;
@@ -48,7 +52,7 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     element(
       "div",
       { class: "row" },
-      element("div", { class: "buttons", role: "group", "aria-label": "Playback" }, ...buttons),
+      element("div", { class: "buttons", role: "group", "aria-label": say.group }, ...buttons),
       readout(lab),
       element("div", { class: "pace" }, speed(lab), stretching(lab)),
     ),
@@ -78,7 +82,7 @@ function jump(lab: Lab, way: 1 | -1): void {
 
 function button(name: Icon, label: string, key: string, press: () => void): HTMLButtonElement {
   const shortcut = key === "" ? {} : { "aria-keyshortcuts": key };
-  const title = key === "" ? label : `${label} (${key})`;
+  const title = key === "" ? label : `${label} (${key === "Space" ? say.space : key})`;
   const made = element("button", { type: "button", "aria-label": label, title, ...shortcut });
   made.append(icon(name));
   made.classList.add(name);
@@ -94,7 +98,7 @@ function readout(lab: Lab): HTMLElement {
   effect(() => {
     const { clock } = lab;
     const motion = lab.motion.value;
-    time.textContent = `${clock.time.value.toFixed(4)} s`;
+    time.textContent = `${formatFixed(clock.time.value, 4)} s`;
     const collisions = motion ? collisionsOf(motion) : [];
     since.textContent = collisionText(
       clock.time.value,
@@ -115,7 +119,7 @@ function speed(lab: Lab): HTMLElement {
   effect(() => {
     select.value = String(lab.clock.speed.value);
   });
-  return element("label", {}, "Speed ", select);
+  return element("label", {}, `${words.playback.speed} `, select);
 }
 
 function stretching(lab: Lab): HTMLElement {
@@ -124,12 +128,7 @@ function stretching(lab: Lab): HTMLElement {
   effect(() => {
     box.checked = lab.clock.stretched.value;
   });
-  return element(
-    "label",
-    { title: "Slows time down automatically while the contact point races round the rim" },
-    box,
-    " Slow at the collision",
-  );
+  return element("label", { title: say.stretching }, box, ` ${words.playback.slow}`);
 }
 
 /** The list of keys, and a switch that turns them off. */
@@ -144,15 +143,15 @@ function keys(): HTMLElement {
   return element(
     "details",
     { class: "keys" },
-    element("summary", {}, "Keys"),
+    element("summary", {}, say.keys),
     element(
       "ul",
       {},
-      key("Space", "play, pause"),
-      key(",", "previous frame"),
-      key(".", "next frame"),
-      key("Home", "back to the release"),
+      key(say.space, say.keyPlay),
+      key(",", say.keyBack),
+      key(".", say.keyOn),
+      key("Home", say.keyHome),
     ),
-    element("label", {}, box, " These keys work anywhere on the page"),
+    element("label", {}, box, ` ${say.keysOn}`),
   );
 }

@@ -18,6 +18,8 @@ export interface Content {
   then: Tile;
   said: string;
   ended: string;
+  /** The part of `ended` that is English in every language, or an empty text. */
+  english: string;
   /** Whether the motion ends in an unusual way. */
   abnormal: boolean;
 }

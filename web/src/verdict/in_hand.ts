@@ -4,10 +4,10 @@ import type { Fall } from "../core/core";
 import type { Preview } from "../falls/preview";
 import { formatDegrees, formatExact, formatWide } from "../format/numbers";
 import { formatDuration } from "../format/times";
-import { BODY_NOUNS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Content } from "./content";
 import { beside, comparison } from "./words";
+import { sentences, words } from "../words/words";
 
 export function contentInHand(preview: Preview, setup: Readonly<Setup>): Content {
   const { lean, theory } = preview;
@@ -16,62 +16,60 @@ export function contentInHand(preview: Preview, setup: Readonly<Setup>): Content
   const fall = moves ? undefined : preview.fall;
   const turn = fall && !Number.isNaN(fall.turn) ? Math.abs(fall.turn) : undefined;
   const [tilt, way] = [`${formatExact(lean.tilt)}°`, `${formatExact(lean.yaw)}°`];
-  const result = fall
-    ? resultOf(fall)
-    : moves
-      ? "the floor begins to move"
-      : "there would be no motion";
+  const { verdict } = words;
+  const { wouldBe } = verdict;
+  const result = fall ? resultOf(fall) : moves ? wouldBe.floorMoves : wouldBe.nothing;
   return {
     turned: {
-      name: "Angle of turn",
+      name: verdict.angleOfTurn,
       number: turn === undefined ? "–" : formatDegrees(turn, 1),
-      note: "if you let go now",
+      note: verdict.ifLetGo,
     },
     itself: {
-      name: `The ${BODY_NOUNS[setup.body]} itself`,
+      name: verdict.itself(setup.body),
       number: "–",
-      note: "seen when you let go",
+      note: verdict.whenLetGo,
     },
     theory: {
-      name: "In theory",
+      name: verdict.theory,
       number: formatDegrees(theory?.here ?? NaN, 2),
       note: comparison(undefined, fall?.minTilt, theory, { ...setup, twist: 0 }),
     },
     lowest: {
-      name: "Smallest tilt",
+      name: verdict.smallestTilt,
       number:
         turn === undefined ? "–" : `${formatWide(((fall?.minTilt ?? 0) * 180) / Math.PI, 2)}°`,
-      note: "if you let go now",
+      note: verdict.ifLetGo,
     },
-    then: { name: "In your hand", number: tilt, note: `leans toward ${way}` },
-    said: `In your hand it leans by ${tilt} toward ${way}. If you let go at rest now, ${result}.${fall && turn !== undefined ? beside(fall.turn) : ""}`,
-    ended: "To flick it, let go while your hand moves.",
+    then: { name: verdict.inHand, number: tilt, note: verdict.leansToward(way) },
+    said: sentences(
+      verdict.leansInHand(tilt, way),
+      result,
+      fall && turn !== undefined ? beside(fall.turn) : "",
+    ),
+    ended: verdict.toFlick,
+    english: "",
     abnormal: false,
   };
 }
 
-/** The fall and its outcome, as the end of a sentence. */
+/** The fall and its outcome in a sentence. */
 function resultOf({ outcome, turn, time }: Readonly<Fall>): string {
-  const after = `after ${formatDuration(time)}`;
-  const round = `its contact point would run round by ${formatDegrees(Math.abs(turn), 1)}`;
+  const after = formatDuration(time);
+  const angle = formatDegrees(Math.abs(turn), 1);
+  const { wouldBe } = words.verdict;
   switch (outcome) {
     case "rocked":
-      return `${round} on its way down and up to the next tilt maximum, ${after}`;
-    case "hovered":
-      return `it would not have come down and up again ${after}, when the computation ends`;
     case "toppled":
-      return `${round}, and it would fall over ${after}`;
+      return wouldBe[outcome](angle, after);
+    case "hovered":
     case "fell_back":
-      return `it would fall over the way it leans, ${after}`;
     case "face_down":
-      return `it would come down flat, ${after}`;
     case "at_rest":
-      return `it would come to rest on its base ${after}`;
     case "lifted_off":
-      return `its rim would leave the table ${after}, where the ideal laws end`;
     case "painleve":
-      return `it would meet Painlevé’s paradox ${after}, where rigid-body mechanics has no unique answer`;
+      return wouldBe[outcome](after);
     default:
-      return "the computation would fail";
+      return wouldBe.failed;
   }
 }

@@ -2,12 +2,12 @@
 // it is true at any time of the turn.
 
 import { formatDegrees, formatWide } from "../format/numbers";
-import { BODY_NOUNS } from "../setup/fields";
 import type { Lab } from "../lab";
 import type { Passage } from "./passage";
 import { gapOf, speedOf } from "./size";
 import type { Content } from "./content";
-import { comparison, ending, inThisTurn, story } from "./words";
+import { comparison, ending, inThisTurn, story, wordsOfCore } from "./words";
+import { words } from "../words/words";
 
 /** Endings that need an explanation. */
 const ABNORMAL: readonly string[] = ["face_down", "painleve", "failed", "lifted_off"];
@@ -34,32 +34,33 @@ function contentAtRest(lab: Lab, passage: Passage | undefined): Content {
   const rounds = passage && Math.abs(passage.yawRate) / (2 * Math.PI);
   return {
     // The numbers of these two tiles change with every frame; see verdict.ts.
-    turned: { name: "Contact ran round", number: "", note: inThisTurn(passage, motion) },
+    turned: { name: words.verdict.turned, number: "", note: inThisTurn(passage, motion) },
     itself: {
-      name: `The ${BODY_NOUNS[setup.body]} itself`,
+      name: words.verdict.itself(setup.body),
       number: "",
-      note: "turned meanwhile",
+      note: words.verdict.meanwhile,
     },
     theory: {
-      name: "In theory",
+      name: words.verdict.theory,
       number: formatDegrees(theory?.here ?? NaN, 2),
       note: comparison(passage && Math.abs(passage.angle), passage?.minTilt, theory, setup),
     },
     lowest: {
-      name: "Smallest tilt",
+      name: words.verdict.smallestTilt,
       number: passage ? `${formatWide((passage.minTilt * 180) / Math.PI, 2)}°` : "–",
-      note: passage && radius ? `a gap of ${gapOf(passage, radius)}` : "",
+      note: passage && radius ? words.verdict.gap(gapOf(passage, radius)) : "",
     },
     then: {
-      name: "Contact point then",
+      name: words.verdict.contactThen,
       number: rounds === undefined ? "–" : formatWide(rounds, 3),
       note:
         passage && radius
-          ? `times round per second, at ${speedOf(passage, radius)}`
-          : "times round per second",
+          ? words.verdict.perSecondAt(speedOf(passage, radius))
+          : words.verdict.perSecond,
     },
     said: story(passage, motion, setup),
     ended: ending(outcome, setup),
+    english: wordsOfCore(outcome),
     abnormal: !partial && (motion === undefined || ABNORMAL.includes(motion.status)),
   };
 }

@@ -7,6 +7,7 @@ import { type Lab, bodyAngleAlongContact } from "../lab";
 import { contentInHand } from "./in_hand";
 import { contentInMotion } from "./in_motion";
 import { shownPassage } from "./passage";
+import { sentences } from "../words/words";
 
 /** The words are read out after this time without a change, s, and not while the motion plays. */
 const READ_DELAY = 0.8;
@@ -20,7 +21,7 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
     const preview = lab.preview.value;
     return preview ? contentInHand(preview, lab.setup.value) : contentInMotion(lab, passage.value);
   });
-  const words = computed(() => `${content.value.said} ${content.value.ended}`.trim());
+  const spoken = computed(() => sentences(content.value.said, content.value.ended));
 
   const tiles = { turned: tile(), itself: tile(), theory: tile(), lowest: tile(), then: tile() };
   const said = element("p", { class: "said" });
@@ -55,11 +56,11 @@ export function mountVerdict(lab: Lab, place: HTMLElement): void {
       note.textContent = now.note;
     }
     said.textContent = content.value.said;
-    ended.textContent = content.value.ended;
+    ended.replaceChildren(...markedEnglish(content.value.ended, content.value.english));
     ended.classList.toggle("abnormal", content.value.abnormal);
   });
   effect(() => {
-    const text = words.value;
+    const text = spoken.value;
     if (lab.clock.playing.value) return undefined;
     const timer = setTimeout(() => announce(announcement, text), 1000 * READ_DELAY);
     return () => clearTimeout(timer);
@@ -71,6 +72,14 @@ const entries = <K extends string, V>(of: Record<K, V>) => Object.entries(of) as
 /** Sets a text that screen readers read out; an unchanged text is not read again. */
 function announce(place: HTMLElement, text: string): void {
   if (place.textContent !== text) place.textContent = text;
+}
+
+/** A text whose English part is marked, so that screen readers pronounce it as such. */
+function markedEnglish(text: string, english: string): (Node | string)[] {
+  const at = english === "" ? -1 : text.indexOf(english);
+  if (at < 0) return [text];
+  const marked = element("span", { lang: "en" }, english);
+  return [text.slice(0, at), marked, text.slice(at + english.length)];
 }
 
 function tile() {

@@ -3,11 +3,11 @@
 import type { Outcome } from "../lab";
 import type { Theory } from "../core/core";
 import type { Motion } from "../core/motion";
-import { formatDegrees, formatNumber } from "../format/numbers";
+import { formatDegrees, formatFixed, formatNumber } from "../format/numbers";
 import { formatDuration } from "../format/times";
-import { BODY_NOUNS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "./passage";
+import { sentences, words } from "../words/words";
 
 /** Describes a passage: from when to when the angle is counted, how far the contact point runs, and how
  * far the body itself turns. */
@@ -17,55 +17,44 @@ export function story(
   setup: Readonly<Setup>,
 ): string {
   if (!passage) return "";
-  const { angle, bodyAngle, validity, rim } = passage;
-  const round = `the contact point runs round by ${formatDegrees(Math.abs(angle), 1)}`;
-  const swift = `, most of it in ${formatDuration(validity.passageTime)}`;
-  const itself = `the ${BODY_NOUNS[setup.body]} itself turns ${bodyTurn(bodyAngle, angle)}`;
-  const law = setup.law === "coulomb" ? ` ${RIM[rim]}` : "";
-  return `${interval(passage, motion)} ${round}${swift}; ${itself}.${beside(angle)}${law}`;
+  const { start, end, complete, angle, bodyAngle, validity, rim } = passage;
+  const itself = formatDegrees(Math.abs(bodyAngle), 1);
+  const turned = words.verdict.story({
+    start: start === 0 ? undefined : formatDuration(start),
+    end: formatDuration(end),
+    endsWith: complete ? "maximum" : motion?.status === "toppled" ? "fall" : "end",
+    angle: formatDegrees(Math.abs(angle), 1),
+    time: formatDuration(validity.passageTime),
+    body: setup.body,
+    itself,
+    way: itself === formatDegrees(0, 1) ? "none" : bodyAngle > 0 === angle > 0 ? "same" : "other",
+  });
+  return sentences(turned, beside(angle), setup.law === "coulomb" ? words.verdict.rim[rim] : "");
 }
-
-/** Rotation of the body itself, and whether it has the direction of the contact point. */
-function bodyTurn(bodyAngle: number, angle: number): string {
-  const size = formatDegrees(Math.abs(bodyAngle), 1);
-  if (size === formatDegrees(0, 1)) return size;
-  return `${size} ${bodyAngle > 0 === angle > 0 ? "the same way" : "the other way"}`;
-}
-
-/** The two moments between which the angle is counted. */
-function interval({ start, end, complete }: Passage, motion: Motion | undefined): string {
-  const from = start === 0 ? "the release" : `the tilt maximum at ${formatDuration(start)}`;
-  const fell = motion?.status === "toppled" ? "its fall" : "the end";
-  return `From ${from}, down and up to ${complete ? "the next tilt maximum" : fell} at ${formatDuration(end)},`;
-}
-
-const RIM: Record<Passage["rim"], string> = {
-  rolled: "Friction suffices: it rolls all the way.",
-  slipped: "The rim slips on the way.",
-  jumped: "The rim jumps off the table on the way.",
-};
 
 /** Compares an angle of turn with the half turn of plain rocking. */
 export function beside(angle: number): string {
   const size = Math.abs(angle);
   const veer = size - Math.PI;
-  if (size > 2 * Math.PI)
-    return ` That is one full turn and ${formatDegrees(size - 2 * Math.PI, 1)}.`;
+  if (size > 2 * Math.PI) return words.verdict.fullTurn(formatDegrees(size - 2 * Math.PI, 1));
   if (Math.abs(veer) > Math.PI / 2) return "";
-  const left = veer > 0 === angle > 0;
-  return ` It veers ${formatDegrees(Math.abs(veer), 1)} to the ${left ? "left" : "right"} of straight across.`;
+  return words.verdict.veers(
+    formatDegrees(Math.abs(veer), 1),
+    veer > 0 === angle > 0 ? "left" : "right",
+  );
 }
 
 /** The angle of the complete turn that is shown, or the reason why there is none. */
 export function inThisTurn(passage: Passage | undefined, motion: Motion | undefined): string {
+  const { verdict } = words;
   if (passage)
-    return `of ${formatDegrees(Math.abs(passage.angle), 2)} ${passage.complete ? "in this turn" : until(motion)}`;
-  if (motion?.status === "face_down") return "it comes down flat";
-  return motion?.turns.length ? "the next turn is not complete" : "it does not come down";
+    return verdict.ofAngle(
+      formatDegrees(Math.abs(passage.angle), 2),
+      passage.complete ? "turn" : motion?.status === "toppled" ? "fall" : "end",
+    );
+  if (motion?.status === "face_down") return verdict.comesDownFlat;
+  return motion?.turns.length ? verdict.incomplete : verdict.staysUp;
 }
-
-const until = (motion: Motion | undefined) =>
-  motion?.status === "toppled" ? "when it falls" : "at the end";
 
 /** Compares the theory with a computed turn, given its angle and smallest tilt (rad), or gives the reason
  * why that is impossible. */
@@ -75,13 +64,11 @@ export function comparison(
   theory: Theory | undefined,
   setup: Readonly<Setup>,
 ): string {
-  if (!theory || Number.isNaN(theory.here)) return "it does not come down";
-  const limits = [
-    ...(minTilt !== undefined && minTilt > FLAT ? ["comes down flat"] : []),
-    ...(setup.twist === 0 ? [] : ["is not twisted"]),
-  ];
-  const text = turn === undefined ? "the limit on this table" : difference(theory.here, turn);
-  return limits.length === 0 ? text : `${text}; it holds for a body that ${limits.join(" and ")}`;
+  if (!theory || Number.isNaN(theory.here)) return words.verdict.staysUp;
+  const flat = minTilt !== undefined && minTilt > FLAT;
+  const untwisted = setup.twist !== 0;
+  const text = turn === undefined ? words.verdict.limitHere : difference(theory.here, turn);
+  return flat || untwisted ? words.verdict.holds(text, flat, untwisted) : text;
 }
 
 /** The theory is the limit of small smallest tilts. Above this tilt, rad, it is only rough. */
@@ -91,45 +78,55 @@ function difference(theory: number, computed: number): string {
   // Subtract the rounded numbers, as a reader would.
   const hundredths = (angle: number) => Math.round((angle * 18_000) / Math.PI);
   const size = Math.abs(hundredths(computed) - hundredths(theory));
-  if (size === 0) return "as computed here";
-  return `${(size / 100).toFixed(2)}° ${computed > theory ? "below" : "above"} the computed turn`;
+  if (size === 0) return words.verdict.asComputed;
+  const angle = `${formatFixed(size / 100, 2)}°`;
+  return computed > theory ? words.verdict.below(angle) : words.verdict.above(angle);
 }
 
 /** How the motion ends, or why there is none. */
 export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
-  if ("refused" in outcome) return `There is no motion to show: ${outcome.refused}.`;
+  const { verdict } = words;
+  if ("refused" in outcome) return verdict.noMotion(outcome.refused);
   const { motion, theory, partial } = outcome;
   const after = formatDuration(motion.end);
-  if (partial) return `The motion after ${after} is still being computed.`;
+  if (partial) return verdict.stillComputing(after);
   switch (motion.status) {
     case "finished":
-      return `It still moves after ${formatNumber(motion.end, 3)} s, when the computation ends.`;
+      return verdict.stillMoves(`${formatNumber(motion.end, 3)} s`);
     case "toppled":
-      return cameDown(motion)
-        ? `It falls over after ${after}.`
-        : `It falls over after ${after}, the way it leans at first.`;
+      return cameDown(motion) ? verdict.fallsOver(after) : verdict.fallsBack(after);
     case "lifted_off":
-      return `${motion.end === 0 ? "At once" : `After ${after}`} the rim would leave the table. The ideal laws do not cover flight, so the motion ends here. Choose dry friction to follow it.`;
+      return verdict.liftsOff(motion.end === 0 ? undefined : after);
     case "face_down":
       return faceDown(after, setup);
     case "at_rest":
-      return `It comes to rest after ${after}: its base lies flat and its energy is spent.`;
+      return verdict.comesToRest(after);
     case "painleve":
-      return `Painlevé’s paradox after ${after}: with so much friction, rigid-body mechanics has no unique answer for the sliding rim. For this body, lying nearly flat, the paradox begins at a friction of ${formatNumber(theory.painleveFriction, 3)}. Set less friction to follow the motion.`;
+      return verdict.painleve(after, formatNumber(theory.painleveFriction, 3));
     default:
       return motion.ranOutOfSteps
-        ? `The computation stops after ${after}, because it needs too many steps. Set a shorter duration.`
-        : `The computation cannot continue after ${after}: ${motion.message}.`;
+        ? verdict.tooManySteps(after)
+        : verdict.cannotContinue(after, motion.message);
   }
 }
 
+/** Words of the core in a sentence on the end of a motion; they are English in every language. */
+export function wordsOfCore(outcome: Outcome): string {
+  if ("refused" in outcome) return isOwn(outcome.refused) ? "" : outcome.refused;
+  return outcome.motion.status === "failed" ? outcome.motion.message : "";
+}
+
+/** Whether a reason is one of the page and not of the core. */
+function isOwn(reason: string): boolean {
+  const { floor, verdict } = words;
+  const [failed = ""] = verdict.computationFailed("\n").split("\n");
+  return [floor.isLoading, floor.isMissing].includes(reason) || reason.startsWith(failed);
+}
+
 function faceDown(after: string, { sideways, twist, rolling }: Readonly<Setup>): string {
-  const unknown = "Rigid-body mechanics does not determine what follows";
-  if (sideways === 0 && twist === 0)
-    return `Face down after ${after}: without any sideways motion the whole rim meets the table at once. ${unknown}. With any sideways error, however small, the contact point runs round instead; an error of 10⁻¹² rad/s or more can be computed.`;
-  if (rolling > 0)
-    return `Face down after ${after}: rolling resistance stops the contact point, and the base slaps the table flat. ${unknown} when every point of the rim collides at once. With less resistance the contact point runs round.`;
-  return `Face down after ${after}: it comes down so flat that the run of the contact point round the rim is too short to be computed. Set a larger sideways error.`;
+  const { verdict } = words;
+  if (sideways === 0 && twist === 0) return verdict.faceDownStraight(after, "10⁻¹² rad/s");
+  return rolling > 0 ? verdict.faceDownResisted(after) : verdict.faceDownShort(after);
 }
 
 const cameDown = (motion: Motion) => motion.events.some(({ kind }) => kind === "tilt_min");
