@@ -14,7 +14,8 @@ import type { Core, Theory } from "./core/core";
 import { type Moment, type Motion, type Turn, headingOf } from "./core/motion";
 import { reasonOrRethrow } from "./core/reason";
 import type { Displacement, Shaker, Shaking } from "./floor/shaking";
-import { type Flick, simulateFlicks } from "./falls/flicks";
+import { type Flick, flicksOf } from "./falls/flicks";
+import { sliced } from "./falls/sliced";
 import { type Preview, previewOf } from "./falls/preview";
 import { type SimulationInput, simulationInput } from "./setup/simulation_input";
 import { FLICK_FIELDS } from "./setup/fields";
@@ -81,8 +82,10 @@ export class Lab {
   readonly flicksShown: Signal<number | undefined> = signal(undefined);
   /** Whether the flicks are still appearing one after the other. */
   readonly flicking: Signal<boolean> = signal(false);
-  /** Results of all flicks, including those not shown yet. */
+  /** Results of all flicks that have been computed, including those not shown yet. */
   readonly flicks: ReadonlySignal<readonly Flick[]>;
+  /** Whether all wanted flicks have been computed. */
+  readonly flicksComplete: ReadonlySignal<boolean>;
   readonly outcome: ReadonlySignal<Outcome>;
   /** What shakes the floor; undefined until a set-up needs it and it is loaded. */
   readonly shaker: Signal<Shaker | undefined> = signal(undefined);
@@ -140,7 +143,11 @@ export class Lab {
     this.turnProgress = computed(() => this.turnProgressAt(this.clock.time.value));
     // Compute all flicks once, not again for each one shown.
     const wanted = computed(() => this.flicksShown.value !== undefined);
-    this.flicks = computed(() => (wanted.value ? simulateFlicks(core, this.setup.value) : []));
+    const flicks = sliced(() =>
+      wanted.value ? flicksOf(core, this.setup.value) : ([] as Flick[]).values(),
+    );
+    this.flicks = flicks.results;
+    this.flicksComplete = flicks.complete;
     effect(() => {
       if (!isPartial(this.outcome.value)) return undefined;
       const timer = setTimeout(() => this.complete(), COMPLETION_DELAY);

@@ -9,12 +9,10 @@ const INTERVAL = 140; // ms between the falls, if there are 42
 /** Shows the flicks one after the other, or all at once for a visitor who prefers reduced motion. */
 export function startFlicks(lab: Lab): void {
   running = undefined;
-  batch(() => {
-    show(lab, 0, true);
-    // A refused set-up has no flicks to animate; they appear once it is corrected.
-    if (prefersReducedMotion() || lab.flicks.value.length === 0)
-      show(lab, lab.setup.value.flicks, false);
-  });
+  show(lab, 0, true);
+  // A refused set-up has no flicks to animate; they appear once it is corrected.
+  if (prefersReducedMotion() || lab.flicks.value.length === 0)
+    show(lab, lab.setup.value.flicks, false);
   if (!lab.flicking.value) return;
   const begun = performance.now();
   const update = () => {

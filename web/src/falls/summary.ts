@@ -9,8 +9,9 @@ import { words } from "../words/words";
 export function flickSummary(lab: Lab): string {
   const count = lab.flicksShown.value;
   if (count === undefined) return "";
-  if (lab.flicking.value) return words.flicks.running;
   const shown = lab.flicks.value.slice(0, count);
+  const computing = shown.length < count && !lab.flicksComplete.value;
+  if (lab.flicking.value || computing) return words.flicks.running;
   return shown.length === 0 ? words.flicks.none : inWords(tallyOf(shown), shown.length);
 }
 
