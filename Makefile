@@ -67,8 +67,9 @@ lint: .venv/.packages web/node_modules/.installed ## check format, lints, types,
 	tools/node.sh tsc --noEmit --incremental --tsBuildInfoFile node_modules/.cache/tsc.json
 	tools/node.sh prettier --cache --check .
 
-wheels: .venv/.wheels $(PAGE) ## build the source distribution and wheels: dist (all, or make wheels WHEELS="sdist pyodide")
+wheels: .venv/.wheels $(PAGE) ## build the source distribution and wheels: dist, score/dist (all, or make wheels WHEELS="sdist pyodide")
 	.venv/bin/python tools/build_wheels.py $(WHEELS)
+	.venv/bin/python tools/build_score.py
 
 audit: ## check licences and advisories of what the crates depend on (needs cargo-deny)
 	cargo deny --workspace check
@@ -80,7 +81,7 @@ msrv: ## compile with the oldest Rust that Cargo.toml names
 	tools/oldest_rust.sh
 
 clean: ## remove everything that was installed or built
-	rm -rf .venv web/node_modules target out dist
+	rm -rf .venv web/node_modules target out dist score/dist
 	rm -rf python/rimroll/page python/rimroll/_core.*so web/src/core/*.wasm
 
 $(REPORT): $(PACKAGE) .venv/.extension

@@ -13,6 +13,7 @@ rm -rf .venv
 .venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt \
     --requirements pyproject.toml --group dev
 if [ -d score ]; then
-    .venv/bin/uv pip install --quiet --python .venv/bin/python --no-deps --editable score
+    .venv/bin/uv pip install --quiet --python .venv/bin/python --no-deps \
+        --build-constraints constraints.txt --editable score
 fi
 pwd -P >.venv/.packages

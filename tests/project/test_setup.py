@@ -173,6 +173,8 @@ def test_constraints_pin_every_package_and_name_no_address():
     pinned = {line.split("==")[0] for line in pins}
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     requirements = project["project"]["dependencies"] + project["dependency-groups"]["dev"]
+    score = tomllib.loads((ROOT / "score/pyproject.toml").read_text())
+    requirements += score["build-system"]["requires"]
     assert {re.split("[<>=]", requirement)[0] for requirement in requirements} <= pinned
 
 
@@ -216,6 +218,9 @@ def test_one_version_everywhere():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     assert "version" in project["dynamic"] and "version" not in project  # maturin takes Cargo's
     assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text()
+    score = tomllib.loads((ROOT / "score/pyproject.toml").read_text())["project"]
+    assert score["version"] == version
+    assert f"rimroll=={version}" in score["dependencies"]
     for name in "package.json", "package-lock.json":
         assert json.loads((ROOT / "web" / name).read_text())["version"] == version, name
 

@@ -222,14 +222,21 @@ def test_the_oldest_rust_is_that_of_the_manifest(tmp_path):
 def test_what_is_published_is_published_by_an_environment_of_its_own():
     """Owners can ask for an approval of each, and registries trust only these."""
     release = jobs(TEXTS[ROOT / ".github/workflows/release.yml"])
-    for job, environment in ("pypi", "pypi"), ("rehearsal", "testpypi"), ("crate", "crates-io"):
+    environments = {
+        "pypi": "pypi", "score": "pypi-score", "rehearsal": "testpypi", "crate": "crates-io",
+    }  # fmt: skip
+    for job, environment in environments.items():
         assert f"environment:\n      name: {environment}\n" in release[job]
         assert "id-token: write" in release[job]
     # A rehearsal publishes nothing: all else waits for the attestation, which only a tag gets.
     assert "if: github.event_name == 'push'" in release["attest"]
     for job in "pypi", "crate":
         assert "needs: attest\n" in release[job]
-    assert "needs: [pypi, crate]\n" in release["github"]
+    assert "needs: pypi " in release["score"]  # it asks for rimroll of its own version
+    assert "needs: [pypi, score, crate]\n" in release["github"]
+    # Both packages are rehearsed and attested.
+    for job in "attest", "rehearsal", "github":
+        assert "pattern: dist-*\n" in release[job] and "name: score\n" in release[job], job
 
 
 def test_the_page_about_releases_says_what_every_job_does():
