@@ -7,7 +7,8 @@ import type { Plugin } from "vite";
 
 const PROJECT = join(import.meta.dirname, "..");
 
-export function licences(file: string): Plugin {
+/** `others` are packages in files of the page that are built apart. */
+export function licences(file: string, others: readonly string[]): Plugin {
   return {
     name: "licences",
     apply: "build",
@@ -19,7 +20,7 @@ export function licences(file: string): Plugin {
       const folders = new Set(modules.map(packageOf).filter((folder) => folder !== undefined));
       const texts = [
         ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"].map((name) => read(PROJECT, name)).join("\n"),
-        ...[...folders].sort().map(licenceOfPackage),
+        ...[...folders, ...others.map(folderOf)].sort().map(licenceOfPackage),
         ...crates().map(licenceOfCrate),
         read(import.meta.dirname, "licences/rust.txt"),
       ];
@@ -41,6 +42,8 @@ function packageOf(module: string): string | undefined {
     folder = dirname(folder);
   return folder;
 }
+
+const folderOf = (name: string) => join(import.meta.dirname, "node_modules", name);
 
 const described = (folder: string): { name?: string; version?: string } =>
   JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));

@@ -2,15 +2,18 @@ import { defineConfig } from "vitest/config";
 import { ALONE, aloneBuild, onlyScript } from "./alone";
 import { fields } from "./fields";
 import { licences } from "./licences";
+import { offline } from "./offline";
 import { preview } from "./preview";
 import { smallShaders } from "./shaders";
+
+const FOLDER = "../python/rimroll/page";
 
 export default defineConfig(({ mode }) => ({
   // Relative addresses let the page work from any folder of any server.
   base: "./",
   build: {
     target: "es2022",
-    outDir: "../python/rimroll/page",
+    outDir: FOLDER,
     emptyOutDir: true,
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
@@ -22,7 +25,12 @@ export default defineConfig(({ mode }) => ({
     smallShaders(),
     ...(mode === ALONE
       ? [onlyScript()]
-      : [licences("licences.txt"), fields("setup.json"), preview()]),
+      : [
+          licences("licences.txt", ["serwist"]),
+          fields("setup.json"),
+          preview(),
+          offline(FOLDER, "offline.js"),
+        ]),
   ],
   test: {
     // Run one browser at a time, because drawing in software uses all processors.

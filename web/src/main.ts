@@ -12,6 +12,7 @@ import { mountGyro } from "./gyro/section";
 import { Lab } from "./lab";
 import { mountLimits } from "./limits/section";
 import { type Part, partOf, showPart, shownPart } from "./part";
+import { keepForOffline } from "./offline/register";
 import { mountScene } from "./scene/scene";
 import { EMBED, keepInAddress } from "./setup/address";
 import { mountShare } from "./share/share";
@@ -76,6 +77,7 @@ const coreOfPage = (): ArrayBuffer | Promise<Response> =>
     ? (globalThis as unknown as { rimrollCore: ArrayBuffer }).rimrollCore
     : fetch(new URL("./core/rimroll.wasm", import.meta.url));
 
+if (import.meta.env.MODE !== "alone") keepForOffline();
 showPart(partOf(location.hash));
 followAnchors();
 start().catch((error: unknown) => {

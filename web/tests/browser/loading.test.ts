@@ -12,7 +12,8 @@ browserForAll();
 /** Files that the page loads when a visitor first shakes the floor. */
 const FLOOR = /^(floor|shaken|rimroll-ground)-/;
 /** Files that the page loads when they are first needed, or that only other programs load. */
-const LATER = /^(closeup|floor|shaken|rimroll-ground)-|^(preview|touch-icon|icon-512)\.png$/;
+const LATER =
+  /^(closeup|floor|shaken|rimroll-ground)-|^(preview|touch-icon|icon-512)\.png$|^offline\.js$/;
 
 const built = () =>
   readdirSync(PAGE, { recursive: true })
