@@ -30,10 +30,10 @@ RELEASE = REST + TIPPING + HELD
 USUAL = rr.gyro.phone(200.0)
 
 SENSORS = {
-    "200 a second, noise of the data sheet, 1° askew": USUAL,
-    "100 a second": rr.gyro.phone(100.0),
-    "400 a second": rr.gyro.phone(400.0),
-    "1000 a second": rr.gyro.phone(1000.0),
+    "200 Hz, noise of the data sheet, 1° askew": USUAL,
+    "100 Hz": rr.gyro.phone(100.0),
+    "400 Hz": rr.gyro.phone(400.0),
+    "1000 Hz": rr.gyro.phone(1000.0),
     "ten times the noise": replace(USUAL, noise_density=10.0 * USUAL.noise_density),
     "5° askew": replace(USUAL, misalignment=math.radians(5.0)),
     "range of 250 degrees/s": rr.gyro.phone(200.0, range=math.radians(250.0)),

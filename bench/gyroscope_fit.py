@@ -32,15 +32,16 @@ BMI270 = replace(USUAL, noise_density=7e-3 * DEGREE, bias=0.5 * DEGREE, resoluti
 MPU6050 = replace(
     USUAL,
     noise_density=5e-3 * DEGREE,
-    bias=20.0 * DEGREE,
+    bias=10.0 * DEGREE,
     resolution=DEGREE / 16.4,
-    scale_error=0.03,
+    scale_error=0.015,
 )
-"""InvenSense, product specification PS-MPU-6000A-00, revision 3.4, section 6.1."""
+"""InvenSense, product specification PS-MPU-6000A-00, revision 3.4, section 6.1; of its limits for
+the zero-rate output (20 degrees/s) and the sensitivity (3 %), half is the standard deviation."""
 SENSORS = {
-    "LSM6DSO, 200 a second, 1° askew": USUAL,
-    "100 a second": rr.gyro.phone(100.0),
-    "400 a second": rr.gyro.phone(400.0),
+    "LSM6DSO, 200 Hz, 1° askew": USUAL,
+    "100 Hz": rr.gyro.phone(100.0),
+    "400 Hz": rr.gyro.phone(400.0),
     "ten times the noise": replace(USUAL, noise_density=10.0 * USUAL.noise_density),
     "range of 250 degrees/s": rr.gyro.phone(200.0, range=math.radians(250.0)),
     "BMI270": BMI270,

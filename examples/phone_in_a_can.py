@@ -5,9 +5,9 @@ The phone is simulated, with the noise and the other errors of data sheets. Its 
 longer side, is that of the tin. The file examples/simulated_phone_in_a_can.csv is this
 record, as record.save writes it.
 
-    760 samples, 200 a second
-    veer 54.7°, read as 54.1 ± 1.5°
-    friction 0.2, read as 0.20 (0.18 to 0.23)
+    760 samples, 200 Hz
+    veer 54.7°, read as 53.7 ± 1.6°
+    friction 0.2, read as 0.21 (0.18 to 0.23)
 """
 
 from dataclasses import replace
@@ -23,7 +23,7 @@ motion = rr.simulate(tin, start, rr.Coulomb(0.2), duration=1.2)
 record = rr.gyro.phone(sampling_rate=200.0).record(motion, rest=1.5, seed=2007)
 record = replace(record, rates=record.rates[:, [1, 2, 0]])  # the phone's x, y and z
 found = rr.gyro.analyze(record, tin)
-print(f"{len(record)} samples, {record.sampling_rate:.0f} a second")
+print(f"{len(record)} samples, {record.sampling_rate:.0f} Hz")
 for one, turn in zip(found.collisions, motion.turns, strict=False):
     error = degrees(one.veer_error)
     veer = abs(degrees(turn.angle)) - 180.0

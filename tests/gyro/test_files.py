@@ -39,7 +39,7 @@ def test_phyphox_in_each_form_that_it_exports(separator, decimal):
     assert record.rates == pytest.approx(RATES, abs=1e-8)
     assert not record.simulated
     assert "Gyroscope x (rad/s)" in record.source
-    assert "100 a second" in record.source
+    assert "100 Hz" in record.source
 
 
 def test_phyphox_in_a_zip_with_its_meta_folder(tmp_path):

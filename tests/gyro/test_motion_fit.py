@@ -14,7 +14,8 @@ from rimroll.gyro.motions.law_numbers import fitted_names, with_numbers
 from rimroll.gyro.motions.misfit import part_left
 from rimroll.gyro.motions.model import SHARED, UNREACHED, Model, Prior, Window
 from rimroll.gyro.motions.notes import notes_of
-from rimroll.gyro.motions.search import Found, least
+from rimroll.gyro.motions.result import Estimate
+from rimroll.gyro.motions.search import FARTHEST, Found, least
 from rimroll.gyro.motions.seen import Sensing
 from rimroll.gyro.motions.windows import Chain
 from rimroll.scenario import load
@@ -74,6 +75,10 @@ def test_a_rolling_resistance_comes_back():
     for name, true in (("friction", 0.2), ("rolling_dry", 3e-4)):
         found = fit.numbers[name]
         assert abs(found.value - true) < 3.0 * found.error
+    for one in fit.verdicts[1:]:  # each law has a resistance of its own
+        resistance = one.law.numbers["rolling_dry"]
+        assert resistance >= 0.0
+        assert resistance not in (1e-4, fit.numbers["rolling_dry"].value)
 
 
 @pytest.mark.soak
@@ -161,6 +166,16 @@ def test_the_minimum_without_noise_is_the_truth():
     assert found.vector[0] == pytest.approx(0.15, abs=1e-5)
 
 
+def test_a_search_stays_near_the_sensor_and_the_body_that_are_expected():
+    """From afar, a search without limits ends with a height below zero."""
+    model = model_of(rr.Coulomb(0.15), ("friction",))
+    afar = np.array([0.4, *np.zeros(len(SHARED)), 0.9, 1.0, -0.8, 0.6, 2.0, 0.02])
+    found = least(model, afar, 30)
+    shared = np.abs(model.shared(found.vector)) / model.prior.shared_error
+    assert shared.max() <= FARTHEST
+    assert abs(found.vector[-1]) <= FARTHEST * model.prior.delay_error
+
+
 def test_the_numbers_of_a_law_may_be_chosen():
     law = rr.Coulomb(0.2, static=0.3, restitution=0.1) + rr.RollingResistance(dry=1e-4)
     assert fitted_names(law, None) == ["friction", "static", "rolling_dry"]
@@ -211,6 +226,15 @@ def test_the_command_prints_the_fit_that_a_resistance_implies(capsys):
     verdicts = [line for line in lines if line.startswith(("NoSlip()", "Frictionless()"))]
     assert len(verdicts) == 2
     assert all(line.endswith(": excluded") for line in verdicts)
+
+
+def test_numbers_are_printed_with_the_digits_that_their_errors_leave(slipping, capsys):
+    delay = Estimate(-1.36e-9, 7.5e-3, (-0.0147, 0.0147), "covariance")
+    numbers = {**slipping.numbers, "delay": delay}
+    show_fit(replace(slipping, numbers=numbers))
+    rows = {line.split()[0]: line.split() for line in capsys.readouterr().out.splitlines() if line}
+    assert rows["delay"][1:] == ["0.0", "ms", "7.5", "-14.7", "to", "14.7", "covariance"]
+    assert len(rows["friction"][2]) == len(rows["friction"][1])
 
 
 def test_what_the_record_cannot_tell_is_printed_once(slipping, capsys):

@@ -57,11 +57,22 @@ def _in_words(name: str, one: Estimate) -> tuple[str, str, str, str]:
     if name.startswith("delay"):
         factor, unit = 1e3, " ms"
     low, high = one.interval
-    end = "or more" if high is None else f"to {factor * high:.5g}"
-    begin = "0" if low is None else f"{factor * low:.5g}"
-    return (
-        f"{factor * one.value:.5g}{unit}",
-        f"{factor * one.error:.2g}",
-        f"{begin} {end}",
-        one.method,
-    )
+    places = _places(factor * one.error)
+
+    def text(value: float) -> str:
+        return f"{factor * value:z.{places}f}"
+
+    end = "or more" if high is None else f"to {text(high)}"
+    begin = "0" if low is None else text(low)
+    return f"{text(one.value)}{unit}", text(one.error), f"{begin} {end}", one.method
+
+
+MOST_PLACES = 9
+"""Decimals of a number that is known exactly."""
+
+
+def _places(error: float) -> int:
+    """The decimals of a number whose error is shown with two digits."""
+    if not error > 0.0:
+        return MOST_PLACES
+    return min(max(1 - math.floor(math.log10(error)), 0), MOST_PLACES)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 AXES = ("x", "y", "z")
-LOOSE = 3.0
+LOOSE = 1.2
 """What is left of the momentum, over its noise, from which on a sensor may be loose."""
 CLEARER = 2.0
 """How many times worse every other axis of the sensor must suit than the one that is taken."""
@@ -320,14 +320,14 @@ def _notes(
         )
     if axis.misfit > LOOSE:
         notes.append(
-            f"The motion leaves {axis.misfit:.0f} times the sensor's noise unexplained: the sensor"
+            f"The motion leaves {axis.misfit:.1f} times the sensor's noise unexplained: the sensor"
             " may be loose, the body not the one given or not round."
         )
     if falls.unread:
         notes.append(
             f"Not read: {_counted(falls.unread, 'other peak')} of the rate, too quick for"
-            f" {record.sampling_rate:.0f} samples a second, not as steep as gravity makes them, or"
-            " cut off by the end of the record."
+            f" a sampling rate of {record.sampling_rate:.0f} Hz, not as steep as gravity makes"
+            " them, or cut off by the end of the record."
         )
     if far:
         notes.append(

@@ -18,9 +18,8 @@ Array = NDArray[np.float64]
 SCALE_ERROR = 0.01
 """Standard deviation of the sensitivity: ±1 % is typical in data sheets."""
 MISSED = 0.3
-"""Error of the turn over the squared ratio of the miss distance to the tilt, rad: an allowance."""
-FEW_SAMPLES = 10
-"""Samples of a leg at which the error is √2 as large as its parts say: an allowance."""
+"""Error of the turn over the squared ratio of the miss distance to the tilt, rad: from simulated
+records, in which it matters where this ratio is above 0.15."""
 SIDE_ERRORS = 6.0
 """How many times its error the momentum must be to tell the side of the turn."""
 LEAST_TILT = math.radians(4.0)
@@ -29,6 +28,8 @@ MOST_MISSED = 0.25
 """The largest such ratio at which a passage is read as a near-collision."""
 UNSEEN = 0.05
 """The part of the energy that may be of a translation that is not known."""
+FIRST = 5
+"""Samples at the start of a leg whose mean is the spin there."""
 BESIDE = math.radians(12.0)
 """Tilt up to which the direction of the rate is extrapolated to the collision, rad."""
 
@@ -45,8 +46,8 @@ class Collision:
         The angle of turn, as :class:`rimroll.Turn` counts it: the change of yaw from the release or
         the largest tilt before the collision to the largest tilt after it; positive if
         anticlockwise about the sensor's axis that points along the body.
-    veer, veer_error
-        The size of the turn less π.
+    veer
+        The size of the turn less π, with the standard deviation :attr:`veer_error`.
     turn_alone
         The turn of the near-collision alone, from the directions of the rate across the axis just
         before and just after it. No error is stated for it.
@@ -75,12 +76,17 @@ class Collision:
         Whether the measured momentum exceeds its error by so much that it tells the direction of
         the turn. Else the direction is that in which the size of the turn is nearest to what the
         two ideal laws allow, and it may have been a turn to the other side.
+    own_errors, shared_errors
+        Standard deviations of the size of the turn (rad), the momentum about the vertical and the
+        spin at ``start`` (both rad/s): what belongs to this near-collision alone, (3,); and what
+        one standard deviation of each error that all near-collisions of the record share changes
+        in them, with signs, (8, 3): two directions of the axis, the bias along x, y and z, and the
+        sensitivity along x, y and z.
     """
 
     time: float
     turn: float
     veer: float
-    veer_error: float
     turn_alone: float
     released: bool
     start: float
@@ -98,9 +104,22 @@ class Collision:
     yaw_rate: float
     spin_rate: float
     tilt_rate: float
-    momentum_error: float
-    spin_error: float
     side_is_sure: bool
+    own_errors: Array
+    shared_errors: Array
+
+    @property
+    def veer_error(self) -> float:
+        """Standard deviation of the veer, rad."""
+        return self._error(0)
+
+    @property
+    def momentum_error(self) -> float:
+        """Standard deviation of the momentum about the vertical at ``start``, rad/s."""
+        return self._error(1)
+
+    def _error(self, column: int) -> float:
+        return math.hypot(self.own_errors[column], *self.shared_errors[:, column])
 
 
 def is_near(one: Sensed, axis: Axis) -> bool:
@@ -123,25 +142,23 @@ def collision_of(
     """What a passage says; ``expected``: the middle of the turns that theory allows, rad."""
     direction = axis.direction
     fall, rise = one.legs(direction)
-    error, momentum_error = _errors(one, axis, bias_error, fall, rise)
+    own, shared = _errors(one, axis, bias_error, fall, rise)
     arriving = float(fall.momentum[-1])
-    is_sure = abs(arriving) > SIDE_ERRORS * momentum_error
+    is_sure = abs(arriving) > SIDE_ERRORS * math.hypot(own[1], *shared[:, 1])
     turn = _nearest(one.turn(direction), expected, arriving if is_sure else 0.0)
     alone = _alone(one, fall, rise, turn)
     inward, outward = _speed(fall, one.passage.t), _speed(rise, one.passage.t)
     miss = _miss(one, fall, rise)
     ratio = miss / min(fall.tilt[0], rise.tilt[-1])
-    scarce = FEW_SAMPLES / min(len(fall.t), len(rise.t))
-    error = math.hypot(error * math.hypot(1.0, scarce), MISSED * ratio**2)
+    own[0] = math.hypot(own[0], MISSED * ratio**2)
+    shared[:, 0] *= math.copysign(1.0, turn)
     tilt, momentum = float(fall.tilt[0]), float(fall.momentum[0])
     yaw_rate = momentum / math.sin(tilt) ** 2
-    few = slice(0, min(5, len(fall.t)))
-    spin = float(fall.spin[few].mean())
+    spin = float(fall.spin[:FIRST].mean())
     return Collision(
         time=one.passage.t,
         turn=turn,
         veer=abs(turn) - math.pi,
-        veer_error=error,
         turn_alone=alone,
         released=one.passage.released,
         start=float(fall.t[0]),
@@ -159,9 +176,9 @@ def collision_of(
         yaw_rate=yaw_rate,
         spin_rate=spin - yaw_rate * math.cos(tilt),
         tilt_rate=float(fall.tilt_rate[0]) if one.passage.released else 0.0,
-        momentum_error=momentum_error,
-        spin_error=math.hypot(bias_error, one.noise / math.sqrt(len(fall.t[few]))),
         side_is_sure=is_sure,
+        own_errors=own,
+        shared_errors=shared,
     )
 
 
@@ -177,45 +194,44 @@ def _nearest(turn: float, expected: float, side: float = 0.0) -> float:
 
 def _errors(
     one: Sensed, axis: Axis, bias_error: float, fall: Leg, rise: Leg
-) -> tuple[float, float]:
-    """Standard deviations of the turn, rad, and of the momentum at its start, rad/s.
+) -> tuple[Array, Array]:
+    """Own errors (3,) and shared ones (8, 3), as in :class:`Collision`, of the signed turn.
 
     The errors of the collision's time, the axis, the bias and the sensitivity are carried through
     by differences; that of the noise follows from the least squares of each leg.
     """
     direction = axis.direction
     turn, momentum = one.turn(direction), float(fall.momentum[0])
+    spin = float(fall.spin[:FIRST].mean())
 
-    def change(other: Sensed, axis: Array, later: float = 0.0) -> tuple[float, float]:
+    def change(other: Sensed, axis: Array, later: float = 0.0) -> tuple[float, float, float]:
         apart = math.remainder(other.turn(axis, later) - turn, 2.0 * math.pi)
-        return apart, float(other.legs(axis, later)[0].momentum[0]) - momentum
+        leg, _ = other.legs(axis, later)
+        return apart, float(leg.momentum[0]) - momentum, float(leg.spin[:FIRST].mean()) - spin
 
-    step = float(np.median(np.diff(one.t)))
     values, vectors = np.linalg.eigh(axis.covariance)
-    changes = [change(one, direction, TIME_ERROR * step)]
-    changes += [
-        change(one, axis.moved(*(math.sqrt(value) * vector)))
+    turned = [
+        axis.moved(*(math.sqrt(value) * vector))
         for value, vector in zip(values, vectors.T, strict=True)
     ]
-    changes += [
-        change(replace(one, rates=one.rates + bias_error * unit), direction) for unit in np.eye(3)
-    ]
-    changes += [
-        change(replace(one, rates=one.rates * (1.0 + SCALE_ERROR * unit)), direction)
-        for unit in np.eye(3)
-    ]
+    biased = [replace(one, rates=one.rates + bias_error * unit) for unit in np.eye(3)]
+    scaled = [replace(one, rates=one.rates * (1.0 + SCALE_ERROR * unit)) for unit in np.eye(3)]
+    shared = [change(one, other) for other in turned]
+    shared += [change(other, direction) for other in (*biased, *scaled)]
+    of_time = change(one, direction, TIME_ERROR * one.step)
     excess = [max(1.0, float(np.sqrt(np.mean(leg.residual**2)))) for leg in (fall, rise)]
     of_turn = [
         excess[0] * fall.offset_error / math.sin(fall.tilt[0]),
         excess[1] * rise.offset_error / math.sin(rise.tilt[-1]),
     ]
     # The spin jumps at a time that is known to a part of a step.
-    jump = (rise.spin[0] - fall.spin[-1]) * step * TIME_ERROR / 2.0
-    errors, of_momentum = zip(*changes, strict=True)
-    return (
-        math.hypot(*errors, *of_turn, jump),
-        math.hypot(*of_momentum, excess[0] * fall.momentum_error),
-    )
+    jump = (rise.spin[0] - fall.spin[-1]) * one.step * TIME_ERROR / 2.0
+    own = [
+        math.hypot(of_time[0], *of_turn, jump),
+        math.hypot(of_time[1], excess[0] * fall.momentum_error),
+        one.noise / math.sqrt(len(fall.t[:FIRST])),
+    ]
+    return np.array(own), np.array(shared)
 
 
 def _alone(one: Sensed, fall: Leg, rise: Leg, turn: float) -> float:

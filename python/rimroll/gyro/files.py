@@ -66,7 +66,7 @@ def read(
     notes = ["The last line is not complete and was left out."] if cut else []
     t, rates = _numbers(table, chosen)
     record, more = with_even_notes(name, t, rates, [row.line + above for row in table.rows])
-    source = f"{chosen.in_words}; {len(record)} samples, {record.sampling_rate:.4g} a second"
+    source = f"{chosen.in_words}; {len(record)} samples, {record.sampling_rate:.4g} Hz"
     return replace(record, source=source, notes=(*notes, *more), simulated=simulated)
 
 

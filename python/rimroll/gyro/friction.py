@@ -27,14 +27,16 @@ BEYOND = 1.15
 
 @dataclass(frozen=True)
 class Predicted:
-    """Sizes of the turn from one start at each friction, (n,), rad, and their standard deviations.
+    """Sizes of the turn from one start at each friction, (n,), rad.
 
-    The errors are those of the start as it was measured. NaN where such a fall has no turn.
+    ``by_momentum`` and ``by_spin``, (n,), rad/(rad/s): their changes with the momentum about the
+    vertical and with the spin at the start. NaN where such a fall has no turn.
     """
 
     frictions: Array
     turns: Array
-    errors: Array
+    by_momentum: Array
+    by_spin: Array
 
 
 @dataclass(frozen=True)
@@ -65,14 +67,16 @@ class Friction:
 def predicted(one: Collision, body: Body, gravity: float) -> Predicted:
     """The turns that falls from the start of a collision have under dry friction."""
     frictions = np.linspace(0.0, BEYOND * float(needed_friction(body)), POINTS)
-    momentum = one.yaw_rate * math.sin(one.tilt_before) ** 2
-    changes = [(0.0, 0.0), (one.momentum_error, 0.0), (0.0, one.spin_error)]
-    turns = []
-    for of_momentum, of_spin in changes:
-        yaw_rate = (momentum + of_momentum) / math.sin(one.tilt_before) ** 2
-        turns.append(_turns(one, yaw_rate, of_spin, frictions, body, gravity))
-    errors = np.hypot(turns[1] - turns[0], turns[2] - turns[0])
-    return Predicted(frictions, turns[0], errors)
+
+    def turns(of_momentum: float, of_spin: float) -> Array:
+        more = of_momentum / math.sin(one.tilt_before) ** 2
+        return _turns(one, one.yaw_rate + more, of_spin, frictions, body, gravity)
+
+    here = turns(0.0, 0.0)
+    # Differences over the errors themselves: near the side that is not sure, turns bend.
+    steps = np.hypot(one.own_errors, np.linalg.norm(one.shared_errors, axis=0))[1:]
+    of_momentum, of_spin = turns(float(steps[0]), 0.0), turns(0.0, float(steps[1]))
+    return Predicted(frictions, here, (of_momentum - here) / steps[0], (of_spin - here) / steps[1])
 
 
 def _turns(
@@ -94,11 +98,7 @@ def friction_from(
     collisions: Sequence[Collision], each: Sequence[Predicted], level: float
 ) -> Friction:
     """The friction that suits the veers of all collisions best; ``level`` is a chi square."""
-    squares = np.zeros(POINTS)
-    for one, there in zip(collisions, each, strict=True):
-        error = np.hypot(there.errors, one.veer_error)
-        squares += ((there.turns - math.pi - one.veer) / error) ** 2
-    squares = np.where(np.isnan(squares), np.inf, squares)
+    squares = _squares(collisions, each)
     count = len(collisions)
     if not np.isfinite(squares).any():
         return Friction(None, None, False, False, math.inf, count)
@@ -123,3 +123,25 @@ def friction_from(
         least,
         count,
     )
+
+
+def _squares(collisions: Sequence[Collision], each: Sequence[Predicted]) -> Array:
+    """Chi square of the veers at each friction, (n,); infinite where one has no turn.
+
+    Veers of a record share the errors of its axis, bias and sensitivity, which also change the
+    start from which a turn is predicted: the covariance contains both.
+    """
+    apart = np.stack(
+        [there.turns - math.pi - one.veer for one, there in zip(collisions, each, strict=True)]
+    )
+    # How the turn predicted less that measured changes with turn, momentum and spin: (veers, 3, n).
+    slopes = np.stack([[-np.ones(POINTS), one.by_momentum, one.by_spin] for one in each])
+    own = np.stack([one.own_errors for one in collisions])
+    shared = np.stack([one.shared_errors for one in collisions])
+    squares = np.full(POINTS, np.inf)
+    for k in np.flatnonzero(np.isfinite(apart).all(axis=0) & np.isfinite(slopes).all(axis=(0, 1))):
+        together = np.einsum("vsi,vi->vs", shared, slopes[:, :, k])
+        alone = np.sum((own * slopes[:, :, k]) ** 2, axis=1)
+        covariance = together @ together.T + np.diag(alone)
+        squares[k] = apart[:, k] @ np.linalg.solve(covariance, apart[:, k])
+    return squares

@@ -30,6 +30,10 @@ TIME_ERROR = 0.5
 """Standard deviation of the time of a collision, in steps of the record."""
 SENSITIVITY = 0.001
 """Error of the momentum over the rate: the axes of a sensor are not equally sensitive."""
+SMEARED, DECAY = 1.0, 2.0
+"""What a sensor's filter leaves of a jump, over the rate, at the collision and by how much its
+logarithm falls from sample to sample: as for a second-order filter at a third of the sampling
+rate."""
 NEAREST = 5
 """Samples at the edge of a leg from which its rate is extrapolated to the collision."""
 
@@ -147,7 +151,8 @@ def leg_of(
     # How far along the path the vertical is follows from the time of the collision, which is
     # known to a part of a step; on a curved path also from the momentum.
     along_error = TIME_ERROR * step * float(path.rate[edge])
-    scatter = np.hypot(noise, SENSITIVITY * path.rate)
+    smeared = SMEARED * np.exp(-DECAY / step * np.abs(path.t - collision))
+    scatter = np.sqrt(noise**2 + (SENSITIVITY * path.rate) ** 2 + (smeared * path.rate[edge]) ** 2)
     design = np.empty((len(path.t), 3))
     design[:, 0], design[:, 1], design[:, 2] = path.turning @ sideways, path.turning @ onward, -1.0
     weighted = design / scatter[:, np.newaxis]

@@ -69,7 +69,7 @@ class Record:
         kind = "simulated record" if self.simulated else "record"
         return (
             f"<Gyroscope {kind} of {len(self)} samples in {self.t[-1] - self.t[0]:.4g} s,"
-            f" {self.sampling_rate:.4g} a second>"
+            f" {self.sampling_rate:.4g} Hz>"
         )
 
     @property

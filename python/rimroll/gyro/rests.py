@@ -17,8 +17,8 @@ WINDOW = 0.3
 """The shortest rest, s."""
 QUIET = 0.05
 """The largest standard deviation of a rate at rest, rad/s."""
-LARGEST_BIAS = 0.2
-"""The largest mean rate at rest, rad/s."""
+LARGEST_BIAS = 0.6
+"""The largest mean rate at rest, rad/s: data sheets of cheap sensors have up to 20 degrees/s."""
 UNKNOWN_BIAS = 0.0175
 """Uncertainty of a bias where nothing rests, rad/s: the 1 degree/s that data sheets give."""
 

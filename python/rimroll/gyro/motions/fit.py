@@ -257,14 +257,15 @@ def _is_told(interval: tuple[float, float | None], needed: float) -> bool:
 def _ideal(
     begun: Found, found: Analysis, chains: Sequence[Chain]
 ) -> list[tuple[Law, Found | None, list[float]]]:
-    """The two ideal laws, with the resistances of the fitted one, over the same samples."""
+    """The two ideal laws over the same samples, each with resistances of its own fitted."""
     out: list[tuple[Law, Found | None, list[float]]] = []
     for kind in (NoSlip, Frictionless):
-        law = kind(resistances=begun.model.law.resistances)
+        law: Law = kind(resistances=begun.model.law_at(begun.vector).resistances)
         free = tuple(name for name in begun.model.free if name in law.numbers)
         try:
             model = replace(begun.model, law=law, free=free)
-            out.append((law, *best_of_law(model, found, chains, begun)))
+            one, excess = best_of_law(model, found, chains, begun)
+            out.append((one.model.law_at(one.vector), one, excess))
         except RimrollError:  # no motion under this law begins so
             out.append((law, None, []))
     return out
@@ -310,7 +311,9 @@ def _estimates(
     for i, name in enumerate(best.model.names):
         value, error = float(best.vector[i]), float(errors[i])
         half = math.sqrt(level) * error
-        out[name] = Estimate(value, error, (value - half, value + half), "covariance")
+        least = 0.0 if name in best.model.free else -math.inf  # numbers of laws are not negative
+        interval_of = (max(value - half, least), value + half)
+        out[name] = Estimate(value, error, interval_of, "covariance")
     if interval is not None:
         there = out["friction"]
         out["friction"] = Estimate(there.value, there.error, interval, "profile")
