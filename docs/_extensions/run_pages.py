@@ -2,8 +2,8 @@
 
 The Python blocks of a page run in their order, in one namespace, and so do its commands (`sh`
 blocks). The plain block that follows a Python block shows all that it prints; without one it prints
-nothing. A `text` block that follows commands shows what they print, up to spaces. Pictures that the
-code saves as `made/NAME` are there for the page to show.
+nothing. A `text` block that follows commands shows what they print, up to spaces. The page shows a
+picture that its code saves as NAME by a link to `made/NAME`.
 """
 
 import contextlib
@@ -17,6 +17,7 @@ from pathlib import Path
 DOCS = Path(__file__).parents[1]
 PYTHON = re.compile(r"^```python\n(.*?)^```$(?:\s+^```\n(.*?)^```$)?", re.M | re.S)
 COMMANDS = re.compile(r"^```sh\n(.*?)^```$(?:\s+^```text\n(.*?)^```$)?", re.M | re.S)
+PICTURE = re.compile(r"\]\(made/([^)]+)\)")
 ANGLES = re.compile(r"^```csv\n(.*?)^```$", re.M | re.S)
 
 
@@ -58,8 +59,8 @@ def wrong_commands(text):
 
 @contextlib.contextmanager
 def folder_with_examples(folder):
-    """Works in a folder that has the repository's examples, and a folder for pictures."""
-    (folder / "made").mkdir(parents=True, exist_ok=True)
+    """Works in a folder that has the repository's examples."""
+    folder.mkdir(parents=True, exist_ok=True)
     examples = folder / "examples"
     if not examples.exists():
         examples.symlink_to(DOCS.parent / "examples")
@@ -83,14 +84,14 @@ def run(app, env, names):
             for wrong in wrong_examples, wrong_commands:
                 for shown, printed in wrong(text):
                     logger.warning("shows\n%sbut prints\n%s", shown, printed, location=name)
-        publish(folder / "made", page.parent / "made")
+        for picture in PICTURE.findall(text):
+            publish(folder / picture, page.parent / "made")
 
 
-def publish(made, target):
-    """Puts the pictures where the page looks for them."""
-    for picture in made.iterdir():
-        target.mkdir(exist_ok=True)
-        (target / picture.name).write_bytes(picture.read_bytes())
+def publish(picture, target):
+    """Puts a picture where the page looks for it."""
+    target.mkdir(exist_ok=True)
+    (target / picture.name).write_bytes(picture.read_bytes())
 
 
 def setup(app):

@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from run_pages import folder_with_examples, wrong_commands, wrong_examples
+from run_pages import PICTURE, folder_with_examples, wrong_commands, wrong_examples
 
 from rimroll.paper.figures import turn_against_friction
 
@@ -26,8 +26,8 @@ def test_the_examples_of_a_page_run_in_order_and_print_what_it_shows(page, tmp_p
     text = page.read_text("utf-8")
     with folder_with_examples(tmp_path):
         assert list(wrong_examples(text)) == []
-    saved = {picture.name for picture in (tmp_path / "made").iterdir()}
-    assert set(re.findall(r"\]\(made/([^)]+)\)", text)) <= saved
+    saved = {picture.name for picture in tmp_path.iterdir()}
+    assert set(PICTURE.findall(text)) <= saved
 
 
 @pages_with("sh")
