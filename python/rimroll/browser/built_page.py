@@ -46,8 +46,8 @@ def page_alone(folder: Path, setup: str) -> str:
     css = (folder / style[1]).read_text(encoding="utf-8")
     page = page.replace(style[0], f"<style>{css}</style>").replace(core[0], "")
     page = re.sub(r"<!--.*?-->", "", page, flags=re.S)
-    # For the page at an address: its icon, and previews of links to it.
-    page = re.sub(r'<link rel="(?:apple-touch-icon|manifest)"[^>]*>', "", page)
+    # For the page at an address: its parts, its icon, and previews of links to it.
+    page = re.sub(r'<link rel="(?:modulepreload|apple-touch-icon|manifest)"[^>]*>', "", page)
     page = re.sub(r'<meta property="(?:og|twitter):[^>]*>', "", page)
     # The page has two scripts. One is among the parts; the other only reports why that one does not
     # load.
