@@ -32,8 +32,8 @@ SENSITIVITY = 0.001
 """Error of the momentum over the rate: the axes of a sensor are not equally sensitive."""
 SMEARED, DECAY = 1.0, 2.0
 """What a sensor's filter leaves of a jump, over the rate, at the collision and by how much its
-logarithm falls from sample to sample: as for a second-order filter at a third of the sampling
-rate."""
+logarithm falls from sample to sample: as for a second-order filter (Butterworth), which loses
+√2 π in it in a period of its cut-off frequency, at 0.45 of the sampling rate."""
 NEAREST = 5
 """Samples at the edge of a leg from which its rate is extrapolated to the collision."""
 
