@@ -2,7 +2,14 @@
 // set-up with the same table as the page.
 
 import type { Plugin } from "vite";
-import { FIELDS, type ChoiceField, type NumberField, type RecordField } from "./src/setup/fields";
+import {
+  FIELDS,
+  MOTION_FIELDS,
+  OTHER,
+  type ChoiceField,
+  type NumberField,
+  type RecordField,
+} from "./src/setup/fields";
 import { SPEEDS, VIEWS } from "./src/setup/playback";
 import { STEPS } from "./src/story/steps";
 
@@ -38,5 +45,7 @@ export function allowed(): Record<string, Allowed> {
     view: { choices: [...VIEWS] },
     step: { choices: STEPS.map((_, k) => String(k + 1)) },
   };
-  return { ...Object.fromEntries(quantities), ...playback };
+  const all = Object.fromEntries(quantities);
+  const compared = MOTION_FIELDS.map((name): [string, Allowed] => [OTHER + name, all[name]!]);
+  return { ...all, ...playback, ...Object.fromEntries(compared) };
 }

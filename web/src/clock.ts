@@ -1,6 +1,6 @@
 // The time at which a motion is shown. A near-collision lasts microseconds, so time can stretch
 // automatically while the contact point races: a schedule maps the visitor's time to the motion's time
-// and limits how fast the contact point runs on the screen.
+// and limits how fast the contact point runs on the screen. Two motions that are compared share one schedule.
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
 import type { Moments, Motion } from "./core/motion";
@@ -30,6 +30,33 @@ class Schedule {
     return new Schedule(t, shown);
   }
 
+  /** A schedule for two motions: at each time, that of the one that is shown more slowly. */
+  static ofBoth(a: Schedule, b: Schedule): Schedule {
+    const times = Float64Array.from([...a.times, ...b.times]).sort();
+    const shown = new Float64Array(times.length);
+    const [slowA, slowB] = [a.slownesses(), b.slownesses()];
+    for (let k = 1; k < times.length; k++) {
+      const [from, to] = [at(times, k - 1), at(times, k)];
+      const dt = to - from;
+      const slow = dt > 0 ? Math.max(slowA(from, to), slowB(from, to)) : 0;
+      shown[k] = at(shown, k - 1) + dt * slow;
+    }
+    return new Schedule(times, shown);
+  }
+
+  /** Gives the visitor's seconds per second of the motion between two times that have no knot between them, for
+   * times that increase from call to call. After the end of the motion time is not stretched. */
+  private slownesses(): (from: number, to: number) => number {
+    const { times, shown } = this;
+    let low = 0;
+    return (from, to) => {
+      while (low < times.length - 2 && at(times, low + 1) <= from) low++;
+      const width = at(times, low + 1) - at(times, low);
+      const inside = at(times, low) <= from && at(times, low + 1) >= to;
+      return inside && width > 0 ? (at(shown, low + 1) - at(shown, low)) / width : 1;
+    };
+  }
+
   get length(): number {
     return this.shown[this.shown.length - 1] ?? 0;
   }
@@ -46,7 +73,7 @@ class Schedule {
   slowdownAt(time: number): number {
     const { length } = this.times;
     let low = knotBefore(this.times, time);
-    // An impact has two knots at one time; skip them forward, or backward at the end.
+    // Several knots may be at one time; skip them forward, or backward at the end.
     while (low < length - 2 && at(this.times, low + 1) === at(this.times, low)) low++;
     while (low > 0 && at(this.times, low + 1) === at(this.times, low)) low--;
     const interval = at(this.times, low + 1) - at(this.times, low);
@@ -93,13 +120,23 @@ export class Clock {
   private until = Infinity;
   private readonly schedule: ReadonlySignal<Schedule | undefined>;
 
-  constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
-    this.schedule = computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
+  /** `other` is a second motion that is shown at the same time. */
+  constructor(
+    private readonly motion: ReadonlySignal<Motion | undefined>,
+    private readonly other: ReadonlySignal<Motion | undefined> = signal(undefined),
+  ) {
+    const scheduleOf = (motion: ReadonlySignal<Motion | undefined>) =>
+      computed(() => motion.value && Schedule.of(motion.value, this.stretched.value));
+    const [mine, others] = [scheduleOf(motion), scheduleOf(other)];
+    this.schedule = computed(() =>
+      mine.value && others.value ? Schedule.ofBoth(mine.value, others.value) : mine.value,
+    );
   }
 
-  /** End of the motion, s. */
+  /** End of the longer motion, s. */
   get end(): number {
-    return this.motion.value?.end ?? 0;
+    const { motion, other } = this;
+    return motion.value ? Math.max(motion.value.end, other.value?.end ?? 0) : 0;
   }
 
   /** Fraction of the showing time that has passed, 0 to 1; set it to scrub. */

@@ -1,40 +1,22 @@
 // The state of the page: the set-up, the motion computed from it, and the time at which it is shown.
 // Every part of the page reads these signals, so that a change of the set-up updates all of them.
 
-import {
-  type ReadonlySignal,
-  type Signal,
-  batch,
-  computed,
-  effect,
-  signal,
-} from "@preact/signals-core";
+import { type ReadonlySignal, type Signal, batch, computed, signal } from "@preact/signals-core";
 import { Clock } from "./clock";
 import type { Core, Theory } from "./core/core";
 import { type Moment, type Motion, type Turn, headingOf } from "./core/motion";
-import { reasonOrRethrow } from "./core/reason";
 import type { Displacement, Shaker, Shaking } from "./floor/shaking";
 import { type Flick, flicksOf } from "./falls/flicks";
 import { sliced } from "./falls/sliced";
 import { type Preview, previewOf } from "./falls/preview";
-import { type SimulationInput, simulationInput } from "./setup/simulation_input";
-import { FLICK_FIELDS } from "./setup/fields";
 import type { Held } from "./setup/release";
 import { INITIAL_PLAYBACK, type Playback, type ViewName } from "./setup/playback";
 import type { Refusal } from "./setup/refusal";
 import { INITIAL, type Setup } from "./setup/setup";
+import { type Outcome, Simulation, withoutFlicks } from "./simulation";
 import { words } from "./words/words";
 
-/** The result for a set-up: a motion, or the reason why there is none. */
-export type Outcome = Simulated | { refused: string };
-
-export interface Simulated {
-  input: SimulationInput;
-  motion: Motion;
-  theory: Theory;
-  /** Whether only the first steps of the motion have been computed; see {@link Lab.complete}. */
-  partial: boolean;
-}
+export type { Outcome, Simulated } from "./simulation";
 
 /** What the picture marks beside the motion. */
 export interface Marks {
@@ -43,11 +25,6 @@ export interface Marks {
   /** A guess of the angle of turn, rad; undefined if there is none. */
   guess: number | undefined;
 }
-
-/** Number of steps computed at once when the set-up changes; they take a few ms. */
-const FIRST_STEPS = 2000;
-/** The remaining steps are computed after this time without a change, ms. */
-const COMPLETION_DELAY = 250;
 
 /** Changes of the set-up with shorter pauses between them are undone together, ms. */
 const UNDO_PAUSE = 700;
@@ -69,6 +46,12 @@ export interface TurnProgress {
 /** Rotation of the body itself, rad: positive in the direction in which the contact point runs. */
 export const bodyAngleAlongContact = ({ angle, bodyAngle, turn }: TurnProgress): number =>
   bodyAngle * (Math.sign(turn?.angle ?? angle) || 1);
+
+/** A set-up and the one that it is compared with. */
+interface Compared {
+  setup: Readonly<Setup>;
+  other: Readonly<Setup> | undefined;
+}
 
 export class Lab {
   readonly setup: Signal<Readonly<Setup>> = signal(INITIAL);
@@ -98,14 +81,22 @@ export class Lab {
   readonly marks: Signal<Readonly<Marks>> = signal({ theory: true, guess: undefined });
   /** Step of the story, counted from 0. */
   readonly step: Signal<number> = signal(0);
-  /** Set-ups before the latest changes. */
-  private readonly before: Signal<readonly Readonly<Setup>[]> = signal([]);
+  /** A second set-up, whose motion is shown beside this one; undefined if nothing is compared. */
+  readonly otherSetup: Signal<Readonly<Setup> | undefined> = signal(undefined);
+  /** The motion of the second set-up. */
+  readonly other: Simulation;
+  /** The state of the second motion at the time shown, and its turn. */
+  readonly otherMoment: ReadonlySignal<Moment | undefined>;
+  readonly otherProgress: ReadonlySignal<TurnProgress | undefined>;
+  /** End of the longer motion, s. */
+  readonly end: ReadonlySignal<number>;
+  /** Set-ups before the latest changes, each with the second one. */
+  private readonly before: Signal<readonly Compared[]> = signal([]);
   private changed = -Infinity;
   readonly canUndo: ReadonlySignal<boolean> = computed(() => this.before.value.length > 0);
   /** Azimuth of the camera, rad. */
   azimuth = -Math.PI / 2;
-  /** Whether the complete motion is wanted, however long that takes. */
-  private readonly completeWanted: Signal<boolean> = signal(false);
+  private readonly simulation: Simulation;
   readonly motion: ReadonlySignal<Motion | undefined>;
   readonly theory: ReadonlySignal<Theory | undefined>;
   readonly clock: Clock;
@@ -116,31 +107,27 @@ export class Lab {
   readonly shaking: ReadonlySignal<Shaking | undefined>;
 
   constructor(readonly core: Core) {
-    const release = computed(() => withoutFlicks(this.setup.value));
-    this.outcome = computed(() => {
-      const maxSteps = this.completeWanted.value ? Infinity : FIRST_STEPS;
-      const setup = JSON.parse(release.value) as Setup;
-      if (setup.floor === "rest") return outcomeOf(core, undefined, setup, maxSteps);
-      const shaker = this.shaker.value;
-      if (shaker) return outcomeOf(core, shaker, setup, maxSteps);
-      return { refused: this.shakerMissing.value };
-    });
-    this.motion = computed(() =>
-      "motion" in this.outcome.value ? this.outcome.value.motion : undefined,
-    );
-    this.theory = computed(() =>
-      "theory" in this.outcome.value ? this.outcome.value.theory : undefined,
-    );
-    this.shaking = computed(() =>
-      "motion" in this.outcome.value ? this.outcome.value.input.shaking : undefined,
-    );
+    this.simulation = new Simulation(core, this.setup, this);
+    // There is always a set-up, and so an outcome.
+    this.outcome = this.simulation.outcome as ReadonlySignal<Outcome>;
+    ({ motion: this.motion, theory: this.theory, shaking: this.shaking } = this.simulation);
+    this.other = new Simulation(core, this.otherSetup, this);
     this.preview = computed(() => {
       const held = this.held.value;
       return held && previewOf(core, this.setup.value, held);
     });
-    this.clock = new Clock(this.motion);
-    this.moment = computed(() => this.motion.value?.at([this.clock.time.value]).moment(0));
-    this.turnProgress = computed(() => this.turnProgressAt(this.clock.time.value));
+    this.clock = new Clock(this.motion, this.other.motion);
+    this.end = computed(() => this.clock.end);
+    const shown = (motion: Motion | undefined) => motion?.at([this.clock.time.value]).moment(0);
+    this.moment = computed(() => shown(this.motion.value));
+    this.otherMoment = computed(() => shown(this.other.motion.value));
+    const { time } = this.clock;
+    this.turnProgress = computed(() =>
+      turnProgressAt(this.motion.value, this.moment.value, time.value),
+    );
+    this.otherProgress = computed(() =>
+      turnProgressAt(this.other.motion.value, this.otherMoment.value, time.value),
+    );
     // Compute all flicks once, not again for each one shown.
     const wanted = computed(() => this.flicksShown.value !== undefined);
     const flicks = sliced(() =>
@@ -148,33 +135,35 @@ export class Lab {
     );
     this.flicks = flicks.results;
     this.flicksComplete = flicks.complete;
-    effect(() => {
-      if (!isPartial(this.outcome.value)) return undefined;
-      const timer = setTimeout(() => this.complete(), COMPLETION_DELAY);
-      return () => clearTimeout(timer);
-    });
-    let current: Motion | undefined;
-    effect(() => {
-      // Parts of the page may still draw the previous motion in this frame, but not in the next.
-      const previous = current;
-      current = this.motion.value;
-      if (previous && previous !== current) requestAnimationFrame(() => previous.forget());
-    });
   }
 
   /** Changes a part of the set-up and shows the new motion from the release. */
   change(part: Partial<Setup>): void {
-    this.remember(part);
+    if (this.differs(part)) this.remember();
     this.set({ ...this.setup.value, ...part });
+  }
+
+  /** Compares the set-up, after some changes, with another one; undefined ends the comparison. */
+  compare(other: Readonly<Setup> | undefined, part: Partial<Setup> = {}): void {
+    this.changed = -Infinity;
+    if (other !== this.otherSetup.value || this.differs(part)) this.remember();
+    this.changed = -Infinity;
+    batch(() => {
+      this.set({ ...this.setup.value, ...part });
+      this.setOther(other);
+    });
   }
 
   /** Goes back to the set-up before the latest change. */
   undo(): void {
-    const setup = this.before.value.at(-1);
-    if (!setup) return;
+    const before = this.before.value.at(-1);
+    if (!before) return;
     this.before.value = this.before.value.slice(0, -1);
     this.changed = -Infinity;
-    this.set(setup);
+    batch(() => {
+      this.set(before.setup);
+      this.setOther(before.other);
+    });
   }
 
   /** Forgets all earlier set-ups, so that nothing before this one can be restored. */
@@ -183,14 +172,25 @@ export class Lab {
   }
 
   /** Keeps the set-up for {@link undo}, but only one for changes that follow each other quickly, as a slider's do. */
-  private remember(part: Partial<Setup>): void {
-    const old = this.setup.value;
-    const differs = (name: string) => part[name as keyof Setup] !== old[name as keyof Setup];
-    if (!Object.keys(part).some(differs)) return;
+  private remember(): void {
     const now = performance.now();
+    const before = { setup: this.setup.value, other: this.otherSetup.value };
     if (now - this.changed > UNDO_PAUSE)
-      this.before.value = [...this.before.value.slice(1 - MAX_UNDO), old];
+      this.before.value = [...this.before.value.slice(1 - MAX_UNDO), before];
     this.changed = now;
+  }
+
+  private differs(part: Partial<Setup>): boolean {
+    const now: Partial<Setup> = this.setup.value;
+    return Object.entries(part).some(([name, value]) => now[name as keyof Setup] !== value);
+  }
+
+  private setOther(other: Readonly<Setup> | undefined): void {
+    if (other === this.otherSetup.value) return;
+    this.clock.pause();
+    this.clock.rewind();
+    this.other.begin();
+    this.otherSetup.value = other;
   }
 
   private set(setup: Readonly<Setup>): void {
@@ -198,7 +198,7 @@ export class Lab {
       if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
         this.clock.pause();
         this.clock.rewind();
-        this.completeWanted.value = false;
+        this.simulation.begin();
       }
       // No more flicks can be shown than there are.
       if ((this.flicksShown.value ?? 0) > setup.flicks) this.flicksShown.value = setup.flicks;
@@ -219,59 +219,24 @@ export class Lab {
     });
   }
 
-  /** Computes the remaining steps of the motion, if only the first have been computed. */
+  /** Computes the remaining steps of the motions, if only the first have been computed. */
   complete(): void {
-    if (isPartial(this.outcome.peek())) this.completeWanted.value = true;
-  }
-
-  private turnProgressAt(time: number): TurnProgress | undefined {
-    const motion = this.motion.value;
-    const moment = this.moment.value;
-    if (!motion || !moment) return undefined;
-    const turn = motion.turns.find((turn) => time <= turn.end);
-    const previous = motion.turns.findLast((turn) => turn.end <= time);
-    const start = turn?.start ?? previous?.end ?? 0;
-    const first = motion.at([start]).moment(0);
-    const bodyAngle = headingOf(moment) - headingOf(first);
-    return { angle: moment.yaw - first.yaw, bodyAngle, start, startYaw: first.yaw, turn };
+    this.simulation.complete();
+    this.other.complete();
   }
 }
 
-/** The fields on which one motion depends, as a text that can be compared. */
-function withoutFlicks(setup: Readonly<Setup>): string {
-  const hidden: readonly string[] = FLICK_FIELDS;
-  return JSON.stringify(setup, (name, value: unknown) =>
-    hidden.includes(name) ? undefined : value,
-  );
-}
-
-const isPartial = (outcome: Outcome) => "motion" in outcome && outcome.partial;
-
-/** Computes the motion with a limited number of steps. */
-function outcomeOf(
-  core: Core,
-  shaker: Shaker | undefined,
-  setup: Readonly<Setup>,
-  limit: number,
-): Outcome {
-  try {
-    const atRest = simulationInput(core, setup);
-    const input = shaker ? shaker.inputOf(setup, atRest) : atRest;
-    const { body, start, contactLaw, options, shaking } = input;
-    const maxSteps = Math.min(limit, options.maxSteps);
-    const limited = { ...options, maxSteps };
-    const motion = shaking
-      ? shaking.simulate({ ...input, options: limited })
-      : core.simulate(body, start, contactLaw, limited);
-    try {
-      const theory = core.theory(body, start, contactLaw, options.gravity);
-      const partial = maxSteps < options.maxSteps && motion.ranOutOfSteps;
-      return { input, motion, theory, partial };
-    } catch (error) {
-      motion.forget();
-      throw error;
-    }
-  } catch (error) {
-    return { refused: reasonOrRethrow(error) };
-  }
+/** The turn at a time (s), at which the motion has a moment. */
+function turnProgressAt(
+  motion: Motion | undefined,
+  moment: Moment | undefined,
+  time: number,
+): TurnProgress | undefined {
+  if (!motion || !moment) return undefined;
+  const turn = motion.turns.find((turn) => time <= turn.end);
+  const previous = motion.turns.findLast((turn) => turn.end <= time);
+  const start = turn?.start ?? previous?.end ?? 0;
+  const first = motion.at([start]).moment(0);
+  const bodyAngle = headingOf(moment) - headingOf(first);
+  return { angle: moment.yaw - first.yaw, bodyAngle, start, startYaw: first.yaw, turn };
 }

@@ -1,6 +1,7 @@
 // Starts the page: loads the core, and shows the essay or the lab, as the address says.
 
 import { followAnchors } from "./anchors";
+import { mountCompare } from "./compare/section";
 import { mountControls } from "./controls/controls";
 import { Core } from "./core/core";
 import { element } from "./elements";
@@ -60,6 +61,7 @@ function startLab(core: Core): Lab {
   mountVerdict(lab, section("verdict"));
   mountStory(lab, section("story"));
   mountControls(lab, section("controls"));
+  mountCompare(lab, section("compare"));
   mountFlicks(lab, section("flicks"));
   (loadingPlots ?? import("./plots/plots"))
     .then(({ mountPlots }) => mountPlots(lab, section("plots")))

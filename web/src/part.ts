@@ -7,7 +7,7 @@ export const LAB = "lab";
 
 /** The # parts that belong to the lab: all with a set-up, and the names of its sections. index.html has the
  * same expression, to show the right part while the page loads. */
-const OF_LAB = /=|^#(lab|embed|controls|flicks|plots|share|limits|gyro)$/;
+const OF_LAB = /=|^#(lab|embed|controls|compare|flicks|plots|share|limits|gyro)$/;
 
 /** A page that rimroll.lab makes has a set-up in its first element, and shows the lab only. */
 export const partOf = (hash: string): Part =>

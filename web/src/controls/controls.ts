@@ -94,8 +94,8 @@ function more(form: SetupForm): HTMLElement {
   return details;
 }
 
-/** Settings of the playback, which a link may hold. */
-const PLAYBACK: readonly string[] = ["speed", "slow", "view", "step"];
+/** Settings of the playback and of a set-up that is compared, which a link may hold. */
+const PLAYBACK: readonly string[] = ["speed", "slow", "view", "step", "with"];
 
 /** Refusals from a link that have no visible field: of another body, or of the playback. */
 function otherRefusals(lab: Lab): HTMLElement {

@@ -12,7 +12,8 @@ export const loadFloor = (): Promise<typeof import("./floor")> => (loading ??= i
 /** Loads it when a set-up has a floor that moves. */
 export function shakeOnDemand(lab: Lab): void {
   effect(() => {
-    if (lab.setup.value.floor === "rest" || lab.shaker.peek()) return;
+    const setups = [lab.setup.value, lab.otherSetup.value];
+    if (setups.every((setup) => (setup?.floor ?? "rest") === "rest") || lab.shaker.peek()) return;
     loadFloor()
       .then(({ loadShaker }) => loadShaker())
       .then(

@@ -31,13 +31,13 @@ export class SetupForm {
     }
   }
 
-  /** Restores the initial set-up. */
+  /** Restores the initial set-up, and ends a comparison. */
   reset(): void {
     this.pending = { ...INITIAL };
     batch(() => {
       this.lab.refusals.value = [];
       this.lab.setPlayback(INITIAL_PLAYBACK);
-      this.flush();
+      this.flush((part) => this.lab.compare(undefined, part));
     });
   }
 
@@ -62,14 +62,14 @@ export class SetupForm {
       refusals.value = refusals.value.filter(({ field }) => field !== name);
   }
 
-  private flush(): void {
+  private flush(apply = (part: Partial<Setup>) => this.lab.change(part)): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     const part = this.pending as Partial<Setup>;
     this.pending = {};
     if (Object.keys(part).length === 0) return;
     const playing = this.lab.clock.playing.value;
-    this.lab.change(part);
+    apply(part);
     // A motion that was playing plays again from the release.
     if (playing) this.lab.clock.play();
   }

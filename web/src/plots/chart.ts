@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import type { Moment, Moments } from "../core/motion";
 import { element } from "../elements";
 import { formatFixed, significant } from "../format/numbers";
-import type { Figure, Line, Subject } from "./figures";
+import { type Figure, type Line, type Subject, finite } from "./figures";
 import { type Mark, drawEvents, drawStrip, shadePhases } from "./marks";
 import type { Palette } from "./palette";
 import { powerText, powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } from "./ticks";
@@ -20,12 +20,16 @@ export class Chart {
   /** The element that receives pointer events. */
   readonly pad: HTMLElement;
   private readonly plot: uPlot;
+  /** The lines of the figure, and that of a second motion. */
+  private readonly lines: readonly Line[];
   private readonly picture = element("div", { class: "picture", role: "img" });
   private readonly line = element("div", { class: "now-line" });
   private readonly title = element("strong");
   private readonly outputs: { line: Line; output: HTMLElement; entry: HTMLElement }[] = [];
   private shown: Stretch = { since: "start", origin: 0, from: 0, to: 1 };
   private subject: Subject | undefined;
+  /** The data of a second motion. */
+  private other: Subject | undefined;
   /** The unit shown and its size in the figure's unit: 1e-3 for milli. */
   private unit = { name: "", size: 1 };
 
@@ -39,14 +43,15 @@ export class Chart {
     // This title is shown until the plot comes into view and is drawn.
     this.title.textContent = figure.title;
     this.picture.setAttribute("aria-label", figure.title);
-    const key = element("span", { class: "key" }, ...figure.lines.map((line) => this.entry(line)));
+    this.lines = figure.other ? [...figure.lines, figure.other] : figure.lines;
+    const key = element("span", { class: "key" }, ...this.lines.map((line) => this.entry(line)));
     this.root = element(
       "figure",
       { class: "plot", tabindex: "-1", "aria-labelledby": this.title.id },
       element("figcaption", {}, this.title, key),
       this.picture,
     );
-    this.plot = new uPlot(this.options(), [[], ...figure.lines.map(() => [])], this.picture);
+    this.plot = new uPlot(this.options(), [[], ...this.lines.map(() => [])], this.picture);
     this.pad = this.plot.over;
     this.pad.append(this.line);
   }
@@ -56,14 +61,26 @@ export class Chart {
       this.plot.setSize({ width, height });
   }
 
-  /** Draws a stretch of a motion through moments that cover it. */
-  show(subject: Subject, moments: Moments, shown: Stretch): void {
+  /** Draws a stretch of a motion through moments that cover it, and a second motion at the same times. */
+  show(
+    subject: Subject,
+    moments: Moments,
+    shown: Stretch,
+    other?: { subject: Subject; moments: Moments },
+  ): void {
     this.subject = subject;
+    this.other = other?.subject;
     this.shown = shown;
     const x = moments.column("t").slice();
     for (let k = 0; k < x.length; k++) x[k] = (x[k] as number) - shown.origin;
-    let lines = this.figure.lines.map((line) => line.values(moments, subject));
-    if (this.figure.stacked) lines = stacked(lines);
+    const own = this.figure.lines.map((line) => line.values(moments, subject));
+    const lines = this.figure.stacked ? stacked(own) : own;
+    if (this.figure.other)
+      lines.push(
+        other
+          ? this.figure.other.values(other.moments, other.subject)
+          : new Array<null>(x.length).fill(null),
+      );
     const parts = Math.ceil(this.across);
     const data = x.length > MAX_DENSITY * parts ? thinned(x, lines, parts) : [x, ...lines];
     const curves = data.slice(1);
@@ -86,12 +103,14 @@ export class Chart {
   }
 
   /** Moves the time line to a place, 0 to 1, and shows the values of a moment. */
-  showMoment(place: number, moment: Moment): void {
+  showMoment(place: number, moment: Moment, other?: Moment): void {
     const inside = place >= 0 && place <= 1;
     this.line.hidden = !inside;
     if (inside) this.line.style.transform = `translateX(${place * this.across}px)`;
     for (const { line, output } of this.outputs) {
-      const value = this.subject && line.now?.(moment, this.subject);
+      const isOther = line === this.figure.other;
+      const [subject, now] = isOther ? [this.other, other] : [this.subject, moment];
+      const value = subject && now && line.now?.(now, subject);
       output.textContent = value === undefined ? "" : this.valueText(value);
     }
   }
@@ -117,12 +136,18 @@ export class Chart {
   private entry(line: Line): HTMLElement {
     const output = element("span", { class: "value" });
     const swatch = element("i", {
-      class: this.figure.stacked ? "area" : line.dash ? "dashed" : "",
+      class: this.isArea(line) ? "area" : line.dash ? "dashed" : "",
       style: `--swatch: var(--${line.colour})`,
     });
     const entry = element("span", { class: "entry" }, swatch, `${line.label} `, output);
+    entry.hidden = line === this.figure.other;
     this.outputs.push({ line, output, entry });
     return entry;
+  }
+
+  /** Whether a line is the border of an area. */
+  private isArea(line: Line | undefined): boolean {
+    return this.figure.stacked === true && line !== this.figure.other;
   }
 
   private valueText(value: number): string {
@@ -145,7 +170,7 @@ export class Chart {
   /** Whether a line has no values or an area above the lowest has no height. */
   private isEmpty(index: number, curves: readonly Values[]): boolean {
     const [lower, values] = [curves[index - 1], curves[index] as Values];
-    const floor = this.figure.stacked && lower ? lower : undefined;
+    const floor = this.isArea(this.lines[index]) && lower ? lower : undefined;
     for (let k = 0; k < values.length; k++)
       if (values[k] != null && values[k] !== floor?.[k]) return false;
     return true;
@@ -209,7 +234,7 @@ export class Chart {
             figure.stretched ? places.map(powerText) : tickTexts(places, this.unit.size),
         },
       ],
-      series: [{}, ...figure.lines.map((line) => this.series(line, colour))],
+      series: [{}, ...this.lines.map((line) => this.series(line, colour))],
       ...(figure.stacked && {
         bands: figure.lines.slice(1).map((line, k) => ({
           series: [k + 2, k + 1] as [number, number],
@@ -233,7 +258,7 @@ export class Chart {
   }
 
   private series(line: Line, colour: (name: keyof Palette) => () => string): uPlot.Series {
-    const areas = this.figure.stacked;
+    const areas = this.isArea(line);
     const last = this.figure.lines.at(-1) === line;
     return {
       stroke: colour(areas ? "ink" : line.colour),
@@ -263,7 +288,8 @@ function stacked(curves: readonly Values[]): Values[] {
   return curves.map((values) => {
     const sum = new Float64Array(values.length);
     for (let k = 0; k < sum.length; k++) sum[k] = (values[k] ?? 0) + (below?.[k] ?? 0);
-    return (below = sum);
+    below = sum;
+    return finite(sum);
   });
 }
 

@@ -40,6 +40,8 @@ export interface Figure {
   short: string;
   unit: string;
   lines: readonly Line[];
+  /** The line of a second motion that is compared. */
+  other?: Line;
   /** Whether the lines are borders of stacked areas. */
   stacked?: boolean;
   /** Whether the axis is an arsinh, which enlarges small values. */
@@ -51,6 +53,8 @@ export interface Figure {
 }
 
 const DEGREES = 180 / Math.PI;
+/** Dashes of a second motion, CSS px. */
+const DASHED = [4, 3];
 
 /** The figure of a floor that moves. */
 export const FLOOR = "floor";
@@ -77,6 +81,7 @@ export const FIGURES: readonly Figure[] = [
     unit: "°",
     include: 0,
     lines: [plain(figures.tilt.tilt, "tilt", "plot-first", DEGREES)],
+    other: ofOther(plain(figures.tilt.tilt, "tilt", "ghost", DEGREES)),
   },
   {
     name: "yaw",
@@ -87,6 +92,7 @@ export const FIGURES: readonly Figure[] = [
       plain(figures.yaw.yaw, "yaw", "plot-first", DEGREES),
       { label: figures.yaw.theory, colour: "theory", dash: [6, 4], values: turnedInTheory },
     ],
+    other: ofOther(plain(figures.yaw.yaw, "yaw", "ghost", DEGREES)),
   },
   {
     name: "rates",
@@ -99,6 +105,7 @@ export const FIGURES: readonly Figure[] = [
       plain(figures.rates.yaw, "yaw_rate", "plot-first"),
       { ...plain(figures.rates.spin, "spin_rate", "plot-third"), dash: [7, 3] },
     ],
+    other: ofOther(plain(figures.rates.yaw, "yaw_rate", "ghost")),
   },
   {
     name: "gyroscope",
@@ -135,6 +142,7 @@ export const FIGURES: readonly Figure[] = [
         now: (_, { theory }) => theory?.neededFriction ?? NaN,
       },
     ],
+    other: ofOther(plain(figures.friction.used, "friction_ratio", "ghost")),
   },
   {
     name: "energy",
@@ -156,8 +164,27 @@ export const FIGURES: readonly Figure[] = [
       plain(figures.energy.rolling, "resistance_loss", "plot-fourth"),
       plain(figures.energy.impacts, "impact_loss", "plot-fifth"),
     ],
+    other: {
+      label: words.compare.total,
+      colour: "ghost",
+      dash: DASHED,
+      values: (moments, { ground }) => {
+        const kinetic = moments.column("kinetic_energy");
+        const potential = moments.column("potential_energy");
+        return finite(
+          potential.map((energy, k) => energy - ground + kinetic[k]!),
+          1,
+        );
+      },
+      now: (moment, { ground }) => moment.kinetic_energy + moment.potential_energy - ground,
+    },
   },
 ];
+
+/** The line of a second motion. */
+function ofOther(line: Line): Line {
+  return { ...line, label: words.compare.plot(line.label), dash: DASHED };
+}
 
 /** A column in another unit. */
 function plain(label: string, column: Column, colour: Colour, factor = 1): Line {
@@ -174,7 +201,7 @@ function ofGyroscope(axis: keyof Rates, label: string, colour: Colour): Line {
   return {
     label,
     colour,
-    values: (moments) => bodyRates(moments)[axis],
+    values: (moments) => finite(bodyRates(moments)[axis]),
     now: (moment) => bodyRatesAt(moment)[axis],
   };
 }
@@ -192,8 +219,9 @@ function ofFloor(label: string, column: keyof TableMotion, colour: Colour): Line
   };
 }
 
-/** Infinite values become gaps: the friction ratio is infinite where the normal force is zero. */
-function finite(column: Float64Array, factor: number): Values {
+/** Infinite values become gaps: the friction ratio is infinite where the normal force is zero. So do those
+ * after the end of the shorter of two motions, which are NaN. */
+export function finite(column: Float64Array, factor = 1): Values {
   // The sum is finite if and only if all terms are, because they are far below the largest number.
   let sum = 0;
   for (let k = 0; k < column.length; k++) sum += column[k] as number;

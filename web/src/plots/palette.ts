@@ -19,6 +19,7 @@ const NAMES = [
   "rolling",
   "sliding",
   "flying",
+  "ghost",
 ] as const;
 
 export type Colour = (typeof NAMES)[number];

@@ -7,10 +7,13 @@ import type { Lab } from "../lab";
 import { Chart } from "./chart";
 import { FIGURES, FLOOR, type Subject } from "./figures";
 import { attachGestures } from "./gestures";
+import { joined } from "./joined";
 import { paletteOf } from "./palette";
 import "./plots.css";
 import { sampled } from "./sampled";
 import { chooser, phaseKey, toolbar } from "./toolbar";
+import type { Setup } from "../setup/setup";
+import type { Simulation } from "../simulation";
 import { View } from "./view";
 import { inSight, oncePerFrame, onceIdle } from "./redraw";
 import { words } from "../words/words";
@@ -23,7 +26,7 @@ const DENSITY = 1;
 const HEIGHT = 210;
 
 export function mountPlots(lab: Lab, section: HTMLElement): void {
-  const view = new View(lab.motion);
+  const view = new View(lab.motion, lab.end);
   const palette = paletteOf(section);
   const chosen = signal("tilt");
   const narrow = signal(matchMedia(NARROW).matches);
@@ -40,15 +43,8 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   section.append(absent, present);
 
   const samples = computed(() => lab.motion.value?.curve());
-  const subject = computed((): Subject | undefined => {
-    const motion = lab.motion.value;
-    const all = samples.value;
-    if (!motion || !all) return undefined;
-    const { law, friction } = lab.setup.value;
-    const shaking = lab.shaking.value;
-    const ground = all.column("potential_energy").reduce((a, b) => Math.min(a, b), Infinity);
-    return { motion, theory: lab.theory.value, law, friction, shaking, ground };
-  });
+  const subject = computed(() => subjectOf(lab.setup.value, lab));
+  const other = computed(() => lab.otherSetup.value && subjectOf(lab.otherSetup.value, lab.other));
   const chosenCharts = computed(() =>
     charts.filter(
       ({ figure: { name } }) =>
@@ -65,17 +61,23 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     const all = samples.value;
     if (!now || !all || width.value === 0 || these.length === 0) return;
     const shown = view.shown.value;
-    const moments = sampled(now.motion, all, shown, Math.ceil(width.value * DENSITY));
+    const density = Math.ceil(width.value * DENSITY);
+    const mine = sampled(now.motion, all, shown, density);
+    const others = other.value;
+    const [moments, beside] = others
+      ? joined(mine, sampled(others.motion, others.motion.curve(), shown, density))
+      : [mine, undefined];
     for (const chart of these) {
       chart.resize(width.value, Math.round(HEIGHT * large));
-      chart.show(now, moments, shown);
+      chart.show(now, moments, shown, others && beside && { subject: others, moments: beside });
     }
     showMoment(these);
   };
   const showMoment = (these: readonly Chart[]) => {
     const moment = lab.moment.value;
     const place = view.placeOf(lab.clock.time.value);
-    if (moment) for (const chart of these) chart.showMoment(place, moment);
+    const beside = lab.otherMoment.value;
+    if (moment) for (const chart of these) chart.showMoment(place, moment, beside);
   };
 
   effect(() => {
@@ -84,7 +86,13 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     absent.hidden = there;
     for (const chart of charts) chart.root.hidden = !chosenCharts.value.includes(chart);
   });
-  const drawn = () => [subject.value, view.shown.value, chosenCharts.value, width.value];
+  const drawn = () => [
+    subject.value,
+    other.value,
+    view.shown.value,
+    chosenCharts.value,
+    width.value,
+  ];
   oncePerFrame(
     () => [drawn(), visible.value],
     () => draw(visible.value),
@@ -109,6 +117,18 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   }).observe(grid);
 
   for (const chart of charts) link(chart, lab, view);
+}
+
+/** The data of the figures for a set-up and its motion. */
+function subjectOf(
+  { law, friction }: Readonly<Setup>,
+  of: Pick<Simulation, "motion" | "theory" | "shaking">,
+): Subject | undefined {
+  const motion = of.motion.value;
+  if (!motion) return undefined;
+  const potential = motion.curve().column("potential_energy");
+  const ground = potential.reduce((a, b) => Math.min(a, b), Infinity);
+  return { motion, theory: of.theory.value, law, friction, shaking: of.shaking.value, ground };
 }
 
 /** Connects the gestures on a plot to the clock and the view. */

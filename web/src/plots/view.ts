@@ -31,10 +31,14 @@ export class View {
   private readonly zoomed: Signal<{ collision: number; from: number; to: number } | undefined> =
     signal(undefined);
 
-  constructor(private readonly motion: ReadonlySignal<Motion | undefined>) {
+  /** `last` is the end of what is shown, s; by default that of the motion. */
+  constructor(
+    motion: ReadonlySignal<Motion | undefined>,
+    private readonly last: ReadonlySignal<number> = computed(() => motion.value?.end ?? 0),
+  ) {
     this.collisions = computed(() => (motion.value ? collisionsOf(motion.value) : []));
     this.shown = computed(() => {
-      const end = motion.value?.end ?? 1;
+      const end = last.value || 1;
       const zoomed = this.zoomed.value;
       if (!zoomed) return { since: "start", origin: 0, from: 0, to: end };
       const at = this.collisions.value[zoomed.collision]?.t ?? 0;
@@ -59,7 +63,7 @@ export class View {
 
   /** Shows a stretch, whose times are counted from the current origin. */
   show(from: number, to: number): void {
-    const end = this.motion.value?.end ?? 1;
+    const end = this.last.value || 1;
     const { origin } = this.shown.value;
     if (from + origin <= 0 && to + origin >= end) return this.whole();
     const collision = nearest(this.collisions.value, origin + (from + to) / 2);

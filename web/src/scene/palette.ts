@@ -13,6 +13,8 @@ export interface Palette {
   flying: string;
   wedge: string;
   theory: string;
+  /** The second of two motions. */
+  ghost: string;
 }
 
 export function readPalette(): Palette {
@@ -32,6 +34,7 @@ export function readPalette(): Palette {
     flying: color("--flying", "#7a5bd0", "#b9a4ff"),
     wedge: dark ? "#f2b632" : "#e69f00",
     theory: color("--theory", "#009e73", "#2fc79a"),
+    ghost: color("--ghost", "#a6337b", "#e58fc4"),
   };
 }
 

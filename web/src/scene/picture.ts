@@ -9,7 +9,8 @@ import {
   type TurnProgress,
   bodyAngleAlongContact,
 } from "../lab";
-import type { Event, Moment, Motion } from "../core/motion";
+import type { Ghost } from "../compare/ghost";
+import type { Moment, Motion } from "../core/motion";
 import type { InPicture } from "../floor/shaking";
 import { formatDegrees } from "../format/numbers";
 import { inFrame } from "../frames";
@@ -38,8 +39,10 @@ import {
   footingOf,
   heldContact,
   heldPose,
-  setPose,
+  lowestOf,
   poseOf,
+  setPose,
+  standingSpot,
 } from "./pose";
 import { Protractor } from "./protractor";
 import { PIXEL } from "./ribbon";
@@ -77,6 +80,9 @@ export class Picture {
   /** Loaded when it is first looked at. */
   private closeup: Closeup | undefined;
   private closeupWanted = false;
+  /** The second motion; loaded when two are first compared. */
+  private ghost: Ghost | undefined;
+  private ghostWanted = false;
   private readonly protractor = new Protractor();
   private readonly ruler = new Ruler();
   private readonly trail = new Trail();
@@ -211,6 +217,7 @@ export class Picture {
     this.table.paint(this.palette);
     this.shaken?.paint(this.palette);
     this.closeup?.paint(this.palette);
+    this.ghost?.paint(this.palette);
     this.wedge.repaint(this.palette);
     this.slip.paint(this.palette);
     this.shade.paint(this.palette);
@@ -251,6 +258,7 @@ export class Picture {
     const wider = Math.min(Math.max(Math.min(this.width, this.height) / 600, 1), 2);
     this.pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
     PIXEL.value = wider * this.pixel;
+    this.view.beside = this.layOutGhost();
     const placement = this.place(lab.held.peek(), setup);
     this.followBody(placement);
     const gliding = this.view.update(now);
@@ -260,6 +268,7 @@ export class Picture {
     const progress = lab.held.peek() ? undefined : lab.turnProgress.peek();
     this.showTurn(progress);
     this.showCloseup(placement, progress);
+    this.ghost?.show(camera, this.isSeeThrough);
     this.stage.render();
     this.outline.project(this.hull.matrixWorld, camera, this.width, this.height);
     const hides = this.isSeeThrough ? undefined : this.outline;
@@ -461,6 +470,7 @@ export class Picture {
     const shown = progress !== undefined && motion !== undefined;
     this.wedge.group.visible = this.trail.mesh.visible = shown;
     const { theory, guess } = lab.marks.peek();
+    const comparing = lab.otherSetup.peek() !== undefined;
     this.guess.mesh.visible = shown && guess !== undefined;
     if (!shown) {
       const { yaw } = lab.held.peek() ?? { yaw: (lab.setup.peek().yaw * Math.PI) / 180 };
@@ -480,9 +490,10 @@ export class Picture {
       labels.set(index, text, wx, wy);
       labels.dim(index, this.hidden(wx, wy));
     };
+    const ranRound = words.scene.ranRound(formatDegrees(Math.abs(progress.angle), 1));
     label(
       labelIds.turned,
-      words.scene.ranRound(formatDegrees(Math.abs(progress.angle), 1)),
+      comparing ? words.compare.label("A", ranRound) : ranRound,
       progress.angle / 2,
       1.13,
     );
@@ -551,12 +562,33 @@ export class Picture {
     const near = {
       pose,
       radius: rim.radius,
-      minTilt: progress && this.lowestOf(progress)?.tilt,
+      minTilt: progress && lowestOf(this.lab.motion.peek(), progress.start, progress.turn)?.tilt,
       placed: this.body.matrix,
       scale: 1 / reach,
     };
     const { text, spot } = closeup.show(near, progress);
     labels.set(labelIds.gap, text, spot.x, spot.y, spot.z);
+  }
+
+  /** The place of the second body beside the first, if there is one; it is loaded when it is first needed. */
+  private layOutGhost(): Spot {
+    const { ghost, lab } = this;
+    if (ghost || this.ghostWanted || !lab.otherSetup.peek())
+      return ghost?.layOut(this.size) ?? { x: 0, y: 0 };
+    this.ghostWanted = true;
+    import("../compare/ghost").then(
+      ({ Ghost }) => {
+        this.ghost = new Ghost(lab, this.labels);
+        this.ghost.paint(this.palette);
+        this.stage.scene.add(this.ghost.group);
+        this.changed();
+      },
+      (error: unknown) => {
+        this.ghostWanted = false;
+        console.error(error);
+      },
+    );
+    return { x: 0, y: 0 };
   }
 
   private loadCloseup(): void {
@@ -576,27 +608,12 @@ export class Picture {
     );
   }
 
-  /** The smallest tilt of a turn, complete or not, and its time. */
-  private lowestOf({ start, turn }: TurnProgress): { t: number; tilt: number } | undefined {
-    if (turn) return { t: turn.t, tilt: turn.minTilt };
-    const isLowest = ({ kind, moment }: Event) => kind === "tilt_min" && moment.t >= start;
-    return this.lab.motion.peek()?.events.find(isLowest)?.moment;
-  }
-
   /** The centre of the base at the smallest tilt of this turn, about which the contact point runs. */
   private centreOf(motion: Motion, progress: TurnProgress): Spot {
     const { centre, rim, reach, footing } = this;
     const { start } = progress;
     if (centre.of === start) return centre;
-    const lowest = this.lowestOf(progress)?.t;
-    const moment = motion.at([lowest ?? start]).moment(0);
-    const flat =
-      lowest === undefined
-        ? {
-            x: moment.contact_x + rim.radius * Math.cos(moment.yaw) + footing.shift.x,
-            y: moment.contact_y + rim.radius * Math.sin(moment.yaw) + footing.shift.y,
-          }
-        : poseOf(moment, rim.height, footing.shift);
+    const flat = standingSpot(motion, progress, rim, footing);
     this.centre = { x: flat.x / reach, y: flat.y / reach, of: start };
     return this.centre;
   }

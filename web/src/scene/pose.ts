@@ -1,7 +1,8 @@
 // The pose of the body on the table, from the angles of the mechanics to the matrix of the picture.
 
 import type { Matrix4 } from "three";
-import type { Motion, Moment } from "../core/motion";
+import type { Event, Moment, Motion, Turn } from "../core/motion";
+import type { TurnProgress } from "../lab";
 
 /** Angles in rad, and the centre of the base, m. */
 export interface Pose {
@@ -81,6 +82,33 @@ function slideOf(motion: Motion, rim: Rim, start: Moment): number {
   const along = (start.contact_x - flat.x) * c + (start.contact_y - flat.y) * s;
   const range = rim.radius - overhang(rim, start.tilt);
   return range > 1e-9 ? Math.min(Math.max((along + rim.radius) / range, 0), 1) : 0;
+}
+
+/** The centre of the base at the smallest tilt of a turn, about which the contact point runs. */
+export function standingSpot(
+  motion: Motion,
+  { start, turn }: TurnProgress,
+  rim: Rim,
+  { shift }: Footing,
+): Spot {
+  const lowest = lowestOf(motion, start, turn)?.t;
+  const moment = motion.at([lowest ?? start]).moment(0);
+  if (lowest !== undefined) return poseOf(moment, rim.height, shift);
+  return {
+    x: moment.contact_x + rim.radius * Math.cos(moment.yaw) + shift.x,
+    y: moment.contact_y + rim.radius * Math.sin(moment.yaw) + shift.y,
+  };
+}
+
+/** The smallest tilt of a turn, complete or not, and its time. */
+export function lowestOf(
+  motion: Motion | undefined,
+  start: number,
+  turn: Turn | undefined,
+): { t: number; tilt: number } | undefined {
+  if (turn) return { t: turn.t, tilt: turn.minTilt };
+  const isLowest = ({ kind, moment }: Event) => kind === "tilt_min" && moment.t >= start;
+  return motion?.events.find(isLowest)?.moment;
 }
 
 /** Horizontal distance of the centre of mass from the contact point, m. */

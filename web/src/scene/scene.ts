@@ -60,6 +60,7 @@ function connect(lab: Lab, { canvas, stage, reset, places, tip }: Frame, picture
   effect(() => {
     // A change of any of these signals redraws the scene.
     void [lab.setup.value, lab.outcome.value, lab.clock.time.value];
+    void [lab.otherSetup.value, lab.other.outcome.value];
     void [lab.held.value, lab.tableHeld.value, lab.flicks.value, lab.flicksShown.value];
     changed();
   });

@@ -48,6 +48,8 @@ export class View {
 
   /** The spot of the table in the middle of the picture. */
   readonly focus = { x: 0, y: 0 };
+  /** Where a second body stands beside the first, which is in view too. */
+  beside = { x: 0, y: 0 };
   /** The contact point, and the one at which the camera was aimed last. */
   private contact = { x: 0, y: 0 };
   private aimed = this.contact;
@@ -74,8 +76,8 @@ export class View {
   follow(x: number, y: number): void {
     const far = Math.hypot(x, y);
     const part = far > ROAM && !prefersReducedMotion() ? 1 - ROAM / far : 0;
-    this.focus.x = part * x;
-    this.focus.y = part * y;
+    this.focus.x = part * x + this.beside.x / 2;
+    this.focus.y = part * y + this.beside.y / 2;
   }
 
   /** Sets the contact point, at which the camera looks from nearby. */
@@ -152,14 +154,25 @@ export class View {
   private place(): void {
     const { camera, eye, height } = this;
     const half = (camera.fov * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
-    const distance = (this.radius / Math.sin(narrow)) * eye.distance;
-    const flat = distance * Math.cos(eye.elevation);
+    const across = Math.atan(Math.tan(half) * camera.aspect);
     // From afar the camera looks at the middle of the body, from nearby at the contact point.
     const part = smooth(Math.min(Math.max((1 - eye.distance) / (1 - NEAR), 0), 1));
     const follow = Math.max(part, eye.follow);
-    const x = this.focus.x + follow * (this.aimed.x - this.focus.x);
-    const y = this.focus.y + follow * (this.aimed.y - this.focus.y);
+    // From nearby it looks at the first body alone.
+    const alone = Math.max(part, eye.low);
+    const wide = ((1 - alone) * Math.hypot(this.beside.x, this.beside.y)) / 2;
+    const distance =
+      Math.max(
+        this.radius / Math.sin(Math.min(half, across)),
+        (this.radius + wide) / Math.sin(across),
+      ) * eye.distance;
+    const flat = distance * Math.cos(eye.elevation);
+    const middle = {
+      x: this.focus.x - (alone * this.beside.x) / 2,
+      y: this.focus.y - (alone * this.beside.y) / 2,
+    };
+    const x = middle.x + follow * (this.aimed.x - middle.x);
+    const y = middle.y + follow * (this.aimed.y - middle.y);
     const z = (1 - Math.max(part, eye.low)) * height * Math.cos(eye.elevation);
     camera.position.set(
       x + flat * Math.cos(eye.azimuth),

@@ -34,7 +34,7 @@ const WRITE_DELAY = 200;
 
 /** Sets the lab up as a link says. A link with a step alone shows what that step shows. */
 export function readLink(lab: Lab, link: string): void {
-  const { setup, playback, refusals } = fromHash(link);
+  const { setup, playback, other, refusals } = fromHash(link);
   const pairs = new URLSearchParams(link.replace(/^#/, ""));
   const text = pairs.get("step");
   const step = STEPS.findIndex((_, k) => String(k + 1) === text);
@@ -53,7 +53,8 @@ export function readLink(lab: Lab, link: string): void {
     lab.refusals.value = refusals;
     lab.step.value = Math.max(step, 0);
     if (step >= 0 && !known) return;
-    lab.change(setup);
+    if (other || lab.otherSetup.value) lab.compare(other, setup);
+    else lab.change(setup);
     lab.setPlayback(playback);
   });
   if (step >= 0 && !known) showStep(lab, STEPS[step]!, !prefersReducedMotion());
@@ -61,7 +62,7 @@ export function readLink(lab: Lab, link: string): void {
 
 /** The # part of the address of what is shown; empty for the initial set-up, whose address is {@link LAB}. */
 export function hashOf(lab: Lab): string {
-  const hash = toHash(lab.setup.value, lab.playback);
+  const hash = toHash(lab.setup.value, lab.playback, lab.otherSetup.value);
   const step = lab.step.value;
   const shown = STEPS[step];
   if (step === 0 || !shown) return hash;

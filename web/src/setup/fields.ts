@@ -337,8 +337,11 @@ export const FIELDS = {
 export type FieldName = keyof typeof FIELDS;
 export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
 
-/** Names of the playback settings in the URL; see playback.ts. */
-export type PlaybackName = "speed" | "slow" | "view" | "step";
+/** Names of the playback settings in the URL, see playback.ts, and of a set-up that is compared. */
+export type PlaybackName = "speed" | "slow" | "view" | "step" | "with";
+
+/** What the names of a set-up that is compared begin with in the URL. */
+export const OTHER = "with.";
 
 /** Fields of the repeated release; a single motion does not depend on them. */
 export const FLICK_FIELDS = [
@@ -346,6 +349,11 @@ export const FLICK_FIELDS = [
   "unsteadiness",
   "seed",
 ] as const satisfies readonly FieldName[];
+
+/** Fields on which a single motion depends; only these are compared. */
+export const MOTION_FIELDS: readonly FieldName[] = FIELD_NAMES.filter(
+  (name) => !(FLICK_FIELDS as readonly string[]).includes(name),
+);
 
 /** Fields of the floor. */
 export const FLOOR_FIELDS = [

@@ -1,26 +1,38 @@
 // Writes the set-up into the part of the address after #, which links hold and servers do not see.
 
-import { FIELD_NAMES } from "./fields";
+import { FIELD_NAMES, type FieldName, MOTION_FIELDS, OTHER } from "./fields";
 import { INITIAL_PLAYBACK, type Playback, playbackInLink, playbackFrom } from "./playback";
 import type { Refusal } from "./refusal";
 import { INITIAL, type Setup, read } from "./setup";
+import { words } from "../words/words";
 
 /** The content of a link. */
 export interface Linked {
   setup: Setup;
   playback: Playback;
+  /** The set-up that it is compared with. */
+  other: Setup | undefined;
   refusals: Refusal[];
 }
 
-/** The values that differ from the initial set-up and playback, as `name=value&…`. */
+/** The values that differ from the initial set-up and playback, as `name=value&…`. Those of a set-up with which
+ * it is compared follow, the body always, as `with.name=value&…`. */
 export function toHash(
   setup: Readonly<Setup>,
   playback: Readonly<Playback> = INITIAL_PLAYBACK,
+  other?: Readonly<Setup>,
 ): string {
-  const changed = FIELD_NAMES.filter((name) => setup[name] !== INITIAL[name]);
-  const pairs = changed.map((name) => [name, String(setup[name])]);
-  return new URLSearchParams([...pairs, ...playbackInLink(playback)]).toString();
+  const pairs = changedIn(setup, FIELD_NAMES).map((name) => [name, String(setup[name])]);
+  const others = other ? [...new Set(["body" as const, ...changedIn(other, MOTION_FIELDS)])] : [];
+  return new URLSearchParams([
+    ...pairs,
+    ...playbackInLink(playback),
+    ...others.map((name) => [OTHER + name, String(other?.[name])]),
+  ]).toString();
 }
+
+const changedIn = (setup: Readonly<Setup>, names: readonly FieldName[]) =>
+  names.filter((name) => setup[name] !== INITIAL[name]);
 
 /** Whether the # part of an address holds a set-up and not the name of a part of the page. */
 export const holdsSetup = (hash: string): boolean =>
@@ -30,14 +42,31 @@ export const holdsSetup = (hash: string): boolean =>
  * value counts. */
 export function fromHash(hash: string): Linked {
   const link = new Map(new URLSearchParams(hash.replace(/^#/, "")));
-  const setup: Record<string, string | number> = { ...INITIAL };
   const { playback, refusals } = playbackFrom(link);
-  for (const name of FIELD_NAMES) {
-    const text = link.get(name);
+  const setup = setupFrom(link, "", FIELD_NAMES, (refusal) => refusals.push(refusal));
+  const compares = [...link.keys()].some((name) => name.startsWith(OTHER));
+  const other = compares
+    ? setupFrom(link, OTHER, MOTION_FIELDS, ({ text, message }) =>
+        refusals.push({ field: "with", text, message: words.compare.inLink(message) }),
+      )
+    : undefined;
+  return { setup, playback, other, refusals };
+}
+
+/** The set-up whose names begin with a prefix. */
+function setupFrom(
+  link: ReadonlyMap<string, string>,
+  prefix: string,
+  names: readonly FieldName[],
+  refuse: (refusal: Refusal) => void,
+): Setup {
+  const setup: Record<string, string | number> = { ...INITIAL };
+  for (const name of names) {
+    const text = link.get(prefix + name);
     if (text === undefined) continue;
     const result = read(name, text);
     if ("value" in result) setup[name] = result.value;
-    else refusals.push(result);
+    else refuse(result);
   }
-  return { setup: setup as unknown as Setup, playback, refusals };
+  return setup as unknown as Setup;
 }

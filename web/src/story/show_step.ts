@@ -12,7 +12,7 @@ export function showStep(lab: Lab, step: Step, moving: boolean): void {
   const { clock } = lab;
   batch(() => {
     clearFlicks(lab);
-    lab.change({ ...INITIAL, ...step.setup });
+    lab.compare(undefined, { ...INITIAL, ...step.setup });
     lab.setPlayback(step);
     // Restart even if the set-up is unchanged.
     clock.pause();

@@ -1,6 +1,8 @@
 // English, whose table is the type of all others. The prose of the essay and the names of the sections are in
 // index.html, so that they are there before any script. A table imports types only: see words.ts.
 
+import type { Numbers } from "../compare/numbers";
+import type { PresetName } from "../compare/presets";
 import type { BodyName } from "../setup/fields";
 
 const plural = new Intl.PluralRules("en");
@@ -667,6 +669,57 @@ export const en = {
     },
   },
 
+  compare: {
+    title: "Compare with…",
+    help: "Shows a second motion beside the first, on the same clock.",
+    presets: {
+      ice: "Ice and rubber",
+      coin: "Can and coin",
+      mirror: "This start and its mirror",
+      keep: "Keep this motion and change the set-up",
+    } satisfies Record<PresetName, string> as Record<PresetName, string>,
+    keyA: "A, solid lines: the set-up above",
+    keyB: "B, dashed lines: the other one",
+    setup: "Set-up",
+    turn: "First turn",
+    difference: "B against A",
+    rows: {
+      turn: "Contact ran round",
+      itself: "Body itself turned",
+      limit: "Limit in theory",
+      tilt: "Smallest tilt",
+      gap: "Gap under the rim then",
+      time: "Time until then",
+      passage: "Time for most of the angle",
+      force: "Largest force, in weights",
+      energy: "Energy kept",
+      end: "End of the whole motion",
+    } satisfies Record<keyof Numbers, string> as Record<keyof Numbers, string>,
+    ending: "How it ends",
+    endings: {
+      finished: "still moves",
+      toppled: "falls over",
+      lifted_off: "lifts off",
+      face_down: "face down",
+      at_rest: "at rest",
+      painleve: "no answer",
+      failed: "stops",
+    } as Record<string, string>,
+    same: "Both set-ups are the same so far. Change the set-up above: B stays as it is.",
+    refused: (which: "A" | "B", why: string) => `${which} has no motion: ${why}.`,
+    none: "One of the bodies does not come down, so there is no turn to compare.",
+    equal: (angle: string) => `The contact point ran round ${angle} in both, to one decimal.`,
+    turns: (a: string, b: string, apart: string, further: boolean) =>
+      `The contact point ran round ${a} in A and ${b} in B: ${apart} ${further ? "further" : "less far"} in B.`,
+    swap: "Swap A and B",
+    stop: "Stop comparing",
+    times: (ratio: string) => `× ${ratio}`,
+    label: (which: "A" | "B", text: string) => `${which}: ${text}`,
+    drawn: (body: BodyName, times: string) => `${NOUNS[body]}, drawn ${times} × as large as A`,
+    plot: (label: string) => `${label}, B`,
+    total: "kinetic and potential, B",
+    inLink: (message: string) => `Compared with: ${message}`,
+  },
   scene: {
     picture: "The body on the table",
     tip: "Hold the body for a moment, then tip it.",

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { allowed } from "../../fields";
 import { formatExact } from "../../src/format/numbers";
-import { FIELDS, FIELD_NAMES } from "../../src/setup/fields";
+import { FIELDS, FIELD_NAMES, MOTION_FIELDS } from "../../src/setup/fields";
 import { read } from "../../src/setup/setup";
 import { Chance } from "../given/chance";
 
@@ -59,7 +59,11 @@ test("another unit is no number", () => {
 
 test("what `rimroll lab` checks a set-up by is what the page takes", () => {
   const table = allowed();
-  expect(Object.keys(table)).toEqual([...FIELD_NAMES, "speed", "slow", "view", "step"]);
+  expect(Object.keys(table)).toEqual([
+    ...FIELD_NAMES,
+    ...["speed", "slow", "view", "step"],
+    ...MOTION_FIELDS.map((name) => `with.${name}`),
+  ]);
   for (const name of FIELD_NAMES) {
     const entry = table[name]!;
     if ("choices" in entry) {
