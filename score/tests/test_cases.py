@@ -3,19 +3,21 @@
 import math
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from rimroll_score import film, truth
+from rimroll_score import film, tables, truth
 from rimroll_score.badge import badge
 from rimroll_score.cases import FILE, cases, falls
 from rimroll_score.checks import variants
 from rimroll_score.distribution import distribution
+from rimroll_score.environments import PINS
 from rimroll_score.euler import tilt_of, wrapped
 from rimroll_score.measures import energies, lowest, measured, slipped
-from rimroll_score.page import Bounds, cell, write
+from rimroll_score.page import CHECKS, Bounds, cell, write
 from rimroll_score.paths import path_of, seen_from_above, true_path
 from rimroll_score.protocol import (
     friction_departures,
@@ -25,9 +27,10 @@ from rimroll_score.protocol import (
     rotation_matrix,
 )
 from rimroll_score.results import EngineResult, load, save
-from rimroll_score.sweep import Run, grade, run, task
+from rimroll_score.sweep import STEPS, Run, grade, run, task
 from rimroll_score.worker import Worker
 
+ROOT = Path(__file__).parents[2]
 CASES = {case.name: case for case in cases()}
 ITSELF = "rimroll_score.adapters.rimroll_itself:Rimroll"
 
@@ -255,3 +258,37 @@ def test_one_coin_is_above_and_one_below_the_rate_of_theory():
     critical = math.sqrt(4.0 * 9.8 / (5.0 * 0.05))
     assert CASES["spin_fast"].truth["largest_yaw_rate"] == pytest.approx(2.0 * critical)
     assert CASES["spin_slow"].state.angular_velocity[2] == pytest.approx(0.5 * critical)
+
+
+@pytest.fixture(scope="module")
+def stored():
+    return load(ROOT / "score/results")
+
+
+def test_the_tables_of_the_documentation_are_those_of_the_stored_results(stored):
+    page = (ROOT / "docs/physics-engines.md").read_text("utf-8")
+    assert tables.put(page, tables.tables(list(stored.values()))) == page
+
+
+def test_the_stored_results_are_whole_small_and_of_pinned_versions(stored):
+    assert (ROOT / "score/results/results.json").stat().st_size < 300e3
+    assert set(stored) == set(PINS)
+    for name, one in stored.items():
+        assert {run.case for run in one.runs} == set(CASES), name
+        assert {run.dt for run in one.runs} == set(STEPS), name
+        assert not {run.status for run in one.runs} - {"ok", "unsupported", "raised", "invalid"}
+        if PINS[name]:
+            assert PINS[name][0].endswith(f"=={one.version}")
+        assert {falls.setting for falls in one.falls} == set(one.settings)
+        assert {check.name for check in one.checks} == set(CHECKS)
+
+
+def test_rimroll_as_stored_is_what_it_computes_now(stored, rimroll_itself):
+    (kept,) = (run for run in stored["rimroll"].of("rolling_near", "best") if run.dt == 2e-3)
+    found = run(rimroll_itself, CASES["rolling_near"], 2e-3, "best")
+    assert found.error == pytest.approx(kept.error, rel=1e-5)
+
+
+def test_a_page_without_a_place_for_tables_is_refused():
+    with pytest.raises(tables.NoPlace, match="needs the lines <!-- results -->"):
+        tables.put("no place", "tables")
