@@ -44,6 +44,11 @@ class Hangs(Still):
         time.sleep(60.0)
 
 
+class HangsAtFirst(Still):
+    def version(self):
+        time.sleep(60.0)
+
+
 class Dies(Still):
     def step(self):
         print("terminate called", flush=True)
@@ -67,6 +72,29 @@ class NoRotation(Still):
         return State(self.held.position, 2.0 * np.eye(3), np.zeros(3), np.zeros(3))
 
 
+class NoState(Still):
+    def state(self):
+        return np.zeros(13)
+
+
+class TellsNoDepartures(Still):
+    def make(self, scene, dt, setting):
+        super().make(scene, dt, setting)
+
+
+class TellsNumbers(Still):
+    def make(self, scene, dt, setting):
+        return [np.zeros(3), *super().make(scene, dt, setting)]
+
+
+class Incomplete:
+    settings = {"defaults": "it cannot step"}  # noqa: RUF012
+    known_versions = ""
+
+    def version(self):
+        return "1.0"
+
+
 class SlowClock(Still):
     def time(self):
         return 0.5 * self.steps * self.dt
@@ -78,7 +106,14 @@ class NoTable(Still):
 
 
 class OfTomorrow(Still):
-    known_versions = "0."
+    known_versions = ("0.", "0b")
+
+
+class OpensWindow(Still):
+    def version(self):
+        import tkinter
+
+        tkinter.Tk()
 
 
 class Loud(Still):

@@ -1,6 +1,7 @@
 """One sentence says how an engine went wrong, and the next run goes on."""
 
 import re
+import sys
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -9,8 +10,10 @@ import numpy as np
 import pytest
 
 from rimroll.cli import main
+from rimroll_score import worker as worker_module
 from rimroll_score.cases import cases
 from rimroll_score.checks import check, lifted
+from rimroll_score.environments import PINS, NotInstalled, advice, installed
 from rimroll_score.protocol import State
 from rimroll_score.registry import NoAdapter, engines, located
 from rimroll_score.samples import BadSample, Recorder
@@ -38,6 +41,10 @@ def fake(name):
         ("SlowClock", "invalid", "the engine's clock shows 0.005 s at t = 0.01 s"),
         ("NoTable", "unsupported", "it has no table"),
         ("NoSuchClass", "raised", "NoSuchClass"),
+        ("NoState", "raised", "AttributeError: .* has no attribute 'position'"),
+        ("TellsNoDepartures", "raised", "TypeError: 'NoneType' object is not iterable"),
+        ("TellsNumbers", "crashed", "Object of type ndarray is not JSON serializable"),
+        ("Incomplete", "raised", "AttributeError: .* has no attribute 'make'"),
     ],
 )
 def test_what_goes_wrong_is_told(name, status, says):
@@ -53,6 +60,51 @@ def test_an_engine_that_hangs_is_stopped_and_started_again():
         for _ in range(2):
             outcome = worker.run(TASK)
             assert (outcome.status, outcome.message) == ("too_slow", "no answer within 0.3 s")
+
+
+def test_an_engine_that_hangs_before_it_tells_its_version_is_stopped(monkeypatch):
+    monkeypatch.setattr(worker_module, "START_LIMIT", 0.3)
+    with pytest.raises(Missing, match=r"HangsAtFirst cannot be loaded: no answer within 0\.3 s$"):
+        score(fake("HangsAtFirst"), Plan(), "")
+
+
+def test_an_engine_that_dies_between_two_runs_is_told_and_started_again():
+    with Worker(fake("Still")) as worker:
+        assert worker.run(TASK).status == "ok"
+        worker._process.kill()
+        worker._process.wait()
+        outcome = worker.run(TASK)
+        assert outcome.status == "crashed"
+        assert re.fullmatch("its process ended with code -?[0-9]+", outcome.message)
+        assert worker.run(TASK).status == "ok"
+
+
+def test_an_engine_that_is_not_installed_is_told_with_the_line_that_installs_it():
+    assert advice("mujoco") == "add --install, or pip install mujoco==4.0.0"
+    assert advice("mine") == "install it beside rimroll-score"
+
+
+def test_an_adapter_file_that_is_not_there_is_told(tmp_path):
+    with pytest.raises(Missing, match=r"cannot be loaded: FileNotFoundError.*none.py'$"):
+        score(f"{tmp_path / 'none.py'}:Engine", Plan(), "")
+
+
+def test_an_environment_that_cannot_be_made_is_told_by_the_end_of_what_pip_says(
+    monkeypatch, tmp_path
+):
+    monkeypatch.setenv("RIMROLL_ENGINES", str(tmp_path))
+    monkeypatch.setitem(PINS, "broken", ["no such requirement"])
+    with pytest.raises(NotInstalled, match=r"(?i)no such requirement|invalid requirement"):
+        installed("broken")
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"format": 1, "engines": {}}'])
+def test_a_file_of_results_in_another_format_is_refused(text, tmp_path, capsys):
+    (tmp_path / "results.json").write_text(text, "utf-8")
+    fake_still = ["score", fake("Still"), "--cases", "flight", "--dt", "1e-2", "--no-checks"]
+    assert main([*fake_still, "-o", str(tmp_path)]) == 2
+    assert "results.json is not a file of results in format 2" in capsys.readouterr().err
+    assert (tmp_path / "results.json").read_text("utf-8") == text
 
 
 def test_an_engine_that_is_not_installed_is_missing(tmp_path):
@@ -84,10 +136,18 @@ def test_no_window_can_open(monkeypatch, tmp_path):
         assert worker.describe()["version"] == "none"
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="windows open without DISPLAY")
+def test_an_engine_that_opens_a_window_is_told_instead(monkeypatch):
+    pytest.importorskip("tkinter")
+    monkeypatch.setenv("DISPLAY", ":0")
+    with pytest.raises(Missing, match="cannot be loaded: TclError: no display name"):
+        score(fake("OpensWindow"), Plan(), "")
+
+
 def test_a_version_that_the_adapter_does_not_know_is_a_warning():
     with Worker(fake("OfTomorrow")) as worker:
         described = worker.describe()
-    assert described["warning"] == "the adapter was written for version 0., this is 1.0"
+    assert described["warning"] == "the adapter was written for version 0. or 0b, this is 1.0"
 
 
 def test_too_few_samples_are_refused():
@@ -118,6 +178,12 @@ def test_numbers_whose_energy_would_be_infinite_are_refused():
     [
         (["--limit", "-1 s"], "limit must be > 0"),
         (["--install", "--python", "python3"], "give either --install"),
+        (["--dt", "0"], "dt must be between 1e-7 and 0.1 s, got 0"),
+        (["--dt", "1e-3,often"], "dt"),
+        (["--repeats", "0"], "repeats must be at least 1, got 0"),
+        (["--max-error", "small"], "--max-error must be an angle"),
+        (["--max-energy", "1 J"], "--max-energy must be a pure number"),
+        (["--cases", "wabble"], "no case is called 'wabble'"),
     ],
 )
 def test_options_that_make_no_sense_are_refused(options, says, capsys, tmp_path):

@@ -50,12 +50,11 @@ def answered(place: str, task: dict[str, Any]) -> dict[str, Any]:
 
 def described(adapter: Any) -> dict[str, Any]:
     """The engine's version and settings."""
-    version = str(adapter().version())
+    version, known = str(adapter().version()), adapter.known_versions
     answer = {"status": "ok", "version": version, "settings": dict(adapter.settings)}
-    if not version.startswith(adapter.known_versions):
-        answer["warning"] = (
-            f"the adapter was written for version {adapter.known_versions}, this is {version}"
-        )
+    if not version.startswith(known):
+        named = known if isinstance(known, str) else " or ".join(known)
+        answer["warning"] = f"the adapter was written for version {named}, this is {version}"
     return answer
 
 

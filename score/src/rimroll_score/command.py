@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import shlex
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -92,10 +93,12 @@ def score(
         limit=positive("limit", limit, "s"),
     )
     folder = ensure_folder(output)
+    kept = _kept(folder)
     passed = True
     for name in engine:
         result = _scored(name, plan, python, install)
-        _keep(folder, result, shown)
+        kept[result.name] = result
+        _write(folder, kept, result, shown)
         passed &= _passes(result, asked)
     say(f"The page is {folder / 'index.html'}.")
     return int(not passed and (max_error is not None or max_energy is not None))
@@ -118,16 +121,24 @@ def _tell(run: Run) -> None:
     say(f"{run.case:<15} {run.setting:<9} {in_ms(run.dt):>8}  {found}")
 
 
-def _keep(folder: Path, result: results.EngineResult, bounds: Bounds) -> None:
-    """Put an engine among those of the folder, and write the page again."""
+def _kept(folder: Path) -> dict[str, results.EngineResult]:
+    """What was scored into the folder before."""
+    try:
+        return results.load(folder)
+    except ValueError as error:
+        raise RimrollError(str(error)) from None
+
+
+def _write(
+    folder: Path,
+    kept: Mapping[str, results.EngineResult],
+    result: results.EngineResult,
+    bounds: Bounds,
+) -> None:
+    """Write all results and the page, and the film and badge of one engine."""
     from rimroll_score import film, page  # which load matplotlib
     from rimroll_score.badge import badge
 
-    try:
-        kept = results.load(folder)
-    except ValueError as error:
-        raise RimrollError(str(error)) from None
-    kept[result.name] = result
     results.save(folder, list(kept.values()))
     film.write(folder, result)
     page.write(folder, list(kept.values()), bounds)

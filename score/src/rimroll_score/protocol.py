@@ -88,8 +88,8 @@ class Engine(Protocol):
 
     settings: ClassVar[Mapping[str, str]]
     """Names of settings and a sentence on each. ``defaults`` is the engine as it comes."""
-    known_versions: ClassVar[str]
-    """The start of the versions that the adapter was written for, as ``"3."``; empty for any."""
+    known_versions: ClassVar[str | tuple[str, ...]]
+    """The starts of the versions that the adapter was written for, as ``"3."``; empty for any."""
 
     def version(self) -> str:
         """The engine's version."""

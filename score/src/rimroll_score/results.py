@@ -106,8 +106,11 @@ def load(folder: Path) -> dict[str, EngineResult]:
     file = folder / "results.json"
     if not file.exists():
         return {}
-    data = json.loads(file.read_text("utf-8"))
-    if data.get("format") != FORMAT:
+    try:
+        data = json.loads(file.read_text("utf-8"))
+    except ValueError:
+        data = None
+    if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise ValueError(f"{file} is not a file of results in format {FORMAT}")
     return {name: EngineResult.from_json(one) for name, one in data["engines"].items()}
 

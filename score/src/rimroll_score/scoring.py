@@ -61,7 +61,8 @@ def score(
     with Worker(located(engine), python, plan.limit) as worker:
         described = worker.describe()
         if described["status"] != "ok":
-            raise Missing(f"{engine} cannot be loaded: {described['message']}; {advice(engine)}")
+            remedy = f"; {advice(engine)}" if described["status"] == "missing" else ""
+            raise Missing(f"{engine} cannot be loaded: {described['message']}{remedy}")
         if not described["settings"]:
             raise Missing(f"{engine} has no settings: its class is to name at least one")
         settings = _chosen("setting", plan.settings, list(described["settings"]))

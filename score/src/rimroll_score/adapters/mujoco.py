@@ -29,7 +29,7 @@ class MuJoCo:
         "best": "implicitfast, elliptic cone, impratio 100, contact as stiff as the step allows "
         "(solref 2 dt, solimp 0.99 to 0.9999), solver tolerance 1e-12",
     }
-    known_versions = ""
+    known_versions = ("3.", "4.")
     why_table_rests = "a plane of MuJoCo belongs to the world and does not move"
 
     def version(self) -> str:
