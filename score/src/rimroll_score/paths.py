@@ -48,17 +48,21 @@ def true_path(case: Case) -> Path5:
     return np.column_stack([found.center - begin, found.tilt, found.yaw])
 
 
-def true_motion(case: Case) -> rr.Motion:
-    """The motion of a rolling body's case, by rimroll."""
+def start_of(case: Case) -> rr.State:
+    """The start of a rolling body's case in rimroll's angles."""
     axis, turning = case.state.rotation[:, 2], case.state.angular_velocity
-    tilt = math.acos(axis[2])
+    tilt = math.atan2(math.hypot(axis[0], axis[1]), axis[2])
     axes = frame(tilt, math.atan2(-axis[1], -axis[0]))
     yaw_rate = float(turning @ axes[:, 0]) / math.sin(tilt)
-    start = rr.State(
+    return rr.State(
         tilt=tilt, tilt_rate=-float(turning @ axes[:, 1]), yaw_rate=yaw_rate,
         spin_rate=float(turning @ axis) - yaw_rate * math.cos(tilt),
     )  # fmt: skip
+
+
+def true_motion(case: Case) -> rr.Motion:
+    """The motion of a rolling body's case, by rimroll."""
     return rr.simulate(
-        rr.Body(**asdict(case.scene.body)), start, rr.NoSlip(),
+        rr.Body(**asdict(case.scene.body)), start_of(case), rr.NoSlip(),
         duration=case.duration, gravity=case.scene.gravity,
     )  # fmt: skip
