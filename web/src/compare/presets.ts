@@ -1,6 +1,6 @@
 // Pairs of set-ups that are worth a look.
 
-import type { Setup } from "../setup/setup";
+import { HAND_ERROR, type Setup } from "../setup/setup";
 
 /** A comparison: changes of the set-up A, and the set-up B beside it. */
 export interface Pair {
@@ -9,7 +9,7 @@ export interface Pair {
 }
 
 /** A start by hand, whose smallest gap a real table could have. */
-const BY_HAND: Partial<Setup> = { sideways: 0.02, duration: 2 };
+const BY_HAND: Partial<Setup> = { sideways: HAND_ERROR, duration: 2 };
 
 const START: Partial<Setup> = { ...BY_HAND, tilt: 20, tilt_rate: 0, twist: 0, floor: "rest" };
 

@@ -10,6 +10,7 @@ import { BODY_FIELDS } from "../setup/fields";
 import { floorGroup } from "./floor";
 import { frictionRow, idleUnderIdealLaws } from "./friction";
 import { hintFor } from "./hint";
+import { lossesRow } from "./losses";
 import { words } from "../words/words";
 
 const RELEASE: NumberName[] = ["tilt", "tilt_rate", "sideways"];
@@ -84,6 +85,10 @@ function more(form: SetupForm): HTMLElement {
     element("summary", {}, words.controls.more),
   );
   for (const name of MORE) {
+    if (name === "rolling") {
+      details.append(lossesRow(form));
+      continue;
+    }
     const idle = name === "restitution" ? idleUnderIdealLaws(form) : undefined;
     details.append(numberRow(form, name, idle).row);
   }

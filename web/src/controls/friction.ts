@@ -4,16 +4,12 @@ import { effect } from "@preact/signals-core";
 import { button, element } from "../elements";
 import type { SetupForm } from "../inputs/setup_form";
 import { numberRow } from "../inputs/number";
-import { scaleOf } from "../inputs/scale";
-import { FIELDS } from "../setup/fields";
 import { formatExact, formatFixed } from "../format/numbers";
 import { words } from "../words/words";
+import { placed } from "./marks";
 
 /** Dry friction of a metal rim on these materials, as in rimroll.surfaces. */
 const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 } as const;
-
-/** A label centred nearer to the start of the slider (as a fraction of it) would begin outside it. */
-const NEAR_THE_START = 0.08;
 
 /** Under an ideal law, the reason why the settings of dry friction have no effect. */
 export const idleUnderIdealLaws = (form: SetupForm) => () =>
@@ -30,6 +26,7 @@ export function frictionRow(form: SetupForm): HTMLElement {
         button(name, () => form.set("friction", friction), {
           "aria-label": words.controls.frictionOf(name, formatExact(friction)),
         }),
+        "friction",
         friction,
       ),
     );
@@ -40,7 +37,7 @@ export function frictionRow(form: SetupForm): HTMLElement {
   needed.append(mark);
   slider.before(needed);
   slider.after(marks);
-  row.classList.add("friction");
+  row.classList.add("marked");
   effect(() => {
     const friction = neededFriction(form);
     needed.hidden = !(friction >= 0);
@@ -48,7 +45,7 @@ export function frictionRow(form: SetupForm): HTMLElement {
     mark.textContent = text;
     mark.setAttribute("aria-label", words.controls.neededLabel(text));
     mark.dataset["help"] = words.controls.neededHelp(text);
-    placed(mark, friction);
+    placed(mark, "friction", friction);
   });
   effect(() => {
     const idle = idleUnderIdealLaws(form)() !== undefined;
@@ -58,13 +55,3 @@ export function frictionRow(form: SetupForm): HTMLElement {
 }
 
 const neededFriction = (form: SetupForm) => form.lab.theory.value?.neededFriction ?? NaN;
-
-/** Puts a mark at its place along the slider, or at the end if it lies beyond. */
-function placed(mark: HTMLElement, friction: number): HTMLElement {
-  const { low, high } = scaleOf(FIELDS.friction);
-  const part = Math.min((friction - low) / (high - low), 1);
-  mark.style.setProperty("--part", String(part));
-  mark.classList.toggle("beyond", friction > high);
-  mark.classList.toggle("first", part < NEAR_THE_START);
-  return mark;
-}

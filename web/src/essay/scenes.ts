@@ -1,6 +1,6 @@
 // The scenes of the essay: what each one shows, its one control, and what it says of the motion.
 
-import type { Setup } from "../setup/setup";
+import { HAND_ERROR, type Setup } from "../setup/setup";
 import type { Playback } from "../setup/playback";
 import type { Line } from "./curve";
 import { type Facts, cameUp, ranRound } from "./words";
@@ -55,13 +55,10 @@ export interface Scene {
   says(facts: Facts): string;
 }
 
-/** The sideways error of a hand, rad/s. */
-const HAND = 0.02;
-
 const angleOf = ({ angle }: Facts["passage"]) => formatDegrees(Math.abs(angle), 1);
 
 /** Motions of the essay are short. */
-const BRIEF: Partial<Setup> = { sideways: HAND, duration: 1 };
+const BRIEF: Partial<Setup> = { sideways: HAND_ERROR, duration: 1 };
 
 const STRETCHED: Playback = { speed: 1, stretched: true, view: "whole" };
 
@@ -91,7 +88,7 @@ export const SCENES: readonly Scene[] = [
       low: 0.001,
       high: 0.1,
       step: 1,
-      initial: HAND,
+      initial: HAND_ERROR,
       logarithmic: true,
       words: (rate) => `${formatPrecise(rate, 2)} rad/s`,
       setup: (sideways) => ({ sideways }),
@@ -187,7 +184,7 @@ export const SCENES: readonly Scene[] = [
   },
   {
     id: "experiment",
-    setup: { tilt_rate: -5, sideways: HAND, duration: 2, law: "coulomb" },
+    setup: { tilt_rate: -5, sideways: HAND_ERROR, duration: 2, law: "coulomb" },
     playback: STRETCHED,
     control: {
       kind: "quantity",
@@ -212,7 +209,7 @@ export const SCENES: readonly Scene[] = [
       low: 0.0001,
       high: 0.1,
       step: 1,
-      initial: HAND,
+      initial: HAND_ERROR,
       logarithmic: true,
       words: (rate) => `${formatPrecise(rate, 2)} rad/s`,
       setup: (sideways) => ({ sideways }),
@@ -222,7 +219,7 @@ export const SCENES: readonly Scene[] = [
   },
   {
     id: "your-turn",
-    setup: { sideways: HAND },
+    setup: { sideways: HAND_ERROR },
     playback: STRETCHED,
     control: { kind: "grasp" },
     says: ranRound,

@@ -5,7 +5,7 @@ import { batch } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import type { FieldName } from "../setup/fields";
 import { INITIAL_PLAYBACK } from "../setup/playback";
-import { INITIAL, type Setup, readTyped } from "../setup/setup";
+import { BY_HAND, type Setup, readTyped } from "../setup/setup";
 
 export class SetupForm {
   private pending: Partial<Record<FieldName, string | number>> = {};
@@ -31,9 +31,9 @@ export class SetupForm {
     }
   }
 
-  /** Restores the initial set-up, and ends a comparison. */
+  /** Restores what the lab opens with, and ends a comparison. */
   reset(): void {
-    this.pending = { ...INITIAL };
+    this.pending = { ...BY_HAND };
     batch(() => {
       this.lab.refusals.value = [];
       this.lab.setPlayback(INITIAL_PLAYBACK);

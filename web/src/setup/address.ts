@@ -7,7 +7,7 @@ import { prefersReducedMotion } from "../reduced_motion";
 import { showStep } from "../story/show_step";
 import { STEPS } from "../story/steps";
 import { INITIAL } from "./setup";
-import { fromHash, holdsSetup, toHash } from "./url";
+import { fromHash, holdsSetup, inFull, toHash } from "./url";
 import { words } from "../words/words";
 
 /** Reads the set-up from the address, now and whenever the visitor edits it or goes back, and writes changes
@@ -60,15 +60,16 @@ export function readLink(lab: Lab, link: string): void {
   if (step >= 0 && !known) showStep(lab, STEPS[step]!, !prefersReducedMotion());
 }
 
-/** The # part of the address of what is shown; empty for the initial set-up, whose address is {@link LAB}. */
+/** The # part of the address of what is shown; empty for what the lab opens with, whose address is {@link LAB}. */
 export function hashOf(lab: Lab): string {
-  const hash = toHash(lab.setup.value, lab.playback, lab.otherSetup.value);
+  const shows = [lab.setup.value, lab.playback, lab.otherSetup.value] as const;
   const step = lab.step.value;
   const shown = STEPS[step];
-  if (step === 0 || !shown) return hash;
-  const untouched = hash === toHash({ ...INITIAL, ...shown.setup }, shown);
+  if (step === 0 || !shown) return toHash(...shows);
+  const hash = inFull(...shows);
+  const untouched = hash === inFull({ ...INITIAL, ...shown.setup }, shown);
   // A step alone would show its own set-up.
-  return `step=${step + 1}${untouched ? "" : `&${hash || `body=${INITIAL.body}`}`}`;
+  return `step=${step + 1}${untouched ? "" : `&${hash}`}`;
 }
 
 /** Goes to a step of the story and shows it, as a new entry of the history. */

@@ -202,7 +202,7 @@ export const FIELDS = {
     initial: 0,
     min: 0,
     max: 1,
-    slider: [0, 0.01, 0.0001],
+    slider: [0, 0.0005, 0.00001],
   },
   restitution: {
     kind: "number",

@@ -1,7 +1,6 @@
 // The set-up that results when a hand lets the body go, in the units of the fields.
 
-import { FIELDS } from "./fields";
-import type { Setup } from "./setup";
+import { HAND_ERROR, type Setup } from "./setup";
 
 const DEGREES = 180 / Math.PI;
 /** A hand slower than this counts as at rest, rad/s. */
@@ -38,7 +37,7 @@ export function leanFields(held: Held): Pick<Setup, "tilt" | "yaw"> {
 /** The fields that change when the hand lets go while its lean changes at a rate (rad/s). */
 export function releasedSetup(held: Held, rate: Lean, setup: Readonly<Setup>): Partial<Setup> {
   const { tilt, yaw } = leanFields(held);
-  const error = Math.abs(setup.sideways) <= MAX_SIDEWAYS ? setup.sideways : FIELDS.sideways.initial;
+  const error = Math.abs(setup.sideways) <= MAX_SIDEWAYS ? setup.sideways : HAND_ERROR;
   if (Math.hypot(rate.x, rate.y) < AT_REST)
     return { tilt, yaw, tilt_rate: 0, twist: 0, sideways: error };
   const [c, s] = [-Math.cos(held.yaw), -Math.sin(held.yaw)];

@@ -20,9 +20,21 @@ export interface Setup extends Values {
   flat: keyof (typeof FIELDS)["flat"]["choices"];
 }
 
+/** The set-up whose values links leave out. It stays as it is, so that links that were sent open as before. */
 export const INITIAL = Object.freeze(
   Object.fromEntries(FIELD_NAMES.map((name) => [name, FIELDS[name].initial])),
 ) as Readonly<Setup>;
+
+/** The sideways error of a hand that lets a can go, rad/s. */
+export const HAND_ERROR = 0.02;
+
+/** The set-up with which the lab opens: a can that a hand lets go. It loses 5 % of its energy in the first turn, and the gap, the
+ * speed and the force are those that a real can may have. */
+export const BY_HAND: Readonly<Setup> = Object.freeze({
+  ...INITIAL,
+  sideways: HAND_ERROR,
+  rolling: 1e-4,
+});
 
 /** Numbers in links, which have a decimal point in every language. */
 const IN_LINKS: Pick<NumberStyle, "decimal"> = { decimal: "." };

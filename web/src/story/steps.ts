@@ -1,7 +1,7 @@
 // The paper in six steps, each with a text and a set-up of the lab.
 
 import type { Playback } from "../setup/playback";
-import type { Setup } from "../setup/setup";
+import { BY_HAND, HAND_ERROR, type Setup } from "../setup/setup";
 import { words } from "../words/words";
 
 export interface Step extends Playback {
@@ -16,7 +16,7 @@ export interface Step extends Playback {
   shows: "release" | "flicks";
 }
 
-const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: 0.02, duration: 2 };
+const FLICK: Partial<Setup> = { tilt_rate: -5, sideways: HAND_ERROR, duration: 2 };
 
 /** The limiting turn without slip (Srinivasan & Ruina 2008). */
 const LIMIT =
@@ -28,7 +28,7 @@ const LIMIT =
 export const STEPS: readonly Step[] = [
   {
     ...words.story.steps.looks,
-    setup: {},
+    setup: BY_HAND,
     speed: 1,
     stretched: false,
     view: "whole",
@@ -36,7 +36,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     ...words.story.steps.slower,
-    setup: { tilt: 5, sideways: 0.02 },
+    setup: { tilt: 5, sideways: HAND_ERROR },
     speed: 0.02,
     stretched: false,
     view: "whole",
@@ -69,7 +69,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     ...words.story.steps.yourTurn,
-    setup: {},
+    setup: BY_HAND,
     speed: 1,
     stretched: true,
     view: "whole",

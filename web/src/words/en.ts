@@ -126,7 +126,7 @@ export const en = {
     },
     rolling: {
       label: "Rolling resistance",
-      help: "Resisting force over normal force. It slows the motion down.",
+      help: "Resisting force over normal force: about 0.0001 for a hard rim on a hard table. It slows the motion down.",
     },
     restitution: {
       label: "Bounce",
@@ -229,6 +229,8 @@ export const en = {
     hint: "Point at a setting to see what it means.",
     dryOnly: "Applies to dry friction only.",
     tables: { ice: "ice", wood: "wood", rubber: "rubber" },
+    losses: { none: "none", hard: "hard table", soft: "soft table" },
+    lossesOf: (table: string, resistance: string) => `Rolling resistance: ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Friction of ${table}, ${friction}`,
     neededLabel: (friction: string) =>
       `${friction}, the friction that this body needs to roll through its near-collision`,
@@ -375,7 +377,7 @@ export const en = {
     faceDownStraight: (after: string, least: string) =>
       `Face down after ${after}: without any sideways motion the whole rim meets the table at once. Rigid-body mechanics does not determine what follows. With any sideways error, however small, the contact point runs round instead; an error of ${least} or more can be computed.`,
     faceDownResisted: (after: string) =>
-      `Face down after ${after}: rolling resistance stops the contact point, and the base slaps the table flat. Rigid-body mechanics does not determine what follows when every point of the rim collides at once. With less resistance the contact point runs round.`,
+      `Face down after ${after}: rolling resistance stops the contact point, and the base slaps the table flat. Rigid-body mechanics does not determine what follows when every point of the rim collides at once. With less resistance or a larger sideways error the contact point runs round.`,
     faceDownShort: (after: string) =>
       `Face down after ${after}: it comes down so flat that the run of the contact point round the rim is too short to be computed. Set a larger sideways error.`,
     computationFailed: (why: string) =>
@@ -438,7 +440,7 @@ export const en = {
     steps: {
       looks: {
         title: "It looks like rocking",
-        text: "Tip a can and let it go. It seems to slap flat on the table and rock up on the other side. The film stops at the top of this rise: the can has not come up opposite, but 22° to the side.",
+        text: "Tip a can and let it go. It seems to slap flat on the table and rock up on the other side. The film stops at the top of this rise: the can has not come up opposite, but 23° to the side.",
       },
       slower: {
         title: "Look slower",
@@ -504,6 +506,18 @@ export const en = {
 
   limits: {
     title: "What this model leaves out",
+    roughness: "Roughness of rim and table",
+    roughnesses: {
+      polished: "0.1 µm, polished",
+      smooth: "1 µm, smooth",
+      turned: "3 µm, turned or drawn",
+      rough: "10 µm, rough",
+      coarse: "100 µm, coarse",
+    },
+    touches: (time: string, angle: string, whole: string) =>
+      `With this roughness they touch at several points for ${time}. Meanwhile the contact point runs round ${angle} of the ${whole}; this part depends on their unevenness.`,
+    touchesOnce:
+      "The gap stays wider than this roughness, so rim and table touch at one point all the time.",
     intro:
       "Body and table are perfectly rigid and smooth here, the rim is a perfect circle, and there is no air. In the turn that is shown:",
     none: "This body does not come down, so there is nothing to compare.",

@@ -83,11 +83,11 @@ describe("a link", () => {
       const command = page.getByLabel("Command that opens this set-up");
       expect(await command.inputValue()).toBe("rimroll lab");
       await page.locator("#body-field").selectOption("coin");
-      await page.waitForFunction(() => location.hash === "#body=coin");
+      await page.waitForFunction(() => location.hash === "#body=coin&sideways=0.02&rolling=0.0001");
       await page.getByRole("button", { name: "Copy command" }).click();
       await page.getByText("Command copied.").waitFor();
       expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
-        'rimroll lab --setup "body=coin"',
+        'rimroll lab --setup "body=coin&sideways=0.02&rolling=0.0001"',
       );
     });
   });
@@ -97,7 +97,9 @@ describe("a link", () => {
       await page.locator("#tilt-field").fill("12,5");
       await page.locator("#tilt-field").press("Enter");
       await page.locator("#body-field").selectOption("coin");
-      await page.waitForFunction(() => location.hash === "#body=coin&tilt=12.5");
+      await page.waitForFunction(
+        () => location.hash === "#body=coin&tilt=12.5&sideways=0.02&rolling=0.0001",
+      );
       await page.reload();
       await expectValues(page, { "#tilt-field": "12.5", "#body-field": "coin" });
       await page.getByRole("button", { name: "Reset", exact: true }).click();
@@ -156,7 +158,7 @@ describe("impossible values are refused at their fields, in words", () => {
       expect(await field.getAttribute("aria-invalid")).toBe("true");
       await field.fill("25");
       await field.press("Enter");
-      await page.waitForFunction(() => location.hash === "#tilt=25");
+      await page.waitForFunction(() => /^#tilt=25&/.test(location.hash));
       expect(await refusal.innerText()).toBe("");
     });
   });
@@ -288,7 +290,7 @@ describe("a step of the story", () => {
 });
 
 test("what the model leaves out is compared with the motion shown", async () => {
-  await visited("", async ({ page }) => {
+  await visited("body=can_2007", async ({ page }) => {
     const limits = page.getByRole("region", { name: "What this model leaves out" });
     expect(await limits.locator(".exceeded").count()).toBe(5);
     expect(await limits.innerText()).toMatch(/3\.5\sµm\s+No larger than the roughness/);
@@ -296,5 +298,21 @@ test("what the model leaves out is compared with the motion shown", async () => 
     await page.locator("#sideways-field").press("Enter");
     await limits.getByText("Larger than the roughness of rim and table").waitFor();
     expect(await limits.locator(".exceeded").count()).toBe(1);
+  });
+});
+
+test("the lab opens with a can that is within the limits; losses and roughness can be chosen", async () => {
+  await visited("", async ({ page }) => {
+    const limits = page.getByRole("region", { name: "What this model leaves out" });
+    expect(await limits.locator(".exceeded").count()).toBe(0);
+    await limits.getByText("The gap stays wider than this roughness").waitFor();
+    await page.getByLabel("Roughness of rim and table").selectOption("coarse");
+    await expectValues(page, { "#rolling-field": "0.0001" });
+    await page.getByText("More", { exact: true }).click();
+    await page.getByRole("button", { name: "Rolling resistance: none, 0" }).click();
+    await limits.getByText(/^A real can loses a part in every turn/).waitFor();
+    await page.locator("#sideways-field").fill("0.01");
+    await page.locator("#sideways-field").press("Enter");
+    await limits.getByText(/touch at several points for .*runs round \d+° of the 203°/).waitFor();
   });
 });

@@ -3,9 +3,8 @@
 import { expect, test, vi } from "vitest";
 import { Lab } from "../../src/lab";
 import { Hands } from "../../src/scene/hands";
-import { FIELDS } from "../../src/setup/fields";
 import { ZERO_RATE, releasedSetup } from "../../src/setup/release";
-import { INITIAL } from "../../src/setup/setup";
+import { HAND_ERROR, INITIAL } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 
 const DEGREE = Math.PI / 180;
@@ -17,7 +16,7 @@ test("a hand at rest releases at rest, except for the sideways error", () => {
 
 test("the sideways error of a flick does not carry over to a release at rest", () => {
   const setup = releasedSetup({ tilt: 0.4, yaw: 0 }, ZERO_RATE, { ...INITIAL, sideways: 1.5 });
-  expect(setup.sideways).toBe(FIELDS.sideways.initial);
+  expect(setup.sideways).toBe(HAND_ERROR);
 });
 
 test("a hand that moves the body toward upright gives a negative tilt rate", () => {

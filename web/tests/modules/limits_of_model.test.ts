@@ -4,7 +4,8 @@ import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import type { Validity } from "../../src/core/motion";
 import { limitsOf } from "../../src/limits/words";
-import type { Setup } from "../../src/setup/setup";
+import { touching } from "../../src/limits/touching";
+import { BY_HAND, type Setup } from "../../src/setup/setup";
 import { passageFrom } from "../../src/verdict/passage";
 import { loadCore } from "../given/core";
 import { labWith } from "../given/page";
@@ -39,6 +40,45 @@ test("a can that comes down nearly flat is beyond any real can, in every respect
 test("one that a hand lets go is within the limits but for its losses", () => {
   const { numbers } = of({ sideways: 0.1 });
   expect(exceeded(numbers)).toEqual(["Energy lost in this turn"]);
+});
+
+test("the can that the lab opens with is within all limits", () => {
+  const { numbers } = of(BY_HAND);
+  expect(exceeded(numbers)).toEqual([]);
+  expect(numbers.lossRatio).toBeCloseTo(0.05, 2);
+});
+
+describe("a base that is nearer to the table than their roughness", () => {
+  const RADIUS = 0.0509; // m, about that of the paper's can
+
+  test("is so between two crossings of a tilt", () => {
+    const { motion, passage } = of({ sideways: 0.02 });
+    const [turn] = motion.turns;
+    const roughness = 3e-4;
+    const tiltAt = (time: number) => motion.at([time]).moment(0).tilt;
+    const crossing = (low: number, high: number, falls: boolean) => {
+      for (let k = 0; k < 60; k++) {
+        const middle = (low + high) / 2;
+        if (tiltAt(middle) > roughness / (2 * RADIUS) === falls) low = middle;
+        else high = middle;
+      }
+      return low;
+    };
+    const [from, to] = [crossing(0, turn!.t, true), crossing(turn!.t, turn!.end, false)];
+    const yawAt = (time: number) => motion.at([time]).moment(0).yaw;
+    const near = touching(motion, passage, RADIUS, roughness)!;
+    expect(near.time / (to - from)).toBeCloseTo(1, 2);
+    expect(near.angle / Math.abs(yawAt(to) - yawAt(from))).toBeCloseTo(1, 2);
+    expect(near.angle).toBeLessThan(Math.abs(turn!.angle));
+  });
+
+  test("is so for the whole turn if the roughness is coarse, and never if it is fine", () => {
+    const { motion, passage } = of({ sideways: 0.02 });
+    const near = touching(motion, passage, RADIUS, 1)!;
+    expect(near.time).toBeCloseTo(passage.end - passage.start, 6);
+    expect(near.angle).toBeCloseTo(Math.abs(passage.angle), 6);
+    expect(touching(motion, passage, RADIUS, 1e-5)).toBeUndefined();
+  });
 });
 
 describe("the largest force", () => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { INITIAL_PLAYBACK, SPEEDS, VIEWS } from "../../src/setup/playback";
-import { INITIAL } from "../../src/setup/setup";
+import { BY_HAND, INITIAL } from "../../src/setup/setup";
 import { fromHash, holdsSetup, toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";
 import { anySetup } from "../given/setups";
@@ -19,9 +19,26 @@ test("a link restores every set-up, to the last digit", () => {
   }
 });
 
-test("the initial set-up needs nothing in the link", () => {
-  expect(toHash(INITIAL)).toBe("");
-  expect(fromHash("")).toEqual(NOTHING);
+test("what the lab opens with needs nothing in the link", () => {
+  expect(toHash(BY_HAND)).toBe("");
+  for (const link of ["", "#lab", "#embed", "#utm_source=mail&constructor=1"])
+    expect(fromHash(link), link).toEqual({ ...NOTHING, setup: BY_HAND });
+});
+
+// Links were sent while the lab opened with the initial set-up.
+test.each([
+  ["body=can_2007", {}],
+  ["view=contact", {}],
+  ["slow=0&speed=0.1", {}],
+  ["tilt=12", { tilt: 12 }],
+  ["with.body=coin", {}],
+])("%s leaves the other quantities at their initial values", (link, changed) => {
+  expect(fromHash(`#${link}`).setup).toEqual({ ...INITIAL, ...changed });
+});
+
+test("the initial set-up is named", () => {
+  expect(toHash(INITIAL)).toBe("body=can_2007");
+  expect(fromHash("body=can_2007")).toEqual(NOTHING);
 });
 
 test("a link names only what differs", () => {
@@ -37,7 +54,7 @@ test("a refused value keeps the initial one, and the other values are read", () 
 });
 
 test("unknown names are ignored", () => {
-  expect(fromHash("#utm_source=mail&constructor=1")).toEqual(NOTHING);
+  expect(fromHash("#utm_source=mail&constructor=1&tilt=20")).toEqual(NOTHING);
 });
 
 test("the last value of a repeated name counts", () => {
@@ -65,7 +82,7 @@ describe("the playback", () => {
 
   test.each(VIEWS)("the view %s is in the link unless it is the usual one", (view) => {
     const playback = { ...INITIAL_PLAYBACK, view };
-    expect(toHash(INITIAL, playback)).toBe(view === "whole" ? "" : `view=${view}`);
+    expect(toHash(INITIAL, playback)).toBe(view === "whole" ? "body=can_2007" : `view=${view}`);
     expect(fromHash(toHash(INITIAL, playback))).toEqual({ ...NOTHING, playback });
   });
 
