@@ -155,6 +155,17 @@ export class Clock {
     return schedule && schedule.length > 0 ? schedule.shownAt(time) / schedule.length : 0;
   }
 
+  /** Seconds of the visitor that the motion has been shown for, at the present speed. */
+  get shown(): number {
+    return (this.schedule.value?.shownAt(this.time.value) ?? 0) / this.speed.value;
+  }
+
+  /** The time (s) that is shown after a number of the visitor's seconds, up to where playing stops. */
+  timeWhen(shown: number): number {
+    const time = this.schedule.value?.timeAt(shown * this.speed.value) ?? 0;
+    return Math.min(time, this.until, this.end);
+  }
+
   /** How many times slower than real time the motion is shown at present. */
   get slowdown(): number {
     return (this.schedule.value?.slowdownAt(this.time.value) ?? 1) / this.speed.value;

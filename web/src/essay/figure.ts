@@ -13,6 +13,7 @@ import { prefersReducedMotion } from "../reduced_motion";
 import { INITIAL, type Setup } from "../setup/setup";
 import { toHash } from "../setup/url";
 import { binsFor } from "../story/bins";
+import { soundButton } from "../sound/button";
 import { HEIGHT, WIDTH, humps } from "../story/humps";
 import { passageFrom } from "../verdict/passage";
 import { type Control, choice, slider, valuesOf } from "./control";
@@ -71,7 +72,7 @@ export class Figure {
     this.place.append(this.still);
     root.replaceChildren(
       this.place,
-      element("div", { class: "hands" }, go, this.controlElement()),
+      element("div", { class: "hands" }, go, ...this.sound(), this.controlElement()),
       this.result,
       ...this.extras(),
       this.linkToLab(),
@@ -182,6 +183,11 @@ export class Figure {
     // An unchanged text must not be read out again.
     if (this.result.textContent !== text) this.result.textContent = text;
     this.root.classList.toggle("answered", this.answered.value);
+  }
+
+  /** The button for the sound of a scene that shows one motion. */
+  private sound(): HTMLElement[] {
+    return this.scene.flicks ? [] : [soundButton(this.lab, () => this.active.value)];
   }
 
   private controlElement(): HTMLElement {

@@ -11,6 +11,7 @@ import { keysOn, onKeys } from "./keys";
 import { collisionText, slowdownText } from "./readout";
 import { scrubber } from "./scrubber";
 import "./transport.css";
+import { soundButton } from "../sound/button";
 import { words } from "../words/words";
 
 const say = words.transport;
@@ -53,6 +54,7 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
       "div",
       { class: "row" },
       element("div", { class: "buttons", role: "group", "aria-label": say.group }, ...buttons),
+      soundButton(lab),
       readout(lab),
       element("div", { class: "pace" }, speed(lab), stretching(lab)),
     ),

@@ -609,6 +609,13 @@ export const en = {
     keysOn: "These keys work anywhere on the page",
   },
 
+  sound: {
+    name: "Sound",
+    turnOn: "Turn on the sound of the rim, as slow as the film",
+    turnOff: "Turn off the sound",
+    missing: "This browser plays no sound",
+  },
+
   plots: {
     absent: "There is no motion to plot.",
     hint: "Drag across a plot to zoom, click to go to a time, double-click to show the whole motion. The mouse wheel also zooms, after a click or with Ctrl. On a touch screen one finger goes to a time and two fingers zoom.",

@@ -31,7 +31,9 @@ test("a preset compares, the address holds it, set-ups are swapped, and it ends"
   expect(await violations(page)).toEqual([]);
 
   await compare.getByRole("button", { name: "Swap A and B" }).click();
-  await page.waitForURL(/#sideways=-0\.02&rolling=0\.0001&with\.body=can_2007&with\.sideways=0\.02&/);
+  await page.waitForURL(
+    /#sideways=-0\.02&rolling=0\.0001&with\.body=can_2007&with\.sideways=0\.02&/,
+  );
   expect(await row("Sideways error")).toEqual(["−0.02 rad/s", "0.02 rad/s", ""]);
 
   await page.getByRole("button", { name: "Undo" }).click();

@@ -13,7 +13,7 @@ browserForAll();
 const FLOOR = /^(floor|shaken|rimroll-ground)-/;
 /** Files that the page loads when they are first needed, or that only other programs load. */
 const LATER =
-  /^(closeup|floor|ghost|shaken|rimroll-ground)-|^(preview|touch-icon|icon-512)\.png$|^offline\.js$/;
+  /^(closeup|floor|ghost|shaken|speaker|rimroll-ground)-|^(preview|touch-icon|icon-512)\.png$|^offline\.js$/;
 
 const built = () =>
   readdirSync(PAGE, { recursive: true })
@@ -32,9 +32,9 @@ function gzipped(names: readonly string[]): { all: number; each: string } {
   return { all: sizes.reduce((sum, [, size]) => sum + size, 0), each: JSON.stringify(sizes) };
 }
 
-test("the page loads at most 430 kB, gzipped", () => {
+test("the page loads at most 450 kB, gzipped", () => {
   const { all, each } = gzipped(files());
-  expect(all, each).toBeLessThanOrEqual(430_000);
+  expect(all, each).toBeLessThanOrEqual(450_000);
 });
 
 // At 1.6 Mbit/s, a mobile connection, these files take 1.25 s. index.html names the files without which
