@@ -9,6 +9,10 @@ export const LAB = "lab";
  * same expression, to show the right part while the page loads. */
 const OF_LAB = /=|^#(lab|embed|controls|compare|flicks|plots|share|limits|gyro)$/;
 
+/** The scene of the essay that an address shows alone, in a frame of another page: its name in `#embed/name`. */
+export const sceneAlone = (hash: string): string | undefined =>
+  /^#embed\/([\w-]+)$/.exec(hash)?.[1];
+
 /** A page that rimroll.lab makes has a set-up in its first element, and shows the lab only. */
 export const partOf = (hash: string): Part =>
   document.documentElement.dataset["setup"] !== undefined || OF_LAB.test(hash) ? "lab" : "essay";

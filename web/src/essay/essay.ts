@@ -3,7 +3,9 @@
 import { effect } from "@preact/signals-core";
 import type { Core } from "../core/core";
 import { Lab } from "../lab";
+import { sceneAlone } from "../part";
 import { startTicker } from "../ticker";
+import "./alone.css";
 import "./essay.css";
 import { Figure } from "./figure";
 import { writeNumbers } from "./numbers";
@@ -74,11 +76,23 @@ export class Essay {
       if (active) this.place(active);
       this.makeStillsSoon();
     });
+    const alone = this.figures.find(({ id }) => id === sceneAlone(hash));
+    this.showAlone(alone);
+    if (alone) return this.show(alone);
     const there = hash.length > 1 && document.getElementById(hash.slice(1));
     if (there && this.root.contains(there)) this.stayAt(there);
     const asked = this.figures.find(({ id }) => id === hash.slice(1));
     if (asked) this.show(asked);
     else this.choose();
+  }
+
+  /** Leaves only one scene on the page, or all if there is none. */
+  private showAlone(figure: Figure | undefined): void {
+    document.documentElement.classList.toggle("scene-alone", figure !== undefined);
+    for (const { id } of this.figures)
+      document.getElementById(id)?.classList.toggle("alone", id === figure?.id);
+    for (const link of this.root.querySelectorAll<HTMLAnchorElement>("figure a"))
+      link.target = figure ? "_blank" : "";
   }
 
   /** Stops everything and frees the graphics context. */
@@ -178,7 +192,8 @@ export class Essay {
   /** Writes the scene in view into the address. */
   private write(): void {
     const { active } = this;
-    if (!active || !this.stage || location.protocol === "about:") return;
+    if (!active || !this.stage || location.protocol === "about:" || sceneAlone(location.hash))
+      return;
     const first = active === this.figures[0] && location.hash === "";
     if (!first && location.hash !== `#${active.id}`)
       history.replaceState(null, "", `#${active.id}`);

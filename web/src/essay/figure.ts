@@ -13,6 +13,7 @@ import { prefersReducedMotion } from "../reduced_motion";
 import { INITIAL, type Setup } from "../setup/setup";
 import { toHash } from "../setup/url";
 import { binsFor } from "../story/bins";
+import { frameField } from "../share/frame_code";
 import { soundButton } from "../sound/button";
 import { HEIGHT, WIDTH, humps } from "../story/humps";
 import { passageFrom } from "../verdict/passage";
@@ -69,13 +70,18 @@ export class Figure {
         class: "primary go",
       },
     );
-    this.place.append(this.still);
+    this.place.append(this.still, ...this.sound());
     root.replaceChildren(
       this.place,
-      element("div", { class: "hands" }, go, ...this.sound(), this.controlElement()),
+      element("div", { class: "hands" }, go, this.controlElement()),
       this.result,
       ...this.extras(),
       this.linkToLab(),
+      frameField(
+        `${this.id}-frame`,
+        root.getAttribute("aria-label") ?? "",
+        () => `embed/${this.id}`,
+      ),
     );
     effect(() => {
       if (this.active.value) this.say();

@@ -108,7 +108,8 @@ export class Unrolled {
       length.textContent = formatSmall(Math.max(sense * runs[name], 0));
     }
     this.slipped.textContent = slipOf(runs, radius);
-    if (this.lab.clock.playing.peek()) return;
+    // While the motion plays, the description of its last stop stays.
+    if (this.lab.clock.playing.peek() && this.element.hasAttribute("aria-label")) return;
     const [rim, table] = [runs.rim, runs.table].map((run) => formatSmall(Math.abs(run)));
     this.element.setAttribute("aria-label", words.scene.runs(rim!, table!, slipOf(runs, radius)));
   }

@@ -8,6 +8,7 @@ import { toPython } from "../setup/python";
 import { hashOf } from "../setup/address";
 import { copyText } from "./copy";
 import { download } from "./download";
+import { frameField } from "./frame_code";
 import { shareLink } from "./share_link";
 import { words } from "../words/words";
 
@@ -46,6 +47,9 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     ),
     element("div", { class: "buttons" }, copyCode, saveCsv),
     message,
+    frameField("share-frame", share.labTitle, () =>
+      ["embed", hashOf(lab)].filter(Boolean).join("&"),
+    ),
     element("details", {}, element("summary", {}, share.samePython), code),
   );
   effect(() => {

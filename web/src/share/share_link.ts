@@ -20,6 +20,26 @@ export function shareLink(hash: string, page: string, published = PUBLISHED): Sh
   return { kind: "link", text: `${bare}#${hash || LAB}` };
 }
 
+/** HTML that shows an address of the page in a frame of another page. A page that only this machine has must be copied to `lab/`
+ * beside that page. */
+export function frameCode(
+  hash: string,
+  title: string,
+  page: string,
+  published = PUBLISHED,
+): { isLocal: boolean; text: string } {
+  const address = published || (isPublic(page) ? page : "");
+  const bare = address === "" ? "lab/index.html" : address.replace(/#.*$/, "");
+  const [src, name] = [`${bare}#${hash}`, title].map(escaped);
+  return {
+    isLocal: address === "",
+    text: `<iframe src="${src}" title="${name}" width="640" height="360" style="border: 0"></iframe>`,
+  };
+}
+
+const escaped = (text: string) =>
+  text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
+
 /** Whether other machines can open a page at its address. */
 function isPublic(page: string): boolean {
   const { protocol, hostname } = new URL(page);

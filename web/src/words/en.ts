@@ -575,6 +575,12 @@ export const en = {
       copy: "Copy command",
       copied: "Command copied.",
     },
+    labTitle: "A can on a table",
+    frame: "Put this on a page or a slide",
+    frameHelp: (isLocal: boolean) =>
+      `Paste this code into the HTML of the page or the slide.${isLocal ? " Copy the folder of this page beside it, under the name lab." : ""}`,
+    copyFrame: "Copy code",
+    copiedFrame: "Code copied.",
     python: "Python code",
     copyPython: "Copy as Python",
     copiedPython: "Python code copied.",

@@ -3,7 +3,7 @@
 import { describe, expect, test } from "vitest";
 import { INITIAL_PLAYBACK } from "../../src/setup/playback";
 import { fromHash, toHash } from "../../src/setup/url";
-import { shareLink } from "../../src/share/share_link";
+import { frameCode, shareLink } from "../../src/share/share_link";
 import { Chance } from "../given/chance";
 import { anySetup } from "../given/setups";
 
@@ -52,4 +52,25 @@ test("a command passes every set-up through any shell", () => {
     const [, written] = /^rimroll lab --setup "([\w.=&-]+)"$/.exec(text) ?? [];
     expect(fromHash(`#${written}`)).toEqual({ setup, playback: INITIAL_PLAYBACK, refusals: [] });
   }
+});
+
+describe("the code of a frame", () => {
+  test("has the address of a page that others can reach", () => {
+    const { isLocal, text } = frameCode(
+      "embed/hand",
+      'A "can" & <more>',
+      "https://lab.example/#x",
+      "",
+    );
+    expect(isLocal).toBe(false);
+    expect(text).toBe(
+      '<iframe src="https://lab.example/#embed/hand" title="A &quot;can&quot; &amp; &lt;more>" width="640" height="360" style="border: 0"></iframe>',
+    );
+  });
+
+  test("has a copy of the page if this one works on this machine only", () => {
+    const { isLocal, text } = frameCode("embed&tilt=3", "A can", "http://127.0.0.1:8000/", "");
+    expect(isLocal).toBe(true);
+    expect(text).toContain('src="lab/index.html#embed&amp;tilt=3"');
+  });
 });
