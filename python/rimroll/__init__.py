@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rimroll import (
         bodies as bodies,
+        filmed as filmed,
         ground as ground,
         gyro as gyro,
         polygons as polygons,
@@ -161,7 +162,7 @@ if TYPE_CHECKING:
         turn_limit_with_spin as turn_limit_with_spin,
     )
 
-_MODULES = ("bodies", "ground", "gyro", "polygons", "solids", "surfaces")
+_MODULES = ("bodies", "filmed", "ground", "gyro", "polygons", "solids", "surfaces")
 _NAMES = {
     "rimroll._core": ("STANDARD_GRAVITY", "__version__"),
     "rimroll.approximations": ("Composite", "NearCollision", "composite", "pasted"),

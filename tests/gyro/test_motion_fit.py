@@ -12,10 +12,10 @@ from rimroll.cli import main
 from rimroll.cli.gyro_fit import show_fit
 from rimroll.gyro.motions.law_numbers import fitted_names, with_numbers
 from rimroll.gyro.motions.misfit import part_left
-from rimroll.gyro.motions.model import SHARED, UNREACHED, Model, Prior, Window
+from rimroll.gyro.motions.model import FARTHEST, SHARED, UNREACHED, Model, Prior, Window
 from rimroll.gyro.motions.notes import notes_of
 from rimroll.gyro.motions.result import Estimate
-from rimroll.gyro.motions.search import FARTHEST, Found, least
+from rimroll.gyro.motions.search import Found, least
 from rimroll.gyro.motions.seen import Sensing
 from rimroll.gyro.motions.windows import Chain
 from rimroll.scenario import load

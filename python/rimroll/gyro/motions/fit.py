@@ -25,11 +25,11 @@ from rimroll.gyro.motions.misfit import (
     part_left,
     residuals_of,
 )
-from rimroll.gyro.motions.model import BODY, START, Model, Prior
+from rimroll.gyro.motions.model import BODY, START, Model, Prior, highest_friction
 from rimroll.gyro.motions.notes import notes_of
 from rimroll.gyro.motions.profile import friction_interval
 from rimroll.gyro.motions.result import Estimate, LawVerdict, MotionFit
-from rimroll.gyro.motions.search import Found, highest_friction, least
+from rimroll.gyro.motions.search import Found, least
 from rimroll.gyro.motions.seen import Sensing
 from rimroll.gyro.motions.windows import Chain, chains_of, window_of
 from rimroll.gyro.record import Record

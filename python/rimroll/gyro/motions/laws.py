@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
 from rimroll.gyro.analysis import Analysis
-from rimroll.gyro.motions.model import RELEASE, START, Model, Window
-from rimroll.gyro.motions.search import ROUNDS, Found, at_friction, highest_friction, least
+from rimroll.gyro.motions.model import RELEASE, START, Model, Window, highest_friction
+from rimroll.gyro.motions.search import ROUNDS, Found, at_friction, least
 from rimroll.gyro.motions.windows import LEAST_SIDE, Chain, first_guess, sides
 
 Array = NDArray[np.float64]

@@ -40,7 +40,11 @@ def inflation_of(one: Found) -> float:
     hang together: 1 + 2 Σ of their autocorrelations, up to the first that is not positive.
     """
     residuals, scatter = residuals_of(one)
-    normal = residuals / scatter
+    return inflation(residuals / scatter, len(one.vector))
+
+
+def inflation(normal: Array, numbers: int) -> float:
+    """The factor of :func:`inflation_of`, from normalised residuals (n, k) of a fit."""
     square = float(np.mean(normal**2))
     together = 1.0
     for lag in range(1, max(len(normal) // 4, 1)):
@@ -48,5 +52,5 @@ def inflation_of(one: Found) -> float:
         if correlation <= 2.0 / math.sqrt(normal.size):
             break
         together += 2.0 * correlation
-    freedom = max(normal.size - len(one.vector), 1)
+    freedom = max(normal.size - numbers, 1)
     return max(1.0, square * normal.size / freedom) * together

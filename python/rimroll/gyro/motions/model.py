@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.gyro.friction import BEYOND
 from rimroll.gyro.motions.law_numbers import with_numbers
 from rimroll.gyro.motions.seen import SENSOR, Sensing, body_rates, derivatives
 from rimroll.laws import Law
 from rimroll.motion import Motion, simulate
 from rimroll.motion.jacobian import PARAMETERS
 from rimroll.state import State
+from rimroll.theory import needed_friction
 
 Array = NDArray[np.float64]
 
@@ -36,6 +38,10 @@ OF_FRICTION, OF_RESISTANCE = 0.05, 1e-3
 """The sizes at which such numbers are taken as small."""
 UNREACHED = 1e3
 """What a motion that has ended, or cannot be computed, differs by, in standard deviations."""
+FARTHEST = 8.0
+"""How far from what is expected a search may go, in standard deviations."""
+OF_DISKS = 1.0
+"""The largest friction that is tried for a body without height."""
 END = 1e-9
 """A sample at most so long after the end of a motion belongs to it, s."""
 
@@ -44,6 +50,11 @@ SHARED = (*SENSOR, *(f"{name}_deviation" for name in BODY))
 
 _OF_START = [PARAMETERS.index(name) for name in START]
 _OF_BODY = [PARAMETERS.index(name) for name in BODY]
+
+
+def highest_friction(body: Body) -> float:
+    """The largest friction that is tried: a little more than what rolling through needs."""
+    return BEYOND * float(needed_friction(body)) or OF_DISKS
 
 
 @dataclass(frozen=True)
@@ -238,6 +249,25 @@ class Model:
         behind[i] = max(behind[i] - step, 0.0)
         apart = self.shown(ahead, k) - self.shown(behind, k)
         return np.asarray(apart / (ahead[i] - behind[i]))
+
+    def bounds(self) -> tuple[Array, Array]:
+        """The lowest and the highest numbers that are tried."""
+        low = np.full(len(self.names), -np.inf)
+        high = np.full(len(self.names), np.inf)
+        free = len(self.free)
+        low[:free] = 0.0
+        if "friction" in self.free:
+            high[self.free.index("friction")] = highest_friction(self.body)
+        prior = self.prior
+        shared = slice(free, self.place(0).start)
+        low[shared] = prior.shared - FARTHEST * prior.shared_error
+        high[shared] = prior.shared + FARTHEST * prior.shared_error
+        for k in range(len(self.windows)):
+            place = self.place(k)
+            low[place.start], high[place.start] = 0.01, 1.55
+            high[place.stop - 1] = FARTHEST * prior.delay_error
+            low[place.stop - 1] = -high[place.stop - 1]
+        return low, high
 
 
 def _rates(motion: Motion, since: Array) -> Array:
