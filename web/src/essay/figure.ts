@@ -4,8 +4,10 @@
 import { type Signal, batch, computed, effect, signal } from "@preact/signals-core";
 import { button, element, svgElement } from "../elements";
 import { clearFlicks, startFlicks } from "../falls/animation";
+import { MEASURED } from "../falls/paper";
 import { flickSummary } from "../falls/summary";
 import { tallyOf } from "../falls/tally";
+import { fitted } from "../flicks/fitted";
 import type { Lab } from "../lab";
 import { limitsOf } from "../limits/words";
 import { LAB } from "../part";
@@ -317,7 +319,13 @@ export class Figure {
       );
       caption.textContent = sentences(words.story.caption(`${width}°`), words.story.measured);
     });
-    return element("div", { class: "falls" }, picture as unknown as HTMLElement, caption);
+    return element(
+      "div",
+      { class: "falls" },
+      picture as unknown as HTMLElement,
+      caption,
+      fitted(lab, () => (this.active.value ? MEASURED : undefined)),
+    );
   }
 
   private limitsElement(): HTMLElement {

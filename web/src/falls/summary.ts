@@ -16,7 +16,7 @@ export function flickSummary(lab: Lab): string {
 }
 
 /** The tally of a number of flicks in a sentence. */
-function inWords({ outcome, left, right, others }: Tally, made: number): string {
+export function inWords({ outcome, left, right, others }: Tally, made: number): string {
   const sides = [["left", left] as const, ["right", right] as const].map(([side, one]) => ({
     side,
     count: one.count,

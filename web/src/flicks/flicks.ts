@@ -10,6 +10,7 @@ import type { Lab } from "../lab";
 import { FLICK_FIELDS } from "../setup/fields";
 import "./flicks.css";
 import { histogram } from "./histogram";
+import { ownFalls } from "./own_falls";
 import { MEASURED } from "../falls/paper";
 import { formatDegrees, formatFixed } from "../format/numbers";
 import { words } from "../words/words";
@@ -57,13 +58,17 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   });
   const form = new SetupForm(lab);
   const details = part<HTMLDetailsElement>("details");
-  details.append(...FLICK_FIELDS.map((name) => numberRow(form, name).row));
+  details.append(
+    ...(["flicks", "unsteadiness", "seed"] as const).map((name) => numberRow(form, name).row),
+  );
   effect(() => {
     const refused = lab.refusals.value.some(({ field }) =>
       (FLICK_FIELDS as readonly string[]).includes(field),
     );
     if (refused) details.open = true;
   });
+
+  place.append(ownFalls(lab));
 
   effect(() => {
     const { flicks } = lab.setup.value;

@@ -2,6 +2,7 @@
 // The controls, the URL and the refusals are made from this table.
 
 import type { Preset } from "../core/core";
+import { FALLS_PATTERN } from "../falls/given";
 import { words } from "../words/words";
 
 export interface NumberField {
@@ -33,7 +34,7 @@ export interface ChoiceField {
   help: string;
 }
 
-/** Accelerations that a visitor recorded, as a text; see floor/record.ts. */
+/** What a visitor recorded, as a text: accelerations (floor/record.ts) or directions of falls (falls/given.ts). */
 export interface RecordField {
   kind: "record";
   label: string;
@@ -332,6 +333,12 @@ export const FIELDS = {
     whole: true,
     slider: [1, 100, 1],
   },
+  falls: {
+    kind: "record",
+    ...words.fields.falls,
+    initial: "",
+    pattern: FALLS_PATTERN,
+  },
 } as const satisfies Record<string, NumberField | ChoiceField | RecordField>;
 
 export type FieldName = keyof typeof FIELDS;
@@ -348,6 +355,7 @@ export const FLICK_FIELDS = [
   "flicks",
   "unsteadiness",
   "seed",
+  "falls",
 ] as const satisfies readonly FieldName[];
 
 /** Fields on which a single motion depends; only these are compared. */

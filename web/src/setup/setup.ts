@@ -34,6 +34,8 @@ export const BY_HAND: Readonly<Setup> = Object.freeze({
   ...INITIAL,
   sideways: HAND_ERROR,
   rolling: 1e-4,
+  // Before it slaps the table.
+  duration: 1.8,
 });
 
 /** Numbers in links, which have a decimal point in every language. */

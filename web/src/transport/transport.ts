@@ -53,8 +53,12 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     element(
       "div",
       { class: "row" },
-      element("div", { class: "buttons", role: "group", "aria-label": say.group }, ...buttons),
-      soundButton(lab),
+      element(
+        "div",
+        { class: "buttons", role: "group", "aria-label": say.group },
+        ...buttons,
+        soundButton(lab),
+      ),
       readout(lab),
       element("div", { class: "pace" }, speed(lab), stretching(lab)),
     ),

@@ -183,6 +183,7 @@ export const en = {
       },
     },
     record: { label: "Record" },
+    falls: { label: "Falls" },
     flicks: { label: "Flicks", help: "How many times the release is repeated. The paper: 42." },
     unsteadiness: {
       label: "Unsteadiness of the hand",
@@ -488,6 +489,20 @@ export const en = {
     measured: (left: string, right: string) => `the paper: ${left} and ${right}`,
     twisted: "The limits hold for a body that is not twisted.",
     initialLean: "initial lean",
+    own: {
+      title: "Your own falls",
+      help: "Where did your can fall? Type the directions in degrees, anticlockwise from the initial lean; falls on your left are above 180. To pool several groups, paste their links.",
+      add: "Add",
+      clear: "Remove all",
+      refused: "Type numbers from 0 to 360 with spaces between them, or paste links with falls.",
+    },
+    fit: {
+      ask: "Which friction fits?",
+      running: "Trying frictions …",
+      answer: (friction: string, low: string, high: string) =>
+        `A friction of ${friction} fits best; ${low} to ${high} fit nearly as well, if the hand is as set here.`,
+      none: "None of the frictions makes the body fall to these sides.",
+    },
     running: "Flicking it …",
     none: "This set-up cannot be flicked.",
     /** Each side of the falls, and how many flicks did something else. */

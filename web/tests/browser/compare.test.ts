@@ -32,7 +32,7 @@ test("a preset compares, the address holds it, set-ups are swapped, and it ends"
 
   await compare.getByRole("button", { name: "Swap A and B" }).click();
   await page.waitForURL(
-    /#sideways=-0\.02&rolling=0\.0001&with\.body=can_2007&with\.sideways=0\.02&/,
+    /#sideways=-0\.02&rolling=0\.0001&duration=1\.8&with\.body=can_2007&with\.sideways=0\.02&/,
   );
   expect(await row("Sideways error")).toEqual(["−0.02 rad/s", "0.02 rad/s", ""]);
 

@@ -120,7 +120,7 @@ test("keys tip the body, let it go, and put it back", async () => {
     await table.press("+");
     await table.press("Escape");
     await page.waitForTimeout(500);
-    expect(new URL(page.url()).hash).toBe("#tilt=21&sideways=0.02&rolling=0.0001");
+    expect(new URL(page.url()).hash).toBe("#tilt=21&sideways=0.02&rolling=0.0001&duration=1.8");
     expect(await value(page, "tilt")).toBe(21);
   });
 });

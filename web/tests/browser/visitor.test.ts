@@ -83,11 +83,13 @@ describe("a link", () => {
       const command = page.getByLabel("Command that opens this set-up");
       expect(await command.inputValue()).toBe("rimroll lab");
       await page.locator("#body-field").selectOption("coin");
-      await page.waitForFunction(() => location.hash === "#body=coin&sideways=0.02&rolling=0.0001");
+      await page.waitForFunction(
+        () => location.hash === "#body=coin&sideways=0.02&rolling=0.0001&duration=1.8",
+      );
       await page.getByRole("button", { name: "Copy command" }).click();
       await page.getByText("Command copied.").waitFor();
       expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
-        'rimroll lab --setup "body=coin&sideways=0.02&rolling=0.0001"',
+        'rimroll lab --setup "body=coin&sideways=0.02&rolling=0.0001&duration=1.8"',
       );
     });
   });
@@ -98,7 +100,7 @@ describe("a link", () => {
       await page.locator("#tilt-field").press("Enter");
       await page.locator("#body-field").selectOption("coin");
       await page.waitForFunction(
-        () => location.hash === "#body=coin&tilt=12.5&sideways=0.02&rolling=0.0001",
+        () => location.hash === "#body=coin&tilt=12.5&sideways=0.02&rolling=0.0001&duration=1.8",
       );
       await page.reload();
       await expectValues(page, { "#tilt-field": "12.5", "#body-field": "coin" });

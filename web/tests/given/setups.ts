@@ -8,6 +8,7 @@ import type { Chance } from "./chance";
 function anyValue(name: FieldName, chance: Chance): number | string {
   const field: (typeof FIELDS)[FieldName] = FIELDS[name];
   if (field.kind === "choice") return chance.one(Object.keys(field.choices));
+  if (name === "falls") return chance.one(["", "213", "146.5_360_7"]);
   if (field.kind === "record") return chance.one(["", "AAAA_-9z", "w-".repeat(300)]);
   const between = chance.between(field.min, field.max);
   const inside = "whole" in field ? Math.round(between) : between;

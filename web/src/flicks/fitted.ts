@@ -1,0 +1,51 @@
+// A button that asks which friction fits measured falls, and the answer.
+
+import { computed, effect, signal } from "@preact/signals-core";
+import { button, element } from "../elements";
+import { type Measured, type Trial, fitOf, trials } from "../falls/fit";
+import { sliced } from "../falls/sliced";
+import { formatFixed } from "../format/numbers";
+import type { Lab } from "../lab";
+import type { Setup } from "../setup/setup";
+import { words } from "../words/words";
+
+/** `measured` reads signals. */
+export function fitted(lab: Lab, measured: () => Measured | undefined): HTMLElement {
+  const { fit } = words.flicks;
+  const asked = signal<string | undefined>(undefined);
+  const used = computed(() => JSON.stringify([withoutTable(lab.setup.value), measured()]));
+  const wanted = computed(() => asked.value === used.value);
+  const { results, complete } = sliced(() => {
+    const falls = measured();
+    return wanted.value && falls
+      ? trials(lab.core, lab.setup.peek(), falls)
+      : ([] as (Trial | undefined)[]).values();
+  });
+  const ask = button(fit.ask, () => (asked.value = used.peek()));
+  const said = element("p", { class: "fit", role: "status" });
+  effect(() => {
+    ask.hidden = measured() === undefined;
+    const best = wanted.value && complete.value ? fitOf(results.value) : undefined;
+    said.textContent = !wanted.value
+      ? ""
+      : !complete.value
+        ? fit.running
+        : best
+          ? fit.answer(
+              formatFixed(best.friction, 2),
+              formatFixed(best.low, 2),
+              formatFixed(best.high, 2),
+            )
+          : fit.none;
+  });
+  return element("div", { class: "fitted" }, ask, said);
+}
+
+/** The set-up without what the fit varies. */
+const withoutTable = (setup: Readonly<Setup>): Partial<Setup> => ({
+  ...setup,
+  law: "coulomb",
+  friction: 0,
+  flicks: 0,
+  unsteadiness: 0,
+});
