@@ -14,6 +14,6 @@ function select(place: HTMLElement): void {
   const details = place.closest("details");
   if (details) details.open = true;
   place.focus();
-  if (place instanceof HTMLInputElement) place.select();
+  if (place instanceof HTMLInputElement || place instanceof HTMLTextAreaElement) place.select();
   else getSelection()?.selectAllChildren(place);
 }

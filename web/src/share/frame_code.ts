@@ -10,7 +10,7 @@ import { frameCode } from "./share_link";
 export function frameField(id: string, title: string, hash: () => string): HTMLElement {
   const { share } = words;
   const code = () => frameCode(hash(), title, location.href);
-  const input = element("input", { type: "text", id, readonly: true, "aria-label": share.frame });
+  const input = element("textarea", { id, readonly: true, rows: 2, "aria-label": share.frame });
   const said = element("p", { class: "done", role: "status" });
   const copy = button(share.copyFrame, () => {
     input.value = code().text;

@@ -174,11 +174,11 @@ describe("with the keyboard alone", () => {
     await page.getByRole("button", { name: "Reset", exact: true }).press("Enter");
     await page.waitForFunction(() => location.hash === "#lab");
     await page.getByRole("button", { name: "Friction of ice" }).press("Space");
-    await page.waitForFunction(() => location.hash === "#friction=0.03");
+    await page.waitForFunction(() => /&friction=0\.03&/.test(location.hash));
     await page.getByRole("button", { name: "Copy command" }).press("Enter");
     await page.getByText("Command copied.").waitFor();
     expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
-      'rimroll lab --setup "friction=0.03"',
+      'rimroll lab --setup "sideways=0.02&friction=0.03&rolling=0.0001&duration=1.8"',
     );
     expect(complaints).toEqual([]);
   });

@@ -214,3 +214,36 @@ test("there is one graphics context, and none when the essay is left", async () 
   expect(await drawn()).toBe(0);
   expect(complaints.filter((text) => !/Context Lost/i.test(text))).toEqual([]);
 });
+
+test("on a telephone the answer leads to the explanation, and nothing is wider than the screen", async () => {
+  const { page } = await visit({
+    hash: "",
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    reducedMotion: "reduce",
+  });
+  const guess = page.locator("#question-control");
+  await guess.press("End");
+  await page.locator("#question").getByText("270°, 90° beyond straight across").waitFor();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  const box = (await guess.boundingBox())!;
+  expect(box.x + box.width).toBeLessThanOrEqual(390);
+  await page.locator("#question .go").tap();
+  await page.getByText(/^You said 270°/).waitFor();
+  await page.getByRole("link", { name: "How can that be? Look closer" }).tap();
+  const title = page.locator("#slap-or-roll-title");
+  await expect.poll(async () => (await title.boundingBox())!.y).toBeLessThan(100);
+  const picture = (await page.locator("#slap-or-roll .place").boundingBox())!;
+  expect(picture.y + picture.height).toBeLessThan(844);
+});
+
+test("the fit says which friction suits the paper's falls", async () => {
+  const { page } = await visit({ hash: "experiment", reducedMotion: "reduce" });
+  const scene = page.locator("#experiment");
+  await scene.getByRole("button", { name: "Which friction fits?" }).click();
+  const answer = await scene.getByText(/^A friction of 0\.\d+ fits best/).innerText();
+  const friction = Number(/0\.\d+/.exec(answer)?.[0]);
+  expect(friction).toBeGreaterThan(0.06);
+  expect(friction).toBeLessThan(0.15);
+});

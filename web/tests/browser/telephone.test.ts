@@ -80,15 +80,15 @@ test("a slider's moves are undone together, and earlier changes one by one", asy
   const { page } = await visit();
   const [tilt, body] = [page.locator("#tilt-slider"), page.locator("#body-field")];
   await body.selectOption("coin");
-  await page.waitForURL(/#body=coin$/);
+  await page.waitForURL(/#body=coin&sideways=0.02&rolling=0.0001&duration=1.8$/);
   await page.waitForTimeout(800); // longer than the pause between changes that belong together
   await tilt.focus();
   await page.keyboard.press("ArrowRight", { delay: 20 });
   await page.keyboard.press("ArrowRight", { delay: 20 });
-  await page.waitForURL(/#body=coin&tilt=21$/);
+  await page.waitForURL(/#body=coin&tilt=21&sideways/);
   const undo = page.getByRole("button", { name: "Undo" });
   await undo.click();
-  await page.waitForURL(/#body=coin$/);
+  await page.waitForURL(/#body=coin&sideways=0.02&rolling=0.0001&duration=1.8$/);
   await undo.click();
   await page.waitForFunction(() => location.hash === "#lab");
   expect(await undo.evaluate((it) => it === document.activeElement)).toBe(true);

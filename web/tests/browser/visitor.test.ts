@@ -318,3 +318,22 @@ test("the lab opens with a can that is within the limits; losses and roughness c
     await limits.getByText(/touch at several points for .*runs round \d+° of the 203°/).waitFor();
   });
 });
+
+test("falls of several groups are pooled through their links, counted and fitted", async () => {
+  await visited("falls=213_210_218&tilt_rate=-5&sideways=0.02", async ({ page }) => {
+    const flicks = page.getByRole("region", { name: "Forty-two flicks" });
+    const typed = flicks.getByRole("textbox", { name: /^Where did your can fall/ });
+    await flicks.getByText("Of 3 flicks, 3 fell to the left after 213.7° ± 4.0°").waitFor();
+    await typed.fill("https://lab.example/#falls=142_145&tilt=20\n150");
+    await flicks.getByRole("button", { name: "Add" }).click();
+    await page.waitForURL(/falls=213_210_218_142_145_150$/);
+    await flicks.getByText(/3 fell to the right after 214\.3°/).waitFor();
+    await flicks.getByRole("button", { name: "Which friction fits?" }).click();
+    await flicks.getByText(/^A friction of 0\.\d+ fits best/).waitFor();
+    await typed.fill("left");
+    await flicks.getByRole("button", { name: "Add" }).click();
+    await flicks.getByText("Type numbers from 0 to 360").waitFor();
+    await flicks.getByRole("button", { name: "Remove all" }).click();
+    await page.waitForFunction(() => !location.hash.includes("falls"));
+  });
+});
