@@ -324,7 +324,11 @@ export class Figure {
       { class: "falls" },
       picture as unknown as HTMLElement,
       caption,
-      fitted(lab, () => (this.active.value ? MEASURED : undefined)),
+      fitted(
+        lab.core,
+        () => ({ ...INITIAL, ...this.scene.setup }),
+        () => MEASURED,
+      ),
     );
   }
 

@@ -1,24 +1,28 @@
 // A button that asks which friction fits measured falls, and the answer.
 
-import { computed, effect, signal } from "@preact/signals-core";
+import { computed, effect, signal, untracked } from "@preact/signals-core";
+import type { Core } from "../core/core";
 import { button, element } from "../elements";
 import { type Measured, type Trial, fitOf, trials } from "../falls/fit";
 import { sliced } from "../falls/sliced";
 import { formatFixed } from "../format/numbers";
-import type { Lab } from "../lab";
 import type { Setup } from "../setup/setup";
 import { words } from "../words/words";
 
-/** `measured` reads signals. */
-export function fitted(lab: Lab, measured: () => Measured | undefined): HTMLElement {
+/** `setup` and `measured` read signals; the fit varies the table and takes the rest of the set-up as it is. */
+export function fitted(
+  core: Core,
+  setup: () => Readonly<Setup>,
+  measured: () => Measured | undefined,
+): HTMLElement {
   const { fit } = words.flicks;
   const asked = signal<string | undefined>(undefined);
-  const used = computed(() => JSON.stringify([withoutTable(lab.setup.value), measured()]));
+  const used = computed(() => JSON.stringify([withoutTable(setup()), measured()]));
   const wanted = computed(() => asked.value === used.value);
   const { results, complete } = sliced(() => {
     const falls = measured();
     return wanted.value && falls
-      ? trials(lab.core, lab.setup.peek(), falls)
+      ? trials(core, untracked(setup), falls)
       : ([] as (Trial | undefined)[]).values();
   });
   const ask = button(fit.ask, () => (asked.value = used.peek()));

@@ -37,7 +37,7 @@ export function ownFalls(lab: Lab): HTMLElement {
     { class: "result falls" },
     picture as unknown as HTMLElement,
     said,
-    fitted(lab, measured),
+    fitted(lab.core, () => lab.setup.value, measured),
   );
   const details = element(
     "details",
