@@ -169,6 +169,7 @@ export class Lab {
   /** Forgets all earlier set-ups, so that nothing before this one can be restored. */
   beginHere(): void {
     this.before.value = [];
+    this.changed = -Infinity;
   }
 
   /** Keeps the set-up for {@link undo}, but only one for changes that follow each other quickly, as a slider's do. */

@@ -39,6 +39,15 @@ test("a body that is released as before is shown from the release again", () => 
   expect([lab.clock.time.value, lab.clock.playing.value]).toEqual([0, true]);
 });
 
+test("a change just after the page has opened can be undone", () => {
+  const lab = labWith(core, { sideways: 0.02 });
+  lab.beginHere();
+  expect(lab.canUndo.value).toBe(false);
+  lab.change({ body: "coin" });
+  lab.undo();
+  expect([lab.setup.value.body, lab.setup.value.sideways]).toEqual(["can_2007", 0.02]);
+});
+
 describe("a motion of many steps", () => {
   const LONG = { body: "coin" } as const;
 
