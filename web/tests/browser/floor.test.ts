@@ -15,7 +15,7 @@ async function open(page: Page): Promise<void> {
 }
 
 test("a pulse overturns a can that stands", async () => {
-  const { page, complaints } = await visit();
+  const { page, complaints } = await visit({ hash: "body=can_2007" });
   expect(await page.locator("details.floor").getAttribute("open")).toBe(null);
   await page.getByLabel("Body", { exact: true }).selectOption("soda_can");
   await open(page);
