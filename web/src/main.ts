@@ -7,6 +7,13 @@ import { Essay } from "./essay/essay";
 import type { Lab } from "./lab";
 import { type Part, partOf, showPart, shownPart } from "./part";
 import { keepForOffline } from "./offline/register";
+// The styles of the lab's parts come before those of the page, which are stronger, for example on paper.
+import "./compare/compare.css";
+import "./style/embed.css";
+import "./flicks/flicks.css";
+import "./gyro/gyro.css";
+import "./limits/limits.css";
+import "./story/story.css";
 import "./style/page.css";
 import { words } from "./words/words";
 

@@ -45,7 +45,9 @@ test("the code below a scene shows it in another page", async () => {
   const { page } = await visit({ hash: "hand" });
   const field = page.locator("#hand .frame-code");
   await field.getByText("Put this on a page or a slide").click();
-  const code = await field.getByRole("textbox").inputValue();
+  const shown = field.getByRole("textbox");
+  await expect.poll(() => shown.inputValue()).toContain("<iframe");
+  const code = await shown.inputValue();
   // The address of this page works only here, and the code says where a copy of the page must be.
   expect(await field.innerText()).toContain("Copy the folder of this page beside it");
   expect(code).toContain('src="lab/index.html#embed/hand"');
