@@ -190,7 +190,9 @@ test("forty-two flicks are summarised in words and drawn as a histogram", async 
       undefined,
       { timeout: 150_000 },
     );
-    expect(await page.locator("#flicks figure svg").getAttribute("aria-describedby")).toBe("flicks-said");
+    expect(await page.locator("#flicks figure svg").getAttribute("aria-describedby")).toBe(
+      "flicks-said",
+    );
     await page.getByRole("button", { name: "Clear" }).click();
     expect(await page.locator("#flicks-said").innerText()).toBe("");
     // The button has disappeared, but the focus has not.
