@@ -156,7 +156,9 @@ def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
             release = moved - before
             until = release + last
             used = track.t <= until
-            if used.sum() < FEWEST or until > track.t[-1] + 1e-2:
+            spread = float(np.var(seen[used])) if used.any() else 0.0
+            # A track without noise that ends before it moves has no spread to compare with.
+            if used.sum() < FEWEST or spread == 0.0 or until > track.t[-1] + 1e-2:
                 continue
             moments = motion.evaluate(np.clip(track.t[used] - release, 0.0, float(motion.t[-1])))
             at = (model.marker.radius * np.exp(1j * azimuth), model.marker.height)
@@ -165,7 +167,7 @@ def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
             laid = path * np.exp(1j * turn) + origin
             left = laid - seen[used] if track.kind != "tilt" else np.abs(laid) - seen[used].real
             # Over what moves, so that no short part of the track suits best.
-            squares = float(np.mean(np.abs(left) ** 2) / np.var(seen[used]))
+            squares = float(np.mean(np.abs(left) ** 2)) / spread
             numbers = {
                 "friction": friction, "tilt": tilt, "yaw_rate": yaw_rate, "camera": turn,
                 "release": release, "origin_x": origin.real, "origin_y": origin.imag,
