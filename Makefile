@@ -12,7 +12,7 @@ REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
 .DELETE_ON_ERROR:
-.PHONY: help demo web docs dev check test soak bench census wheels lint audit semver msrv clean toolchain
+.PHONY: help demo web docs dev check test soak bench census scorecard wheels lint audit semver msrv clean toolchain
 
 help: ## list the targets (the default)
 	@sed -n 's/^\([a-z]*\):.*## /make \1	/p' Makefile
@@ -52,6 +52,12 @@ bench: .venv/.extension ## measure against the peers, into bench/results (a quar
 
 census: .venv/.extension ## compare both engines from 100 000 wild starts (ten minutes)
 	.venv/bin/python bench/census.py
+
+scorecard: .venv/.extension ## measure physics engines again, for docs/physics-engines.md (an hour)
+	.venv/bin/rimroll score rimroll mujoco pybullet rapier dart exudyn drake --install -o score/results
+	.venv/bin/rimroll score newton --install --dt 2e-3,1e-3,5e-4,2e-4 --no-checks --limit 300s -o score/results
+	.venv/bin/python -m rimroll_score.search mujoco pybullet rapier dart exudyn drake -o score/results
+	.venv/bin/python -m rimroll_score.tables score/results docs/physics-engines.md
 
 lint: .venv/.packages web/node_modules/.installed ## check format, lints, types, spelling, workflows and the links of the Rust documentation
 	cargo fmt --all --check

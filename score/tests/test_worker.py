@@ -197,6 +197,15 @@ def test_a_bound_that_is_not_given_does_not_decide(capsys, tmp_path):
     assert main([*fake_still, "-o", str(tmp_path), "--max-error", "1e-9deg"]) == 1
 
 
+def test_the_workflow_of_the_documentation_fails_for_an_engine_that_is_wrong(tmp_path):
+    page = (Path(__file__).parents[2] / "docs/physics-engines.md").read_text("utf-8")
+    (line,) = re.findall(r"- run: rimroll (score my_engine .*)", page)
+    words = [fake("Still") if word == "my_engine" else word for word in line.split()]
+    assert main([*words, "--no-checks", "-o", str(tmp_path)]) == 1
+    badge = (tmp_path / "Still.svg").read_text("utf-8")  # which the page names, too
+    assert "my_engine.svg" in page and "right at no step tried" in badge
+
+
 def test_after_a_step_that_took_too_long_no_finer_one_is_tried():
     with Worker(fake("Hangs"), limit=0.3) as worker:
         runs = sweep(worker, [CASE], (1e-2, 1e-3), ("defaults",))

@@ -51,7 +51,11 @@ def answered(place: str, task: dict[str, Any]) -> dict[str, Any]:
 def described(adapter: Any) -> dict[str, Any]:
     """The engine's version and settings."""
     version, known = str(adapter().version()), adapter.known_versions
-    answer = {"status": "ok", "version": version, "settings": dict(adapter.settings)}
+    answer = {
+        "status": "ok", "version": version, "settings": dict(adapter.settings),
+        "best": dict(getattr(adapter, "best", {})),
+        "choices": dict(getattr(adapter, "choices", {})),
+    }  # fmt: skip
     if not version.startswith(known):
         named = known if isinstance(known, str) else " or ".join(known)
         answer["warning"] = f"the adapter was written for version {named}, this is {version}"
@@ -70,6 +74,8 @@ def computed(adapter: Any, task: dict[str, Any]) -> dict[str, Any]:
         why = getattr(adapter, "why_table_rests", "the adapter does not move the table")
         raise Unsupported(why)
     engine = adapter()
+    if task["changes"]:
+        engine.best = {**adapter.best, **task["changes"]}
     departures = list(engine.make(scene, dt, task["setting"]))
     engine.set_state(start)
     recorder = Recorder(dt)

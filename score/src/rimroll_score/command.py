@@ -111,9 +111,21 @@ def _scored(name: str, plan: Plan, python: str | None, install: bool) -> results
             if environments.PINS.get(name):
                 say(f"installing {name} into {environments.folder(name)}")
             python = environments.installed(name)
-        return scored(name, plan, command, python or sys.executable, _tell)
+        result = scored(name, plan, command, python or sys.executable, _tell)
     except (registry.NoAdapter, Missing, Unknown, environments.NotInstalled) as error:
         raise RimrollError(str(error)) from None
+    _tell_checks(result)
+    return result
+
+
+def _tell_checks(result: results.EngineResult) -> None:
+    """The checks and the falls."""
+    for one in result.checks:
+        changed = one.note or ("no turn" if one.angle is None else f"{one.angle:.2g}°")
+        say(f"check {one.name:<9} {one.setting:<9} {in_ms(one.dt):>8}  turn changes: {changed}")
+    for falls in result.falls:
+        fell = sum(one is not None for one in falls.directions)
+        say(f"{fell} of {len(falls.directions)} flicks fell, {falls.right_sides} to the true side")
 
 
 def _tell(run: Run) -> None:

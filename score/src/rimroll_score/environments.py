@@ -12,6 +12,7 @@ PINS = {
     "drake": ["drake==1.51.1"],
     "exudyn": ["exudyn==1.13.6"],
     "mujoco": ["mujoco==4.0.0"],
+    "newton": ["newton==1.8.0", "mujoco==3.17.0", "mujoco-warp==3.17.0"],
     "pybullet": ["pybullet==3.2.7"],
     "rapier": ["rapier3d==0.36.1"],
     "rimroll": [],

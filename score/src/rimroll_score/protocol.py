@@ -84,6 +84,9 @@ class Engine(Protocol):
 
     It may have ``moves_table = True`` if it takes a ``table_acceleration``; if it does not, a
     sentence ``why_table_rests`` is shown in place of that check.
+
+    It may also have ``best``, the options that its setting ``best`` consists of, and ``choices``,
+    the values of each that :mod:`rimroll_score.search` tries.
     """
 
     settings: ClassVar[Mapping[str, str]]

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from rimroll_score.cases import Case
 from rimroll_score.measures import Measured, measured
@@ -66,9 +67,21 @@ def task(scene: Scene, state: State, duration: float, dt: float, setting: str) -
     return Task(scene, state, dt, every, math.ceil(steps / every), setting)
 
 
-def run(worker: Worker, case: Case, dt: float, setting: str, repeats: int = 1) -> Run:
-    """Run a case, several times if asked to; the worst of the repeats counts."""
+def run(
+    worker: Worker,
+    case: Case,
+    dt: float,
+    setting: str,
+    repeats: int = 1,
+    changes: Mapping[str, Any] | None = None,
+) -> Run:
+    """Run a case, several times if asked to; the worst of the repeats counts.
+
+    ``changes`` are options of the best settings that have other values.
+    """
     asked = task(case.scene, case.state, case.duration, dt, setting)
+    if changes:
+        asked = replace(asked, changes=changes)
     outcomes = [worker.run(asked) for _ in range(repeats)]
     runs = [_run(case, dt, setting, outcome) for outcome in outcomes]
     worst = max(runs, key=lambda one: (one.error, one.energy))

@@ -10,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 import threading
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -35,12 +36,14 @@ class Task:
     every: int
     samples: int
     setting: str
+    changes: Mapping[str, Any] = field(default_factory=dict)
+    """Options of the adapter's ``best`` settings that have other values."""
 
     def in_json(self) -> dict[str, Any]:
         state = {name: value.tolist() for name, value in vars(self.state).items()}
         plain = {"dt": self.dt, "every": self.every, "samples": self.samples}
         return {
-            **plain, "task": "run", "setting": self.setting,
+            **plain, "task": "run", "setting": self.setting, "changes": dict(self.changes),
             "scene": asdict(self.scene), "state": state,
         }  # fmt: skip
 
@@ -88,7 +91,10 @@ class Worker:
         self._folder.cleanup()
 
     def describe(self) -> dict[str, Any]:
-        """The engine's ``version`` and ``settings``, or a ``status`` and a ``message``."""
+        """The engine's version, ``settings``, ``best`` options and ``choices``.
+
+        Or a ``status`` and a ``message``.
+        """
         return self._ask({"task": "describe"}, START_LIMIT)
 
     def run(self, task: Task) -> Outcome:

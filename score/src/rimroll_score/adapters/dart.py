@@ -1,7 +1,4 @@
-"""DART: whether its rim is round depends on the collision detector.
-
-No other detector did better in all cases than the one it comes with.
-"""
+"""DART: whether its rim is round depends on the collision detector."""
 
 from __future__ import annotations
 
@@ -26,6 +23,19 @@ class Dart:
     settings: ClassVar = {
         "defaults": "the collision detector and the solver that a world comes with",
         "ode": "the collision detector of ODE instead",
+        "best": "no sleeping, a plane as the table; the detector and solver of the defaults",
+    }
+    best: ClassVar[dict[str, Any]] = {
+        "detector": "FCL",
+        "solver": "Dantzig",
+        "table": "PlaneShape",
+        "split_impulse": False,
+    }
+    choices: ClassVar[dict[str, list[Any]]] = {
+        "detector": ["FCL", "DART", "BULLET", "ODE"],
+        "solver": ["Dantzig", "Pgs"],
+        "table": ["BoxShape", "PlaneShape"],
+        "split_impulse": [False, True],
     }
     known_versions = "6."
     moves_table = True
@@ -40,9 +50,13 @@ class Dart:
         self._world: Any = dartpy.simulation.World()
         self._world.setTimeStep(dt)
         self._world.setGravity([0.0, 0.0, -scene.gravity])
+        shape = "BoxShape"
         if setting == "ode":
             kind = dartpy.simulation.CollisionDetectorType.ODE
             self._world.setCollisionDetector(kind)
+        if setting == "best":
+            shape = self.best["table"]
+            self._use_best()
         skeleton = dartpy.dynamics.Skeleton("body")
         self._joint, self._node = skeleton.createFreeJointAndBodyNodePair()
         moments = [body.transverse_inertia, body.transverse_inertia, body.axial_inertia]
@@ -60,16 +74,20 @@ class Dart:
             else:
                 joint, self._ground = table.createWeldJointAndBodyNodePair()
             pose = dartpy.math.Isometry3()
-            pose.set_translation([0.0, 0.0, -0.5])
+            if shape == "BoxShape":
+                pose.set_translation([0.0, 0.0, -0.5])
+                plane = dartpy.dynamics.BoxShape([4.0, 4.0, 1.0])
+            else:
+                plane = dartpy.dynamics.PlaneShape([0.0, 0.0, 1.0], 0.0)
             joint.setTransformFromParentBodyNode(pose)
-            plane = dartpy.dynamics.BoxShape([4.0, 4.0, 1.0])
             shapes.append(_solid(self._ground, plane, friction))
             self._world.addSkeleton(table)
         inertia = self._node.getInertia()
         departures = inertia_departures(body, inertia.getMass(), np.diag(inertia.getMoment()))
         departures.append(f"collisions are found by {self._world.getCollisionDetector().getType()}")
         if scene.table:
-            departures.append("the table is a box, since not every detector has a plane")
+            if shape == "BoxShape":
+                departures.append("the table is a box, since not every detector has a plane")
             found = [shape.getDynamicsAspect().getFrictionCoeff() for shape in shapes]
             departures += friction_departures(scene.friction, min(found))
         coordinates = range(self._joint.getNumDofs())
@@ -80,6 +98,18 @@ class Dart:
         if self._world.getDeactivationOptions().mEnabled:
             departures.append("a body that is slow for long may be put to sleep")
         return departures
+
+    def _use_best(self) -> None:
+        """Set the world's options as the best settings have them."""
+        kind = getattr(dartpy.simulation.CollisionDetectorType, self.best["detector"])
+        self._world.setCollisionDetector(kind)
+        solver = self._world.getConstraintSolver()
+        if self.best["solver"] == "Pgs":  # which is there in case that Dantzig's fails
+            solver.setBoxedLcpSolver(solver.getSecondaryBoxedLcpSolver())
+        solver.setSplitImpulseEnabled(self.best["split_impulse"])
+        awake = self._world.getDeactivationOptions()
+        awake.mEnabled = False
+        self._world.setDeactivationOptions(awake)
 
     def set_state(self, state: State) -> None:
         pose = dartpy.math.Isometry3()

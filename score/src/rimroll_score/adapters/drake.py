@@ -32,6 +32,18 @@ class Drake:
         "best": "point contact solved by TAMSI, stiffness 1e9 N/m, no dissipation, "
         "stiction tolerance 1e-5 m/s",
     }
+    best: ClassVar[dict[str, Any]] = {
+        "approximation": "tamsi",
+        "stiffness": 1e9,  # N/m
+        "dissipation": 0.0,  # s/m
+        "stiction_tolerance": 1e-5,  # m/s
+    }
+    choices: ClassVar[dict[str, list[Any]]] = {
+        "approximation": ["tamsi", "sap", "similar", "lagged"],
+        "stiffness": [1e6, 1e7, 1e8, 1e9, 1e10],
+        "dissipation": [0.0, 1.0, 50.0],
+        "stiction_tolerance": [1e-3, 1e-4, 1e-5, 1e-6],
+    }
     known_versions = "1."
     moves_table = True
 
@@ -45,8 +57,8 @@ class Drake:
         builder = DiagramBuilder()
         config = MultibodyPlantConfig(time_step=dt)
         if best:
-            config.discrete_contact_approximation = "tamsi"
-            config.stiction_tolerance = 1e-5
+            config.discrete_contact_approximation = self.best["approximation"]
+            config.stiction_tolerance = self.best["stiction_tolerance"]
             config.contact_model = "point"
         plant, _ = AddMultibodyPlant(config, builder)
         plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -scene.gravity])
@@ -59,8 +71,9 @@ class Drake:
         dry = CoulombFriction(friction, friction)
         if best:
             AddContactMaterial(
-                dissipation=0.0, point_stiffness=1e9, friction=dry, properties=material
-            )
+                dissipation=self.best["dissipation"], point_stiffness=self.best["stiffness"],
+                friction=dry, properties=material,
+            )  # fmt: skip
         else:
             AddContactMaterial(friction=dry, properties=material)
         shape = Cylinder(body.radius, 2.0 * body.height)

@@ -28,7 +28,19 @@ class Exudyn:
     settings: ClassVar = {
         "defaults": "generalised-alpha steps; stiffness 1e5 N/m, friction proportional "
         "below 1 cm/s",
-        "best": "trapezoidal steps; stiffness 0.14 m/dt², friction proportional below 10 m/s² dt",
+        "best": "trapezoidal steps; stiffness 0.5 m/dt², friction proportional below 10 m/s² dt",
+    }
+    best: ClassVar[dict[str, Any]] = {
+        "integrator": "TrapezoidalIndex2",
+        "stiffness": 0.5,  # m/dt², with the body's mass m
+        "zone": 10.0,  # of proportional friction, m/s² times dt
+        "linear_zone": False,
+    }
+    choices: ClassVar[dict[str, list[Any]]] = {
+        "integrator": ["TrapezoidalIndex2", "GeneralizedAlpha"],
+        "stiffness": [0.07, 0.14, 0.2, 0.3, 0.5, 1.0],
+        "zone": [1.0, 10.0, 100.0],
+        "linear_zone": [False, True],
     }
     known_versions = "1."
     moves_table = True
@@ -38,8 +50,10 @@ class Exudyn:
 
     def make(self, scene: Scene, dt: float, setting: str) -> list[str]:
         self._scene, self._dt, self._best = scene, dt, setting == "best"
-        self._stiffness = 0.14 * scene.body.mass / dt**2 if self._best else 1e5
-        self._zone = 10.0 * dt if self._best else 1e-2
+        stiffness = self.best["stiffness"] * scene.body.mass / dt**2
+        self._stiffness = stiffness if self._best else 1e5
+        self._zone = self.best["zone"] * dt if self._best else 1e-2
+        self._linear = self._best and self.best["linear_zone"]
         up = np.array([0.0, 0.0, scene.body.height])
         self.set_state(State(up, np.eye(3), np.zeros(3), np.zeros(3)))
         return self._departures()
@@ -96,7 +110,8 @@ class Exudyn:
         integration.verboseMode = 0
         self._settings.solutionSettings.writeSolutionToFile = False
         kinds = exudyn.DynamicSolverType
-        self._kind = kinds.TrapezoidalIndex2 if self._best else kinds.GeneralizedAlpha
+        name = self.best["integrator"] if self._best else "GeneralizedAlpha"
+        self._kind = getattr(kinds, name)
         self._steps = 0
 
     def _add_contact(self) -> None:
@@ -114,6 +129,7 @@ class Exudyn:
                 discAxis=[0.0, 0.0, 1.0], planeNormal=[0.0, 0.0, 1.0],
                 contactStiffness=self._stiffness, contactDamping=0.0,
                 dryFriction=[friction] * 2, dryFrictionProportionalZone=self._zone,
+                useLinearProportionalZone=self._linear,
             )
         )  # fmt: skip
 

@@ -6,7 +6,7 @@ A cylinder of ``createCollisionShape`` has a round rim, that of a URDF has 32 co
 from __future__ import annotations
 
 from importlib.metadata import version
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import pybullet
@@ -25,17 +25,28 @@ HEAVY = 1e6
 """Mass of a table that moves, kg."""
 
 
-LEAST_MARGIN = 1e-6
-"""m; with none at all, contacts are lost."""
-
-
 class PyBullet:
     """A rigid body with a cylinder shape over a plane."""
 
     settings: ClassVar = {
         "defaults": "the world as it comes, damping and sleeping included",
         "best": "no damping, no sleeping, collision margin 1e-6 m, implicit cone, 200 iterations, "
-        "no residual threshold, gyroscopic terms, no restitution and slop",
+        "no residual threshold, gyroscopic terms, no restitution and slop, "
+        "error reduction 0.5",
+    }
+    best: ClassVar[dict[str, Any]] = {
+        "margin": 1e-6,  # m; with none at all, contacts are lost
+        "iterations": 200,
+        "error_reduction": 0.5,
+        "cone": 1,
+        "slop": 0.0,  # m
+    }
+    choices: ClassVar[dict[str, list[Any]]] = {
+        "margin": [1e-7, 1e-6, 1e-5, 1e-4],
+        "iterations": [50, 200, 1000],
+        "error_reduction": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8],
+        "cone": [0, 1],
+        "slop": [0.0, 1e-5],
     }
     known_versions = "3."
     moves_table = True
@@ -54,9 +65,11 @@ class PyBullet:
         pybullet.setTimeStep(dt)
         pybullet.setGravity(0.0, 0.0, -scene.gravity)
         if best:
+            reduction = self.best["error_reduction"]
             pybullet.setPhysicsEngineParameter(
-                numSolverIterations=200, solverResidualThreshold=0.0, contactSlop=0.0,
-                enableConeFriction=1, erp=0.2, contactERP=0.2, frictionERP=0.2,
+                numSolverIterations=self.best["iterations"], solverResidualThreshold=0.0,
+                contactSlop=self.best["slop"], enableConeFriction=self.best["cone"],
+                erp=reduction, contactERP=reduction, frictionERP=reduction,
                 restitutionVelocityThreshold=0.0,
             )  # fmt: skip
         if scene.table:
@@ -80,7 +93,8 @@ class PyBullet:
         )  # fmt: skip
         if best:
             pybullet.changeDynamics(
-                self._body, -1, linearDamping=0.0, angularDamping=0.0, collisionMargin=LEAST_MARGIN,
+                self._body, -1, linearDamping=0.0, angularDamping=0.0,
+                collisionMargin=self.best["margin"],
                 activationState=pybullet.ACTIVATION_STATE_DISABLE_SLEEPING,
                 maxJointVelocity=1e6,
             )  # fmt: skip
@@ -94,10 +108,10 @@ class PyBullet:
         departures += loss_departures(
             restitution=info[5], rolling_friction=info[6], spinning_friction=info[7]
         )
-        if info[11] > LEAST_MARGIN:
+        if info[11] > self.best["margin"]:
             departures.append(f"the collision margin, which rounds the rim, is {info[11]:g} m")
-        if not best:  # as its manual says: PyBullet does not tell
-            departures.append("linear and angular damping are 0.04 1/s")
+        if not best:  # as its manual and source say: PyBullet does not tell
+            departures.append("damping is 0.04 1/s times 1 + speed in m/s, 1 + rate in rad/s")
             departures.append("a body that is slow for long may be put to sleep")
             departures.append("angular velocity is limited to 100 rad/s")
         return departures

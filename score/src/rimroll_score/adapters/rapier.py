@@ -30,8 +30,24 @@ class Rapier:
 
     settings: ClassVar = {
         "defaults": "the world as it comes, at the step asked",
-        "best": "Coulomb friction at every contact, lengths of 5 cm, 20 iterations, no contact "
+        "best": "Coulomb friction at every contact, lengths of 5 cm, 2 iterations, no contact "
         "kept from the last step, fast rotation allowed, no sleeping",
+    }
+    best: ClassVar[dict[str, Any]] = {
+        "friction": "COULOMB",
+        "length_unit": 0.05,  # m
+        "iterations": 2,
+        "recycling": False,
+        "softness": 8.0,  # steps in which the contact's spring turns by a radian
+        "damping": 5.0,
+    }
+    choices: ClassVar[dict[str, list[Any]]] = {
+        "friction": ["SIMPLIFIED", "COULOMB"],
+        "length_unit": [1.0, 0.2, 0.05, 0.01],
+        "iterations": [1, 2, 4, 8, 20],
+        "recycling": [False, True],
+        "softness": [4.0, 8.0, 16.0, 32.0],
+        "damping": [1.0, 2.0, 5.0, 10.0],
     }
     known_versions = "0."
     moves_table = True
@@ -47,13 +63,14 @@ class Rapier:
         known = self._world.integration_parameters
         known.dt = dt
         if best:
-            known.friction_model = rapier3d.FrictionModel.COULOMB
-            known.length_unit = 0.05
-            known.num_solver_iterations = 20
-            known.contact_recycling = False
+            known.friction_model = getattr(rapier3d.FrictionModel, self.best["friction"])
+            known.length_unit = self.best["length_unit"]
+            known.num_solver_iterations = self.best["iterations"]
+            known.contact_recycling = self.best["recycling"]
             known.contact_clustering = False
             known.normalized_allowed_linear_error = 1e-5
-            stiff = rapier3d.SpringCoefficients(1.0 / (8.0 * dt), 5.0)
+            frequency = 1.0 / (self.best["softness"] * dt)
+            stiff = rapier3d.SpringCoefficients(frequency, self.best["damping"])
             known.contact_softness = known.static_contact_softness = stiff
         moments = rapier3d.Vec3(
             body.transverse_inertia, body.axial_inertia, body.transverse_inertia
