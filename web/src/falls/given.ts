@@ -6,7 +6,7 @@ import { type Tally, tallyOf } from "./tally";
 const MOST = 600;
 
 /** Directions as a link has them: numbers with at most one decimal, between underscores. */
-export const FALLS_PATTERN = String.raw`(\d{1,3}(\.\d)?(_\d{1,3}(\.\d)?){0,${MOST - 1}})?`;
+export const FALLS_PATTERN = String.raw`([0-9]{1,3}(\.[0-9])?(_[0-9]{1,3}(\.[0-9])?){0,${MOST - 1}})?`;
 
 export const fallsInLink = (directions: readonly number[]): string =>
   directions
