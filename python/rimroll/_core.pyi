@@ -201,6 +201,7 @@ def simulate_polygonal_body(
     rtol: float,
     topple_tilt: float | None,
     max_steps: int,
+    restitution: float,
     progress: Callable[[float], object] | None,
 ) -> CorePolygonMotion: ...
 def ensemble(

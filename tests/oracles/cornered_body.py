@@ -6,7 +6,9 @@ they have no acceleration; what it does in an impact, from demanding velocities.
 equation about a corner and no energy is used.
 
 A corner that comes down takes the impulse that brings it to rest. If the corner that was down would
-then go through the table, both take impulses.
+then go through the table, both take impulses. With restitution the upward impulse goes on until it
+is 1 + e times that of the compression, while friction keeps the corner in place and a corner that
+stays down at rest. A body without corners on the table flies.
 """
 
 from dataclasses import dataclass
@@ -25,6 +27,7 @@ class Cornered:
     body: object
     sticks: bool
     gravity: float
+    restitution: float = 0.0
 
     def __post_init__(self):
         body = self.body
@@ -33,6 +36,7 @@ class Cornered:
         self.corners = np.stack([across, along, np.full(angle.shape, -body.height)], axis=-1)
         inertias = body.transverse_inertia, body.transverse_inertia, body.axial_inertia
         self.inertia = np.diag(inertias)
+        self.time = np.sqrt(body.radius / self.gravity)
 
     def start(self, state):
         """Orientation, place, angular velocity and velocity, one after another."""
@@ -73,6 +77,9 @@ class Cornered:
             [-self.body.mass * self.gravity * UP, -np.cross(omega, inertia @ omega)]
         )
         rows, inverse = self.demands(turn, down), self.mobility(turn)
+        acceleration = inverse @ load
+        if not down:
+            return self.joined(omega, turn, velocity, acceleration)
         arms = self.corners[down] @ turn.T
         directions = np.eye(3) if self.sticks else UP[None]
         centripetal = np.array(
@@ -80,7 +87,10 @@ class Cornered:
         )
         needed = -(rows @ inverse @ load + centripetal)
         forces = np.linalg.lstsq(rows @ inverse @ rows.T, needed, rcond=1e-12)[0]
-        acceleration = inverse @ (load + rows.T @ forces)
+        return self.joined(omega, turn, velocity, inverse @ (load + rows.T @ forces))
+
+    @staticmethod
+    def joined(omega, turn, velocity, acceleration):
         spinning = np.cross(omega, turn, axisb=0, axisc=0)
         return np.concatenate([spinning.ravel(), velocity, acceleration[3:], acceleration[:3]])
 
@@ -94,20 +104,97 @@ class Cornered:
         after = before + inverse @ rows.T @ impulses
         return np.concatenate([u[:12], after[3:], after[:3]])
 
+    def rebounding(self, u, down, struck):
+        """After an impact at the corner ``struck``; those of ``down`` that it is not stay down."""
+        turn = u[:9].reshape(3, 3)
+        rows, inverse = self.demands(turn, down), self.mobility(turn)
+        each = len(rows) // len(down)
+        upward = (down.index(struck) + 1) * each - 1
+        held = np.delete(rows, upward, axis=0)
+        before = np.concatenate([u[15:18], u[12:15]])
+
+        def stopped(velocities, rows):
+            if not len(rows):
+                return velocities
+            middle = rows @ inverse @ rows.T
+            return velocities - inverse @ rows.T @ np.linalg.lstsq(middle, rows @ velocities)[0]
+
+        stuck = stopped(before, held)
+        compressed = stopped(stuck, rows)
+        # The upward impulse at the corner follows from what the others let it change.
+        free = inverse @ rows[upward]
+        change = stopped(free, held)
+        impulse = (compressed - stuck) @ change / (change @ change)
+        after = compressed + self.restitution * impulse * change
+        return np.concatenate([u[:12], after[3:], after[:3]])
+
+    def upward_force(self, down):
+        """An event of SciPy: the force of the table on the one corner that is down vanishes."""
+
+        def force(t, u):
+            acceleration = self.rates(u, down)[15:18]
+            return float(acceleration[2] + self.gravity)
+
+        force.terminal, force.direction = True, -1
+        return force
+
     def rise(self, u, corner):
         """The vertical velocity of a corner."""
         arm = u[:9].reshape(3, 3) @ self.corners[corner]
         return u[17] + np.cross(u[12:15], arm)[2]
 
-    def height_of(self, corner, down):
-        """An event of SciPy: a corner comes down to the height of one that is down."""
+    def height_of(self, corner, down, after=-1.0):
+        """An event of SciPy: a corner comes down to one that is down, or to the table (None).
+
+        It sees none until shortly after the time ``after``: a rebounding corner is at the table.
+        """
 
         def over(t, u):
+            if t < after + 1e-6 * self.time:
+                return 1.0
             turn = u[:9].reshape(3, 3)
-            return float((turn @ (self.corners[corner] - self.corners[down]))[2])
+            below = u[11] * -UP if down is None else turn @ self.corners[down]
+            return float((turn @ self.corners[corner] - below)[2])
 
         over.terminal, over.direction = True, -1
         return over
+
+    def bounces(self, state, impacts):
+        """(time, u, corners down) after each of the first impacts with restitution."""
+        u, down = self.start(state)
+        t, found, count = 0.0, [], len(self.corners)
+        while len(found) < impacts:
+            if down:
+                candidates = [(down[0] - 1) % count, (down[-1] + 1) % count]
+                events = [self.height_of(corner, down[0], t) for corner in candidates]
+                events.append(self.upward_force(down))
+            else:
+                candidates = list(range(count))
+                events = [self.height_of(corner, None, t) for corner in candidates]
+            solution = solve_ivp(
+                lambda t, u, down=down: self.rates(u, down),
+                (t, t + 10.0),
+                u,
+                "DOP853",
+                events=events,
+                rtol=1e-12,
+                atol=1e-14,
+                max_step=0.01 * self.time,
+            )
+            t, u = solution.t[-1], solution.y[:, -1]
+            first = [len(times) > 0 for times in solution.t_events].index(True)
+            if first == len(candidates):
+                down = []
+                continue
+            new = candidates[first]
+            old = [corner for corner in down if (corner - new) % count in (1, count - 1)]
+            alone = self.struck(u, [new])
+            if old and self.rise(alone, old[0]) < 0.0:
+                u, down = self.rebounding(u, [old[0], new], new), [old[0]]
+            else:
+                u, down = self.rebounding(u, [new], new), []
+            found.append((t, u, down))
+        return found
 
     def follow(self, state, impacts):
         """(time, u, corners down) at the start and after each of the first impacts."""

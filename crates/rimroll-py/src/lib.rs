@@ -4,6 +4,7 @@ mod arguments;
 mod bodies;
 mod ensemble;
 mod exact;
+mod followed;
 mod ground;
 mod imperfection;
 mod motion;

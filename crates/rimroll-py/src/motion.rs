@@ -1,6 +1,7 @@
 //! `simulate`, and the tables of numbers that describe a motion.
 
-use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument, refusal};
+use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument};
+use crate::followed::followed;
 use crate::ground::{CoreGround, flat_landing};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -250,12 +251,7 @@ impl CoreMotion {
 
     /// How it ended, in a sentence with its angles in degrees or radians.
     fn message(&self, degrees: bool) -> String {
-        let unit = if degrees {
-            AngleUnit::Degrees
-        } else {
-            AngleUnit::Radians
-        };
-        self.motion.ending.sentence(unit)
+        self.motion.ending.sentence(angle_unit(degrees))
     }
 
     /// (steps, rejected, evaluations)
@@ -263,6 +259,14 @@ impl CoreMotion {
     fn work(&self) -> (usize, usize, usize) {
         let work = &self.motion.work;
         (work.steps, work.rejected, work.evaluations)
+    }
+}
+
+/// The unit of the angles in a sentence.
+pub fn angle_unit(degrees: bool) -> AngleUnit {
+    match degrees {
+        true => AngleUnit::Degrees,
+        false => AngleUnit::Radians,
     }
 }
 
@@ -293,24 +297,7 @@ pub fn simulate(
     };
     let ground = ground.map(|ground| Arc::clone(&ground.ground));
     let (body, start, contact_law) = (body.body()?, start.into(), contact_law.contact_law()?);
-    // An exception raised by a signal handler (KeyboardInterrupt for Ctrl-C) or by `progress`.
-    let mut raised = None;
-    let report = |t: f64| {
-        Python::attach(|py| {
-            py.check_signals()?;
-            progress
-                .as_ref()
-                .map_or(Ok(()), |call| call.call1(py, (t,)).map(drop))
-        })
-    };
-    let mut watch = |t| match report(t) {
-        Ok(()) => ControlFlow::Continue(()),
-        Err(error) => {
-            raised = Some(error);
-            ControlFlow::Break(())
-        }
-    };
-    let followed = py.detach(|| {
+    followed(py, progress, 1, |mut watch| {
         let motion = simulate_on(ground, &body, &start, contact_law, &options, &mut watch)?;
         let derivatives = match motion.status {
             Status::Interrupted => None,
@@ -321,9 +308,5 @@ pub fn simulate(
             motion,
             derivatives,
         })
-    });
-    match raised {
-        Some(error) => Err(error),
-        None => followed.map_err(refusal),
-    }
+    })
 }

@@ -1,20 +1,19 @@
 //! Bodies with corners, and their motions.
 
 use crate::arguments::{BodyArgument, StateArgument, ideal_law, refusal};
-use crate::motion::{TurnNumbers, in_columns, turn_numbers};
+use crate::followed::followed;
+use crate::motion::{TurnNumbers, angle_unit, in_columns, turn_numbers};
 use numpy::{PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
-use rimroll::motion::AngleUnit;
 use rimroll::polygon::{PolygonMotion, PolygonOptions, PolygonalBody, simulate};
-use std::ops::ControlFlow;
 
 /// (corners, mass, radius, height, transverse_inertia, axial_inertia)
-type PolygonalBodyNumbers = (u32, f64, f64, f64, f64, f64);
+type PolygonalBodyNumbers = (u64, f64, f64, f64, f64, f64);
 
 /// Any object with the attributes of `rimroll.PolygonalBody`.
 #[derive(FromPyObject)]
 pub struct PolygonalBodyArgument {
-    corners: u32,
+    corners: u64,
     #[pyo3(attribute("round_body"))]
     round: BodyArgument,
 }
@@ -38,7 +37,7 @@ pub fn housner_ratio(body: PolygonalBodyArgument) -> PyResult<f64> {
 #[pyfunction]
 pub fn prism(
     mass: f64,
-    corners: u32,
+    corners: u64,
     radius: f64,
     length: f64,
     bore: f64,
@@ -122,10 +121,7 @@ impl CorePolygonMotion {
 
     /// How it ended, in a sentence with its angles in degrees or radians.
     fn message(&self, degrees: bool) -> String {
-        self.motion.message(match degrees {
-            true => AngleUnit::Degrees,
-            false => AngleUnit::Radians,
-        })
+        self.motion.message(angle_unit(degrees))
     }
 
     /// (steps, rejected, evaluations)
@@ -148,6 +144,7 @@ pub fn simulate_polygonal_body(
     rtol: f64,
     topple_tilt: Option<f64>,
     max_steps: usize,
+    restitution: f64,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<CorePolygonMotion> {
     let given = PolygonOptions::default();
@@ -157,38 +154,12 @@ pub fn simulate_polygonal_body(
         rtol,
         topple_tilt: topple_tilt.unwrap_or(given.topple_tilt),
         max_steps,
+        restitution,
     };
     let (body, law) = (body.body()?, ideal_law(law_name)?);
     let start = start.into();
-    // An exception raised by a signal handler (KeyboardInterrupt for Ctrl-C) or by `progress`.
-    let mut raised = None;
-    let report = |t: f64| {
-        Python::attach(|py| {
-            py.check_signals()?;
-            progress
-                .as_ref()
-                .map_or(Ok(()), |call| call.call1(py, (t,)).map(drop))
-        })
-    };
-    let mut steps = 0_usize;
-    let watch = |t| {
-        steps += 1;
-        if !steps.is_multiple_of(64) {
-            return ControlFlow::Continue(());
-        }
-        match report(t) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                raised = Some(error);
-                ControlFlow::Break(())
-            }
-        }
-    };
-    let followed = py.detach(|| simulate(&body, &start, law, &options, watch));
-    match raised {
-        Some(error) => Err(error),
-        None => Ok(CorePolygonMotion {
-            motion: followed.map_err(refusal)?,
-        }),
-    }
+    followed(py, progress, 64, |watch| {
+        let motion = simulate(&body, &start, law, &options, watch)?;
+        Ok(CorePolygonMotion { motion })
+    })
 }

@@ -7,13 +7,15 @@
 //!
 //! * [`PolygonalBody`]: the six numbers that enter the motion, and ready-made bodies.
 //! * [`Support`]: the corners that carry the body.
-//! * [`simulate`]: phases on a corner or an edge, joined by plastic impacts (see the file `impact.rs`).
+//! * [`simulate`]: phases on a corner, on an edge and in flight, joined by impacts (see the files `impact.rs` and
+//!   `rebound.rs`).
 //! * [`PolygonMotion`]: the computed motion.
 
 mod body;
 mod impact;
 mod motion;
 mod pose;
+mod rebound;
 mod run;
 mod segment;
 mod support;

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 use proptest::prelude::*;
 use rimroll::polygon::{
-    COLUMNS, Moment, PolygonEventKind, PolygonMotion, PolygonOptions, PolygonalBody, Support,
-    simulate,
+    COLUMNS, Moment, PolygonEvent, PolygonEventKind, PolygonMotion, PolygonOptions, PolygonalBody,
+    Support, simulate,
 };
 use rimroll::{Body, IdealLaw, State, Status};
 use std::ops::ControlFlow;
@@ -23,9 +23,20 @@ fn value(at: &Moment, name: &str) -> f64 {
 }
 
 fn follow(body: &PolygonalBody, start: State, law: IdealLaw, duration: f64) -> PolygonMotion {
+    bouncing(body, start, law, duration, 0.0)
+}
+
+fn bouncing(
+    body: &PolygonalBody,
+    start: State,
+    law: IdealLaw,
+    duration: f64,
+    restitution: f64,
+) -> PolygonMotion {
     let options = PolygonOptions {
         duration,
         rtol: 1e-11,
+        restitution,
         ..PolygonOptions::default()
     };
     simulate(body, &start, law, &options, |_| ControlFlow::Continue(())).expect("a motion")
@@ -86,6 +97,104 @@ fn smooth_ratio(body: &PolygonalBody) -> f64 {
     let arm = round.radius() * libm::cos(0.5 * body.corner_angle());
     let (inertia, lever) = (round.transverse_inertia(), round.mass() * arm * arm);
     (inertia - lever) / (inertia + lever)
+}
+
+#[test]
+fn a_block_that_bounces_keeps_what_its_plane_impact_leaves() {
+    for law in IdealLaw::ALL {
+        for (slenderness, restitution) in [(0.1, 0.3), (0.3, 0.5), (0.6, 1.0)] {
+            let (body, start) = block(slenderness, 0.03);
+            let motion = bouncing(&body, start, law, 1.0, restitution);
+            let ratio = match law {
+                IdealLaw::NoSlip => body.housner_ratio(),
+                IdealLaw::Frictionless => smooth_ratio(&body),
+            };
+            let impact = &motion.events[0];
+            assert_eq!(impact.kind, PolygonEventKind::Impact);
+            assert!(matches!(impact.support(), Support::Flight(_)));
+            let lying = body.round().mass() * GRAVITY * body.round().height();
+            let energy = value(&motion.at(0.0), "energy") - lying;
+            let lost = (1.0 - restitution * restitution) * (1.0 - ratio * ratio);
+            assert!((impact.loss / energy - lost).abs() < 1e-8, "{law:?}");
+            // The plane of the base turned with ω about the old edge, and turns with (ratio − e (1 − ratio)) ω.
+            let t = value(&impact.moment(), "t");
+            let before = value(&motion.at(t - 1e-9), "tilt_rate").abs();
+            let after = value(&motion.at(t + 1e-9), "tilt_rate");
+            let expected = ratio - restitution * (1.0 - ratio);
+            assert!(
+                (after.abs() / before - expected.abs()).abs() < 1e-6,
+                "{after} {before}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_corner_that_strikes_beside_one_that_stays_rebounds_alone() {
+    // The edge of a flat triangle comes down at one end: the other corner stays, as in the plastic impact.
+    let round = Body::new(0.1, 0.03, 0.0, 1.2e-5, 2.4e-5).expect("a body");
+    let body = PolygonalBody::new(3, round).expect("corners");
+    let start = State {
+        tilt: 0.25,
+        spin: 0.8,
+        ..State::default()
+    };
+    for law in IdealLaw::ALL {
+        let plastic = follow(&body, start, law, 0.3);
+        let bounce = bouncing(&body, start, law, 0.3, 0.5);
+        let [plastic, first] = [&plastic, &bounce].map(|motion| &motion.events[0]);
+        assert!(matches!(plastic.support(), Support::Edge(_)));
+        assert!(matches!(first.support(), Support::Corner(_)));
+        // Without friction nothing but the approach of the corner is lost in the plastic impact.
+        if law == IdealLaw::Frictionless {
+            assert!((first.loss / plastic.loss - 0.75).abs() < 1e-9);
+        }
+        assert!(first.loss <= plastic.loss);
+        // Ever smaller bounces end on the edge.
+        let supports = bounce.supports();
+        assert!(
+            supports
+                .iter()
+                .any(|(support, _)| matches!(support, Support::Edge(_)))
+        );
+    }
+}
+
+#[test]
+fn a_body_thrown_up_falls_on_its_parabola() {
+    // Spun so fast that the force of the table vanishes at once.
+    let (body, start) = block(0.5, 0.3);
+    let flung = State {
+        tilt_rate: 12.0,
+        spin: 0.5,
+        ..start
+    };
+    for law in IdealLaw::ALL {
+        let motion = follow(&body, flung, law, 0.3);
+        let (support, from) = motion.supports()[1];
+        assert!(matches!(support, Support::Flight(_)), "{support:?}");
+        let until = motion
+            .supports()
+            .get(2)
+            .map_or(motion.at(9.0)[0], |next| next.1);
+        let times: Vec<f64> = (0..5)
+            .map(|i| from + 0.25 * f64::from(i) * (until - from))
+            .collect();
+        let steps: Vec<Moment> = times
+            .iter()
+            .map(|&t| motion.at(t.min(until - 1e-12)))
+            .collect();
+        let h = times[1] - times[0];
+        for three in steps.windows(3) {
+            let second = |name| {
+                (value(&three[0], name) - 2.0 * value(&three[1], name) + value(&three[2], name))
+                    / (h * h)
+            };
+            assert!((second("z") + GRAVITY).abs() < 1e-4, "{}", second("z"));
+            assert!(second("x").abs() < 1e-4 && second("y").abs() < 1e-4);
+            assert_eq!(value(&three[1], "normal"), 0.0);
+        }
+    }
 }
 
 #[test]
@@ -179,7 +288,7 @@ fn endless_rocking_along_an_edge_ends_on_the_edge() {
 
 fn any_polygonal_body() -> impl Strategy<Value = PolygonalBody> {
     let height = prop_oneof![1 => Just(0.0), 4 => 0.05..4.0];
-    (3..40_u32, 0.01..1.0_f64, height, 0.1..4.0, 0.1..2.0).prop_map(
+    (3..40_u64, 0.01..1.0_f64, height, 0.1..4.0, 0.1..2.0).prop_map(
         |(corners, radius, slenderness, transverse, axial)| {
             let a = transverse * 0.7 * radius * radius;
             let round = Body::new(0.7, radius, slenderness * radius, a, axial * a);
@@ -213,11 +322,15 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
     #[test]
-    fn energy_changes_at_impacts_alone_and_is_never_gained(body in any_polygonal_body(), numbers in any_start()) {
+    fn energy_changes_at_impacts_alone_and_is_never_gained(
+        body in any_polygonal_body(),
+        numbers in any_start(),
+        restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0],
+    ) {
         let start = start_of(&body, numbers);
         let duration = 12.0 * (body.round().radius() / GRAVITY).sqrt();
         for law in IdealLaw::ALL {
-            let motion = follow(&body, start, law, duration);
+            let motion = bouncing(&body, start, law, duration, restitution);
             prop_assert_ne!(motion.status, Status::Failed);
             let samples = motion.samples(2);
             let total = |at: &Moment| value(at, "energy") + value(at, "impact_loss");
@@ -225,11 +338,11 @@ proptest! {
             for at in &samples {
                 prop_assert!((total(at) - scale).abs() < 1e-9 * scale, "{} {}", total(at), scale);
                 // The force just after an impact may be the one that lifts the body off.
-                let lifts_off = motion.status == Status::LiftedOff && at[0] == samples[samples.len() - 1][0];
-                prop_assert!(lifts_off || value(at, "normal") > -1e-9 * 0.7 * GRAVITY);
+                let lifts_off = |event: &PolygonEvent| event.kind == PolygonEventKind::LiftOff && event.moment()[0] == at[0];
+                prop_assert!(motion.events.iter().any(lifts_off) || value(at, "normal") > -1e-9 * 0.7 * GRAVITY);
             }
             for event in &motion.events {
-                prop_assert!(event.loss >= -1e-12 * scale);
+                prop_assert!(event.loss >= -1e-12 * scale, "{} of {scale}", event.loss);
             }
             // The loss reported at the events is the loss in the table.
             let reported: f64 = motion.events.iter().map(|event| event.loss).sum();
@@ -251,7 +364,12 @@ proptest! {
         let duration = 2.0 * (body.round().radius() / GRAVITY).sqrt();
         for law in IdealLaw::ALL {
             let [one, other] = [start, mirrored].map(|start| follow(&body, start, law, duration));
-            let (one, other) = (one.at(duration), other.at(duration));
+            // A body that falls flat from an edge strikes with all its corners at once: rounding decides what follows.
+            let supports = one.supports();
+            let edge = supports.iter().position(|(support, _)| matches!(support, Support::Edge(_)));
+            let flat = edge.and_then(|i| supports.get(i + 1)).map_or(duration, |&(_, t)| t);
+            let until = duration.min(flat - 1e-3 * duration);
+            let (one, other) = (one.at(until), other.at(until));
             prop_assert!((value(&one, "tilt") - value(&other, "tilt")).abs() < 1e-6);
             let turned = value(&one, "yaw") + value(&one, "spin");
             let turned_back = value(&other, "yaw") + value(&other, "spin");
@@ -261,12 +379,12 @@ proptest! {
     }
 
     #[test]
-    fn no_corner_is_below_the_table(body in any_polygonal_body(), numbers in any_start()) {
+    fn no_corner_is_below_the_table(body in any_polygonal_body(), numbers in any_start(), restitution in 0.0..1.0) {
         let start = start_of(&body, numbers);
         let duration = 6.0 * (body.round().radius() / GRAVITY).sqrt();
         let n = body.corners();
         for law in IdealLaw::ALL {
-            let motion = follow(&body, start, law, duration);
+            let motion = bouncing(&body, start, law, duration, restitution);
             for at in motion.samples(5) {
                 let (tilt, spin) = (value(&at, "tilt"), value(&at, "spin"));
                 let lowest = (0..n).map(|k| {
@@ -275,7 +393,9 @@ proptest! {
                 });
                 let lowest = lowest.fold(f64::INFINITY, f64::min);
                 let height = value(&at, "z") - body.round().height() * libm::cos(tilt) + lowest;
-                prop_assert!(height.abs() < 1e-9 * body.round().radius(), "{height}");
+                prop_assert!(height > -1e-9 * body.round().radius(), "{height}");
+                let is_carried = value(&at, "normal") > 0.0;
+                prop_assert!(!is_carried || height < 1e-9 * body.round().radius(), "{height}");
             }
         }
     }

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, overload
 from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
-from rimroll.given import Number
+from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
 from rimroll.motion.flat import FlatLanding, flat_given, ground_given
 from rimroll.motion.motion import Motion, follow
@@ -32,6 +32,7 @@ def simulate(
     rtol: float = 1e-10,
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
+    restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
 ) -> PolygonMotion: ...
 
@@ -66,6 +67,7 @@ def simulate(
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
     flat: FlatLanding = "stop",
+    restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
 ) -> Motion | PolygonMotion:
@@ -75,9 +77,11 @@ def simulate(
     ----------
     body, start, law
         What rolls, how it is released (single numbers), and how its rim meets the table. A
-        :class:`rimroll.PolygonalBody` pivots from corner to corner, with plastic impacts, under
-        ``NoSlip`` or ``Frictionless`` on a table at rest, and gives a
+        :class:`rimroll.PolygonalBody` pivots from corner to corner, with impacts and flights,
+        under ``NoSlip`` or ``Frictionless`` on a table at rest, and gives a
         :class:`rimroll.PolygonMotion`; at spin 0 it leans over a corner, at spin π/n over an edge.
+        Without slip, two corners cannot both be at rest in a start over an edge with a yaw rate or
+        spin rate: such a motion begins with an impact at t = 0 that takes the difference.
     duration
         Length of the motion, s. The motion may end earlier; its status says why.
     gravity
@@ -106,6 +110,9 @@ def simulate(
         given side with ``smooth_left`` (yaw increases) and ``smooth_right``; ``("smooth", seed)``
         draws other sides. ``housner``: a plastic collision with the opposite point of the rim
         (Housner 1963). A number r from 0 to 1: the tilt rate falls by this factor.
+    restitution
+        Of the impacts of a body with corners, 0 (plastic) to 1 (no energy is lost in the normal
+        direction). That of a round body belongs to its law: ``Coulomb(0.3, restitution=0.5)``.
     progress
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.
@@ -148,7 +155,12 @@ def simulate(
         if ground is not None or flat != "stop" or jacobian:
             raise RimrollError("a body with corners takes no ground, flat or jacobian")
         callback("progress", progress)
-        return follow_corners(body, single(start), law, options, progress)
+        bounce = number("restitution", restitution)
+        return follow_corners(body, single(start), law, options, bounce, progress)
+    if restitution != 0.0:
+        raise RimrollError(
+            "the restitution of a round body belongs to its law: Coulomb(0.3, restitution=0.5)"
+        )
     moving = ground_given(ground)
     landing = flat_given(flat)
     callback("progress", progress)

@@ -38,9 +38,9 @@ class PolygonEvent:
     """An event of a body with corners.
 
     ``kind`` is ``tilt_max``, ``tilt_min``, ``impact``, ``corner_lift`` (one end of an edge leaves
-    the table), ``lift_off`` or ``topple``; ``t`` in s; ``state`` as single numbers, after the
-    event; ``support`` what carries the body afterwards, ``corner``, ``edge`` or ``face``; ``loss``
-    the energy that an impact took, J.
+    the table), ``lift_off`` (the force of the table vanishes) or ``topple``; ``t`` in s; ``state``
+    as single numbers, after the event; ``support`` what carries the body afterwards, ``corner``,
+    ``edge``, ``face`` or ``flight``; ``loss`` the energy that an impact took, J.
     """
 
     kind: str
@@ -110,12 +110,15 @@ class PolygonMoments:
 
     @property
     def contact_path(self) -> Array:
-        """The supporting corner, or the middle of the edge or the face (x, y), m, shape (n, 2)."""
+        """The supporting corner, or the middle of the edge or the face (x, y), m, shape (n, 2).
+
+        In flight, the place below the lowest corner.
+        """
         return np.stack([self["contact_x"], self["contact_y"]], axis=-1)
 
     @property
     def corner(self) -> NDArray[np.int64]:
-        """The (first) corner that carries the body, from 0 to corners − 1."""
+        """The (first) corner that carries the body, from 0 to corners − 1; in flight the lowest."""
         return self["corner"].astype(np.int64)
 
     @property
@@ -125,8 +128,11 @@ class PolygonMoments:
 
     @property
     def friction_ratio(self) -> Array:
-        """|T|/N: the coefficient of friction that the motion needs between impacts."""
-        return np.asarray(self["friction"] / self["normal"])
+        """|T|/N: the coefficient of friction that the motion needs between impacts; 0 in flight."""
+        touching = self["normal"] > 0.0
+        ratio = np.zeros(len(self))
+        np.divide(self["friction"], self["normal"], out=ratio, where=touching)
+        return ratio
 
     @property
     def energy(self) -> Array:
@@ -146,11 +152,12 @@ class PolygonMotion(PolygonMoments):
 
     Attributes
     ----------
-    body, start, law, duration, gravity, rtol, topple_tilt, max_steps
+    body, start, law, duration, gravity, rtol, topple_tilt, max_steps, restitution
         What it was computed from.
     status
-        ``finished``, ``toppled``, ``lifted_off`` (the body would fly, which is not followed),
-        ``at_rest`` (it stands on its base: impacts, if endless, took the energy) or ``failed``.
+        ``finished``, ``toppled``, ``at_rest`` (it stands on its base: impacts, if endless, took
+        the energy), ``lifted_off`` (without slip, a corner came down so that its friction lifts it,
+        and to stay it would have to be pulled down) or ``failed``.
     """
 
     def __init__(
@@ -160,6 +167,7 @@ class PolygonMotion(PolygonMoments):
         start: State[float],
         law: Law,
         options: Options,
+        restitution: float,
     ) -> None:
         super().__init__(core.samples(1))
         self._core = core
@@ -171,6 +179,7 @@ class PolygonMotion(PolygonMoments):
         self.rtol = options.rtol
         self.topple_tilt = options.topple_tilt
         self.max_steps = options.max_steps
+        self.restitution = restitution
         self.status = core.status
 
     def __repr__(self) -> str:
@@ -225,7 +234,7 @@ class PolygonMotion(PolygonMoments):
 
     @cached_property
     def phases(self) -> list[Phase]:
-        """What carries the body, and when: ``corner``, ``edge`` or ``face``."""
+        """What carries the body, and when: ``corner``, ``edge``, ``face`` or ``flight``."""
         kinds, starts = zip(*self._core.phases(), strict=True)
         ends = [*starts[1:], float(self.t[-1])]
         return [Phase(*phase) for phase in zip(kinds, starts, ends, strict=True)]
@@ -279,6 +288,7 @@ def follow(
     start: State[float],
     law: Law,
     options: Options,
+    restitution: float,
     progress: Callable[[float], object] | None = None,
 ) -> PolygonMotion:
     """What :func:`rimroll.simulate` computes for a body with corners."""
@@ -287,5 +297,7 @@ def follow(
             "law must be NoSlip() or Frictionless() for a body with corners, without resistances,"
             f" got {law!r}"
         )
-    core = _core.simulate_polygonal_body(body, start, law.name, *options.values, progress)
-    return PolygonMotion(core, body, start, law, options)
+    core = _core.simulate_polygonal_body(
+        body, start, law.name, *options.values, restitution, progress
+    )
+    return PolygonMotion(core, body, start, law, options, restitution)

@@ -24,15 +24,18 @@ impl PolygonalBody {
     ///
     /// # Errors
     /// Refuses fewer than 3 or more than 100 000 corners.
-    pub fn new(corners: u32, round: Body) -> Result<PolygonalBody, InvalidInput> {
-        let allowed = |_| PolygonalBody::CORNERS.contains(&corners);
+    pub fn new(corners: u64, round: Body) -> Result<PolygonalBody, InvalidInput> {
+        let known = u32::try_from(corners).ok();
+        let known = known.filter(|corners| PolygonalBody::CORNERS.contains(corners));
+        let allowed = |_| known.is_some();
         bounded(
             "corners",
-            f64::from(corners),
+            corners as f64,
             allowed,
             "between 3 and 100000",
             "",
         )?;
+        let corners = known.unwrap_or(*PolygonalBody::CORNERS.start());
         Ok(PolygonalBody { round, corners })
     }
 
@@ -47,7 +50,7 @@ impl PolygonalBody {
     /// [`PolygonalBody::new`] refuses.
     pub fn prism(
         mass: f64,
-        corners: u32,
+        corners: u64,
         radius: f64,
         length: f64,
         bore: f64,
@@ -55,7 +58,7 @@ impl PolygonalBody {
         positive("mass", mass, "kg")?;
         positive("radius", radius, "m")?;
         positive("length", length, "m")?;
-        let count = f64::from(corners.max(3));
+        let count = corners.max(3) as f64;
         let incircle = radius * libm::cos(PI / count);
         let narrow = |bore| (0.0..incircle).contains(&bore);
         bounded(

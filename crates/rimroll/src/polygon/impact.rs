@@ -1,4 +1,4 @@
-//! Plastic impacts: corners come down on the table.
+//! Impacts: corners come down on the table.
 //!
 //! The corners that touch stay down or leave upward. Of all supports (one corner, an edge, the face) after whose impact no
 //! touching corner moves downward, the one that loses the least energy follows. Without friction this is the plastic
@@ -11,11 +11,17 @@
 //!
 //! A block that comes down flat passes on to the opposite edge, as Housner (1963) assumed, for all corners touch and
 //! the nearest allowed velocity is that about the far edge. No impact gains energy, because each is a projection.
+//!
+//! Without slip the impulses that stop a corner may have to pull it down, where its friction lifts it. A body that lands
+//! or rebounds so has no support. One that rolls from corner to corner keeps the rule above: its impulses and the force
+//! between them are together that of a round rim in the limit of many corners, and that does not pull.
+//!
+//! With a coefficient of restitution, see `rebound.rs`.
 
 use super::body::PolygonalBody;
 use super::pose::Pose;
 use super::support::{Carried, Support};
-use super::vector::{Vector, cross, dot, plus, times};
+use super::vector::{Vector, cross, dot, length, minus, plus, times};
 use crate::law::IdealLaw;
 
 /// The support and the pose after an impact.
@@ -24,20 +30,35 @@ pub(super) struct AfterImpact {
     pub pose: Pose,
 }
 
-/// The outcome of an impact of the corners `touching` (at least two, those that were carrying included). With
-/// `is_slow` the corners approach so slowly that the next of ever smaller impacts would follow at once: those that touch
-/// then stay down together.
-pub(super) fn resolve(
+/// Which supports an impact may lead to.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Allowed {
+    /// All after which no touching corner moves downward: the body rolls from corner to corner.
+    Any,
+    /// Those of them whose corners are not pulled down: the body lands or rebounds.
+    Pushing,
+    /// Those that hold all touching corners: they approach so slowly that the next of ever smaller impacts would follow
+    /// at once.
+    Together,
+}
+
+/// The outcome of a plastic impact of the corners `touching`, those that were carrying included.
+pub(super) fn plastic(
     before: &Carried,
     at: &Pose,
     touching: &[i64],
-    is_slow: bool,
+    allowed_supports: Allowed,
 ) -> Option<AfterImpact> {
     let approach = touching
         .iter()
         .map(|&k| -before.gap(at, k).1)
         .fold(0.0, f64::max);
-    let allowed = -1e-9 * approach;
+    // In flight the rate of a height is the difference of two rates.
+    let rounding = match before.support {
+        Support::Flight(_) => 1e-14 * before.body.round().radius() * length(at.rate),
+        _ => 0.0,
+    };
+    let allowed = -1e-9 * approach - rounding;
     let stays_allowed = |after: &AfterImpact| {
         let rate = |&k: &i64| after.carried.gap(&after.pose, k).1;
         touching.iter().map(rate).all(|rate| rate >= allowed)
@@ -46,15 +67,17 @@ pub(super) fn resolve(
     let mut best: Option<(f64, AfterImpact)> = None;
     for support in candidates {
         let holds_all = match support {
-            Support::Corner(_) => false,
+            Support::Corner(_) => touching.len() == 1,
             Support::Edge(_) => touching.len() == 2,
-            Support::Face(_) => true,
+            Support::Face(_) | Support::Flight(_) => true,
         };
-        if is_slow && !holds_all {
+        if allowed_supports == Allowed::Together && !holds_all {
             continue;
         }
         let after = impact(before, at, support);
-        if !stays_allowed(&after) {
+        if !stays_allowed(&after)
+            || allowed_supports == Allowed::Pushing && pulls(before, at, &after)
+        {
             continue;
         }
         let energy = after.carried.kinetic(&after.pose);
@@ -107,7 +130,31 @@ fn sticking(before: &Carried, at: &Pose, support: Support) -> Vector {
             let edge = body.edge(k);
             times(dot(edge, momentum) / body.edge_inertia(k), edge)
         }
-        Support::Face(_) => [0.0; 3],
+        Support::Face(_) | Support::Flight(_) => [0.0; 3],
+    }
+}
+
+/// Whether a corner that comes to rest would have to be pulled down. Without friction the projection excludes this.
+fn pulls(before: &Carried, at: &Pose, after: &AfterImpact) -> bool {
+    let AfterImpact { carried, pose } = after;
+    let body = &carried.body;
+    if carried.law == IdealLaw::Frictionless {
+        return false;
+    }
+    let gained = minus(carried.velocity(pose), before.velocity(at));
+    let turned = minus(pose.rate, at.rate);
+    let speed = length(before.velocity(at)) + body.round().radius() * length(at.rate);
+    let least = -1e-9 * body.mass() * speed;
+    let total = body.mass() * dot(at.up, gained);
+    match carried.support {
+        Support::Edge(k) => {
+            let (edge, first) = (body.edge(k), body.corner(k));
+            let over = minus(body.corner(k + 1), first);
+            let moment = plus(body.inertia(turned), -body.mass(), cross(first, gained));
+            let second = dot(cross(edge, at.up), moment) / length(over);
+            second < least || total - second < least
+        }
+        _ => total < least,
     }
 }
 
@@ -128,6 +175,6 @@ fn sliding(before: &Carried, at: &Pose, support: Support) -> Vector {
             let impulses = [(b * p - c * q) / determinant, (a * q - c * p) / determinant];
             struck(struck(at.rate, k, impulses[0]), k + 1, impulses[1])
         }
-        Support::Face(_) => [0.0, 0.0, at.rate[2]],
+        Support::Face(_) | Support::Flight(_) => [0.0, 0.0, at.rate[2]],
     }
 }

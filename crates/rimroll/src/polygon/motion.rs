@@ -111,7 +111,7 @@ impl PolygonMotion {
         let mut samples = vec![self.start.moment()];
         let mut support = self.start.carried.support;
         for segment in &self.segments {
-            if segment.carried.support != support {
+            if !segment.carried.support.is_same_phase(support) {
                 support = segment.carried.support;
                 samples.push(segment.at(0.0).moment());
             }
@@ -145,7 +145,7 @@ impl PolygonMotion {
         for segment in &self.segments {
             if supports
                 .last()
-                .is_none_or(|&(last, _)| last != segment.carried.support)
+                .is_none_or(|&(last, _)| !last.is_same_phase(segment.carried.support))
             {
                 supports.push((segment.carried.support, segment.t));
             }
@@ -162,7 +162,8 @@ impl PolygonMotion {
             Status::Finished => format!("reached the duration, t = {t}, at a tilt of {tilt}"),
             Status::Toppled => format!("toppled: reached the tilt {tilt} at t = {t}"),
             Status::LiftedOff => format!(
-                "lifted off at t = {t}, at a tilt of {tilt}: the normal force vanished, and flight is not followed"
+                "lifted off at t = {t}, at a tilt of {tilt}: to stay on the table a corner would have to be pulled down, \
+                 and without its friction it would go through the table"
             ),
             Status::AtRest => format!("stands on its base at t = {t}: impacts took the energy"),
             Status::Interrupted => format!("was interrupted at t = {t}"),

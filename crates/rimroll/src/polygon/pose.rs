@@ -1,10 +1,13 @@
 //! Position and motion of a body with corners, in coordinates that are regular where it stands flat.
 
-use super::vector::{Vector, cross};
+use super::vector::{Vector, cross, length, times};
 use crate::state::State;
 
-/// The number of integrated coordinates.
-pub(super) const COORDINATES: usize = 7;
+/// The number of integrated coordinates on a support.
+pub(super) const CARRIED: usize = 7;
+
+/// The number of coordinates, with those of the height in flight.
+pub(super) const COORDINATES: usize = 9;
 
 /// Orientation and angular velocity.
 ///
@@ -22,18 +25,40 @@ pub(super) struct Pose {
     pub rate: Vector,
     /// χ = ψ + θ, rad.
     pub heading: f64,
+    /// In flight, the height of the centre of mass, m; 0 on a support, which determines it.
+    pub height: f64,
+    /// In flight, the rate of the height, m/s.
+    pub rise: f64,
 }
 
 impl Pose {
     pub fn from_array(u: &[f64; COORDINATES]) -> Pose {
         Pose {
-            up: [u[0], u[1], u[2]],
-            rate: [u[3], u[4], u[5]],
-            heading: u[6],
+            height: u[7],
+            rise: u[8],
+            ..Pose::carried([u[0], u[1], u[2], u[3], u[4], u[5], u[6]])
         }
     }
 
     pub fn into_array(self) -> [f64; COORDINATES] {
+        let [a, b, c, p, q, r, heading] = self.on_support();
+        [a, b, c, p, q, r, heading, self.height, self.rise]
+    }
+
+    /// From the coordinates on a support.
+    pub fn carried(u: [f64; CARRIED]) -> Pose {
+        let [a, b, c, p, q, r, heading] = u;
+        Pose {
+            up: [a, b, c],
+            rate: [p, q, r],
+            heading,
+            height: 0.0,
+            rise: 0.0,
+        }
+    }
+
+    /// The coordinates on a support.
+    pub fn on_support(&self) -> [f64; CARRIED] {
         let ([a, b, c], [p, q, r]) = (self.up, self.rate);
         [a, b, c, p, q, r, self.heading]
     }
@@ -50,7 +75,15 @@ impl Pose {
                 state.yaw_rate * up[i] + axial[i] - state.tilt_rate * across[i]
             }),
             heading: state.yaw + state.spin,
+            height: 0.0,
+            rise: 0.0,
         }
+    }
+
+    /// The same with |Γ| = 1, from which steps drift by their errors.
+    pub fn normalised(self) -> Pose {
+        let up = times(1.0 / length(self.up), self.up);
+        Pose { up, ..self }
     }
 
     /// sin φ.
@@ -113,5 +146,14 @@ impl Pose {
             sin * upright[0] + cos * upright[1],
             upright[2],
         ]
+    }
+
+    /// A vector of the table in the axes of the body, the inverse of [`Self::on_table`].
+    pub fn in_body(&self, a: Vector) -> Vector {
+        let [x, y, z] = self.up;
+        let (sin, cos) = libm::sincos(self.heading);
+        let (p, q) = (cos * a[0] + sin * a[1], cos * a[1] - sin * a[0]);
+        let shift = a[2] - (x * p + y * q) / (1.0 + z);
+        [p + x * shift, q + y * shift, z * a[2] - x * p - y * q]
     }
 }

@@ -1,19 +1,20 @@
 //! Follows a motion from phase to phase.
 
 use super::body::PolygonalBody;
-use super::impact::{self, AfterImpact};
+use super::impact::{self, AfterImpact, Allowed};
 use super::motion::{PolygonEvent, PolygonEventKind, PolygonMotion};
 use super::pose::Pose;
-use super::segment::{Instant, Segment};
+use super::rebound;
+use super::segment::{Instant, Segment, Steps};
 use super::support::{Carried, Support};
 use super::turns::turns;
-use super::vector::{dot, length, times};
+use super::vector::{dot, length};
 use super::watcher::{StepEvent, Watcher, touching, touching_gap};
 use crate::ending::Status;
 use crate::error::{InvalidInput, bounded, positive};
 use crate::law::IdealLaw;
 use crate::motion::STANDARD_GRAVITY;
-use crate::solve::{Stepper, Work};
+use crate::solve::Work;
 use crate::state::State;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
@@ -37,6 +38,8 @@ pub struct PolygonOptions {
     pub topple_tilt: f64,
     /// The maximal number of steps and impacts.
     pub max_steps: usize,
+    /// e, the coefficient of restitution of impacts, from 0 (plastic) to 1.
+    pub restitution: f64,
 }
 
 impl Default for PolygonOptions {
@@ -47,6 +50,7 @@ impl Default for PolygonOptions {
             rtol: 1e-10,
             topple_tilt: FRAC_PI_2,
             max_steps: 1_000_000,
+            restitution: 0.0,
         }
     }
 }
@@ -72,6 +76,8 @@ impl PolygonOptions {
             ">= 1",
             "",
         )?;
+        let part = |e| (0.0..=1.0).contains(&e);
+        bounded("restitution", self.restitution, part, "between 0 and 1", "")?;
         Ok(())
     }
 
@@ -98,7 +104,10 @@ pub fn simulate(
     let below = |tilt| tilt < options.topple_tilt;
     bounded("tilt", start.tilt, below, "below topple_tilt", "rad")?;
     let mut run = Run::new(body, start, law, options);
-    let status = run.follow(watch);
+    let status = match run.begin() {
+        Some(status) => status,
+        None => run.follow(watch),
+    };
     let turns = turns(&run.first, &run.events, &run.now);
     Ok(PolygonMotion {
         body: *body,
@@ -138,25 +147,24 @@ impl<'a> Run<'a> {
             anchor: carried.anchor(&pose, [0.0; 2]),
             lost: 0.0,
         };
-        let mut run = Run {
+        Run {
             options,
             first: now,
             now,
             segments: Vec::new(),
             events: Vec::new(),
             work: Work::default(),
-        };
-        run.begin();
-        run
+        }
     }
 
-    /// Chooses the support where two corners are the lowest at the start.
-    fn begin(&mut self) {
+    /// Chooses the support where two corners are the lowest at the start. If they cannot both be at rest, the start is an
+    /// impact.
+    fn begin(&mut self) -> Option<Status> {
         let Instant { carried, pose, .. } = self.now;
         let lowest = carried.support.corner();
         let touching = touching(&carried, &pose, lowest);
         if touching.len() == 1 {
-            return;
+            return None;
         }
         let radius = carried.body.round().radius();
         let still = 1e-12 * radius * (length(pose.rate) + carried.falling_rate);
@@ -170,29 +178,33 @@ impl<'a> Run<'a> {
             Some(corner) if touching.len() == 2 => Some(Support::Corner(corner)),
             _ if rising => None,
             _ => {
-                self.touch(&touching, true);
+                let status = self.touch(&touching, true);
                 // Without a loss nothing has struck the table: the body lay on the edge.
                 self.events
                     .retain(|event| event.loss > 1e-12 * carried.kinetic(&pose));
-                self.first = self.now;
-                return;
+                if self.events.is_empty() {
+                    self.first = self.now;
+                }
+                return status;
             }
         };
         if let Some(support) = next {
-            self.carry(support, pose);
+            self.carry(self.on(support), pose);
             self.first = self.now;
         }
+        None
+    }
+
+    /// The body on another support.
+    fn on(&self, support: Support) -> Carried {
+        let carried = &self.now.carried;
+        Carried::new(&carried.body, carried.law, carried.gravity, support)
     }
 
     /// Goes on from `pose` on another support.
-    fn carry(&mut self, support: Support, pose: Pose) {
-        let Instant {
-            carried, anchor, ..
-        } = self.now;
-        let center = carried.center(&self.now.pose, anchor);
-        let carried = Carried::new(&carried.body, carried.law, carried.gravity, support);
-        let up = times(1.0 / length(pose.up), pose.up);
-        let pose = Pose { up, ..pose };
+    fn carry(&mut self, carried: Carried, pose: Pose) {
+        let center = self.now.carried.center(&self.now.pose, self.now.anchor);
+        let pose = pose.normalised();
         self.now = Instant {
             pose,
             carried,
@@ -215,23 +227,23 @@ impl<'a> Run<'a> {
             self.segments.push(Segment::jump(&self.now));
             return Some(Status::AtRest);
         }
-        let carried = self.now.carried;
+        let system = self.now.carried;
+        let mut carried = system;
         let rate = length(self.now.pose.rate) + carried.falling_rate;
-        let u = self.now.pose.into_array();
-        let mut stepper = Stepper::new(&carried, u, 0.01 / rate, self.options.step_tolerance());
+        let tolerance = self.options.step_tolerance();
+        let mut stepper = Steps::new(&system, &self.now.pose, 0.01 / rate, tolerance);
         let before = self.work;
         loop {
-            if before.steps + stepper.work.steps + self.events.len() >= self.options.max_steps {
+            if before.steps + stepper.work().steps + self.events.len() >= self.options.max_steps {
                 return Some(Status::Failed);
             }
             if watch(self.now.t).is_break() {
                 return Some(Status::Interrupted);
             }
-            let Ok(step) = stepper.advance() else {
+            let Ok(dense) = stepper.advance() else {
                 return Some(Status::Failed);
             };
-            let dense = step.dense(&carried);
-            self.work = before + stepper.work;
+            self.work = before + stepper.work();
             let left = (self.options.duration - self.now.t) / dense.h;
             let mut segment = Segment {
                 t: self.now.t,
@@ -261,6 +273,10 @@ impl<'a> Run<'a> {
                 }
             }
             self.now = segment.at(1.0);
+            if carried.support.is_flight() {
+                carried = carried.with_lowest(&self.now.pose);
+                self.now.carried = carried;
+            }
             self.segments.push(segment);
             match found.last() {
                 Some(&(_, event)) if event.ends_phase() => return self.after(event),
@@ -291,11 +307,21 @@ impl<'a> Run<'a> {
             }
             StepEvent::Release(which) => {
                 let k = carried.support.corner();
-                self.carry(Support::Corner(k + 1 - which as i64), pose);
+                self.carry(self.on(Support::Corner(k + 1 - which as i64)), pose);
                 (PolygonEventKind::CornerLift, None)
             }
             StepEvent::Topple => (PolygonEventKind::Topple, Some(Status::Toppled)),
-            _ => (PolygonEventKind::LiftOff, Some(Status::LiftedOff)),
+            _ => {
+                let (flying, pose) = carried.released(&pose, pose.rate, carried.velocity(&pose));
+                // Without slip, a corner that would have to be pulled down may go down when its friction ceases.
+                let leaves = |&k: &i64| flying.gap_acceleration(&pose, k) >= 0.0;
+                let slips = carried.law == IdealLaw::Frictionless;
+                if !slips && !carried.corners().iter().all(leaves) {
+                    return Some(self.lift_off());
+                }
+                self.carry(flying, pose);
+                (PolygonEventKind::LiftOff, None)
+            }
         };
         self.events.push(PolygonEvent {
             kind,
@@ -305,27 +331,41 @@ impl<'a> Run<'a> {
         status
     }
 
+    /// The end, where a corner can neither stay on the table nor leave it.
+    fn lift_off(&mut self) -> Status {
+        self.events.push(PolygonEvent {
+            kind: PolygonEventKind::LiftOff,
+            at: self.now,
+            loss: 0.0,
+        });
+        Status::LiftedOff
+    }
+
     /// An impact, or corners that come to rest on the table without one. A body that rocks on an edge from end to end with
     /// ever smaller impacts comes to rest on it: the endless sequence ends where hops are lost in rounding.
     fn touch(&mut self, touching: &[i64], is_slow: bool) -> Option<Status> {
         let Instant { carried, pose, .. } = self.now;
-        let free = impact::resolve(&carried, &pose, touching, false);
+        let pose = pose.normalised();
+        let free = rebound::resolve(&carried, &pose, touching, self.options.restitution);
         let chatters = |after: &AfterImpact| {
-            let corner = after.carried.support.corner();
-            let others = touching.iter().filter(|&&k| k != corner);
-            let is_corner = matches!(after.carried.support, Support::Corner(_));
-            is_corner && others.clone().all(|&k| hops_back(after, k))
+            let down = after.carried.corners();
+            let others = touching.iter().filter(|k| !down.contains(k));
+            let can_hop = matches!(
+                after.carried.support,
+                Support::Corner(_) | Support::Flight(_)
+            );
+            can_hop && others.clone().all(|&k| hops_back(after, k))
         };
         let after = if is_slow || free.as_ref().is_some_and(chatters) {
-            impact::resolve(&carried, &pose, touching, true).or(free)
+            impact::plastic(&carried, &pose, touching, Allowed::Together).or(free)
         } else {
             free
         };
         let Some(after) = after else {
-            return Some(Status::Failed);
+            return Some(self.lift_off());
         };
         let before = carried.kinetic(&pose);
-        self.carry(after.carried.support, after.pose);
+        self.carry(after.carried, after.pose);
         if self.is_spent() {
             let rate = match carried.law {
                 IdealLaw::NoSlip => [0.0; 3],
@@ -333,7 +373,7 @@ impl<'a> Run<'a> {
             };
             let corner = self.now.carried.support.corner();
             self.carry(
-                Support::Face(corner),
+                self.on(Support::Face(corner)),
                 Pose {
                     rate,
                     ..self.now.pose

@@ -1,8 +1,8 @@
 //! A stretch of a motion: one step of the solver.
 
-use super::pose::{COORDINATES, Pose};
+use super::pose::{CARRIED, COORDINATES, Pose};
 use super::support::Carried;
-use crate::solve::Dense;
+use crate::solve::{Dense, Stepper, Stuck, Work};
 
 /// A step, or a jump of no length.
 pub(super) struct Segment {
@@ -55,6 +55,46 @@ impl Segment {
             carried: self.carried,
             anchor: self.anchor,
             lost: self.lost,
+        }
+    }
+}
+
+/// The steps of a phase.
+pub(super) enum Steps<'a> {
+    OnSupport(&'a Carried, Box<Stepper<'a, Carried, CARRIED>>),
+    InFlight(&'a Carried, Box<Stepper<'a, Carried, COORDINATES>>),
+}
+
+impl<'a> Steps<'a> {
+    /// From a pose, with a first guess of the step (s) and a tolerance.
+    pub fn new(carried: &'a Carried, from: &Pose, h: f64, tolerance: f64) -> Steps<'a> {
+        match carried.support.is_flight() {
+            true => {
+                let stepper = Stepper::new(carried, from.into_array(), h, tolerance);
+                Steps::InFlight(carried, Box::new(stepper))
+            }
+            false => {
+                let stepper = Stepper::new(carried, from.on_support(), h, tolerance);
+                Steps::OnSupport(carried, Box::new(stepper))
+            }
+        }
+    }
+
+    pub fn work(&self) -> Work {
+        match self {
+            Steps::OnSupport(_, stepper) => stepper.work,
+            Steps::InFlight(_, stepper) => stepper.work,
+        }
+    }
+
+    /// The next step as a polynomial.
+    pub fn advance(&mut self) -> Result<Dense<f64, COORDINATES>, Stuck> {
+        match self {
+            Steps::OnSupport(carried, stepper) => {
+                let step = stepper.advance()?.dense(*carried);
+                Ok(step.widened(&[0.0; COORDINATES]))
+            }
+            Steps::InFlight(carried, stepper) => Ok(stepper.advance()?.dense(*carried)),
         }
     }
 }

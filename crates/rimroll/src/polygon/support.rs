@@ -1,4 +1,4 @@
-//! The equations of motion of a body on one corner or on an edge.
+//! The equations of motion of a body on one corner, on an edge or in flight.
 //!
 //! In the axes of the body, with b from the centre of mass to a corner on the table and I for diag(A, A, C):
 //!
@@ -11,9 +11,11 @@
 //! Without slip the two corners of an edge carry equal forces: the body is its own mirror image in the plane through the
 //! centre of mass across the edge, and rotates about an axis across that plane. So it leaves an edge only by
 //! lifting off. Without friction it can turn about the vertical while it lies on an edge, and one force can vanish alone.
+//!
+//! In flight I Ω̇ = −Ω × I Ω, and the centre of mass falls on a parabola.
 
 use super::body::PolygonalBody;
-use super::pose::{COORDINATES, Pose};
+use super::pose::{CARRIED, COORDINATES, Pose};
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::IdealLaw;
 use crate::solve::System;
@@ -25,6 +27,8 @@ pub enum Support {
     Corner(i64),
     /// The corners k and k + 1.
     Edge(i64),
+    /// Nothing: the body flies, and k is its lowest corner.
+    Flight(i64),
     /// All corners; k is the one that was lowest before.
     Face(i64),
 }
@@ -35,36 +39,38 @@ impl Support {
         match self {
             Support::Corner(_) => "corner",
             Support::Edge(_) => "edge",
+            Support::Flight(_) => "flight",
             Support::Face(_) => "face",
         }
     }
 
-    /// A corner that carries the body.
+    /// A corner that carries the body, or the lowest one.
     pub fn corner(self) -> i64 {
         match self {
-            Support::Corner(k) | Support::Edge(k) | Support::Face(k) => k,
+            Support::Corner(k) | Support::Edge(k) | Support::Flight(k) | Support::Face(k) => k,
         }
     }
 
     /// The spin at which these corners are lowest, rad.
     pub(super) fn middle_spin(self, body: &PolygonalBody) -> f64 {
         let middle = match self {
-            Support::Corner(k) | Support::Face(k) => k as f64,
+            Support::Corner(k) | Support::Flight(k) | Support::Face(k) => k as f64,
             Support::Edge(k) => k as f64 + 0.5,
         };
         -middle * body.corner_angle()
     }
 
-    /// The corners that may touch next: those beside the support.
-    pub(super) fn neighbours(self) -> [i64; 2] {
-        match self {
-            Support::Corner(k) | Support::Face(k) => [k + 1, k - 1],
-            Support::Edge(k) => [k + 2, k - 1],
-        }
+    pub(super) fn is_flight(self) -> bool {
+        matches!(self, Support::Flight(_))
+    }
+
+    /// Whether the body is carried in the same way; which corner is lowest in flight does not matter.
+    pub(super) fn is_same_phase(self, other: Support) -> bool {
+        self == other || self.is_flight() && other.is_flight()
     }
 }
 
-/// A body on a corner or an edge.
+/// A body on a support, or in flight.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Carried {
     pub body: PolygonalBody,
@@ -78,6 +84,8 @@ pub(super) struct Carried {
     edge: Vector,
     /// √(g/R), 1/s.
     pub falling_rate: f64,
+    /// In flight, the horizontal velocity of the centre of mass, m/s.
+    drift: [f64; 2],
 }
 
 /// What the table does to the body.
@@ -104,6 +112,35 @@ impl Carried {
             second,
             edge: body.edge(k),
             falling_rate: (gravity / body.round().radius()).sqrt(),
+            drift: [0.0; 2],
+        }
+    }
+
+    /// In flight with a velocity of the centre of mass (in the body's axes, m/s), from where this support holds the body.
+    pub fn released(&self, at: &Pose, rate: Vector, velocity: Vector) -> (Carried, Pose) {
+        let flight = Support::Flight(self.support.corner());
+        let [x, y, rise] = at.on_table(velocity);
+        let carried = Carried {
+            drift: [x, y],
+            ..Carried::new(&self.body, self.law, self.gravity, flight)
+        };
+        let pose = Pose {
+            rate,
+            height: self.height(at),
+            rise,
+            ..*at
+        };
+        (carried, pose)
+    }
+
+    /// In flight, the same with the corner counted that is lowest now.
+    pub fn with_lowest(&self, at: &Pose) -> Carried {
+        let spin = at.state(self.support.middle_spin(&self.body)).spin;
+        let lowest = libm::rint(-spin / self.body.corner_angle()) as i64;
+        Carried {
+            support: Support::Flight(lowest),
+            first: self.body.corner(lowest),
+            ..*self
         }
     }
 
@@ -112,11 +149,12 @@ impl Carried {
         match self.support {
             Support::Corner(k) => vec![k],
             Support::Edge(k) => vec![k, k + 1],
+            Support::Flight(_) => Vec::new(),
             Support::Face(k) => (k..k + i64::from(self.body.corners())).collect(),
         }
     }
 
-    /// From the centre of mass to the middle of the support, in the body's axes, m.
+    /// From the centre of mass to the middle of the support or to the lowest corner, in the body's axes, m.
     pub fn middle(&self) -> Vector {
         match (self.support, self.second) {
             (Support::Face(_), _) => [0.0, 0.0, self.first[2]],
@@ -125,9 +163,13 @@ impl Carried {
         }
     }
 
-    /// The place on the table (x, y) of the centre of mass, given that of the first corner (no slip) or of the centre of
-    /// mass itself (no friction), m.
+    /// The place on the table (x, y) of the centre of mass, given that of the first corner (no slip), of the centre of
+    /// mass itself (no friction) or of the top of its parabola (in flight), m.
     pub fn center(&self, at: &Pose, anchor: [f64; 2]) -> [f64; 2] {
+        if self.support.is_flight() {
+            let since_top = -at.rise / self.gravity;
+            return core::array::from_fn(|i| anchor[i] + since_top * self.drift[i]);
+        }
         match self.law {
             IdealLaw::NoSlip => {
                 let [x, y, _] = at.on_table(self.first);
@@ -139,6 +181,10 @@ impl Carried {
 
     /// The inverse of [`Self::center`].
     pub fn anchor(&self, at: &Pose, center: [f64; 2]) -> [f64; 2] {
+        if self.support.is_flight() {
+            let since_top = -at.rise / self.gravity;
+            return core::array::from_fn(|i| center[i] - since_top * self.drift[i]);
+        }
         match self.law {
             IdealLaw::NoSlip => {
                 let [x, y, _] = at.on_table(self.first);
@@ -148,26 +194,41 @@ impl Carried {
         }
     }
 
-    /// The height of corner k over the support, m, and its rate, m/s.
+    /// The height of corner k over the table, m, and its rate, m/s.
     pub fn gap(&self, at: &Pose, k: i64) -> (f64, f64) {
+        if self.support.is_flight() {
+            let corner = self.body.corner(k);
+            let rate = at.rise + dot(at.up, cross(at.rate, corner));
+            return (at.height + dot(at.up, corner), rate);
+        }
         let over = minus(self.body.corner(k), self.first);
         (dot(at.up, over), dot(at.up, cross(at.rate, over)))
     }
 
-    /// The acceleration of the height of corner k over the support, m/s².
+    /// The acceleration of the height of corner k over the table, m/s².
     pub fn gap_acceleration(&self, at: &Pose, k: i64) -> f64 {
-        let over = minus(self.body.corner(k), self.first);
+        let (over, falling) = match self.support {
+            Support::Flight(_) => (self.body.corner(k), self.gravity),
+            _ => (minus(self.body.corner(k), self.first), 0.0),
+        };
         let turning = dot(cross(at.up, at.rate), cross(at.rate, over));
-        turning + dot(at.up, cross(self.reaction(at).acceleration, over))
+        turning + dot(at.up, cross(self.reaction(at).acceleration, over)) - falling
     }
 
     /// The height of the centre of mass, m.
     pub fn height(&self, at: &Pose) -> f64 {
-        -dot(self.first, at.up)
+        match self.support {
+            Support::Flight(_) => at.height,
+            _ => -dot(self.first, at.up),
+        }
     }
 
     /// The velocity of the centre of mass in the body's axes, m/s.
     pub fn velocity(&self, at: &Pose) -> Vector {
+        if self.support.is_flight() {
+            let [x, y] = self.drift;
+            return at.in_body([x, y, at.rise]);
+        }
         match self.law {
             IdealLaw::NoSlip => cross(self.first, at.rate),
             IdealLaw::Frictionless => times(self.rise(at), at.up),
@@ -175,8 +236,11 @@ impl Carried {
     }
 
     /// The rate of the height of the centre of mass, m/s.
-    fn rise(&self, at: &Pose) -> f64 {
-        -dot(cross(self.first, at.up), at.rate)
+    pub fn rise(&self, at: &Pose) -> f64 {
+        match self.support {
+            Support::Flight(_) => at.rise,
+            _ => -dot(cross(self.first, at.up), at.rate),
+        }
     }
 
     /// Kinetic energy, J.
@@ -192,22 +256,32 @@ impl Carried {
         let base = dot(self.first, [at.up[0], at.up[1], 0.0]);
         let sin = at.sin_tilt();
         let sunk = self.body.round().height() * sin * sin / (1.0 + at.up[2]);
-        self.kinetic(at) - self.body.mass() * self.gravity * (base + sunk)
+        let risen = match self.support {
+            Support::Flight(_) => at.height - self.body.round().height(),
+            _ => -(base + sunk),
+        };
+        self.kinetic(at) + self.body.mass() * self.gravity * risen
     }
 
     /// The angular acceleration and the forces of the table.
     pub fn reaction(&self, at: &Pose) -> Reaction {
-        if let Support::Face(_) = self.support {
-            return Reaction {
-                acceleration: [0.0; 3],
-                normal: [self.body.mass() * self.gravity, 0.0],
-                friction: 0.0,
-            };
+        let acting = |acceleration, normal| Reaction {
+            acceleration,
+            normal: [normal, 0.0],
+            friction: 0.0,
+        };
+        match (self.support, self.law) {
+            (Support::Face(_), _) => acting([0.0; 3], self.body.mass() * self.gravity),
+            (Support::Flight(_), _) => acting(self.free_acceleration(at), 0.0),
+            (_, IdealLaw::NoSlip) => self.reaction_without_slip(at),
+            (_, IdealLaw::Frictionless) => self.reaction_without_friction(at),
         }
-        match self.law {
-            IdealLaw::NoSlip => self.reaction_without_slip(at),
-            IdealLaw::Frictionless => self.reaction_without_friction(at),
-        }
+    }
+
+    /// Ω̇ without a force of the table, rad/s².
+    fn free_acceleration(&self, at: &Pose) -> Vector {
+        let gyroscopic = cross(at.rate, self.body.inertia(at.rate));
+        times(-1.0, self.body.per_inertia(gyroscopic))
     }
 
     fn angular_acceleration_without_slip(&self, at: &Pose) -> Vector {
@@ -271,9 +345,9 @@ impl Carried {
     }
 }
 
-impl System<f64, COORDINATES> for Carried {
-    fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
-        let at = Pose::from_array(u);
+impl System<f64, CARRIED> for Carried {
+    fn rates(&self, u: &[f64; CARRIED]) -> [f64; CARRIED] {
+        let at = Pose::carried(*u);
         let acceleration = match self.law {
             IdealLaw::NoSlip => self.angular_acceleration_without_slip(&at),
             IdealLaw::Frictionless => self.reaction_without_friction(&at).acceleration,
@@ -283,16 +357,50 @@ impl System<f64, COORDINATES> for Carried {
             up,
             rate: acceleration,
             heading,
+            ..at
+        }
+        .on_support()
+    }
+
+    /// The lean decides which corner is lowest, so its error is relative to its own size; so is that of the rates.
+    fn scale(&self, u: &[f64; CARRIED]) -> [f64; CARRIED] {
+        const SMALL: f64 = 1e-6;
+        let at = Pose::carried(*u);
+        let lean = at.sin_tilt() + SMALL;
+        let rate = dot(at.rate, at.rate).sqrt() + SMALL.sqrt() * self.falling_rate;
+        [lean, lean, 1.0, rate, rate, rate, 1.0]
+    }
+}
+
+/// Flight.
+impl System<f64, COORDINATES> for Carried {
+    fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
+        let at = Pose::from_array(u);
+        let (up, heading) = at.kinematics();
+        Pose {
+            up,
+            rate: self.free_acceleration(&at),
+            heading,
+            height: at.rise,
+            rise: -self.gravity,
         }
         .into_array()
     }
 
-    /// The lean decides which corner is lowest, so its error is relative to its own size; so is that of the rates.
     fn scale(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
-        const SMALL: f64 = 1e-6;
-        let at = Pose::from_array(u);
-        let lean = at.sin_tilt() + SMALL;
-        let rate = dot(at.rate, at.rate).sqrt() + SMALL.sqrt() * self.falling_rate;
-        [lean, lean, 1.0, rate, rate, rate, 1.0]
+        let [a, b, c, p, q, r, heading] =
+            <Carried as System<f64, CARRIED>>::scale(self, &Pose::from_array(u).on_support());
+        let radius = self.body.round().radius();
+        [
+            a,
+            b,
+            c,
+            p,
+            q,
+            r,
+            heading,
+            radius,
+            radius * self.falling_rate,
+        ]
     }
 }

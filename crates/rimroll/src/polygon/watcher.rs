@@ -40,7 +40,7 @@ impl Watcher<'_> {
         let mut found = self.tilt_extrema(&poses);
         found.extend(self.topple(&poses));
         found.extend(self.lost_force(&poses));
-        for corner in self.carried.support.neighbours() {
+        for corner in self.candidates(&poses) {
             let touch = self.touch(&poses, corner);
             found.extend(touch.map(|x| (x, StepEvent::Touch(corner))));
         }
@@ -49,6 +49,30 @@ impl Watcher<'_> {
             found.truncate(end + 1);
         }
         found
+    }
+
+    /// The corners that may touch next: those beside the support; in flight those that are lowest, and those beside them.
+    fn candidates(&self, poses: &[Pose]) -> Vec<i64> {
+        match self.carried.support {
+            Support::Corner(k) | Support::Face(k) => vec![k + 1, k - 1],
+            Support::Edge(k) => vec![k + 2, k - 1],
+            Support::Flight(_) => {
+                let count = i64::from(self.carried.body.corners());
+                let mut lowest = *self.carried;
+                let (mut from, mut to) = (lowest.support.corner(), lowest.support.corner());
+                for at in poses {
+                    let before = lowest.support.corner();
+                    lowest = lowest.with_lowest(at);
+                    let corner = lowest.support.corner();
+                    if 8 * (corner - before).abs() > count {
+                        // Nearly flat it may have gone round on either side.
+                        to = from + count;
+                    }
+                    (from, to) = (from.min(corner), to.max(corner));
+                }
+                (from - 1..=(to + 1).min(from + count - 2)).collect()
+            }
+        }
     }
 
     fn fraction(&self, i: usize) -> f64 {
@@ -86,6 +110,9 @@ impl Watcher<'_> {
 
     /// Where the body lifts off, or one end of an edge.
     fn lost_force(&self, poses: &[Pose]) -> Option<(f64, StepEvent)> {
+        if self.carried.support.is_flight() {
+            return None;
+        }
         let weight = self.carried.body.mass() * self.carried.gravity;
         let is_edge = matches!(self.carried.support, Support::Edge(_));
         let normal = |at: &Pose| self.carried.reaction(at).normal;
@@ -119,6 +146,14 @@ impl Watcher<'_> {
             let tolerance = touching_gap(self.carried, at);
             let height = gap(at);
             if height > tolerance {
+                if is_clear && rate(&poses[i - 1]) < 0.0 && rate(at) > 0.0 {
+                    // It may have come down and risen between two samples.
+                    let bottom = self.root(i - 1, rate);
+                    if gap(&self.pose(bottom)) <= 0.0 {
+                        let value = |x| gap(&self.pose(x));
+                        return Some(bracketed_root(self.fraction(i - 1), bottom, value));
+                    }
+                }
                 is_clear = true;
             } else if i > 0 && is_clear && height <= 0.0 {
                 return Some(self.root(i - 1, gap));
@@ -144,7 +179,13 @@ impl StepEvent {
 
 /// The height below which a corner counts as touching, m: rounding of the lean, and of a lean of zero.
 pub(super) fn touching_gap(carried: &Carried, at: &Pose) -> f64 {
-    carried.body.round().radius() * (1e-11 * at.sin_tilt() + 1e-15)
+    let radius = carried.body.round().radius();
+    // In flight the height of a corner is the difference of two heights.
+    let rounding = match carried.support.is_flight() {
+        true => 1e-14 * (1.0 + at.height / radius),
+        false => 1e-15,
+    };
+    radius * (1e-11 * at.sin_tilt() + rounding)
 }
 
 /// The corners that touch the table: those of the support and those beside them, as far as they touch.
@@ -152,7 +193,10 @@ pub(super) fn touching(carried: &Carried, at: &Pose, struck: i64) -> Vec<i64> {
     let count = carried.body.corners() as usize;
     let tolerance = touching_gap(carried, at);
     let touches = |k: i64| k == struck || carried.gap(at, k).0 <= tolerance;
-    let mut corners = carried.corners();
+    let mut corners = match carried.support {
+        Support::Flight(_) => vec![struck],
+        _ => carried.corners(),
+    };
     let (mut right, mut left) = (corners[corners.len() - 1], corners[0]);
     while corners.len() < count / 2 + 1 && touches(right + 1) {
         right += 1;
