@@ -49,7 +49,6 @@ autodoc_type_aliases = {name: name for name in ("Array", "Number", "Values")}
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88
 napoleon_google_docstring = False
-napoleon_use_ivar = True
 napoleon_use_rtype = False
 nitpick_ignore_regex = [
     # Types in signatures that are no part of the reference, or belong to other packages.

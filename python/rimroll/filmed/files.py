@@ -44,6 +44,9 @@ def read(
     ``tilt`` with or without ``heading`` (the direction of lean). Units in brackets hold;
     otherwise ``units``. Without either, times are in s and lengths in m. Angles must have a unit.
 
+    Raises ``RimrollError``, with file and line, for a file that is no such table, text among
+    numbers, missing units of angles, and several masses of which none is named.
+
     Parameters
     ----------
     file
@@ -61,9 +64,6 @@ def read(
     Track
         Its ``source`` says how the file was understood. Lines in which the mass was not marked
         are left out, which a note says.
-
-    Raises ``RimrollError``, with file and line, for a file that is no such table, text among
-    numbers, missing units of angles, and several masses of which none is named.
     """
     name = source_name(file)
     text, above, masses = _below_names(text_of(name, file))

@@ -76,6 +76,9 @@ def fit_track(
     The camera looks straight down from far away. The rates at the release are expected to be 0
     within 0.5 rad/s, the scale to be right within 2 % (standard deviations).
 
+    Raises ``RimrollError`` for a track in which nothing moves, one that ends before the largest
+    tilt after a near-collision, and one that no motion describes.
+
     Parameters
     ----------
     track
@@ -97,9 +100,8 @@ def fit_track(
     -------
     TrackFit
 
-    Raises ``RimrollError`` for a track in which nothing moves, one that ends before the largest
-    tilt after a near-collision, and one that no motion describes.
-
+    Examples
+    --------
     >>> import numpy as np, rimroll as rr
     >>> can = rr.bodies.can_2007()
     >>> start = rr.State(tilt=0.5, yaw_rate=0.1)

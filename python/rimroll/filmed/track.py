@@ -20,6 +20,9 @@ KINDS = ("path", "lean", "tilt")
 class Track:
     """The path of a marker seen from above, or the lean of a body, at times.
 
+    Raises ``RimrollError`` for fewer than 12 samples, for times that do not increase, and for
+    numbers that are not finite.
+
     Attributes
     ----------
     t
@@ -31,9 +34,6 @@ class Track:
         ``"path"``, ``"lean"`` or ``"tilt"``.
     name, source, notes
         What messages call it, how the file was understood, and what is unusual.
-
-    Raises ``RimrollError`` for fewer than 12 samples, for times that do not increase, and for
-    numbers that are not finite.
     """
 
     t: Array

@@ -31,14 +31,14 @@ def read_all(
     same line 2, up to the direction at its end. Each CSV file is a record. Names are what the names
     of the files begin with. :func:`rimroll.shake_many` takes the result as it is.
 
+    Raises ``RimrollError`` as :func:`read`, and for a file that is given twice.
+
     Parameters
     ----------
     files
         Paths. A list of paths holds the files of one record, whatever their second lines say.
     units, pad
         As for :func:`read`.
-
-    Raises ``RimrollError`` as :func:`read`, and for a file that is given twice.
     """
     single, lists = [], []
     for file in files:

@@ -48,6 +48,10 @@ def read(
 
     For other formats see :func:`from_obspy`.
 
+    Raises ``RimrollError``, with file and line, for files that are cut, hold text among their
+    numbers or another number of samples than they say, for other quantities and unknown units; and
+    for components that differ in step or length, or whose directions do not go together.
+
     Parameters
     ----------
     files
@@ -63,10 +67,6 @@ def read(
     pad
         Whether AT2 files that are shorter than the longest get zeros at their end. This is right
         where all components begin at the same time, which the files do not say.
-
-    Raises ``RimrollError``, with file and line, for files that are cut, hold text among their
-    numbers or another number of samples than they say, for other quantities and unknown units; and
-    for components that differ in step or length, or whose directions do not go together.
     """
     if component not in (None, "x", "y", "z"):
         raise RimrollError(f'component must be "x", "y" or "z", got {component!r}')

@@ -25,6 +25,9 @@ ZERO = np.zeros(3)
 def sine(amplitude: Values, period: Values, cycles: Values = 1) -> Ground:
     """Sine pulses: a sin(2πt/T) for some cycles, then rest.
 
+    Raises ``RimrollError`` for an amplitude beyond 1e9 m/s², and for a period or a number of cycles
+    that is not positive; so do the other pulses.
+
     Parameters
     ----------
     amplitude
@@ -34,12 +37,11 @@ def sine(amplitude: Values, period: Values, cycles: Values = 1) -> Ground:
     cycles
         The number of periods, > 0: for all components, or three. It need not be whole.
 
+    Examples
+    --------
     >>> import rimroll as rr
     >>> rr.ground.sine(amplitude=(3.0, 1.5, 2.0), period=(1.2, 0.8, 0.5), cycles=(1, 1, 2))
     <Ground of 3 pulses: 1.2 s, peaks 3, 1.5, 2 m/s²>
-
-    Raises ``RimrollError`` for an amplitude beyond 1e9 m/s², and for a period or a number of cycles
-    that is not positive; so do the other pulses.
     """
     periods = _positive("period", period, "s")
     return _pulses("sine", amplitude, periods, _positive("cycles", cycles) * periods, ZERO)
@@ -77,6 +79,8 @@ def rectangular(amplitude: Values, duration: Values) -> Ground:
 def ricker(amplitude: Values, period: Values, center: Values | None = None) -> Ground:
     """Symmetric Ricker wavelets: a (1 − 2x²) exp(−x²) with x = π (t − t₀)/T.
 
+    The wavelet ends two periods after its centre.
+
     Parameters
     ----------
     amplitude
@@ -86,8 +90,6 @@ def ricker(amplitude: Values, period: Values, center: Values | None = None) -> G
     center
         t₀, s, the time of the peak: a number for all components, or three. By default it is two
         periods, so that the wavelet begins with less than 1e-15 of its amplitude.
-
-    The wavelet ends two periods after its centre.
     """
     periods = _positive("period", period, "s")
     given = CALM * periods if center is None else _three("center", center, "s")

@@ -20,6 +20,9 @@ Array = NDArray[np.float64]
 def sampled(step: Number, acceleration: Values) -> Ground:
     """A record: samples of the acceleration at equal intervals, with straight lines between them.
 
+    Raises ``RimrollError`` for a step that is not positive, an array of another shape, and a sample
+    that is not a number between -1e9 and 1e9.
+
     Parameters
     ----------
     step
@@ -27,12 +30,11 @@ def sampled(step: Number, acceleration: Values) -> Ground:
     acceleration
         m/s², (n, 3) for x, y and z, or (n,) for x alone; n from 2 to ten million.
 
+    Examples
+    --------
     >>> import rimroll as rr
     >>> rr.ground.sampled(0.01, [0.0, 1.0, 3.0])(0.015).tolist()
     [2.0, 0.0, 0.0]
-
-    Raises ``RimrollError`` for a step that is not positive, an array of another shape, and a sample
-    that is not a number between -1e9 and 1e9.
     """
     interval = positive("step", step, "s")
     given = numbers("acceleration", acceleration, "m/s^2")
@@ -67,6 +69,9 @@ def function(
     step²/8 · max|f″|: for a sine of period T by 5 (step/T)² of its amplitude. Jumps become ramps
     one step long; for pulses with jumps use :func:`rectangular` or :func:`cosine`.
 
+    Raises ``RimrollError`` where the function returns anything else, and for more than ten million
+    samples.
+
     Parameters
     ----------
     f
@@ -77,14 +82,13 @@ def function(
     step
         The largest time between two samples, s. It is shortened so that it divides the duration.
 
+    Examples
+    --------
     >>> import math
     >>> import rimroll as rr
     >>> ground = rr.ground.function(lambda t: 2.0 * math.exp(-t) * math.sin(9.0 * t), 8.0, 0.001)
     >>> round(ground.peak.x, 4)
     1.6901
-
-    Raises ``RimrollError`` where the function returns anything else, and for more than ten million
-    samples.
     """
     if not callable(f):
         raise RimrollError(f"f must be a function of the time, got {f!r}")

@@ -22,6 +22,9 @@ EAST = np.pi / 2.0
 def from_obspy(stream: Iterable[Any], units: str) -> Ground:
     """The record of a stream of ObsPy, which reads miniSEED, SAC, K-NET and many other formats.
 
+    Raises ``RimrollError`` for a unit that is no acceleration, for traces with gaps, of another
+    component, or that differ in sampling, length or beginning.
+
     Parameters
     ----------
     stream
@@ -31,9 +34,6 @@ def from_obspy(stream: Iterable[Any], units: str) -> Ground:
     units
         The unit of the data, which must be an acceleration: ``"m/s2"``, ``"g"``, ``"gal"``. Counts
         must be converted first, as by ``stream.remove_response(output="ACC")``.
-
-    Raises ``RimrollError`` for a unit that is no acceleration, for traces with gaps, of another
-    component, or that differ in sampling, length or beginning.
     """
     try:
         traces = list(stream)

@@ -38,6 +38,9 @@ def synthetic(
     (Jennings), passes the filter of Kanai and Tajimi, a layer of soil on rock, and the high-pass
     filter of Clough and Penzien, which removes drift. Each component is scaled to its peak.
 
+    Raises ``RimrollError`` for numbers that are not positive (an amplitude may be 0), and for fewer
+    than 100 samples or more than ten million.
+
     Parameters
     ----------
     seed
@@ -49,12 +52,11 @@ def synthetic(
     soil_period, soil_damping
         Natural period (s) and damping ratio of the soil; firm soil has 0.4 s and 0.6.
 
+    Examples
+    --------
     >>> import rimroll as rr
     >>> rr.ground.synthetic(1, amplitude=("0.3 g", "0.3 g", "0.2 g"))
     <Ground of 2001 samples at 0.01 s: 20 s, peaks 2.942, 2.942, 1.961 m/s²>
-
-    Raises ``RimrollError`` for numbers that are not positive (an amplitude may be 0), and for fewer
-    than 100 samples or more than ten million.
     """
     random = np.random.default_rng(random_seed(seed))
     peaks = numbers("amplitude", amplitude, "m/s^2")

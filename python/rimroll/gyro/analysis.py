@@ -146,6 +146,8 @@ def analyze(
         A record without a fall, or one that does not look like that of a gyroscope in such a body:
         the message says what it looks like.
 
+    Examples
+    --------
     >>> import rimroll as rr
     >>> can = rr.bodies.can_2007()
     >>> start = rr.State(tilt=0.5, yaw_rate=0.1)

@@ -37,6 +37,10 @@ def read(
     ``Data Set 1:Gyro x (°/s)``); or any other, whose columns you name. Commas, semicolons or tabs
     separate columns, decimals follow a point or a comma. At most 20 MB are read.
 
+    Raises ``RimrollError``, with file and line, for a file of something else, such as
+    accelerations; for text among the numbers; for times that go back; for units that are missing or
+    contradict each other.
+
     Parameters
     ----------
     file
@@ -53,10 +57,6 @@ def read(
         Its ``source`` says in a line how the file was understood, and its ``notes`` what is
         unusual: gaps, repeated times, uneven steps, rates that are cut off, a last line that is
         not complete.
-
-    Raises ``RimrollError``, with file and line, for a file of something else, such as
-    accelerations; for text among the numbers; for times that go back; for units that are missing or
-    contradict each other.
     """
     name, text = _text(file)
     simulated = text.startswith(SIMULATED)

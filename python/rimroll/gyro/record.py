@@ -22,6 +22,9 @@ FEWEST = 20
 class Record:
     """The record of a gyroscope.
 
+    Raises ``RimrollError`` for fewer than 20 samples, for shapes that do not fit, and for times
+    that do not increase.
+
     Parameters
     ----------
     t
@@ -36,9 +39,6 @@ class Record:
         What is unusual about it, a sentence each: gaps, repeated times, saturation.
     simulated
         Whether it was computed instead of measured.
-
-    Raises ``RimrollError`` for fewer than 20 samples, for shapes that do not fit, and for times
-    that do not increase.
     """
 
     t: Array

@@ -83,6 +83,9 @@ class Tabulated(Law):
     ) -> Tabulated:
         """A table of the function μ(u), which is called with one slip speed (m/s) at a time.
 
+        Raises ``RimrollError`` if ``mu`` returns anything but a number from 0 to 1e6, is not
+        continuous, or needs more than ten thousand points.
+
         Parameters
         ----------
         mu
@@ -98,6 +101,8 @@ class Tabulated(Law):
         static, restitution
             As for :class:`Tabulated`.
 
+        Examples
+        --------
         >>> import math
         >>> import rimroll as rr
         >>> fading = rr.Tabulated.from_function(
@@ -105,9 +110,6 @@ class Tabulated(Law):
         ... )
         >>> round(fading.friction_at(0.05), 5)
         0.23679
-
-        Raises ``RimrollError`` if ``mu`` returns anything but a number from 0 to 1e6, is not
-        continuous, or needs more than ten thousand points.
         """
         if not callable(mu):
             raise RimrollError(f"mu must be a function of the slip speed, got {mu!r}")

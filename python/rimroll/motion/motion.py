@@ -334,6 +334,8 @@ class Motion(Moments):
     ) -> list[Event]:
         """Events of your own: where a function of the motion passes through zero.
 
+        Raises ``RimrollError`` where the function returns anything but n numbers.
+
         Parameters
         ----------
         function
@@ -354,14 +356,14 @@ class Motion(Moments):
             at its bound. Times are as accurate as the dense output. A jump over zero where the
             contact changes, as of a velocity in a landing, is not an event.
 
+        Examples
+        --------
         >>> import rimroll as rr
         >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)
         >>> motion = rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip())
         >>> down, *_ = motion.crossings(lambda at: at.tilt - 0.3, rising=False)
         >>> round(down.state.tilt, 12), round(down.t, 4)
         (0.3, 0.1455)
-
-        Raises ``RimrollError`` where the function returns anything but n numbers.
         """
         if not callable(function):
             raise RimrollError(f"function must be something to call, got {function!r}")

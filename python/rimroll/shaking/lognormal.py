@@ -203,11 +203,6 @@ def fragility(
     level
         Confidence level of the intervals, between 0 and 1.
 
-    >>> import rimroll as rr
-    >>> curve = rr.fragility([0, 3, 7, 10], [2.0, 3.0, 4.0, 6.0], trials=10)
-    >>> round(curve.median, 2), round(curve.dispersion, 2)
-    (3.46, 0.22)
-
     Raises
     ------
     RimrollError
@@ -220,6 +215,13 @@ def fragility(
     -----
     UndecidedWarning
         If motions are left out, with their number at each intensity.
+
+    Examples
+    --------
+    >>> import rimroll as rr
+    >>> curve = rr.fragility([0, 3, 7, 10], [2.0, 3.0, 4.0, 6.0], trials=10)
+    >>> round(curve.median, 2), round(curve.dispersion, 2)
+    (3.46, 0.22)
     """
     if hasattr(overturned, "data_vars"):
         intensity = _along(overturned, intensity)

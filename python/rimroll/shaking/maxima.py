@@ -162,6 +162,8 @@ def random_maxima(
 ) -> Maxima:
     """The largest tilts of one test with small random imperfections of the start.
 
+    Raises ``RimrollError`` as these do.
+
     Parameters
     ----------
     body, start, law, ground
@@ -170,8 +172,6 @@ def random_maxima(
         As for :func:`rimroll.imperfect_starts`.
     flat, gravity, rtol, threads, progress
         As for :func:`rimroll.shake_many`.
-
-    Raises ``RimrollError`` as these do.
     """
     one_body(body)
     one_law(law)

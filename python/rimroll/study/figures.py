@@ -52,6 +52,8 @@ def study_figure(
 ) -> Figure:
     """Draw a study.
 
+    Raises ``RimrollError`` for unknown names, and for forms that the quantities do not have.
+
     Parameters
     ----------
     dataset
@@ -69,8 +71,6 @@ def study_figure(
     form
         ``map``, ``curve`` or ``histogram``; by default a map over two dimensions, a curve over
         one, and a histogram of trials.
-
-    Raises ``RimrollError`` for unknown names, and for forms that the quantities do not have.
     """
     if form is not None and form not in FORMS:
         raise RimrollError(f"unknown form {form!r}{nearest(form, FORMS)}")

@@ -84,6 +84,8 @@ class Study:
         When it is planned: for unknown keys and names, values outside their bounds, no values, and
         more rows than allowed.
 
+    Examples
+    --------
     >>> import rimroll as rr
     >>> study = rr.Study(
     ...     body=rr.bodies.can_2007(),

@@ -165,6 +165,11 @@ def fit(
     unsteadiness. The estimate maximises the likelihood of the directions (see
     :mod:`rimroll.experiment.fitting.likelihood`).
 
+    With fewer than 3 falls to one side, bias and friction cannot be distinguished, and the bias is
+    assumed to be 0.
+
+    Raises ``RimrollError`` for too few falls and numbers outside their bounds.
+
     Parameters
     ----------
     body
@@ -191,11 +196,6 @@ def fit(
         error then apply.
     threads, progress
         As for :func:`rimroll.predict_falls`.
-
-    With fewer than 3 falls to one side, bias and friction cannot be distinguished, and the bias is
-    assumed to be 0.
-
-    Raises ``RimrollError`` for too few falls and numbers outside their bounds.
     """
     one_body(body)
     data = _checked(directions)

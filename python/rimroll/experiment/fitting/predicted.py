@@ -102,6 +102,9 @@ def predict_falls(
 ) -> Predicted:
     """Simulate falls at each friction, from 0 to more than rolling needs.
 
+    Raises ``RimrollError`` for numbers outside their bounds and if the body neither topples nor
+    rocks after such a release.
+
     Parameters
     ----------
     body, release, gravity
@@ -115,9 +118,6 @@ def predict_falls(
         release topples the body at half of the frictions or more, else ``rocked``.
     threads, progress
         As for :func:`rimroll.ensemble`.
-
-    Raises ``RimrollError`` for numbers outside their bounds and if the body neither topples nor
-    rocks after such a release.
     """
     one_body(body)
     callback("progress", progress)

@@ -100,6 +100,8 @@ def fit_motion(
         What :func:`rimroll.gyro.analyze` refuses, and a record that no motion under the law
         describes.
 
+    Examples
+    --------
     >>> import rimroll as rr
     >>> can = rr.bodies.can_2007()
     >>> motion = rr.simulate(can, rr.State(tilt=0.5, yaw_rate=0.1), rr.Coulomb(0.2), duration=0.8)
