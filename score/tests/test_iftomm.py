@@ -73,7 +73,7 @@ class Rolling:
         return values + dt / 6.0 * (one + 2.0 * two + 2.0 * three + four)
 
 
-@pytest.mark.slow
+@pytest.mark.soak
 def test_the_equations_of_the_description_lead_to_the_reference(make, reference):
     case = make.the_case()
     rolling, state = Rolling(case), case.state

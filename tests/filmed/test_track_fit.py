@@ -42,7 +42,7 @@ def test_angles_give_the_friction(kind):
     assert any("Tilts show no direction" in note for note in fit.notes) == (kind == "tilt")
 
 
-@pytest.mark.slow
+@pytest.mark.soak
 def test_intervals_of_random_films_hold_the_truth():
     """Of ten intervals at 95 %, two that miss occur in 9 % of all cases, and three in 1 %."""
     draw = np.random.default_rng(3)

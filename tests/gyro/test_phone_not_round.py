@@ -48,7 +48,7 @@ def test_a_round_body_of_the_independent_equations_veers_as_rimroll_says(law):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("fault", ["apart", "beside"])
+@pytest.mark.parametrize("fault", ["apart", pytest.param("beside", marks=pytest.mark.soak)])
 @each_law
 def test_the_veer_stays_within_the_bounds_that_the_page_states(law, fault):
     """Within 3.5 degrees of a round body's, and some directions use more than half of that."""

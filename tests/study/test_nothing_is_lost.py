@@ -16,7 +16,8 @@ from given.dask_programs import client, pausing, scheduler
 from given.small_study import done, hash_in, in_process, rimroll, until, written
 from rimroll.study.verify import verify
 
-pytestmark = [needs_signals, pytest.mark.slow]
+# test_cluster.py guards each loss apart.
+pytestmark = [needs_signals, pytest.mark.soak]
 
 MANY = """
 kind = "ensemble"
