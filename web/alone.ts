@@ -14,6 +14,9 @@ export const aloneBuild: UserConfig["build"] = {
   },
 };
 
+/** The tables of all languages are in the script: see src/words/tables_alone.ts. */
+export const tablesAlone = [{ find: "./tables", replacement: "./tables_alone" }];
+
 /** Writes the script only. */
 export function onlyScript(): Plugin {
   return {

@@ -15,6 +15,8 @@ import "./gyro/gyro.css";
 import "./limits/limits.css";
 import "./story/story.css";
 import "./style/page.css";
+import { mountLanguages } from "./words/choice";
+import { translatePage } from "./words/translate";
 import { words } from "./words/words";
 
 const section = (id: string) => document.getElementById(id) as HTMLElement;
@@ -53,6 +55,8 @@ const coreOfPage = (): ArrayBuffer | Promise<Response> =>
     : fetch(new URL("./core/rimroll.wasm", import.meta.url));
 
 if (import.meta.env.MODE !== "alone") keepForOffline();
+translatePage();
+mountLanguages(section("languages"));
 showPart(partOf(location.hash));
 followAnchors();
 start().catch(notStarted);

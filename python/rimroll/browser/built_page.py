@@ -49,9 +49,9 @@ def page_alone(folder: Path, setup: str) -> str:
     # For the page at an address: its parts, its icon, and previews of links to it.
     page = re.sub(r'<link rel="(?:modulepreload|apple-touch-icon|manifest)"[^>]*>', "", page)
     page = re.sub(r'<meta property="(?:og|twitter):[^>]*>', "", page)
-    # The page has two scripts. One is among the parts; the other only reports why that one does not
-    # load.
-    page = re.sub(r"<script\b.*?</script>", "", page, flags=re.S)
+    # One script remains, which chooses the language. The page's main script is among the parts; the
+    # others choose what is shown while that one loads, and report why it does not load.
+    page = re.sub(r'<script\b(?! id="language").*?</script>', "", page, flags=re.S)
     page = page.replace("<html", f'<html data-setup="{setup.replace("&", "&amp;")}"', 1)
     return page.replace("</body>", unpack.replace("PARTS", json.dumps(parts)) + "</body>")
 

@@ -297,7 +297,11 @@ export class Figure {
 
   private fallsElement(): HTMLElement {
     const { lab } = this;
-    const picture = svgElement("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img" });
+    const picture = svgElement("svg", {
+      viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+      role: "img",
+      "aria-label": words.flicks.title, // until the scene is in view
+    });
     const caption = element("p", { class: "caption" });
     const bins = computed(() => {
       const { left, right } = tallyOf(lab.flicks.value);

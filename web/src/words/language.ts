@@ -1,7 +1,7 @@
 // The language of the page, which index.html chooses before anything is shown, and the visitor's way to
 // write numbers in it.
 
-export const LANGUAGES = ["en"] as const;
+export const LANGUAGES = ["en", "de", "es", "fr", "pt", "zh"] as const;
 export type Language = (typeof LANGUAGES)[number];
 
 const chosen = typeof document === "undefined" ? "en" : document.documentElement.lang;

@@ -2,6 +2,12 @@
 // has tables_alone.ts in place of this file.
 
 import type { Language } from "./language";
-import type { Words } from "./words";
+import type { Table } from "./words";
 
-export const TABLES: Partial<Record<Language, () => Promise<Words>>> = {};
+export const TABLES: Record<Exclude<Language, "en">, () => Promise<Table>> = {
+  de: () => import("./de").then(({ de }) => de),
+  es: () => import("./es").then(({ es }) => es),
+  fr: () => import("./fr").then(({ fr }) => fr),
+  pt: () => import("./pt").then(({ pt }) => pt),
+  zh: () => import("./zh").then(({ zh }) => zh),
+};

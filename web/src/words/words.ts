@@ -3,21 +3,30 @@
 
 import { en } from "./en";
 import { LANGUAGE, type Language } from "./language";
+import type { Prose } from "./prose";
 import { TABLES } from "./tables";
 
-/** All words that the page says, in one language. */
+/** All words that the page's scripts say, in one language. */
 export type Words = typeof en;
 
-export const words: Words = LANGUAGE === "en" ? en : await wordsIn(LANGUAGE);
+/** The table of another language, with the texts that index.html has in English. */
+export type Table = Words & { prose: Prose };
 
-/** English if the table of another language cannot be loaded. */
-async function wordsIn(language: Language): Promise<Words> {
+const table = LANGUAGE === "en" ? undefined : await tableOf(LANGUAGE);
+
+export const words: Words = table ?? en;
+
+/** The texts of index.html; undefined in English. */
+export const prose: Prose | undefined = table?.prose;
+
+/** The page is in English if the table of another language cannot be loaded. */
+async function tableOf(language: Exclude<Language, "en">): Promise<Table | undefined> {
   try {
-    return (await TABLES[language]?.()) ?? en;
+    return await TABLES[language]();
   } catch (error) {
     console.error(error);
     document.documentElement.lang = "en";
-    return en;
+    return undefined;
   }
 }
 

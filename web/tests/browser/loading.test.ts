@@ -13,7 +13,7 @@ browserForAll();
 const FLOOR = /^(floor|shaken|rimroll-ground)-/;
 /** Files that the page loads when they are first needed, or that only other programs load. */
 const LATER =
-  /^(closeup|floor|ghost|shaken|speaker|rimroll-ground)-|^(preview|touch-icon|icon-512)\.png$|^offline\.js$/;
+  /^(closeup|floor|ghost|shaken|speaker|rimroll-ground|de|es|fr|pt|zh)-|^(preview|touch-icon|icon-512)\.png$|^offline\.js$/;
 
 const built = () =>
   readdirSync(PAGE, { recursive: true })

@@ -17,6 +17,10 @@ export interface VisitOptions extends BrowserContextOptions {
   webgl?: boolean;
   /** Host name of the page, if not the address of this machine. */
   host?: string;
+  /** The part of the address after ?. */
+  query?: string;
+  /** What the button says that lets the body go, in the language of the page. */
+  letGo?: string;
 }
 
 /** An open page and its errors. */
@@ -65,7 +69,7 @@ export async function emptyPage(): Promise<Page> {
 
 /** Opens the page in a fresh context and waits until it has started. */
 export async function visit(options: VisitOptions = {}): Promise<Visit> {
-  const { hash = "lab", webgl = false, host, ...rest } = options;
+  const { hash = "lab", webgl = false, host, query = "", letGo = "Let go", ...rest } = options;
   const context = await browser.newContext({
     viewport: { width: 1366, height: 768 },
     acceptDownloads: true,
@@ -88,13 +92,13 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
     if (["error", "warning"].includes(message.type()) && !expected) complaints.push(text);
   });
   const address = host ? served.address.replace("127.0.0.1", host) : served.address;
-  await page.goto(`${address}#${hash}`);
+  await page.goto(`${address}${query && `?${query}`}#${hash}`);
   const part = await page.evaluate(() => document.documentElement.dataset["part"]);
   const place = page.locator(`#${part}`);
-  await place.getByRole("button", { name: "Let go" }).first().waitFor();
-  // three.js marks the canvas that it draws on.
+  await place.getByRole("button", { name: letGo }).first().waitFor();
+  // three.js marks the canvas that it draws on. The notice names WebGL in each language.
   const notice = place.getByText(/WebGL|cannot show the picture/);
-  await (webgl ? place.locator("canvas[data-engine]") : notice).waitFor();
+  await (webgl ? place.locator("canvas[data-engine]") : notice.first()).waitFor();
   return { page, requests, complaints };
 }
 
