@@ -215,7 +215,7 @@ export const de: Table = {
     hint: "Zeige auf eine Einstellung, um zu sehen, was sie bedeutet.",
     dryOnly: "Gilt nur für trockene Reibung.",
     tables: { ice: "Eis", wood: "Holz", rubber: "Gummi" },
-    losses: { none: "keiner", hard: "harter Tisch", soft: "weicher Tisch" },
+    losses: { none: "keiner", hard: "hart", soft: "weich" },
     lossesOf: (table: string, resistance: string) => `Rollwiderstand: ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Reibung von ${table}, ${friction}`,
     neededLabel: (friction: string) =>
@@ -428,7 +428,7 @@ export const de: Table = {
     where: (step: number, of: number) => `Die Geschichte, Schritt ${step} von ${of}`,
     back: "‹ Zurück",
     backLabel: "Zurück zum vorigen Schritt",
-    show: "Zeig es mir",
+    show: "Zeigen",
     next: "Weiter ›",
     nextLabel: "Weiter zum nächsten Schritt",
     steps: {

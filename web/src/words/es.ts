@@ -211,7 +211,7 @@ export const es: Table = {
     hint: "Señala un ajuste para ver qué significa.",
     dryOnly: "Solo vale para la fricción seca.",
     tables: { ice: "hielo", wood: "madera", rubber: "goma" },
-    losses: { none: "ninguna", hard: "mesa dura", soft: "mesa blanda" },
+    losses: { none: "nula", hard: "dura", soft: "blanda" },
     lossesOf: (table: string, resistance: string) => `Resistencia a rodar: ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Fricción de ${table}, ${friction}`,
     neededLabel: (friction: string) =>

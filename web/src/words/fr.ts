@@ -212,7 +212,7 @@ export const fr: Table = {
     hint: "Pointez un réglage pour voir ce qu’il signifie.",
     dryOnly: "Ne vaut que pour le frottement sec.",
     tables: { ice: "glace", wood: "bois", rubber: "caoutchouc" },
-    losses: { none: "aucune", hard: "table dure", soft: "table molle" },
+    losses: { none: "nulle", hard: "dure", soft: "molle" },
     lossesOf: (table: string, resistance: string) =>
       `Résistance au roulement : ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Frottement ${table}, ${friction}`,

@@ -212,7 +212,7 @@ export const pt: Table = {
     hint: "Aponte para um ajuste para ver o que significa.",
     dryOnly: "Só vale para o atrito seco.",
     tables: { ice: "gelo", wood: "madeira", rubber: "borracha" },
-    losses: { none: "nenhuma", hard: "mesa dura", soft: "mesa macia" },
+    losses: { none: "nula", hard: "dura", soft: "macia" },
     lossesOf: (table: string, resistance: string) => `Resistência a rolar: ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Atrito de ${table}, ${friction}`,
     neededLabel: (friction: string) =>
