@@ -25,6 +25,7 @@ COMMANDS = {
     "protractor": "A sheet to print and to read directions of fall on.",
     "fit": "The friction of a table from directions of fall.",
     "gyro": "Turns and friction from the record of a gyroscope in the body.",
+    "film": "Friction from the filmed track of a marker, or of the lean.",
     "study": "Many bodies, frictions, starts and records, planned in a file.",
     "lab": "Tip the can in a browser, on a page that computes itself.",
     "score": "Which physics engine gets the can right: a scorecard.",

@@ -26,6 +26,7 @@ from rimroll.errors import RimrollError
 from rimroll.gyro.analysis import Analysis, analyze
 from rimroll.gyro.files import read
 from rimroll.gyro.friction import Friction
+from rimroll.gyro.record import Record
 from rimroll.units import quantity
 
 RecordArgument = Annotated[
@@ -53,6 +54,14 @@ ColumnsOption = Annotated[
     typer.Option(
         help="The columns, by title or number from 1, as in t=1,x=gx,y=gy,z=gz. [found by title]",
         metavar="COLUMNS",
+    ),
+]
+BetweenOption = Annotated[
+    str | None,
+    typer.Option(
+        help='Read only the part between two times, such as one of several releases, as in "12 s,20'
+        ' s". [the whole record]',
+        metavar="TIMES",
     ),
 ]
 FitOption = Annotated[
@@ -86,6 +95,7 @@ def gyro(
     axis: AxisOption = "auto",
     units: UnitsOption = None,
     columns: ColumnsOption = None,
+    between: BetweenOption = None,
     gravity: GravityOption = None,
     confidence: ConfidenceOption = "95%",
     fit: FitOption = False,
@@ -117,10 +127,10 @@ def gyro(
     taken = read(
         sys.stdin.buffer if str(record) == "-" else record,
         units=units,
-        columns=None if columns is None else _columns(columns),
+        columns=None if columns is None else pairs("--columns", columns, "t=1,x=gx,y=gy,z=gz"),
     )
     found = analyze(
-        taken,
+        taken if between is None else _part(taken, between),
         what.body,
         axis=axis,
         gravity=what.options.gravity,
@@ -150,11 +160,22 @@ def gyro(
     return 0
 
 
-def _columns(text: str) -> dict[str, str]:
-    pairs = [part.partition("=") for part in text.split(",")]
-    if not all(equals for _, equals, _ in pairs):
-        raise RimrollError(f"--columns must be as in t=1,x=gx,y=gy,z=gz, got {text}")
-    return {name.strip(): title.strip() for name, _, title in pairs}
+def _part(record: Record, text: str) -> Record:
+    times = text.split(",")
+    if len(times) != 2:
+        raise RimrollError(f'--between must be two times, as in "12 s,20 s", got {text}')
+    start, end = (quantity(one.strip(), "s", "--between") for one in times)
+    if not start < end:
+        raise RimrollError(f"--between must be an earlier and a later time, got {text}")
+    return record.between(start, end)
+
+
+def pairs(option: str, text: str, example: str) -> dict[str, str]:
+    """The names and values of an option such as ``t=1,x=2``."""
+    parts = [part.partition("=") for part in text.split(",")]
+    if not all(equals for _, equals, _ in parts):
+        raise RimrollError(f"{option} must be as in {example}, got {text}")
+    return {name.strip(): value.strip() for name, _, value in parts}
 
 
 def _numbers(part: Path, found: tuple[Analysis, dict[str, Any]], bar: Bar) -> None:

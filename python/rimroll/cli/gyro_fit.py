@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
-from rimroll.cli.screen import prose, say, table
+from rimroll.body import Body
+from rimroll.cli.fitted_numbers import numbers_table
+from rimroll.cli.screen import prose, say
 from rimroll.errors import RimrollError
 from rimroll.gyro.analysis import Analysis
 from rimroll.gyro.motions.fit import fit_analysis
-from rimroll.gyro.motions.result import Estimate, MotionFit
-from rimroll.laws import Coulomb, RollingResistance
+from rimroll.gyro.motions.result import MotionFit
+from rimroll.laws import Coulomb, Law, RollingResistance
 from rimroll.theory import needed_friction
 
 FIRST_RESISTANCE = 3e-4
@@ -18,13 +20,16 @@ FIRST_RESISTANCE = 3e-4
 
 def fitted(found: Analysis, resistance: bool, body_error: float) -> MotionFit:
     """The motion under dry friction, with a rolling resistance if asked for."""
-    needed = float(needed_friction(found.body))
+    return fit_analysis(found, first_law(found.body, resistance), body_error=body_error)
+
+
+def first_law(body: Body, resistance: bool) -> Law:
+    """The dry friction, with a rolling resistance if asked for, from which a search begins."""
+    needed = float(needed_friction(body))
     if needed == 0.0:
         raise RimrollError("a body without height turns alike at every friction: nothing to fit")
     law = Coulomb(0.5 * needed)
-    if resistance:
-        law = law + RollingResistance(dry=FIRST_RESISTANCE)
-    return fit_analysis(found, law, body_error=body_error)
+    return law + RollingResistance(dry=FIRST_RESISTANCE) if resistance else law
 
 
 def show_fit(fit: MotionFit) -> None:
@@ -35,10 +40,7 @@ def show_fit(fit: MotionFit) -> None:
         f"fit of the whole motion over {sum(fit.followed)} near-collision{many}:"
         f" {len(fit.t)} samples, residual {math.degrees(fit.residual):.2f} degrees/s"
     )
-    rows = table("number", "value", "± 1 s.d.", "interval", "by")
-    for name in (*fit.fitted_of_law, *_of_first_release(fit)):
-        rows.add_row(name, *_in_words(name, fit.numbers[name]))
-    say(rows)
+    say(numbers_table(fit.numbers, (*fit.fitted_of_law, *_of_first_release(fit))))
     for one in fit.verdicts[1:]:
         prose(f"{one.law!r}: {'excluded' if one.excluded else 'possible'}")
     for note in fit.notes:
@@ -48,31 +50,3 @@ def show_fit(fit: MotionFit) -> None:
 def _of_first_release(fit: MotionFit) -> list[str]:
     names = ("tilt", "tilt_rate", "yaw_rate", "spin_rate", "delay")
     return [name if name in fit.numbers else f"{name}_1" for name in names]
-
-
-def _in_words(name: str, one: Estimate) -> tuple[str, str, str, str]:
-    factor, unit = 1.0, "" if name.startswith(("friction", "rolling")) else " rad/s"
-    if name.startswith("tilt") and not name.startswith("tilt_rate"):
-        factor, unit = math.degrees(1.0), "°"
-    if name.startswith("delay"):
-        factor, unit = 1e3, " ms"
-    low, high = one.interval
-    places = _places(factor * one.error)
-
-    def text(value: float) -> str:
-        return f"{factor * value:z.{places}f}"
-
-    end = "or more" if high is None else f"to {text(high)}"
-    begin = "0" if low is None else text(low)
-    return f"{text(one.value)}{unit}", text(one.error), f"{begin} {end}", one.method
-
-
-MOST_PLACES = 9
-"""Decimals of a number that is known exactly."""
-
-
-def _places(error: float) -> int:
-    """The decimals of a number whose error is shown with two digits."""
-    if not error > 0.0:
-        return MOST_PLACES
-    return min(max(1 - math.floor(math.log10(error)), 0), MOST_PLACES)
