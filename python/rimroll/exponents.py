@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 NEAREST, FARTHEST = 1e-9, 1e3
 """Where the end time is looked for after the last point, in lengths of the window."""
 
-FEWEST = 10
+MIN_SAMPLES = 10
 """Fewest points to which a power law is fitted."""
 
 PARAMETERS = 3
@@ -106,9 +106,9 @@ def fit_exponent(
     moments, positive = _curve(t, curve)
     first, last = (moments[0], moments[-1]) if window is None else _window(window)
     inside = (moments >= first) & (moments <= last)
-    if inside.sum() < FEWEST:
+    if inside.sum() < MIN_SAMPLES:
         raise RimrollError(
-            f"window must contain at least {FEWEST} points, got {inside.sum()} between"
+            f"window must contain at least {MIN_SAMPLES} points, got {inside.sum()} between"
             f" {first:.6g} and {last:.6g} s"
         )
     level = number("confidence", confidence)

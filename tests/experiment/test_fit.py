@@ -19,7 +19,7 @@ from rimroll.experiment.fitting.estimate import Estimate
 from rimroll.experiment.fitting.likelihood import Likelihood, Point
 from rimroll.experiment.fitting.predicted import (
     ANGLES,
-    FEWEST_FRICTIONS,
+    MIN_FRICTIONS,
     STRAY,
     UNSTEADY,
     which_node,
@@ -150,7 +150,7 @@ def test_weighted_falls_have_the_mean_and_spread_of_another_hand(predicted, unst
 
 def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
     hand = replace(rr.Release.named(RELEASE, CAN, GRAVITY), twist=(0.8, 0.5))
-    predicted = rr.predict_falls(CAN, hand, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=256)
+    predicted = rr.predict_falls(CAN, hand, gravity=GRAVITY, frictions=MIN_FRICTIONS, falls=256)
     directions, _ = fallen(rr.Coulomb(0.2), 300, 3, release=hand)
     share = np.mean(directions > math.pi)
     assert share > 0.6  # of 300: 3 sigma and more
@@ -165,7 +165,7 @@ def test_a_hand_that_twists_one_way_splits_the_falls_and_breaks_the_mirror():
 
 def test_a_coin_that_turns_more_than_all_the_way_round_gets_its_sides_right():
     coin = rr.bodies.coin()
-    predicted = rr.predict_falls(coin, "let_go", frictions=FEWEST_FRICTIONS, falls=128)
+    predicted = rr.predict_falls(coin, "let_go", frictions=MIN_FRICTIONS, falls=128)
     assert predicted.outcome == "rocked"
     falls = rr.topple(coin, rr.Coulomb(predicted.frictions[3]), 60, "let_go", seed=1)
     directions, turns = falls["direction"].values, falls["turn"].values
@@ -180,7 +180,7 @@ def test_a_coin_that_turns_more_than_all_the_way_round_gets_its_sides_right():
 def test_directions_count_from_the_first_lean_whatever_is_done_before_the_largest_tilt():
     """A body thrown up first turns on its way to the largest tilt, from which `turn` counts."""
     up = rr.Release((0.3, 0.0), (2.0, 0.0), (0.4, 0.02), (0.0, 0.02))
-    predicted = rr.predict_falls(CAN, up, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=128)
+    predicted = rr.predict_falls(CAN, up, gravity=GRAVITY, frictions=MIN_FRICTIONS, falls=128)
     assert predicted.outcome == "rocked"
     friction = predicted.frictions[-1]
     directions, turns = fallen(rr.Coulomb(friction), 100, 2, release=up, word="rocked")
@@ -191,9 +191,7 @@ def test_directions_count_from_the_first_lean_whatever_is_done_before_the_larges
 
 def test_a_hand_that_throws_to_one_side_only_leaves_the_other_to_strays():
     one_way = rr.Release((0.35, 0.03), (-5.0, 0.2), (0.5, 0.02), (0.0, 0.02))
-    predicted = rr.predict_falls(
-        CAN, one_way, gravity=GRAVITY, frictions=FEWEST_FRICTIONS, falls=128
-    )
+    predicted = rr.predict_falls(CAN, one_way, gravity=GRAVITY, frictions=MIN_FRICTIONS, falls=128)
     assert np.all(predicted.right == 1.0 / TURN)
     directions, _ = fallen(rr.Coulomb(0.2), 40, 1, release=one_way)
     assert np.all(directions > math.pi)
@@ -206,7 +204,7 @@ def test_where_nothing_else_scatters_falls_are_spread_by_reading_alone(degrees):
     steady = rr.Release((0.35, 0.0), (-5.0, 0.0), (0.02, 0.0))
     error = math.radians(degrees)
     predicted = rr.predict_falls(
-        CAN, steady, gravity=GRAVITY, reading_error=error, frictions=FEWEST_FRICTIONS, falls=128
+        CAN, steady, gravity=GRAVITY, reading_error=error, frictions=MIN_FRICTIONS, falls=128
     )
     assert predicted.unsteadiness.tolist() == [1.0]
     hump = (predicted.left[:, 0] - STRAY / TURN) / (1.0 - STRAY) * TURN / ANGLES
@@ -662,7 +660,7 @@ def test_a_fit_names_what_it_refuses(predicted, of_the_paper, options, message):
     ],
 )
 def test_a_prediction_names_what_it_refuses(options, message):
-    small = {"body": CAN, "release": RELEASE, "frictions": FEWEST_FRICTIONS, "falls": 128}
+    small = {"body": CAN, "release": RELEASE, "frictions": MIN_FRICTIONS, "falls": 128}
     options = {**small, **options}
     with pytest.raises(rr.RimrollError, match=message):
         rr.predict_falls(options.pop("body"), options.pop("release"), **options)
@@ -674,7 +672,7 @@ def test_progress_is_reported_for_each_friction_and_threads_change_nothing():
         rr.predict_falls(
             CAN,
             RELEASE,
-            frictions=FEWEST_FRICTIONS,
+            frictions=MIN_FRICTIONS,
             falls=128,
             threads=threads,
             progress=lambda done, total: seen.append((done, total)),
@@ -699,15 +697,13 @@ def test_a_flick_that_was_slower_or_faster_tells_another_friction(of_the_paper):
 def test_the_share_shows_where_hardly_any_flick_topples():
     """At 4.3 rad/s from 20 degrees the can topples if it rolls, and often not with friction."""
     gentle = rr.Release((0.35, 0.03), (-4.3, 0.1), (0.0, 0.3), (0.0, 0.3))
-    some = rr.predict_falls(CAN, gentle, frictions=FEWEST_FRICTIONS, falls=128)
+    some = rr.predict_falls(CAN, gentle, frictions=MIN_FRICTIONS, falls=128)
     assert some.outcome == "toppled"
     assert some.share[-1] > 0.95 > 0.9 > some.share.min()
     falls = rr.topple(CAN, rr.Coulomb(some.frictions[10]), 400, gentle, seed=2)
     toppled = np.mean(falls["outcome"].values == "toppled")
     assert some.share[10] == pytest.approx(toppled, abs=0.12)  # 128 draws, weighted
-    rocked = rr.predict_falls(
-        CAN, "let_go", frictions=FEWEST_FRICTIONS, falls=128, outcome="rocked"
-    )
+    rocked = rr.predict_falls(CAN, "let_go", frictions=MIN_FRICTIONS, falls=128, outcome="rocked")
     assert np.all(rocked.share > 0.99)
     with pytest.raises(rr.RimrollError, match="outcome must be toppled or rocked, got 'fell'"):
         rr.predict_falls(CAN, "flick", outcome="fell")

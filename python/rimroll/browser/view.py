@@ -31,7 +31,7 @@ PATIENCE = 30.0
 class Lab:
     """The lab with a set-up to begin with; :func:`rimroll.lab` makes it.
 
-    A notebook shows it in its cell. The page is a part of the cell's output, of two thirds of a
+    A notebook shows it in its cell. The page is a part of the cell's output, of four fifths of a
     megabyte: it computes in the browser, and needs no server, no network and no Python.
     """
 

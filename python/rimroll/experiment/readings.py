@@ -55,7 +55,7 @@ ESTIMATE = "estimate"
 
 _LEAST = {"swings_time": HAND, "across_time": HAND, "slope_time": HAND, "rocking_time": FRAME}
 _COUNTS = ("swings", "across_swings")
-_FEWEST = 5  # swings that a hand can time
+_MIN_SWINGS = 5  # swings that a hand can time
 _MAY_BE_ZERO = ("balance_point", "pivot_height")
 _OF_BODY = (
     *("mass", "radius", "diameter", "length", "balance_point"),
@@ -116,10 +116,10 @@ class Readings(Mapping[str, UFloat]):
                 f"{label} must be at most 90 deg, got {pretty(number, unit)}"
                 + ("" if "deg" in str(value) or "°" in str(value) else ": read as radians")
             )
-        if name in _COUNTS and (number != int(number) or number < _FEWEST):
+        if name in _COUNTS and (number != int(number) or number < _MIN_SWINGS):
             period = self.typed("across_period" if name == "across_swings" else "swing_period")
             raise RimrollError(
-                f"{label} must be a whole number, at least {_FEWEST} (50 is better), got"
+                f"{label} must be a whole number, at least {_MIN_SWINGS} (50 is better), got"
                 f" {number:g}; a swing timed by itself, off a film, is {period}"
             )
         return Variable(number, uncertainty, tag=name)

@@ -16,7 +16,7 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect
 from rimroll.filmed.model import FilmModel, Marker, plane_of
 from rimroll.filmed.result import TrackFit
-from rimroll.filmed.track import FEWEST, Track
+from rimroll.filmed.track import MIN_SAMPLES, Track
 from rimroll.given import Number, number, positive
 from rimroll.gyro.analysis import chi_square
 from rimroll.gyro.motions.law_numbers import fitted_names, with_numbers
@@ -160,7 +160,7 @@ def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
             used = track.t <= until
             spread = float(np.var(seen[used])) if used.any() else 0.0
             # A track without noise that ends before it moves has no spread to compare with.
-            if used.sum() < FEWEST or spread == 0.0 or until > track.t[-1] + 1e-2:
+            if used.sum() < MIN_SAMPLES or spread == 0.0 or until > track.t[-1] + 1e-2:
                 continue
             moments = motion.evaluate(np.clip(track.t[used] - release, 0.0, float(motion.t[-1])))
             at = (model.marker.radius * np.exp(1j * azimuth), model.marker.height)

@@ -11,7 +11,7 @@ from rimroll.errors import RimrollError
 
 Array = NDArray[np.float64]
 
-FEWEST = 12
+MIN_SAMPLES = 12
 """Samples that a track must have."""
 KINDS = ("path", "lean", "tilt")
 
@@ -53,8 +53,10 @@ class Track:
                 f"{self.name}: times must be (n,) and values (n, {width}),"
                 f" got {t.shape} and {values.shape}"
             )
-        if len(t) < FEWEST:
-            raise RimrollError(f"{self.name} must have at least {FEWEST} samples, it has {len(t)}")
+        if len(t) < MIN_SAMPLES:
+            raise RimrollError(
+                f"{self.name} must have at least {MIN_SAMPLES} samples, it has {len(t)}"
+            )
         if not (np.isfinite(t).all() and np.isfinite(values).all()):
             raise RimrollError(f"{self.name} has numbers that are not finite")
         if not (np.diff(t) > 0.0).all():

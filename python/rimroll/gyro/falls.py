@@ -18,7 +18,7 @@ OF_LARGEST = 0.15
 """And its part of the largest one."""
 SLOPES = (0.4, 1.8)
 """The slopes beside a peak, over the smallest and the largest that a body falling freely has."""
-FEWEST = 5
+MIN_SAMPLES = 5
 """Samples that each side of a collision must have."""
 NEAR = 0.03
 """The time on each side of a collision in which the rate is taken as a straight line, s."""
@@ -70,7 +70,7 @@ def falls_of(
     hand makes smooth ones. ``valid``: the samples that are not cut off at the sensor's range.
     """
     slow, fast = sorted(accelerations(body, gravity))
-    near = max(int(NEAR / float(np.median(np.diff(t)))), FEWEST)
+    near = max(int(NEAR / float(np.median(np.diff(t)))), MIN_SAMPLES)
     least = max(LEAST_RATE, OF_LARGEST * float(rate.max()), 20.0 * noise)
     peaks = _peaks(rate, least)
     passages: list[Passage] = []
@@ -80,7 +80,7 @@ def falls_of(
         start, end = lows[k], lows[k + 1]
         before, after = _sides(valid, peak)
         is_whole = end < len(rate) - GUARD  # else the record ends before the largest tilt
-        if before - start < FEWEST or end - after < FEWEST or not is_whole:
+        if before - start < MIN_SAMPLES or end - after < MIN_SAMPLES or not is_whole:
             unread += 1
             continue
         rise = _line(t, rate, max(start + 1, before - near), before)
@@ -93,7 +93,7 @@ def falls_of(
         follows = bool(passages) and passages[-1].end == start
         if not follows:
             start = _release(t, rate, start, before, high, noise)
-            if before - start < FEWEST:
+            if before - start < MIN_SAMPLES:
                 unread += 1
                 continue
         passages.append(Passage(start, before, after, end, moment, not follows))

@@ -14,7 +14,7 @@ from rimroll.given import Values, numbers
 
 Array = NDArray[np.float64]
 
-FEWEST = 20
+MIN_SAMPLES = 20
 """Samples that a record must have."""
 
 
@@ -54,8 +54,10 @@ class Record:
             raise RimrollError(
                 f"t must have the shape (n,) and rates (n, 3), got {t.shape} and {rates.shape}"
             )
-        if len(t) < FEWEST:
-            raise RimrollError(f"{self.name} must have at least {FEWEST} samples, it has {len(t)}")
+        if len(t) < MIN_SAMPLES:
+            raise RimrollError(
+                f"{self.name} must have at least {MIN_SAMPLES} samples, it has {len(t)}"
+            )
         hold("t", t, np.isfinite(t), "finite", "s")
         hold("rates", rates, np.isfinite(rates), "finite", "rad/s")
         hold("t", t, np.diff(t, prepend=-np.inf) > 0.0, "greater than the time before", "s")

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.gyro.record import FEWEST, Record
+from rimroll.gyro.record import MIN_SAMPLES, Record
 
 Array = NDArray[np.float64]
 
@@ -42,8 +42,8 @@ def with_even_notes(
         count = int(again.sum())
         notes.append(f"Samples that repeat the time of the one before were left out: {count}.")
         t, rates = t[~again], rates[~again]
-    if len(t) < FEWEST:
-        raise RimrollError(f"{name} must have at least {FEWEST} samples, it has {len(t)}")
+    if len(t) < MIN_SAMPLES:
+        raise RimrollError(f"{name} must have at least {MIN_SAMPLES} samples, it has {len(t)}")
     record = Record(t, rates, name)
     steps = np.diff(t)
     gaps = np.flatnonzero(steps > GAP * record.step)

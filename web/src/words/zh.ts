@@ -33,7 +33,7 @@ export const zh: Table = {
       label: "物体",
       help: "放在桌上的物体。",
       choices: {
-        can_2007: "论文的罐子",
+        can_2007: "论文中的罐子",
         soda_can: "汽水罐",
         beer_bottle: "啤酒瓶",
         coin: "硬币（1 欧元）",
@@ -47,7 +47,7 @@ export const zh: Table = {
     fill: { label: "装满程度", help: "罐子或瓶子装了多少。饮料像固体一样随它运动。" },
     radius: { label: "半径", help: "底缘的半径。" },
     length: { label: "高度", help: "从底面到顶端。0 是扁平圆盘。" },
-    mass: { label: "质量", help: "总质量。转角都与它无关。" },
+    mass: { label: "质量", help: "总质量。任何转角都与它无关。" },
     wall: {
       label: "壁的质量",
       help: "底板以上的质量中壁所占的比例：0 是实心圆柱，100 是薄管。",
@@ -62,17 +62,17 @@ export const zh: Table = {
     tilt: { label: "倾角", help: "松手时物体倾斜多少。" },
     tilt_rate: {
       label: "倾角速率",
-      help: "0 表示静止松手。负值把物体轻弹向直立。",
+      help: "0 表示静止松手。负值表示把物体朝直立方向轻弹。",
     },
     sideways: {
       label: "侧向误差",
-      help: "物体还绕它倾斜的方向转得多快。任何手都免不了这种误差。",
+      help: "物体同时绕指向倾斜方向的轴转得多快。谁的手都免不了这种误差。",
     },
-    twist: { label: "扭转", help: "物体还绕竖直线转得多快。" },
+    twist: { label: "扭转", help: "物体同时绕竖直轴转得多快。" },
     yaw: { label: "倾斜朝向", help: "在桌面上倾斜的方向。整个运动随它一起转。" },
     law: {
       label: "桌面",
-      help: "无摩擦和无滑动是论文的两条理想定律。",
+      help: "无摩擦和无滑动是论文中的两条理想定律。",
       choices: { frictionless: "无摩擦", coulomb: "干摩擦", no_slip: "无滑动" },
     },
     friction: { label: "摩擦", help: "摩擦系数 μ：最大摩擦力与法向力之比。" },
@@ -82,7 +82,7 @@ export const zh: Table = {
     },
     restitution: { label: "弹跳", help: "底缘离开桌面后落下时的恢复系数。" },
     gravity: { label: "重力", help: "地球上为 9.81，月球上为 1.62。" },
-    duration: { label: "时长", help: "计算运动的时间。" },
+    duration: { label: "时长", help: "所计算的运动持续多久。" },
     floor: {
       label: "地面",
       help: "地面是否运动。桌子随它平移，但不转动。",
@@ -105,13 +105,13 @@ export const zh: Table = {
       },
     },
     shake: { label: "幅度", help: "最大水平加速度。9.81 是地球的重力加速度，即 1 g。" },
-    vertical: { label: "竖直", help: "最大竖直加速度；正值先向上。" },
+    vertical: { label: "竖直", help: "最大竖直加速度；正值表示先向上。" },
     period: { label: "周期", help: "一次振荡的时间；半正弦和矩形则是到结束的时间。" },
-    cycles: { label: "周数", help: "正弦或余弦的振荡次数。" },
+    cycles: { label: "周期数", help: "正弦或余弦的振荡次数。" },
     direction: { label: "方向", help: "水平加速度的方向，与“倾斜朝向”同样计量。" },
     flat: {
       label: "平落",
-      help: "整个底面同时落下之后会怎样，刚体力学不能确定。",
+      help: "整个底面同时落下之后会怎样；这一点刚体力学不能确定。",
       choices: {
         stop: "运动结束",
         smooth_left: "向左绕行",
@@ -122,23 +122,23 @@ export const zh: Table = {
     record: { label: "记录" },
     falls: { label: "倒向" },
     flicks: { label: "次数", help: "重复松手多少次。论文中为 42。" },
-    unsteadiness: { label: "手的不稳", help: "为 100 时，轻弹会偏离正中约 3°。" },
+    unsteadiness: { label: "手的不稳程度", help: "为 100 时，轻弹会偏离正中约 3°。" },
     seed: { label: "种子", help: "随机数的种子。相同的种子给出相同的散布。" },
   },
 
   refusals: {
     noSuchChoice: (label: string, names: readonly string[], text: string) =>
-      `${label}：没有“${text}”；可选 ${[names.slice(0, -1).join("、"), ...names.slice(-1)].join(" 或 ")}。`,
+      `${label}：没有“${text}”；可选：${[names.slice(0, -1).join("、"), ...names.slice(-1)].join("或")}。`,
     noRecord: (label: string) => `${label}：这不是本页面的记录。`,
     twoReadings: (label: string, text: string, sign: "." | ",") =>
-      `${label}：“${text}”有两种读法；请用${sign === "." ? "点号" : "逗号"}作小数点，千位之间不加符号。`,
+      `${label}：“${text}”有两种读法；请用${sign === "." ? "点号" : "逗号"}作小数点，千分位不加符号。`,
     empty: (label: string) => `${label}：需要一个数。`,
     noNumber: (label: string, text: string) => `${label}：必须是数，而不是“${text}”。`,
     notWhole: (label: string, text: string) => `${label}：必须是整数，而不是 ${text}。`,
     between: (label: string, low: string, high: string, text: string) =>
       `${label}：必须大于 ${low} 且小于 ${high}；${text} 超出范围。`,
     fromTo: (label: string, low: string, high: string, text: string) =>
-      `${label}：必须从 ${low} 到 ${high}；${text} 超出范围。`,
+      `${label}：必须在 ${low} 到 ${high} 之间；${text} 超出范围。`,
   },
 
   playback: {
@@ -157,7 +157,7 @@ export const zh: Table = {
     undo: "撤销",
     reset: "重置",
     more: "更多",
-    hint: "指向一项设置，看它的含义。",
+    hint: "指向一项设置，查看它的含义。",
     dryOnly: "只适用于干摩擦。",
     tables: { ice: "冰", wood: "木", rubber: "橡胶" },
     losses: { none: "无", hard: "硬桌面", soft: "软桌面" },
@@ -165,7 +165,7 @@ export const zh: Table = {
     frictionOf: (table: string, friction: string) => `${table}的摩擦，${friction}`,
     neededLabel: (friction: string) => `${friction}，这个物体滚过近碰撞所需的摩擦`,
     neededHelp: (friction: string) =>
-      `摩擦达到 ${friction} 时，这个物体滚过近碰撞。不足时它会滑动。`,
+      `摩擦达到 ${friction} 时，这个物体能滚过近碰撞。不足时它会滑动。`,
     floor: (state: string) => `地面：${state}`,
     notLoaded: "这些控件无法加载。请重新加载页面。",
   },
@@ -181,13 +181,13 @@ export const zh: Table = {
     onceOnly: "只适用于正弦和余弦。",
     pad: "移动桌子",
     padHelp:
-      "在这里拖动来移动桌子，每像素一毫米。松开后，物体按你的移动被摇动。方向键也可以移动桌子。",
+      "在这里拖动来移动桌子，每像素一毫米。松开后，物体就按你移动的方式受到摇动。方向键也可以移动桌子。",
     balanceTilt: "平衡倾角",
     beyondBalance: "超过它，静止的物体会倒下",
     largestTilt: "最大倾角",
     ofBalance: (ratio: string) => `平衡倾角的 ${ratio}`,
     uplift: "抬起",
-    neverRocks: "它从不开始摇摆",
+    neverRocks: "它始终不摇摆",
     whenRocks: "当它开始摇摆时",
     leansAtStart: "物体开始时是倾斜的",
     itsLargestTilt: (tilt: string) => `它的最大倾角是 ${tilt}。`,
@@ -199,7 +199,7 @@ export const zh: Table = {
       `它没有翻倒。计算到 ${after} 结束时，${
         {
           standing: "它平放着",
-          sliding_flat: "它还在底面上滑动",
+          sliding_flat: "它的底面还贴着地面滑动",
           flying_level: "它在空中",
           moving: "它还在运动",
         }[state]
@@ -207,13 +207,13 @@ export const zh: Table = {
     stops: (after: string) =>
       `底面在 ${after} 时平落，运动就此结束，因为“平落”这样设定。刚体力学不能确定之后的运动。`,
     isStill: "地面不动。",
-    moves: (far: string, strong: string) => `地面最多移动 ${far}，加速度最大 ${strong}。`,
+    moves: (far: string, strong: string) => `地面最多移动 ${far}，加速度最大为 ${strong}。`,
     beginsToRock: (body: BodyName, at: string) => `${NOUNS[body]}在 ${at} 时开始摇摆（抬起）。`,
     rocksAgain: (body: BodyName, at: string) =>
       `${NOUNS[body]}开始时倾斜；平放一会儿之后，在 ${at} 时又开始摇摆。`,
     leans: (body: BodyName) => `${NOUNS[body]}开始时倾斜。`,
-    slides: (body: BodyName) => `${NOUNS[body]}在底面上滑动，从不开始摇摆。`,
-    stands: (body: BodyName) => `${NOUNS[body]}在地面上静止不动，从不开始摇摆。`,
+    slides: (body: BodyName) => `${NOUNS[body]}的底面贴着地面滑动，始终不摇摆。`,
+    stands: (body: BodyName) => `${NOUNS[body]}在地面上静止不动，始终不摇摆。`,
   },
 
   verdict: {
@@ -227,8 +227,8 @@ export const zh: Table = {
     smallestTilt: "最小倾角",
     gap: (gap: string) => `缝隙 ${gap}`,
     contactThen: "当时的接触点",
-    perSecond: "圈每秒",
-    perSecondAt: (speed: string) => `圈每秒，速度 ${speed}`,
+    perSecond: "圈/秒",
+    perSecondAt: (speed: string) => `圈/秒，速度 ${speed}`,
     inHand: "在你手中",
     leansToward: (way: string) => `倾斜朝向 ${way}`,
     leansInHand: (tilt: string, way: string) => `在你手中它倾斜 ${tilt}，朝向 ${way}。`,
@@ -243,7 +243,7 @@ export const zh: Table = {
         `如果现在静止松手，接触点会绕行 ${angle}，它在 ${after} 后倒下。`,
       fell_back: (after: string) => `如果现在静止松手，它会在 ${after} 后倒向倾斜的一侧。`,
       face_down: (after: string) => `如果现在静止松手，它会在 ${after} 后平落。`,
-      at_rest: (after: string) => `如果现在静止松手，它会在 ${after} 后静止在底面上。`,
+      at_rest: (after: string) => `如果现在静止松手，它会在 ${after} 后平放静止。`,
       lifted_off: (after: string) =>
         `如果现在静止松手，底缘会在 ${after} 后离开桌面，理想定律到此为止。`,
       painleve: (after: string) =>
@@ -253,12 +253,12 @@ export const zh: Table = {
     story: ({ start, end, endsWith, angle, time, body, itself, way }: Turned) => {
       const from = start === undefined ? "松手" : `${start} 时的最大倾角`;
       const to = {
-        maximum: `${end} 时的下一个最大倾角`,
-        fall: `${end} 时倒下`,
-        end: `${end} 时结束`,
+        maximum: `${end} 时的下一个最大倾角为止`,
+        fall: `${end} 时倒下为止`,
+        end: `${end} 时结束为止`,
       }[endsWith];
       const turn = { none: itself, same: `${itself}，方向相同`, other: `${itself}，方向相反` };
-      return `从${start === undefined ? from : ` ${from}`}落下又升起，到 ${to}，接触点绕行 ${angle}，其中大部分只用 ${time}；${NOUNS[body]}本身转了 ${turn[way]}。`;
+      return `从${start === undefined ? from : ` ${from}`}起，它落下又升起，到 ${to}，接触点绕行 ${angle}，其中大部分只用 ${time}；${NOUNS[body]}本身转了 ${turn[way]}。`;
     },
     rim: {
       rolled: "摩擦足够：它一路滚动。",
@@ -266,9 +266,9 @@ export const zh: Table = {
       jumped: "底缘在途中跳离桌面。",
     },
     fullTurn: (rest: string) => `也就是一整圈加 ${rest}。`,
-    veers: (angle: string, side: "left" | "right") => `它偏离正对面，向${SIDES[side]} ${angle}。`,
+    veers: (angle: string, side: "left" | "right") => `它相对正对面向${SIDES[side]}偏 ${angle}。`,
     ofAngle: (angle: string, until: "turn" | "fall" | "end") =>
-      `共 ${angle}，${{ turn: "在这一转中", fall: "到倒下时", end: "到结束时" }[until]}`,
+      `${{ turn: "这一转", fall: "到倒下时", end: "到结束时" }[until]}共 ${angle}`,
     comesDownFlat: "它平落下来",
     incomplete: "下一转不完整",
     staysUp: "它没有落下",
@@ -304,8 +304,8 @@ export const zh: Table = {
     time: "时间",
     closer: "怎么会这样？走近看看",
     inLab: "在实验室中打开",
-    grasp: "抓住罐子的顶部，倾斜它，然后松手。用手指时先按住片刻。",
-    theCan: "罐子，你可以倾斜它",
+    grasp: "抓住罐子的顶部，把它扳斜，然后松手。用手指时先按住片刻。",
+    theCan: "罐子，你可以把它扳斜",
     theBody: "桌上的物体",
     noPicture: "这个浏览器无法显示图像，因为 WebGL 已关闭或不存在。文字、数字和曲线不需要图像。",
     atSmallest: "在最小倾角时",
@@ -338,7 +338,7 @@ export const zh: Table = {
     hand: (angle: string, gap: string, time: string) =>
       `接触点绕行了 ${angle}。底缘下的缝隙缩小到 ${gap}，转角的大部分只用 ${time}。`,
     table: (angle: string, rolled: boolean, limit: string) =>
-      `接触点绕行了 ${angle}，底缘${rolled ? "一路滚动" : "在途中滑动"}。罐子落得越平，在这个桌面上就越接近 ${limit}。`,
+      `接触点绕行了 ${angle}，底缘${rolled ? "一路滚动" : "在途中滑动"}。罐子落得越平，转角在这个桌面上就越接近 ${limit}。`,
     cylinder: (angle: string, limit: string) =>
       `接触点绕行了 ${angle}。这个圆柱的极限是 ${limit}。`,
     limits: (angle: string, noSlip: string, frictionless: string) =>
@@ -355,7 +355,7 @@ export const zh: Table = {
     steps: {
       looks: {
         title: "看起来像摇摆",
-        text: "倾斜一个罐子再松手。它好像平拍在桌上，又从另一侧摇起。影片停在这次升起的最高点：罐子没有在正对面升起，而是偏了 23°。",
+        text: "把一个罐子扳斜，再松手。它好像平拍在桌上，又在另一侧翘起。影片停在这次升起的最高点：罐子没有在正对面升起，而是偏了 23°。",
       },
       slower: {
         title: "放慢再看",
@@ -363,7 +363,7 @@ export const zh: Table = {
       },
       rolls: {
         title: "它在滚动",
-        text: "现在靠近看，接触点绕底缘飞驰时，时间被拉长。小柱表示底缘下的缝隙，画得高了几千倍。接触点在不到万分之一秒内绕行超过半圈，但底缘上的标记留在原处：罐子本身没有转。它沿着底缘滚动。",
+        text: "现在凑近看：接触点绕底缘飞驰时，时间被拉长。小柱表示底缘下的缝隙，画得高了几千倍。接触点在不到万分之一秒内绕行超过半圈，但底缘上的标记留在原处：罐子本身没有转。它沿着底缘滚动。",
       },
       same: {
         title: "每次的角度都一样",
@@ -376,7 +376,7 @@ export const zh: Table = {
       },
       yourTurn: {
         title: "轮到你了",
-        text: "抓住物体的顶部，倾斜它。松手，或在手运动时松开来轻弹它。改变物体和桌面，装满瓶子，旋转硬币。要保存一个运动或给朋友看，用下面的“分享”。",
+        text: "抓住物体的顶部，把它扳斜。松手，或在手运动时松开来轻弹它。改变物体和桌面，装满瓶子，旋转硬币。要保存一个运动或给朋友看，用下面的“分享”。",
       },
     },
     histogram: (from: string, to: string, width: string) =>
@@ -389,7 +389,7 @@ export const zh: Table = {
 
   flicks: {
     title: "四十二次轻弹",
-    hint: "没有手能精确重复一个动作。带一些散布重复这次松手，看物体倒向哪里。",
+    hint: "没有哪只手能精确重复一个动作。让这次松手略有差异地重复多次，看物体倒向哪里。",
     clear: "清除",
     hand: "手",
     picture: "从上方看物体倒下的方向",
@@ -409,11 +409,11 @@ export const zh: Table = {
       refused: "请输入 0 到 360 之间的数，用空格分开，或粘贴带数据的链接。",
     },
     fit: {
-      ask: "哪个摩擦最合适？",
+      ask: "哪个摩擦最吻合？",
       running: "正在尝试各种摩擦…",
       answer: (friction: string, low: string, high: string) =>
-        `摩擦 ${friction} 最合适；如果手像这里设定的那样，${low} 到 ${high} 也几乎同样合适。`,
-      none: "没有一个摩擦使物体倒向这些方向。",
+        `摩擦 ${friction} 最吻合；如果手像这里设定的那样，${low} 到 ${high} 也几乎同样吻合。`,
+      none: "没有哪个摩擦值使物体倒向这些方向。",
     },
     running: "正在轻弹…",
     none: "这个设置不能轻弹。",
@@ -445,13 +445,13 @@ export const zh: Table = {
     trust:
       "如果一个数超出了真实物体的可能，就不要相信缝隙和速度。可以相信角度，它几乎与缝隙多小无关。手的侧向误差约为 0.02 rad/s。",
     gap: "底缘下的最小缝隙",
-    gapTiny: "小于任何底缘和桌面的粗糙度，1 到 10 µm：它们在多点接触。",
-    gapSmall: "不大于底缘和桌面的粗糙度，1 到 10 µm：它们可能在多点接触。",
-    gapWide: "大于底缘和桌面的粗糙度，1 到 10 µm。",
+    gapTiny: "小于任何底缘和桌面的粗糙度（1 到 10 µm）：它们在多点接触。",
+    gapSmall: "不大于底缘和桌面的粗糙度（1 到 10 µm）：它们可能在多点接触。",
+    gapWide: "大于底缘和桌面的粗糙度（1 到 10 µm）。",
     speed: "接触点沿底缘的速度",
-    speedBeyond: "快于钢、铝或玻璃中的声速，5 到 6 km/s：底缘和桌面来不及给它让路。",
-    speedNear: "比钢、铝或玻璃中的声速慢不了多少，5 到 6 km/s。",
-    speedBelow: "慢于钢、铝或玻璃中的声速，5 到 6 km/s。",
+    speedBeyond: "快于钢、铝或玻璃中的声速（5 到 6 km/s）：底缘和桌面来不及给它让路。",
+    speedNear: "比钢、铝或玻璃中的声速（5 到 6 km/s）慢不了多少。",
+    speedBelow: "慢于钢、铝或玻璃中的声速（5 到 6 km/s）。",
     time: "转角大部分所用的时间",
     bends: (sound: string) =>
       `声音穿过底面需要 ${sound}：物体会弯曲和振响，而不是作为一个整体运动。`,
@@ -469,18 +469,18 @@ export const zh: Table = {
   gyro: {
     title: "物体里的手机",
     intro:
-      "随物体转动的陀螺仪完全看不到接触点的飞驰。它在横轴方向看到射线：物体沿一条落下，沿下一条升起。每次近碰撞都使射线转过转角减 180° 的角度。",
+      "随物体转动的陀螺仪完全看不到接触点的飞驰。在垂直于轴线的平面内，它看到一条条射线：物体沿一条落下，沿下一条升起。每次近碰撞都使射线转过转角减去 180° 的角度。",
     save: "保存为 phyphox CSV",
     saved: (name: string, command: string) => `${name} 已保存。用这个命令读取：${command}`,
     veers: (angles: string) => `最初的几次偏转：${angles}。`,
     noTurn: "没有完整的一转，所以没有射线转动。",
-    picture: (largest: string) => `物体参考系中横轴方向的角速度，最大 ${largest}。`,
+    picture: (largest: string) => `物体参考系中垂直于轴线的角速度，最大 ${largest}。`,
   },
 
   share: {
     title: "分享",
     link: {
-      help: "链接包含全部设置。没有服务器会看到它。",
+      help: "链接包含全部设置。任何服务器都看不到它。",
       label: "这个设置的链接",
       copy: "复制链接",
       copied: "链接已复制。",
@@ -501,7 +501,7 @@ export const zh: Table = {
     copyPython: "复制为 Python",
     copiedPython: "Python 代码已复制。",
     csv: "下载 CSV",
-    saved: (name: string) => `${name} 已下载，采用国际单位和弧度。`,
+    saved: (name: string) => `${name} 已下载，采用国际单位制和弧度。`,
     select: "已选中：用 Ctrl+C 或 ⌘C 复制。",
     samePython: "用 Python 表示的同一运动",
   },
@@ -523,7 +523,7 @@ export const zh: Table = {
     fromCollision: (time: string, when: "before" | "after") =>
       `碰撞${{ before: "之前", after: "之后" }[when]} ${time}`,
     inRealTime: "实时",
-    slower: (times: string) => `比实时慢 ${times} 倍`,
+    slower: (times: string) => `放慢 ${times} 倍`,
     keys: "按键",
     keyPlay: "播放，暂停",
     keyBack: "上一帧",
@@ -541,16 +541,16 @@ export const zh: Table = {
 
   plots: {
     absent: "没有可以绘制的运动。",
-    hint: "在图上拖动可放大，单击可到某一时刻，双击显示整个运动。单击之后或按住 Ctrl，鼠标滚轮也可缩放。在触摸屏上，一指到某一时刻，两指缩放。",
+    hint: "在图上拖动可放大，单击可到某一时刻，双击显示整个运动。单击之后或按住 Ctrl，鼠标滚轮也可缩放。在触摸屏上，单指到某一时刻，双指缩放。",
     nothing: "没有可显示的",
     range: (low: string, high: string) => `在 ${low} 和 ${high} 之间`,
     summary: (title: string, stretch: string, range: string) =>
       `${title}随时间的变化，${stretch}：${range}`,
     timeLabel: (unit: string) => `时间，${unit}`,
-    since: (unit: string, origin: string) => `${unit}，从${origin}起`,
-    collisionAt: (time: string) => ` ${time} 的碰撞`,
+    since: (unit: string, origin: string) => `${unit}，相对于 ${origin}`,
+    collisionAt: (time: string) => `${time} 的碰撞`,
     stretch: (from: string, to: string) => `从 ${from} 到 ${to}`,
-    about: (stretch: string, origin: string) => `${stretch}，以${origin}为中心`,
+    about: (stretch: string, origin: string) => `${stretch}，相对于 ${origin}`,
     whole: "整个运动",
     close: "这次碰撞",
     closeHelp: "显示离所示时间最近的碰撞",
@@ -565,10 +565,10 @@ export const zh: Table = {
       standing: "静立",
       rolling: "滚动",
       sliding: "滑动",
-      sliding_flat: "平面滑动",
+      sliding_flat: "平放滑动",
       flying: "飞行",
       flying_level: "水平飞行",
-      lying: "平躺",
+      lying: "躺倒",
     },
     figures: {
       floor: { title: "地面加速度", short: "地面", x: "沿 x", y: "沿 y", z: "向上" },
@@ -608,18 +608,18 @@ export const zh: Table = {
     keyB: "B，虚线：另一个",
     setup: "设置",
     turn: "第一转",
-    difference: "B 对 A",
+    difference: "B 比 A",
     rows: {
       turn: "接触点绕行",
       itself: "物体本身转了",
       limit: "理论极限",
       tilt: "最小倾角",
       gap: "当时底缘下的缝隙",
-      time: "到那时的时间",
+      time: "到那时所用的时间",
       passage: "转角大部分所用的时间",
       force: "最大力，以重量计",
       energy: "保留的能量",
-      end: "整个运动的结束",
+      end: "整个运动的结束时刻",
     },
     ending: "怎样结束",
     endings: {
@@ -634,32 +634,32 @@ export const zh: Table = {
     same: "两个设置目前相同。改变上面的设置：B 保持不变。",
     refused: (which: "A" | "B", why: string) => `${which} 没有运动：${why}。`,
     none: "其中一个物体没有落下，所以没有转角可以比较。",
-    equal: (angle: string) => `两者的接触点都绕行了 ${angle}，到一位小数相同。`,
+    equal: (angle: string) => `两者的接触点都绕行了 ${angle}（精确到一位小数）。`,
     turns: (a: string, b: string, apart: string, further: boolean) =>
       `接触点在 A 中绕行 ${a}，在 B 中绕行 ${b}：B 中${further ? "多" : "少"} ${apart}。`,
     swap: "交换 A 和 B",
     stop: "停止比较",
     times: (ratio: string) => `× ${ratio}`,
     label: (which: "A" | "B", text: string) => `${which}：${text}`,
-    drawn: (body: BodyName, times: string) => `${NOUNS[body]}，比例为 A 的 ${times} 倍`,
+    drawn: (body: BodyName, times: string) => `${NOUNS[body]}，绘图比例为 A 的 ${times} 倍`,
     plot: (label: string) => `${label}，B`,
     total: "动能和势能，B",
     inLink: (message: string) => `与之比较：${message}`,
   },
   scene: {
     picture: "桌上的物体",
-    tip: "先按住物体片刻，再倾斜它。",
+    tip: "先按住物体片刻，再把它扳斜。",
     reset: "重置视角",
     places: { above: "从上看", contact: "接触点", below: "从下看" },
     help: "怎样使用这幅图",
     gestures:
-      "拖动物体使它倾斜；用手指时先按住片刻。松手就放开它，在运动中松手就轻弹它。拖动桌子可以从另一侧看。要缩放，用两指张合，或在单击图像之后或按住 Ctrl 时转动鼠标滚轮。",
+      "拖动物体，把它扳斜；用手指时先按住片刻。松手就放开它，在运动中松手就轻弹它。拖动桌子可以从另一侧看。要缩放，用两指张合，或在单击图像之后或按住 Ctrl 时转动鼠标滚轮。",
     keysTitle: "焦点在图上时的按键：",
     keys: [
       ["← → ↑ ↓", "从另一侧看，也可从下面看"],
       ["Page Up, Page Down", "放大，缩小"],
       ["Home", "重置视角"],
-      ["+ 和 −", "拿起物体，倾斜 1°"],
+      ["+ 和 −", "拿住物体，扳斜 1°"],
       ["Shift + ← →", "拿着它时，把倾斜方向转 5°"],
       ["Enter", "静止松手"],
       ["Shift + Enter", "按设定的速率轻弹"],
@@ -681,7 +681,7 @@ export const zh: Table = {
     theory: "理论",
     gap: (gap: string) => `缝隙 ${gap}`,
     gapDrawn: (gap: string, times: string) => `缝隙 ${gap}，画高 ${times} 倍`,
-    unrolled: "接触点的路径，展开：",
+    unrolled: "展开的接触点路径：",
     table: "桌面",
     rim: "底缘",
     noSlipYet: "它无滑动地滚动",
@@ -691,7 +691,7 @@ export const zh: Table = {
   },
 
   prose: {
-    title: "rimroll：倾斜罐子",
+    title: "rimroll：扳斜罐子",
     skip: "跳到设置",
     tagline: "倾斜的罐子好像在摇摆，其实是接触点绕底缘飞驰。",
     "part.nav": "本页面的各部分",
@@ -706,16 +706,16 @@ export const zh: Table = {
     "to-essay": "这是什么？",
     "question.title": "它会在哪里升起？",
     "question.text":
-      "倾斜一个罐子再松手。它落向直立，底面几乎碰到桌面，然后又升起。把线转到你认为它会升起的地方，再松手。",
+      "把一个罐子扳斜，再松手。它倒回直立，底面几乎碰到桌面，然后又升起。把线转到你认为它会升起的地方，再松手。",
     "slap-or-roll.title": "拍击还是滚动？",
     "slap-or-roll.text":
-      "它不像摇椅那样在正对面升起，而是偏了 {0}。眼睛看来，底面拍击桌面，罐子弹了起来。事实并非如此。",
+      "它不像摇椅那样在正对面升起，而是偏了 {0}。看上去，底面拍击桌面，罐子随即弹起。事实并非如此。",
     "slap-or-roll.slow":
-      "在这里，罐子几乎平放时时间变慢，小柱表示底缘下的缝隙，画得比实际高。底缘的一点接触桌面，这一点沿底缘绕行：大部分路程只用 {0}。看底缘上的标记。它们留在原处。罐子没有转；它沿着底缘滚动。",
+      "在这里，罐子几乎平放时时间变慢，小柱表示底缘下的缝隙，画得比实际高。底缘只有一点接触桌面，这一点沿底缘绕行：大部分路程只用 {0}。看底缘上的标记。它们留在原处。罐子没有转；它沿着底缘滚动。",
     "hand.title": "为什么与手无关",
     "hand.text":
-      "没有手能完美地松开。一个小小的侧向误差决定罐子向左还是向右绕，以及底面离桌面多近。移动滑块：缝隙和时间变化上百倍，角度几乎不变。",
-    "hand.limit": "手越稳，角度就越接近一个极限，这个罐子是 {0}。极限只取决于罐子：",
+      "没有哪只手能松得完美。一个小小的侧向误差决定罐子向左还是向右绕，以及底面离桌面多近。移动滑块：缝隙和时间变化上百倍，角度几乎不变。",
+    "hand.limit": "手越稳，角度就越接近一个极限，对这个罐子是 {0}。极限只取决于罐子：",
     "hand.symbols": "其中 {0} 是质量，{1} 是底面半径，{2} 是质心高度，{3} 是绕质心倾倒的转动惯量。",
     "friction.title": "从冰到橡胶",
     "friction.text":
@@ -731,7 +731,7 @@ export const zh: Table = {
     "experiment.text":
       "论文作者把一个罐子轻弹了 42 次，记下它倒向哪里。平均转角向左为 {0}，向右为 {1}，介于无滑动和无摩擦的极限之间。",
     "experiment.try":
-      "在这里用不稳的手轻弹罐子，然后改变摩擦，直到你的结果与他们的重合。哪个摩擦最合适？",
+      "在这里用不稳的手轻弹罐子，然后改变摩擦，直到你的结果与他们的重合。哪个摩擦最吻合？",
     "left-out.title": "忽略了什么",
     "left-out.text":
       "这个罐子和这张桌子完全刚硬光滑，也没有空气。这样近似有多好？这取决于底面离桌面多近。下表列出这个运动的数值，旁边是真实罐子所允许的。让手更稳，看哪些数值变得没有意义。",

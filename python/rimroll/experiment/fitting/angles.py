@@ -33,7 +33,7 @@ ENOUGH = 8
 MOST_LINES = 10
 """Lines without an angle that a message lists."""
 
-FEWEST_LABELS = 4
+MIN_LABELS = 4
 """Rows with small whole numbers in the first of two unnamed columns that look like labels."""
 
 
@@ -299,7 +299,7 @@ def _refuse_labels(table: Table, first: Array) -> None:
     whole = np.degrees(first)
     few = len(set(whole.round(9).tolist())) <= len(first) // 2
     small = bool(np.all((whole >= 0.0) & (whole < 10.0)) and np.allclose(whole, whole.round()))
-    if not table.names and len(first) >= FEWEST_LABELS and few and small and np.any(first):
+    if not table.names and len(first) >= MIN_LABELS and few and small and np.any(first):
         raise RimrollError(
             f"{table.name}: its first column has only small whole numbers that repeat, which look "
             f"like groups and not like directions of a first lean; name the columns (lean, fall), "

@@ -15,7 +15,7 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.fitting.estimate import Estimate, Interval, estimate
 from rimroll.experiment.fitting.likelihood import (
-    FEWEST_OF_A_SIDE,
+    MIN_OF_A_SIDE,
     MOST_BIAS,
     MOST_LOGIT,
     Likelihood,
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-FEWEST = 8
+MIN_FALLS = 8
 """The smallest number of falls for a fit."""
 
 LEAST_SIMULATED, MOST_SIMULATED = 1024, 16384
@@ -341,7 +341,7 @@ def _alone(
     predicted: Predicted, directions: Array, confidence: float, side: float
 ) -> Estimate | None:
     """The estimate from the falls to one side (+1: left), without a bias."""
-    if len(directions) < FEWEST_OF_A_SIDE:
+    if len(directions) < MIN_OF_A_SIDE:
         return None
     likelihood = Likelihood(predicted, directions)
     return estimate(likelihood, confidence, {"bias": 0.0, "logit": side * MOST_LOGIT})[0]
@@ -394,9 +394,9 @@ def _checked(directions: Values) -> Array:
         raise RimrollError(
             f"directions must be a flat array of angles, got shape {data.shape} of {data.dtype}"
         )
-    if len(data) < FEWEST:
+    if len(data) < MIN_FALLS:
         raise RimrollError(
-            f"a fit needs at least {FEWEST} falls, got {len(data)}: from fewer, friction and "
+            f"a fit needs at least {MIN_FALLS} falls, got {len(data)}: from fewer, friction and "
             f"scatter cannot be told apart"
         )
     bad = data[~(np.abs(data) <= 2.0 * TURN)]

@@ -32,7 +32,7 @@ MOST_BIAS = math.radians(60.0)
 """The largest bias that is tried, rad."""
 
 MOST_LOGIT = 6.0
-FEWEST_OF_A_SIDE = 3
+MIN_OF_A_SIDE = 3
 """Falls to the rarer side that are needed to distinguish a bias from friction."""
 
 BINS = 2 * ANGLES
@@ -78,7 +78,7 @@ class Likelihood:
     def has_both_sides(self) -> bool:
         """Whether there are enough falls to the rarer side to tell a bias from friction."""
         lefts = int(np.sum(self.directions > math.pi))
-        return min(lefts, len(self.directions) - lefts) >= FEWEST_OF_A_SIDE
+        return min(lefts, len(self.directions) - lefts) >= MIN_OF_A_SIDE
 
     def best(self, near: Point | None = None, /, **fixed: float) -> Point:
         """The point of the largest likelihood, with some parameters held fixed.

@@ -47,10 +47,10 @@ HANDS = (0.25, 0.7, 2.0, 6.0)
 UNSTEADY = np.geomspace(0.2, 6.0, 15)
 """The unsteadiness of the hands for which densities are stored."""
 
-FEWEST_FRICTIONS = 25
+MIN_FRICTIONS = 25
 """With fewer frictions, splines between them are inaccurate and intervals too narrow."""
 
-FEWEST = 20
+MIN_FALLS = 20
 """The smallest number of simulated falls to one side for a density."""
 
 
@@ -129,8 +129,8 @@ def predict_falls(
             f"{math.degrees(error):g} degrees"
         )
     count, each = whole_number("frictions", frictions), whole_number("falls", falls)
-    if count < FEWEST_FRICTIONS:
-        raise RimrollError(f"frictions must be at least {FEWEST_FRICTIONS}, got {count}")
+    if count < MIN_FRICTIONS:
+        raise RimrollError(f"frictions must be at least {MIN_FRICTIONS}, got {count}")
     if each < 128:
         raise RimrollError(f"falls must be at least 128, got {each}")
     if isinstance(release, str):
@@ -174,7 +174,7 @@ def _checked(outcome: object) -> str | None:
 
 
 def _usual(outcomes: list[NDArray[np.str_]]) -> str:
-    toppling = [np.sum(outcome == "toppled") >= FEWEST for outcome in outcomes]
+    toppling = [np.sum(outcome == "toppled") >= MIN_FALLS for outcome in outcomes]
     return "toppled" if np.mean(toppling) >= 0.5 else "rocked"
 
 
@@ -253,10 +253,10 @@ def _humps(
     ways = (
         [np.abs(gone)] if symmetric else [np.where(s * gone > 0.0, gone, np.nan) for s in (1, -1)]
     )
-    enough = [np.sum(~np.isnan(way), axis=1) >= FEWEST for way in ways]
+    enough = [np.sum(~np.isnan(way), axis=1) >= MIN_FALLS for way in ways]
     if not np.any(enough):
         raise RimrollError(
-            f"of {gone.shape[1]} simulated releases at each friction fewer than {FEWEST} {word} to "
+            f"of {gone.shape[1]} simulated releases at each friction fewer than {MIN_FALLS} {word} to "
             f"one side: a release of another kind is needed"
         )
     humps = []

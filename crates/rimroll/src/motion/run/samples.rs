@@ -259,14 +259,14 @@ impl Run<'_> {
                 self.pass_extremum(&mut sample, &between, &attempt.end);
             }
             sample.at = attempt.end;
-            let goes_on = sample.accept(attempt.estimate.relative_squared());
+            let continues = sample.accept(attempt.estimate.relative_squared());
             if self.detector.goal().needs_track() {
                 let end = sample.coordinates();
                 self.track
                     .push(StepRecord::in_time(Phase::Rolling, between.h, &u, &end));
                 u = end;
             }
-            if !goes_on {
+            if !continues {
                 break;
             }
         }

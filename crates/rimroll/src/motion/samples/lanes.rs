@@ -176,8 +176,8 @@ impl SamplesInLanes {
             .and(error_squared.at_most(V::from(f64::MAX)));
         let uneventful = V::from(0.0).at_most(V::load(&self.margin));
         let counts = within_tolerance.and(uneventful).opaque();
-        let goes_on = V::from(0.0).at_most(V::load(&self.direction) * V::load(&self.end.u[2]));
-        let moves = counts.and(goes_on).opaque();
+        let continues = V::from(0.0).at_most(V::load(&self.direction) * V::load(&self.end.u[2]));
+        let moves = counts.and(continues).opaque();
         for i in 0..N {
             let (u, end) = (V::load(&self.at.u[i]), V::load(&self.end.u[i]));
             self.at.u[i] = moves.choose(end, u).store();

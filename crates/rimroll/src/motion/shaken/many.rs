@@ -103,18 +103,18 @@ impl<'a> Batch<'a> {
                 run.pass_extremum(sample, &sample.between(), &end);
                 lockstep.turn_back(lane, &end, sample.direction);
             }
-            let goes_on = if reverses || stepped.moved >> lane & 1 == 1 {
+            let continues = if reverses || stepped.moved >> lane & 1 == 1 {
                 sample.accept(estimate.relative_squared())
             } else {
                 sample.reject();
                 !estimate.is_accepted() && sample.refine()
             };
-            if goes_on && sample.order() == order {
+            if continues && sample.order() == order {
                 lockstep.aim(lane, &sample.between());
                 continue;
             }
             sample.at = lockstep.at(lane);
-            let next = if goes_on {
+            let next = if continues {
                 Next::OtherOrder
             } else {
                 Next::UsualSteps
