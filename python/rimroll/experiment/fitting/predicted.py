@@ -256,8 +256,8 @@ def _humps(
     enough = [np.sum(~np.isnan(way), axis=1) >= MIN_FALLS for way in ways]
     if not np.any(enough):
         raise RimrollError(
-            f"of {gone.shape[1]} simulated releases at each friction fewer than {MIN_FALLS} {word} to"
-            " one side: a release of another kind is needed"
+            f"of {gone.shape[1]} simulated releases at each friction fewer than {MIN_FALLS} {word}"
+            " to one side: a release of another kind is needed"
         )
     humps = []
     for way, there in zip(ways, enough, strict=True):
