@@ -44,7 +44,7 @@ test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the packa
 soak: .venv/.extension $(PAGE) ## run all tests, with four times as many random examples, as before a release
 	RIMROLL_CASES=4 cargo test
 	.venv/bin/python -m pytest -m "" --hypothesis-profile soak tests score/tests
-	tools/test_page.sh
+	RIMROLL_CASES=4 tools/test_page.sh
 
 bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)
 	bench/install.sh

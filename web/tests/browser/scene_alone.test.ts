@@ -2,13 +2,14 @@
 
 import { expect, test } from "vitest";
 import { violations } from "./axe";
+import { first } from "../given/soak";
 import { addressOfPage, browserForAll, emptyPage, visit } from "./visit";
 
 browserForAll();
 
 const SLIDE = { viewport: { width: 640, height: 360 } };
 
-test.each(["question", "slap-or-roll", "friction"])(
+test.each(first(1, ["question", "slap-or-roll", "friction"]))(
   "%s fits into 640 by 360, with the picture in front",
   async (scene) => {
     const { page, complaints } = await visit({ hash: `embed/${scene}`, webgl: true, ...SLIDE });
