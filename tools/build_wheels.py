@@ -44,17 +44,17 @@ MANYLINUX = ("--zig", "--compatibility", "manylinux2014")
 MUSLLINUX = ("--zig", "--compatibility", "musllinux_1_2")
 ALPINE = "needs a Python for musl, such as Alpine's"
 BUILDS = {
-    "sdist": Build(1.3, way="offline"),
-    "manylinux-x86_64": Build(3.1, "x86_64-unknown-linux-gnu", MANYLINUX, way="here"),
-    "manylinux-aarch64": Build(2.5, "aarch64-unknown-linux-gnu", MANYLINUX, way="arm64"),
-    "musllinux-x86_64": Build(3.1, "x86_64-unknown-linux-musl", MUSLLINUX, untried=ALPINE),
-    "musllinux-aarch64": Build(2.5, "aarch64-unknown-linux-musl", MUSLLINUX, untried=ALPINE),
-    "pyodide": Build(2.25, "wasm32-unknown-emscripten", ("--interpreter", "3.14"), way="pyodide"),
-    "macos-x86_64": Build(3.8, "x86_64-apple-darwin", ("--zig",), untried="needs macOS"),
-    "macos-arm64": Build(3.1, "aarch64-apple-darwin", ("--zig",), untried="needs macOS"),
+    "sdist": Build(2.3, way="offline"),
+    "manylinux-x86_64": Build(5.5, "x86_64-unknown-linux-gnu", MANYLINUX, way="here"),
+    "manylinux-aarch64": Build(4.7, "aarch64-unknown-linux-gnu", MANYLINUX, way="arm64"),
+    "musllinux-x86_64": Build(5.5, "x86_64-unknown-linux-musl", MUSLLINUX, untried=ALPINE),
+    "musllinux-aarch64": Build(4.7, "aarch64-unknown-linux-musl", MUSLLINUX, untried=ALPINE),
+    "pyodide": Build(4.0, "wasm32-unknown-emscripten", ("--interpreter", "3.14"), way="pyodide"),
+    "macos-x86_64": Build(6.7, "x86_64-apple-darwin", ("--zig",), untried="needs macOS"),
+    "macos-arm64": Build(5.8, "aarch64-apple-darwin", ("--zig",), untried="needs macOS"),
     # With zig, maturin asks for a symbol that no module in a package has: PyInit_rimroll._core.
     "windows-x86_64": Build(
-        3.7,
+        6.5,
         "x86_64-pc-windows-gnu",
         untried="needs Windows",
         needs="x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64-win32",
