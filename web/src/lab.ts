@@ -190,7 +190,6 @@ export class Lab {
     if (other === this.otherSetup.value) return;
     this.clock.pause();
     this.clock.rewind();
-    this.other.begin();
     this.otherSetup.value = other;
   }
 
@@ -199,7 +198,6 @@ export class Lab {
       if (withoutFlicks(setup) !== withoutFlicks(this.setup.value)) {
         this.clock.pause();
         this.clock.rewind();
-        this.simulation.begin();
       }
       // No more flicks can be shown than there are.
       if ((this.flicksShown.value ?? 0) > setup.flicks) this.flicksShown.value = setup.flicks;
@@ -220,10 +218,15 @@ export class Lab {
     });
   }
 
-  /** Computes the remaining steps of the motions, if only the first have been computed. */
+  /** Computes the remaining steps of the motions now, if only the first have been computed. */
   complete(): void {
     this.simulation.complete();
     this.other.complete();
+  }
+
+  /** Does something when all steps of the motions have been computed, unless the set-ups change before. */
+  whenComplete(then: () => void): void {
+    this.simulation.whenComplete(() => this.other.whenComplete(then));
   }
 }
 

@@ -1,6 +1,8 @@
-// The motion that is computed from a set-up: its first steps at once, the others a little later.
+// The motion that is computed from a set-up: its first steps at once, the others a little later in a worker.
 
-import { type ReadonlySignal, type Signal, computed, effect, signal } from "@preact/signals-core";
+import { type ReadonlySignal, computed, effect } from "@preact/signals-core";
+import { Completion } from "./completion";
+import type { Computation } from "./core/computation";
 import type { Core, Theory } from "./core/core";
 import type { Motion } from "./core/motion";
 import { reasonOrRethrow } from "./core/reason";
@@ -16,14 +18,12 @@ export interface Simulated {
   input: SimulationInput;
   motion: Motion;
   theory: Theory;
-  /** Whether only the first steps of the motion have been computed; see {@link Simulation.complete}. */
+  /** Whether only the first steps of the motion have been computed; see {@link Simulation.whenComplete}. */
   partial: boolean;
 }
 
 /** Number of steps computed at once when the set-up changes; they take a few ms. */
 const FIRST_STEPS = 2000;
-/** The remaining steps are computed after this time without a change, ms. */
-const COMPLETION_DELAY = 250;
 
 /** What shakes the floor, and why it is missing if it is, in words. */
 export interface Shakers {
@@ -37,8 +37,7 @@ export class Simulation {
   readonly theory: ReadonlySignal<Theory | undefined>;
   /** How the floor moves, if it moves. */
   readonly shaking: ReadonlySignal<Shaking | undefined>;
-  /** Whether the complete motion is wanted, however long that takes. */
-  private readonly completeWanted: Signal<boolean> = signal(false);
+  private readonly first: ReadonlySignal<First | undefined>;
 
   /** Without a set-up there is no outcome. */
   constructor(
@@ -47,13 +46,17 @@ export class Simulation {
     { shaker, shakerMissing }: Shakers,
   ) {
     const release = computed(() => setup.value && withoutFlicks(setup.value));
-    this.outcome = computed(() => {
+    this.first = computed(() => {
       if (release.value === undefined) return undefined;
-      const maxSteps = this.completeWanted.value ? Infinity : FIRST_STEPS;
       const setup = JSON.parse(release.value) as Setup;
-      if (setup.floor === "rest") return outcomeOf(core, undefined, setup, maxSteps);
-      if (shaker.value) return outcomeOf(core, shaker.value, setup, maxSteps);
-      return { refused: shakerMissing.value };
+      if (setup.floor === "rest") return firstOf(core, undefined, setup);
+      if (shaker.value) return firstOf(core, shaker.value, setup);
+      return { outcome: { refused: shakerMissing.value } };
+    });
+    this.outcome = computed(() => {
+      const first = this.first.value;
+      const motion = first?.completion?.motion.value;
+      return motion ? { ...first.outcome, motion, partial: false } : first?.outcome;
     });
     const simulated = computed(() => {
       const outcome = this.outcome.value;
@@ -63,9 +66,9 @@ export class Simulation {
     this.theory = computed(() => simulated.value?.theory);
     this.shaking = computed(() => simulated.value?.input.shaking);
     effect(() => {
-      if (!isPartial(this.outcome.value)) return undefined;
-      const timer = setTimeout(() => this.complete(), COMPLETION_DELAY);
-      return () => clearTimeout(timer);
+      const completion = this.first.value?.completion;
+      completion?.beginSoon();
+      return () => completion?.cancel();
     });
     let current: Motion | undefined;
     effect(() => {
@@ -76,16 +79,23 @@ export class Simulation {
     });
   }
 
-  /** Computes the remaining steps of the motion, if only the first have been computed. */
+  /** Computes the remaining steps of the motion now, if only the first have been computed. */
   complete(): void {
-    if (isPartial(this.outcome.peek())) this.completeWanted.value = true;
+    this.first.peek()?.completion?.now();
   }
 
-  /** Computes the first steps only when the set-up changes next. */
-  begin(): void {
-    this.completeWanted.value = false;
+  /** Does something when all steps of the motion have been computed, unless the set-up changes before. */
+  whenComplete(then: () => void): void {
+    const completion = this.first.peek()?.completion;
+    if (completion) completion.when(then);
+    else then();
   }
 }
+
+/** What the first steps of a motion give, and the computation of all steps if there are more. */
+type First =
+  | { outcome: Simulated; completion: Completion }
+  | { outcome: Outcome; completion?: never };
 
 /** The fields on which one motion depends, as a text that can be compared. */
 export function withoutFlicks(setup: Readonly<Setup>): string {
@@ -95,34 +105,31 @@ export function withoutFlicks(setup: Readonly<Setup>): string {
   );
 }
 
-const isPartial = (outcome: Outcome | undefined) =>
-  outcome !== undefined && "motion" in outcome && outcome.partial;
-
-/** Computes the motion with a limited number of steps. */
-function outcomeOf(
-  core: Core,
-  shaker: Shaker | undefined,
-  setup: Readonly<Setup>,
-  limit: number,
-): Outcome {
+/** Computes the first steps of the motion. */
+function firstOf(core: Core, shaker: Shaker | undefined, setup: Readonly<Setup>): First {
   try {
     const atRest = simulationInput(core, setup);
     const input = shaker ? shaker.inputOf(setup, atRest) : atRest;
-    const { body, start, contactLaw, options, shaking } = input;
-    const maxSteps = Math.min(limit, options.maxSteps);
-    const limited = { ...options, maxSteps };
-    const motion = shaking
-      ? shaking.simulate({ ...input, options: limited })
-      : core.simulate(body, start, contactLaw, limited);
+    const { body, start, contactLaw, options } = input;
+    const motion = computationOf(core, input, FIRST_STEPS).now();
     try {
       const theory = core.theory(body, start, contactLaw, options.gravity);
-      const partial = maxSteps < options.maxSteps && motion.ranOutOfSteps;
-      return { input, motion, theory, partial };
+      const partial = FIRST_STEPS < options.maxSteps && motion.ranOutOfSteps;
+      const outcome = { input, motion, theory, partial };
+      if (!partial) return { outcome };
+      return { outcome, completion: new Completion(computationOf(core, input, options.maxSteps)) };
     } catch (error) {
       motion.forget();
       throw error;
     }
   } catch (error) {
-    return { refused: reasonOrRethrow(error) };
+    return { outcome: { refused: reasonOrRethrow(error) } };
   }
+}
+
+function computationOf(core: Core, input: SimulationInput, limit: number): Computation {
+  const maxSteps = Math.min(limit, input.options.maxSteps);
+  const limited = { ...input, options: { ...input.options, maxSteps } };
+  if (input.shaking) return input.shaking.simulation(limited);
+  return core.simulation(limited.body, limited.start, limited.contactLaw, limited.options);
 }

@@ -46,12 +46,16 @@ BEST = 4
 """The starts from which the search goes on."""
 MOVED = 5.0
 """What is taken for movement, in errors of a sample."""
+ROUNDS = 200
+"""Most evaluations of the last search, which follows a long valley if the marker is beside the axis."""
 LONG = 1.5
 """Duration of the motions of a search, s."""
 LARGEST_START = 0.5
 """What the best start may leave of the movement."""
 LARGEST_LEFT = 0.1
-"""Residual over the movement (root mean squares) from which on no motion describes a track."""
+"""Residual over the movement (root mean squares) from which on no motion describes a track,"""
+LARGEST_ERROR = 3.0
+"""if the residual is also this many times the error of a sample."""
 ERRORS = {"path": 1e-3, "lean": math.radians(1.0), "tilt": math.radians(1.0)}
 """The error of a sample unless it is given, m or rad."""
 
@@ -135,7 +139,8 @@ def fit_track(
     end = float(track.t[-1])
     first = FilmModel(body, given, free, pull, track, point, end, sigma, deviation)
     begun = [_refined(first, *one) for one in _guesses(first)]
-    return _result(min(begun, key=_part_left), level)
+    best = min(begun, key=_part_left)
+    return _result(least(best.model, best.vector, ROUNDS), level)
 
 
 def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
@@ -263,12 +268,13 @@ def _part_left(one: Found) -> float:
 def _result(best: Found, confidence: float) -> TrackFit:
     model: Any = best.model
     level = chi_square(confidence)
-    if not _part_left(best) < LARGEST_LEFT:
+    left = model.left(best.vector)
+    over_error = math.sqrt(float(np.mean((left / model.error) ** 2)))
+    if not (_part_left(best) < LARGEST_LEFT or over_error < LARGEST_ERROR):
         raise RimrollError(
             f"{model.track.name}: no motion under {model.law!r} describes it. Check the body, the"
             " marker, the units, and that the track begins while the body is held"
         )
-    left = model.left(best.vector)
     factor = inflation(left / model.error, len(best.vector))
     interval = None
     if "friction" in model.free:

@@ -61,11 +61,12 @@ export function mountCompare(lab: Lab, place: HTMLElement): void {
 
 /** Plays until both bodies have come up. */
 function playFirstTurns(lab: Lab): void {
-  lab.complete();
-  const ends = [lab.motion.value, lab.other.motion.value].map(
-    (motion) => motion?.turns[0]?.end ?? motion?.end ?? 0,
-  );
-  lab.clock.play(Math.max(...ends));
+  lab.whenComplete(() => {
+    const ends = [lab.motion.value, lab.other.motion.value].map(
+      (motion) => motion?.turns[0]?.end ?? motion?.end ?? 0,
+    );
+    lab.clock.play(Math.max(...ends));
+  });
 }
 
 function swap(lab: Lab): void {

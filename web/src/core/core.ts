@@ -1,6 +1,7 @@
 // The interface of the mechanics for the page, in SI units and radians. Results are the same as in
 // Python to the last bit.
 
+import { Computation } from "./computation";
 import { Exchange, type Row } from "./exchange";
 import { Motion } from "./motion";
 
@@ -135,8 +136,13 @@ export class Core {
 
   /** Computes a motion. Throws {@link Refused} for invalid input. */
   simulate(body: Body, start: State, contactLaw: ContactLaw, options: Options): Motion {
-    this.exchange.put(this.simulationNumbers(body, start, contactLaw, options));
-    return new Motion(this.exchange, this.exchange.checked(this.exchange.core.simulate()));
+    return this.simulation(body, start, contactLaw, options).now();
+  }
+
+  /** The computation of a motion. */
+  simulation(body: Body, start: State, contactLaw: ContactLaw, options: Options): Computation {
+    const numbers = this.simulationNumbers(body, start, contactLaw, options);
+    return new Computation(this.exchange, { name: "simulate", numbers });
   }
 
   protected simulationNumbers(

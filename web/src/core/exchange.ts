@@ -12,6 +12,8 @@ interface Exports {
   preset(place: number): number;
   composed(): number;
   simulate(): number;
+  /** Only in the core with tables that move. */
+  simulate_shaken(): number;
   forget(motion: number): void;
   columns(): void;
   samples(motion: number, perStep: number): void;
@@ -40,22 +42,37 @@ export class Refused extends Error {
   override name = "Refused";
 }
 
+/** The unit of the core's memory, bytes. */
+const PAGE = 65_536;
+
 export class Exchange {
   private readonly decoder = new TextDecoder();
 
-  private constructor(readonly core: Exports) {}
+  private constructor(
+    readonly module: WebAssembly.Module,
+    readonly core: Exports,
+  ) {}
 
   /** Instantiates the core from a fetched response or from its bytes. */
   static async with(core: Response | BufferSource): Promise<Exchange> {
     if (core instanceof Response && !core.ok)
       throw new Error(`the mechanics could not be loaded (HTTP status ${core.status})`);
-    const { instance } = await instantiate(core).catch((error: unknown) => {
+    const module = await compile(core).catch((error: unknown) => {
       throw new Error("the file of the mechanics is damaged or is none", { cause: error });
     });
-    const exports = instance.exports as unknown as Exports;
-    if (typeof exports.simulate !== "function")
+    return Exchange.of(module);
+  }
+
+  /** Instantiates the compiled core, with a copy of the memory of another instance if it is given. */
+  static async of(module: WebAssembly.Module, memory?: ArrayBuffer): Promise<Exchange> {
+    const core = (await WebAssembly.instantiate(module)).exports as unknown as Exports;
+    if (typeof core.simulate !== "function")
       throw new Error("the file of the mechanics does not belong to this page");
-    return new Exchange(exports);
+    if (memory) {
+      core.memory.grow((memory.byteLength - core.memory.buffer.byteLength) / PAGE);
+      new Uint8Array(core.memory.buffer).set(new Uint8Array(memory));
+    }
+    return new Exchange(module, core);
   }
 
   /** Writes the arguments of the next call. */
@@ -90,10 +107,10 @@ export class Exchange {
 }
 
 /** Compiles the core while it is still loading, if the server sends its content type. */
-async function instantiate(core: Response | BufferSource) {
-  if (!(core instanceof Response)) return WebAssembly.instantiate(core);
+async function compile(core: Response | BufferSource): Promise<WebAssembly.Module> {
+  if (!(core instanceof Response)) return WebAssembly.compile(core);
   const type = core.headers.get("Content-Type");
   return type === "application/wasm"
-    ? WebAssembly.instantiateStreaming(core)
-    : WebAssembly.instantiate(await core.arrayBuffer());
+    ? WebAssembly.compileStreaming(core)
+    : WebAssembly.compile(await core.arrayBuffer());
 }

@@ -44,7 +44,8 @@ export class Moments {
 
   constructor(
     readonly names: readonly Column[],
-    private readonly numbers: Float64Array,
+    /** All numbers of one column, then those of the next. */
+    readonly numbers: Float64Array,
   ) {
     this.length = numbers.length / names.length;
   }
@@ -130,10 +131,13 @@ export class Motion {
   constructor(
     private readonly exchange: Exchange,
     private address: number,
+    /** The numbers of one sample for each step, if they are known. */
+    steps?: Float64Array,
   ) {
     const { core } = exchange;
     core.columns();
     this.names = exchange.names() as Column[];
+    if (steps) this.sampled = { perStep: 1, moments: new Moments(this.names, steps) };
     core.status(address);
     this.status = exchange.text();
     core.message(address);

@@ -1,8 +1,8 @@
 // The core with tables that move. It is a file of its own, because most visitors do not shake the floor.
 
 import { Core, type Body, type ContactLaw, type Options, type State } from "../core/core";
+import { Computation } from "../core/computation";
 import { Exchange } from "../core/exchange";
-import { Motion } from "../core/motion";
 import type { TableMotion } from "./shaking";
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -25,7 +25,6 @@ export interface AccelerationRecord {
 export type Ground = Pulse | AccelerationRecord;
 
 interface ShakenExports {
-  simulate_shaken(): number;
   pulse_shapes(): void;
   flat_landings(): void;
   table_motion(): number;
@@ -49,21 +48,21 @@ export class ShakenCore extends Core {
     return new ShakenCore(await Exchange.with(source));
   }
 
-  /** Computes a motion on a table that moves. Throws {@link Refused} for invalid input. */
-  simulateOn(
+  /** The computation of a motion on a table that moves. */
+  simulationOn(
     ground: Ground,
     flat: string,
     body: Body,
     start: State,
     contactLaw: ContactLaw,
     options: Options,
-  ): Motion {
-    this.exchange.put([
+  ): Computation {
+    const numbers = [
       ...this.simulationNumbers(body, start, contactLaw, options),
       this.flatLandings.indexOf(flat),
       ...this.groundNumbers(ground),
-    ]);
-    return new Motion(this.exchange, this.exchange.checked(this.shakes.simulate_shaken()));
+    ];
+    return new Computation(this.exchange, { name: "simulate_shaken", numbers });
   }
 
   /** The motion of the table at times, s. */

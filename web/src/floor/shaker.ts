@@ -1,6 +1,7 @@
 // Shakes the floor: simulates on it, and tells where the table is.
 
 import type { State } from "../core/core";
+import type { Computation } from "../core/computation";
 import type { Motion } from "../core/motion";
 import type { Setup } from "../setup/setup";
 import type { SimulationInput } from "../setup/simulation_input";
@@ -44,8 +45,9 @@ class GroundShaking implements Shaking {
     };
   }
 
-  simulate({ body, start, contactLaw, options }: SimulationInput): Motion {
-    return this.core.simulateOn(this.ground, this.setup.flat, body, start, contactLaw, options);
+  simulation({ body, start, contactLaw, options }: SimulationInput): Computation {
+    const { core, ground, setup } = this;
+    return core.simulationOn(ground, setup.flat, body, start, contactLaw, options);
   }
 
   at(times: ArrayLike<number>): TableMotion {

@@ -1,5 +1,6 @@
 // What the page knows of a floor that moves before the part that shakes it has been loaded.
 
+import type { Computation } from "../core/computation";
 import type { Motion } from "../core/motion";
 import type { Setup } from "../setup/setup";
 import type { SimulationInput } from "../setup/simulation_input";
@@ -31,7 +32,7 @@ export type TableMotion = Record<
 
 /** A motion of the floor. */
 export interface Shaking {
-  simulate(input: SimulationInput): Motion;
+  simulation(input: SimulationInput): Computation;
   /** The motion of the table at times, s. */
   at(times: ArrayLike<number>): TableMotion;
   /** Where the table and the camera are at a time (s). The camera follows a table that moves farther than `leash` (m)

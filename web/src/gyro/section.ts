@@ -27,17 +27,18 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
   picture.append(circle, cross, whole, past, now, scale);
   const said = element("p", { class: "said" });
   const message = element("p", { class: "done", role: "status" });
-  const save = button(words.gyro.save, () => {
-    lab.complete();
-    const motion = lab.motion.value;
-    if (!motion) return;
-    const name = `rimroll-${lab.setup.value.body}-phyphox.csv`;
-    download(name, toPhyphox(motion), "text/csv");
-    message.textContent = words.gyro.saved(
-      name,
-      `rimroll gyro ${name} ${optionsOf(lab.setup.value)}`,
-    );
-  });
+  const save = button(words.gyro.save, () =>
+    lab.whenComplete(() => {
+      const motion = lab.motion.value;
+      if (!motion) return;
+      const name = `rimroll-${lab.setup.value.body}-phyphox.csv`;
+      download(name, toPhyphox(motion), "text/csv");
+      message.textContent = words.gyro.saved(
+        name,
+        `rimroll gyro ${name} ${optionsOf(lab.setup.value)}`,
+      );
+    }),
+  );
   place.append(
     element("h2", {}, words.gyro.title),
     element("p", {}, words.gyro.intro),

@@ -50,10 +50,8 @@ export class SetupForm {
   /** Plays the motion from the release, with everything that has been set. */
   letGo(): void {
     this.flush();
-    // Compute the rest now, not while the motion is playing.
-    this.lab.complete();
     this.lab.clock.rewind();
-    this.lab.clock.play();
+    this.lab.whenComplete(() => this.lab.clock.play());
   }
 
   private clearRefusal(name: FieldName): void {

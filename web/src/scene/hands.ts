@@ -70,11 +70,9 @@ export class Hands {
   private letGo(part: Partial<Setup>): void {
     this.lab.change({ ...part, start: "tilted" });
     this.lab.held.value = undefined;
-    // Compute the rest now, not while the motion is playing.
-    this.lab.complete();
     // Restart even if the release is the same as before.
     this.lab.clock.rewind();
-    this.lab.clock.play();
+    this.lab.whenComplete(() => this.lab.clock.play());
   }
 
   private hold(lean: Lean): void {

@@ -27,14 +27,15 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
     share.copyPython,
     () => void copy(code.textContent, code, share.copiedPython),
   );
-  const saveCsv = button(share.csv, () => {
-    lab.complete();
-    const motion = lab.motion.value;
-    if (!motion) return;
-    const name = `rimroll-${lab.setup.value.body}.csv`;
-    download(name, toCsv(motion, lab.shaking.value), "text/csv");
-    say(message, share.saved(name));
-  });
+  const saveCsv = button(share.csv, () =>
+    lab.whenComplete(() => {
+      const motion = lab.motion.value;
+      if (!motion) return;
+      const name = `rimroll-${lab.setup.value.body}.csv`;
+      download(name, toCsv(motion, lab.shaking.value), "text/csv");
+      say(message, share.saved(name));
+    }),
+  );
   place.append(
     element("h2", {}, share.title),
     element("p", { class: "help" }, help),

@@ -26,7 +26,7 @@ function shaking(changes: Partial<Setup>): { motion: Motion; shaking: Shaking; s
   const setup: Setup = { ...INITIAL, floor: "pulse", body: "soda_can", ...changes };
   const input = shakenInput(shaken, setup);
   const its = input.shaking as Shaking;
-  return { motion: its.simulate(input), shaking: its, setup };
+  return { motion: its.simulation(input).now(), shaking: its, setup };
 }
 
 /** A hand that swings and comes to rest aside. */

@@ -81,7 +81,7 @@ test("on a floor that moves, a set-up's code computes the same bits in Python", 
   const kinds = new Set<string>();
   const ours = setups.map((setup) => {
     const input = shakenInput(core, setup);
-    const motion = input.shaking?.simulate(input) as Motion;
+    const motion = input.shaking?.simulation(input).now() as Motion;
     for (const { kind } of motion.phases) kinds.add(kind);
     return { code: toPython(input), ...written(motion) };
   });
