@@ -42,6 +42,16 @@ def test_angles_give_the_friction(kind):
     assert any("Tilts show no direction" in note for note in fit.notes) == (kind == "tilt")
 
 
+@pytest.mark.slow
+def test_a_film_with_large_errors_is_fitted():
+    motion = rr.simulate(CAN, rr.State(tilt=0.38, yaw_rate=0.05), rr.Coulomb(0.1), 0.6)
+    track = rr.filmed.Track(*filmed(motion, (0.0, 0.0, 0.12), noise=2e-3))
+    fit = rr.filmed.fit_track(track, CAN, marker=(0, 0.12), error=2e-3)
+    low, high = fit.friction.interval
+    assert low < 0.1 < high < 0.3
+    assert fit.residual > 1e-3
+
+
 @pytest.mark.soak
 def test_intervals_of_random_films_hold_the_truth():
     """Of ten intervals at 95 %, two that miss occur in 9 % of all cases, and three in 1 %."""

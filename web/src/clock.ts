@@ -3,7 +3,7 @@
 // and limits how fast the contact point runs on the screen. Two motions that are compared share one schedule.
 
 import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
-import type { Moments, Motion } from "./core/motion";
+import type { Motion } from "./core/motion";
 import { INITIAL_PLAYBACK } from "./setup/playback";
 
 /** Largest speed of the contact point in stretched time, rad per second of the visitor. */
@@ -19,7 +19,7 @@ class Schedule {
   ) {}
 
   static of(motion: Motion, stretched: boolean): Schedule {
-    const [t, yaw] = refined(motion.samples(1), PARTS);
+    const { t, yaw } = motion.yaws();
     const shown = new Float64Array(t.length);
     for (let k = 1; k < t.length; k++) {
       const [dt, turned] = [at(t, k) - at(t, k - 1), Math.abs(at(yaw, k) - at(yaw, k - 1))];
@@ -79,33 +79,6 @@ class Schedule {
     const interval = at(this.times, low + 1) - at(this.times, low);
     return interval > 0 ? (at(this.shown, low + 1) - at(this.shown, low)) / interval : 1;
   }
-}
-
-/** Each solver step is divided into this many parts, so that the yaw rate hardly changes in one. */
-const PARTS = 4;
-
-/** Times and yaws at the solver steps and between them, by cubic Hermite interpolation of the yaw. To
- * request as many moments from the core takes a hundred times as long. */
-function refined(steps: Moments, parts: number): [times: Float64Array, yaws: Float64Array] {
-  const [t, yaw, rate] = [steps.column("t"), steps.column("yaw"), steps.column("yaw_rate")];
-  const length = parts * (t.length - 1) + 1;
-  const [times, yaws] = [new Float64Array(length), new Float64Array(length)];
-  times[0] = at(t, 0);
-  yaws[0] = at(yaw, 0);
-  for (let k = 1, n = 1; k < t.length; k++) {
-    const [from, to] = [at(t, k - 1), at(t, k)];
-    const [start, rise] = [at(yaw, k - 1), at(yaw, k) - at(yaw, k - 1)];
-    const [first, last] = [at(rate, k - 1) * (to - from), at(rate, k) * (to - from)];
-    for (let part = 1; part < parts; part++, n++) {
-      const s = part / parts;
-      times[n] = from + s * (to - from);
-      yaws[n] =
-        start + s * (first + s * (3 * rise - 2 * first - last + s * (first + last - 2 * rise)));
-    }
-    times[n] = to;
-    yaws[n++] = at(yaw, k);
-  }
-  return [times, yaws];
 }
 
 export class Clock {

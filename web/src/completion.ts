@@ -2,7 +2,7 @@
 // computed here after a pause, and the page waits meanwhile.
 
 import { type ReadonlySignal, type Signal, signal } from "@preact/signals-core";
-import { type Computation, hasWorkers } from "./core/computation";
+import type { Computation } from "./core/computation";
 import type { Motion } from "./core/motion";
 
 /** The complete motion is computed after this time without a change of the set-up, ms. */
@@ -46,15 +46,15 @@ export class Completion {
     if (this.begun) return;
     this.begun = true;
     clearTimeout(this.timer);
-    if (!hasWorkers()) return this.now();
     const { signal } = this.stop;
-    this.computation.inWorker(signal).then(
-      (motion) => signal.aborted || this.become(motion),
-      (error: unknown) => {
-        console.error(error);
-        if (!signal.aborted) this.now();
-      },
-    );
+    void this.computation
+      .inWorker(signal)
+      .catch(console.error)
+      .then((motion) => {
+        if (signal.aborted) return;
+        if (motion) this.become(motion);
+        else this.now();
+      });
   }
 
   private become(motion: Motion): void {

@@ -40,13 +40,13 @@ const browser = await chromium.launch({
   args: FLAGS,
 });
 
-/** Records in the page when the first motion and its picture appear. */
+/** Records in the page when the first motion, or the essay's question, and its picture appear. */
 function noteFirsts() {
   const firsts = {};
   window.firsts = firsts;
   const there = {
-    motion: () => document.querySelector("#verdict .said")?.textContent,
-    picture: () => document.querySelector("#scene :is(canvas[data-engine], .blind)"),
+    motion: () => document.querySelector("#verdict .said, #essay .hands")?.textContent,
+    picture: () => document.querySelector(":is(#scene, #essay) :is(canvas[data-engine], .blind)"),
   };
   const look = () => {
     for (const [name, is] of Object.entries(there))
@@ -66,7 +66,7 @@ function withoutWebGL() {
 }
 
 /** Visits the page with a slowed-down processor, on a line or without delay. */
-async function visited({ hash = "", slower = 1, line = undefined, webgl = true }, what) {
+async function visited({ hash = "lab", slower = 1, line = undefined, webgl = true }, what) {
   const context = await browser.newContext({ viewport: LAPTOP });
   await context.addInitScript(noteFirsts);
   if (!webgl) await context.addInitScript(withoutWebGL);
@@ -92,11 +92,11 @@ async function visited({ hash = "", slower = 1, line = undefined, webgl = true }
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-async function loading(slower, line) {
+async function loading(slower, line, hash = "") {
   const runs = [];
   for (let k = 0; k < 3; k++)
     runs.push(
-      await visited({ slower, line }, (page) =>
+      await visited({ slower, line, hash }, (page) =>
         page.evaluate(() => ({
           words: performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
           ...window.firsts,
@@ -106,7 +106,7 @@ async function loading(slower, line) {
   const ms = (name) => `${name} ${Math.round(median(runs.map((run) => run[name])))} ms`;
   const how = line ? `${line.mbit} Mbit/s, ${line.latency} ms` : "no delay";
   console.log(
-    `loading  ${how}, processor 1/${slower}: ${["words", "motion", "picture"].map(ms).join(", ")}`,
+    `loading  ${hash || "essay"}, ${how}, processor 1/${slower}: ${["words", "motion", "picture"].map(ms).join(", ")}`,
   );
 }
 
@@ -174,13 +174,34 @@ async function sliding(name, hash) {
   console.log(`sliding  ${name}: each move ${report(result)}`);
 }
 
-await visited({}, async () => {});
-console.log(`loading  ${Math.round(sent / 1000)} kB in all, gzipped`);
-await loading(1, undefined);
-await loading(1, LINE);
-await loading(4, LINE);
+/** The longest tasks on the page's thread after a change of the set-up, without the scene. */
+async function longest(name, hash) {
+  const found = await visited({ webgl: false }, async (page) => {
+    await page.waitForTimeout(2500);
+    return page.evaluate(async (hash) => {
+      const tasks = [];
+      new PerformanceObserver((list) =>
+        tasks.push(...list.getEntries().map(({ duration }) => duration)),
+      ).observe({ type: "longtask" });
+      location.hash = hash;
+      await new Promise((passed) => setTimeout(passed, 5000));
+      return tasks;
+    }, hash);
+  });
+  // Browsers report tasks of more than 50 ms only.
+  const times = found.map((time) => `${Math.round(time)} ms`).join(", ");
+  console.log(`longest  ${name}: ${times || "no task of more than 50 ms"}`);
+}
+
+for (const part of ["", "lab"]) {
+  await visited({ hash: part }, async () => {});
+  console.log(`loading  ${part || "essay"}: ${Math.round(sent / 1000)} kB in all, gzipped`);
+  await loading(1, undefined, part);
+  await loading(1, LINE, part);
+  await loading(4, LINE, part);
+}
 for (const [name, hash] of [
-  ["the paper's can", ""],
+  ["the paper's can", "lab"],
   ["the can, friction 0.3", "friction=0.3"],
   ["a coin", "body=coin"],
 ]) {
@@ -188,5 +209,7 @@ for (const [name, hash] of [
   await sliding(name, hash);
 }
 await sliding("a body of your own", "body=own");
+await longest("a coin for 3 s", "body=coin");
+await longest("Euler's disk for 120 s", "body=euler_disk&duration=120");
 await browser.close();
 server.close();

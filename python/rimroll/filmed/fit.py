@@ -24,7 +24,7 @@ from rimroll.gyro.motions.misfit import inflation
 from rimroll.gyro.motions.model import BODY, highest_friction
 from rimroll.gyro.motions.profile import friction_interval
 from rimroll.gyro.motions.result import Estimate
-from rimroll.gyro.motions.search import Found, least
+from rimroll.gyro.motions.search import Found, at_friction, least
 from rimroll.laws import Coulomb, Law, one_law
 from rimroll.motion import Motion, simulate
 from rimroll.state import State
@@ -42,20 +42,26 @@ EARLIER = 8
 """and moments of the release before the first movement that is seen."""
 LONGEST = 0.3
 """How much earlier than that the release may be, s."""
-BEST = 4
+BEST = 6
 """The starts from which the search goes on."""
 MOVED = 5.0
 """What is taken for movement, in errors of a sample."""
-ROUNDS = 200
-"""Most evaluations of the last search, which follows a long valley if the marker is beside the axis."""
+ROUNDS = 100
+"""Most evaluations of the last searches; a marker beside the axis makes long valleys."""
+NEAR = 2.0
+"""Searches that leave at most so many times as much as the best one count as minima."""
+MOST_RESTARTS = 3
+"""How often the interval is sought anew because a lower minimum was met."""
 LONG = 1.5
 """Duration of the motions of a search, s."""
 LARGEST_START = 0.5
 """What the best start may leave of the movement."""
 LARGEST_LEFT = 0.1
-"""Residual over the movement (root mean squares) from which on no motion describes a track,"""
-LARGEST_ERROR = 3.0
-"""if the residual is also this many times the error of a sample."""
+"""Residual over the movement (root mean squares) from which on no motion describes a track."""
+LARGEST_NOISE = 0.22
+"""The same where the residual is less than ``FEW_ERRORS``."""
+FEW_ERRORS = 3.0
+"""In errors of a sample."""
 ERRORS = {"path": 1e-3, "lean": math.radians(1.0), "tilt": math.radians(1.0)}
 """The error of a sample unless it is given, m or rad."""
 
@@ -139,8 +145,7 @@ def fit_track(
     end = float(track.t[-1])
     first = FilmModel(body, given, free, pull, track, point, end, sigma, deviation)
     begun = [_refined(first, *one) for one in _guesses(first)]
-    best = min(begun, key=_part_left)
-    return _result(least(best.model, best.vector, ROUNDS), level)
+    return _result(_minima(begun), level)
 
 
 def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
@@ -191,12 +196,12 @@ def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
         )
     if found[0][0] > LARGEST_START**2:
         raise RimrollError(f"{track.name}: no fall of this body looks like it")
-    chosen: list[tuple[Array, float]] = []
-    for side in (1.0, -1.0):
-        place = model.names.index("yaw_rate")
-        some = [one for one in found if one[1][place] * side > 0.0]
-        chosen += [(vector, until) for _, vector, until in some[: BEST // 2]]
-    return chosen
+    # The best one of each friction and side, because several minima may lie close together.
+    chosen: dict[tuple[float, ...], tuple[Array, float]] = {}
+    places = [i for i, name in enumerate(model.names) if name in ("friction", "yaw_rate")]
+    for _, vector, until in found:
+        chosen.setdefault(tuple(vector[places]), (vector, until))
+    return list(chosen.values())[:BEST]
 
 
 def _frictions(model: FilmModel) -> list[float | None]:
@@ -253,6 +258,14 @@ def _refined(model: FilmModel, vector: Array, until: float) -> Found:
     return least(exact, coarse.vector)
 
 
+def _minima(begun: list[Found]) -> list[Found]:
+    """The minima to which the searches lead, over the samples of the best one; the lowest first."""
+    best = min(begun, key=_part_left)
+    near = [one for one in begun if _part_left(one) < NEAR * _part_left(best)]
+    found = [least(best.model, one.vector, ROUNDS) for one in near]
+    return sorted(found, key=lambda one: one.squares)
+
+
 def _part_left(one: Found) -> float:
     """What is left over what moves, root mean squares."""
     model: Any = one.model
@@ -265,12 +278,13 @@ def _part_left(one: Found) -> float:
     return part if math.isfinite(part) else math.inf
 
 
-def _result(best: Found, confidence: float) -> TrackFit:
+def _result(minima: list[Found], confidence: float) -> TrackFit:
+    best = minima[0]
     model: Any = best.model
     level = chi_square(confidence)
     left = model.left(best.vector)
-    over_error = math.sqrt(float(np.mean((left / model.error) ** 2)))
-    if not (_part_left(best) < LARGEST_LEFT or over_error < LARGEST_ERROR):
+    is_noise = np.mean((left / model.error) ** 2) < FEW_ERRORS**2
+    if not _part_left(best) < (LARGEST_NOISE if is_noise else LARGEST_LEFT):
         raise RimrollError(
             f"{model.track.name}: no motion under {model.law!r} describes it. Check the body, the"
             " marker, the units, and that the track begins while the body is held"
@@ -278,12 +292,7 @@ def _result(best: Found, confidence: float) -> TrackFit:
     factor = inflation(left / model.error, len(best.vector))
     interval = None
     if "friction" in model.free:
-        highest = highest_friction(model.body)
-        low, high, lower = friction_interval(best, level * factor, highest)
-        if lower is not best:
-            best = lower
-            low, high, _ = friction_interval(best, level * factor, highest)
-        interval = (low, high)
+        interval, best = _friction_interval(minima, level * factor, highest_friction(model.body))
     errors = np.sqrt(np.diag(best.covariance) * factor)
     numbers = {}
     for name, value, one in zip(model.names, best.vector, errors, strict=True):
@@ -299,6 +308,31 @@ def _result(best: Found, confidence: float) -> TrackFit:
         model.track.t[model.used], model.shown(best.vector), model.left(best.vector), factor,
         _notes(model, best, factor, interval),
     )  # fmt: skip
+
+
+def _friction_interval(
+    minima: list[Found], rise: float, highest: float
+) -> tuple[tuple[float, float | None], Found]:
+    """The interval of the friction over all minima, and the lowest minimum that was met."""
+    for _ in range(MOST_RESTARTS):
+        best, lowest = minima[0], minima[0]
+        lows, highs = [], []
+        for one in minima:
+            left = rise - (one.squares - best.squares)
+            if left <= 0.0:
+                continue
+            low, high, lower = friction_interval(one, left, highest, ROUNDS)
+            lowest = min(lowest, lower, key=lambda each: each.squares)
+            lows.append(low)
+            highs.append(math.inf if high is None else high)
+        if lowest is best:
+            break
+        minima = [lowest, *minima]
+    place = lowest.model.free.index("friction")
+    rolling = least(at_friction(lowest.model, highest), np.delete(lowest.vector, place), ROUNDS)
+    rolls = rolling.squares - lowest.squares <= rise  # beyond a friction that is less likely
+    end = max(highs)
+    return (min(lows), None if rolls or end == math.inf else end), lowest
 
 
 def _notes(

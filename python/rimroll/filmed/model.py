@@ -95,7 +95,7 @@ class FilmModel:
         since = np.maximum(self.track.t[self.used] - numbers["release"], 0.0)
         end = float(motion.t[-1])
         moments = motion.evaluate(np.minimum(since, end))
-        seen = plane_of(moments, self.body, self.track.kind, self._marker(numbers))
+        seen = plane_of(moments, motion.body, self.track.kind, self._marker(numbers))
         seen = seen * np.exp(1j * numbers["camera"])
         if self.track.kind == "path":
             origin = numbers["origin_x"] + 1j * numbers["origin_y"]

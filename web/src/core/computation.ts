@@ -16,9 +16,11 @@ export function addressOf(exchange: Exchange, { name, numbers }: Call): number {
   return exchange.checked(exchange.core[name]());
 }
 
-/** Whether a worker can be made. The page that rimroll.lab makes may load nothing, not even a worker. */
-export const hasWorkers = (): boolean =>
-  import.meta.env.MODE !== "alone" && typeof Worker === "function";
+/** A worker; undefined where there are none. The page that rimroll.lab makes may load nothing, not even a worker. */
+const newWorker = (): Worker | undefined =>
+  import.meta.env.MODE === "alone" || typeof Worker !== "function"
+    ? undefined
+    : new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
 
 export class Computation {
   constructor(
@@ -31,10 +33,12 @@ export class Computation {
     return new Motion(this.exchange, addressOf(this.exchange, this.call));
   }
 
-  /** Computes the motion in a worker of its own, until the signal aborts it. Rejects if the worker cannot. */
-  async inWorker(signal: AbortSignal): Promise<Motion> {
+  /** Computes the motion in a worker of its own, until the signal aborts it. Gives undefined where there are no workers, and
+   * rejects if the worker fails. */
+  async inWorker(signal: AbortSignal): Promise<Motion | undefined> {
     const { module } = this.exchange;
-    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    const worker = newWorker();
+    if (!worker) return undefined;
     signal.addEventListener("abort", () => worker.terminate());
     const answer = await new Promise<Answer>((resolve, reject) => {
       worker.onmessage = ({ data }: MessageEvent<Answer>) => resolve(data);
@@ -43,6 +47,9 @@ export class Computation {
     }).finally(() => worker.terminate());
     if (!answer) throw new Error("the worker could not compute the motion");
     const exchange = await Exchange.of(module, answer.memory);
-    return new Motion(exchange, answer.address, answer.steps);
+    const motion = new Motion(exchange, answer.address, answer.known);
+    // To copy the memory takes as long as a task may; those who wait for the motion go on in the next one.
+    await new Promise((next) => setTimeout(next));
+    return motion;
   }
 }

@@ -1,6 +1,7 @@
 // A computed motion. It is stored in the core and evaluated on request.
 
 import type { Exchange, Row } from "./exchange";
+import { type Yaws, yawsOf } from "./yaws";
 
 /** Quantities of a moment, in SI units and radians, as listed in rimroll.motion.UNITS. */
 export type Column =
@@ -115,6 +116,12 @@ const MAX_POINTS = 4000;
 /** A step divided into this many parts makes a line without visible corners. */
 const MAX_PARTS = 4;
 
+/** What a worker has computed of a motion: the numbers of the samples at its steps, and the yaws. */
+export interface Known {
+  steps: Float64Array;
+  yaws: Yaws;
+}
+
 export class Motion {
   readonly status: string;
   readonly message: string;
@@ -127,17 +134,20 @@ export class Motion {
   /** The latest samples, which several parts of the page use. */
   private sampled: { perStep: number; moments: Moments } | undefined;
   private curvePoints: Moments | undefined;
+  private yawPoints: Yaws | undefined;
 
   constructor(
     private readonly exchange: Exchange,
     private address: number,
-    /** The numbers of one sample for each step, if they are known. */
-    steps?: Float64Array,
+    known?: Known,
   ) {
     const { core } = exchange;
     core.columns();
     this.names = exchange.names() as Column[];
-    if (steps) this.sampled = { perStep: 1, moments: new Moments(this.names, steps) };
+    if (known) {
+      this.sampled = { perStep: 1, moments: new Moments(this.names, known.steps) };
+      this.yawPoints = known.yaws;
+    }
     core.status(address);
     this.status = exchange.text();
     core.message(address);
@@ -177,6 +187,11 @@ export class Motion {
   private sample(perStep: number): Moments {
     this.exchange.core.samples(this.validAddress(), perStep);
     return this.table();
+  }
+
+  /** The yaw at the solver steps and between them. */
+  yaws(): Yaws {
+    return (this.yawPoints ??= yawsOf(this.samples(1)));
   }
 
   /** How far the model holds from `start` to `end` with the smallest tilt at `lowest`, s. */
@@ -232,7 +247,7 @@ export class Motion {
   forget(): void {
     this.exchange.core.forget(this.validAddress());
     this.address = 0;
-    this.sampled = this.curvePoints = undefined;
+    this.sampled = this.curvePoints = this.yawPoints = undefined;
   }
 
   /** Whether the motion ended because it reached the limit of steps. */

@@ -1,9 +1,9 @@
 // The worker that computes one long motion. It sends the whole memory of its core, in which the motion is, because a page
-// can give this memory to another instance of the same core. It also sends the table of all steps.
+// can give this memory to another instance of the same core. It also sends what the page needs of all steps.
 
 import { type Call, addressOf } from "./computation";
 import { Exchange } from "./exchange";
-import { Motion } from "./motion";
+import { type Known, Motion } from "./motion";
 
 export interface Question {
   module: WebAssembly.Module;
@@ -11,15 +11,16 @@ export interface Question {
 }
 
 /** Undefined if the motion could not be computed. */
-export type Answer = { memory: ArrayBuffer; address: number; steps: Float64Array } | undefined;
+export type Answer = { memory: ArrayBuffer; address: number; known: Known } | undefined;
 
 async function answer({ module, call }: Question): Promise<void> {
   const exchange = await Exchange.of(module);
   const address = addressOf(exchange, call);
   const memory = exchange.core.memory.buffer.slice(0);
-  const steps = new Motion(exchange, address).samples(1).numbers;
-  const found: Answer = { memory, address, steps };
-  postMessage(found, { transfer: [memory, steps.buffer] });
+  const motion = new Motion(exchange, address);
+  const [steps, yaws] = [motion.samples(1).numbers, motion.yaws()];
+  const found: Answer = { memory, address, known: { steps, yaws } };
+  postMessage(found, { transfer: [memory, steps.buffer, yaws.t.buffer, yaws.yaw.buffer] });
 }
 
 addEventListener("message", ({ data }: MessageEvent<Question>) => {

@@ -19,8 +19,18 @@ export function bodyRatesAt({ tilt, tilt_rate, yaw_rate, spin, axial_spin }: Tur
   return { x: along * c - tilt_rate * s, y: -along * s - tilt_rate * c, z: axial_spin };
 }
 
-/** The rates at many moments. */
+/** The rates at many moments, which the three lines of a plot share. */
 export function bodyRates(moments: Moments): Rates {
+  const known = computed.get(moments);
+  if (known) return known;
+  const rates = ratesOf(moments);
+  computed.set(moments, rates);
+  return rates;
+}
+
+const computed = new WeakMap<Moments, Rates>();
+
+function ratesOf(moments: Moments): Rates {
   const [tilt, spin, axial] = (["tilt", "spin", "axial_spin"] as const).map((name) =>
     moments.column(name),
   ) as [Float64Array, Float64Array, Float64Array];

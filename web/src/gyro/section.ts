@@ -9,7 +9,7 @@ import { download } from "../share/download";
 import "./gyro.css";
 import { toPhyphox } from "./phyphox";
 import { bodyRates } from "./rates";
-import { SIZE, starOf } from "./star";
+import { SIZE, Star } from "./star";
 import { sentences, words } from "../words/words";
 
 export function mountGyro(lab: Lab, place: HTMLElement): void {
@@ -46,14 +46,14 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
     element("div", { class: "buttons" }, save),
     message,
   );
-  const star = computed(() => lab.motion.value && starOf(lab.motion.value, Infinity));
+  const star = computed(() => lab.motion.value && new Star(lab.motion.value));
   effect(() => {
     const motion = lab.motion.value;
     save.disabled = !motion;
     if (!motion || !star.value) return;
-    const { path, largest, place: placed } = star.value;
-    whole.setAttribute("d", path);
-    const [radius] = placed(largest, 0);
+    const { largest } = star.value;
+    whole.setAttribute("d", star.value.path());
+    const [radius] = star.value.place(largest, 0);
     circle.setAttribute("r", String(radius));
     scale.setAttribute("y", String(-radius + 9));
     scale.textContent = `${formatNumber(largest, 3)} rad/s`;
@@ -70,7 +70,7 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
     const motion = lab.motion.value;
     if (!motion || !star.value) return;
     const time = lab.clock.time.value;
-    past.setAttribute("d", starOf(motion, time).path);
+    past.setAttribute("d", star.value.path(time));
     const { x, y } = bodyRates(motion.at([time]));
     const [cx, cy] = star.value.place(x[0]!, y[0]!);
     now.setAttribute("cx", cx.toFixed(1));

@@ -1,8 +1,9 @@
 // The star: the path of the rate across the axis, in the body's frame. A fall is a ray to the middle and out again;
 // each near-collision turns the ray by the angle of turn less a half turn.
 
-import type { Motion } from "../core/motion";
-import { type Rates, bodyRates } from "./rates";
+import type { Moments, Motion } from "../core/motion";
+import { countBelow } from "../rising";
+import { bodyRatesAt } from "./rates";
 
 /** Half the size of the picture. */
 export const SIZE = 100;
@@ -11,37 +12,48 @@ const LONGEST = 84;
 /** No more points than this are drawn. */
 const MOST_POINTS = 3000;
 
-export interface Star {
-  /** Path of an SVG about the middle. */
-  path: string;
+/** The star of a motion. */
+export class Star {
   /** The rate that the outer circle stands for, rad/s. */
-  largest: number;
-  /** A place in the picture for rates along x and y, rad/s. */
-  place(x: number, y: number): [x: number, y: number];
-}
+  readonly largest: number;
+  private readonly times: number[] = [];
+  private readonly points: string[] = [];
 
-/** The star of a motion up to a time (s). */
-export function starOf(motion: Motion, until: number): Star {
-  const moments = motion.curve();
-  const t = moments.column("t");
-  const rates = bodyRates(moments);
-  const largest = roundUp(largestOf(rates));
-  const place = (x: number, y: number): [number, number] => [
-    (LONGEST * x) / largest,
-    (-LONGEST * y) / largest,
-  ];
-  const every = Math.max(1, Math.ceil(t.length / MOST_POINTS));
-  const points: string[] = [];
-  for (let k = 0; k < t.length && t[k]! <= until; k += every) {
-    const [x, y] = place(rates.x[k]!, rates.y[k]!);
-    points.push(`${x.toFixed(1)} ${y.toFixed(1)}`);
+  constructor(motion: Motion) {
+    const moments = motion.curve();
+    this.largest = roundUp(largestOf(moments));
+    const every = Math.max(1, Math.ceil(moments.length / MOST_POINTS));
+    for (let k = 0; k < moments.length; k += every) {
+      const moment = moments.moment(k);
+      const { x, y } = bodyRatesAt(moment);
+      this.times.push(moment.t);
+      this.points.push(
+        this.place(x, y)
+          .map((at) => at.toFixed(1))
+          .join(" "),
+      );
+    }
   }
-  return { path: points.length > 0 ? `M${points.join("L")}` : "", largest, place };
+
+  /** A place in the picture for rates along x and y, rad/s. */
+  place(x: number, y: number): [x: number, y: number] {
+    return [(LONGEST * x) / this.largest, (-LONGEST * y) / this.largest];
+  }
+
+  /** The path up to a time (s) about the middle of an SVG. */
+  path(until = Infinity): string {
+    const points = this.points.slice(0, countBelow(this.times, until));
+    return points.length > 0 ? `M${points.join("L")}` : "";
+  }
 }
 
-function largestOf({ x, y }: Rates): number {
+/** The largest rate across the axis, rad/s. */
+function largestOf(moments: Moments): number {
+  const [tilt, tiltRate] = [moments.column("tilt"), moments.column("tilt_rate")];
+  const yawRate = moments.column("yaw_rate");
   let largest = 0;
-  for (let k = 0; k < x.length; k++) largest = Math.max(largest, Math.hypot(x[k]!, y[k]!));
+  for (let k = 0; k < moments.length; k++)
+    largest = Math.max(largest, Math.hypot(yawRate[k]! * Math.sin(tilt[k]!), tiltRate[k]!));
   return largest;
 }
 

@@ -5,7 +5,7 @@ import type { Column, Moment, Moments, Motion } from "../core/motion";
 import type { Shaking, TableMotion } from "../floor/shaking";
 import { type Rates, bodyRates, bodyRatesAt } from "../gyro/rates";
 import type { Colour } from "./palette";
-import { countBelow } from "./sampled";
+import { countBelow } from "../rising";
 import type { Values } from "./thinned";
 import { words } from "../words/words";
 

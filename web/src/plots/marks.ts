@@ -3,7 +3,7 @@
 import type uPlot from "uplot";
 import type { Motion } from "../core/motion";
 import type { Colour, Palette } from "./palette";
-import { countBelow } from "./sampled";
+import { countBelow } from "../rising";
 import type { Stretch } from "./view";
 
 const PHASES: Record<string, Colour> = {

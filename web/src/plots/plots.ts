@@ -15,7 +15,7 @@ import { chooser, phaseKey, toolbar } from "./toolbar";
 import type { Setup } from "../setup/setup";
 import type { Simulation } from "../simulation";
 import { View } from "./view";
-import { inSight, oncePerFrame, onceIdle } from "./redraw";
+import { inSight, inTurn, onceIdle, oncePerFrame } from "./redraw";
 import { words } from "../words/words";
 
 /** On a page narrower than this, one plot is shown at a time. */
@@ -56,22 +56,23 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
   const seen = inSight(charts.map((chart) => chart.root));
   const visible = computed(() => chosenCharts.value.filter(({ root }) => seen.value.has(root)));
 
-  const draw = (these: readonly Chart[]) => {
-    const now = subject.value;
-    const all = samples.value;
-    if (!now || !all || width.value === 0 || these.length === 0) return;
-    const shown = view.shown.value;
+  const lines = computed(() => {
+    const [now, all, shown] = [subject.value, samples.value, view.shown.value];
+    if (!now || !all || width.value === 0) return undefined;
     const density = Math.ceil(width.value * DENSITY);
     const mine = sampled(now.motion, all, shown, density);
     const others = other.value;
     const [moments, beside] = others
       ? joined(mine, sampled(others.motion, others.motion.curve(), shown, density))
       : [mine, undefined];
-    for (const chart of these) {
-      chart.resize(width.value, Math.round(HEIGHT * large));
-      chart.show(now, moments, shown, others && beside && { subject: others, moments: beside });
-    }
-    showMoment(these);
+    return { now, moments, shown, other: others && beside && { subject: others, moments: beside } };
+  });
+  const draw = (chart: Chart) => {
+    const drawn = lines.value;
+    if (!drawn) return;
+    chart.resize(width.value, Math.round(HEIGHT * large));
+    chart.show(drawn.now, drawn.moments, drawn.shown, drawn.other);
+    showMoment([chart]);
   };
   const showMoment = (these: readonly Chart[]) => {
     const moment = lab.moment.value;
@@ -93,12 +94,13 @@ export function mountPlots(lab: Lab, section: HTMLElement): void {
     chosenCharts.value,
     width.value,
   ];
+  const [drawVisible, drawAll] = [inTurn(draw), inTurn(draw)];
   oncePerFrame(
     () => [drawn(), visible.value],
-    () => draw(visible.value),
+    () => drawVisible(visible.value),
   );
-  onceIdle(drawn, () => draw(chosenCharts.value));
-  addEventListener("beforeprint", () => draw(chosenCharts.value));
+  onceIdle(drawn, () => drawAll(chosenCharts.value));
+  addEventListener("beforeprint", () => chosenCharts.value.forEach(draw));
   oncePerFrame(
     () => lab.clock.time.value,
     () => showMoment(visible.value),

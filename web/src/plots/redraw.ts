@@ -30,6 +30,27 @@ export function onceIdle(read: () => unknown, act: () => void): void {
   });
 }
 
+/** Time after which the next item waits for what the visitor does, ms. */
+const SLICE = 20;
+
+/** Gives a function that acts on one item after another, in slices of time. A new call replaces what is left of the last. */
+export function inTurn<T>(act: (item: T) => void): (items: readonly T[]) => void {
+  let waiting: ReturnType<typeof setTimeout> | undefined;
+  return (items) => {
+    clearTimeout(waiting);
+    const left = [...items];
+    const advance = () => {
+      const end = performance.now() + SLICE;
+      for (let item = left.shift(); item !== undefined; item = left.shift()) {
+        act(item);
+        if (performance.now() >= end) break;
+      }
+      if (left.length > 0) waiting = setTimeout(advance);
+    };
+    advance();
+  };
+}
+
 /** The elements that are in sight or nearly so. */
 export function inSight(elements: readonly Element[]): ReadonlySignal<ReadonlySet<Element>> {
   const seen = signal<ReadonlySet<Element>>(new Set());

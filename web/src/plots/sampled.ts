@@ -2,6 +2,7 @@
 // where the steps are too few for a smooth curve.
 
 import { type Motion, Moments } from "../core/motion";
+import { countBelow } from "../rising";
 import type { Stretch } from "./view";
 
 /** `all` are the samples of the motion; the result has at least `minimum` moments. */
@@ -23,17 +24,6 @@ export function sampled(
   // Keep one moment beyond each end, so that the lines reach the border of the plot.
   [first, last] = [Math.max(first - 1, 0), Math.min(last + 1, all.length)];
   return last - first === all.length ? all : part(all, first, last);
-}
-
-/** How many of increasing numbers are below a bound. */
-export function countBelow(rising: ArrayLike<number>, bound: number): number {
-  let [low, high] = [0, rising.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((rising[middle] as number) < bound) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }
 
 const evenly = (length: number, of: (index: number) => number) =>

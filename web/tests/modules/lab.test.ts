@@ -102,7 +102,7 @@ describe("where the core gives no answer", () => {
   });
 
   test("a failed computation is an outcome in words, and the next one works", () => {
-    const simulate = vi.spyOn(core, "simulate").mockImplementation(() => {
+    const simulate = vi.spyOn(core, "simulation").mockImplementation(() => {
       throw new WebAssembly.RuntimeError("unreachable");
     });
     const lab = labWith(core, { tilt: 22 });
@@ -115,7 +115,7 @@ describe("where the core gives no answer", () => {
   });
 
   test("an error of the page itself is not hidden", () => {
-    const simulate = vi.spyOn(core, "simulate").mockImplementation(() => {
+    const simulate = vi.spyOn(core, "simulation").mockImplementation(() => {
       throw new TypeError("no such thing");
     });
     expect(() => labWith(core, { tilt: 24 })).toThrow("no such thing");

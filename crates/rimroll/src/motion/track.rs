@@ -5,6 +5,7 @@ use super::instant::{Instant, Phase};
 use super::step_record::{Polynomial, StepRecord};
 use crate::solve::Dense;
 use crate::state::{COORDINATES, Coordinates, TIME};
+use core::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
 /// The accepted steps of a motion.
@@ -68,7 +69,7 @@ impl Track {
     /// The start and the ends of all steps. A moment at which the phase or the state jumps appears twice,
     /// before and after the jump.
     pub fn nodes(&self) -> impl Iterator<Item = Instant> + '_ {
-        self.sampled(1)
+        self.sampled(1, 0..self.records.len())
     }
 
     /// The motion at a time (s). At a jump it is the state after the jump; times outside the motion give
@@ -103,10 +104,34 @@ impl Track {
     /// The start and `per_step` samples of each step, including its end. They are dense where the motion is
     /// fast.
     pub fn samples(&self, per_step: usize) -> Vec<Instant> {
-        self.sampled(per_step).collect()
+        self.sampled(per_step, 0..self.records.len()).collect()
     }
 
-    fn sampled(&self, per_step: usize) -> impl Iterator<Item = Instant> + '_ {
+    /// Those of [`Self::samples`] whose time (s) is in a range.
+    pub(super) fn samples_in(
+        &self,
+        times: RangeInclusive<f64>,
+        per_step: usize,
+    ) -> impl Iterator<Item = Instant> + '_ {
+        let (start, end) = (*times.start(), *times.end());
+        let first = self.records.partition_point(|step| step.end[TIME] < start);
+        let last = self
+            .records
+            .partition_point(|step| step.start[TIME] <= end)
+            .max(first);
+        self.sampled(per_step, first..last)
+            .filter(move |at| times.contains(&at.t))
+    }
+
+    fn sampled(
+        &self,
+        per_step: usize,
+        steps: Range<usize>,
+    ) -> impl Iterator<Item = Instant> + '_ {
+        let start = steps
+            .start
+            .checked_sub(1)
+            .map_or(self.start, |before| end_of(&self.records[before]));
         let inside = move |record: &StepRecord| {
             let (phase, end) = (record.phase, instant(record.phase, &record.end));
             let dense = (per_step > 1).then(|| record.dense(&self.contacts));
@@ -116,7 +141,7 @@ impl Track {
             };
             (1..per_step).filter_map(at).chain([end])
         };
-        let mut before = (self.start.phase, self.start.u.into_array());
+        let mut before = (start.phase, start.u.into_array());
         let with_changes = move |record: &StepRecord| {
             let (phase_before, end_before) = before;
             before = (record.phase, record.end);
@@ -124,7 +149,8 @@ impl Track {
             let beginning = changed.then(|| instant(record.phase, &record.start));
             beginning.into_iter().chain(inside(record))
         };
-        core::iter::once(self.start).chain(self.records.iter().flat_map(with_changes))
+        let steps = &self.records[steps];
+        core::iter::once(start).chain(steps.iter().flat_map(with_changes))
     }
 }
 

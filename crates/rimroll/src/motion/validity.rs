@@ -74,10 +74,7 @@ impl Motion {
     /// The instants at the steps from `start` to `end` and halfway through each, and those two.
     fn instants_between(&self, start: f64, end: f64) -> impl Iterator<Item = Instant> {
         let ends = [start, end].map(|t| self.track.at(t));
-        let inside = self.track.samples(2).into_iter();
-        inside
-            .filter(move |at| (start..=end).contains(&at.t))
-            .chain(ends)
+        self.track.samples_in(start..=end, 2).chain(ends)
     }
 
     /// The time from a tenth to nine tenths of the change of yaw, s. A tenth is reached before the smallest tilt, and

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.gyro.motions.search import Found, at_friction, least
+from rimroll.gyro.motions.search import ROUNDS, Found, at_friction, least
 
 Array = NDArray[np.float64]
 
@@ -22,13 +22,14 @@ LEAST_STEP = 1e-7
 
 
 def friction_interval(
-    best: Found, rise: float, highest: float
+    best: Found, rise: float, highest: float, rounds: int = ROUNDS
 ) -> tuple[float, float | None, Found]:
     """The frictions at which the sum of squares is at most ``rise`` larger than at its minimum.
 
     From the minimum one goes to either side in growing steps, fits all other numbers again at each,
     and finds the end by interpolation of the root of the rise. The lower end is 0 and the upper one
-    None where the rise is not reached. Also returns the lowest minimum that was met.
+    None where the rise is not reached. Also returns the lowest minimum that was met. Each fit makes
+    at most so many ``rounds``.
     """
     place = best.model.free.index("friction")
     error = math.sqrt(float(best.covariance[place, place]) * rise)
@@ -38,7 +39,7 @@ def friction_interval(
     least_squares = best
     ends: list[float | None] = []
     for sign in (-1.0, 1.0):
-        end, lower = _end(best, place, sign, rise, error, highest)
+        end, lower = _end(best, place, sign, rise, error, highest, rounds)
         ends.append(end)
         if lower.squares < least_squares.squares:
             least_squares = lower
@@ -46,7 +47,7 @@ def friction_interval(
 
 
 def _end(
-    best: Found, place: int, sign: float, rise: float, error: float, highest: float
+    best: Found, place: int, sign: float, rise: float, error: float, highest: float, rounds: int
 ) -> tuple[float | None, Found]:
     center = float(best.vector[place])
     limit = highest if sign > 0.0 else 0.0
@@ -57,10 +58,10 @@ def _end(
     for _ in range(MOST_STEPS):
         at = before + sign * step
         at = min(at, limit) if sign > 0.0 else max(at, limit)
-        one = least(at_friction(best.model, at), vector)
+        one = least(at_friction(best.model, at), vector, rounds)
         now = one.squares - best.squares
         if one.squares < lowest.squares - 1e-3:
-            lowest = _freed(best, one, place, at)
+            lowest = _freed(best, one, place, at, rounds)
         if now > FAR * rise and refined < MOST_HALVINGS:  # too far: back half of the way
             step, refined = 0.5 * abs(at - before), refined + 1
             continue
@@ -76,6 +77,6 @@ def _end(
     return None, lowest
 
 
-def _freed(best: Found, fixed: Found, place: int, friction: float) -> Found:
+def _freed(best: Found, fixed: Found, place: int, friction: float, rounds: int) -> Found:
     """The minimum from a point of the profile, with the friction free."""
-    return least(best.model, np.insert(fixed.vector, place, friction))
+    return least(best.model, np.insert(fixed.vector, place, friction), rounds)
