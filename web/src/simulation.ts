@@ -94,8 +94,7 @@ export class Simulation {
 
 /** What the first steps of a motion give, and the computation of all steps if there are more. */
 type First =
-  | { outcome: Simulated; completion: Completion }
-  | { outcome: Outcome; completion?: never };
+  { outcome: Simulated; completion: Completion } | { outcome: Outcome; completion?: never };
 
 /** The fields on which one motion depends, as a text that can be compared. */
 export function withoutFlicks(setup: Readonly<Setup>): string {
