@@ -23,9 +23,27 @@ class Rocked:
 
     def true_turn(self, collision):
         """The turn of the motion that goes with a near-collision that was read, rad."""
+        return self._turn(collision).angle
+
+    def true_energy_kept(self, collision):
+        """What the near-collision leaves of the energy of height and rotation."""
+        turn = self._turn(collision)
+        (before,) = self.motion.evaluate(turn.start).energy
+        if turn.start > 0.0:  # at a release the translation counts, too
+            before = self._seen(turn.start)
+        return self._seen(turn.end) / before
+
+    def _seen(self, t):
+        """The energy of height and rotation over that of standing, J."""
+        at, body = self.motion.evaluate(t), self.body
+        across = np.hypot(at.tilt_rate, at.yaw_rate * np.sin(at.tilt))
+        turning = body.transverse_inertia * across**2 + body.axial_inertia * at.axial_spin**2
+        return (at.potential_energy + 0.5 * turning)[0]
+
+    def _turn(self, collision):
         near = [turn for turn in self.motion.turns if abs(turn.t + RELEASE - collision.time) < 0.02]
         assert len(near) == 1, "a near-collision that is none"
-        return near[0].angle
+        return near[0]
 
 
 def rocked(seed):

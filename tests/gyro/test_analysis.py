@@ -197,7 +197,7 @@ def test_errors_are_as_large_as_they_say():
 
 
 def check_coverage(seeds, within_two, friction_inside, within_one=0.0):
-    off, inside, refused = [], [], 0
+    off, energies, inside, refused = [], [], [], 0
     for seed in seeds:
         case = rocked(seed)
         if not case.motion.turns:  # it topples as it rises, or lingers at its balance tilt
@@ -210,6 +210,9 @@ def check_coverage(seeds, within_two, friction_inside, within_one=0.0):
         for one in found.collisions:
             veer = abs(case.true_turn(one)) - math.pi
             off.append(abs(one.veer - veer) / one.veer_error)
+            if one.energy_kept is not None:
+                energy = abs(one.energy_kept - case.true_energy_kept(one))
+                energies.append(energy / one.energy_kept_error)
         interval = found.friction.interval
         inside.append(
             interval is not None
@@ -221,6 +224,7 @@ def check_coverage(seeds, within_two, friction_inside, within_one=0.0):
     assert (off < 1.0).mean() >= within_one
     assert (off < 2.0).mean() >= within_two
     assert off.max() < 6.0
+    assert (np.array(energies) < 2.0).mean() >= 0.85  # measured: 0.91
     assert np.mean(inside) >= friction_inside
 
 

@@ -24,6 +24,7 @@ from rimroll.cli.screen import Bar, prose, say, show_json, table
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.gyro.analysis import Analysis, analyze
+from rimroll.gyro.collision import Collision
 from rimroll.gyro.files import read
 from rimroll.gyro.friction import Friction
 from rimroll.gyro.record import Record
@@ -203,7 +204,7 @@ def _show(found: Analysis) -> None:
             f"{i} at {one.time:.3f} s",
             f"{math.degrees(one.tilt_before):.1f}°, {math.degrees(one.tilt_after):.1f}°",
             f"{one.spin_after:.2f}",
-            "unknown" if one.energy_kept is None else f"{100.0 * one.energy_kept:.0f} %",
+            _energy(one),
             f"{math.degrees(one.veer):.1f} ± {math.degrees(one.veer_error):.1f}°",
             "any" if found.friction is None else _interval(friction),
         )
@@ -227,6 +228,13 @@ def _show(found: Analysis) -> None:
             prose(sentence)
     for note in found.notes:
         prose(f"Note: {note}")
+
+
+def _energy(one: Collision) -> str:
+    if one.energy_kept is None:
+        return "unknown"
+    error = "" if one.energy_kept_error is None else f" ± {100.0 * one.energy_kept_error:.0f}"
+    return f"{100.0 * one.energy_kept:.0f}{error} %"
 
 
 def _sensor_line(found: Analysis) -> str:

@@ -53,6 +53,7 @@ def _of_collision(one: Collision) -> dict[str, Any]:
         **{name: math.degrees(getattr(one, name)) for name in _DEGREES},
         **{name: getattr(one, name) for name in _RATES},
         "energy_kept": one.energy_kept,
+        "energy_kept_error": one.energy_kept_error,
         "released": one.released,
         "side_is_sure": one.side_is_sure,
         "start": one.start,
