@@ -123,11 +123,7 @@ impl Track {
             .filter(move |at| times.contains(&at.t))
     }
 
-    fn sampled(
-        &self,
-        per_step: usize,
-        steps: Range<usize>,
-    ) -> impl Iterator<Item = Instant> + '_ {
+    fn sampled(&self, per_step: usize, steps: Range<usize>) -> impl Iterator<Item = Instant> + '_ {
         let start = steps
             .start
             .checked_sub(1)
