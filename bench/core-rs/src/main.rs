@@ -54,7 +54,7 @@ fn motion(
 ) -> Result<Vec<f64>, String> {
     let motion = simulate(can, &starts[0], law, options, |_| ControlFlow::Continue(()))
         .map_err(|error| error.to_string())?;
-    let end = motion.track.end().u;
+    let end = motion.trajectory.end().u;
     Ok(vec![end.yaw, end.tilt()])
 }
 

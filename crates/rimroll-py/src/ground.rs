@@ -68,14 +68,14 @@ impl CoreGround {
     }
 
     /// The velocity and the displacement since t = 0 at times, (n, 3) each.
-    fn course<'py>(
+    fn kinematics<'py>(
         &self,
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<(Rows<'py>, Rows<'py>)> {
-        let (course, t) = (self.ground.course(), t.as_array());
-        let velocities: Vec<_> = t.iter().map(|&t| course.velocity(t)).collect();
-        let displacements: Vec<_> = t.iter().map(|&t| course.displacement(t)).collect();
+        let (kinematics, t) = (self.ground.kinematics(), t.as_array());
+        let velocities: Vec<_> = t.iter().map(|&t| kinematics.velocity(t)).collect();
+        let displacements: Vec<_> = t.iter().map(|&t| kinematics.displacement(t)).collect();
         Ok((in_rows(py, &velocities)?, in_rows(py, &displacements)?))
     }
 

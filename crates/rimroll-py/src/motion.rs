@@ -54,7 +54,7 @@ impl CoreMotion {
         py: Python<'py>,
         moments: impl Iterator<Item = Instant>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        in_columns(py, moments.map(|at| self.motion.moment(&at)))
+        in_columns(py, moments.map(|at| self.motion.observables(&at)))
     }
 
     fn derivatives(&self) -> PyResult<&Derivatives> {
@@ -108,12 +108,12 @@ pub fn in_columns<const ROWS: usize>(
 impl CoreMotion {
     /// Time, position and velocity at the accepted steps: the first rows of `nodes`.
     fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        in_columns(py, self.motion.track.nodes().map(|at| pose(&at)))
+        in_columns(py, self.motion.trajectory.nodes().map(|at| pose(&at)))
     }
 
     /// All quantities at the accepted steps.
     fn nodes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.table(py, self.motion.track.nodes())
+        self.table(py, self.motion.trajectory.nodes())
     }
 
     /// All quantities at the accepted steps and at samples inside each.
@@ -122,7 +122,7 @@ impl CoreMotion {
         py: Python<'py>,
         per_step: usize,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.table(py, self.motion.track.samples(per_step).into_iter())
+        self.table(py, self.motion.trajectory.samples(per_step).into_iter())
     }
 
     /// Dense output at given times, s.
@@ -132,13 +132,13 @@ impl CoreMotion {
         t: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let t = t.as_array();
-        let mut look_up = self.motion.track.look_up();
+        let mut look_up = self.motion.trajectory.look_up();
         self.table(py, t.iter().map(|&t| look_up.at(t)))
     }
 
     /// The number of steps.
     fn step_count(&self) -> usize {
-        self.motion.track.steps()
+        self.motion.trajectory.steps()
     }
 
     /// Dense output at fractions from 0 to 1 of given steps.
@@ -149,7 +149,7 @@ impl CoreMotion {
         fractions: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (steps, fractions) = (steps.as_array(), fractions.as_array());
-        let mut look_up = self.motion.track.look_up();
+        let mut look_up = self.motion.trajectory.look_up();
         let places = steps.iter().zip(fractions.iter());
         self.table(
             py,
@@ -219,7 +219,7 @@ impl CoreMotion {
 
     /// The phases and the times (s) at which they begin.
     fn phases(&self) -> Vec<(&'static str, f64)> {
-        let phases = self.motion.track.phases();
+        let phases = self.motion.trajectory.phases();
         phases.map(|at| (at.phase.name(), at.t)).collect()
     }
 

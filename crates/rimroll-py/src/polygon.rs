@@ -97,7 +97,7 @@ impl CorePolygonMotion {
             events.iter().map(|event| event.kind.name()).collect(),
             events.iter().map(|event| event.support().name()).collect(),
             events.iter().map(|event| event.loss).collect(),
-            in_columns(py, events.iter().map(|event| event.moment()))?,
+            in_columns(py, events.iter().map(|event| event.observables()))?,
         ))
     }
 

@@ -7,7 +7,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::law::DryFriction;
 use rimroll::turn::{Arrival, NearCollision};
-use rimroll::{FrictionLaw, composite, small_angle, turn};
+use rimroll::{FrictionLaw, composite_approximation, small_angle, turn};
 
 /// (tipping_rate, slip, spin, friction_ratio)
 type ArrivalNumbers = (f64, f64, f64, f64);
@@ -242,7 +242,7 @@ impl CoreNearCollision {
 /// The composite approximation; times from the release, s.
 #[pyclass(frozen)]
 pub struct CoreComposite {
-    composite: composite::Composite,
+    composite: composite_approximation::Composite,
 }
 
 #[pymethods]
@@ -254,8 +254,12 @@ impl CoreComposite {
         law_name: &str,
         gravity: f64,
     ) -> PyResult<Self> {
-        let composite =
-            composite::composite(&body.body()?, &start.into(), ideal_law(law_name)?, gravity);
+        let composite = composite_approximation::composite(
+            &body.body()?,
+            &start.into(),
+            ideal_law(law_name)?,
+            gravity,
+        );
         Ok(CoreComposite {
             composite: composite.map_err(refusal)?,
         })

@@ -3,7 +3,7 @@
 use crate::arguments::Arguments;
 use crate::exchange::{answer, name, say, unless_refused};
 use core::ops::ControlFlow;
-use rimroll::motion::{COLUMNS, Instant, Moment, ROUGHNESS, SPEED_OF_SOUND};
+use rimroll::motion::{COLUMNS, Instant, Observables, ROUGHNESS, SPEED_OF_SOUND};
 use rimroll::{FrictionLaw, InvalidInput, Motion};
 
 /// Simulates the motion of a body from a start under a contact law and keeps it until [`forget`] is called;
@@ -54,13 +54,13 @@ pub extern "C" fn columns() {
 /// numbers of one quantity, then those of the next.
 #[unsafe(no_mangle)]
 pub extern "C" fn samples(motion: &Motion, per_step: usize) {
-    provide_moments(motion, &motion.track.samples(per_step));
+    provide_moments(motion, &motion.trajectory.samples(per_step));
 }
 
 /// The motion at the times (s) given as arguments, in the same layout.
 #[unsafe(no_mangle)]
 pub extern "C" fn at(motion: &Motion) {
-    let mut look_up = motion.track.look_up();
+    let mut look_up = motion.trajectory.look_up();
     let times = Arguments::new().rest();
     let instants: Vec<Instant> = times.iter().map(|&t| look_up.at(t)).collect();
     provide_moments(motion, &instants);
@@ -77,8 +77,8 @@ pub extern "C" fn events(motion: &Motion) {
 /// The times (s) at which phases begin, and their kinds as text.
 #[unsafe(no_mangle)]
 pub extern "C" fn phases(motion: &Motion) {
-    answer(motion.track.phases().map(|at| at.t));
-    name(motion.track.phases().map(|at| at.phase.name()));
+    answer(motion.trajectory.phases().map(|at| at.t));
+    name(motion.trajectory.phases().map(|at| at.phase.name()));
 }
 
 /// For each turn: the angle, the smallest tilt, its time and the yaw rate then, the start and end of the
@@ -135,6 +135,6 @@ pub extern "C" fn message(motion: &Motion) {
 }
 
 fn provide_moments(motion: &Motion, instants: &[Instant]) {
-    let rows: Vec<Moment> = instants.iter().map(|at| motion.moment(at)).collect();
+    let rows: Vec<Observables> = instants.iter().map(|at| motion.observables(at)).collect();
     answer((0..COLUMNS.len()).flat_map(|column| rows.iter().map(move |row| row[column])));
 }

@@ -53,12 +53,12 @@ pub extern "C" fn table_motion() -> bool {
     let Some(ground) = unless_refused(arguments.ground()) else {
         return false;
     };
-    let course = ground.course();
+    let kinematics = ground.kinematics();
     let times = arguments.rest();
     answer(
         times
             .iter()
-            .flat_map(|&t| [ground.acceleration(t), course.displacement(t)].concat()),
+            .flat_map(|&t| [ground.acceleration(t), kinematics.displacement(t)].concat()),
     );
     true
 }

@@ -1,6 +1,6 @@
 //! How a motion ended, in numbers and as a sentence for the user.
 
-use crate::text::{AngleUnit, formatted, formatted_time};
+use crate::number_format::{AngleUnit, formatted, formatted_time};
 
 /// Below this tilt (rad) the base counts as flat on the table: the contact point would run round the
 /// rim in less time than the last digit of t can resolve.

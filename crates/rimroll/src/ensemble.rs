@@ -4,36 +4,36 @@
 //! bit, on the other falls, on their order or on the number of threads. Falls under one of the paper's two
 //! laws or under dry friction are computed in batches of sixteen lanes ([`Lanes`](crate::real::Lanes)):
 //!
-//! * `chunk` and `limits` hold a chunk of work, the parameters of its bodies and the bounds of a fall;
+//! * `chunk` and `bounds` hold a chunk of work, the parameters of its bodies and the bounds of a fall;
 //! * `reduced_system` defines the coordinates that a batch carries and their rates under the common laws;
 //! * `lockstep` makes one step of sixteen falls, each with its own body, friction and step size;
 //! * `pool` keeps sixteen lanes filled: it locates the events of a step by shorter steps and replaces each
 //!   completed fall by the next one;
-//! * `onset` integrates slip from rest;
+//! * `slip_onset` integrates slip from rest;
 //! * `batch` computes falls under one law, `dry` the falls under dry friction with their changes of phase.
 //!
 //! All other falls, for example those that fly, land flat on the base or have another contact law, are left
 //! to the scalar solver, [`fall`].
 
+mod active_fall;
 mod batch;
+mod bounds;
 mod chunk;
 mod dry;
-mod limits;
 mod lockstep;
-mod onset;
 mod pool;
 mod reduced_system;
-mod trial;
+mod slip_onset;
 
 pub use self::chunk::Release;
 
 use self::batch::{batch, fits_lanes};
 use crate::error::InvalidInput;
-use crate::in_order::{done_in_order, threads};
 use crate::law::FrictionLaw;
 #[cfg(doc)]
 use crate::motion::fall;
 use crate::motion::{Fall, Options};
+use crate::parallel::{map_in_order, threads};
 use core::ops::ControlFlow;
 
 /// The maximal size of a chunk of work. In lanes it takes a few hundredths of a second, and the computation can
@@ -52,42 +52,42 @@ const SCALAR_COST: usize = 32;
 ///
 /// `watch` is called on these threads after each chunk of work with the number of falls in it, and with 0
 /// before each scalar fall. As soon as it breaks, the computation stops. The result then consists of the falls
-/// from the first trial up to the first one that was not computed.
+/// from the first release up to the first one that was not computed.
 ///
 /// # Errors
-/// As [`simulate`](crate::simulate), for the first trial that is refused.
+/// As [`simulate`](crate::simulate), for the first release that is refused.
 pub fn ensemble(
-    trials: &[Release<'_>],
+    releases: &[Release<'_>],
     options: &Options,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Vec<Fall>, InvalidInput> {
-    for (.., contact_law) in trials {
+    for (.., contact_law) in releases {
         contact_law.check()?;
     }
-    let starts = trials.iter().map(|&(body, start, _)| (body, start));
+    let starts = releases.iter().map(|&(body, start, _)| (body, start));
     options.check_all(starts, |index| {
-        trials[index].2.friction == FrictionLaw::InPlace
+        releases[index].2.friction == FrictionLaw::InPlace
     })?;
     let work = |chunk: &[Release<'_>], should_continue: &dyn Fn() -> bool| {
         batch(chunk, options, should_continue)
     };
-    let chunks: Vec<_> = chunks(trials, threads()).collect();
-    Ok(done_in_order(&chunks, work, watch))
+    let chunks: Vec<_> = chunks(releases, threads()).collect();
+    Ok(map_in_order(&chunks, work, watch))
 }
 
-/// Divides the trials into chunks of work. The last chunks are small, so that no thread waits long for another.
+/// Divides the releases into chunks of work. The last chunks are small, so that no thread waits long for another.
 fn chunks<'a>(
-    mut trials: &'a [Release<'a>],
+    mut releases: &'a [Release<'a>],
     threads: usize,
 ) -> impl Iterator<Item = &'a [Release<'a>]> {
     core::iter::from_fn(move || {
         // A single thread never waits.
         let full = match threads {
             1 => MAX_CHUNK,
-            _ => (trials.len() / (4 * threads)).clamp(MIN_CHUNK, MAX_CHUNK),
+            _ => (releases.len() / (4 * threads)).clamp(MIN_CHUNK, MAX_CHUNK),
         };
         let mut size = 0;
-        let taken = trials.iter().take_while(|(.., contact_law)| {
+        let taken = releases.iter().take_while(|(.., contact_law)| {
             let fits = size < full;
             size += if fits_lanes(contact_law) {
                 1
@@ -96,7 +96,7 @@ fn chunks<'a>(
             };
             fits
         });
-        let chunk = trials.split_off(..taken.count())?;
+        let chunk = releases.split_off(..taken.count())?;
         (!chunk.is_empty()).then_some(chunk)
     })
 }
@@ -115,7 +115,7 @@ mod tests {
         crate::presets::can_2007().expect("the paper's can")
     }
 
-    fn trials(body: &Body, count: usize, contact_law: impl Into<ContactLaw>) -> Vec<Release<'_>> {
+    fn releases(body: &Body, count: usize, contact_law: impl Into<ContactLaw>) -> Vec<Release<'_>> {
         let contact_law = contact_law.into();
         let numbered = |i| State {
             tilt: i as f64,
@@ -127,12 +127,12 @@ mod tests {
     }
 
     #[test]
-    fn chunks_cover_all_trials_in_order_and_shrink_toward_the_end() {
+    fn chunks_cover_all_releases_in_order_and_shrink_toward_the_end() {
         let can = can();
         for (count, threads) in [(0, 2), (1, 2), (1000, 2), (54_321, 2), (54_321, 32)] {
-            let trials = trials(&can, count, IdealLaw::NoSlip);
-            let chunks: Vec<_> = chunks(&trials, threads).collect();
-            assert_eq!(chunks.concat(), trials);
+            let releases = releases(&can, count, IdealLaw::NoSlip);
+            let chunks: Vec<_> = chunks(&releases, threads).collect();
+            assert_eq!(chunks.concat(), releases);
             let sizes: Vec<usize> = chunks.iter().map(|chunk| chunk.len()).collect();
             assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
             assert!(sizes.iter().all(|&size| size <= MAX_CHUNK), "{sizes:?}");
@@ -147,9 +147,9 @@ mod tests {
     fn a_chunk_holds_fewer_scalar_falls() {
         let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
-        let trials = trials(&can, 1000, viscous);
-        let chunks: Vec<_> = chunks(&trials, 2).collect();
-        assert_eq!(chunks.concat(), trials);
+        let releases = releases(&can, 1000, viscous);
+        let chunks: Vec<_> = chunks(&releases, 2).collect();
+        assert_eq!(chunks.concat(), releases);
         let largest = chunks.iter().map(|chunk| chunk.len()).max();
         assert_eq!(largest, Some(MIN_CHUNK / SCALAR_COST));
     }
@@ -158,9 +158,9 @@ mod tests {
     fn a_chunk_can_mix_scalar_falls_with_falls_in_lanes() {
         let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
-        let rolling = trials(&can, 3000, IdealLaw::NoSlip);
+        let rolling = releases(&can, 3000, IdealLaw::NoSlip);
         // Every tenth fall is scalar.
-        let trials: Vec<_> = rolling
+        let releases: Vec<_> = rolling
             .iter()
             .enumerate()
             .map(|(i, (body, start, contact_law))| match i % 10 {
@@ -169,8 +169,8 @@ mod tests {
             })
             .collect();
         for (threads, full) in [(1, MAX_CHUNK), (2, 3000 / 8), (8, MIN_CHUNK)] {
-            let chunks: Vec<_> = chunks(&trials, threads).collect();
-            assert_eq!(chunks.concat(), trials);
+            let chunks: Vec<_> = chunks(&releases, threads).collect();
+            assert_eq!(chunks.concat(), releases);
             let scalar_falls = |chunk: &[Release<'_>]| {
                 let scalar = chunk
                     .iter()
@@ -195,7 +195,7 @@ mod tests {
         use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
         let can = can();
-        let trials: Vec<_> = trials(
+        let releases: Vec<_> = releases(
             &can,
             100,
             FrictionLaw::Viscous(Viscous { coefficient: 1.0 }),
@@ -204,13 +204,13 @@ mod tests {
         .map(|(body, start, contact_law)| (body, State { tilt: 0.3, ..start }, contact_law))
         .collect();
         let never_stop = |_| ControlFlow::Continue(());
-        let all = ensemble(&trials, &Options::default(), never_stop).expect("valid starts");
+        let all = ensemble(&releases, &Options::default(), never_stop).expect("valid starts");
         let scalar_falls = AtomicUsize::new(0);
         let watch = |falls| match scalar_falls.fetch_add(usize::from(falls == 0), Relaxed) {
             0..6 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };
-        let stopped = || ensemble(&trials, &Options::default(), watch);
+        let stopped = || ensemble(&releases, &Options::default(), watch);
         let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         let falls = one_thread.expect("a pool").install(stopped);
         assert_eq!(falls.expect("valid starts"), all[..6]);

@@ -1,7 +1,7 @@
 //! Invalid input and its messages, which name the field, the value, the bound and the unit.
 
 use crate::ending::Ending;
-use crate::text::{AngleUnit, formatted};
+use crate::number_format::{AngleUnit, formatted};
 use thiserror::Error;
 
 /// An input from which no motion can be computed.

@@ -3,18 +3,18 @@
 //! The table translates and does not turn. A [`Ground`] is a sum of pulses in closed form and a record that is
 //! linear between its samples. Its acceleration is smooth except at corners: the samples of the record, and
 //! the beginnings and ends of pulses. The solver ends a step at each corner, and in between follows one
-//! stretch, so that its order is not lost. After its end the acceleration is zero. A [`Course`] is the velocity and the
+//! stretch, so that its order is not lost. After its end the acceleration is zero. A [`GroundKinematics`] is the velocity and the
 //! displacement.
 //!
 //! Without the crate's feature `ground`, no ground can be made, and what follows moving tables is not compiled.
 
 #![cfg_attr(not(feature = "ground"), allow(dead_code, unused_imports))]
 
-mod course;
+mod kinematics;
 mod pulse;
 mod record;
 
-pub use course::Course;
+pub use kinematics::GroundKinematics;
 pub use pulse::{Pulse, Shape};
 pub use record::Record;
 

@@ -15,24 +15,24 @@
 
 mod coulomb;
 mod flight;
-mod friction;
+mod friction_force;
 mod friction_law;
 mod friction_model;
 mod frictionless;
 mod ideal_law;
 mod in_place;
+mod moving_table;
 mod no_slip;
-mod resisted;
-mod rolling;
+mod resistance;
+mod rolling_dynamics;
 mod sliding;
 mod stribeck;
-mod table;
 mod tabulated;
 mod viscous;
 
 pub use coulomb::{Coulomb, MAX_FRICTION};
 pub use flight::Flight;
-pub use friction::{DryFriction, Friction, FrictionForce};
+pub use friction_force::{DryFriction, Friction, FrictionForce};
 pub use friction_law::FrictionLaw;
 pub(crate) use friction_law::SlidingDynamics;
 pub use friction_model::{DryFrictionModel, FrictionModel, NamedParameters};
@@ -40,15 +40,15 @@ pub use frictionless::Frictionless;
 use frictionless::NoFriction;
 pub use ideal_law::IdealLaw;
 pub use in_place::InPlace;
+#[cfg(feature = "ground")]
+pub(crate) use moving_table::Acceleration;
+pub(crate) use moving_table::{InertialEffect, Movable, OnTable, Table};
 pub use no_slip::NoSlip;
-pub use resisted::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
-pub(crate) use rolling::RollingDynamics;
+pub use resistance::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
+pub(crate) use rolling_dynamics::RollingDynamics;
 pub use sliding::Sliding;
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
 pub use stribeck::Stribeck;
-#[cfg(feature = "ground")]
-pub(crate) use table::Acceleration;
-pub(crate) use table::{InertialEffect, Movable, OnTable, Table};
 pub use tabulated::Tabulated;
 pub use viscous::Viscous;
 

@@ -45,7 +45,7 @@
 //! * [`polygon`]: bodies on a base with corners.
 //! * [`steady`]: motions at a constant tilt, and their stability.
 //! * [`turn`]: closed forms, and the near-collision as a problem of its own under any friction.
-//! * [`composite`] and [`small_angle`]: the paper's two approximations.
+//! * [`composite_approximation`] and [`small_angle`]: the paper's two approximations.
 //! * [`imperfection`]: the theory that the paper rejects.
 //!
 //! # What it does not do
@@ -54,7 +54,7 @@
 //! domain of rigid-body mechanics or of the chosen law.
 
 pub mod body;
-pub mod composite;
+pub mod composite_approximation;
 pub mod contact_law;
 mod ending;
 pub mod ensemble;
@@ -63,9 +63,10 @@ mod error_scale;
 pub mod ground;
 mod impact;
 pub mod imperfection;
-mod in_order;
 pub mod law;
 pub mod motion;
+mod number_format;
+mod parallel;
 pub mod polygon;
 pub mod presets;
 pub mod real;
@@ -77,7 +78,6 @@ pub mod solids;
 pub mod solve;
 pub mod state;
 pub mod steady;
-mod text;
 pub mod turn;
 
 pub use body::Body;

@@ -3,46 +3,45 @@
 //! [`simulate`] integrates the [`Coordinates`] with respect to τ. A motion consists of smooth phases of
 //! rolling, sliding and flying, each under its own law, which are joined by events without
 //! regularisation: `contacts` decides which law holds and what follows it, `event_detector` when a phase is over,
-//! `onset` integrates slip from rest, and `run` combines them.
+//! `slip_onset` integrates slip from rest, and `run` combines them.
 
 mod contacts;
-mod ending;
+mod describe_ending;
 mod event;
 mod event_detector;
+mod event_exclusion;
 mod fall;
+mod flat_landing;
 mod instant;
-mod landing;
-mod level;
-mod level_equations;
-mod level_motion;
-mod mechanics;
-mod moment;
-mod onset;
+mod level_base;
+mod model_validity;
+mod observables;
 mod options;
 mod outcome;
 mod phase_dynamics;
+mod phase_system;
 mod run;
 #[cfg(feature = "ground")]
-mod samples;
+mod sample_to_sample;
 mod sensitivity;
 mod shaken;
-mod step_bounds;
+mod slip_onset;
 mod step_record;
-mod topple;
-mod track;
+mod topple_tilt;
+mod trajectory;
 mod turns;
-mod validity;
 
 pub(crate) use contacts::Transition;
 pub use contacts::{Contacts, STANDING_TILT};
 pub use event::{Event, EventKind};
 pub(crate) use fall::FallRecord;
 pub use fall::{EndState, Fall, fall};
+pub use flat_landing::{FlatLanding, Side};
 pub use instant::{Instant, Phase};
-pub use landing::{FlatLanding, Side};
-use level::Level;
-use moment::moment;
-pub use moment::{COLUMNS, Moment, Pose, pose};
+use level_base::LevelBase;
+pub use model_validity::{ROUGHNESS, SPEED_OF_SOUND, Validity};
+use observables::observables;
+pub use observables::{COLUMNS, Observables, Pose, pose};
 pub use options::{Options, STANDARD_GRAVITY};
 pub use outcome::Outcome;
 pub(crate) use run::{pass_near_collision, stopped};
@@ -50,16 +49,15 @@ pub use sensitivity::{
     PARAMETERS, SHAKEN_PARAMETERS, Sensitivity, ShakenSensitivity, ShakenSlope, Slope,
 };
 #[cfg(feature = "ground")]
-pub(crate) use shaken::{Begun, many_shaken};
+pub(crate) use shaken::{PreparedMotion, shaken_batch};
 pub use shaken::{Shaken, shaken};
-pub(crate) use topple::Topple;
-pub use track::{LookUp, Track};
+pub(crate) use topple_tilt::ToppleTilt;
+pub use trajectory::{LookUp, Trajectory};
 pub use turns::Turn;
 pub(crate) use turns::direction_at_release;
-pub use validity::{ROUGHNESS, SPEED_OF_SOUND, Validity};
 
 pub use crate::ending::{Ending, EndingKind, FACE_DOWN_TILT, OnItsSide, STOPPED_TILT, Status};
-pub use crate::text::AngleUnit;
+pub use crate::number_format::AngleUnit;
 
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
@@ -78,7 +76,7 @@ pub struct Motion {
     /// The laws with the body's parameters, for forces and energies.
     pub contacts: Arc<Contacts>,
     /// Every accepted step, with dense output.
-    pub track: Track,
+    pub trajectory: Trajectory,
     /// The events in order of time.
     pub events: Vec<Event>,
     /// The angles of turn.
@@ -110,12 +108,12 @@ impl Motion {
     }
 
     /// All quantities at an instant of the motion.
-    pub fn moment(&self, at: &Instant) -> Moment {
+    pub fn observables(&self, at: &Instant) -> Observables {
         let force = at
             .phase
             .is_level()
-            .then(|| Level::new(&self.contacts, at.yaw).force(at));
-        moment(self.dynamics(at), at, force)
+            .then(|| LevelBase::new(&self.contacts, at.yaw).force(at));
+        observables(self.dynamics(at), at, force)
     }
 }
 
@@ -150,17 +148,23 @@ pub fn simulate_on(
     options: &Options,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Motion, InvalidInput> {
-    let (options, contacts, start) = begun(ground, body, start, &contact_law.into(), options)?;
+    let (options, contacts, start) = prepared(ground, body, start, &contact_law.into(), options)?;
     let goal = Goal::Time(options.duration);
     let mut run = Run::new(&contacts, &options, goal, start);
     let status = run.follow_to_the_end(&mut watch);
     let last_event = run.last_event();
-    let (track, events, work) = run.into_parts();
+    let (trajectory, events, work) = run.into_parts();
     Ok(Motion {
         turns: turns::turns(&start, &events),
-        ending: ending::ending((status, last_event), &contacts, &track, &options, &work),
+        ending: describe_ending::describe_ending(
+            (status, last_event),
+            &contacts,
+            &trajectory,
+            &options,
+            &work,
+        ),
         contacts,
-        track,
+        trajectory,
         events,
         status,
         work,
@@ -170,7 +174,7 @@ pub fn simulate_on(
 
 /// What a simulation begins with: its completed options, the laws with the body's parameters, and the coordinates at
 /// the start.
-fn begun(
+fn prepared(
     ground: Option<Arc<Ground>>,
     body: &Body,
     start: &State,

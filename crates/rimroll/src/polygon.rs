@@ -12,18 +12,18 @@
 //! * [`PolygonMotion`]: the computed motion.
 
 mod body;
+mod event_detector;
 mod impact;
 mod motion;
 mod pose;
 mod rebound;
 mod run;
-mod segment;
+mod step_record;
 mod support;
 mod turns;
 mod vector;
-mod watcher;
 
 pub use body::PolygonalBody;
-pub use motion::{COLUMNS, Moment, PolygonEvent, PolygonEventKind, PolygonMotion};
+pub use motion::{COLUMNS, Observables, PolygonEvent, PolygonEventKind, PolygonMotion};
 pub use run::{PolygonOptions, simulate};
 pub use support::Support;

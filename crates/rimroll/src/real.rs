@@ -12,7 +12,7 @@ mod fieldwise;
 mod kernel;
 mod lanes;
 mod register;
-mod widest;
+mod simd_dispatch;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -27,8 +27,8 @@ pub(crate) use kernel::{SimdKernel, Task};
 pub(crate) use lanes::{Bits, Mask, Packed, Part, Vector};
 pub use lanes::{LANES, Lanes};
 #[cfg(test)]
-pub(crate) use widest::in_every_width;
-pub(crate) use widest::{call_vectorized, run_widest};
+pub(crate) use simd_dispatch::in_every_width;
+pub(crate) use simd_dispatch::{call_vectorized, run_widest};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::Avx2;
 

@@ -7,8 +7,8 @@ use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
 use crate::ground::Ground;
-use crate::in_order::{done_in_order, threads};
-use crate::motion::{Begun, Options, Shaken, many_shaken};
+use crate::motion::{Options, PreparedMotion, Shaken, shaken_batch};
+use crate::parallel::{map_in_order, threads};
 use crate::real::LANES;
 use crate::state::State;
 use core::ops::ControlFlow;
@@ -46,11 +46,11 @@ impl Shaking<'_> {
         self.contact_law.friction.start(&self.start).map(drop)
     }
 
-    fn begun(&self, options: &Options) -> Begun {
+    fn prepared(&self, options: &Options) -> PreparedMotion {
         let ground = self.ground.map(|ground| scaled(ground, self.scale));
         let options = self.options(options);
-        match Begun::new(ground, self.body, &self.start, &self.contact_law, &options) {
-            Ok(begun) => begun,
+        match PreparedMotion::new(ground, self.body, &self.start, &self.contact_law, &options) {
+            Ok(prepared) => prepared,
             Err(_) => unreachable!("the motions have been checked"),
         }
     }
@@ -88,13 +88,16 @@ pub fn shake_many(
         .iter()
         .try_for_each(|shaking| shaking.check(options))?;
     let work = |chunk: &[Shaking<'_>], should_continue: &dyn Fn() -> bool| {
-        let begun: Vec<_> = chunk.iter().map(|shaking| shaking.begun(options)).collect();
-        many_shaken(&begun, should_continue)
+        let prepared: Vec<_> = chunk
+            .iter()
+            .map(|shaking| shaking.prepared(options))
+            .collect();
+        shaken_batch(&prepared, should_continue)
     };
     let chunks: Vec<_> = shakings
         .chunks(chunk_size(shakings.len(), threads()))
         .collect();
-    Ok(done_in_order(&chunks, work, watch))
+    Ok(map_in_order(&chunks, work, watch))
 }
 
 /// The number of motions in a chunk of work: enough to fill the lanes of both orders, but few enough for all threads.

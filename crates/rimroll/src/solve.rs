@@ -5,20 +5,20 @@
 //! for explicit steps.
 
 mod collocation;
-mod dense;
+mod dense_output;
 mod dop853;
-mod estimate;
-mod registers;
 mod root;
+mod stage_sums;
+mod step_control;
 mod stepper;
 mod stiff;
 pub(crate) mod tableau;
 
 pub use collocation::{Collocation, POINTS, RADAU, solved};
-pub use dense::Dense;
+pub use dense_output::Dense;
 pub use dop853::Step;
-pub use estimate::Estimate;
 pub use root::{bracketed_root, bracketed_root_in};
+pub use step_control::ErrorEstimate;
 pub use stepper::Stepper;
 pub use stiff::{Found, Implicit};
 

@@ -1,20 +1,20 @@
 //! The angle of turn: its limits in closed form, the approach to them, the friction and normal force that
 //! the near-collision requires, and the turn of finite motions by quadrature ([`exact`]).
 
-mod contact;
-mod convergence;
+mod error_law;
 pub mod exact;
 mod inner;
 mod limit;
 mod near_collision;
+mod required_forces;
 
-pub use contact::{lift_off_rate, needed_friction, painleve_friction, slip_rate};
-pub use convergence::{error_law, error_law_coefficient};
+pub use error_law::{error_law, error_law_coefficient};
 pub use inner::{Arrival, Passage, passage, turn_limit_of};
 pub use limit::{
     disk_turn_limit, point_mass_turn_limit, tall_turn_limit, turn_limit, turn_limit_with_spin,
 };
 pub use near_collision::NearCollision;
+pub use required_forces::{lift_off_rate, needed_friction, painleve_friction, slip_rate};
 
 use crate::body::Body;
 use crate::law::{IdealLaw, Parameters};

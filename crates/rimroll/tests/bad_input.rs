@@ -476,7 +476,7 @@ fn no_steady_wobble_where_no_yaw_rate_balances_the_body() {
 
 #[test]
 fn a_composite_approximation_needs_a_near_collision() {
-    use rimroll::composite::composite;
+    use rimroll::composite_approximation::composite;
     let refused =
         |start: &State| refusal(composite(&can(), start, IdealLaw::NoSlip, 9.8).map(|_| ()));
     let still = State {

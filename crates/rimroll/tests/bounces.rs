@@ -59,7 +59,7 @@ fn a_flight_through_upright_has_its_smallest_tilt_there() {
     assert_eq!(lowest[0].at.phase, Phase::Flying);
     assert!(lowest[0].at.tilt() <= 1e-9);
     // In plane motion the body comes up on the other side.
-    assert_eq!(motion.track.end().yaw, PI);
+    assert_eq!(motion.trajectory.end().yaw, PI);
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn mirror_images_that_fly_past_upright_are_mirror_images() {
     for motion in [&left, &right] {
         assert_eq!(motion.status, Status::Toppled);
     }
-    let [a, b] = [left.track.end(), right.track.end()];
+    let [a, b] = [left.trajectory.end(), right.trajectory.end()];
     assert_eq!((a.t, a.tilt(), a.yaw), (b.t, b.tilt(), -b.yaw));
 }
 
@@ -143,10 +143,10 @@ fn a_body_that_topples_in_the_air_does_not_pass_its_edge() {
         &options,
     );
     assert_eq!(motion.status, Status::Toppled);
-    assert_eq!(motion.track.end().phase, Phase::Flying);
+    assert_eq!(motion.trajectory.end().phase, Phase::Flying);
     assert!(noted(&motion, EventKind::OnEdge).is_empty());
     for turn in &motion.turns {
-        assert!(turn.end <= motion.track.end().t);
+        assert!(turn.end <= motion.trajectory.end().t);
     }
 }
 
@@ -171,12 +171,12 @@ fn a_rim_that_slides_needs_the_friction_of_the_table_until_it_leaves_it() {
         .position(|&name| name == "friction_ratio")
         .expect("a column");
     let sliding: Vec<_> = motion
-        .track
+        .trajectory
         .nodes()
         .filter(|at| at.phase == Phase::Sliding)
         .collect();
     assert!(!noted(&motion, EventKind::LiftOff).is_empty() && !sliding.is_empty());
     for at in sliding {
-        assert!((motion.moment(&at)[column] - 0.6947).abs() < 1e-12);
+        assert!((motion.observables(&at)[column] - 0.6947).abs() < 1e-12);
     }
 }

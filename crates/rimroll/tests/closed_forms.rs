@@ -13,7 +13,7 @@ use cases::cases;
 use core::f64::consts::PI;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
-use rimroll::composite::{Composite, composite};
+use rimroll::composite_approximation::{Composite, composite};
 use rimroll::law::{Dynamics, NoSlip, Parameters};
 use rimroll::motion::Turn;
 use rimroll::small_angle::lean_vector;
@@ -224,7 +224,7 @@ fn friction_in_the_near_collision_is_the_needed_one() {
     let motion = follow(&can(), &paper_start(1e-8), IdealLaw::NoSlip, &tight(0.4));
     let needed = needed_friction(&can());
     let close: Vec<_> = motion
-        .track
+        .trajectory
         .samples(4)
         .into_iter()
         // Here the forces of the near-collision, of order φ_c²/φ³, are large compared with the weight.
@@ -401,7 +401,7 @@ fn a_can_that_spins_with_its_turn_lifts_off() {
     let against = follow(&can(), &start(-5.0), IdealLaw::NoSlip, &tight(1e-6));
     assert_eq!(against.status, Status::Finished);
     let expected = turn_limit_with_spin(&can(), -5.0, 7.0).expect("valid");
-    assert!((against.track.end().yaw - expected).abs() < 1e-5);
+    assert!((against.trajectory.end().yaw - expected).abs() < 1e-5);
 }
 
 proptest! {
@@ -447,10 +447,10 @@ fn the_near_collision_agrees_with_the_full_motion_to_the_order_of_the_tilt() {
     for law in IdealLaw::ALL {
         let motion = follow(&can(), &paper_start(1e-6), law, &tight(1.0));
         let turn = motion.turns[0];
-        let lowest = motion.track.at(turn.t);
+        let lowest = motion.trajectory.at(turn.t);
         let rate = arrival_rate(&can(), law, &paper_start(0.0));
         let near = NearCollision::new(&can(), law, turn.min_tilt, rate, 1.0).expect("valid");
-        let rocking = motion.track.samples(3);
+        let rocking = motion.trajectory.samples(3);
         for u in rocking.iter().filter(|u| u.t < turn.end && u.sin < 0.1) {
             let (tilt, yaw) = (near.tilt(u.t - turn.t), near.yaw(u.t - turn.t));
             assert!((u.tilt() / tilt - 1.0).abs() < 1.5 * tilt);
@@ -473,7 +473,7 @@ fn composite_errors(body: &Body, law: IdealLaw, start: &State) -> Option<(Compos
         return None;
     }
     let [mut tilt, mut yaw] = [0.0_f64; 2];
-    for u in motion.track.samples(4) {
+    for u in motion.trajectory.samples(4) {
         if (u.t - composite.time).abs() < composite.half_width {
             tilt = tilt.max((composite.tilt(u.t) - u.tilt()).abs());
             yaw = yaw.max((composite.yaw(u.t) - u.yaw).abs());

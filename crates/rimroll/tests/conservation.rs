@@ -375,7 +375,7 @@ proptest! {
 /// The largest change of the energy along a motion, relative to the energy.
 fn drift(motion: &Motion) -> f64 {
     let energy = |at: &Instant| motion.dynamics(at).energy(at).total();
-    let nodes: Vec<_> = motion.track.nodes().collect();
+    let nodes: Vec<_> = motion.trajectory.nodes().collect();
     let start = energy(&nodes[0]);
     nodes
         .iter()

@@ -76,7 +76,7 @@ fn without_any_sideways_motion_the_body_falls_face_down_like_a_plane_pendulum() 
             assert_eq!(motion.status, Status::FaceDown);
             assert_eq!(kinds(&motion), [EventKind::FaceDown]);
             assert!(motion.turns.is_empty());
-            let end = motion.track.end();
+            let end = motion.trajectory.end();
             assert!((end.t - pendulum_time(&body, law, &start)).abs() < 1e-12);
             let rate = pendulum_rate_squared(&body, law, &start, 0.0).sqrt();
             assert!((end.p + rate).abs() < 1e-11 * rate);
@@ -169,7 +169,7 @@ fn toppling_is_found_at_the_tilt_that_was_asked_for() {
             assert_eq!(motion.status, Status::Toppled);
             assert_eq!(motion.status.name(), "toppled");
             assert_eq!(kinds(&motion).last(), Some(&EventKind::Topple));
-            let end = motion.track.end();
+            let end = motion.trajectory.end();
             assert!((end.tilt() - expected).abs() < 1e-10, "{}", end.tilt());
             assert_eq!(motion.events.last().map(|event| event.at), Some(end));
             assert!(motion.message().contains("toppled: the tilt reached"));
@@ -233,7 +233,7 @@ fn a_flick_past_the_lift_off_rate_lifts_the_can_before_its_near_collision() {
     assert_eq!(above.status, Status::LiftedOff);
     assert_eq!(kinds(&above), [EventKind::LiftOff]);
     assert!(above.message().contains("lifted off at t = "));
-    let end = above.track.end();
+    let end = above.trajectory.end();
     assert!(end.tilt() < 1e-3 && end.p < 0.0);
     let contact = above.dynamics(&end).contact(&end);
     assert!((contact.normal / end.sin).abs() < 1e-9 * can().mass() * PAPER_GRAVITY);
@@ -246,7 +246,7 @@ fn a_start_already_off_the_table_ends_at_once() {
     for law in IdealLaw::ALL {
         let motion = follow(&can(), &start, law, &tight(0.5));
         assert_eq!(motion.status, Status::LiftedOff);
-        assert_eq!(motion.track.end().t, 0.0);
+        assert_eq!(motion.trajectory.end().t, 0.0);
     }
 }
 
@@ -262,7 +262,7 @@ fn a_fast_disk_on_its_edge_rolls_straight_ahead() {
     };
     let motion = follow(&disk(), &start, IdealLaw::NoSlip, &tight(3.0));
     assert_eq!(motion.status, Status::Finished);
-    for u in motion.track.samples(4) {
+    for u in motion.trajectory.samples(4) {
         // The disk rolls along e_y1.
         assert!((u.center()[1] - disk().radius() * spin_rate * u.t).abs() < 1e-12);
         assert!(u.center()[0].abs() < 1e-14 && u.yaw.abs() < 1e-12);
@@ -303,7 +303,7 @@ fn a_fast_disk_that_is_pushed_nods_through_the_upright() {
     }
     for i in 0..100 {
         let t = 0.03 * f64::from(i);
-        let (u, v) = (one.track.at(t), other.track.at(t));
+        let (u, v) = (one.trajectory.at(t), other.trajectory.at(t));
         assert!((u.tilt() + v.tilt() - PI).abs() < 1e-12);
         assert!((u.yaw + v.yaw).abs() < 1e-12);
         let ([ux, uy], [vx, vy]) = (u.center(), v.center());
@@ -323,7 +323,7 @@ fn a_disk_falls_onto_the_face_it_leans_to() {
             };
             let motion = follow(&disk(), &start, law, &tight(5.0));
             assert_eq!(motion.status, Status::FaceDown);
-            assert!((motion.track.end().tilt() - face).abs() < 1e-15);
+            assert!((motion.trajectory.end().tilt() - face).abs() < 1e-15);
         }
     }
 }
@@ -342,7 +342,7 @@ fn a_uniform_disk_that_topples_from_its_edge_without_slip_lifts_off_at_30_degree
         let from = libm::sin(start.tilt);
         let expected = (from + (from * from - 0.75).sqrt()) / 3.0;
 
-        assert!((motion.track.end().sin - expected).abs() < 1e-12);
+        assert!((motion.trajectory.end().sin - expected).abs() < 1e-12);
         assert!((libm::asin(expected).to_degrees() - 30.0).abs() < 1e-4);
     }
 }
@@ -403,7 +403,7 @@ fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
                 kinds(&motion)
             );
             let weight = body.mass() * PAPER_GRAVITY;
-            for u in motion.track.nodes() {
+            for u in motion.trajectory.nodes() {
                 assert!((u.tilt() - tilt).abs() < 1e-9);
                 let [x, y] = u.center().map(|x| x / body.radius());
                 assert!(x.abs() < 1e-9 && y.abs() < 1e-9);
@@ -411,7 +411,7 @@ fn a_steady_wobble_stays_steady_for_a_hundred_turns() {
                 assert!((contact.normal / u.sin / weight - 1.0).abs() < 1e-8);
                 assert!(libm::hypot(contact.along, contact.across) / u.sin < 1e-8 * weight);
             }
-            let turned = motion.track.end().yaw / (200.0 * PI);
+            let turned = motion.trajectory.end().yaw / (200.0 * PI);
             assert!((turned - 1.0).abs() < 1e-9, "{turned}");
         }
     }
@@ -423,10 +423,16 @@ fn a_motion_lasts_exactly_as_long_as_asked_for() {
         for duration in [1e-6, 0.1, 0.24308731, 1.0 / 3.0, 2.0] {
             let motion = follow(&can(), &paper_start(0.005), law, &tight(duration));
             assert_eq!(motion.status, Status::Finished);
-            assert_eq!(motion.track.end().t, duration);
-            assert_eq!(motion.track.at(duration), motion.track.end());
-            assert_eq!(motion.track.at(2.0 * duration), motion.track.end());
-            assert_eq!(motion.track.at(0.0).state(), motion.track.at(-1.0).state());
+            assert_eq!(motion.trajectory.end().t, duration);
+            assert_eq!(motion.trajectory.at(duration), motion.trajectory.end());
+            assert_eq!(
+                motion.trajectory.at(2.0 * duration),
+                motion.trajectory.end()
+            );
+            assert_eq!(
+                motion.trajectory.at(0.0).state(),
+                motion.trajectory.at(-1.0).state()
+            );
         }
     }
 }
@@ -442,15 +448,15 @@ fn a_motion_evaluated_anywhere_agrees_with_its_steps_and_with_a_finer_motion() {
             ..tight(1.0)
         };
         let motion = follow(&can(), &paper_start(0.005), law, &options);
-        for node in motion.track.nodes() {
-            let at = motion.track.at(node.t);
+        for node in motion.trajectory.nodes() {
+            let at = motion.trajectory.at(node.t);
             // ψ̇ reaches 8e4 rad/s, so the last bit of t corresponds to 1e-11 rad.
             assert!((at.yaw - node.yaw).abs() < 1e-10);
             assert!((at.p - node.p).abs() < 1e-10);
         }
 
-        for u in motion.track.samples(7) {
-            let exact = fine.track.at(u.t);
+        for u in motion.trajectory.samples(7) {
+            let exact = fine.trajectory.at(u.t);
             // The near-collision is so fast that a time error of 1e-11 s is visible.
             let allowed = 1e-9 + 1e-11 * exact.yaw_rate().abs();
             assert!((u.yaw - exact.yaw).abs() < allowed);
@@ -468,7 +474,7 @@ fn time_runs_backward_to_the_start() {
     for law in IdealLaw::ALL {
         let forward = follow(&can(), &start, law, &tight(1.3));
         assert!(forward.turns.len() >= 2);
-        let end = forward.track.end().state();
+        let end = forward.trajectory.end().state();
         let reversed = State {
             tilt_rate: -end.tilt_rate,
             yaw_rate: -end.yaw_rate,
@@ -476,7 +482,7 @@ fn time_runs_backward_to_the_start() {
             ..end
         };
         let back = follow(&can(), &reversed, law, &tight(1.3))
-            .track
+            .trajectory
             .end()
             .state();
         for (value, expected) in [
@@ -513,7 +519,7 @@ fn mirror_images_agree_to_the_last_bit() {
         let one = follow(&can(), &start, law, &tight(2.0));
         let other = follow(&can(), &image, law, &tight(2.0));
         assert_eq!(one.work, other.work);
-        for (u, v) in one.track.nodes().zip(other.track.nodes()) {
+        for (u, v) in one.trajectory.nodes().zip(other.trajectory.nodes()) {
             assert_eq!((u.t, u.sin, u.cos, u.p), (v.t, v.sin, v.cos, v.p));
             assert_eq!((u.yaw, u.spin, u.w, u.s), (-v.yaw, -v.spin, -v.w, -v.s));
             assert_eq!((u.x1, u.y1), (v.x1, -v.y1));
@@ -561,7 +567,7 @@ fn a_caller_can_stop_a_long_motion() {
     )
     .expect("valid input");
     assert_eq!(motion.status, Status::Interrupted);
-    assert!(motion.track.end().t > 20.0 && motion.track.end().t < 100.0);
+    assert!(motion.trajectory.end().t > 20.0 && motion.trajectory.end().t < 100.0);
     assert!(motion.message().contains("interrupted at t = "));
 }
 

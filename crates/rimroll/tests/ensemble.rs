@@ -56,7 +56,7 @@ fn whole(body: &Body, start: &State, contact_law: ContactLaw) -> Motion {
 /// The time at which a motion has toppled, or at which its first turn ends with an extremum of the tilt.
 fn first_ending(motion: &Motion) -> f64 {
     let turned = motion.turns.first().map(|turn| turn.end);
-    turned.unwrap_or_else(|| motion.track.end().t)
+    turned.unwrap_or_else(|| motion.trajectory.end().t)
 }
 
 proptest! {
@@ -86,7 +86,7 @@ proptest! {
                 prop_assert_eq!(turn.end, fall.end.t);
             }
         }
-        let lost = motion.moment(&motion.track.at(fall.end.t.next_down()));
+        let lost = motion.observables(&motion.trajectory.at(fall.end.t.next_down()));
         let column = |name| {
             let index = rimroll::motion::COLUMNS.iter().position(|&column| column == name);
             lost[index.expect("a column")]

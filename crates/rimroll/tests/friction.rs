@@ -122,7 +122,7 @@ fn near_collision_turn(motion: &Motion, min_tilt: f64) -> f64 {
         .find(|event| event.kind == EventKind::TiltMin)
         .expect("a near-collision")
         .at;
-    let tilt = |t: f64| motion.track.at(t).tilt();
+    let tilt = |t: f64| motion.trajectory.at(t).tilt();
     let at = |mut outside: f64| {
         let mut inside = low.t;
         for _ in 0..200 {
@@ -133,7 +133,7 @@ fn near_collision_turn(motion: &Motion, min_tilt: f64) -> f64 {
                 outside = middle;
             }
         }
-        motion.track.at(outside)
+        motion.trajectory.at(outside)
     };
     let (before, after) = (at(0.0), at(low.t + 0.05));
     let tail = before.w / before.p.abs() + after.w / after.p.abs();
@@ -196,7 +196,7 @@ fn slip_leaves_spin_behind_and_the_can_turns_on_as_it_rises() {
         if let Some(expected) = to_side {
             let motion = follow(&can(), &flick, &law, &to_fall);
             assert_eq!(motion.status, Status::Toppled);
-            let turn = motion.track.end().yaw.to_degrees();
+            let turn = motion.trajectory.end().yaw.to_degrees();
             // The source prints hundredths.
             assert!((turn - expected).abs() < 0.6e-2, "{friction}: {turn}");
         }

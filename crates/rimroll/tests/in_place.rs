@@ -57,7 +57,7 @@ fn scaled(body: &Body, start: &State) -> State {
 
 fn column(motion: &Motion, at: &Instant, name: &str) -> f64 {
     let index = COLUMNS.iter().position(|column| *column == name);
-    motion.moment(at)[index.expect("a column")]
+    motion.observables(at)[index.expect("a column")]
 }
 
 /// The centre of the circle on which the body stood, one radius from the contact point toward the centre of mass.
@@ -80,11 +80,11 @@ proptest! {
         let motion = follow(&body, &scaled(&body, &start), FrictionLaw::InPlace, &options);
         prop_assert!(motion.status != Status::Failed, "{}", motion.message());
         let law = InPlace::new(Parameters::new(&body, PAPER_GRAVITY));
-        let begin = motion.track.start();
+        let begin = motion.trajectory.start();
         let momentum = law.yaw_momentum(&begin);
         let energy = |at: &Instant| motion.dynamics(at).energy(at).total();
         let place = center_of_circle(&motion, &body, &begin);
-        for at in motion.track.nodes() {
+        for at in motion.trajectory.nodes() {
             prop_assert_eq!(at.phase, Phase::Rolling);
             let change = (law.yaw_momentum(&at) - momentum).abs();
             prop_assert!(change <= 1e-8 * momentum.abs(), "{:e} of {:e}", change, momentum);
@@ -163,7 +163,8 @@ fn a_plane_motion_is_one_without_slip() {
     let [in_place, rolling] = [FrictionLaw::InPlace, FrictionLaw::NoSlip]
         .map(|law| follow(&can(), &paper_start(0.0), law, &options));
     for t in [0.05, 0.1, 0.2] {
-        let [a, b] = [&in_place, &rolling].map(|motion| motion.moment(&motion.track.at(t)));
+        let [a, b] =
+            [&in_place, &rolling].map(|motion| motion.observables(&motion.trajectory.at(t)));
         for (a, b) in a.iter().zip(b) {
             // Both are accurate to the tolerance; the steps differ by rounding.
             assert!((a - b).abs() <= 1e-12, "at {t} s: {a} and {b}");
@@ -183,11 +184,11 @@ fn a_disk_can_pass_its_edge() {
     };
     let motion = follow(&disk, &start, FrictionLaw::InPlace, &tight(1.0));
     let law = InPlace::new(Parameters::new(&disk, PAPER_GRAVITY));
-    let momentum = law.yaw_momentum(&motion.track.start());
-    let end = motion.track.end();
+    let momentum = law.yaw_momentum(&motion.trajectory.start());
+    let end = motion.trajectory.end();
     assert_eq!(motion.status, Status::FaceDown, "{}", motion.message());
     assert!(end.cos < 0.0);
-    for at in motion.track.nodes() {
+    for at in motion.trajectory.nodes() {
         assert!((law.yaw_momentum(&at) / momentum - 1.0).abs() < 1e-11);
         // θ̇ = −ψ̇, without cancellation on the other face.
         let free = at.w * (1.0 - at.cos) + at.s * at.sin;
@@ -226,11 +227,11 @@ fn a_start_has_no_spin_of_its_own() {
         ..start
     };
     let [a, b] = [rocking, opposite].map(|start| follow(&can(), &start, law.clone(), &options));
-    assert_eq!(a.track.end(), b.track.end());
+    assert_eq!(a.trajectory.end(), b.trajectory.end());
     // A motion can go on from any of its states.
-    let from = a.track.at(0.4).u.state();
+    let from = a.trajectory.at(0.4).u.state();
     let further = follow(&can(), &from, law.clone(), &tight(0.6));
-    let (end, expected) = (further.track.end(), a.track.end());
+    let (end, expected) = (further.trajectory.end(), a.trajectory.end());
     assert!((end.tilt() - expected.tilt()).abs() < 1e-9);
     assert!((end.yaw - expected.yaw).abs() < 1e-9);
 }
@@ -275,7 +276,7 @@ fn the_motion_ends_at_a_lift_off() {
     };
     let motion = follow(&can(), &start, FrictionLaw::InPlace, &tight(1.0));
     assert_eq!(motion.status, Status::LiftedOff);
-    let end = motion.track.end();
+    let end = motion.trajectory.end();
     assert!(end.t > 0.0);
     assert!(column(&motion, &end, "normal_force").abs() < 1e-9 * can().mass() * PAPER_GRAVITY);
 }
@@ -293,7 +294,8 @@ fn the_motion_has_derivatives() {
     let (motion, width) = (moved(-0.5), 1e-4);
     let sensitivity = motion.sensitivity(|_| ControlFlow::Continue(()));
     let sensitivity = sensitivity.expect("offered").expect("not stopped");
-    let [before, after] = [-0.5 - width, -0.5 + width].map(|rate| moved(rate).track.at(0.5).tilt());
+    let [before, after] =
+        [-0.5 - width, -0.5 + width].map(|rate| moved(rate).trajectory.at(0.5).tilt());
     let expected = (after - before) / (2.0 * width);
     let [tilt, ..] = sensitivity.at(&motion, 0.5);
     assert!((tilt[1] - expected).abs() < 1e-6, "{} {expected}", tilt[1]);

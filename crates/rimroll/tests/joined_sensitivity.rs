@@ -87,7 +87,7 @@ fn kinds(motion: &Motion) -> Vec<&'static str> {
 }
 
 fn states(motion: &Motion, times: &[f64]) -> Vec<[f64; 6]> {
-    let at = |t: &f64| motion.track.at(*t).state().numbers();
+    let at = |t: &f64| motion.trajectory.at(*t).state().numbers();
     times.iter().map(at).collect()
 }
 
@@ -146,7 +146,7 @@ struct Comparison {
 fn compare(case: &Case) -> Comparison {
     let mut comparison = Comparison::default();
     let motion = case.motion(&case.numbers);
-    let end = motion.track.end().t;
+    let end = motion.trajectory.end().t;
     let times = [0.35, 0.7, 0.999].map(|part| part * end);
     let slopes = case.slopes(&motion, &times);
     let events = kinds(&motion);
@@ -318,7 +318,7 @@ fn derivatives_know_the_units_of_the_parameters() {
             continue;
         }
         let motion = case.motion(&case.numbers);
-        let times = [0.35, 0.7, 0.999].map(|part| part * motion.track.end().t);
+        let times = [0.35, 0.7, 0.999].map(|part| part * motion.trajectory.end().t);
         for slope in case.slopes(&motion, &times).as_flattened() {
             let terms: Numbers = core::array::from_fn(|i| slope[i] * case.numbers[i]);
             let [.., m, r, h, a, c, g, scale] = terms;

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 use proptest::prelude::*;
 use rimroll::polygon::{
-    COLUMNS, Moment, PolygonEvent, PolygonEventKind, PolygonMotion, PolygonOptions, PolygonalBody,
-    Support, simulate,
+    COLUMNS, Observables, PolygonEvent, PolygonEventKind, PolygonMotion, PolygonOptions,
+    PolygonalBody, Support, simulate,
 };
 use rimroll::{Body, IdealLaw, State, Status};
 use std::ops::ControlFlow;
@@ -18,7 +18,7 @@ fn column(name: &str) -> usize {
         .expect("a column")
 }
 
-fn value(at: &Moment, name: &str) -> f64 {
+fn value(at: &Observables, name: &str) -> f64 {
     at[column(name)]
 }
 
@@ -77,7 +77,7 @@ fn a_block_loses_at_each_impact_what_housner_says() {
                     IdealLaw::NoSlip => ratio,
                     IdealLaw::Frictionless => smooth_ratio(&body),
                 };
-                let after = value(&impact.moment(), "energy");
+                let after = value(&impact.observables(), "energy");
                 let measured = (after - lying) / (before - lying);
                 assert!(
                     (measured - expected * expected).abs() < 1e-8,
@@ -117,7 +117,7 @@ fn a_block_that_bounces_keeps_what_its_plane_impact_leaves() {
             let lost = (1.0 - restitution * restitution) * (1.0 - ratio * ratio);
             assert!((impact.loss / energy - lost).abs() < 1e-8, "{law:?}");
             // The plane of the base turned with ω about the old edge, and turns with (ratio − e (1 − ratio)) ω.
-            let t = value(&impact.moment(), "t");
+            let t = value(&impact.observables(), "t");
             let before = value(&motion.at(t - 1e-9), "tilt_rate").abs();
             let after = value(&motion.at(t + 1e-9), "tilt_rate");
             let expected = ratio - restitution * (1.0 - ratio);
@@ -180,7 +180,7 @@ fn a_body_thrown_up_falls_on_its_parabola() {
         let times: Vec<f64> = (0..5)
             .map(|i| from + 0.25 * f64::from(i) * (until - from))
             .collect();
-        let steps: Vec<Moment> = times
+        let steps: Vec<Observables> = times
             .iter()
             .map(|&t| motion.at(t.min(until - 1e-12)))
             .collect();
@@ -210,7 +210,7 @@ fn a_slender_block_has_housners_period() {
             .events
             .iter()
             .find(|e| e.kind == PolygonEventKind::Impact);
-        let quarter = value(&first.expect("an impact").moment(), "t");
+        let quarter = value(&first.expect("an impact").observables(), "t");
         let closed = libm::acosh(1.0 / (1.0 - part)) / p;
         // The closed form replaces sin(α − θ) by α − θ, which is right to α²/6.
         assert!(
@@ -261,10 +261,10 @@ fn on_a_smooth_table_one_end_of_an_edge_can_lift() {
     };
     let other = &follow(&body, mirrored, IdealLaw::Frictionless, 0.2).events[0];
     assert_eq!(other.kind, PolygonEventKind::CornerLift);
-    let corners = [first, other].map(|event| value(&event.moment(), "corner"));
+    let corners = [first, other].map(|event| value(&event.observables(), "corner"));
     assert_ne!(corners[0], corners[1]);
     // At that moment the edge needs no force on the corner that lifts, so the force does not jump.
-    let t = value(&first.moment(), "t");
+    let t = value(&first.observables(), "t");
     let (before, after) = (motion.at(t - 1e-9), motion.at(t + 1e-9));
     assert!((value(&before, "normal") / value(&after, "normal") - 1.0).abs() < 1e-6);
 }
@@ -333,12 +333,12 @@ proptest! {
             let motion = bouncing(&body, start, law, duration, restitution);
             prop_assert_ne!(motion.status, Status::Failed);
             let samples = motion.samples(2);
-            let total = |at: &Moment| value(at, "energy") + value(at, "impact_loss");
+            let total = |at: &Observables| value(at, "energy") + value(at, "impact_loss");
             let scale = total(&samples[0]);
             for at in &samples {
                 prop_assert!((total(at) - scale).abs() < 1e-9 * scale, "{} {}", total(at), scale);
                 // The force just after an impact may be the one that lifts the body off.
-                let lifts_off = |event: &PolygonEvent| event.kind == PolygonEventKind::LiftOff && event.moment()[0] == at[0];
+                let lifts_off = |event: &PolygonEvent| event.kind == PolygonEventKind::LiftOff && event.observables()[0] == at[0];
                 prop_assert!(motion.events.iter().any(lifts_off) || value(at, "normal") > -1e-9 * 0.7 * GRAVITY);
             }
             for event in &motion.events {

@@ -97,7 +97,7 @@ fn friction_stays_finite_while_the_normal_force_peaks_in_the_near_collision() {
     for law in IdealLaw::ALL {
         let motion = paper_motion(law, 1e-12);
         let (mut ratio, mut normal) = (0.0_f64, 0.0_f64);
-        for u in motion.track.samples(50) {
+        for u in motion.trajectory.samples(50) {
             let contact = motion.dynamics(&u).contact(&u);
             ratio = ratio.max(libm::hypot(contact.along, contact.across) / contact.normal);
             normal = normal.max(contact.normal / u.sin);

@@ -121,7 +121,7 @@ proptest! {
         let (one, other) = (follow(&Case { contact_law, ..case.clone() }), follow(&larger));
         prop_assert_eq!(one.status, other.status);
         prop_assert_eq!(one.work, other.work);
-        let (a, b) = (one.track.end(), other.track.end());
+        let (a, b) = (one.trajectory.end(), other.trajectory.end());
         prop_assert_eq!((a.sin, a.yaw, time * a.t), (b.sin, b.yaw, b.t));
         prop_assert_eq!((a.p, a.w, a.s), (time * b.p, time * b.w, time * b.s));
         prop_assert_eq!(a.impact_loss * inertia / (time * time), b.impact_loss);
@@ -136,9 +136,9 @@ proptest! {
         };
         let (loose, tight, tightest) = (at(1e-6), at(1e-9), at(1e-12));
         // The duration is short, because a motion can be chaotic after a threshold or a near-collision.
-        let ends = [&loose, &tight, &tightest].map(|motion| motion.track.end().t);
+        let ends = [&loose, &tight, &tightest].map(|motion| motion.trajectory.end().t);
         let t = 0.05 * ends.into_iter().fold(f64::INFINITY, f64::min);
-        let tilt = |motion: &Motion| motion.track.at(t).tilt();
+        let tilt = |motion: &Motion| motion.trajectory.at(t).tilt();
         let (off, less) = (tilt(&loose) - tilt(&tightest), tilt(&tight) - tilt(&tightest));
         prop_assert!(off.abs() < 1e-3 && less.abs() < 1e-6, "{off:e} {less:e}");
     }
@@ -180,12 +180,12 @@ fn agree_at_first(
     other: &Motion,
     sign: f64,
 ) -> Result<(), TestCaseError> {
-    let ends = [one, other].map(|motion| motion.track.end().t);
+    let ends = [one, other].map(|motion| motion.trajectory.end().t);
     let t = 0.05 * case.options.duration.min(ends[0]).min(ends[1]);
-    let (a, b) = (one.track.at(t), other.track.at(t));
+    let (a, b) = (one.trajectory.at(t), other.trajectory.at(t));
     let rates = a.p.abs() + a.w.abs() + a.s.abs() + falling_rate(&case.body);
     let allowed = 1e-6 + 1e4 * case.options.rtol;
-    prop_assert!(a.phase == b.phase || (one.track.at(0.9 * t).phase != a.phase));
+    prop_assert!(a.phase == b.phase || (one.trajectory.at(0.9 * t).phase != a.phase));
     prop_assert!((a.tilt() - b.tilt()).abs() < allowed);
     prop_assert!((a.s - sign * b.s).abs() < allowed * rates);
     Ok(())
@@ -194,17 +194,17 @@ fn agree_at_first(
 /// Whether a motion under an ideal law and the same motion under dry friction agree until the end of the
 /// first phase or of the shorter motion.
 fn agree_while_they_last(case: &Case, ideal: &Motion, dry: &Motion) -> Result<(), TestCaseError> {
-    let start = ideal.track.start();
-    let phases: Vec<_> = dry.track.phases().collect();
+    let start = ideal.trajectory.start();
+    let phases: Vec<_> = dry.trajectory.phases().collect();
     if phases[0].phase == Phase::Flying {
         prop_assert_eq!(ideal.status, Status::LiftedOff);
         return Ok(());
     }
-    let changed = phases.get(1).map_or(dry.track.end().t, |at| at.t);
-    let t = changed.min(ideal.track.end().t);
-    let (a, b) = (ideal.track.at(t), dry.track.at(t));
+    let changed = phases.get(1).map_or(dry.trajectory.end().t, |at| at.t);
+    let t = changed.min(ideal.trajectory.end().t);
+    let (a, b) = (ideal.trajectory.at(t), dry.trajectory.at(t));
     // A near-collision amplifies errors by the ratio of the tilts.
-    let lowest = ideal.track.nodes().filter(|at| at.t <= t);
+    let lowest = ideal.trajectory.nodes().filter(|at| at.t <= t);
     let lowest = lowest.fold(start.sin, |lowest, at| lowest.min(at.sin));
     let allowed = (1e-9 + 1e3 * case.options.rtol) / lowest;
     prop_assert!(

@@ -19,7 +19,7 @@ fn bits_at_the_end(law: IdealLaw) -> Vec<u64> {
         ControlFlow::Continue(())
     })
     .unwrap();
-    motion.moment(&motion.track.end())[1..8]
+    motion.observables(&motion.trajectory.end())[1..8]
         .iter()
         .map(|number| number.to_bits())
         .collect()

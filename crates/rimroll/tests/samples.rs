@@ -225,13 +225,13 @@ fn the_track_of_such_steps_is_a_motion() {
     .unwrap();
     assert_eq!(motion.status, Status::Finished);
     let energy = |t: f64| {
-        let at = motion.track.at(t);
+        let at = motion.trajectory.at(t);
         motion.dynamics(&at).energy(&at).total() - at.ground_work
     };
-    let (mut before, first) = (motion.track.at(0.0), energy(0.0));
+    let (mut before, first) = (motion.trajectory.at(0.0), energy(0.0));
     for i in 1..3000 {
         let t = 1e-3 * f64::from(i);
-        let at = motion.track.at(t);
+        let at = motion.trajectory.at(t);
         assert!((at.tilt() - before.tilt()).abs() < 2e-3 && (at.t - t).abs() < 1e-9);
         assert!(
             (energy(t) - first).abs() < 1e-7 * first,
@@ -249,7 +249,7 @@ fn the_track_of_such_steps_is_a_motion() {
         duration: 3.0,
     };
     let outcome = alone(&row, &options);
-    let end = motion.track.end();
+    let end = motion.trajectory.end();
     assert_eq!(
         (outcome.end_tilt, outcome.ground_work),
         (end.tilt(), end.ground_work)
@@ -257,7 +257,7 @@ fn the_track_of_such_steps_is_a_motion() {
     assert_eq!(outcome.steps, motion.work.steps);
     // Most nodes are samples or halves of the time between two.
     let times = motion
-        .track
+        .trajectory
         .nodes()
         .map(|at| at.t / 0.0025)
         .collect::<Vec<_>>();

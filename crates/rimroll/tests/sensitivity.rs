@@ -100,7 +100,7 @@ fn the_state_changes_with_each_parameter_as_neighbouring_motions_say() {
                 let allowed = 1e-6 * size(slope, &parameters);
                 for (i, name) in PARAMETERS.iter().enumerate() {
                     let state = |numbers: &Numbers| {
-                        moved(numbers, law, 1.0).track.at(t).state().numbers()[quantity]
+                        moved(numbers, law, 1.0).trajectory.at(t).state().numbers()[quantity]
                     };
                     let expected = difference(i, &parameters, state);
                     let error = (slope[i] - expected).abs() * parameters[i].abs();

@@ -139,12 +139,13 @@ fn each_row_is_what_the_whole_motion_gives() {
         );
         assert_eq!(shaken.uplift_time, time_of(EventKind::Uplift));
         // Dense output at samples inside the steps never exceeds the largest tilt by more than its error.
-        let samples = motion.track.samples(16);
+        let samples = motion.trajectory.samples(16);
         let tilts = samples.iter().map(|at| at.tilt());
         let sampled = tilts.fold(0.0, f64::max);
         let excess = sampled - shaken.max_tilt;
         assert!((-1e-3 * sampled..=1e-6).contains(&excess), "{excess}");
-        let end = first(EventKind::Topple).map_or_else(|| motion.track.end(), |event| event.at);
+        let end =
+            first(EventKind::Topple).map_or_else(|| motion.trajectory.end(), |event| event.at);
         assert_eq!(
             (shaken.end_time, shaken.end_tilt, shaken.ground_work),
             (end.t, end.tilt(), end.ground_work)
@@ -176,7 +177,7 @@ fn a_footprint_that_slides_flat_is_displaced_as_its_centre_of_mass() {
     let [shaken] = on_threads(std::slice::from_ref(&row), 1)[..] else {
         panic!("one row")
     };
-    let end = motion(&row).track.end();
+    let end = motion(&row).trajectory.end();
     let [x, y] = end.center();
     let [dx, dy] = shaken.residual_displacement;
     assert!(shaken.max_tilt == 0.0 && shaken.friction_loss > 0.0 && dx.abs() > 1e-4);

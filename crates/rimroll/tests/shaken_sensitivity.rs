@@ -84,7 +84,9 @@ impl Case {
 
     fn values(&self, numbers: &Numbers) -> [f64; VALUES] {
         let motion = self.motion(numbers);
-        let states = self.times.map(|t| motion.track.at(t).state().numbers());
+        let states = self
+            .times
+            .map(|t| motion.trajectory.at(t).state().numbers());
         let (ground, body, start, options) = self.given(numbers);
         let outcome = shaken(Some(ground), &body, &start, &self.law, &options, |_| {
             CONTINUE

@@ -97,7 +97,7 @@ fn leaning() -> State {
 /// A quantity at a time, s.
 fn value(motion: &Motion, t: f64, column: &str) -> f64 {
     let index = COLUMNS.iter().position(|name| *name == column).unwrap();
-    motion.moment(&motion.track.at(t))[index]
+    motion.observables(&motion.trajectory.at(t))[index]
 }
 
 /// The reference values of a case: column, time, value.
@@ -238,14 +238,14 @@ fn laws() -> Vec<ContactLaw> {
 /// The sum of energies and losses less the work of the ground, which does not change, over the largest of them.
 fn imbalance(motion: &Motion) -> f64 {
     let budget = |instant: rimroll::motion::Instant| {
-        let moment = motion.moment(&instant);
+        let moment = motion.observables(&instant);
         let number = |name| moment[COLUMNS.iter().position(|column| *column == name).unwrap()];
         let energy = number("kinetic_energy") + number("potential_energy");
         let losses = number("friction_loss") + number("resistance_loss") + number("impact_loss");
         let work = number("ground_work");
         (energy + losses - work, energy.abs() + losses + work.abs())
     };
-    let nodes: Vec<_> = motion.track.nodes().map(budget).collect();
+    let nodes: Vec<_> = motion.trajectory.nodes().map(budget).collect();
     let size = nodes.iter().map(|node| node.1).fold(0.0, f64::max);
     let start = nodes[0].0;
     nodes
@@ -398,7 +398,7 @@ fn a_jump_of_the_acceleration_changes_the_contact_at_once() {
     };
     let phase = |ground, t| {
         let motion = shaken(ground, &column(), &leaning(), law.clone(), &tight(0.3));
-        motion.track.at(t).phase.name()
+        motion.trajectory.at(t).phase.name()
     };
     assert_eq!(phase(later([0.0; 3]), 0.15), "rolling");
     assert_eq!(phase(later([12.0, 0.0, 0.0]), 0.15), "sliding");
@@ -532,8 +532,8 @@ fn any_flat_landing() -> impl Strategy<Value = FlatLanding> {
 fn expect_truthful_ending(motion: &Motion, body: &Body, law: &ContactLaw, options: &Options) {
     let message = motion.message();
     let column = |name: &str| COLUMNS.iter().position(|column| *column == name).unwrap();
-    for node in motion.track.nodes() {
-        let moment = motion.moment(&node);
+    for node in motion.trajectory.nodes() {
+        let moment = motion.observables(&node);
         assert!(
             moment[..8].iter().all(|number| number.is_finite()),
             "{message}"
@@ -542,8 +542,8 @@ fn expect_truthful_ending(motion: &Motion, body: &Body, law: &ContactLaw, option
         let gap = moment[column("gap")];
         assert!(gap > -1e-8 * body.radius(), "{gap:e}: {message}");
     }
-    let end = motion.track.end();
-    let tilt = motion.moment(&end)[column("tilt")];
+    let end = motion.trajectory.end();
+    let tilt = motion.observables(&end)[column("tilt")];
     let (flies, is_dry) = match law.friction {
         FrictionLaw::NoSlip | FrictionLaw::Frictionless | FrictionLaw::InPlace => (false, false),
         FrictionLaw::Viscous(_) => (true, false),
@@ -577,14 +577,14 @@ fn expect_truthful_ending(motion: &Motion, body: &Body, law: &ContactLaw, option
 fn expect_rest_where_it_stands(motion: &Motion, ground: &Ground, body: &Body, law: &ContactLaw) {
     // Times of departure have errors, and accelerations change by up to 2 · 981 m/s² within 1 ms.
     const ALLOWED: f64 = 1e-6;
-    let nodes: Vec<_> = motion.track.nodes().collect();
+    let nodes: Vec<_> = motion.trajectory.nodes().collect();
     for pair in nodes.windows(2) {
         if pair[1].phase.name() != "standing" || pair[0].t == pair[1].t {
             continue;
         }
         for i in 1..40 {
             let t = pair[0].t + (pair[1].t - pair[0].t) * f64::from(i) / 40.0;
-            let at = motion.track.at(t);
+            let at = motion.trajectory.at(t);
             assert_eq!(at.phase.name(), "standing");
             for column in ["tilt", "tilt_rate", "kinetic_energy", "slip_x", "slip_y"] {
                 assert!(
@@ -717,7 +717,7 @@ fn a_body_leaves_a_table_that_falls_and_lands_on_it() {
     let expected = 0.1 + (speed + (speed * speed + 2.0 * 9.81 * rise).sqrt()) / 9.81;
     let landed = event_times(&motion, "land");
     assert!((landed[0] - expected).abs() < 1e-9, "{landed:?} {expected}");
-    assert_eq!(motion.track.end().phase.name(), "standing");
+    assert_eq!(motion.trajectory.end().phase.name(), "standing");
     assert!(imbalance(&motion) < 1e-9);
 }
 
@@ -731,7 +731,7 @@ fn a_disk_leaves_the_table_where_that_falls_faster_than_the_disk() {
     let start = State::standing();
     let motion = shaken(ground, &disk, &start, FrictionLaw::NoSlip, &tight(1.0));
     assert_eq!(motion.status, Status::LiftedOff, "{}", motion.message());
-    assert!((motion.track.end().t - STEP * 9.81 / 224.0).abs() < 1e-12);
+    assert!((motion.trajectory.end().t - STEP * 9.81 / 224.0).abs() < 1e-12);
 }
 
 /// Where a record has −g at a sample and more before and after it, the body is free for a moment only.
@@ -850,7 +850,7 @@ fn impacts_on_the_flat_base_bring_a_column_to_rest() {
                 .iter()
                 .all(|turn| (turn.angle - core::f64::consts::PI).abs() < 1e-9)
         );
-        assert_eq!(motion.track.end().phase.name(), "standing");
+        assert_eq!(motion.trajectory.end().phase.name(), "standing");
         assert_eq!(motion.status, Status::Finished);
         assert!(imbalance(motion) < 1e-9);
     }
@@ -922,7 +922,7 @@ fn the_search_of_a_tiny_period_is_limited_by_the_number_of_steps() {
     );
     assert_eq!(motion.status, Status::Failed, "{}", motion.message());
     assert_eq!(motion.work.steps, 300);
-    assert!(motion.track.end().t < 1e-8);
+    assert!(motion.trajectory.end().t < 1e-8);
 
     let interrupt = |_| ControlFlow::Break(());
     let start = State::standing();

@@ -55,7 +55,7 @@ fn creep_with_almost_no_inertia_takes_few_steps() {
     };
     let motion = follow(&body, &start, friction, &options);
     assert_eq!(motion.status, Status::Finished);
-    for (number, exact) in motion.track.end().state().numbers().iter().zip(END) {
+    for (number, exact) in motion.trajectory.end().state().numbers().iter().zip(END) {
         let error = (number - exact).abs() / exact.abs();
         assert!(error < 1e-7, "{number} is not {exact}");
     }
@@ -74,7 +74,7 @@ fn strong_viscous_friction_tends_to_no_slip_in_few_steps() {
     let end = |friction: FrictionLaw| {
         let motion = follow(&can, &start, friction, &options);
         assert_eq!(motion.status, Status::Finished);
-        motion.track.end().state().numbers()
+        motion.trajectory.end().state().numbers()
     };
     let viscous = |coefficient| end(FrictionLaw::Viscous(Viscous { coefficient }));
     // The slip relaxes in about a microsecond.
@@ -132,16 +132,16 @@ fn drag_on_a_yaw_rate_below_its_smoothing_makes_it_decay_exponentially() {
         };
         let motion = follow(&can, &start, contact_law, &options);
         assert_eq!(motion.status, Status::Finished, "{}", motion.message());
-        let end = motion.track.end();
+        let end = motion.trajectory.end();
         let dt = end.t / f64::from(INTERVALS);
         let integral: f64 = (0..INTERVALS)
             .map(|i| {
-                let sin = motion.track.at((f64::from(i) + 0.5) * dt).sin;
+                let sin = motion.trajectory.at((f64::from(i) + 0.5) * dt).sin;
                 dt / (sin * sin)
             })
             .sum();
         let expected = DECAY * falling_rate * integral;
-        let begin = motion.track.start();
+        let begin = motion.trajectory.start();
         let decay = libm::log(begin.w * begin.sin / (end.w * end.sin));
         assert!(expected > 3.0);
         assert!((decay / expected - 1.0).abs() < 1e-5, "{decay} {expected}");
@@ -189,7 +189,7 @@ fn drag_that_stops_the_yaw_of_a_body_falling_flat_takes_few_steps() {
     let motion = follow(&body, &start, contact_law, &options);
     assert_eq!(motion.status, Status::FaceDown, "{}", motion.message());
     // In a nanosecond the tilt rate hardly changes.
-    let end = motion.track.end();
+    let end = motion.trajectory.end();
     let tilt = start.tilt + start.tilt_rate * end.t;
     assert!((end.tilt() - tilt).abs() < 1e-6 * start.tilt);
 }
@@ -226,7 +226,7 @@ fn a_balance_of_resistance_and_lift_off_ends_face_down_at_any_tolerance() {
         let motion = follow(&body, &start, law.clone(), &options);
         assert_eq!(motion.status, Status::FaceDown, "{}", motion.message());
         // At a tolerance of 1e-12 it is face down at 0.036 822 318 52 s.
-        let t = motion.track.end().t;
+        let t = motion.trajectory.end().t;
         assert!((t - 0.036_822_318_52).abs() < 0.5 * rtol, "{t}");
     }
 }

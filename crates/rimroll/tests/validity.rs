@@ -39,7 +39,7 @@ fn agrees_with_the_small_angle_solution(body: &Body, law: IdealLaw, sideways: f6
     let low = turn.min_tilt;
     // Where the tilt is far above the smallest, but still small.
     let nodes: Vec<_> = motion
-        .track
+        .trajectory
         .nodes()
         .take_while(|at| at.t <= turn.t)
         .collect();
@@ -87,8 +87,8 @@ fn the_energy_lost_is_that_of_the_motion() {
     let turn = motion.turns[0];
     let energies = |t: f64| {
         motion
-            .dynamics(&motion.track.at(t))
-            .energy(&motion.track.at(t))
+            .dynamics(&motion.trajectory.at(t))
+            .energy(&motion.trajectory.at(t))
     };
     let total = |t| energies(t).kinetic + energies(t).potential;
     let kinetic = (0..=20_000).map(|i| energies(turn.end * f64::from(i) / 20_000.0).kinetic);

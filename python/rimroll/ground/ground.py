@@ -67,7 +67,7 @@ class Ground:
         [[0.477, 0.0, 0.0], [0.955, 0.0, 0.0], [0.955, 0.0, 0.0]]
         """
         moments = _moments(t)
-        return self.core.course(moments.ravel())[0].reshape(*moments.shape, 3)
+        return self.core.kinematics(moments.ravel())[0].reshape(*moments.shape, 3)
 
     def displacement(self, t: Values) -> Array:
         """The displacement (..., 3), m, since t = 0 at times t (s) of any shape.
@@ -80,7 +80,7 @@ class Ground:
         [[0.344, 0.0, 0.0], [0.688, 0.0, 0.0], [0.688, 0.0, 0.0]]
         """
         moments = _moments(t)
-        return self.core.course(moments.ravel())[1].reshape(*moments.shape, 3)
+        return self.core.kinematics(moments.ravel())[1].reshape(*moments.shape, 3)
 
     @property
     def duration(self) -> float:

@@ -65,4 +65,4 @@ def lines_of(core: _core.CoreGround) -> Lines:
     t = t[t < core.duration]
     acceleration = core.acceleration(t)
     t[-1] = core.duration
-    return Lines(t, acceleration, *core.course(t), min(scales))
+    return Lines(t, acceleration, *core.kinematics(t), min(scales))

@@ -1,10 +1,10 @@
 //! The falls of a chunk of work, in lanes where the contact law allows it.
 
+use super::active_fall::ActiveFall;
 use super::chunk::{BodyNumbers, Chunk, Release};
 use super::dry::Dry;
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedFrictionless, ReducedNoSlip, ReducedSystem};
-use super::trial::Trial;
 use crate::contact_law::ContactLaw;
 use crate::law::Coulomb;
 use crate::law::FrictionLaw;
@@ -18,16 +18,16 @@ pub(super) fn fits_lanes(contact_law: &ContactLaw) -> bool {
     matches!(contact_law.friction, NoSlip | Frictionless | Coulomb { .. }) && !contact_law.resists()
 }
 
-/// The falls of a chunk of trials in order. When `should_continue` returns false before a scalar fall, the result
-/// ends before that fall. The options and the trials must have been checked.
+/// The falls of a chunk of releases in order. When `should_continue` returns false before a scalar fall, the result
+/// ends before that fall. The options and the releases must have been checked.
 pub(super) fn batch(
-    trials: &[Release<'_>],
+    releases: &[Release<'_>],
     options: &Options,
     should_continue: &dyn Fn() -> bool,
 ) -> Vec<Fall> {
     let mut falls = Falls {
-        chunk: Chunk::new(trials, options),
-        done: vec![None; trials.len()],
+        chunk: Chunk::new(releases, options),
+        done: vec![None; releases.len()],
     };
     falls.conservative::<ReducedNoSlip<f64, false>>(FrictionLaw::NoSlip);
     falls.conservative::<ReducedFrictionless<f64>>(FrictionLaw::Frictionless);
@@ -35,11 +35,11 @@ pub(super) fn batch(
         matches!(contact_law.friction, FrictionLaw::Coulomb(Coulomb { .. }))
             && fits_lanes(contact_law)
     };
-    if trials.iter().any(dry) {
-        let waiting = (0..trials.len()).filter(|&index| dry(&trials[index]));
+    if releases.iter().any(dry) {
+        let waiting = (0..releases.len()).filter(|&index| dry(&releases[index]));
         Dry::new(&falls.chunk, &mut falls.done).follow(waiting);
     }
-    (0..trials.len())
+    (0..releases.len())
         .map_while(|index| {
             falls.done[index]
                 .take()
@@ -55,52 +55,52 @@ struct Falls<'a> {
 
 impl Falls<'_> {
     fn scalar_fall(&self, index: usize) -> Fall {
-        let (body, start, contact_law) = &self.chunk.trials[index];
+        let (body, start, contact_law) = &self.chunk.releases[index];
         match fall(body, start, contact_law, self.chunk.options) {
             Ok(fall) => fall,
-            Err(_) => unreachable!("the trials have been checked"),
+            Err(_) => unreachable!("the releases have been checked"),
         }
     }
 
     /// Computes all falls under one of the paper's two laws.
     fn conservative<A: ReducedSystem<f64, 7>>(&mut self, law: FrictionLaw) {
         let Falls { chunk, done } = self;
-        let limits = &chunk.limits;
-        let waiting = (0..chunk.trials.len()).filter(|&index| {
-            let (.., contact_law) = &chunk.trials[index];
+        let bounds = &chunk.bounds;
+        let waiting = (0..chunk.releases.len()).filter(|&index| {
+            let (.., contact_law) = &chunk.releases[index];
             contact_law.friction == law && fits_lanes(contact_law)
         });
         let mut waiting = waiting.peekable();
         let Some(&first) = waiting.peek() else { return };
-        let mut pool: Pool<'_, A, 7> = Pool::new(chunk.body(first), limits);
+        let mut pool: Pool<'_, A, 7> = Pool::new(chunk.body(first), bounds);
         let new_contact = |body: &BodyNumbers| (body.place, A::new(body.parameters, 0.0));
         let mut contact = new_contact(chunk.body(first));
         loop {
             while pool.len() < LANES {
                 let Some(index) = waiting.next() else { break };
-                let (_, start, _) = &chunk.trials[index];
+                let (_, start, _) = &chunk.releases[index];
                 let (u, body) = (Coordinates::from_state(start), chunk.body(index));
                 if contact.0 != body.place {
                     contact = new_contact(body);
                 }
-                if limits.are_far_from(&u, &body.topple)
+                if bounds.are_far_from(&u, &body.topple)
                     && contact.1.contact_margin(&A::project(&u)) > 0.0
                 {
-                    let trial = Trial::new(index, &u, law != FrictionLaw::NoSlip);
-                    pool.put(trial, &u, (body, 0.0), body.error_scale.first_step(&u));
+                    let fall = ActiveFall::new(index, &u, law != FrictionLaw::NoSlip);
+                    pool.put(fall, &u, (body, 0.0), body.error_scale.first_step(&u));
                 }
             }
             if pool.len() == 0 {
                 return;
             }
-            pool.step(|trial, exit, at| {
+            pool.step(|fall, exit, at| {
                 let status = match exit {
                     Exit::Over(status) => status,
                     Exit::ContactEnds => Status::LiftedOff,
                     Exit::SlipEnds | Exit::NeedsScalar => return,
                 };
-                done[trial.index] =
-                    Some(trial.fall(&chunk.body(trial.index).parameters, status, at));
+                done[fall.index] =
+                    Some(fall.result(&chunk.body(fall.index).parameters, status, at));
             });
         }
     }

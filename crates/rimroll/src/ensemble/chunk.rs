@@ -1,23 +1,23 @@
-//! A chunk of work: some trials and the parameters of their bodies.
+//! A chunk of work: some releases and the parameters of their bodies.
 
-use super::limits::Limits;
+use super::bounds::Bounds;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::law::Parameters;
-use crate::motion::{Options, Topple};
+use crate::motion::{Options, ToppleTilt};
 use crate::state::State;
 
-/// A trial: the body, its state and the contact law at the release.
+/// A release: the body, its state and the contact law at the release.
 pub type Release<'a> = (&'a Body, State, ContactLaw);
 
-/// Consecutive trials of an ensemble.
+/// Consecutive releases of an ensemble.
 pub(super) struct Chunk<'a> {
-    pub trials: &'a [Release<'a>],
+    pub releases: &'a [Release<'a>],
     pub options: &'a Options,
-    pub limits: Limits,
+    pub bounds: Bounds,
     bodies: Vec<BodyNumbers>,
-    /// The index of each trial's body in `bodies`.
+    /// The index of each release's body in `bodies`.
     body_of: Vec<usize>,
 }
 
@@ -28,16 +28,16 @@ pub(super) struct BodyNumbers {
     pub place: usize,
     pub parameters: Parameters<f64>,
     pub error_scale: ErrorScale<f64>,
-    pub topple: Topple<f64>,
+    pub topple: ToppleTilt<f64>,
 }
 
 impl<'a> Chunk<'a> {
-    /// A chunk of checked trials with the options of the ensemble. Adjacent equal bodies are stored once.
-    pub(super) fn new(trials: &'a [Release<'a>], options: &'a Options) -> Self {
+    /// A chunk of checked releases with the options of the ensemble. Adjacent equal bodies are stored once.
+    pub(super) fn new(releases: &'a [Release<'a>], options: &'a Options) -> Self {
         let mut bodies: Vec<BodyNumbers> = Vec::new();
-        let mut body_of = Vec::with_capacity(trials.len());
-        for (i, &(body, ..)) in trials.iter().enumerate() {
-            if i == 0 || trials[i - 1].0 != body {
+        let mut body_of = Vec::with_capacity(releases.len());
+        for (i, &(body, ..)) in releases.iter().enumerate() {
+            if i == 0 || releases[i - 1].0 != body {
                 let parameters = Parameters::new(body, options.gravity);
                 bodies.push(BodyNumbers {
                     place: bodies.len(),
@@ -45,21 +45,21 @@ impl<'a> Chunk<'a> {
                     error_scale: ErrorScale::new(&parameters),
                     topple: options
                         .topple_tilt_of(body)
-                        .map_or_else(Topple::never, Topple::at),
+                        .map_or_else(ToppleTilt::never, ToppleTilt::at),
                 });
             }
             body_of.push(bodies.len() - 1);
         }
         Chunk {
-            trials,
+            releases,
             options,
-            limits: Limits::of(options),
+            bounds: Bounds::of(options),
             bodies,
             body_of,
         }
     }
 
-    /// The body of the trial with this index.
+    /// The body of the release with this index.
     pub(super) fn body(&self, index: usize) -> &BodyNumbers {
         &self.bodies[self.body_of[index]]
     }

@@ -1,11 +1,11 @@
 //! Falls under dry friction. One pool holds the falls that roll and another those that slide; a fall changes
 //! between them at the transitions of its contact.
 
+use super::active_fall::ActiveFall;
 use super::chunk::{BodyNumbers, Chunk};
-use super::onset::{OnsetResult, OnsetStart, step_batch};
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedNoSlip, ReducedSliding, ReducedSystem};
-use super::trial::Trial;
+use super::slip_onset::{OnsetResult, OnsetStart, step_batch};
 use crate::law::Coulomb;
 use crate::law::FrictionLaw;
 use crate::law::{Dynamics, NoSlip};
@@ -18,14 +18,14 @@ type SlippingPool<'a> = Pool<'a, ReducedSliding<f64>, 10>;
 
 /// A fall that waits for a lane, with the size of its first step.
 struct Waiting {
-    trial: Trial,
+    fall: ActiveFall,
     at: Coordinates<f64>,
     h: f64,
 }
 
 /// A fall at the onset of slip.
 struct ToSlip {
-    trial: Trial,
+    fall: ActiveFall,
     start: OnsetStart,
     result: Option<OnsetResult>,
 }
@@ -33,8 +33,8 @@ struct ToSlip {
 /// The start of the next phase.
 #[expect(clippy::large_enum_variant, reason = "it is matched at once")]
 enum PhaseStart {
-    ReducedNoSlip(Waiting),
-    ReducedSliding(ToSlip),
+    Rolling(Waiting),
+    Slipping(ToSlip),
 }
 
 pub(super) struct Dry<'a> {
@@ -48,18 +48,18 @@ impl<'a> Dry<'a> {
     pub(super) fn new(chunk: &'a Chunk<'a>, done: &'a mut [Option<Fall>]) -> Self {
         Dry {
             chunk,
-            onset: onset_length(chunk.limits.tolerance),
+            onset: onset_length(chunk.bounds.tolerance),
             done,
         }
     }
 
-    /// Computes the falls of some trials. Those that need the scalar solver keep the result `None`.
+    /// Computes the falls of some releases. Those that need the scalar solver keep the result `None`.
     pub(super) fn follow(&mut self, waiting: impl Iterator<Item = usize>) {
         let mut waiting = waiting.peekable();
         let Some(&first) = waiting.peek() else { return };
-        let (body, limits) = (self.chunk.body(first), &self.chunk.limits);
-        let mut rolling = RollingPool::new(body, limits);
-        let mut slipping = SlippingPool::new(body, limits);
+        let (body, bounds) = (self.chunk.body(first), &self.chunk.bounds);
+        let mut rolling = RollingPool::new(body, bounds);
+        let mut slipping = SlippingPool::new(body, bounds);
         let mut to_roll: Vec<Waiting> = Vec::with_capacity(2 * LANES);
         let mut to_slip: Vec<ToSlip> = Vec::with_capacity(2 * LANES);
         let mut past_onset: Vec<Waiting> = Vec::with_capacity(2 * LANES);
@@ -68,23 +68,23 @@ impl<'a> Dry<'a> {
                 let next = to_roll
                     .pop()
                     .or_else(|| self.next(&mut waiting, &mut to_slip));
-                let Some(Waiting { trial, at, h }) = next else {
+                let Some(Waiting { fall, at, h }) = next else {
                     break;
                 };
-                let (_, static_friction) = self.frictions(&trial);
-                let body = self.body(&trial);
-                rolling.put(trial, &at, (body, static_friction), h);
+                let (_, static_friction) = self.frictions(&fall);
+                let body = self.body(&fall);
+                rolling.put(fall, &at, (body, static_friction), h);
             }
             while slipping.len() < LANES {
                 if past_onset.is_empty() && (to_slip.len() >= LANES || rolling.len() == 0) {
                     self.step_onsets(&mut to_slip, &mut past_onset);
                 }
-                let Some(Waiting { trial, at, h }) = past_onset.pop() else {
+                let Some(Waiting { fall, at, h }) = past_onset.pop() else {
                     break;
                 };
-                let (friction, _) = self.frictions(&trial);
-                let body = self.body(&trial);
-                slipping.put(trial, &at, (body, friction), h);
+                let (friction, _) = self.frictions(&fall);
+                let body = self.body(&fall);
+                slipping.put(fall, &at, (body, friction), h);
             }
             if rolling.len() + slipping.len() + to_slip.len() == 0 {
                 if waiting.peek().is_some() {
@@ -96,30 +96,30 @@ impl<'a> Dry<'a> {
             let most_roll = rolling.len() == LANES || rolling.len() > slipping.len();
             let step_rolling = slipping.len() < LANES && most_roll;
             let mut enqueue = |start| match start {
-                PhaseStart::ReducedNoSlip(waiting) => to_roll.push(waiting),
-                PhaseStart::ReducedSliding(waiting) => to_slip.push(waiting),
+                PhaseStart::Rolling(waiting) => to_roll.push(waiting),
+                PhaseStart::Slipping(waiting) => to_slip.push(waiting),
             };
             // Stepping the fuller pool keeps few lanes empty: the falls that slide wait until there are sixteen
             // of them or until fewer falls roll.
             if step_rolling {
-                rolling.step(|trial, exit, at| {
-                    self.after_rolling(trial, exit, at).map(&mut enqueue);
+                rolling.step(|fall, exit, at| {
+                    self.after_rolling(fall, exit, at).map(&mut enqueue);
                 });
             } else {
-                slipping.step(|trial, exit, at| {
-                    self.after_slipping(trial, exit, at).map(&mut enqueue);
+                slipping.step(|fall, exit, at| {
+                    self.after_slipping(fall, exit, at).map(&mut enqueue);
                 });
             }
         }
     }
 
-    fn body(&self, trial: &Trial) -> &'a BodyNumbers {
-        self.chunk.body(trial.index)
+    fn body(&self, fall: &ActiveFall) -> &'a BodyNumbers {
+        self.chunk.body(fall.index)
     }
 
     /// The coefficients of kinetic and static friction.
-    fn frictions(&self, trial: &Trial) -> (f64, f64) {
-        match self.chunk.trials[trial.index].2.friction {
+    fn frictions(&self, fall: &ActiveFall) -> (f64, f64) {
+        match self.chunk.releases[fall.index].2.friction {
             FrictionLaw::Coulomb(Coulomb {
                 friction,
                 static_friction,
@@ -128,19 +128,19 @@ impl<'a> Dry<'a> {
         }
     }
 
-    fn slipping(&self, trial: &Trial) -> ReducedSliding<f64> {
-        ReducedSliding::new(self.body(trial).parameters, self.frictions(trial).0)
+    fn slipping(&self, fall: &ActiveFall) -> ReducedSliding<f64> {
+        ReducedSliding::new(self.body(fall).parameters, self.frictions(fall).0)
     }
 
-    fn contacts(&self, trial: &Trial) -> Contacts {
-        let (body, _, contact_law) = &self.chunk.trials[trial.index];
+    fn contacts(&self, fall: &ActiveFall) -> Contacts {
+        let (body, _, contact_law) = &self.chunk.releases[fall.index];
         let Chunk {
-            options, limits, ..
+            options, bounds, ..
         } = self.chunk;
-        Contacts::new(body, contact_law, options.gravity, limits.tolerance)
+        Contacts::new(body, contact_law, options.gravity, bounds.tolerance)
     }
 
-    /// The next trial that starts with rolling. Trials that start with slip are added to `to_slip`.
+    /// The next release that starts with rolling. Trials that start with slip are added to `to_slip`.
     fn next(
         &self,
         waiting: &mut impl Iterator<Item = usize>,
@@ -148,16 +148,16 @@ impl<'a> Dry<'a> {
     ) -> Option<Waiting> {
         while to_slip.len() < LANES {
             let index = waiting.next()?;
-            let at = Coordinates::from_state(&self.chunk.trials[index].1);
-            let (body, limits) = (self.chunk.body(index), &self.chunk.limits);
-            if !limits.are_far_from(&at, &body.topple) {
+            let at = Coordinates::from_state(&self.chunk.releases[index].1);
+            let (body, bounds) = (self.chunk.body(index), &self.chunk.bounds);
+            if !bounds.are_far_from(&at, &body.topple) {
                 continue;
             }
-            let trial = Trial::new(index, &at, false);
-            let contacts = self.contacts(&trial);
-            match self.phase_after(trial, contacts.settle(&at), &at) {
-                Some(PhaseStart::ReducedNoSlip(waiting)) => return Some(waiting),
-                Some(PhaseStart::ReducedSliding(waiting)) => to_slip.push(waiting),
+            let fall = ActiveFall::new(index, &at, false);
+            let contacts = self.contacts(&fall);
+            match self.phase_after(fall, contacts.settle(&at), &at) {
+                Some(PhaseStart::Rolling(waiting)) => return Some(waiting),
+                Some(PhaseStart::Slipping(waiting)) => to_slip.push(waiting),
                 None => {}
             }
         }
@@ -167,28 +167,28 @@ impl<'a> Dry<'a> {
     /// The start of the phase after a transition; `None` if the fall needs the scalar solver.
     fn phase_after(
         &self,
-        mut trial: Trial,
+        mut fall: ActiveFall,
         next: Transition,
         at: &Coordinates<f64>,
     ) -> Option<PhaseStart> {
         match next {
             Transition::Roll => {
-                let h = self.body(&trial).error_scale.first_step(at);
+                let h = self.body(&fall).error_scale.first_step(at);
                 let at = *at;
-                Some(PhaseStart::ReducedNoSlip(Waiting { trial, at, h }))
+                Some(PhaseStart::Rolling(Waiting { fall, at, h }))
             }
             Transition::BeginToSlip(direction) => {
-                let friction_loss = trial.friction_loss;
+                let friction_loss = fall.friction_loss;
                 let at = Coordinates {
                     friction_loss,
                     ..*at
                 };
-                let h = self.onset * self.body(&trial).error_scale.first_step(&at);
-                let slipping = self.slipping(&trial);
+                let h = self.onset * self.body(&fall).error_scale.first_step(&at);
+                let slipping = self.slipping(&fall);
                 let start = OnsetStart::from_rest(&at, direction, slipping, h);
-                trial.slid = true;
-                Some(PhaseStart::ReducedSliding(ToSlip {
-                    trial,
+                fall.slid = true;
+                Some(PhaseStart::Slipping(ToSlip {
+                    fall,
                     start,
                     result: None,
                 }))
@@ -199,8 +199,8 @@ impl<'a> Dry<'a> {
 
     /// The direction (unit vector) opposite to the static friction on a rolling rim. The slip starts in this
     /// direction, apart from the effect of the drop from static to kinetic friction.
-    fn against_friction(&self, trial: &Trial, at: &Coordinates<f64>) -> [f64; 2] {
-        let needed = NoSlip::new(self.body(trial).parameters).contact(at);
+    fn against_friction(&self, fall: &ActiveFall, at: &Coordinates<f64>) -> [f64; 2] {
+        let needed = NoSlip::new(self.body(fall).parameters).contact(at);
         let size = (needed.along * needed.along + needed.across * needed.across).sqrt();
         if size > 0.0 {
             [-needed.along / size, -needed.across / size]
@@ -217,8 +217,8 @@ impl<'a> Dry<'a> {
         };
         // Unused lanes repeat the last onset.
         let starts = core::array::from_fn(|lane| to_slip.get(first + lane).unwrap_or(last).start);
-        let limits = &self.chunk.limits;
-        let results = step_batch(&starts, limits.tolerance);
+        let bounds = &self.chunk.bounds;
+        let results = step_batch(&starts, bounds.tolerance);
         for (i, result) in results.take(to_slip.len() - first).enumerate() {
             to_slip[first + i].result = Some(result);
         }
@@ -226,16 +226,16 @@ impl<'a> Dry<'a> {
             match to_slip[i].result.take() {
                 Some(OnsetResult::Again(start)) => to_slip[i].start = start,
                 Some(OnsetResult::Follow(at, h)) => {
-                    let ToSlip { trial, .. } = to_slip.swap_remove(i);
+                    let ToSlip { fall, .. } = to_slip.swap_remove(i);
                     // If an event happened during the onset, the scalar solver locates it.
                     let keeps_contact = self
-                        .slipping(&trial)
+                        .slipping(&fall)
                         .contact_margin(&ReducedSliding::project(&at))
                         > 0.0;
-                    let keeps_direction = trial.direction * at.p > 0.0;
-                    let topple = &self.body(&trial).topple;
-                    if keeps_contact && keeps_direction && limits.are_far_from(&at, topple) {
-                        past_onset.push(Waiting { trial, at, h });
+                    let keeps_direction = fall.direction * at.p > 0.0;
+                    let topple = &self.body(&fall).topple;
+                    if keeps_contact && keeps_direction && bounds.are_far_from(&at, topple) {
+                        past_onset.push(Waiting { fall, at, h });
                     }
                 }
                 Some(OnsetResult::Lost) | None => drop(to_slip.swap_remove(i)),
@@ -245,24 +245,24 @@ impl<'a> Dry<'a> {
 
     fn after_rolling(
         &mut self,
-        trial: Trial,
+        fall: ActiveFall,
         exit: Exit,
         at: &Coordinates<f64>,
     ) -> Option<PhaseStart> {
         match exit {
             Exit::Over(status) => {
-                let friction_loss = trial.friction_loss;
+                let friction_loss = fall.friction_loss;
                 let at = Coordinates {
                     friction_loss,
                     ..*at
                 };
-                self.done[trial.index] =
-                    Some(trial.fall(&self.body(&trial).parameters, status, &at));
+                self.done[fall.index] =
+                    Some(fall.result(&self.body(&fall).parameters, status, &at));
                 None
             }
             Exit::ContactEnds => {
-                let direction = self.against_friction(&trial, at);
-                self.phase_after(trial, Transition::BeginToSlip(direction), at)
+                let direction = self.against_friction(&fall, at);
+                self.phase_after(fall, Transition::BeginToSlip(direction), at)
             }
             Exit::SlipEnds | Exit::NeedsScalar => None,
         }
@@ -270,25 +270,24 @@ impl<'a> Dry<'a> {
 
     fn after_slipping(
         &mut self,
-        mut trial: Trial,
+        mut fall: ActiveFall,
         exit: Exit,
         at: &Coordinates<f64>,
     ) -> Option<PhaseStart> {
         match exit {
             Exit::Over(status) => {
-                self.done[trial.index] =
-                    Some(trial.fall(&self.body(&trial).parameters, status, at));
+                self.done[fall.index] = Some(fall.result(&self.body(&fall).parameters, status, at));
                 None
             }
             Exit::SlipEnds => {
-                let contacts = self.contacts(&trial);
-                let stopped = stopped(&contacts, at, self.chunk.limits.tolerance);
-                trial.friction_loss = stopped.friction_loss;
+                let contacts = self.contacts(&fall);
+                let stopped = stopped(&contacts, at, self.chunk.bounds.tolerance);
+                fall.friction_loss = stopped.friction_loss;
                 let rolling = Coordinates {
                     friction_loss: 0.0,
                     ..stopped
                 };
-                self.phase_after(trial, contacts.settle(&rolling), &rolling)
+                self.phase_after(fall, contacts.settle(&rolling), &rolling)
             }
             Exit::ContactEnds | Exit::NeedsScalar => None,
         }
@@ -315,7 +314,7 @@ mod tests {
         let can = presets::can_2007().expect("the paper's can");
         // Multiples of irrational numbers spread the starts evenly over all decades.
         let part = |i: usize, by: f64| (i as f64 * by).fract();
-        let trials: Vec<_> = (1..5000)
+        let releases: Vec<_> = (1..5000)
             .map(|i| {
                 let start = State {
                     tilt: 0.3 + 0.3 * part(i, 0.754_877_666),
@@ -332,9 +331,9 @@ mod tests {
                 rtol,
                 ..Options::default()
             };
-            let chunk = Chunk::new(&trials, &options);
-            let mut done = vec![None; trials.len()];
-            Dry::new(&chunk, &mut done).follow(0..trials.len());
+            let chunk = Chunk::new(&releases, &options);
+            let mut done = vec![None; releases.len()];
+            Dry::new(&chunk, &mut done).follow(0..releases.len());
             let left = done.iter().filter(|fall| fall.is_none()).count();
             assert_eq!(left, 0, "rtol {rtol}");
         }

@@ -1,11 +1,11 @@
 //! A batch of sixteen motions, one in each lane. All lanes make a step at once, each with its own step size,
 //! and each step is accepted or rejected independently of the others.
 
-use super::limits::Limits;
+use super::bounds::Bounds;
 use super::reduced_system::ReducedSystem;
-use crate::motion::Topple;
+use crate::motion::ToppleTilt;
 use crate::real::{Bits, Lanes, Mask, Part, SimdKernel, Vector, run_widest};
-use crate::solve::Estimate;
+use crate::solve::ErrorEstimate;
 use crate::solve::tableau::{ERROR_3, ERROR_5, Row, SOLUTION, STAGES};
 use crate::state::Coordinates;
 
@@ -28,7 +28,7 @@ pub(super) struct Lockstep<const N: usize> {
     /// The number of accepted steps.
     pub steps: Lanes,
     /// The topple tilts.
-    pub topple: Topple<Lanes>,
+    pub topple: ToppleTilt<Lanes>,
     /// The states at the end of the step.
     pub end: [Lanes; N],
     /// The rates at the end.
@@ -113,7 +113,7 @@ impl<const N: usize> Lockstep<N> {
             direction: zero,
             free: zero,
             steps: zero,
-            topple: Topple::never().map(|&number| Lanes::from(number)),
+            topple: ToppleTilt::never().map(|&number| Lanes::from(number)),
             end: [zero; N],
             end_rates: [zero; N],
             end_scales: [zero; N],
@@ -173,22 +173,22 @@ impl<const N: usize> Lockstep<N> {
     pub(super) fn step<P: ReducedSystem<Lanes, N>>(
         &mut self,
         phase: &P,
-        limits: &Limits,
+        bounds: &Bounds,
     ) -> StepOutcome {
-        run_widest(Step(self, phase, limits))
+        run_widest(Step(self, phase, bounds))
     }
 
     #[inline(always)]
     fn step_in<V: Vector, P: ReducedSystem<Lanes, N>>(
         &mut self,
         phase: &P,
-        limits: &Limits,
+        bounds: &Bounds,
     ) -> StepOutcome {
         self.attempt::<V::Part, P>(phase);
         let phase = phase.with_numbers(V::load);
         let (end, end_rates) = (V::load_all(&self.end), V::load_all(&self.end_rates));
         let scales = phase.scales(&end);
-        let estimate = self.estimate(&scales, limits.tolerance);
+        let estimate = self.estimate(&scales, bounds.tolerance);
         let is_finite = estimate.error_squared.at_most(V::from(f64::MAX));
         let within_tolerance = is_finite.and(estimate.error_squared.at_most(estimate.allowed));
         let at = P::With::<V>::expand(&end);
@@ -196,7 +196,7 @@ impl<const N: usize> Lockstep<N> {
         let event_values = [
             V::load(&self.direction) * at.p,
             self.topple.map(V::load).below(&at),
-            V::from(limits.duration) - at.t,
+            V::from(bounds.duration) - at.t,
             phase.contact_margin(&end),
         ];
         let [.., end_margin] = &mut self.margins;
@@ -204,8 +204,8 @@ impl<const N: usize> Lockstep<N> {
         let margins = V::load_all(&self.margins);
         let inside = V::load(&self.inside).min(lowest_dip(&margins));
         self.inside = inside.store();
-        let slip_persists = phase.slip_persists(&end, &end_rates, limits.tolerance);
-        let event_margin = self.event_margin(&at, &event_values, slip_persists, limits);
+        let slip_persists = phase.slip_persists(&end, &end_rates, bounds.tolerance);
+        let event_margin = self.event_margin(&at, &event_values, slip_persists, bounds);
         let quiet = within_tolerance
             .and(V::from(0.0).at_most(event_margin))
             .opaque();
@@ -286,7 +286,7 @@ impl<const N: usize> Lockstep<N> {
         reason = "an iterator's closures might not be inlined"
     )]
     #[inline(always)]
-    fn estimate<V: Vector>(&self, end_scales: &[V; N], tolerance: f64) -> Estimate<V> {
+    fn estimate<V: Vector>(&self, end_scales: &[V; N], tolerance: f64) -> ErrorEstimate<V> {
         let (mut fifth, mut third) = (V::from(0.0), V::from(0.0));
         for i in 0..N {
             let scale = V::load(&self.scales[i]).max(end_scales[i]);
@@ -296,7 +296,7 @@ impl<const N: usize> Lockstep<N> {
             fifth = fifth + e5 * e5;
             third = third + e3 * e3;
         }
-        Estimate::new(V::load(&self.h), fifth, third, N)
+        ErrorEstimate::new(V::load(&self.h), fifth, third, N)
     }
 
     /// The minimum of all event functions and bounds. If it is negative, the pool has to examine the step.
@@ -306,9 +306,9 @@ impl<const N: usize> Lockstep<N> {
         end: &Coordinates<V>,
         event_values: &[V; EVENT_FUNCTIONS.len()],
         slip_persists: V,
-        limits: &Limits,
+        bounds: &Bounds,
     ) -> V {
-        let above_flat = end.sin - V::from(limits.flat);
+        let above_flat = end.sin - V::from(bounds.flat);
         let direction = V::load(&self.direction);
         // Negative without a direction, and in a lane that the pool controls.
         let free = V::load(&self.free) * direction * direction - V::from(0.5);
@@ -320,7 +320,7 @@ impl<const N: usize> Lockstep<N> {
             .min(time)
             .min(above_flat)
             .min(end.cos)
-            .min(V::from(limits.max_steps) - V::load(&self.steps))
+            .min(V::from(bounds.max_steps) - V::load(&self.steps))
             .min(slip_persists)
             .min(free)
     }
@@ -330,7 +330,7 @@ impl<const N: usize> Lockstep<N> {
     #[inline(always)]
     fn choose_next<V: Vector>(
         &mut self,
-        estimate: &Estimate<V>,
+        estimate: &ErrorEstimate<V>,
         is_finite: V::Mask,
         within_tolerance: V::Mask,
         quiet: V::Mask,
@@ -376,15 +376,15 @@ fn dip<V: Vector>(i: usize, margins: &[V; MARGIN_NODES.len()]) -> V {
 }
 
 /// The computation of a step: the motions, their equations and their bounds.
-struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Limits);
+struct Step<'a, P, const N: usize>(&'a mut Lockstep<N>, &'a P, &'a Bounds);
 
 impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for Step<'_, P, N> {
     type Done = StepOutcome;
 
     #[inline(always)]
     fn run<V: Vector>(self) -> StepOutcome {
-        let Step(lockstep, phase, limits) = self;
-        lockstep.step_in::<V, P>(phase, limits)
+        let Step(lockstep, phase, bounds) = self;
+        lockstep.step_in::<V, P>(phase, bounds)
     }
 }
 
@@ -474,7 +474,7 @@ pub(super) fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::limits::Limits;
+    use super::super::bounds::Bounds;
     use super::super::reduced_system::{
         ReducedFrictionless, ReducedNoSlip, ReducedSliding, ReducedSystem,
     };
@@ -510,14 +510,14 @@ mod tests {
     }
 
     /// A computation of twenty steps.
-    struct Steps<'a, P>(&'a P, &'a Limits);
+    struct Steps<'a, P>(&'a P, &'a Bounds);
 
     impl<P: ReducedSystem<Lanes, N>, const N: usize> SimdKernel for (Steps<'_, P>, Lockstep<N>) {
         type Done = (Vec<StepOutcome>, Lockstep<N>);
 
         fn run<V: Vector>(self) -> Self::Done {
-            let (Steps(phase, limits), mut lockstep) = self;
-            let step = |_| lockstep.step_in::<V, P>(phase, limits);
+            let (Steps(phase, bounds), mut lockstep) = self;
+            let step = |_| lockstep.step_in::<V, P>(phase, bounds);
             ((0..20).map(step).collect(), lockstep)
         }
     }
@@ -526,8 +526,8 @@ mod tests {
         let can = presets::can_2007().expect("the paper's can");
         let phase = P::new(Parameters::new(&can, 9.8), friction);
         let in_lanes = phase.with_numbers(|&number| Lanes::from(number));
-        let limits = Limits::of(&Options::default());
-        let steps = || (Steps(&in_lanes, &limits), cans(&phase));
+        let bounds = Bounds::of(&Options::default());
+        let steps = || (Steps(&in_lanes, &bounds), cans(&phase));
         let done = in_every_width(steps);
         let (first_outcomes, first) = &done[0];
         assert!(first.steps.0.iter().all(|&steps| steps > 5.0));

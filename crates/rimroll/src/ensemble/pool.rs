@@ -1,13 +1,13 @@
 //! A pool of sixteen lanes for falls in the same phase. The pool locates the events of each fall. A fall that
 //! ends its phase leaves its lane to the next fall.
 
+use super::active_fall::ActiveFall;
+use super::bounds::Bounds;
 use super::chunk::BodyNumbers;
-use super::limits::Limits;
 use super::lockstep::{EVENT_FUNCTIONS, EventFunction, Lockstep, StepOutcome, lanes_of};
 use super::reduced_system::ReducedSystem;
-use super::trial::Trial;
 use crate::error_scale::ErrorScale;
-use crate::motion::{Status, Topple};
+use crate::motion::{Status, ToppleTilt};
 use crate::real::{LANES, Lanes};
 use crate::solve::bracketed_root_in;
 use crate::state::Coordinates;
@@ -40,12 +40,12 @@ const MAX_ROUNDS: usize = 40;
 
 /// Sixteen lanes with their falls and equations.
 pub(super) struct Pool<'a, A: ReducedSystem<f64, N>, const N: usize> {
-    limits: &'a Limits,
+    bounds: &'a Bounds,
     lockstep: Lockstep<N>,
     /// The equations of all lanes.
     contact: A::With<Lanes>,
     lane_models: [LaneModel<A>; LANES],
-    trials: [Option<Trial>; LANES],
+    falls: [Option<ActiveFall>; LANES],
     brackets: [Option<Bracket>; LANES],
     count: usize,
 }
@@ -57,7 +57,7 @@ struct LaneModel<A> {
     key: (usize, f64),
     system: A,
     error_scale: ErrorScale<f64>,
-    topple: Topple<f64>,
+    topple: ToppleTilt<f64>,
 }
 
 impl<A> LaneModel<A> {
@@ -79,16 +79,16 @@ where
     A: ReducedSystem<f64, N>,
 {
     /// An empty pool, whose lanes are prepared for a body without friction.
-    pub(super) fn new(body: &BodyNumbers, limits: &'a Limits) -> Self {
+    pub(super) fn new(body: &BodyNumbers, bounds: &'a Bounds) -> Self {
         let model: LaneModel<A> = LaneModel::new(body, 0.0);
         let mut lockstep = Lockstep::new();
         lockstep.topple = body.topple.map(|&number| Lanes::from(number));
         Pool {
-            limits,
+            bounds,
             lockstep,
             contact: model.system.with_numbers(|&number| Lanes::from(number)),
             lane_models: core::array::from_fn(|_| LaneModel::new(body, 0.0)),
-            trials: core::array::from_fn(|_| None),
+            falls: core::array::from_fn(|_| None),
             brackets: core::array::from_fn(|_| None),
             count: 0,
         }
@@ -102,12 +102,12 @@ where
     /// Puts a fall into a free lane, which must exist; `h` is a first guess for the step size.
     pub(super) fn put(
         &mut self,
-        trial: Trial,
+        fall: ActiveFall,
         at: &Coordinates<f64>,
         (body, friction): (&BodyNumbers, f64),
         h: f64,
     ) {
-        let Some(lane) = self.trials.iter().position(Option::is_none) else {
+        let Some(lane) = self.falls.iter().position(Option::is_none) else {
             unreachable!("a fall is put only into a pool with a free lane");
         };
         if self.lane_models[lane].key != (body.place, friction) {
@@ -118,10 +118,10 @@ where
             .put(lane, A::project(at), &self.lane_models[lane].system);
         self.lockstep.h.0[lane] = h;
         self.lockstep.min_h.0[lane] = 1e-16 * h;
-        self.lockstep.direction.0[lane] = trial.direction;
+        self.lockstep.direction.0[lane] = fall.direction;
         self.lockstep.free.0[lane] = 1.0;
-        self.lockstep.steps.0[lane] = trial.steps;
-        self.trials[lane] = Some(trial);
+        self.lockstep.steps.0[lane] = fall.steps;
+        self.falls[lane] = Some(fall);
         self.brackets[lane] = None;
     }
 
@@ -134,10 +134,10 @@ where
     }
 
     /// Makes a step of each fall. Each fall that leaves the pool is passed to `leave` with its coordinates.
-    pub(super) fn step(&mut self, mut leave: impl FnMut(Trial, Exit, &Coordinates<f64>)) {
-        let outcome = self.lockstep.step(&self.contact, self.limits);
+    pub(super) fn step(&mut self, mut leave: impl FnMut(ActiveFall, Exit, &Coordinates<f64>)) {
+        let outcome = self.lockstep.step(&self.contact, self.bounds);
         for lane in lanes_of(!outcome.settled) {
-            if self.trials[lane].is_none() {
+            if self.falls[lane].is_none() {
                 continue;
             }
             let exit = if outcome.is_within_tolerance(lane) {
@@ -150,10 +150,10 @@ where
             };
             self.lockstep.free.0[lane] = 0.0;
             self.count -= 1;
-            if let Some(mut trial) = self.trials[lane].take() {
-                trial.direction = self.lockstep.direction.0[lane];
-                trial.steps = self.lockstep.steps.0[lane];
-                leave(trial, exit, &at);
+            if let Some(mut fall) = self.falls[lane].take() {
+                fall.direction = self.lockstep.direction.0[lane];
+                fall.steps = self.lockstep.steps.0[lane];
+                leave(fall, exit, &at);
             }
         }
     }
@@ -187,12 +187,12 @@ where
         let toppled = outcome.has_crossed(lane, EventFunction::Topple)
             && self.lane_models[lane].topple.is_at_most_upright();
         let on_edge = u.cos <= 0.0 && !toppled;
-        if u.sin <= self.limits.flat || on_edge || steps >= self.limits.max_steps {
+        if u.sin <= self.bounds.flat || on_edge || steps >= self.bounds.max_steps {
             return Some((Exit::NeedsScalar, u));
         }
         if self.lockstep.direction.0[lane] == 0.0 {
             self.lockstep.direction.0[lane] = self
-                .limits
+                .bounds
                 .sign_of_tilt_rate(&u, &self.lane_models[lane].error_scale);
         }
         let target = self.brackets[lane].as_ref().map(|bracket| bracket.event);
@@ -248,7 +248,7 @@ where
         // A tilt rate without a significant sign can belong to a steady wobble.
         let insignificant = event == EventFunction::Extreme
             && self
-                .limits
+                .bounds
                 .sign_of_tilt_rate(&u, &self.lane_models[lane].error_scale)
                 == 0.0
             && self.brackets[lane].is_none();
@@ -322,22 +322,22 @@ where
             EventFunction::Topple => return Some((Exit::Over(Status::Toppled), at)),
             EventFunction::Contact => return Some((Exit::ContactEnds, at)),
             EventFunction::Time => {
-                let t = self.limits.duration;
+                let t = self.bounds.duration;
                 return Some((Exit::Over(Status::Finished), Coordinates { t, ..at }));
             }
             EventFunction::Extreme => {}
         }
-        if at.sin <= self.limits.flat {
+        if at.sin <= self.bounds.flat {
             return Some((Exit::NeedsScalar, at));
         }
-        let trial = self.trials[lane].as_mut()?;
+        let fall = self.falls[lane].as_mut()?;
         if self.lockstep.direction.0[lane] < 0.0 {
-            trial.lowest = Some(at);
-        } else if trial.lowest.is_some() {
-            trial.turned = true;
+            fall.lowest = Some(at);
+        } else if fall.lowest.is_some() {
+            fall.turned = true;
             return Some((Exit::Over(Status::Finished), at));
         } else {
-            trial.from = at;
+            fall.from = at;
         }
         self.lockstep.direction.0[lane] = -self.lockstep.direction.0[lane];
         self.lockstep.accept(lane);
@@ -359,7 +359,7 @@ where
         self.lockstep.h.0[lane] = self.lockstep.next.0[lane];
         let (end, rates) = (self.lockstep.end_at(lane), self.lockstep.end_rates_at(lane));
         let system = &self.lane_models[lane].system;
-        let stops = system.slip_persists(&end, &rates, self.limits.tolerance) < 0.0;
+        let stops = system.slip_persists(&end, &rates, self.bounds.tolerance) < 0.0;
         stops.then(|| (Exit::SlipEnds, A::expand(&end)))
     }
 
@@ -367,7 +367,7 @@ where
         match event {
             EventFunction::Extreme => self.lockstep.direction.0[lane] * A::expand(u).p,
             EventFunction::Topple => self.lane_models[lane].topple.below(&A::expand(u)),
-            EventFunction::Time => self.limits.duration - A::expand(u).t,
+            EventFunction::Time => self.bounds.duration - A::expand(u).t,
             EventFunction::Contact => self.lane_models[lane].system.contact_margin(u),
         }
     }
@@ -409,9 +409,9 @@ fn fraction_crossed(first: (f64, f64), last: (f64, f64)) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::active_fall::ActiveFall;
     use super::super::chunk::Chunk;
     use super::super::reduced_system::{ReducedSliding, ReducedSystem};
-    use super::super::trial::Trial;
     use super::{Exit, Pool};
     use crate::law::FrictionLaw;
     use crate::motion::Options;
@@ -429,7 +429,7 @@ mod tests {
         )];
         let options = Options::default();
         let chunk = Chunk::new(&releases, &options);
-        let (body, limits) = (chunk.body(0), &chunk.limits);
+        let (body, bounds) = (chunk.body(0), &chunk.bounds);
         let phase = ReducedSliding::new(body.parameters, friction);
         // At these tilt rates the normal force would be negative, with increasing or decreasing magnitude.
         for tilt_rate in [-30.0, 30.0] {
@@ -444,9 +444,9 @@ mod tests {
                 ..Coordinates::from_state(&start)
             };
             assert!(phase.contact_margin(&ReducedSliding::project(&at)) < 0.0);
-            let mut pool: Pool<'_, ReducedSliding<f64>, 10> = Pool::new(body, limits);
-            let trial = Trial::new(0, &at, true);
-            pool.put(trial, &at, (body, friction), 1e-4);
+            let mut pool: Pool<'_, ReducedSliding<f64>, 10> = Pool::new(body, bounds);
+            let fall = ActiveFall::new(0, &at, true);
+            pool.put(fall, &at, (body, friction), 1e-4);
             let mut left = None;
             for _ in 0..200 {
                 pool.step(|_, exit, _| left = Some(exit));

@@ -1,7 +1,7 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
 use super::instant::{Instant, Phase};
-use super::level::Level;
+use super::level_base::LevelBase;
 use super::phase_dynamics::PhaseDynamics;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
@@ -248,7 +248,7 @@ impl Contacts {
     /// table shakes it too much for that, it begins to rock anew, in the direction in which it is shaken then.
     pub(super) fn excess_over_standing(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        if !self.is_falling(u) || u.cos < 0.0 || !Level::new(self, u.yaw).is_pressed(u.t) {
+        if !self.is_falling(u) || u.cos < 0.0 || !LevelBase::new(self, u.yaw).is_pressed(u.t) {
             return 1.0;
         }
         tilting_energy_over_standing(k, u)

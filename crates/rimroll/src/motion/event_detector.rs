@@ -2,13 +2,13 @@
 
 use super::contacts::{Contacts, STANDING_TILT};
 use super::event::{Event, EventKind};
+use super::event_exclusion::{EventExclusion, are_clear};
+use super::flat_landing::FLAT_TILT;
 use super::instant::{Instant, Phase};
-use super::landing::FLAT_TILT;
 use super::options::Options;
-use super::step_bounds::{StepBounds, are_clear};
 use super::step_record::{Polynomial, StepRecord};
-use super::topple::Topple;
-use super::track::Track;
+use super::topple_tilt::ToppleTilt;
+use super::trajectory::Trajectory;
 use super::turns;
 use crate::ending::{FACE_DOWN_TILT, STOPPED_TILT};
 use crate::error_scale::ErrorScale;
@@ -59,7 +59,7 @@ pub(super) enum TerminalEvent {
 pub(super) enum Goal {
     /// A time, s.
     Time(f64),
-    /// A time (s), where only the events and the end are wanted, and not the track.
+    /// A time (s), where only the events and the end are wanted, and not the trajectory.
     End(f64),
     /// The end of the first turn, or a time (s) if that comes first.
     Turn(f64),
@@ -73,8 +73,8 @@ impl Goal {
         !matches!(self, Goal::Passed(_))
     }
 
-    /// Whether the whole track is needed, and not only its end.
-    pub(super) fn needs_track(self) -> bool {
+    /// Whether the whole trajectory is needed, and not only its end.
+    pub(super) fn needs_trajectory(self) -> bool {
         !matches!(self, Goal::Turn(_) | Goal::End(_))
     }
 }
@@ -169,7 +169,7 @@ pub(super) struct EventDetector<'a> {
     contacts: &'a Contacts,
     error_scale: ErrorScale<f64>,
     goal: Goal,
-    topple: Option<Topple<f64>>,
+    topple: Option<ToppleTilt<f64>>,
     start_energy: f64,
     /// [`Options::significant_tilt_rate`].
     significant: f64,
@@ -197,7 +197,7 @@ impl<'a> EventDetector<'a> {
             contacts,
             error_scale: ErrorScale::new(contacts.parameters()),
             goal,
-            topple: options.topple_tilt.map(Topple::at),
+            topple: options.topple_tilt.map(ToppleTilt::at),
             start_energy: energy,
             significant: options.significant_tilt_rate(),
             started_on_first_face: start.cos > 0.0,
@@ -341,7 +341,7 @@ impl<'a> EventDetector<'a> {
         if self.direction == 0.0 {
             return false;
         }
-        let bounds = StepBounds::new(step);
+        let bounds = EventExclusion::new(step);
         let side = bounds.end().cos.signum();
         bounds.stays_above(0.0, |u| self.direction * u.p)
             && bounds.stays_above(0.0, |u| side * u.cos)
@@ -357,8 +357,8 @@ impl<'a> EventDetector<'a> {
 
     /// Whether the step contains none of the few terminal events of an ideal law.
     #[inline(always)]
-    fn excludes_ideal_endings(&self, bounds: &StepBounds, end: f64) -> bool {
-        let upright = |topple: Topple<f64>| bounds.stays_above(0.0, |u| topple.below(u));
+    fn excludes_ideal_endings(&self, bounds: &EventExclusion, end: f64) -> bool {
+        let upright = |topple: ToppleTilt<f64>| bounds.stays_above(0.0, |u| topple.below(u));
         bounds.end().t < end
             && bounds.stays_above(FACE_DOWN_TILT, |u| u.sin)
             && self.topple.is_none_or(upright)
@@ -366,7 +366,7 @@ impl<'a> EventDetector<'a> {
     }
 
     /// Whether the step contains no terminal event.
-    fn excludes_endings(&self, phase: Phase, bounds: &StepBounds) -> bool {
+    fn excludes_endings(&self, phase: Phase, bounds: &EventExclusion) -> bool {
         let three_points = bounds.three_points();
         self.terminal_events(phase).all(|(event, before)| {
             are_clear(
@@ -375,13 +375,13 @@ impl<'a> EventDetector<'a> {
         })
     }
 
-    /// Processes an accepted step: locates its events and adds the step to the track, shortened to the end
+    /// Processes an accepted step: locates its events and adds the step to the trajectory, shortened to the end
     /// of the phase if that lies in the step.
     pub(super) fn process(
         &mut self,
         record: StepRecord,
         dense: &Polynomial,
-        track: &mut Track,
+        trajectory: &mut Trajectory,
     ) -> Option<TerminalEvent> {
         let phase = record.phase;
         let part = StepPart {
@@ -394,7 +394,7 @@ impl<'a> EventDetector<'a> {
         let Some((event, x)) = self.first_terminal_event(phase, dense, &with_dips) else {
             self.detect_extrema(part, &samples);
             self.detect_edge(part, &with_tilt_extrema);
-            track.push(record);
+            trajectory.push(record);
             return self.has_turned().then_some(TerminalEvent::Done);
         };
         let until_end = |mut samples: Vec<Sample>| {
@@ -422,7 +422,7 @@ impl<'a> EventDetector<'a> {
                 event.at.u = Coordinates::from_array(&last.end);
             }
         }
-        track.push(last);
+        trajectory.push(last);
         Some(event)
     }
 

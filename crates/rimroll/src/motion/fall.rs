@@ -5,7 +5,7 @@ use super::event::EventKind;
 use super::event_detector::Goal;
 use super::instant::Phase;
 use super::options::Options;
-use super::outcome::{Outcome, Tilting};
+use super::outcome::{Outcome, TiltHistory};
 use super::run::Run;
 use super::turns::{Turn, end_of_first_turn, first_turn};
 use crate::body::Body;
@@ -95,7 +95,7 @@ impl Fall {
         end: &Coordinates<f64>,
     ) -> Fall {
         let end = EndState::new(end);
-        let tilting = Tilting {
+        let tilting = TiltHistory {
             came_down: record.turn.is_some(),
             turned: record.turned,
             past_balance: k.is_past_balance(end.tilt),
@@ -135,15 +135,15 @@ pub fn fall(
     let start = contact_law.friction.start(start)?;
     let mut run = Run::new(&contacts, &options, Goal::Turn(options.duration), start);
     let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
-    let (track, events, work) = run.into_parts();
+    let (trajectory, events, work) = run.into_parts();
     let occurred = |phase, first_event| {
         let later = events.iter().any(|event| event.kind == first_event);
-        track.start().phase == phase || later
+        trajectory.start().phase == phase || later
     };
     let topple = events.iter().find(|event| event.kind == EventKind::Topple);
     let turned = end_of_first_turn(start.cos > 0.0, &events);
     let over = turned.or_else(|| topple.map(|event| event.at.u));
-    let end = over.unwrap_or_else(|| track.end().u);
+    let end = over.unwrap_or_else(|| trajectory.end().u);
     let record = FallRecord {
         turn: first_turn(&start, &events, &end),
         turned: turned.is_some(),

@@ -1,7 +1,7 @@
 //! The options of a simulation and their checks.
 
+use super::flat_landing::FlatLanding;
 use super::instant::LEVEL_PHASES;
-use super::landing::FlatLanding;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
 use crate::law::{FrictionLaw, InPlace};

@@ -27,7 +27,7 @@ pub enum Outcome {
 
 /// The history of the tilt before the end.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Tilting {
+pub(crate) struct TiltHistory {
     /// Whether the tilt had a minimum.
     pub came_down: bool,
     /// Whether it had a maximum after that, so that the turn is complete.
@@ -66,7 +66,7 @@ impl Outcome {
     }
 
     /// The outcome of a motion that ended with this status.
-    pub(crate) fn of(status: Status, tilting: Tilting) -> Outcome {
+    pub(crate) fn of(status: Status, tilting: TiltHistory) -> Outcome {
         match status {
             Status::Finished if tilting.turned => Outcome::Rocked,
             Status::Finished => Outcome::Hovered,

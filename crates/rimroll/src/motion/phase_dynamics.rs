@@ -1,7 +1,7 @@
 //! The equations of motion of each phase.
 
 use super::instant::Phase;
-use super::mechanics::{Clock, Mechanics};
+use super::phase_system::{IndependentVariable, PhaseSystem};
 use crate::contact_law::ContactLaw;
 use crate::law::{Dynamics, Flight, OnTable, Parameters, RollingDynamics, SlidingDynamics, Table};
 use crate::real::Scalar;
@@ -56,17 +56,21 @@ impl<T: Scalar> PhaseDynamics<T> {
     }
 
     /// Those that hold in a phase, as the solver sees them.
-    pub(super) fn mechanics(&self, phase: Phase, clock: Clock) -> Mechanics<'_, T> {
+    pub(super) fn phase_system(
+        &self,
+        phase: Phase,
+        variable: IndependentVariable,
+    ) -> PhaseSystem<'_, T> {
         let dynamics = self.in_phase(phase);
-        let mechanics = if phase == Phase::Sliding && self.sliding.is_dry() {
-            Mechanics::slipping(dynamics, clock)
+        let phase_system = if phase == Phase::Sliding && self.sliding.is_dry() {
+            PhaseSystem::slipping(dynamics, variable)
         } else {
-            Mechanics::new(dynamics, clock)
+            PhaseSystem::new(dynamics, variable)
         };
         if self.flying.moves() {
-            mechanics.on_moving_table()
+            phase_system.on_moving_table()
         } else {
-            mechanics
+            phase_system
         }
     }
 }
@@ -77,11 +81,11 @@ impl PhaseDynamics<f64> {
     pub(super) fn solve<K: SystemVisitor>(
         &self,
         phase: Phase,
-        clock: Clock,
+        variable: IndependentVariable,
         visitor: K,
     ) -> K::Output {
         if self.flying.moves() {
-            return visitor.with::<_, COORDINATES>(&self.mechanics(phase, clock));
+            return visitor.with::<_, COORDINATES>(&self.phase_system(phase, variable));
         }
         match (phase, &self.sliding, &self.rolling) {
             (Phase::Rolling, _, RollingDynamics::Freely(rolling))
@@ -89,18 +93,18 @@ impl PhaseDynamics<f64> {
                 if rolling.is_conservative() =>
             {
                 let rolling = rolling.dynamics().dynamics();
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(rolling, clock))
+                visitor.with::<_, RIGID_COORDINATES>(&PhaseSystem::new(rolling, variable))
             }
             (Phase::Sliding, SlidingDynamics::Frictionless(sliding), _)
                 if sliding.is_conservative() =>
             {
                 let sliding = sliding.dynamics();
-                visitor.with::<_, RIGID_COORDINATES>(&Mechanics::new(sliding, clock))
+                visitor.with::<_, RIGID_COORDINATES>(&PhaseSystem::new(sliding, variable))
             }
             (Phase::Sliding, SlidingDynamics::Coulomb(sliding), _) => {
-                visitor.with::<_, COORDINATES_AT_REST>(&Mechanics::slipping(sliding, clock))
+                visitor.with::<_, COORDINATES_AT_REST>(&PhaseSystem::slipping(sliding, variable))
             }
-            _ => visitor.with::<_, COORDINATES_AT_REST>(&self.mechanics(phase, clock)),
+            _ => visitor.with::<_, COORDINATES_AT_REST>(&self.phase_system(phase, variable)),
         }
     }
 }

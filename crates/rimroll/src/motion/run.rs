@@ -1,25 +1,25 @@
 //! The phases of a motion, one after another.
 
-mod approach;
+mod corner_approach;
 mod level_phases;
 #[cfg(feature = "ground")]
-mod samples;
+mod sample_to_sample;
 mod steps;
 
 #[cfg(feature = "ground")]
-pub(super) use self::samples::OnSamples;
+pub(super) use self::sample_to_sample::SampleStep;
 #[cfg(feature = "ground")]
-use self::samples::SampleSteps;
+use self::sample_to_sample::SampleSteps;
 use self::steps::Steps;
 use super::contacts::{Contacts, Transition};
 use super::event::{Event, EventKind};
 use super::event_detector::{EventDetector, Goal, TerminalEvent};
 use super::instant::{Instant, LEVEL_PHASES, Phase};
-use super::mechanics::{Clock, Mechanics};
-use super::onset;
 use super::options::Options;
+use super::phase_system::{IndependentVariable, PhaseSystem};
+use super::slip_onset;
 use super::step_record::StepRecord;
-use super::track::Track;
+use super::trajectory::Trajectory;
 use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::error_scale::{ErrorScale, max_brief_change};
 use crate::law::Parameters;
@@ -42,10 +42,10 @@ const STIFFNESS_TEST_INTERVAL: usize = 64;
 /// What follows a phase.
 enum AfterEvent {
     Phase(Phase, PhaseStart),
-    /// The phase goes on with steps of this pace.
+    /// The phase goes on with steps of this size and independent variable.
     #[cfg(feature = "ground")]
-    Steps(Phase, PhaseStart, Pace),
-    EndState(Status),
+    Steps(Phase, PhaseStart, StepSize),
+    End(Status),
 }
 
 /// How far a motion has been followed.
@@ -54,7 +54,7 @@ pub(super) enum Followed {
     Ended(Status),
     /// To a sample of the table's record, from which a rolling rim may go on in steps from sample to sample.
     #[cfg(feature = "ground")]
-    ToSample(Box<OnSamples>),
+    ToSample(Box<SampleStep>),
 }
 
 /// The start of a phase: the coordinates, and the direction of a slip that begins from rest.
@@ -66,8 +66,8 @@ struct PhaseStart {
 
 /// The independent variable and the size of the next step.
 #[derive(Clone, Copy)]
-struct Pace {
-    clock: Clock,
+struct StepSize {
+    variable: IndependentVariable,
     h: f64,
 }
 
@@ -75,8 +75,8 @@ struct Pace {
 enum StepsEnd {
     Phase(PhaseEnd),
     /// The phase goes on from these coordinates, in the next stretch of the table's motion or with another
-    /// independent variable. Without a pace, the first step is sought anew.
-    Continue(Coordinates<f64>, Option<Pace>),
+    /// independent variable. Without a size, the first step is sought anew.
+    Continue(Coordinates<f64>, Option<StepSize>),
 }
 
 /// The end of a phase: a terminal event, or the end of the motion without one.
@@ -85,7 +85,7 @@ enum PhaseEnd {
     Motion(Status),
     /// The phase may go on in steps from sample to sample.
     #[cfg(feature = "ground")]
-    Sample(Box<OnSamples>),
+    Sample(Box<SampleStep>),
 }
 
 /// A simulation in progress.
@@ -93,7 +93,7 @@ pub(super) struct Run<'a> {
     contacts: &'a Arc<Contacts>,
     options: &'a Options,
     detector: EventDetector<'a>,
-    track: Track,
+    trajectory: Trajectory,
     work: Work,
     next: AfterEvent,
     empty_phases: usize,
@@ -134,9 +134,9 @@ impl<'a> Run<'a> {
             contacts,
             options,
             detector: EventDetector::new(contacts, options, goal, &leading),
-            track: Track::new(contacts, leading, goal.needs_track()),
+            trajectory: Trajectory::new(contacts, leading, goal.needs_trajectory()),
             work: Work::default(),
-            next: AfterEvent::EndState(Status::Failed),
+            next: AfterEvent::End(Status::Failed),
             empty_phases: 0,
             steps_at_stiffness_test: 0,
             last_end: (f64::NAN, f64::NAN),
@@ -181,13 +181,13 @@ impl<'a> Run<'a> {
     pub(super) fn follow(&mut self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Followed {
         loop {
             if let Some(PhaseEnd::Motion(status)) = self.out_of_steps(report)
-                && !matches!(self.next, AfterEvent::EndState(_))
+                && !matches!(self.next, AfterEvent::End(_))
             {
                 return Followed::Ended(status);
             }
             let (phase, start, pace) =
-                match core::mem::replace(&mut self.next, AfterEvent::EndState(Status::Failed)) {
-                    AfterEvent::EndState(status) => return Followed::Ended(status),
+                match core::mem::replace(&mut self.next, AfterEvent::End(Status::Failed)) {
+                    AfterEvent::End(status) => return Followed::Ended(status),
                     AfterEvent::Phase(phase, PhaseStart { u, .. }) if phase.is_level() => {
                         self.next = self.follow_level(phase, u, report);
                         continue;
@@ -197,8 +197,8 @@ impl<'a> Run<'a> {
                     AfterEvent::Steps(phase, start, pace) => (phase, start, Some(pace)),
                 };
             self.next = match self.follow_phase(phase, &start, pace, report) {
-                PhaseEnd::Event(event) => self.after(event, &self.track.end()),
-                PhaseEnd::Motion(status) => AfterEvent::EndState(status),
+                PhaseEnd::Event(event) => self.after(event, &self.trajectory.end()),
+                PhaseEnd::Motion(status) => AfterEvent::End(status),
                 #[cfg(feature = "ground")]
                 PhaseEnd::Sample(sample) => return Followed::ToSample(sample),
             }
@@ -210,8 +210,8 @@ impl<'a> Run<'a> {
         self.last_event
     }
 
-    pub(super) fn into_parts(self) -> (Track, Vec<Event>, Work) {
-        (self.track, self.detector.into_events(), self.work)
+    pub(super) fn into_parts(self) -> (Trajectory, Vec<Event>, Work) {
+        (self.trajectory, self.detector.into_events(), self.work)
     }
 
     /// Integrates one phase to its end, or to a sample from which steps to further samples can be tried.
@@ -219,7 +219,7 @@ impl<'a> Run<'a> {
         &mut self,
         phase: Phase,
         phase_start: &PhaseStart,
-        mut pace: Option<Pace>,
+        mut pace: Option<StepSize>,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> PhaseEnd {
         if let Some(over) = self.out_of_steps(report) {
@@ -229,11 +229,11 @@ impl<'a> Run<'a> {
         let mut start = *phase_start;
         loop {
             let phases = contacts.phases_from(start.u.t);
-            let mechanics = phases.mechanics(phase, Clock::Regularized);
+            let phase_system = phases.phase_system(phase, IndependentVariable::Regularized);
             let corner = contacts.corner_after(start.u.t);
-            let Pace { clock, h } = match pace {
+            let StepSize { variable, h } = match pace {
                 Some(pace) => pace,
-                None => match self.first_pace(&mechanics, phase, &mut start, corner) {
+                None => match self.first_pace(&phase_system, phase, &mut start, corner) {
                     ControlFlow::Continue(Some(pace)) => pace,
                     ControlFlow::Continue(None) => continue,
                     ControlFlow::Break(over) => return over,
@@ -241,15 +241,15 @@ impl<'a> Run<'a> {
             };
             let steps = Steps {
                 run: self,
-                mechanics: &mechanics,
+                phase_system: &phase_system,
                 phase,
-                clock,
+                variable,
                 corner,
                 start: start.u.into_array(),
                 h,
                 report,
             };
-            match phases.solve(phase, clock, steps) {
+            match phases.solve(phase, variable, steps) {
                 StepsEnd::Phase(over) => return over,
                 StepsEnd::Continue(u, next) => {
                     #[cfg(feature = "ground")]
@@ -270,24 +270,24 @@ impl<'a> Run<'a> {
     /// of the table's acceleration came first. The start becomes that of the explicit steps.
     fn first_pace(
         &mut self,
-        mechanics: &Mechanics<'_>,
+        phase_system: &PhaseSystem<'_>,
         phase: Phase,
         start: &mut PhaseStart,
         corner: f64,
-    ) -> ControlFlow<PhaseEnd, Option<Pace>> {
+    ) -> ControlFlow<PhaseEnd, Option<StepSize>> {
         self.detector.cut_steps_at(corner);
-        let begun = self.slow_slip(mechanics, phase, start);
+        let begun = self.slow_slip(phase_system, phase, start);
         self.detector.cut_steps_at(f64::INFINITY);
         let direction = None;
         match begun {
             ControlFlow::Continue((u, h)) => {
                 *start = PhaseStart { u, direction };
-                let h = h / mechanics.sundman_factor(&u);
-                let clock = Clock::Regularized;
-                ControlFlow::Continue(Some(Pace { clock, h }))
+                let h = h / phase_system.sundman_factor(&u);
+                let variable = IndependentVariable::Regularized;
+                ControlFlow::Continue(Some(StepSize { variable, h }))
             }
             ControlFlow::Break(PhaseEnd::Event(TerminalEvent::Corner)) => {
-                let u = self.track.end().u;
+                let u = self.trajectory.end().u;
                 *start = PhaseStart { u, direction };
                 ControlFlow::Continue(None)
             }
@@ -299,7 +299,7 @@ impl<'a> Run<'a> {
         if self.work.steps >= self.options.max_steps {
             return Some(PhaseEnd::Motion(Status::Failed));
         }
-        if self.steps_until_report() == 0 && report(self.track.end().t).is_break() {
+        if self.steps_until_report() == 0 && report(self.trajectory.end().t).is_break() {
             return Some(PhaseEnd::Motion(Status::Interrupted));
         }
         None
@@ -313,7 +313,7 @@ impl<'a> Run<'a> {
     /// the size of the next explicit step if any implicit steps were made.
     fn implicit_steps(
         &mut self,
-        mechanics: &Mechanics<'_>,
+        phase_system: &PhaseSystem<'_>,
         phase: Phase,
         u: [f64; COORDINATES],
         h: f64,
@@ -326,10 +326,10 @@ impl<'a> Run<'a> {
         const FIRST: f64 = 20.0;
         const SHORTEST: f64 = 5.0;
         let phases = self.contacts.dual_phases_from(u[TIME]);
-        let dual = phases.mechanics(phase, Clock::Regularized);
+        let dual = phases.phase_system(phase, IndependentVariable::Regularized);
         let before = self.work;
         let tolerance = self.options.step_tolerance();
-        let mut implicit = Implicit::new(mechanics, &dual, u, tolerance);
+        let mut implicit = Implicit::new(phase_system, &dual, u, tolerance);
         self.work = before + implicit.work;
         if h * implicit.relaxation() < STIFF {
             return ControlFlow::Continue(None);
@@ -352,7 +352,7 @@ impl<'a> Run<'a> {
             let is_accepted = accepted.is_some();
             if let Some(Found { dense, .. }) = accepted {
                 let record = StepRecord::polynomial(phase, dense.clone());
-                if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
+                if let Some(event) = self.detector.process(record, &dense, &mut self.trajectory) {
                     return ControlFlow::Break(self.end_of_phase(event, h));
                 }
                 stepped = true;
@@ -378,10 +378,10 @@ impl<'a> Run<'a> {
     /// The end of a phase by a terminal event, unless the motion makes no progress over many phases.
     fn end_of_phase(&mut self, event: TerminalEvent, step: f64) -> PhaseEnd {
         // In the inner problem of the near-collision time stands still, and only the yaw shows progress.
-        let at = self.track.end();
+        let at = self.trajectory.end();
         let progressed = (at.t, at.yaw) != self.last_end;
         self.last_end = (at.t, at.yaw);
-        if progressed && self.track.last_step() > 1e-9 * step {
+        if progressed && self.trajectory.last_step() > 1e-9 * step {
             self.empty_phases = 0;
         } else {
             self.empty_phases += 1;
@@ -408,11 +408,11 @@ impl<'a> Run<'a> {
     /// coordinates and the size of the first explicit step.
     fn slow_slip(
         &mut self,
-        mechanics: &Mechanics<'_>,
+        phase_system: &PhaseSystem<'_>,
         phase: Phase,
         phase_start: &PhaseStart,
     ) -> ControlFlow<PhaseEnd, (Coordinates<f64>, f64)> {
-        let h = first_step(mechanics, &phase_start.u);
+        let h = first_step(phase_system, &phase_start.u);
         let Some(dry) = self.contacts.dry().filter(|_| phase == Phase::Sliding) else {
             return ControlFlow::Continue((phase_start.u, h));
         };
@@ -423,9 +423,9 @@ impl<'a> Run<'a> {
             .unwrap_or_else(|| [phase_start.u.slip_x / speed, phase_start.u.slip_y / speed]);
         let from_rest = phase_start.direction.is_some();
         let h = 10.0 * h;
-        let slow = onset::integrate(
+        let slow = slip_onset::integrate(
             dry,
-            mechanics,
+            phase_system,
             &phase_start.u,
             direction,
             from_rest,
@@ -451,21 +451,21 @@ impl<'a> Run<'a> {
             self.work.steps += 1;
             let h = dense.h;
             let record = StepRecord::polynomial(Phase::Sliding, dense.clone());
-            if let Some(event) = self.detector.process(record, &dense, &mut self.track) {
+            if let Some(event) = self.detector.process(record, &dense, &mut self.trajectory) {
                 return ControlFlow::Break(self.end_of_phase(event, h));
             }
             if self.slip_is_stopping(Phase::Sliding) {
                 return ControlFlow::Break(self.end_of_phase(TerminalEvent::SlipEnd, h));
             }
         }
-        ControlFlow::Continue((self.track.end().u, slow.h))
+        ControlFlow::Continue((self.trajectory.end().u, slow.h))
     }
 
     /// Whether a dry slip is about to stop so soon that its end is one straight step.
     fn slip_is_stopping(&self, phase: Phase) -> bool {
         phase == Phase::Sliding
             && self.contacts.dry().is_some_and(|dry| {
-                let at = self.track.end().u;
+                let at = self.trajectory.end().u;
                 let tolerance = self.options.step_tolerance();
                 let error_scale = ErrorScale::new(self.contacts.parameters());
                 error_scale.slip_persists(&at, &dry.rates(&at), 1.0, tolerance) < 0.0
@@ -477,10 +477,10 @@ impl<'a> Run<'a> {
         self.last_event = Some(event);
         let end = |run: &mut Self, kind, status| {
             run.detector.add(kind, *at);
-            AfterEvent::EndState(status)
+            AfterEvent::End(status)
         };
         match event {
-            TerminalEvent::Done => AfterEvent::EndState(Status::Finished),
+            TerminalEvent::Done => AfterEvent::End(Status::Finished),
             TerminalEvent::Corner => {
                 let start = PhaseStart {
                     u: at.u,
@@ -491,9 +491,10 @@ impl<'a> Run<'a> {
             TerminalEvent::Topple => {
                 self.detector.add(EventKind::Topple, *at);
                 if self.contacts.falls_on_its_side(at) {
-                    self.track.push_jump(self.contacts.fallen_on_its_side(at));
+                    self.trajectory
+                        .push_jump(self.contacts.fallen_on_its_side(at));
                 }
-                AfterEvent::EndState(Status::Toppled)
+                AfterEvent::End(Status::Toppled)
             }
             TerminalEvent::Rest | TerminalEvent::StoppedRunning if self.contacts.moves() => {
                 self.stand(at)
@@ -539,7 +540,7 @@ impl<'a> Run<'a> {
             }
             TerminalEvent::Land => {
                 let Some((landed, next)) = self.contacts.resolve_impact(at) else {
-                    return AfterEvent::EndState(Status::Failed);
+                    return AfterEvent::End(Status::Failed);
                 };
                 let after = Instant {
                     phase: next.phase(),
@@ -554,7 +555,7 @@ impl<'a> Run<'a> {
 
     /// Starts the next phase at `u` and adds the event of the change of contact.
     fn start_phase(&mut self, next: Transition, u: Coordinates<f64>) -> AfterEvent {
-        self.start_phase_from(self.track.end().phase, next, u)
+        self.start_phase_from(self.trajectory.end().phase, next, u)
     }
 
     /// As [`Self::start_phase`], after the phase `before`.
@@ -572,7 +573,7 @@ impl<'a> Run<'a> {
             Transition::Paradox => {
                 let phase = Phase::Sliding;
                 self.detector.add(EventKind::Painleve, Instant { phase, u });
-                return AfterEvent::EndState(Status::Painleve);
+                return AfterEvent::End(Status::Painleve);
             }
         };
         if phase != before {
@@ -601,11 +602,11 @@ fn with_slip_direction(next: Transition, u: Coordinates<f64>) -> Coordinates<f64
 }
 
 /// A first guess for the step size.
-fn first_step(mechanics: &Mechanics<'_>, u: &Coordinates<f64>) -> f64 {
-    let h = mechanics.error_scale.first_step(u);
+fn first_step(phase_system: &PhaseSystem<'_>, u: &Coordinates<f64>) -> f64 {
+    let h = phase_system.error_scale.first_step(u);
     if u.gap_rate > 0.0 {
         // A bounce lasts about 2v/g.
-        let g = mechanics.dynamics.parameters().g;
+        let g = phase_system.dynamics.parameters().g;
         return h.min(0.1 * u.gap_rate / (g * u.sin));
     }
     h
@@ -659,8 +660,8 @@ pub(crate) fn pass_near_collision(
     start: Coordinates<f64>,
     faded: f64,
     options: &Options,
-) -> (Track, Status) {
+) -> (Trajectory, Status) {
     let mut run = Run::new(contacts, options, Goal::Passed(faded), start);
     let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
-    (run.track, status)
+    (run.trajectory, status)
 }

@@ -11,22 +11,22 @@
 //! The step sizes are held constant, so the derivative is that of a solution of order 8.
 //!
 //! Where one ideal law holds for the whole motion, that is all. Other motions consist of phases that are joined by events,
-//! and some of their steps are implicit: `junction` and `collocated` continue the derivatives over these.
+//! and some of their steps are implicit: `saltation` and `collocated` continue the derivatives over these.
 
 mod collocated;
-mod junction;
 mod on_moving_table;
+mod saltation;
 mod variation;
 
 pub use on_moving_table::{SHAKEN_PARAMETERS, ShakenSensitivity, ShakenSlope};
 
-use self::junction::refused;
+use self::saltation::refused;
 use super::Motion;
 use super::event::EventKind;
+use super::flat_landing::FlatLanding;
 use super::instant::Phase;
-use super::landing::FlatLanding;
-use super::mechanics::{Clock, Mechanics, leading};
-use super::track::Track;
+use super::phase_system::{IndependentVariable, PhaseSystem, leading};
+use super::trajectory::Trajectory;
 use super::turns::Turn;
 use crate::error::InvalidInput;
 use crate::law::{Dynamics, FrictionLaw, Frictionless, NoSlip, Parameters};
@@ -90,10 +90,20 @@ impl Smooth {
         let h = h.into();
         match self {
             Smooth::Rolling(dynamics) => {
-                Step::take(&Mechanics::new(dynamics, Clock::Regularized), start, h).end
+                Step::take(
+                    &PhaseSystem::new(dynamics, IndependentVariable::Regularized),
+                    start,
+                    h,
+                )
+                .end
             }
             Smooth::Frictionless(dynamics) => {
-                Step::take(&Mechanics::new(dynamics, Clock::Regularized), start, h).end
+                Step::take(
+                    &PhaseSystem::new(dynamics, IndependentVariable::Regularized),
+                    start,
+                    h,
+                )
+                .end
             }
         }
     }
@@ -148,7 +158,7 @@ impl Sensitivity {
     /// none.
     pub fn at(&self, motion: &Motion, t: f64) -> [Slope; 6] {
         match &self.0 {
-            Method::Smooth(smooth) => smooth.at(&motion.track, t),
+            Method::Smooth(smooth) => smooth.at(&motion.trajectory, t),
             Method::Joined(joined, _) => joined.at(motion, t).map(|slope| at_rest(&slope)),
         }
     }
@@ -182,7 +192,7 @@ impl SmoothSensitivity {
     ) -> Option<SmoothSensitivity> {
         let mut sensitivity = SmoothSensitivity {
             dynamics,
-            starts: vec![leading(&start(&motion.track.start()).into_array())],
+            starts: vec![leading(&start(&motion.trajectory.start()).into_array())],
             turns: Vec::new(),
         };
         let completed = sensitivity.differentiate(motion, watch);
@@ -194,7 +204,7 @@ impl SmoothSensitivity {
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        for records in motion.track.records().chunks(STEPS_BETWEEN_REPORTS) {
+        for records in motion.trajectory.records().chunks(STEPS_BETWEEN_REPORTS) {
             watch(records[0].start[TIME])?;
             for (record, i) in records.iter().zip(self.starts.len() - 1..) {
                 self.starts
@@ -202,22 +212,23 @@ impl SmoothSensitivity {
             }
         }
         for turns in motion.turns.chunks(TURNS_BETWEEN_REPORTS) {
-            watch(motion.track.end().t)?;
+            watch(motion.trajectory.end().t)?;
             for turn in turns {
-                self.turns
-                    .push(turn_slope(motion, turn, |t| self.locate(&motion.track, t)));
+                self.turns.push(turn_slope(motion, turn, |t| {
+                    self.locate(&motion.trajectory, t)
+                }));
             }
         }
         ControlFlow::Continue(())
     }
 
-    fn at(&self, track: &Track, t: f64) -> [Slope; 6] {
-        state_slopes(&self.locate(track, t).at_fixed_time())
+    fn at(&self, trajectory: &Trajectory, t: f64) -> [Slope; 6] {
+        state_slopes(&self.locate(trajectory, t).at_fixed_time())
     }
 
-    fn locate(&self, track: &Track, t: f64) -> CoordinatesAndRates<{ PARAMETERS.len() }> {
-        let (index, x) = track.locate(t);
-        let at = match track.records().get(index) {
+    fn locate(&self, trajectory: &Trajectory, t: f64) -> CoordinatesAndRates<{ PARAMETERS.len() }> {
+        let (index, x) = trajectory.locate(t);
+        let at = match trajectory.records().get(index) {
             Some(record) => self.dynamics.step(&self.starts[index], x * record.h),
             None => self.starts[0],
         };
@@ -333,11 +344,11 @@ fn varied_parameters<const K: usize>(k: &Parameters<f64>) -> Parameters<Dual<Slo
 /// The law in dual numbers, if one smooth law holds for the whole motion.
 fn smooth_law(motion: &Motion) -> Option<Smooth> {
     let contacts = &motion.contacts;
-    let phase = motion.track.start().phase;
+    let phase = motion.trajectory.start().phase;
     let is_smooth = contacts.contact_law().friction != FrictionLaw::InPlace
         && motion.flat == FlatLanding::Stop
         && contacts.dynamics(phase).is_conservative()
-        && motion.track.phases().all(|at| at.phase == phase);
+        && motion.trajectory.phases().all(|at| at.phase == phase);
     let k = varied_parameters(contacts.parameters());
     is_smooth.then(|| match phase {
         Phase::Rolling => Smooth::Rolling(NoSlip::new(k)),

@@ -1,16 +1,16 @@
 //! The outcome of a motion on a table that moves: a motion of which only the end and the extremes are kept.
 
 #[cfg(feature = "ground")]
-mod many;
+mod batch;
 
 #[cfg(feature = "ground")]
-pub(crate) use many::many_shaken;
+pub(crate) use batch::shaken_batch;
 
-use super::begun;
 use super::contacts::Contacts;
 use super::event::{Event, EventKind};
 use super::event_detector::Goal;
 use super::options::Options;
+use super::prepared;
 use super::run::Run;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
@@ -59,7 +59,7 @@ pub struct Shaken {
     pub steps: usize,
 }
 
-/// The outcome of a motion as [`simulate_on`](super::simulate_on) computes it, without its track.
+/// The outcome of a motion as [`simulate_on`](super::simulate_on) computes it, without its trajectory.
 ///
 /// # Errors
 /// As [`simulate`](super::simulate).
@@ -71,20 +71,20 @@ pub fn shaken(
     options: &Options,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Shaken, InvalidInput> {
-    let begun = Begun::new(ground, body, start, contact_law, options)?;
-    let mut run = begun.run();
+    let prepared = PreparedMotion::new(ground, body, start, contact_law, options)?;
+    let mut run = prepared.run();
     let status = run.follow_to_the_end(&mut watch);
-    Ok(begun.outcome(run, status))
+    Ok(prepared.outcome(run, status))
 }
 
 /// What a motion begins with.
-pub(crate) struct Begun {
+pub(crate) struct PreparedMotion {
     options: Options,
     contacts: Arc<Contacts>,
     start: Coordinates<f64>,
 }
 
-impl Begun {
+impl PreparedMotion {
     /// # Errors
     /// As [`simulate`](super::simulate).
     pub(crate) fn new(
@@ -94,8 +94,8 @@ impl Begun {
         contact_law: &ContactLaw,
         options: &Options,
     ) -> Result<Self, InvalidInput> {
-        let (options, contacts, start) = begun(ground, body, start, contact_law, options)?;
-        Ok(Begun {
+        let (options, contacts, start) = prepared(ground, body, start, contact_law, options)?;
+        Ok(PreparedMotion {
             options,
             contacts,
             start,
@@ -110,10 +110,10 @@ impl Begun {
     /// The outcome of a run that has ended.
     fn outcome(&self, run: Run<'_>, status: Status) -> Shaken {
         let start = &self.start;
-        let (track, events, work) = run.into_parts();
+        let (trajectory, events, work) = run.into_parts();
         let first = |kind| events.iter().find(|event| event.kind == kind);
         let topple = first(EventKind::Topple);
-        let end = topple.map_or_else(|| track.end().u, |event| event.at.u);
+        let end = topple.map_or_else(|| trajectory.end().u, |event| event.at.u);
         let (max_tilt, max_tilt_time) = largest_tilt(start, &events, &end);
         let k = self.contacts.parameters();
         let has_overturned =

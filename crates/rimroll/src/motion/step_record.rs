@@ -3,8 +3,8 @@
 
 use super::contacts::Contacts;
 use super::instant::Phase;
-use super::mechanics::{Clock, leading};
 use super::phase_dynamics::SystemVisitor;
+use super::phase_system::{IndependentVariable, leading};
 use crate::solve::{Dense, Step, System};
 #[cfg(feature = "ground")]
 use crate::state::Coordinates;
@@ -17,7 +17,7 @@ pub(super) type Polynomial = Dense<f64, COORDINATES>;
 pub(super) struct StepRecord {
     pub phase: Phase,
     /// The independent variable of the step.
-    pub(super) clock: Clock,
+    pub(super) variable: IndependentVariable,
     /// The step size in the independent variable.
     pub h: f64,
     pub start: [f64; COORDINATES],
@@ -30,7 +30,7 @@ impl StepRecord {
     /// An explicit step of the first N coordinates; the others keep their values in `constant`.
     #[inline(always)]
     pub fn explicit<const N: usize>(
-        (phase, clock): (Phase, Clock),
+        (phase, variable): (Phase, IndependentVariable),
         step: &Step<f64, N>,
         constant: &[f64; COORDINATES],
     ) -> StepRecord {
@@ -41,7 +41,7 @@ impl StepRecord {
         };
         StepRecord {
             phase,
-            clock,
+            variable,
             h: step.h,
             start: widened(&step.start),
             end: widened(&step.end),
@@ -60,7 +60,7 @@ impl StepRecord {
     ) -> StepRecord {
         StepRecord {
             phase,
-            clock: Clock::Time,
+            variable: IndependentVariable::Time,
             h,
             start: start.into_array(),
             end: end.into_array(),
@@ -72,7 +72,7 @@ impl StepRecord {
     pub fn polynomial(phase: Phase, dense: Polynomial) -> StepRecord {
         StepRecord {
             phase,
-            clock: Clock::Regularized,
+            variable: IndependentVariable::Regularized,
             h: dense.h,
             start: dense.start,
             end: dense.end,
@@ -103,7 +103,7 @@ impl StepRecord {
 
     fn solve<K: SystemVisitor>(&self, contacts: &Contacts, visitor: K) -> K::Output {
         let phases = contacts.phases_from(self.start[TIME]);
-        phases.solve(self.phase, self.clock, visitor)
+        phases.solve(self.phase, self.variable, visitor)
     }
 
     /// The step recomputed with the size h.
@@ -134,7 +134,7 @@ impl SystemVisitor for Cut<'_> {
     fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> StepRecord {
         let Cut(record, x) = self;
         StepRecord::explicit(
-            (record.phase, record.clock),
+            (record.phase, record.variable),
             &record.recompute(system, x * record.h),
             &record.start,
         )

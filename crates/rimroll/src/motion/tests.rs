@@ -2,7 +2,7 @@
 
 use super::event_detector::Goal;
 use super::run::Run;
-use super::{COLUMNS, Contacts, Options, Phase, Status, moment};
+use super::{COLUMNS, Contacts, Options, Phase, Status, observables};
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::ground::{Ground, Pulse, Shape};
@@ -53,8 +53,8 @@ fn a_drum_slides_on_a_moving_table_as_in_the_reference_motion() {
     let mut run = Run::new(&contacts, &options, Goal::Time(options.duration), start);
     let status = run.follow_to_the_end(&mut |_| ControlFlow::Continue(()));
     assert_eq!(status, Status::Finished);
-    let (track, ..) = run.into_parts();
-    assert!(track.nodes().all(|node| node.phase == Phase::Sliding));
+    let (trajectory, ..) = run.into_parts();
+    assert!(trajectory.nodes().all(|node| node.phase == Phase::Sliding));
 
     let [sin, cos] = [libm::sin(state.yaw), libm::cos(state.yaw)];
     let away = contacts.parameters().rho(&start);
@@ -64,8 +64,8 @@ fn a_drum_slides_on_a_moving_table_as_in_the_reference_motion() {
     let mut compared = 0;
     for line in lines.filter(|line| line.starts_with("s5,")) {
         let entry = |i: usize| line.split(',').nth(i).unwrap().parse::<f64>().unwrap();
-        let at = track.at(entry(1));
-        let found = moment(contacts.dynamics(at.phase), &at, None);
+        let at = trajectory.at(entry(1));
+        let found = observables(contacts.dynamics(at.phase), &at, None);
         let value = |name| found[COLUMNS.iter().position(|column| *column == name).unwrap()];
         for (i, &column) in columns.iter().enumerate().skip(2) {
             // Positions are counted from the first point of contact, those of the motion from the first centre.

@@ -20,13 +20,13 @@
 
 use super::body::PolygonalBody;
 use super::pose::Pose;
-use super::support::{Carried, Support};
+use super::support::{Support, SupportedBody};
 use super::vector::{Vector, cross, dot, length, minus, plus, times};
 use crate::law::IdealLaw;
 
 /// The support and the pose after an impact.
 pub(super) struct AfterImpact {
-    pub carried: Carried,
+    pub supported: SupportedBody,
     pub pose: Pose,
 }
 
@@ -44,7 +44,7 @@ pub(super) enum Allowed {
 
 /// The outcome of a plastic impact of the corners `touching`, those that were carrying included.
 pub(super) fn plastic(
-    before: &Carried,
+    before: &SupportedBody,
     at: &Pose,
     touching: &[i64],
     allowed_supports: Allowed,
@@ -60,7 +60,7 @@ pub(super) fn plastic(
     };
     let allowed = -1e-9 * approach - rounding;
     let stays_allowed = |after: &AfterImpact| {
-        let rate = |&k: &i64| after.carried.gap(&after.pose, k).1;
+        let rate = |&k: &i64| after.supported.gap(&after.pose, k).1;
         touching.iter().map(rate).all(|rate| rate >= allowed)
     };
     let candidates = supports(&before.body, touching);
@@ -80,7 +80,7 @@ pub(super) fn plastic(
         {
             continue;
         }
-        let energy = after.carried.kinetic(&after.pose);
+        let energy = after.supported.kinetic(&after.pose);
         if best.as_ref().is_none_or(|&(most, _)| energy > most) {
             best = Some((energy, after));
         }
@@ -102,20 +102,20 @@ fn supports(body: &PolygonalBody, touching: &[i64]) -> Vec<Support> {
 }
 
 /// The impact after which a given support carries the body.
-fn impact(before: &Carried, at: &Pose, support: Support) -> AfterImpact {
-    let carried = Carried::new(&before.body, before.law, before.gravity, support);
+fn impact(before: &SupportedBody, at: &Pose, support: Support) -> AfterImpact {
+    let supported = SupportedBody::new(&before.body, before.law, before.gravity, support);
     let rate = match before.law {
         IdealLaw::NoSlip => sticking(before, at, support),
         IdealLaw::Frictionless => sliding(before, at, support),
     };
     AfterImpact {
-        carried,
+        supported,
         pose: Pose { rate, ..*at },
     }
 }
 
 /// The corners of the support come to rest.
-fn sticking(before: &Carried, at: &Pose, support: Support) -> Vector {
+fn sticking(before: &SupportedBody, at: &Pose, support: Support) -> Vector {
     let body = &before.body;
     let k = support.corner();
     let b = body.corner(k);
@@ -135,18 +135,18 @@ fn sticking(before: &Carried, at: &Pose, support: Support) -> Vector {
 }
 
 /// Whether a corner that comes to rest would have to be pulled down. Without friction the projection excludes this.
-fn pulls(before: &Carried, at: &Pose, after: &AfterImpact) -> bool {
-    let AfterImpact { carried, pose } = after;
-    let body = &carried.body;
-    if carried.law == IdealLaw::Frictionless {
+fn pulls(before: &SupportedBody, at: &Pose, after: &AfterImpact) -> bool {
+    let AfterImpact { supported, pose } = after;
+    let body = &supported.body;
+    if supported.law == IdealLaw::Frictionless {
         return false;
     }
-    let gained = minus(carried.velocity(pose), before.velocity(at));
+    let gained = minus(supported.velocity(pose), before.velocity(at));
     let turned = minus(pose.rate, at.rate);
     let speed = length(before.velocity(at)) + body.round().radius() * length(at.rate);
     let least = -1e-9 * body.mass() * speed;
     let total = body.mass() * dot(at.up, gained);
-    match carried.support {
+    match supported.support {
         Support::Edge(k) => {
             let (edge, first) = (body.edge(k), body.corner(k));
             let over = minus(body.corner(k + 1), first);
@@ -159,7 +159,7 @@ fn pulls(before: &Carried, at: &Pose, after: &AfterImpact) -> bool {
 }
 
 /// The corners of the support stop moving downward; on its face the body can still turn about the vertical.
-fn sliding(before: &Carried, at: &Pose, support: Support) -> Vector {
+fn sliding(before: &SupportedBody, at: &Pose, support: Support) -> Vector {
     let body = &before.body;
     let k = support.corner();
     let lever = |k| cross(body.corner(k), at.up);

@@ -1,15 +1,15 @@
 //! The computed motion of a body with corners.
 
 use super::body::PolygonalBody;
-use super::segment::{Instant, Segment};
+use super::step_record::{Instant, StepRecord};
 use super::support::Support;
 use crate::ending::Status;
 use crate::motion::Turn;
+use crate::number_format::{AngleUnit, formatted_time};
 use crate::solve::Work;
 use crate::state::State;
-use crate::text::{AngleUnit, formatted_time};
 
-/// The quantities of a [`Moment`], in order.
+/// The quantities of a [`Observables`], in order.
 pub const COLUMNS: [&str; 19] = [
     "t",
     "tilt",
@@ -34,7 +34,7 @@ pub const COLUMNS: [&str; 19] = [
 
 /// All quantities at one time (SI): time; state; centre of mass; middle of the support; its first corner, from 0
 /// to n − 1; normal force and size of the friction; energies; and the energy that impacts have taken so far.
-pub type Moment = [f64; COLUMNS.len()];
+pub type Observables = [f64; COLUMNS.len()];
 
 /// The kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,13 +78,13 @@ pub struct PolygonEvent {
 
 impl PolygonEvent {
     /// All quantities after the event.
-    pub fn moment(&self) -> Moment {
-        self.at.moment()
+    pub fn observables(&self) -> Observables {
+        self.at.observables()
     }
 
     /// The support after the event.
     pub fn support(&self) -> Support {
-        self.at.carried.support
+        self.at.supported.support
     }
 }
 
@@ -93,7 +93,7 @@ pub struct PolygonMotion {
     /// What moves.
     pub body: PolygonalBody,
     pub(super) start: Instant,
-    pub(super) segments: Vec<Segment>,
+    pub(super) segments: Vec<StepRecord>,
     /// The events in order.
     pub events: Vec<PolygonEvent>,
     /// The turns from one large tilt maximum to the next.
@@ -107,24 +107,25 @@ pub struct PolygonMotion {
 impl PolygonMotion {
     /// The quantities at the start and at the ends of all steps, with `per_step` moments a step. An impact appears
     /// twice, before and after.
-    pub fn samples(&self, per_step: usize) -> Vec<Moment> {
-        let mut samples = vec![self.start.moment()];
-        let mut support = self.start.carried.support;
+    pub fn samples(&self, per_step: usize) -> Vec<Observables> {
+        let mut samples = vec![self.start.observables()];
+        let mut support = self.start.supported.support;
         for segment in &self.segments {
-            if !segment.carried.support.is_same_phase(support) {
-                support = segment.carried.support;
-                samples.push(segment.at(0.0).moment());
+            if !segment.supported.support.is_same_phase(support) {
+                support = segment.supported.support;
+                samples.push(segment.at(0.0).observables());
             }
-            let inside = (1..=per_step).map(|i| segment.at(i as f64 / per_step as f64).moment());
+            let inside =
+                (1..=per_step).map(|i| segment.at(i as f64 / per_step as f64).observables());
             samples.extend(inside);
         }
         samples
     }
 
     /// The quantities at a time (s), after an impact at that time; outside the motion those at its ends.
-    pub fn at(&self, t: f64) -> Moment {
+    pub fn at(&self, t: f64) -> Observables {
         if t < 0.0 {
-            return self.start.moment();
+            return self.start.observables();
         }
         let index = self.segments.partition_point(|segment| segment.end() <= t);
         match (self.segments.get(index), self.segments.last()) {
@@ -132,22 +133,22 @@ impl PolygonMotion {
                 let length = segment.end() - segment.t;
                 segment
                     .at(((t - segment.t) / length).clamp(0.0, 1.0))
-                    .moment()
+                    .observables()
             }
-            (None, Some(last)) => last.at(1.0).moment(),
-            (None, None) => self.start.moment(),
+            (None, Some(last)) => last.at(1.0).observables(),
+            (None, None) => self.start.observables(),
         }
     }
 
     /// The supports and the times (s) at which they begin to carry the body.
     pub fn supports(&self) -> Vec<(Support, f64)> {
-        let mut supports = vec![(self.start.carried.support, 0.0)];
+        let mut supports = vec![(self.start.supported.support, 0.0)];
         for segment in &self.segments {
             if supports
                 .last()
-                .is_none_or(|&(last, _)| !last.is_same_phase(segment.carried.support))
+                .is_none_or(|&(last, _)| !last.is_same_phase(segment.supported.support))
             {
-                supports.push((segment.carried.support, segment.t));
+                supports.push((segment.supported.support, segment.t));
             }
         }
         supports
@@ -177,26 +178,26 @@ impl PolygonMotion {
 impl Instant {
     /// The angles and their rates.
     pub(super) fn state(&self) -> State {
-        let near = self.carried.support.middle_spin(&self.carried.body);
+        let near = self.supported.support.middle_spin(&self.supported.body);
         self.pose.state(near)
     }
 
     /// All quantities.
-    pub(super) fn moment(&self) -> Moment {
+    pub(super) fn observables(&self) -> Observables {
         let Instant {
             pose,
-            carried,
+            supported,
             anchor,
             ..
         } = self;
         let state = self.state();
-        let [x, y] = carried.center(pose, *anchor);
-        let z = carried.height(pose);
-        let middle = pose.on_table(carried.middle());
-        let reaction = carried.reaction(pose);
-        let corner = carried.support.corner();
-        let kinetic = carried.kinetic(pose);
-        let potential = carried.body.mass() * carried.gravity * z;
+        let [x, y] = supported.center(pose, *anchor);
+        let z = supported.height(pose);
+        let middle = pose.on_table(supported.middle());
+        let reaction = supported.reaction(pose);
+        let corner = supported.support.corner();
+        let kinetic = supported.kinetic(pose);
+        let potential = supported.body.mass() * supported.gravity * z;
         [
             self.t,
             state.tilt,
@@ -210,7 +211,7 @@ impl Instant {
             z,
             x + middle[0],
             y + middle[1],
-            corner.rem_euclid(i64::from(carried.body.corners())) as f64,
+            corner.rem_euclid(i64::from(supported.body.corners())) as f64,
             reaction.normal[0] + reaction.normal[1],
             reaction.friction,
             kinetic,

@@ -4,7 +4,7 @@ use super::vector::{Vector, cross, length, times};
 use crate::state::State;
 
 /// The number of integrated coordinates on a support.
-pub(super) const CARRIED: usize = 7;
+pub(super) const SUPPORTED: usize = 7;
 
 /// The number of coordinates, with those of the height in flight.
 pub(super) const COORDINATES: usize = 9;
@@ -36,7 +36,7 @@ impl Pose {
         Pose {
             height: u[7],
             rise: u[8],
-            ..Pose::carried([u[0], u[1], u[2], u[3], u[4], u[5], u[6]])
+            ..Pose::supported([u[0], u[1], u[2], u[3], u[4], u[5], u[6]])
         }
     }
 
@@ -46,7 +46,7 @@ impl Pose {
     }
 
     /// From the coordinates on a support.
-    pub fn carried(u: [f64; CARRIED]) -> Pose {
+    pub fn supported(u: [f64; SUPPORTED]) -> Pose {
         let [a, b, c, p, q, r, heading] = u;
         Pose {
             up: [a, b, c],
@@ -58,7 +58,7 @@ impl Pose {
     }
 
     /// The coordinates on a support.
-    pub fn on_support(&self) -> [f64; CARRIED] {
+    pub fn on_support(&self) -> [f64; SUPPORTED] {
         let ([a, b, c], [p, q, r]) = (self.up, self.rate);
         [a, b, c, p, q, r, self.heading]
     }

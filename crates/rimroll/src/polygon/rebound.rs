@@ -16,7 +16,7 @@
 
 use super::impact::{AfterImpact, Allowed, plastic};
 use super::pose::Pose;
-use super::support::{Carried, Support};
+use super::support::{Support, SupportedBody};
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::IdealLaw;
 
@@ -25,7 +25,7 @@ const MOST: usize = 32;
 
 /// The outcome of an impact of the corners `touching` with restitution.
 pub(super) fn resolve(
-    before: &Carried,
+    before: &SupportedBody,
     at: &Pose,
     touching: &[i64],
     restitution: f64,
@@ -42,7 +42,7 @@ pub(super) fn resolve(
     }
     after = rebound(before, at, &after, restitution);
     for _ in 0..MOST {
-        let rate = |&k: &i64| after.carried.gap(&after.pose, k).1;
+        let rate = |&k: &i64| after.supported.gap(&after.pose, k).1;
         let fastest = touching
             .iter()
             .map(rate)
@@ -54,20 +54,25 @@ pub(super) fn resolve(
         {
             return Some(after);
         }
-        let next = plastic(&after.carried, &after.pose, touching, supports)?;
-        after = rebound(&after.carried, &after.pose, &next, restitution);
+        let next = plastic(&after.supported, &after.pose, touching, supports)?;
+        after = rebound(&after.supported, &after.pose, &next, restitution);
     }
-    plastic(&after.carried, &after.pose, touching, supports)
+    plastic(&after.supported, &after.pose, touching, supports)
 }
 
-fn rebound(before: &Carried, at: &Pose, stopped: &AfterImpact, restitution: f64) -> AfterImpact {
+fn rebound(
+    before: &SupportedBody,
+    at: &Pose,
+    stopped: &AfterImpact,
+    restitution: f64,
+) -> AfterImpact {
     let beyond = |stopped: Vector, stuck| plus(stopped, restitution, minus(stopped, stuck));
-    let held = stopped.carried.corners();
+    let held = stopped.supported.corners();
     let down = before.corners();
     let count = i64::from(before.body.corners());
     let is_held = |k: &i64| held.iter().any(|other| (other - k) % count == 0);
     let stays_down = !down.is_empty() && down.iter().all(is_held);
-    let (carried, pose) = (&stopped.carried, &stopped.pose);
+    let (supported, pose) = (&stopped.supported, &stopped.pose);
     match (before.law, stays_down) {
         (_, true) => {
             let stuck = match before.law {
@@ -75,7 +80,7 @@ fn rebound(before: &Carried, at: &Pose, stopped: &AfterImpact, restitution: f64)
                 IdealLaw::Frictionless => at.rate,
             };
             AfterImpact {
-                carried: *before,
+                supported: *before,
                 pose: Pose {
                     rate: beyond(pose.rate, stuck),
                     ..*at
@@ -83,27 +88,32 @@ fn rebound(before: &Carried, at: &Pose, stopped: &AfterImpact, restitution: f64)
             }
         }
         (IdealLaw::Frictionless, false) => {
-            let rise = carried.rise(pose);
+            let rise = supported.rise(pose);
             let rise = rise + restitution * (rise - before.rise(at));
-            released(carried, at, beyond(pose.rate, at.rate), times(rise, at.up))
+            released(
+                supported,
+                at,
+                beyond(pose.rate, at.rate),
+                times(rise, at.up),
+            )
         }
         (IdealLaw::NoSlip, false) => {
-            let (stuck, approach) = without_sliding(before, at, carried.support);
+            let (stuck, approach) = without_sliding(before, at, supported.support);
             let rate = beyond(pose.rate, stuck);
             let upward = times(-restitution * approach, at.up);
-            let arm = carried.body.corner(carried.support.corner());
-            released(carried, at, rate, plus(upward, 1.0, cross(arm, rate)))
+            let arm = supported.body.corner(supported.support.corner());
+            released(supported, at, rate, plus(upward, 1.0, cross(arm, rate)))
         }
     }
 }
 
-fn released(carried: &Carried, at: &Pose, rate: Vector, velocity: Vector) -> AfterImpact {
-    let (carried, pose) = carried.released(at, rate, velocity);
-    AfterImpact { carried, pose }
+fn released(supported: &SupportedBody, at: &Pose, rate: Vector, velocity: Vector) -> AfterImpact {
+    let (supported, pose) = supported.released(at, rate, velocity);
+    AfterImpact { supported, pose }
 }
 
 /// Q q of a body that pivots about corners that stay down: the angular velocity without its vertical part.
-fn without_turning(before: &Carried, at: &Pose) -> Vector {
+fn without_turning(before: &SupportedBody, at: &Pose) -> Vector {
     let arm = before.body.corner(before.support.corner());
     let turned = before.body.per_inertia_about(arm, at.up);
     plus(at.rate, -dot(at.up, at.rate) / dot(at.up, turned), turned)
@@ -115,7 +125,7 @@ fn without_turning(before: &Carried, at: &Pose) -> Vector {
 /// Vertical impulses change neither the vertical momentum that friction leaves, nor do horizontal ones at the corner b the
 /// angular momentum about it. With V = Γ · v and g = b × Γ the former give the vertical velocity V + g · Ω of the corner, and
 /// the latter (I_b − m g gᵀ) Ω = I q − m b × v + m V g, in all directions on one corner and in the horizontal ones else.
-fn without_sliding(before: &Carried, at: &Pose, support: Support) -> (Vector, f64) {
+fn without_sliding(before: &SupportedBody, at: &Pose, support: Support) -> (Vector, f64) {
     let body = &before.body;
     let (mass, arm) = (body.mass(), body.corner(support.corner()));
     let velocity = before.velocity(at);

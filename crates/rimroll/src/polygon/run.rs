@@ -1,15 +1,15 @@
 //! Follows a motion from phase to phase.
 
 use super::body::PolygonalBody;
+use super::event_detector::{EventDetector, StepEvent, touching, touching_gap};
 use super::impact::{self, AfterImpact, Allowed};
 use super::motion::{PolygonEvent, PolygonEventKind, PolygonMotion};
 use super::pose::Pose;
 use super::rebound;
-use super::segment::{Instant, Segment, Steps};
-use super::support::{Carried, Support};
+use super::step_record::{Instant, StepRecord, Steps};
+use super::support::{Support, SupportedBody};
 use super::turns::turns;
 use super::vector::{dot, length};
-use super::watcher::{StepEvent, Watcher, touching, touching_gap};
 use crate::ending::Status;
 use crate::error::{InvalidInput, bounded, positive};
 use crate::law::IdealLaw;
@@ -125,7 +125,7 @@ struct Run<'a> {
     options: &'a PolygonOptions,
     first: Instant,
     now: Instant,
-    segments: Vec<Segment>,
+    segments: Vec<StepRecord>,
     events: Vec<PolygonEvent>,
     work: Work,
 }
@@ -139,12 +139,12 @@ impl<'a> Run<'a> {
     ) -> Run<'a> {
         let pose = Pose::from_state(start);
         let lowest = libm::rint(-start.spin / body.corner_angle()) as i64;
-        let carried = Carried::new(body, law, options.gravity, Support::Corner(lowest));
+        let supported = SupportedBody::new(body, law, options.gravity, Support::Corner(lowest));
         let now = Instant {
             t: 0.0,
             pose,
-            carried,
-            anchor: carried.anchor(&pose, [0.0; 2]),
+            supported,
+            anchor: supported.anchor(&pose, [0.0; 2]),
             lost: 0.0,
         };
         Run {
@@ -160,20 +160,22 @@ impl<'a> Run<'a> {
     /// Chooses the support where two corners are the lowest at the start. If they cannot both be at rest, the start is an
     /// impact.
     fn begin(&mut self) -> Option<Status> {
-        let Instant { carried, pose, .. } = self.now;
-        let lowest = carried.support.corner();
-        let touching = touching(&carried, &pose, lowest);
+        let Instant {
+            supported, pose, ..
+        } = self.now;
+        let lowest = supported.support.corner();
+        let touching = touching(&supported, &pose, lowest);
         if touching.len() == 1 {
             return None;
         }
-        let radius = carried.body.round().radius();
-        let still = 1e-12 * radius * (length(pose.rate) + carried.falling_rate);
+        let radius = supported.body.round().radius();
+        let still = 1e-12 * radius * (length(pose.rate) + supported.falling_rate);
         let sinking = touching
             .iter()
-            .filter(|&&k| carried.gap(&pose, k).1 < -still);
+            .filter(|&&k| supported.gap(&pose, k).1 < -still);
         let rising = touching[1..]
             .iter()
-            .all(|&k| carried.gap(&pose, k).1 > still);
+            .all(|&k| supported.gap(&pose, k).1 > still);
         let next = match sinking.copied().next() {
             Some(corner) if touching.len() == 2 => Some(Support::Corner(corner)),
             _ if rising => None,
@@ -181,7 +183,7 @@ impl<'a> Run<'a> {
                 let status = self.touch(&touching, true);
                 // Without a loss nothing has struck the table: the body lay on the edge.
                 self.events
-                    .retain(|event| event.loss > 1e-12 * carried.kinetic(&pose));
+                    .retain(|event| event.loss > 1e-12 * supported.kinetic(&pose));
                 if self.events.is_empty() {
                     self.first = self.now;
                 }
@@ -196,19 +198,19 @@ impl<'a> Run<'a> {
     }
 
     /// The body on another support.
-    fn on(&self, support: Support) -> Carried {
-        let carried = &self.now.carried;
-        Carried::new(&carried.body, carried.law, carried.gravity, support)
+    fn on(&self, support: Support) -> SupportedBody {
+        let supported = &self.now.supported;
+        SupportedBody::new(&supported.body, supported.law, supported.gravity, support)
     }
 
     /// Goes on from `pose` on another support.
-    fn carry(&mut self, carried: Carried, pose: Pose) {
-        let center = self.now.carried.center(&self.now.pose, self.now.anchor);
+    fn carry(&mut self, supported: SupportedBody, pose: Pose) {
+        let center = self.now.supported.center(&self.now.pose, self.now.anchor);
         let pose = pose.normalised();
         self.now = Instant {
             pose,
-            carried,
-            anchor: carried.anchor(&pose, center),
+            supported,
+            anchor: supported.anchor(&pose, center),
             ..self.now
         };
     }
@@ -223,13 +225,13 @@ impl<'a> Run<'a> {
 
     /// Follows the motion to the end of the phase, and returns the status if it ends there.
     fn phase(&mut self, watch: &mut impl FnMut(f64) -> ControlFlow<()>) -> Option<Status> {
-        if let Support::Face(_) = self.now.carried.support {
-            self.segments.push(Segment::jump(&self.now));
+        if let Support::Face(_) = self.now.supported.support {
+            self.segments.push(StepRecord::jump(&self.now));
             return Some(Status::AtRest);
         }
-        let system = self.now.carried;
-        let mut carried = system;
-        let rate = length(self.now.pose.rate) + carried.falling_rate;
+        let system = self.now.supported;
+        let mut supported = system;
+        let rate = length(self.now.pose.rate) + supported.falling_rate;
         let tolerance = self.options.step_tolerance();
         let mut stepper = Steps::new(&system, &self.now.pose, 0.01 / rate, tolerance);
         let before = self.work;
@@ -245,16 +247,16 @@ impl<'a> Run<'a> {
             };
             self.work = before + stepper.work();
             let left = (self.options.duration - self.now.t) / dense.h;
-            let mut segment = Segment {
+            let mut segment = StepRecord {
                 t: self.now.t,
                 until: left.min(1.0),
                 dense,
-                carried,
+                supported,
                 anchor: self.now.anchor,
                 lost: self.now.lost,
             };
-            let found = Watcher {
-                carried: &carried,
+            let found = EventDetector {
+                supported: &supported,
                 dense: &segment.dense,
                 until: segment.until,
                 topple_tilt: self.options.topple_tilt,
@@ -273,9 +275,9 @@ impl<'a> Run<'a> {
                 }
             }
             self.now = segment.at(1.0);
-            if carried.support.is_flight() {
-                carried = carried.with_lowest(&self.now.pose);
-                self.now.carried = carried;
+            if supported.support.is_flight() {
+                supported = supported.with_lowest(&self.now.pose);
+                self.now.supported = supported;
             }
             self.segments.push(segment);
             match found.last() {
@@ -289,7 +291,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn record(&mut self, segment: &Segment, fraction: f64, kind: PolygonEventKind) {
+    fn record(&mut self, segment: &StepRecord, fraction: f64, kind: PolygonEventKind) {
         let at = segment.at(fraction);
         self.events.push(PolygonEvent {
             kind,
@@ -300,23 +302,26 @@ impl<'a> Run<'a> {
 
     /// What follows an event that ends a phase; the status if the motion ends.
     fn after(&mut self, event: StepEvent) -> Option<Status> {
-        let Instant { carried, pose, .. } = self.now;
+        let Instant {
+            supported, pose, ..
+        } = self.now;
         let (kind, status) = match event {
             StepEvent::Touch(corner) => {
-                return self.touch(&touching(&carried, &pose, corner), false);
+                return self.touch(&touching(&supported, &pose, corner), false);
             }
             StepEvent::Release(which) => {
-                let k = carried.support.corner();
+                let k = supported.support.corner();
                 self.carry(self.on(Support::Corner(k + 1 - which as i64)), pose);
                 (PolygonEventKind::CornerLift, None)
             }
             StepEvent::Topple => (PolygonEventKind::Topple, Some(Status::Toppled)),
             _ => {
-                let (flying, pose) = carried.released(&pose, pose.rate, carried.velocity(&pose));
+                let (flying, pose) =
+                    supported.released(&pose, pose.rate, supported.velocity(&pose));
                 // Without slip, a corner that would have to be pulled down may go down when its friction ceases.
                 let leaves = |&k: &i64| flying.gap_acceleration(&pose, k) >= 0.0;
-                let slips = carried.law == IdealLaw::Frictionless;
-                if !slips && !carried.corners().iter().all(leaves) {
+                let slips = supported.law == IdealLaw::Frictionless;
+                if !slips && !supported.corners().iter().all(leaves) {
                     return Some(self.lift_off());
                 }
                 self.carry(flying, pose);
@@ -344,34 +349,36 @@ impl<'a> Run<'a> {
     /// An impact, or corners that come to rest on the table without one. A body that rocks on an edge from end to end with
     /// ever smaller impacts comes to rest on it: the endless sequence ends where hops are lost in rounding.
     fn touch(&mut self, touching: &[i64], is_slow: bool) -> Option<Status> {
-        let Instant { carried, pose, .. } = self.now;
+        let Instant {
+            supported, pose, ..
+        } = self.now;
         let pose = pose.normalised();
-        let free = rebound::resolve(&carried, &pose, touching, self.options.restitution);
+        let free = rebound::resolve(&supported, &pose, touching, self.options.restitution);
         let chatters = |after: &AfterImpact| {
-            let down = after.carried.corners();
+            let down = after.supported.corners();
             let others = touching.iter().filter(|k| !down.contains(k));
             let can_hop = matches!(
-                after.carried.support,
+                after.supported.support,
                 Support::Corner(_) | Support::Flight(_)
             );
             can_hop && others.clone().all(|&k| hops_back(after, k))
         };
         let after = if is_slow || free.as_ref().is_some_and(chatters) {
-            impact::plastic(&carried, &pose, touching, Allowed::Together).or(free)
+            impact::plastic(&supported, &pose, touching, Allowed::Together).or(free)
         } else {
             free
         };
         let Some(after) = after else {
             return Some(self.lift_off());
         };
-        let before = carried.kinetic(&pose);
-        self.carry(after.carried, after.pose);
+        let before = supported.kinetic(&pose);
+        self.carry(after.supported, after.pose);
         if self.is_spent() {
-            let rate = match carried.law {
+            let rate = match supported.law {
                 IdealLaw::NoSlip => [0.0; 3],
                 IdealLaw::Frictionless => [0.0, 0.0, self.now.pose.rate[2]],
             };
-            let corner = self.now.carried.support.corner();
+            let corner = self.now.supported.support.corner();
             self.carry(
                 self.on(Support::Face(corner)),
                 Pose {
@@ -380,7 +387,7 @@ impl<'a> Run<'a> {
                 },
             );
         }
-        let loss = before - self.now.carried.kinetic(&self.now.pose);
+        let loss = before - self.now.supported.kinetic(&self.now.pose);
         self.now.lost += loss;
         self.events.push(PolygonEvent {
             kind: PolygonEventKind::Impact,
@@ -392,25 +399,27 @@ impl<'a> Run<'a> {
 
     /// Whether next to no energy is left for further rocking.
     fn is_spent(&self) -> bool {
-        let Instant { carried, pose, .. } = &self.now;
-        let round = carried.body.round();
-        let about_vertical = match carried.law {
+        let Instant {
+            supported, pose, ..
+        } = &self.now;
+        let round = supported.body.round();
+        let about_vertical = match supported.law {
             IdealLaw::NoSlip => 0.0,
             IdealLaw::Frictionless => {
-                let momentum = dot(pose.up, carried.body.inertia(pose.rate));
+                let momentum = dot(pose.up, supported.body.inertia(pose.rate));
                 0.5 * momentum * momentum / round.axial_inertia()
             }
         };
-        let left = carried.energy_above_rest(pose) - about_vertical;
+        let left = supported.energy_above_rest(pose) - about_vertical;
         let is_level = pose.tilt() < 1e-3 * PI;
-        is_level && left < SPENT * round.mass() * carried.gravity * round.radius()
+        is_level && left < SPENT * round.mass() * supported.gravity * round.radius()
     }
 }
 
 /// Whether corner k, which an impact has just freed, rises by next to nothing and falls back.
 fn hops_back(after: &AfterImpact, k: i64) -> bool {
-    let AfterImpact { carried, pose } = after;
-    let rate = carried.gap(pose, k).1;
-    let acceleration = carried.gap_acceleration(pose, k);
-    acceleration < 0.0 && rate * rate < -2.0 * acceleration * HOP * touching_gap(carried, pose)
+    let AfterImpact { supported, pose } = after;
+    let rate = supported.gap(pose, k).1;
+    let acceleration = supported.gap_acceleration(pose, k);
+    acceleration < 0.0 && rate * rate < -2.0 * acceleration * HOP * touching_gap(supported, pose)
 }

@@ -15,7 +15,7 @@
 //! In flight I Ω̇ = −Ω × I Ω, and the centre of mass falls on a parabola.
 
 use super::body::PolygonalBody;
-use super::pose::{CARRIED, COORDINATES, Pose};
+use super::pose::{COORDINATES, Pose, SUPPORTED};
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::IdealLaw;
 use crate::solve::System;
@@ -72,7 +72,7 @@ impl Support {
 
 /// A body on a support, or in flight.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Carried {
+pub(super) struct SupportedBody {
     pub body: PolygonalBody,
     pub law: IdealLaw,
     pub gravity: f64,
@@ -99,11 +99,16 @@ pub(super) struct Reaction {
     pub friction: f64,
 }
 
-impl Carried {
-    pub fn new(body: &PolygonalBody, law: IdealLaw, gravity: f64, support: Support) -> Carried {
+impl SupportedBody {
+    pub fn new(
+        body: &PolygonalBody,
+        law: IdealLaw,
+        gravity: f64,
+        support: Support,
+    ) -> SupportedBody {
         let k = support.corner();
         let second = matches!(support, Support::Edge(_)).then(|| body.corner(k + 1));
-        Carried {
+        SupportedBody {
             body: *body,
             law,
             gravity,
@@ -117,12 +122,12 @@ impl Carried {
     }
 
     /// In flight with a velocity of the centre of mass (in the body's axes, m/s), from where this support holds the body.
-    pub fn released(&self, at: &Pose, rate: Vector, velocity: Vector) -> (Carried, Pose) {
+    pub fn released(&self, at: &Pose, rate: Vector, velocity: Vector) -> (SupportedBody, Pose) {
         let flight = Support::Flight(self.support.corner());
         let [x, y, rise] = at.on_table(velocity);
-        let carried = Carried {
+        let supported = SupportedBody {
             drift: [x, y],
-            ..Carried::new(&self.body, self.law, self.gravity, flight)
+            ..SupportedBody::new(&self.body, self.law, self.gravity, flight)
         };
         let pose = Pose {
             rate,
@@ -130,14 +135,14 @@ impl Carried {
             rise,
             ..*at
         };
-        (carried, pose)
+        (supported, pose)
     }
 
     /// In flight, the same with the corner counted that is lowest now.
-    pub fn with_lowest(&self, at: &Pose) -> Carried {
+    pub fn with_lowest(&self, at: &Pose) -> SupportedBody {
         let spin = at.state(self.support.middle_spin(&self.body)).spin;
         let lowest = libm::rint(-spin / self.body.corner_angle()) as i64;
-        Carried {
+        SupportedBody {
             support: Support::Flight(lowest),
             first: self.body.corner(lowest),
             ..*self
@@ -345,9 +350,9 @@ impl Carried {
     }
 }
 
-impl System<f64, CARRIED> for Carried {
-    fn rates(&self, u: &[f64; CARRIED]) -> [f64; CARRIED] {
-        let at = Pose::carried(*u);
+impl System<f64, SUPPORTED> for SupportedBody {
+    fn rates(&self, u: &[f64; SUPPORTED]) -> [f64; SUPPORTED] {
+        let at = Pose::supported(*u);
         let acceleration = match self.law {
             IdealLaw::NoSlip => self.angular_acceleration_without_slip(&at),
             IdealLaw::Frictionless => self.reaction_without_friction(&at).acceleration,
@@ -363,9 +368,9 @@ impl System<f64, CARRIED> for Carried {
     }
 
     /// The lean decides which corner is lowest, so its error is relative to its own size; so is that of the rates.
-    fn scale(&self, u: &[f64; CARRIED]) -> [f64; CARRIED] {
+    fn scale(&self, u: &[f64; SUPPORTED]) -> [f64; SUPPORTED] {
         const SMALL: f64 = 1e-6;
-        let at = Pose::carried(*u);
+        let at = Pose::supported(*u);
         let lean = at.sin_tilt() + SMALL;
         let rate = dot(at.rate, at.rate).sqrt() + SMALL.sqrt() * self.falling_rate;
         [lean, lean, 1.0, rate, rate, rate, 1.0]
@@ -373,7 +378,7 @@ impl System<f64, CARRIED> for Carried {
 }
 
 /// Flight.
-impl System<f64, COORDINATES> for Carried {
+impl System<f64, COORDINATES> for SupportedBody {
     fn rates(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
         let at = Pose::from_array(u);
         let (up, heading) = at.kinematics();
@@ -388,8 +393,10 @@ impl System<f64, COORDINATES> for Carried {
     }
 
     fn scale(&self, u: &[f64; COORDINATES]) -> [f64; COORDINATES] {
-        let [a, b, c, p, q, r, heading] =
-            <Carried as System<f64, CARRIED>>::scale(self, &Pose::from_array(u).on_support());
+        let [a, b, c, p, q, r, heading] = <SupportedBody as System<f64, SUPPORTED>>::scale(
+            self,
+            &Pose::from_array(u).on_support(),
+        );
         let radius = self.body.round().radius();
         [
             a,

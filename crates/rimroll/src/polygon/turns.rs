@@ -1,7 +1,7 @@
 //! Turns of a body with corners.
 
 use super::motion::PolygonEvent;
-use super::segment::Instant;
+use super::step_record::Instant;
 use crate::motion::Turn;
 use crate::state::State;
 

@@ -5,10 +5,10 @@
 //! II.6 and II.10. The method suits smooth systems at tolerances from 1e-5 down to rounding.
 
 #[cfg(target_arch = "x86_64")]
-use super::registers::Avx;
-use super::registers::{Registers, Scalar};
+use super::stage_sums::Avx;
+use super::stage_sums::{Scalar, StageSums};
 use super::tableau::{DENSE, ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
-use super::{Dense, Estimate, System};
+use super::{Dense, ErrorEstimate, System};
 #[cfg(target_arch = "x86_64")]
 use crate::real::Avx2;
 use crate::real::{Real, Task, call_vectorized};
@@ -29,7 +29,7 @@ pub struct Step<T, const N: usize> {
 /// Σ weight · stage, summed in the order of the row.
 #[inline(always)]
 fn weighted_sum<T: Real, const N: usize>(
-    with: impl Registers<T, N>,
+    with: impl StageSums<T, N>,
     row: Row,
     stages: &[[T; N]; 16],
 ) -> [T; N] {
@@ -45,7 +45,7 @@ fn weighted_sum<T: Real, const N: usize>(
 /// stage is added last, so that the processor can do the rest while that stage is being computed.
 #[inline(always)]
 fn stage_argument<T: Real, const N: usize>(
-    with: impl Registers<T, N>,
+    with: impl StageSums<T, N>,
     u: &[T; N],
     h: T,
     row: Row,
@@ -122,7 +122,7 @@ impl<T: Real, const N: usize> Step<T, N> {
     /// the twelfth stage, an approximation of the end of lower order that is known earlier. Its ignorable
     /// components have their values at the start.
     #[inline(always)]
-    fn compute<S: System<T, N>>(&mut self, with: impl Registers<T, N>, system: &S, h: T) -> [T; N] {
+    fn compute<S: System<T, N>>(&mut self, with: impl StageSums<T, N>, system: &S, h: T) -> [T; N] {
         let (start, stages) = (&self.start, &mut self.stages);
         let mut argument;
         // Unrolled, so that the weights are compile-time constants.
@@ -139,7 +139,7 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     /// Computes the end of a step of size h from its stages, and the rates there.
     #[inline(always)]
-    fn finish<S: System<T, N>>(&mut self, with: impl Registers<T, N>, system: &S, h: T) {
+    fn finish<S: System<T, N>>(&mut self, with: impl StageSums<T, N>, system: &S, h: T) {
         self.h = h;
         let sum = weighted_sum(with, SOLUTION, &self.stages);
         self.end = self.start;
@@ -163,11 +163,11 @@ impl<T: Real, const N: usize> Step<T, N> {
     #[inline(always)]
     fn estimate<S: System<T, N>>(
         &self,
-        with: impl Registers<T, N>,
+        with: impl StageSums<T, N>,
         system: &S,
         before_end: &[T; N],
         tolerance: f64,
-    ) -> Estimate<T> {
+    ) -> ErrorEstimate<T> {
         let at_start = system.scale(&self.start);
         let at_end = system.scale(before_end);
         let fifth = weighted_sum(with, ERROR_5, &self.stages);
@@ -180,13 +180,13 @@ impl<T: Real, const N: usize> Step<T, N> {
             thirds[i % 4] = thirds[i % 4] + third * third;
         }
         let [fifth, third] = [fifths, thirds].map(|[a, b, c, d]| (a + b) + (c + d));
-        Estimate::new(self.h, fifth, third, N)
+        ErrorEstimate::new(self.h, fifth, third, N)
     }
 
     #[inline(always)]
     fn polynomial<S: System<T, N>>(
         &mut self,
-        with: impl Registers<T, N>,
+        with: impl StageSums<T, N>,
         system: &S,
     ) -> Dense<T, N> {
         for (i, row) in EXTRA_STAGES.iter().enumerate() {
@@ -220,7 +220,7 @@ trait Kernel<const N: usize> {
     /// The number of leading ignorable components, known at compile time.
     const IGNORABLE: usize;
 
-    fn with(self, registers: impl Registers<f64, N>) -> Self::Output;
+    fn with(self, registers: impl StageSums<f64, N>) -> Self::Output;
 }
 
 /// Runs the kernel in AVX registers where the processor has AVX2. The results are the same to the last bit.
@@ -258,7 +258,7 @@ impl<const N: usize> Step<f64, N> {
             const IGNORABLE: usize = S::IGNORABLE;
 
             #[inline(always)]
-            fn with(self, registers: impl Registers<f64, N>) {
+            fn with(self, registers: impl StageSums<f64, N>) {
                 self.0.compute(registers, self.1, self.2);
             }
         }
@@ -273,14 +273,14 @@ impl<const N: usize> Step<f64, N> {
         system: &S,
         h: f64,
         tolerance: f64,
-    ) -> Estimate<f64> {
+    ) -> ErrorEstimate<f64> {
         struct Attempt<'a, S, const N: usize>(&'a mut Step<f64, N>, &'a S, f64, f64);
         impl<S: System<f64, N>, const N: usize> Kernel<N> for Attempt<'_, S, N> {
-            type Output = Estimate<f64>;
+            type Output = ErrorEstimate<f64>;
             const IGNORABLE: usize = S::IGNORABLE;
 
             #[inline(always)]
-            fn with(self, registers: impl Registers<f64, N>) -> Estimate<f64> {
+            fn with(self, registers: impl StageSums<f64, N>) -> ErrorEstimate<f64> {
                 let Attempt(step, system, h, tolerance) = self;
                 let before_end = step.compute(registers, system, h);
                 step.estimate(registers, system, &before_end, tolerance)
@@ -297,7 +297,7 @@ impl<const N: usize> Step<f64, N> {
             const IGNORABLE: usize = S::IGNORABLE;
 
             #[inline(always)]
-            fn with(self, registers: impl Registers<f64, N>) -> Dense<f64, N> {
+            fn with(self, registers: impl StageSums<f64, N>) -> Dense<f64, N> {
                 self.0.polynomial(registers, self.1)
             }
         }

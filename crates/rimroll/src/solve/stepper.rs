@@ -1,7 +1,7 @@
 //! Integration by explicit steps of adaptive size.
 
 #[cfg(doc)]
-use super::Estimate;
+use super::ErrorEstimate;
 use super::{Step, Stuck, System, Work};
 
 /// Integrates a system by steps whose estimated errors stay below a tolerance.
@@ -32,7 +32,7 @@ impl<'a, S: System<f64, N>, const N: usize> Stepper<'a, S, N> {
 
     /// Makes one step whose error is within the tolerance.
     ///
-    /// The next step size is [`Estimate::next_factor`] times this one, limited to a factor from 1/5 to 8.
+    /// The next step size is [`ErrorEstimate::next_factor`] times this one, limited to a factor from 1/5 to 8.
     ///
     /// # Errors
     /// Fails if the step size underflows.

@@ -6,29 +6,28 @@
 //! are integrals, which Gauss-Legendre rules evaluate with spectral convergence. Three measures keep the
 //! accuracy for any smallest tilt:
 //!
-//! * the independent variable ln tan(φ/2) (`tilting`), in which the near-collision and the rest of the
+//! * the independent variable ln tan(φ/2) (`tilt_equation`), in which the near-collision and the rest of the
 //!   motion have similar lengths,
 //! * for no slip, a table of the body's fundamental solutions (`fundamental`),
 //! * a closed form for the part of the yaw that the near-collision alone produces (`segments`).
 //!
-//! `scalar` handles one start with any outcome. In batches of sixteen lanes, `rocking` handles starts that
-//! rock and `toppling` starts that topple. `bodies` groups many starts by their bodies. `in_place` is the turn of a body
-//! that wobbles in place, where the same holds.
+//! `scalar` handles one start with any outcome. In batches of sixteen lanes, `rocking_batch` handles starts that
+//! rock and `toppling_batch` starts that topple. `many_bodies` groups many starts by their bodies. `in_place` is the turn
+//! of a body that wobbles in place, for which the tilt also determines the yaw rate.
 
 mod antiderivative;
+mod balance_passage;
 mod batch;
-mod bodies;
 mod dispatch;
-mod extremes;
 mod frictionless;
 mod fundamental;
 mod in_place;
-mod lane;
+mod lane_groups;
+mod many_bodies;
 mod near_balance;
 mod no_slip;
-mod ridge;
-mod rocking;
-mod rule;
+mod quadrature_rule;
+mod rocking_batch;
 mod rule_queue;
 mod scalar;
 mod segments;
@@ -36,8 +35,9 @@ mod sensitivity;
 mod sign_search;
 mod small_oscillation;
 mod start;
-mod tilting;
-mod toppling;
+mod tilt_equation;
+mod tilt_extremes;
+mod toppling_batch;
 mod watershed;
 
 use crate::body::Body;
@@ -45,17 +45,17 @@ use crate::error::{InvalidInput, positive};
 use crate::law::{IdealLaw, Parameters};
 use crate::motion::{Fall, Options, Outcome, Status, fall};
 use crate::state::State;
-pub use bodies::ExactRows;
+use balance_passage::Balance;
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use frictionless::FrictionlessTilt;
 use fundamental::Fundamental;
 pub use in_place::turn_in_place;
+pub use many_bodies::ExactRows;
 use no_slip::NoSlipTilt;
-use ridge::Balance;
 use scalar::{Quadrature, Scalar, quadrature_of};
 use start::Start;
-use tilting::{Tilting, half_tangent};
+use tilt_equation::{TiltEquation, half_tangent};
 pub use watershed::watershed_slope;
 
 /// Distance in η from the balance point within which a body with its turning point there lingers.
@@ -200,7 +200,7 @@ impl Exact {
 
     fn scalar<T: Scalar>(
         &self,
-        motion: &dyn Tilting<T>,
+        motion: &dyn TiltEquation<T>,
         k: &Parameters<T>,
         start: Start<T>,
     ) -> Option<Quadrature<T>> {

@@ -78,16 +78,16 @@ impl Arrival {
             let why = "the tipping phase does not end flat";
             return Err(InvalidInput::no_near_collision(why, Some(fall.ending)));
         }
-        if fall.track.phases().any(|at| at.phase == Phase::Flying) {
+        if fall.trajectory.phases().any(|at| at.phase == Phase::Flying) {
             let why = "the rim lifts off on the way down";
             return Err(InvalidInput::no_near_collision(why, None));
         }
-        let end = fall.track.end();
+        let end = fall.trajectory.end();
         let ratio = |contact: crate::law::Contact<f64>| {
             libm::hypot(contact.along, contact.across) / contact.normal
         };
         let ratios = fall
-            .track
+            .trajectory
             .nodes()
             .map(|at| ratio(fall.dynamics(&at).contact(&at)));
         Ok(Arrival {
@@ -254,8 +254,8 @@ fn computed_passage(
     let near = flat.plus(1.0, &linear);
     let quadratic = quadratic_departure(&contacts.first_rates(&near), &linear, &flat, rate);
     let start = near.plus(1.0, &quadratic);
-    let (track, status) = pass_near_collision(&contacts, start, FAINT * rate, &options);
-    let end = track.end();
+    let (trajectory, status) = pass_near_collision(&contacts, start, FAINT * rate, &options);
+    let end = trajectory.end();
     if status != Status::Finished {
         let why = match status {
             Status::Painleve => "with this friction it meets Painlevé's paradox",
@@ -264,7 +264,7 @@ fn computed_passage(
         return Err(InvalidInput::no_near_collision(why, None));
     }
     let kinetic = |u: &crate::motion::Instant| contacts.dynamics(u.phase).energy(u).kinetic;
-    let (before, after) = (kinetic(&track.start()), kinetic(&end));
+    let (before, after) = (kinetic(&trajectory.start()), kinetic(&end));
     let dynamics = contacts.dynamics(end.phase);
     let [slip_x, slip_y] = dynamics.slip(&end);
     let end = Coordinates {

@@ -26,7 +26,7 @@ fn numbered(series: u64, number: u64) -> Case {
 
 /// The path length of the motion, in radians of yaw, tilt and spin, to judge the number of steps.
 fn way(motion: &Motion) -> f64 {
-    let nodes: Vec<_> = motion.track.nodes().collect();
+    let nodes: Vec<_> = motion.trajectory.nodes().collect();
     let between = |pair: &[Instant]| {
         let [a, b] = [pair[0], pair[1]];
         (b.yaw - a.yaw).abs() + (b.tilt() - a.tilt()).abs() + (a.s * (b.t - a.t)).abs()

@@ -71,8 +71,8 @@ fn examine(case: &Case, motion: &Motion) -> Found {
 /// Every number is finite, and time increases.
 fn numbers(motion: &Motion, found: &mut Found) {
     let mut t = 0.0;
-    for at in motion.track.samples(3) {
-        for (name, value) in COLUMNS.iter().zip(motion.moment(&at)) {
+    for at in motion.trajectory.samples(3) {
+        for (name, value) in COLUMNS.iter().zip(motion.observables(&at)) {
             // With zero normal force, friction that is not proportional to it has an infinite ratio.
             let follows_load = motion.dynamics(&at).friction_ratio(&at).is_some();
             let infinite = *name == "friction_ratio" && !value.is_nan() && !follows_load;
@@ -98,8 +98,8 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
     } = case;
     let reach = body.radius() + body.height();
     let allowed = 1e-7 + 10.0 * options.rtol;
-    let last = motion.track.end().t;
-    for at in motion.track.nodes() {
+    let last = motion.trajectory.end().t;
+    for at in motion.trajectory.nodes() {
         let deep = -at.gap / body.radius();
         found.measure(
             |f| &mut f.under,
@@ -168,7 +168,7 @@ fn forces(case: &Case, motion: &Motion, found: &mut Found) {
 fn energies(case: &Case, motion: &Motion, found: &mut Found) {
     let energy = |at: &Instant| motion.dynamics(at).energy(at).total();
     let losses = |at: &Instant| [at.friction_loss, at.resistance_loss, at.impact_loss];
-    let begin = motion.track.start();
+    let begin = motion.trajectory.start();
     let start = energy(&begin);
     let weight = case.body.mass() * GRAVITY * case.body.radius();
     let scale = start.abs().max(weight * begin.sin);
@@ -178,7 +178,7 @@ fn energies(case: &Case, motion: &Motion, found: &mut Found) {
         1e-9 + 300.0 * case.options.rtol
     };
     let (mut lowest, mut lost) = (start, [0.0; 3]);
-    for at in motion.track.nodes() {
+    for at in motion.trajectory.nodes() {
         let (now, losses) = (energy(&at), losses(&at));
         let missing = (now + losses.iter().sum::<f64>() - start).abs() / scale;
         found.measure(
@@ -227,7 +227,7 @@ fn joints(case: &Case, motion: &Motion, found: &mut Found) {
         let apart = one.into_iter().zip(other).map(|(a, b)| (a - b).abs());
         apart.fold(0.0, f64::max)
     };
-    let nodes: Vec<_> = motion.track.nodes().collect();
+    let nodes: Vec<_> = motion.trajectory.nodes().collect();
     for pair in nodes.windows(2) {
         let [before, after] = [&pair[0], &pair[1]];
         if before.phase == after.phase {
@@ -272,8 +272,8 @@ fn events(motion: &Motion, found: &mut Found) {
         }
         t = event.at.t;
     }
-    let mut phase = motion.track.start().phase;
-    for at in motion.track.phases() {
+    let mut phase = motion.trajectory.start().phase;
+    for at in motion.trajectory.phases() {
         let has_event = |kind| {
             let mut events = motion.events.iter();
             events.any(|event| event.at.t == at.t && event.kind == kind)
@@ -288,7 +288,7 @@ fn events(motion: &Motion, found: &mut Found) {
 /// Turns follow one another without a gap and end before the motion does. A body with height does not pass
 /// its edge.
 fn turns(case: &Case, motion: &Motion, found: &mut Found) {
-    let end = motion.track.end();
+    let end = motion.trajectory.end();
     let mut last = None;
     for turn in &motion.turns {
         let inside = 0.0 <= turn.start && turn.end <= end.t;
@@ -314,8 +314,8 @@ fn ending(case: &Case, motion: &Motion, found: &mut Found) {
         options,
         ..
     } = case;
-    let end = motion.track.end();
-    let begin = motion.track.start();
+    let end = motion.trajectory.end();
+    let begin = motion.trajectory.start();
     let above_rest = |at: &Instant| {
         let energy = motion.dynamics(at).energy(at);
         energy.kinetic + energy.potential.abs()

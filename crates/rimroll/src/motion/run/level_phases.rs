@@ -3,10 +3,10 @@
 use super::{AfterEvent, MAX_EMPTY_PHASES, PhaseEnd, PhaseStart, Run};
 use crate::ending::Status;
 use crate::motion::event::EventKind;
+use crate::motion::flat_landing::{landed, with_loss};
 use crate::motion::instant::{Instant, Phase};
-use crate::motion::landing::{landed, with_loss};
-use crate::motion::level::{Departure, Level, levelled};
-use crate::motion::level_equations::LevelMotion;
+use crate::motion::level_base::LevelMotion;
+use crate::motion::level_base::{Departure, LevelBase, levelled};
 use crate::motion::step_record::StepRecord;
 use crate::real::Dual;
 use crate::state::Coordinates;
@@ -29,7 +29,7 @@ impl Run<'_> {
         let landing = self.landings;
         self.landings += 1;
         let Some(u) = landed(self.contacts, self.options, at, landing) else {
-            return AfterEvent::EndState(Status::FaceDown);
+            return AfterEvent::End(Status::FaceDown);
         };
         let next = self.contacts.settle(&u);
         let after = Instant {
@@ -80,7 +80,7 @@ impl Run<'_> {
         u: Coordinates<f64>,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> AfterEvent {
-        let level = Level::new(self.contacts, u.yaw);
+        let level = LevelBase::new(self.contacts, u.yaw);
         let end = self.options.duration;
         let followed = match phase {
             Phase::Standing => self.follow_standing(&level, u, end, report),
@@ -88,7 +88,7 @@ impl Run<'_> {
         };
         let (departure, u) = match followed {
             ControlFlow::Continue(departed) => departed,
-            ControlFlow::Break(status) => return AfterEvent::EndState(status),
+            ControlFlow::Break(status) => return AfterEvent::End(status),
         };
         self.depart(&level, phase, departure, u)
     }
@@ -96,15 +96,15 @@ impl Run<'_> {
     /// Follows a body that stands until it departs.
     fn follow_standing(
         &mut self,
-        level: &Level<'_>,
+        level: &LevelBase<'_>,
         u: Coordinates<f64>,
         end: f64,
         report: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> ControlFlow<Status, (Departure, Coordinates<f64>)> {
         let mut t = u.t;
         let stands_until = |run: &mut Self, t: f64| {
-            let dense = Level::standing(&u, t);
-            run.track
+            let dense = LevelBase::standing(&u, t);
+            run.trajectory
                 .push(StepRecord::polynomial(Phase::Standing, dense));
             Coordinates { t, ..u }
         };
@@ -141,7 +141,7 @@ impl Run<'_> {
     /// Follows a body that slides flat or is level off the table, until it departs.
     fn follow_level_motion(
         &mut self,
-        level: &Level<'_>,
+        level: &LevelBase<'_>,
         phase: Phase,
         mut u: Coordinates<f64>,
         end: f64,
@@ -166,7 +166,8 @@ impl Run<'_> {
             };
             self.work = self.work + part.work;
             u = Coordinates::from_array(&part.dense.end);
-            self.track.push(StepRecord::polynomial(phase, part.dense));
+            self.trajectory
+                .push(StepRecord::polynomial(phase, part.dense));
             if let Some(departure) = part.departure {
                 return ControlFlow::Continue((departure, u));
             }
@@ -177,13 +178,13 @@ impl Run<'_> {
     /// What follows where the motion of a level base changes.
     fn depart(
         &mut self,
-        level: &Level<'_>,
+        level: &LevelBase<'_>,
         from: Phase,
         departure: Departure,
         u: Coordinates<f64>,
     ) -> AfterEvent {
         let (kind, phase, u) = match departure {
-            Departure::Done => return AfterEvent::EndState(Status::Finished),
+            Departure::Done => return AfterEvent::End(Status::Finished),
             Departure::Uplift => {
                 let u = level.uplifted(&u, from);
                 let next = self.contacts.settle(&u);
@@ -194,7 +195,7 @@ impl Run<'_> {
             Departure::FallAway if !self.contacts.can_fly() => {
                 self.detector
                     .add(EventKind::LiftOff, Instant { phase: from, u });
-                return AfterEvent::EndState(Status::LiftedOff);
+                return AfterEvent::End(Status::LiftedOff);
             }
             Departure::FallAway => (EventKind::LiftOff, Phase::FlyingLevel, u),
             Departure::Slide => {
@@ -229,7 +230,7 @@ impl Run<'_> {
         };
         self.last_end = (u.t, u.yaw);
         if self.empty_phases > MAX_EMPTY_PHASES {
-            return AfterEvent::EndState(Status::Failed);
+            return AfterEvent::End(Status::Failed);
         }
         let direction = None;
         AfterEvent::Phase(phase, PhaseStart { u, direction })

@@ -1,12 +1,12 @@
 //! The explicit steps of a phase.
 
-use super::approach::Approach;
-use super::{Pace, PhaseEnd, Run, STIFFNESS_TEST_INTERVAL, StepsEnd};
+use super::corner_approach::CornerApproach;
+use super::{PhaseEnd, Run, STIFFNESS_TEST_INTERVAL, StepSize, StepsEnd};
 use crate::ending::Status;
 use crate::motion::event_detector::TerminalEvent;
 use crate::motion::instant::Phase;
-use crate::motion::mechanics::{Clock, Mechanics, leading};
 use crate::motion::phase_dynamics::SystemVisitor;
+use crate::motion::phase_system::{IndependentVariable, PhaseSystem, leading};
 use crate::motion::step_record::StepRecord;
 use crate::solve::{Stepper, System, Work};
 use crate::state::{COORDINATES, COORDINATES_AT_REST, Coordinates, TIME};
@@ -15,9 +15,9 @@ use core::ops::ControlFlow;
 /// The explicit steps of a phase.
 pub(super) struct Steps<'r, 'a> {
     pub(super) run: &'r mut Run<'a>,
-    pub(super) mechanics: &'r Mechanics<'r>,
+    pub(super) phase_system: &'r PhaseSystem<'r>,
     pub(super) phase: Phase,
-    pub(super) clock: Clock,
+    pub(super) variable: IndependentVariable,
     /// The next corner of the table's acceleration, s.
     pub(super) corner: f64,
     pub(super) start: [f64; COORDINATES],
@@ -31,18 +31,18 @@ impl SystemVisitor for Steps<'_, '_> {
     fn with<S: System<f64, N>, const N: usize>(self, system: &S) -> StepsEnd {
         let Steps {
             run,
-            mechanics,
+            phase_system,
             phase,
-            clock,
+            variable,
             corner,
             start: mut u,
             mut h,
             report,
         } = self;
         let tolerance = run.options.step_tolerance();
-        let approach = Approach {
-            mechanics,
-            clock,
+        let approach = CornerApproach {
+            phase_system,
+            variable,
             corner,
         };
         let mut stepper = Stepper::new(system, leading(&u), h, tolerance);
@@ -56,24 +56,24 @@ impl SystemVisitor for Steps<'_, '_> {
                 run.work = before + stepper.work;
                 let explicit = approach.regularized(&u, h);
                 run.detector.cut_steps_at(corner);
-                let implicit = run.implicit_steps(mechanics, phase, u, explicit, report);
+                let implicit = run.implicit_steps(phase_system, phase, u, explicit, report);
                 run.detector.cut_steps_at(f64::INFINITY);
                 run.steps_at_stiffness_test = run.work.steps;
                 match implicit {
                     ControlFlow::Break(PhaseEnd::Event(TerminalEvent::Corner)) => {
-                        return StepsEnd::Continue(run.track.end().u, None);
+                        return StepsEnd::Continue(run.trajectory.end().u, None);
                     }
                     ControlFlow::Break(over) => return StepsEnd::Phase(over),
                     ControlFlow::Continue(None) => stepper.work = Work::default(),
-                    ControlFlow::Continue(Some(next)) if clock == Clock::Time => {
-                        let pace = Pace {
-                            clock: Clock::Regularized,
+                    ControlFlow::Continue(Some(next)) if variable == IndependentVariable::Time => {
+                        let pace = StepSize {
+                            variable: IndependentVariable::Regularized,
                             h: next,
                         };
-                        return StepsEnd::Continue(run.track.end().u, Some(pace));
+                        return StepsEnd::Continue(run.trajectory.end().u, Some(pace));
                     }
                     ControlFlow::Continue(Some(next)) => {
-                        (u, h) = (run.track.end().u.into_array(), next);
+                        (u, h) = (run.trajectory.end().u.into_array(), next);
                         stepper = Stepper::new(system, leading(&u), h, tolerance);
                     }
                 }
@@ -82,7 +82,7 @@ impl SystemVisitor for Steps<'_, '_> {
             if let Some(over) = run.out_of_steps(report) {
                 return StepsEnd::Phase(over);
             }
-            if let Some(pace) = approach.other_clock(&u, stepper.h) {
+            if let Some(pace) = approach.other_variable(&u, stepper.h) {
                 run.work = before + stepper.work;
                 return StepsEnd::Continue(Coordinates::from_array(&u), Some(pace));
             }
@@ -91,7 +91,7 @@ impl SystemVisitor for Steps<'_, '_> {
                 return StepsEnd::Phase(PhaseEnd::Motion(Status::Failed));
             };
             h = step.h;
-            let at_corner = clock == Clock::Time && h == to_corner;
+            let at_corner = variable == IndependentVariable::Time && h == to_corner;
             if at_corner {
                 step.end[TIME] = corner;
             } else if step.end[TIME] > corner {
@@ -103,13 +103,13 @@ impl SystemVisitor for Steps<'_, '_> {
             }
             u[..N].copy_from_slice(&step.end);
             let event = if run.detector.is_uneventful(phase, step) {
-                run.track
-                    .push(StepRecord::explicit((phase, clock), step, &u));
+                run.trajectory
+                    .push(StepRecord::explicit((phase, variable), step, &u));
                 None
             } else {
-                let record = StepRecord::explicit((phase, clock), step, &u);
+                let record = StepRecord::explicit((phase, variable), step, &u);
                 let dense = step.dense(system).widened(&u);
-                run.detector.process(record, &dense, &mut run.track)
+                run.detector.process(record, &dense, &mut run.trajectory)
             };
             run.work = before + stepper.work;
             if let Some(event) = event {

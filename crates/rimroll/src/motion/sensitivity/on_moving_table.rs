@@ -1,6 +1,6 @@
 //! The derivatives of a motion on a table that moves.
 
-use super::junction::{Junction, refused, tilt_from};
+use super::saltation::{Saltation, refused, tilt_from};
 use super::variation::{Variation, ends_at_corner, rates};
 use super::{
     CoordinatesAndRates, PARAMETERS, STEPS_BETWEEN_REPORTS, parameter, start, state_slopes,
@@ -82,7 +82,7 @@ impl ShakenSensitivity {
         let mut sensitivity = ShakenSensitivity {
             variation,
             start,
-            starts: Vec::with_capacity(motion.track.records().len()),
+            starts: Vec::with_capacity(motion.trajectory.records().len()),
             end: start,
             uplift_time: None,
             turns: Vec::new(),
@@ -97,12 +97,12 @@ impl ShakenSensitivity {
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<ControlFlow<()>, InvalidInput> {
         let mut before: Option<&StepRecord> = None;
-        for (i, record) in motion.track.records().iter().enumerate() {
+        for (i, record) in motion.trajectory.records().iter().enumerate() {
             if i % STEPS_BETWEEN_REPORTS == 0 && watch(record.start[TIME]).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
             if let Some(before) = before {
-                self.end = Junction {
+                self.end = Saltation {
                     motion,
                     variation: &self.variation,
                     before,
@@ -121,7 +121,7 @@ impl ShakenSensitivity {
         if let Some(last) = before {
             self.end = self.ended(motion, last);
         }
-        if watch(motion.track.end().t).is_break() {
+        if watch(motion.trajectory.end().t).is_break() {
             return Ok(ControlFlow::Break(()));
         }
         let turns = motion.turns.iter();
@@ -176,8 +176,8 @@ impl ShakenSensitivity {
     }
 
     fn locate(&self, motion: &Motion, t: f64) -> CoordinatesAndRates<{ SHAKEN_PARAMETERS.len() }> {
-        let (index, x) = motion.track.locate(t);
-        let Some(record) = motion.track.records().get(index) else {
+        let (index, x) = motion.trajectory.locate(t);
+        let Some(record) = motion.trajectory.records().get(index) else {
             let rates = Coordinates {
                 t: 1.0,
                 ..Coordinates::zero()
@@ -209,7 +209,7 @@ impl ShakenSensitivity {
 
     /// Derivatives of the largest tilt, rad.
     pub fn max_tilt(&self, motion: &Motion) -> ShakenSlope {
-        let (start, end) = (motion.track.start(), motion.track.end());
+        let (start, end) = (motion.trajectory.start(), motion.trajectory.end());
         let (_, t) = largest_tilt(&start, &motion.events, &end);
         // At a maximum, the derivative at a fixed time is that at the time of the maximum.
         let [tilt, ..] = if t == start.t {
@@ -263,7 +263,7 @@ pub(super) fn without(
 
 /// The coordinates at the start.
 fn shaken_start(motion: &Motion, variation: &Variation) -> Coordinates<Number> {
-    let at = motion.track.start();
+    let at = motion.trajectory.start();
     let mut u: Coordinates<Number> = start(&at);
     let friction = &motion.contacts.contact_law().friction;
     if *friction == FrictionLaw::InPlace {

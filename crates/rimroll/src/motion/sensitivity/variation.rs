@@ -6,9 +6,9 @@ use super::{CoordinatesAndRates, values};
 use crate::law::Parameters;
 use crate::motion::contacts::Contacts;
 use crate::motion::instant::Phase;
-use crate::motion::level_equations::{LevelEquations, LevelMotion, PLACES};
-use crate::motion::mechanics::Clock;
+use crate::motion::level_base::{LevelEquations, LevelMotion, PLACES};
 use crate::motion::phase_dynamics::PhaseDynamics;
+use crate::motion::phase_system::IndependentVariable;
 use crate::motion::step_record::{Polynomial, StepRecord};
 use crate::real::{Dual, Slope as _, Slopes};
 use crate::solve::{Collocation, POINTS, RADAU, Step};
@@ -80,9 +80,9 @@ impl Variation {
             }
             phase => {
                 let phases = self.phases(contacts, t);
-                let mechanics = phases.mechanics(phase, record.clock);
+                let phase_system = phases.phase_system(phase, record.variable);
                 let step: Step<Number, COORDINATES> =
-                    Step::take(&mechanics, &start.into_array(), h.into());
+                    Step::take(&phase_system, &start.into_array(), h.into());
                 Coordinates::from_array(&step.end)
             }
         }
@@ -187,12 +187,12 @@ fn is_collocated(contacts: &Contacts, record: &StepRecord) -> bool {
 /// variable of the law. The change of the time over the step tells which.
 fn time_rates(contacts: &Contacts, record: &StepRecord, dense: &Polynomial) -> [f64; POINTS] {
     let phases = contacts.phases_from(record.start[TIME]);
-    let mechanics = phases.mechanics(record.phase, Clock::Regularized);
+    let phase_system = phases.phase_system(record.phase, IndependentVariable::Regularized);
     let points = RADAU.map(|c| Coordinates::from_array(&dense.at(c)));
     let [by_tau, by_sigma] = [false, true].map(|is_scaled| {
         points.map(|u| {
             let factor = if is_scaled {
-                mechanics.sundman_factor(&u)
+                phase_system.sundman_factor(&u)
             } else {
                 1.0
             };

@@ -3,15 +3,15 @@
 //! The segments of the turns of a block are integrated one after another. For each segment, starts that
 //! need the same quadrature rule share a group of lanes. Rare cases are left to the scalar code.
 
-use super::lane::{Class, Group, Lane, columns};
+use super::lane_groups::{Class, Group, Lane, columns};
 use super::near_balance::is_near_balance;
-use super::rocking::TurnPart;
-use super::rule::{Choice, RULES};
+use super::quadrature_rule::{Choice, RULES};
+use super::rocking_batch::TurnPart;
 use super::rule_queue::RuleQueue;
 use super::scalar::Quadrature;
 use super::segments::Integral;
-use super::tilting::SHORT;
-use super::toppling::{ToppleLimits, TopplePart};
+use super::tilt_equation::SHORT;
+use super::toppling_batch::{ToppleLimits, TopplePart};
 use super::{Exact, ExactTurn, turn_of_quadrature};
 use crate::error::InvalidInput;
 use crate::motion::Outcome;

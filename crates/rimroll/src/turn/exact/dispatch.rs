@@ -1,17 +1,19 @@
 //! Dispatch of the computations on sixteen starts by law and by register width. Each is compiled three times:
 //! for registers of eight and of four numbers, and for any processor. The results are equal to the last bit.
 
+use super::balance_passage::Balance;
 use super::frictionless::FrictionlessTilt;
 use super::fundamental::Fundamental;
-use super::lane::Group;
+use super::lane_groups::Group;
 use super::no_slip::NoSlipTilt;
-use super::ridge::Balance;
-use super::rocking::{Extremes, TurnPart, extremes, turn_part};
-use super::rule::{Choice, Rule};
+use super::quadrature_rule::{Choice, Rule};
+use super::rocking_batch::{Extremes, TurnPart, extremes, turn_part};
 use super::segments::Integral;
 use super::start::Start;
-use super::tilting::{Conserved, Tilting};
-use super::toppling::{ToppleLimits, TopplePart, Toppling, falling_back, topple_part, toppling};
+use super::tilt_equation::{Conserved, TiltEquation};
+use super::toppling_batch::{
+    ToppleLimits, TopplePart, Toppling, falling_back, topple_part, toppling,
+};
 use crate::law::Parameters;
 use crate::real::{Bits, Lanes, Mask, Real, SimdKernel, Vector, run_widest};
 
@@ -27,21 +29,21 @@ pub(super) enum Engine<'a> {
 /// A body under one of the ideal laws, selected at compile time.
 trait ReducedBody {
     /// The motion from a start.
-    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T>;
+    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl TiltEquation<T>;
     /// The motion with known conserved quantities.
-    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T>;
+    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl TiltEquation<T>;
     /// Twice the energy relative to the body at rest upright, without that of yaw and spin, J.
     fn tilting_energy<T: Real>(&self, start: &Start<T>) -> T;
 }
 
 impl ReducedBody for Fundamental<f64> {
     #[inline(always)]
-    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
+    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl TiltEquation<T> {
         NoSlipTilt::new(self, start)
     }
 
     #[inline(always)]
-    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
+    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl TiltEquation<T> {
         NoSlipTilt::from_conserved(self, conserved)
     }
 
@@ -53,12 +55,12 @@ impl ReducedBody for Fundamental<f64> {
 
 impl ReducedBody for Parameters<f64> {
     #[inline(always)]
-    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl Tilting<T> {
+    fn motion_from<T: Real>(&self, start: &Start<T>) -> impl TiltEquation<T> {
         FrictionlessTilt::new(*self, start)
     }
 
     #[inline(always)]
-    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl Tilting<T> {
+    fn motion_with<T: Real>(&self, conserved: Conserved<T>) -> impl TiltEquation<T> {
         FrictionlessTilt::from_conserved(*self, conserved)
     }
 
@@ -271,10 +273,10 @@ mod tests {
     use crate::real::{Bits, LANES, in_every_width};
     use crate::state::State;
     use crate::turn::exact::Exact;
-    use crate::turn::exact::lane::{Lane, columns};
-    use crate::turn::exact::rocking::TurnPart;
-    use crate::turn::exact::rule::Choice;
-    use crate::turn::exact::toppling::TopplePart;
+    use crate::turn::exact::lane_groups::{Lane, columns};
+    use crate::turn::exact::quadrature_rule::Choice;
+    use crate::turn::exact::rocking_batch::TurnPart;
+    use crate::turn::exact::toppling_batch::TopplePart;
     use core::fmt::Debug;
 
     /// The results in registers of each width that the processor has, printed with enough digits to identify

@@ -9,8 +9,9 @@
 //! ```
 
 use super::start::Start;
-use super::tilting::{
-    Conserved, Pace, Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine,
+use super::tilt_equation::{
+    Conserved, Point, TiltEquation, YawAndTimeRates, gap_beyond, half_tangent_at_rise,
+    sin_and_versine,
 };
 use crate::law::Parameters;
 use crate::real::Real;
@@ -60,7 +61,7 @@ impl<C: Copy + Into<T>, T: Real> FrictionlessTilt<C, T> {
         (a + m * rho * rho) * start.p * start.p + T::from(2.0) * m * g * rise
     }
 
-    /// The motion with the quantities of [`Tilting::conserved`].
+    /// The motion with the quantities of [`TiltEquation::conserved`].
     #[inline(always)]
     pub(super) fn from_conserved(k: Parameters<C>, conserved: Conserved<T>) -> Self {
         let [s, l_flat, energy, tilting_energy] = conserved;
@@ -76,7 +77,7 @@ impl<C: Copy + Into<T>, T: Real> FrictionlessTilt<C, T> {
     }
 }
 
-impl<C: Copy + Into<T>, T: Real> Tilting<T> for FrictionlessTilt<C, T> {
+impl<C: Copy + Into<T>, T: Real> TiltEquation<T> for FrictionlessTilt<C, T> {
     #[inline(always)]
     fn conserved(&self) -> Conserved<T> {
         [self.s, self.l_flat, self.energy, self.tilting_energy]
@@ -105,7 +106,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for FrictionlessTilt<C, T> {
     /// With q = 1 + y², sin φ = 2y/q and 1 − cos φ = 2y²/q, the products P = G sin² φ q³ and I q² are polynomials in
     /// y and l q, and w √(I/G) = l I q⁴/√(I q⁵ P).
     #[inline(always)]
-    fn pace(&self, y: T, _: T) -> Pace<T> {
+    fn pace(&self, y: T, _: T) -> YawAndTimeRates<T> {
         let [m, r, h, a, _, g] = self.k.as_array::<T>();
         let (two, four) = (T::from(2.0), T::from(4.0));
         let yy = y * y;
@@ -115,7 +116,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for FrictionlessTilt<C, T> {
         let inertia = a * (q * q) + m * (rho * rho);
         let fallen = self.energy * q - four * m * g * y * (r - h * y);
         let drive = four * yy * fallen - a * (lq * lq) * q;
-        Pace {
+        YawAndTimeRates {
             yaw: lq * q * inertia,
             time: four * yy * inertia,
             square: inertia * (q * q * q) * drive,

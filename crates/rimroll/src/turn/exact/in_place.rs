@@ -8,8 +8,8 @@
 
 use super::scalar::quadrature_of;
 use super::start::Start;
-use super::tilting::{
-    Conserved, Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine,
+use super::tilt_equation::{
+    Conserved, Point, TiltEquation, gap_beyond, half_tangent_at_rise, sin_and_versine,
 };
 use super::{ExactTurn, end, is_beyond, options, resolved, turn_of_fall};
 use crate::body::Body;
@@ -18,7 +18,7 @@ use crate::law::{FrictionLaw, InPlace, Parameters};
 use crate::motion::fall;
 use crate::real::Real;
 use crate::state::State;
-use crate::turn::exact::ridge::Balance;
+use crate::turn::exact::balance_passage::Balance;
 
 /// The first turn of a body that [wobbles in place](InPlace) under gravity g (m/s²). `topple_tilt` (rad) is that of
 /// [`Options`](crate::Options). A spin rate of 0 stands for that which the law demands.
@@ -101,7 +101,7 @@ fn inertia_of_w<T: Real>(k: &Parameters<T>, y: T) -> [T; 2] {
     ]
 }
 
-impl<T: Real> Tilting<T> for InPlaceTilt<T> {
+impl<T: Real> TiltEquation<T> for InPlaceTilt<T> {
     fn conserved(&self) -> Conserved<T> {
         let zero = T::from(0.0);
         [self.yaw_momentum, self.energy, self.tilting_energy, zero]

@@ -10,16 +10,16 @@
 //! This is accurate however long the body lingers there.
 
 use super::antiderivative::Antiderivative;
-use super::ridge::Balance;
+use super::balance_passage::Balance;
 use super::scalar::Scalar;
 use super::start::Start;
-use super::tilting::{Conserved, Point, ROUNDING, Tilting, sin_and_versine};
+use super::tilt_equation::{Conserved, Point, ROUNDING, TiltEquation, sin_and_versine};
 use crate::law::Parameters;
 
 /// Distance in η from the balance point within which a start can linger there.
 const NEAR: f64 = 1.0;
 
-/// Distance in η from the balance point, and bound of the ridge's width in η, below which G loses significant digits.
+/// Distance in η from the balance point, and bound of the passage's width in η, below which G loses significant digits.
 const VERY_NEAR: f64 = 0.05;
 
 /// Maximum |G| at the balance point, relative to the [curvature](Balance) there, of a body that lingers.
@@ -40,7 +40,7 @@ pub(super) fn is_near_balance(start: &Start<f64>, a: f64, balance: &Balance) -> 
 
 /// Whether a motion from near the balance point lingers there.
 pub(super) fn lingers<T: Scalar>(
-    motion: &dyn Tilting<T>,
+    motion: &dyn TiltEquation<T>,
     start: &Start<T>,
     balance: &Balance,
 ) -> bool {
@@ -51,7 +51,7 @@ pub(super) fn lingers<T: Scalar>(
 
 /// The motion from a start next to the balance point.
 pub(super) struct NearBalance<'a, T> {
-    motion: &'a dyn Tilting<T>,
+    motion: &'a dyn TiltEquation<T>,
     start: Start<T>,
     drive_start: T,
     /// 2mg ρ and 2mg z at the start, J.
@@ -65,7 +65,7 @@ pub(super) struct NearBalance<'a, T> {
 impl<'a, T: Scalar> NearBalance<'a, T> {
     /// The motion from a start. `balance` and `end` are the η of the balance point and of the end of the motion.
     pub(super) fn new(
-        motion: &'a dyn Tilting<T>,
+        motion: &'a dyn TiltEquation<T>,
         k: &Parameters<T>,
         start: Start<T>,
         [balance, end]: [f64; 2],
@@ -105,7 +105,7 @@ impl<'a, T: Scalar> NearBalance<'a, T> {
     }
 }
 
-impl<T: Scalar> Tilting<T> for NearBalance<'_, T> {
+impl<T: Scalar> TiltEquation<T> for NearBalance<'_, T> {
     fn conserved(&self) -> Conserved<T> {
         self.motion.conserved()
     }

@@ -9,8 +9,9 @@
 
 use super::fundamental::Fundamental;
 use super::start::Start;
-use super::tilting::{
-    Conserved, Pace, Point, Tilting, gap_beyond, half_tangent_at_rise, sin_and_versine,
+use super::tilt_equation::{
+    Conserved, Point, TiltEquation, YawAndTimeRates, gap_beyond, half_tangent_at_rise,
+    sin_and_versine,
 };
 use crate::real::Real;
 
@@ -57,7 +58,7 @@ impl<'a, C: Copy + Into<T>, T: Real> NoSlipTilt<'a, C, T> {
         rim_inertia * start.p * start.p + T::from(2.0) * m * g * (r * sin - h * versine)
     }
 
-    /// The motion with the quantities of [`Tilting::conserved`].
+    /// The motion with the quantities of [`TiltEquation::conserved`].
     #[inline(always)]
     pub(super) fn from_conserved(body: &'a Fundamental<C>, conserved: Conserved<T>) -> Self {
         let [regular, singular, energy, tilting_energy] = conserved;
@@ -79,7 +80,7 @@ impl<'a, C: Copy + Into<T>, T: Real> NoSlipTilt<'a, C, T> {
     }
 }
 
-impl<C: Copy + Into<T>, T: Real> Tilting<T> for NoSlipTilt<'_, C, T> {
+impl<C: Copy + Into<T>, T: Real> TiltEquation<T> for NoSlipTilt<'_, C, T> {
     #[inline(always)]
     fn conserved(&self) -> Conserved<T> {
         [
@@ -121,7 +122,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for NoSlipTilt<'_, C, T> {
     /// With c = 1 + y², sin φ = 2y/c and 1 − cos φ = 2y²/c, the product P = G sin² φ c³ is a polynomial in y, l
     /// and s, and w √(I/G) = l J c²/√(J c P).
     #[inline(always)]
-    fn pace(&self, y: T, eta: T) -> Pace<T> {
+    fn pace(&self, y: T, eta: T) -> YawAndTimeRates<T> {
         let [m, r, h, _, _, g] = self.body.parameters.as_array::<T>();
         let (k, mhr): (T, T) = (self.body.base_inertia.into(), self.body.mhr.into());
         let axial: T = self.body.axial_inertia.into();
@@ -136,7 +137,7 @@ impl<C: Copy + Into<T>, T: Real> Tilting<T> for NoSlipTilt<'_, C, T> {
         let fallen = (self.energy - axial * s * s) * c - four * m * g * y * (r - h * y);
         let lcc = lc * c;
         let drive = four * yy * fallen - lcc * (k * lc - four * mhr * y * s);
-        Pace {
+        YawAndTimeRates {
             yaw: lcc * inertia,
             time: four * yy * inertia,
             square: inertia * c * drive,

@@ -1,6 +1,6 @@
 //! Queues of starts, one for each quadrature rule.
 
-use super::rule::{Choice, RULES};
+use super::quadrature_rule::{Choice, RULES};
 use crate::real::LANES;
 
 /// The end of a list.

@@ -1,16 +1,16 @@
 //! The turn of one start, with any outcome.
 
-use super::extremes::{Extreme, highest, lowest};
+use super::balance_passage::{Balance, BalancePassage};
 use super::near_balance::{NearBalance, lingers};
-use super::ridge::{Balance, Ridge};
-use super::rule::{Choice, MAX_OUTER, Rule, nodes_across, nodes_to_highest};
+use super::quadrature_rule::{Choice, MAX_OUTER, Rule, nodes_across, nodes_to_highest};
 use super::segments::{Segment, across, from_lowest, short, to_highest};
 use super::sign_search::{
     Energy, Undecided, first_sign_change, first_turning_point, is_positive_between,
 };
 use super::small_oscillation::{MAX_SPAN, SmallOscillation};
 use super::start::Start;
-use super::tilting::{FLAT, SHORT, Tilting};
+use super::tilt_equation::{FLAT, SHORT, TiltEquation};
+use super::tilt_extremes::{Extreme, highest, lowest};
 use crate::law::Parameters;
 use crate::motion::Outcome;
 use crate::real::{Dual, Real, Slope};
@@ -76,7 +76,7 @@ enum UpperEnd<T> {
 
 /// The quadrature of a motion of a body from a start. `end` is that of [`ScalarQuadrature`].
 pub(super) fn quadrature_of<T: Scalar>(
-    motion: &dyn Tilting<T>,
+    motion: &dyn TiltEquation<T>,
     k: &Parameters<T>,
     start: Start<T>,
     end: (f64, Outcome),
@@ -94,7 +94,7 @@ pub(super) fn quadrature_of<T: Scalar>(
 /// The motion is a trait object, so that this code is compiled once per number type and not once per law. The
 /// evaluation at a node takes far longer than the dynamic call.
 pub(super) struct ScalarQuadrature<'a, T> {
-    motion: &'a dyn Tilting<T>,
+    motion: &'a dyn TiltEquation<T>,
     start: Start<T>,
     /// The end of a motion without an upper turning point: tan(φ/2) and the outcome.
     end: (f64, Outcome),
@@ -115,7 +115,7 @@ const SHORTEST: f64 = 1e-4;
 
 impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     pub(super) fn new(
-        motion: &'a dyn Tilting<T>,
+        motion: &'a dyn TiltEquation<T>,
         start: Start<T>,
         end: (f64, Outcome),
         balance: Balance,
@@ -165,7 +165,7 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     /// Integrates the motion to its end, or to the tilt at which the normal force becomes zero.
     fn until_lift_off(
         &self,
-        motion: &dyn Tilting<T>,
+        motion: &dyn TiltEquation<T>,
         start: &Start<T>,
         low: &Extreme<T>,
         top: UpperEnd<T>,
@@ -252,7 +252,7 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     /// Integrates yaw and time along all segments.
     fn integrate(
         &self,
-        motion: &dyn Tilting<T>,
+        motion: &dyn TiltEquation<T>,
         start: &Start<T>,
         low: &Extreme<T>,
         top: &UpperEnd<T>,
@@ -324,7 +324,7 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     /// upper end.
     fn next_to_lowest(
         &self,
-        motion: &dyn Tilting<T>,
+        motion: &dyn TiltEquation<T>,
         start: &Start<T>,
         low: &Extreme<T>,
         [to_start, length]: [T; 2],
@@ -345,7 +345,7 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     /// the turning points, and `time` (s) the time between them.
     fn next_to_highest(
         &self,
-        motion: &dyn Tilting<T>,
+        motion: &dyn TiltEquation<T>,
         start: &Start<T>,
         high: &Extreme<T>,
         [from_start, length]: [T; 2],
@@ -377,7 +377,7 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     }
 
     /// Distance in η from the largest tilt to the next root of G above it.
-    fn gap(&self, motion: &dyn Tilting<T>, high: &Extreme<T>) -> f64 {
+    fn gap(&self, motion: &dyn TiltEquation<T>, high: &Extreme<T>) -> f64 {
         /// Relative distance from the balance point within which G is taken as a parabola. Yaw and spin shift it but
         /// hardly change its curvature.
         const NEAR: f64 = 0.2;
@@ -395,15 +395,15 @@ impl<'a, T: Scalar> ScalarQuadrature<'a, T> {
     fn passage(&self, [from, to]: [T; 2]) -> Option<Segment<T>> {
         let Balance { y, eta, .. } = self.balance;
         let drive = self.motion.at(T::from(y), T::from(eta)).drive;
-        let ridge = Ridge::new(self.balance, drive);
-        let half = T::from(0.5) * (ridge.u(to) - ridge.u(from));
+        let balance_passage = BalancePassage::new(self.balance, drive);
+        let half = T::from(0.5) * (balance_passage.u(to) - balance_passage.u(from));
         if half.value() > LONGEST_PASSAGE {
-            let (_, between, _) = ridge.at(ridge.u(from) + half);
+            let (_, between, _) = balance_passage.at(balance_passage.u(from) + half);
             return Some(self.passage([from, between])? + self.passage([between, to])?);
         }
         let choice = Choice::plain(nodes_across(half.value()));
-        by_agreeing_rules(choice, 0.0, ridge.width().value(), |rule| {
-            across(self.motion, [from, to], &ridge, rule)
+        by_agreeing_rules(choice, 0.0, balance_passage.width().value(), |rule| {
+            across(self.motion, [from, to], &balance_passage, rule)
         })
     }
 
@@ -554,7 +554,7 @@ fn by_agreeing_rules<T: Scalar>(
 
 /// Integrates from the smallest tilt up to `length` in η above it.
 fn segment_from_lowest<T: Scalar>(
-    motion: &dyn Tilting<T>,
+    motion: &dyn TiltEquation<T>,
     low: &Extreme<T>,
     length: T,
 ) -> Option<Segment<T>> {
@@ -573,7 +573,7 @@ fn segment_from_lowest<T: Scalar>(
 /// Integrates from `length` in η below the largest tilt up to it. The next root of G is `gap` in η above it. `whole` is
 /// the time (s) of [`Segment::difference`].
 fn segment_to_highest<T: Scalar>(
-    motion: &dyn Tilting<T>,
+    motion: &dyn TiltEquation<T>,
     high: &Extreme<T>,
     length: T,
     gap: f64,
@@ -602,7 +602,7 @@ fn is_short<T: Scalar>(segment: T, whole: f64) -> bool {
 
 /// The motion with η and G measured from the start, in an interval that extends slightly beyond `away` in η.
 fn oscillation_to<'a, T: Scalar>(
-    motion: &'a dyn Tilting<T>,
+    motion: &'a dyn TiltEquation<T>,
     start: &Start<T>,
     away: T,
 ) -> SmallOscillation<'a, T> {

@@ -7,9 +7,9 @@
 //! At the smallest and the largest tilt, G is zero. There the change of variable η = η_end ± Λτ² makes the
 //! integrand an even analytic function of τ, for which Gauss-Legendre rules converge geometrically.
 
-use super::ridge::Ridge;
-use super::rule::{MAX_OUTER, Node, Rule, below};
-use super::tilting::{Pace, Point, Tilting};
+use super::balance_passage::BalancePassage;
+use super::quadrature_rule::{MAX_OUTER, Node, Rule, below};
+use super::tilt_equation::{Point, TiltEquation, YawAndTimeRates};
 use crate::real::{Bits, Lanes, Mask, Real, Vector};
 use core::ops::{Add, Sub};
 
@@ -206,13 +206,13 @@ impl<T: Real> Sub for Segment<T> {
 }
 
 /// Integrates from the smallest tilt y_c up to `length` in η above it. `low` is y, η and
-/// [`Extreme::singular_coefficient`](super::extremes::Extreme::singular_coefficient) there.
+/// [`Extreme::singular_coefficient`](super::tilt_extremes::Extreme::singular_coefficient) there.
 ///
 /// As y_c → 0, the integral ∫ y_c dη / √(y² − y_c²) times the singular coefficient becomes the dominant part of the
 /// yaw. That part is evaluated in closed form, so that the rule need not resolve it.
 #[inline(always)]
 pub(super) fn from_lowest<T: Real>(
-    motion: &(impl Tilting<T> + ?Sized),
+    motion: &(impl TiltEquation<T> + ?Sized),
     low: [T; 3],
     length: T,
     rule: &Rule,
@@ -232,7 +232,7 @@ pub(super) fn from_lowest<T: Real>(
 /// force is checked at the nodes.
 #[inline(always)]
 pub(super) fn from_lowest_toppling<T: Real>(
-    motion: &(impl Tilting<T> + ?Sized),
+    motion: &(impl TiltEquation<T> + ?Sized),
     low: [T; 3],
     length: T,
     rule: &Rule,
@@ -242,7 +242,7 @@ pub(super) fn from_lowest_toppling<T: Real>(
         let above = Above::lowest(low, length, T::from(node.at));
         let point = motion.at(above.y, above.eta);
         segment.check_normal_force(motion, &point);
-        let integrands = above.integrands(&Pace::of(&point));
+        let integrands = above.integrands(&YawAndTimeRates::of(&point));
         segment.add_node(integrands, node);
         segment.add_neighbouring_coefficients(integrands, node.neighbours);
     }
@@ -283,7 +283,7 @@ impl<T: Real> Above<T> {
 
     /// The integrands of yaw, without the part in closed form, and of time.
     #[inline(always)]
-    fn integrands(&self, pace: &Pace<T>) -> [T; 2] {
+    fn integrands(&self, pace: &YawAndTimeRates<T>) -> [T; 2] {
         // One division gives both 1/√square and 1/√(y²/y_c² − 1).
         let (root, rise) = (pace.square.sqrt(), square_excess(self.excess).sqrt());
         let both = self.measure / (root * rise);
@@ -304,7 +304,7 @@ fn square_excess<T: Real>(excess: T) -> T {
 /// Integrates from `length` in η below the largest tilt up to it. `high` is y and η there.
 #[inline(always)]
 pub(super) fn to_highest<T: Real>(
-    motion: &(impl Tilting<T> + ?Sized),
+    motion: &(impl TiltEquation<T> + ?Sized),
     high: [T; 2],
     length: T,
     rule: &Rule,
@@ -322,7 +322,7 @@ pub(super) fn to_highest<T: Real>(
 /// exponentials.
 #[inline(always)]
 pub(super) fn outer_to_highest<V: Vector>(
-    motion: &impl Tilting<V>,
+    motion: &impl TiltEquation<V>,
     high: [V; 2],
     rule: &Rule,
 ) -> Segment<V> {
@@ -338,7 +338,7 @@ pub(super) fn outer_to_highest<V: Vector>(
 /// The integrands of yaw and time at a node below the largest tilt y_high, where y = (1 + `less`) y_high.
 #[inline(always)]
 fn below_highest<T: Real>(
-    motion: &(impl Tilting<T> + ?Sized),
+    motion: &(impl TiltEquation<T> + ?Sized),
     [y_high, eta_high]: [T; 2],
     length: T,
     at: T,
@@ -352,22 +352,22 @@ fn below_highest<T: Real>(
 /// Integrates between two η without a turning point in between, across the balance point or on one side of it.
 #[inline(always)]
 pub(super) fn across<T: Real>(
-    motion: &(impl Tilting<T> + ?Sized),
+    motion: &(impl TiltEquation<T> + ?Sized),
     [from, to]: [T; 2],
-    ridge: &Ridge<T>,
+    passage: &BalancePassage<T>,
     rule: &Rule,
 ) -> Segment<T> {
-    let (first, last) = (ridge.u(from), ridge.u(to));
+    let (first, last) = (passage.u(from), passage.u(to));
     let half = T::from(0.5) * (last - first);
     let middle = first + half;
     let mut segment = Segment::nothing();
     for node in &rule.nodes {
         let mut to_sides = [[T::from(0.0); 2]; 2];
         for (integrands, at) in to_sides.iter_mut().zip([node.at, -node.at]) {
-            let (y, eta, rate) = ridge.at(middle + half * T::from(at));
+            let (y, eta, rate) = passage.at(middle + half * T::from(at));
             let point = motion.at(y, eta);
             segment.check_normal_force(motion, &point);
-            *integrands = paced(&Pace::of(&point), half * rate);
+            *integrands = paced(&YawAndTimeRates::of(&point), half * rate);
         }
         let [up, down] = to_sides;
         segment.add_node([up[0] + down[0], up[1] + down[1]], node);
@@ -380,7 +380,7 @@ pub(super) fn across<T: Real>(
 /// dominate G in between. Simpson's rule with √G as variable has an error of second or higher order in `length`.
 #[inline(always)]
 pub(super) fn short<T: Real>(
-    motion: &(impl Tilting<T> + ?Sized),
+    motion: &(impl TiltEquation<T> + ?Sized),
     [y_extreme, eta_extreme]: [T; 2],
     length: T,
     speed: T,
@@ -399,7 +399,7 @@ pub(super) fn short<T: Real>(
 
 /// dψ and dt for dη = `measure`.
 #[inline(always)]
-fn paced<T: Real>(pace: &Pace<T>, measure: T) -> [T; 2] {
+fn paced<T: Real>(pace: &YawAndTimeRates<T>, measure: T) -> [T; 2] {
     let rate = measure / pace.square.sqrt();
     [pace.yaw * rate, pace.time * rate]
 }
@@ -436,7 +436,7 @@ impl<T: Real> Segment<T> {
     }
 
     #[inline(always)]
-    fn check_normal_force(&mut self, motion: &(impl Tilting<T> + ?Sized), point: &Point<T>) {
+    fn check_normal_force(&mut self, motion: &(impl TiltEquation<T> + ?Sized), point: &Point<T>) {
         let least = T::from(MIN_NORMAL_FORCE) * motion.scaled_weight(point);
         self.force_deficit = self
             .force_deficit

@@ -4,9 +4,9 @@
 //! precision, gives G to full precision.
 
 use super::antiderivative::Antiderivative;
-use super::extremes::Extreme;
 use super::start::Start;
-use super::tilting::{Conserved, Point, ROUNDING, Tilting};
+use super::tilt_equation::{Conserved, Point, ROUNDING, TiltEquation};
+use super::tilt_extremes::Extreme;
 use crate::real::Real;
 
 /// Maximum distance in η between the turning points.
@@ -17,7 +17,7 @@ const POINTS: usize = 16;
 
 /// A motion whose η is measured from its start.
 pub(super) struct SmallOscillation<'a, T> {
-    motion: &'a dyn Tilting<T>,
+    motion: &'a dyn TiltEquation<T>,
     start: Start<T>,
     drive_start: T,
     gained: Antiderivative<T, POINTS>,
@@ -25,7 +25,12 @@ pub(super) struct SmallOscillation<'a, T> {
 
 impl<'a, T: Real> SmallOscillation<'a, T> {
     /// The motion from a start, for η between `from` and `to` relative to it.
-    pub(super) fn new(motion: &'a dyn Tilting<T>, start: Start<T>, from: f64, to: f64) -> Self {
+    pub(super) fn new(
+        motion: &'a dyn TiltEquation<T>,
+        start: Start<T>,
+        from: f64,
+        to: f64,
+    ) -> Self {
         let Start { y, eta, p, .. } = start;
         let slope = |away: T| motion.at(y + y * away.exp_m1(), eta + away).slope;
         SmallOscillation {
@@ -56,7 +61,7 @@ impl<'a, T: Real> SmallOscillation<'a, T> {
     }
 }
 
-impl<T: Real> Tilting<T> for SmallOscillation<'_, T> {
+impl<T: Real> TiltEquation<T> for SmallOscillation<'_, T> {
     fn conserved(&self) -> Conserved<T> {
         self.motion.conserved()
     }

@@ -1,0 +1,213 @@
+//! What follows where the whole base comes down flat at once, which rigid-body mechanics does not determine.
+
+use super::contacts::Contacts;
+use super::instant::{Instant, LEVEL_PHASES, Phase};
+use super::options::Options;
+use super::run::pass_near_collision;
+use crate::ending::Status;
+use crate::error::{InvalidInput, bounded};
+use crate::law::Parameters;
+use crate::real::{Real, Scalar};
+use crate::state::Coordinates;
+use core::f64::consts::PI;
+use std::sync::Arc;
+
+/// The motion after the whole base has come down flat at once.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum FlatLanding {
+    /// The motion ends.
+    #[default]
+    Stop,
+    /// The limit of a near-collision: the contact point runs round the rim by the limiting turn, and no energy is
+    /// lost to the side or to resistances. The side to which it runs is not determined by the motion.
+    Smooth(Side),
+    /// A plastic collision with the opposite point of the rim (G. W. Housner, Bull. Seismol. Soc. Am. 53, 1963). The
+    /// body goes on to rock about that point. A rim that rolls does not slip in the collision either, so that
+    /// φ̇ falls by the factor (A + mH² − mR²)/(A + mH² + mR²); a rim that slides suffers no impulse of friction, and
+    /// the factor is (A − mR²)/(A + mR²).
+    Housner,
+    /// φ̇ falls by this factor, from 0 to 1, and the body goes on to rock about the opposite point of the rim.
+    Restitution(f64),
+}
+
+/// The side to which the contact point runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// The yaw increases.
+    Left,
+    /// The yaw decreases.
+    Right,
+    /// Drawn for each landing from the random numbers of this seed.
+    Drawn(u64),
+}
+
+impl FlatLanding {
+    /// Refuses a factor that is out of bounds and, without the crate's feature `ground`, all but [`Self::Stop`].
+    pub(super) fn check(&self) -> Result<(), InvalidInput> {
+        if !LEVEL_PHASES && *self != FlatLanding::Stop {
+            return Err(InvalidInput::UnknownName {
+                what: "flat landing",
+                name: format!("{self:?}"),
+                choices: "Stop".to_owned(),
+            });
+        }
+        if let FlatLanding::Restitution(factor) = *self {
+            let unit = |factor: f64| (0.0..=1.0).contains(&factor);
+            bounded("flat restitution", factor, unit, "between 0 and 1", "")?;
+        }
+        Ok(())
+    }
+}
+
+impl Side {
+    /// The sign of the yaw's change in the landing number `landing`.
+    fn sign(self, landing: u64) -> f64 {
+        match self {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+            Side::Drawn(seed) => {
+                if random_bits(seed, landing) & 1 == 0 {
+                    1.0
+                } else {
+                    -1.0
+                }
+            }
+        }
+    }
+}
+
+/// Random bits by the generator SplitMix64 (G. L. Steele, D. Lea & C. H. Flood, 2014).
+fn random_bits(seed: u64, index: u64) -> u64 {
+    const INCREMENT: u64 = 0x9e37_79b9_7f4a_7c15;
+    let mut z = seed.wrapping_add(INCREMENT.wrapping_mul(index.wrapping_add(1)));
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// The tilt at which rocking begins, rad. It is so small that the error is below rounding. It is not zero, because with
+/// dt = sin φ dτ no time passes there.
+pub(super) const UPLIFT_TILT: f64 = 1e-15;
+
+/// The tilt at which a base that falls on a table that moves is flat, rad. Rounding in the components of the table's
+/// acceleration makes planar motions deviate by as much. A body that begins to rock is flatter than that.
+pub(super) const FLAT_TILT: f64 = 1e-13;
+
+/// The coordinates after the base of a body at `at` has come down flat; `None` where the motion ends. This is the
+/// landing number `landing` of the motion.
+pub(super) fn landed(
+    contacts: &Arc<Contacts>,
+    options: &Options,
+    at: &Instant,
+    landing: u64,
+) -> Option<Coordinates<f64>> {
+    match options.flat {
+        FlatLanding::Stop => None,
+        FlatLanding::Smooth(side) => smooth(contacts, options, at, side.sign(landing)),
+        FlatLanding::Housner => Some(after_collision(contacts, at, None)),
+        FlatLanding::Restitution(factor) => Some(after_collision(contacts, at, Some(factor))),
+    }
+}
+
+/// The coordinates after a collision on the flat base, with the lost energy, where φ̇ is multiplied by `factor` or by that
+/// of a plastic collision.
+fn after_collision(contacts: &Contacts, at: &Instant, factor: Option<f64>) -> Coordinates<f64> {
+    let k = contacts.parameters();
+    let rolls = at.phase == Phase::Rolling;
+    let factor = factor.unwrap_or_else(|| plastic_factor(k, rolls));
+    let velocity = contacts.dynamics(at.phase).center_velocity(at);
+    let u = rocked_over(k, at, factor, (!rolls).then_some(velocity));
+    with_loss(contacts, at, at.phase, u)
+}
+
+/// The factor of φ̇ in a plastic collision of a rim that rolls or slides.
+pub(super) fn plastic_factor<T: Real>(k: &Parameters<T>, rolls: bool) -> T {
+    let (upright, rim) = (k.a + k.m * k.h * k.h, k.m * k.r * k.r);
+    let factor = if rolls {
+        (upright - rim) / (upright + rim)
+    } else {
+        (k.a - rim) / (k.a + rim)
+    };
+    // A body that is wide enough stays on the table.
+    factor.max(T::from(0.0))
+}
+
+/// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor. A rim that slides
+/// keeps the horizontal `velocity` (m/s, along e_x1 and e_y1) of the centre of mass.
+pub(super) fn rocked_over<T: Scalar>(
+    k: &Parameters<T>,
+    at: &Coordinates<T>,
+    factor: T,
+    velocity: Option<[T; 2]>,
+) -> Coordinates<T> {
+    let zero = T::from(0.0);
+    let half_turn = T::from(if at.w.value() < 0.0 { -PI } else { PI });
+    let u = Coordinates {
+        yaw: at.yaw + half_turn,
+        spin: at.spin - half_turn,
+        sin: T::from(UPLIFT_TILT),
+        cos: T::from(1.0),
+        p: factor * at.p.abs(),
+        w: zero,
+        s: zero,
+        x1: -at.x1,
+        y1: -at.y1,
+        slip_x: zero,
+        slip_y: zero,
+        ..*at
+    };
+    let Some([vx, vy]) = velocity else {
+        return u;
+    };
+    let [rolling_x, rolling_y] = k.rolling_velocity(&u);
+    Coordinates {
+        slip_x: -vx - rolling_x,
+        slip_y: -vy - rolling_y,
+        ..u
+    }
+}
+
+/// `u` with the energy that it has less than `at` added to the loss in impacts.
+pub(super) fn with_loss(
+    contacts: &Contacts,
+    at: &Instant,
+    phase: Phase,
+    u: Coordinates<f64>,
+) -> Coordinates<f64> {
+    let before = contacts.dynamics(at.phase).energy(at).total();
+    let after = contacts.dynamics(phase).energy(&u).total();
+    Coordinates {
+        impact_loss: u.impact_loss + (before - after),
+        ..u
+    }
+}
+
+/// The body after a near-collision in the limit of vanishing sideways motion.
+fn smooth(
+    contacts: &Arc<Contacts>,
+    options: &Options,
+    at: &Instant,
+    side: f64,
+) -> Option<Coordinates<f64>> {
+    // The turn is off by as much, in radians.
+    const SIDEWAYS: f64 = 1e-9;
+    let sideways = SIDEWAYS * at.p.abs();
+    let start = Coordinates {
+        sin: 0.0,
+        cos: 1.0,
+        w: side * sideways,
+        ..at.u
+    };
+    let contacts = Arc::new(contacts.without_resistance());
+    let (trajectory, status) = pass_near_collision(&contacts, start, sideways, options);
+    let end = trajectory.end();
+    let is_same = |a: f64, b: f64| (a - b).abs() < 1e3 * sideways;
+    let s = if is_same(end.s, at.s) { at.s } else { end.s };
+    (status == Status::Finished).then_some(Coordinates {
+        sin: UPLIFT_TILT,
+        cos: 1.0,
+        w: 0.0,
+        s,
+        ..end.u
+    })
+}
